@@ -1,0 +1,24 @@
+# Flags that every target of liesl is built with, carried by one interface target.
+add_library(liesl_options INTERFACE)
+target_compile_features(liesl_options INTERFACE cxx_std_20)
+target_compile_options(liesl_options INTERFACE -fno-math-errno)
+if(LIESL_NATIVE)
+  # Part of the interface: Eigen's alignment depends on it, so that users of the library must agree.
+  target_compile_options(liesl_options INTERFACE -march=native)
+endif()
+
+# Warnings are for our own sources only, hence a private list and not an interface.
+set(LIESL_WARNINGS -Wall -Wextra -Wshadow -Wnon-virtual-dtor -Wpedantic)
+if(LIESL_WERROR)
+  list(APPEND LIESL_WARNINGS -Werror)
+endif()
+
+# liesl_add_library(<name> [sources...]): the library of one folder.
+function(liesl_add_library name)
+  add_library(${name} ${ARGN})
+  add_library(liesl::${name} ALIAS ${name})
+  target_compile_options(${name} PRIVATE ${LIESL_WARNINGS})
+  target_include_directories(${name} PUBLIC $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}>
+                                            $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/liesl>)
+  target_link_libraries(${name} PUBLIC liesl_options)
+endfunction()

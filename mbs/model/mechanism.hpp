@@ -1,0 +1,125 @@
+#pragma once
+/// @file
+/// A mechanism as data: bodies, ports, joints, forces, loads, in the inertial frame, in SI units,
+/// in space. It says nothing of groups or formalisms: `Model<SE2>` and `Model<SE3>` are built from it.
+
+#include <Eigen/Core>
+#include <map>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "liegroup/se3.hpp"
+#include "mbs/model/time_function.hpp"
+#include "mbs/sections/section.hpp"
+
+namespace liesl {
+
+using Vec3 = Eigen::Vector3d;
+using Mat3 = Eigen::Matrix3d;
+
+/// Chain of two-node beam elements. Node frames have x along the axis, y and z along the section's.
+struct BeamSpec {
+  std::vector<SE3> nodes;         ///< reference frames, n + 1; elements may be curved and twisted
+  std::vector<Section> sections;  ///< n, one an element
+  Material material;              ///< of all elements; unused by FullSection
+  double damping = 0;             ///< stiffness-proportional, in s: n_d = damping K d(eps)/dt
+};
+
+/// Rigid body with named points.
+struct RigidSpec {
+  SE3 frame;                           ///< the port "origin"
+  double mass = 0;                     ///< kg
+  Mat3 inertia = Mat3::Zero();         ///< kg m^2 about the centre of mass, in body axes
+  Vec3 centre = Vec3::Zero();          ///< of mass, in body axes, from the origin
+  std::map<std::string, Vec3> points;  ///< further ports, in the inertial frame at the start
+};
+
+struct BodySpec {
+  std::string name;
+  std::variant<BeamSpec, RigidSpec> kind;
+  Vec3 velocity = Vec3::Zero();          ///< of its first frame, inertial, m/s, at the start
+  Vec3 angular_velocity = Vec3::Zero();  ///< inertial, rad/s, at the start
+};
+
+/// A frame that couplings, loads and responses hold on to: `frame(port) = H_node * offset`.
+/// body = -1 is the ground, where `offset` is the frame itself.
+struct Port {
+  int body = -1;
+  int node = 0;
+  SE3 offset = SE3::identity();
+};
+
+/// Joints by the relative motion they leave (a subgroup of SE(3), but for the universal joint).
+enum class JointType {
+  Fixed,        ///< none
+  Revolute,     ///< angle about `axis`
+  Prismatic,    ///< displacement along `axis`
+  Cylindrical,  ///< displacement and angle
+  Spherical,    ///< all rotations
+  Universal,    ///< angle about `axis` (of a), angle about `axis2` (of b)
+  Planar        ///< two displacements normal to `axis`, angle about it
+};
+
+/// Joint between port a (or the ground) and port b. Coordinates are zero in the scene as given.
+struct JointSpec {
+  std::string name;
+  JointType type = JointType::Fixed;
+  Port a, b;
+  Vec3 axis = Vec3::UnitZ();   ///< inertial, at the start; unit
+  Vec3 axis2 = Vec3::UnitX();  ///< universal joints: second axis, normal to the first; unit
+};
+
+/// Prescribes coordinate `coordinate` of joint `joint`: q(t) = motion(t).
+struct DriveSpec {
+  int joint = 0;
+  int coordinate = 0;
+  TimeFunction motion;
+};
+
+/// Force law on a joint coordinate q, or on the distance q of two ports:
+/// f = stiffness (q - rest) + damping dq/dt - force(t), acting against q.
+struct ForceSpec {
+  std::string name;
+  int joint = -1;       ///< on joint coordinate `coordinate` if >= 0, else between ports a and b
+  int coordinate = 0;
+  Port a, b;
+  double stiffness = 0;  ///< N/m or N m/rad
+  double damping = 0;    ///< N s/m or N m s/rad
+  double rest = 0;       ///< m or rad
+  TimeFunction force;    ///< N or N m; positive pushes the coordinate up
+};
+
+/// Force and moment at a port, or per length along a beam body.
+struct LoadSpec {
+  std::string name;
+  Port port;                   ///< a port, or any port of the beam if `spread`
+  bool spread = false;         ///< per length over the whole beam: N/m and N m/m
+  bool follower = false;       ///< components in the local frame, else inertial (dead)
+  Vec3 force = Vec3::Zero();   ///< N
+  Vec3 moment = Vec3::Zero();  ///< N m
+  TimeFunction scale = TimeFunction::constant(1);
+};
+
+struct Mechanism {
+  std::string name;
+  Vec3 gravity = Vec3::Zero();
+  std::vector<BodySpec> bodies;
+  std::vector<JointSpec> joints;
+  std::vector<DriveSpec> drives;
+  std::vector<ForceSpec> forces;
+  std::vector<LoadSpec> loads;
+
+  /// Index of a body by name, -1 if there is none.
+  int body(std::string_view name) const;
+  /// Port by text: "ground", "rod.start", "rod.end", "rod.mid" (even number of elements),
+  /// "rod.node3", "slider.origin", "top.tip" (named point). Empty if there is no such port.
+  std::optional<Port> port(std::string_view text) const;
+  /// Every port name of a body, for hints.
+  std::vector<std::string> port_names(int body) const;
+  /// Frame of a port in the scene as given.
+  SE3 frame(const Port& port) const;
+};
+
+}  // namespace liesl
