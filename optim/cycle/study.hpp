@@ -1,0 +1,59 @@
+#pragma once
+/// @file
+/// A sizing study as data: what may change, what must hold, how to cycle.
+
+#include <map>
+#include <string>
+#include <vector>
+
+#include "mbs/model/response.hpp"
+
+namespace liesl {
+
+/// One dimension of the section of one or several (linked) beams, constant over each of `groups`
+/// runs of neighbouring elements. Gives the variables name[0] .. name[groups - 1].
+struct DesignSpec {
+  std::string name;
+  std::vector<int> bodies;    ///< linked: the same values in each
+  std::string property;       ///< dimension of the section: "diameter", "thickness", ...
+  int groups = 1;             ///< >= 1, divides into the elements as evenly as possible
+  double lower = 0, upper = 0;  ///< m
+  std::vector<double> start;  ///< empty = as in the scene; else one value or one a group
+};
+
+struct ConstraintSpec {
+  ResponseSpec response;  ///< its name is the constraint's name
+  double limit = 0;       ///< |response| <= limit at every time step
+};
+
+enum class Optimizer { Ipopt, Mma, Ccsaq, Slsqp };
+/// What Ipopt is given: the static problem with its exact Hessian, or a sequence of convex
+/// separable models of it.
+enum class NlpModel { Exact, Separable };
+
+/// Where a part is held in its static problem; any statically determinate choice gives the same
+/// deformation. "start", "node3:xyz", "end:yz,rx", or "inertia_relief".
+using Support = std::vector<std::string>;
+
+struct CycleOptions {
+  int max = 30;                    ///< cycles
+  double tolerance = 1e-3;         ///< of the relative change of the loads (thesis eq. 3.25)
+  double objective_tolerance = 1e-3;   ///< of the relative change of the objective
+  double feasibility = 1e-3;       ///< allowed relative violation of a limit
+  double move_limit = 0.5;         ///< largest relative change of a variable in a cycle, at first
+  double screening = 0.3;          ///< keep load cases within this of a constraint's largest
+  int min_cases = 10;              ///< kept per constraint
+  Optimizer optimizer = Optimizer::Ipopt;
+  NlpModel model = NlpModel::Exact;
+};
+
+struct StudySpec {
+  std::string name;
+  std::vector<DesignSpec> design;
+  std::vector<int> mass_of;  ///< objective: mass of these bodies
+  std::vector<ConstraintSpec> constraints;
+  std::map<int, Support> supports;  ///< by body; default "start"
+  CycleOptions cycle;
+};
+
+}  // namespace liesl
