@@ -47,11 +47,19 @@ struct ForceLaw {
   TimeFunction force;
 };
 
-/// What a row is for.
+/// What a row is for, in the order in which a coupling keeps its rows.
+enum class Role {
+  Constraint,  ///< row = target(t), with a multiplier
+  Compliant,   ///< force law with stiffness or damping
+  Actuator,    ///< force law without
+  Redundant,   ///< constraint that repeats others; only watched
+  Observed     ///< joint coordinate that nothing acts on
+};
+
 template <FrameGroup G>
 struct Equation {
   Row<G> row;
-  enum class Role { Constraint, Force, Observed } role = Role::Constraint;
+  Role role = Role::Constraint;
   TimeFunction target;  ///< constraint: row = target(t)
   ForceLaw law;         ///< force
   int coordinate = -1;  ///< number of the joint coordinate that this row is, -1 = none
@@ -62,10 +70,12 @@ template <FrameGroup G>
 struct Coupling {
   std::string name;
   PortOf<G> a, b;
-  std::vector<Equation<G>> equations;
-  int first_row = 0;         ///< in State::q
-  int first_constraint = 0;  ///< in State::lambda
-  int constraints = 0;
+  std::vector<Equation<G>> equations;  ///< sorted by role
+  int first_row = 0;                   ///< in State::q
+  int first_constraint = 0;            ///< in State::lambda
+  int constraints = 0;                 ///< rows with a multiplier
+  int active = 0;                      ///< those and the compliant ones: rows of the joint system
+  int acting = 0;                      ///< those and the actuators
   bool is_joint = true;
 };
 

@@ -40,20 +40,19 @@ std::unique_ptr<Body<G>> make_body(const std::string& name, const RigidSpec& rig
                                     centre.template head<G::space_dim>());
 }
 
-/// Three unit axes, the first one given, the second one as given or any.
-Mat3 axes_of(const JointSpec& j) {
+/// Three unit axes, the first one given, the second one as given or any; in a plane each of them
+/// is in it or normal to it.
+template <class G>
+Mat3 axes_of(const JointSpec& j, const Space<G>& space) {
   Mat3 e;
   e.col(0) = j.axis;
-  Vec3 second = j.type == JointType::Universal ? j.axis2 : j.axis.unitOrthogonal();
-  // In a plane with normal along a coordinate axis every vector here is along or normal to it.
-  if (j.type != JointType::Universal)
-    for (int i = 0; i < 3; ++i)
-      if (std::abs(j.axis[i]) < 1e-12) {
-        second = Vec3::Unit(i);
-        break;
-      }
-  e.col(1) = second;
-  e.col(2) = j.axis.cross(second);
+  e.col(1) = j.axis.unitOrthogonal();
+  if constexpr (G::space_dim == 2) {
+    const Vec3 n = space.frame.R.col(2);
+    e.col(1) = std::abs(n.dot(j.axis)) > 0.5 ? Vec3(space.frame.R.col(0)) : n;
+  }
+  if (j.type == JointType::Universal) e.col(1) = j.axis2;
+  e.col(2) = e.col(0).cross(e.col(1));
   return e;
 }
 
@@ -62,7 +61,6 @@ Mat3 axes_of(const JointSpec& j) {
 template <class G>
 class JointRows {
  public:
-  using Role = typename Equation<G>::Role;
   using Vector = typename Row<G>::Vector;
   JointRows(const Space<G>& space, std::vector<Equation<G>>& out) : space_(space), out_(out) {}
 
@@ -91,8 +89,8 @@ class JointRows {
 
 /// The rows of each joint type: constraints first, then the coordinates it leaves.
 template <class G>
-void add_joint_rows(const JointSpec& j, JointRows<G> rows) {
-  const Mat3 e = axes_of(j);
+void add_joint_rows(const JointSpec& j, const Space<G>& space, JointRows<G> rows) {
+  const Mat3 e = axes_of(j, space);
   const Vec3 e1 = e.col(0), e2 = e.col(1), e3 = e.col(2);
   const auto type = j.type;
   const bool centred = type == JointType::Fixed || type == JointType::Revolute ||
@@ -162,19 +160,19 @@ class Builder {
       at_a += free_gap(j, at_b - at_a);
     c.a = port_at(j.a, at_a);
     c.b = port_at(j.b, at_b);
-    add_joint_rows(j, JointRows<G>(space_, c.equations));
+    add_joint_rows(j, space_, JointRows<G>(space_, c.equations));
     for (const auto& d : m_.drives)
       if (d.joint == index)
         if (Equation<G>* e = coordinate(c, d.coordinate)) {
-          e->role = Equation<G>::Role::Constraint;
+          e->role = Role::Constraint;
           e->target = d.motion;
         }
     for (const auto& f : m_.forces)
       if (f.joint == index)
         if (const Equation<G>* e = coordinate(c, f.coordinate)) {
           Equation<G> force = *e;
-          force.role = Equation<G>::Role::Force;
           force.law = {f.stiffness, f.damping, f.rest, f.force};
+          force.role = role_of(force.law);
           force.coordinate = -1;
           c.equations.push_back(force);
         }
@@ -187,8 +185,8 @@ class Builder {
     c.is_joint = false;
     c.a = port_of(f.a);
     c.b = port_of(f.b);
-    c.equations.push_back({Row<G>::distance(), Equation<G>::Role::Force, TimeFunction(),
-                           {f.stiffness, f.damping, f.rest, f.force}, 0});
+    const ForceLaw law{f.stiffness, f.damping, f.rest, f.force};
+    c.equations.push_back({Row<G>::distance(), role_of(law), TimeFunction(), law, 0});
     return c;
   }
 
@@ -218,6 +216,9 @@ class Builder {
     Port node = port;
     node.offset = SE3::identity();
     return m_.frame(node);
+  }
+  static Role role_of(const ForceLaw& law) {
+    return law.stiffness == 0 && law.damping == 0 ? Role::Actuator : Role::Compliant;
   }
   static Equation<G>* coordinate(Coupling<G>& c, int coordinate) {
     for (auto& e : c.equations)
@@ -260,10 +261,11 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     model.nodes_ += model.bodies.back()->nodes();
   }
   const Builder<G> builder(mechanism, space, model.first_node_);
-  for (size_t j = 0; j < mechanism.joints.size(); ++j) model.add_coupling(builder.joint(static_cast<int>(j)));
+  for (size_t j = 0; j < mechanism.joints.size(); ++j) model.couplings.push_back(builder.joint(static_cast<int>(j)));
   for (const auto& f : mechanism.forces)
-    if (f.joint < 0) model.add_coupling(builder.force(f));
+    if (f.joint < 0) model.couplings.push_back(builder.force(f));
   for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l, model));
+  std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
   model.finish();
 
   model.initial_velocity_.setZero(model.size());
@@ -285,22 +287,9 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
 }
 
 template <class G>
-void Model<G>::add_coupling(Coupling<G> c) {
-  if (c.equations.empty()) return;
-  c.first_row = rows_;
-  c.first_constraint = constraints_;
-  std::stable_partition(c.equations.begin(), c.equations.end(), [](const Equation<G>& e) {
-    return e.role == Equation<G>::Role::Constraint;
-  });
-  for (const auto& e : c.equations) c.constraints += e.role == Equation<G>::Role::Constraint;
-  rows_ += static_cast<int>(c.equations.size());
-  constraints_ += c.constraints;
-  couplings.push_back(std::move(c));
-}
-
-template <class G>
 void Model<G>::finish() {
   coupled_nodes.assign(bodies.size(), {});
+  rows_ = constraints_ = 0;
   const auto place = [this](PortOf<G>& p) {
     if (p.body < 0) return;
     auto& nodes = coupled_nodes[p.body];
@@ -311,6 +300,18 @@ void Model<G>::finish() {
   for (auto& c : couplings) {
     place(c.a);
     place(c.b);
+    std::stable_sort(c.equations.begin(), c.equations.end(),
+                     [](const Equation<G>& a, const Equation<G>& b) { return a.role < b.role; });
+    c.first_row = rows_;
+    c.first_constraint = constraints_;
+    c.constraints = c.active = c.acting = 0;
+    for (const auto& e : c.equations) {
+      c.constraints += e.role == Role::Constraint;
+      c.active += e.role <= Role::Compliant;
+      c.acting += e.role <= Role::Actuator;
+    }
+    rows_ += static_cast<int>(c.equations.size());
+    constraints_ += c.constraints;
   }
 }
 

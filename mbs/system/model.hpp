@@ -59,9 +59,10 @@ class Model {
   std::vector<std::vector<int>> coupled_nodes;
   double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
 
- private:
-  void add_coupling(Coupling<G> coupling);
+  /// Numbers the rows again, after roles have changed.
   void finish();
+
+ private:
 
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_;
