@@ -27,9 +27,9 @@ class Beam final : public Body<G> {
 
   /// @param nodes reference frames, n + 1  @param sections one an element
   /// @param damping stiffness-proportional, s
-  Beam(std::string name, std::vector<G> nodes, const std::vector<ElementSection<G>>& sections,
+  Beam(std::string body_name, std::vector<G> nodes_at_rest, const std::vector<ElementSection<G>>& sections,
        double damping)
-      : Body<G>(std::move(name), std::move(nodes)), damping_(damping) {
+      : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
     this->M_.resize(this->nodes());
     this->K_.resize(this->nodes());
     for (int e = 0; e + 1 < this->nodes(); ++e) {

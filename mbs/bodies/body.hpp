@@ -52,7 +52,8 @@ class Body {
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
   using Matrices = BlockTridiagonal<dim>;
 
-  Body(std::string name, std::vector<G> reference) : name(std::move(name)), reference(std::move(reference)) {}
+  Body(std::string body_name, std::vector<G> nodes_at_rest)
+      : name(std::move(body_name)), reference(std::move(nodes_at_rest)) {}
   virtual ~Body() = default;
 
   const std::string name;

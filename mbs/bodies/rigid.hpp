@@ -17,8 +17,8 @@ class Rigid final : public Body<G> {
 
   /// @param inertia generalized inertia about the origin of the frame, conjugate to [u; w]
   /// @param centre of mass in the body frame
-  Rigid(std::string name, const G& frame, const typename G::Matrix& inertia, const Vector& centre)
-      : Body<G>(std::move(name), {frame}), centre_(centre) {
+  Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia, const Vector& centre)
+      : Body<G>(std::move(body_name), {frame}), centre_(centre) {
     this->M_.resize(1);
     this->K_.resize(1);
     this->M_.D[0] = inertia;
