@@ -2,10 +2,10 @@
 add_library(liesl_options INTERFACE)
 target_compile_features(liesl_options INTERFACE cxx_std_20)
 target_compile_options(liesl_options INTERFACE -fno-math-errno)
-if(LIESL_NATIVE)
+if(LIESL_ARCH)
   # Part of the interface: Eigen's alignment depends on it, so that users of the library must agree
-  # (see install.cmake). -DLIESL_NATIVE=OFF for programs that are handed out.
-  target_compile_options(liesl_options INTERFACE -march=native)
+  # (see install.cmake). AVX2 and FMA, not AVX-512: blocks of 3 and 6 do not fill its registers.
+  target_compile_options(liesl_options INTERFACE -march=${LIESL_ARCH})
 endif()
 
 # Compilers are called through ccache where there is one.
