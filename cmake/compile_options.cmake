@@ -3,8 +3,16 @@ add_library(liesl_options INTERFACE)
 target_compile_features(liesl_options INTERFACE cxx_std_20)
 target_compile_options(liesl_options INTERFACE -fno-math-errno)
 if(LIESL_NATIVE)
-  # Part of the interface: Eigen's alignment depends on it, so that users of the library must agree.
+  # Part of the interface: Eigen's alignment depends on it, so that users of the library must agree
+  # (see install.cmake). -DLIESL_NATIVE=OFF for programs that are handed out.
   target_compile_options(liesl_options INTERFACE -march=native)
+endif()
+
+# Compilers are called through ccache where there is one.
+find_program(LIESL_CCACHE ccache)
+mark_as_advanced(LIESL_CCACHE)
+if(LIESL_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${LIESL_CCACHE})
 endif()
 
 # Warnings are for our own sources only, hence a private list and not an interface.

@@ -19,8 +19,14 @@ if(LIESL_APPS)
   find_package(nlohmann_json REQUIRED)
   find_package(CLI11 REQUIRED)
   find_package(spdlog REQUIRED)
-  find_package(HDF5 REQUIRED COMPONENTS C)
+  pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+  pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
 endif()
+
+# A Python with matplotlib, for pictures and checks; the system's one before others in PATH, which
+# need not have it. -DLIESL_PYTHON=... chooses another; so does the environment at run time.
+find_program(LIESL_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
+find_program(LIESL_PYTHON python3)
 if(LIESL_TESTS)
   find_package(GTest REQUIRED)
 endif()

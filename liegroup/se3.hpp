@@ -1,0 +1,136 @@
+#pragma once
+/// @file
+/// Frames of space SE(3). H = (R, x) maps local to inertial coordinates; tangent h = [u; w],
+/// translation first, both in the local frame. Formulas: Sonneville, Cardona, Brüls, CMAME 268
+/// (2014), Appendix A, in the block form [F(w) DF(w)[u]; 0 F(w)] of liegroup/so3_series.hpp.
+
+#include <Eigen/Core>
+
+#include "liegroup/concepts.hpp"
+#include "liegroup/so3.hpp"
+
+namespace liesl {
+
+struct SE3 {
+  using Tangent = Eigen::Matrix<double, 6, 1>;
+  using Matrix = Eigen::Matrix<double, 6, 6>;
+  static constexpr int dim = 6;
+  static constexpr int space_dim = 3;
+  static constexpr int rotation_dim = 3;
+
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+  Eigen::Vector3d x = Eigen::Vector3d::Zero();
+
+  SE3() = default;
+  SE3(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& position)
+      : R(rotation), x(position) {}
+
+  static SE3 identity() { return {}; }
+  SE3 operator*(const SE3& other) const { return {R * other.R, R * other.x + x}; }
+  /// Inertial coordinates R p + x of the point with local coordinates p.
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return R * p + x; }
+  SE3 inverse() const { return {R.transpose(), -(R.transpose() * x)}; }
+
+  /// R = exp(w), x = T(w)' u = u + c2 w x u + c3 w x (w x u).
+  static SE3 exp(const Tangent& h) {
+    const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>();
+    const trig::Stumpff3 c = trig::stumpff3(w.squaredNorm());
+    return {So3Series{.f1 = c.c1, .f2 = c.c2}.value(w),
+            So3Series{.f1 = c.c2, .f2 = c.c3}.apply(w, u)};
+  }
+
+  /// w = log(R), u = T^-T(w) x. Rotation below pi, see SO3::log.
+  static Tangent log(const SE3& H) {
+    const Eigen::Vector3d w = SO3::log(SO3(H.R));
+    Tangent h;
+    h << so3_tangent_inverse_transposed(w.squaredNorm()).apply(w, H.x), w;
+    return h;
+  }
+
+  /// d = log(H) and T^-1(d) = [A C; 0 A] with shared coefficients: the beam's inner loop.
+  /// T^-1(-d) = T^-1(d) - ad(d).
+  static void log_and_Tinv(const SE3& H, Tangent& d, Matrix& Tinv_d) {
+    const Eigen::Vector3d w = SO3::log(SO3(H.R));
+    const So3Series s = so3_tangent_inverse(w.squaredNorm());
+    const Eigen::Vector3d u = s.apply(w, H.x) - w.cross(H.x);  // T^-T(w) x
+    d << u, w;
+    fill(Tinv_d, s.value(w), s.directional(w, u));
+  }
+
+  /// Ad(H) = [R x~R; 0 R]
+  Matrix Ad() const {
+    Matrix A;
+    fill(A, R, hat(x) * R);
+    return A;
+  }
+
+  /// Ad(H^-1) = [R' -R'x~; 0 R']
+  Matrix AdInv() const {
+    Matrix A;
+    fill(A, R.transpose(), -(R.transpose() * hat(x)));
+    return A;
+  }
+
+  /// ad([u;w]) = [w~ u~; 0 w~]
+  static Matrix ad(const Tangent& h) {
+    Matrix A;
+    fill(A, hat(h.tail<3>()), hat(h.head<3>()));
+    return A;
+  }
+
+  static Matrix T(const Tangent& h) { return value(so3_tangent(h.tail<3>().squaredNorm()), h); }
+  static Matrix Tinv(const Tangent& h) {
+    return value(so3_tangent_inverse(h.tail<3>().squaredNorm()), h);
+  }
+  static Matrix dT(const Tangent& h, const Tangent& a) {
+    return derivative(so3_tangent(h.tail<3>().squaredNorm()), h, a);
+  }
+  static Matrix dTinv(const Tangent& h, const Tangent& a) {
+    return derivative(so3_tangent_inverse(h.tail<3>().squaredNorm()), h, a);
+  }
+
+  /// T^-T(h) n = [A'n_u; C'n_u + A'n_w], hence [0 dA'(n_u); dA'(n_u)  dA'(n_w) + d2A'(u, n_u)].
+  static Matrix dTinvT(const Tangent& h, const Tangent& n) {
+    const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>(), nu = n.head<3>();
+    const So3Series s = so3_tangent_inverse_transposed(w.squaredNorm());
+    const Eigen::Matrix3d A = s.dF(w, nu);
+    Matrix D;
+    D.topLeftCorner<3, 3>().setZero();
+    D.topRightCorner<3, 3>() = A;
+    D.bottomLeftCorner<3, 3>() = A;
+    D.bottomRightCorner<3, 3>() = s.dF(w, n.tail<3>()) + s.d2F(w, u, nu);
+    return D;
+  }
+
+  /// One Newton step of R towards the nearest rotation; x is kept.
+  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
+
+ private:
+  /// M = [A C; 0 A]
+  static void fill(Matrix& M, const Eigen::Matrix3d& A, const Eigen::Matrix3d& C) {
+    M.topLeftCorner<3, 3>() = A;
+    M.topRightCorner<3, 3>() = C;
+    M.bottomLeftCorner<3, 3>().setZero();
+    M.bottomRightCorner<3, 3>() = A;
+  }
+
+  /// [F(w) DF(w)[u]; 0 F(w)]
+  static Matrix value(const So3Series& s, const Tangent& h) {
+    const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>();
+    Matrix M;
+    fill(M, s.value(w), s.directional(w, u));
+    return M;
+  }
+
+  /// D_h of [F a_u + DF[u] a_w; F a_w] = [dF(a_w)  dF(a_u) + d2F(u, a_w); 0  dF(a_w)].
+  static Matrix derivative(const So3Series& s, const Tangent& h, const Tangent& a) {
+    const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>(), aw = a.tail<3>();
+    Matrix M;
+    fill(M, s.dF(w, aw), s.dF(w, a.head<3>()) + s.d2F(w, u, aw));
+    return M;
+  }
+};
+
+static_assert(FrameGroup<SE3>);
+
+}  // namespace liesl

@@ -1,0 +1,98 @@
+#pragma once
+/// @file
+/// Rotations SO(3). R maps local to inertial components; tangent w [3], local frame.
+
+#include <Eigen/Core>
+#include <cmath>
+
+#include "liegroup/concepts.hpp"
+#include "liegroup/so3_series.hpp"
+
+namespace liesl {
+
+/// Rotation of space. T, T^-1 and their derivatives: see So3Series.
+struct SO3 {
+  using Tangent = Eigen::Vector3d;
+  using Matrix = Eigen::Matrix3d;
+  static constexpr int dim = 3;
+  static constexpr int rotation_dim = 3;
+
+  Eigen::Matrix3d R = Eigen::Matrix3d::Identity();
+
+  SO3() = default;
+  explicit SO3(const Eigen::Matrix3d& rotation) : R(rotation) {}
+
+  static SO3 identity() { return {}; }
+  SO3 operator*(const SO3& other) const { return SO3(R * other.R); }
+  Eigen::Vector3d operator*(const Eigen::Vector3d& a) const { return R * a; }
+  SO3 inverse() const { return SO3(R.transpose()); }
+
+  /// Rodrigues: exp(w) = I + c1 w~ + c2 w~^2.
+  static SO3 exp(const Tangent& w) {
+    const trig::Stumpff3 c = trig::stumpff3(w.squaredNorm());
+    return SO3(So3Series{.f1 = c.c1, .f2 = c.c2}.value(w));
+  }
+
+  /// w with exp(w) = R and |w| <= pi. At |w| = pi both w and -w are logarithms and one of them is
+  /// returned; up to there the error is a few units of rounding.
+  static Tangent log(const SO3& H) {
+    const Eigen::Vector3d s = vee(H.R);  // sin|w| n
+    const double sine2 = s.squaredNorm();
+    if (sine2 <= trig::kArcsineSwitch && H.R.trace() > 1) return trig::angle_over_sine(sine2) * s;
+    return log_by_quaternion(H.R);
+  }
+
+  /// Ad(R) = R
+  Matrix Ad() const { return R; }
+  Matrix AdInv() const { return R.transpose(); }
+  /// ad(w) = w~
+  static Matrix ad(const Tangent& w) { return hat(w); }
+
+  static Matrix T(const Tangent& w) { return so3_tangent_value(w.squaredNorm()).value(w); }
+  static Matrix Tinv(const Tangent& w) { return so3_tangent_inverse(w.squaredNorm()).value(w); }
+  static Matrix dT(const Tangent& w, const Tangent& a) {
+    return so3_tangent(w.squaredNorm()).dF(w, a);
+  }
+  static Matrix dTinv(const Tangent& w, const Tangent& a) {
+    return so3_tangent_inverse(w.squaredNorm()).dF(w, a);
+  }
+  static Matrix dTinvT(const Tangent& w, const Tangent& n) {
+    return so3_tangent_inverse_transposed(w.squaredNorm()).dF(w, n);
+  }
+
+  /// w = log(H) and T^-1(w) with shared coefficients.
+  static void log_and_Tinv(const SO3& H, Tangent& w, Matrix& Tinv_w) {
+    w = log(H);
+    Tinv_w = Tinv(w);
+  }
+
+  /// One Newton step R <- R (3 I - R'R)/2 towards the nearest rotation (polar factor).
+  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
+
+ private:
+  /// Quaternion (W, V) up to scale from the row of 4 q q' with the largest pivot [Shepperd 1978];
+  /// then w = 2 atan2(|V|, W) V/|V|, without cancellation for every angle. @pre R is not I.
+  static Tangent log_by_quaternion(const Eigen::Matrix3d& R) {
+    const Eigen::Vector3d axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
+    const double trace = R.trace();
+    int i = 0;
+    const double largest = R.diagonal().maxCoeff(&i);
+    double W = 1 + trace;
+    Eigen::Vector3d V = axial;
+    if (trace < largest) {
+      V = R.col(i) + R.row(i).transpose();
+      V[i] = 1 + 2 * largest - trace;
+      W = axial[i];
+      if (W < 0) {
+        W = -W;
+        V = -V;
+      }
+    }
+    const double sine = V.norm();
+    return (2 * std::atan2(sine, W) / sine) * V;
+  }
+};
+
+static_assert(LieGroup<SO3>);
+
+}  // namespace liesl

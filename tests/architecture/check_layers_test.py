@@ -1,0 +1,90 @@
+#!/usr/bin/env python3
+"""Shows that check_layers.py can fail: one bad tree for each thing it checks."""
+
+import contextlib
+import io
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).parent))
+import check_layers  # noqa: E402
+
+GOOD = {
+    "liegroup/so3.hpp": "#pragma once\n#include <Eigen/Core>\n",
+    "mbs/model/model.hpp": '#include "liegroup/so3.hpp"\n',
+    "optim/cycle/cycle.cpp": '#include "mbs/model/model.hpp"\nint f() {\n  return 1;\n}\n',
+}
+
+
+def errors_of(changes):
+    """Errors of the good tree with some files changed or added."""
+    with tempfile.TemporaryDirectory() as folder:
+        for path, text in {**GOOD, **changes}.items():
+            file = Path(folder) / path
+            file.parent.mkdir(parents=True, exist_ok=True)
+            file.write_text(text, encoding="utf-8")
+        with contextlib.redirect_stdout(io.StringIO()):
+            return check_layers.check(Path(folder))
+
+
+class CheckLayers(unittest.TestCase):
+    def refuses(self, changes, *words):
+        errors = errors_of(changes)
+        self.assertTrue(errors, "nothing was found")
+        text = "\n".join(errors)
+        for word in words:
+            self.assertIn(word, text)
+
+    def test_good_tree(self):
+        self.assertEqual(errors_of({}), [])
+
+    def test_include_upwards(self):
+        self.refuses({"liegroup/se3.hpp": '#include "mbs/model/model.hpp"\n'}, "not below")
+
+    def test_include_of_a_peer(self):
+        self.refuses({"mbs/bodies/a.hpp": "", "mbs/couplings/b.hpp": '#include "mbs/bodies/a.hpp"\n'},
+                     "not below")
+
+    def test_cycle(self):
+        self.refuses({"liegroup/se3.hpp": '#include "mbs/model/model.hpp"\n'},
+                     "folder cycle: liegroup -> mbs/model -> liegroup")
+
+    def test_unknown_folder(self):
+        self.refuses({"mbs/stuff/a.hpp": ""}, "'mbs/stuff' is not in LAYERS")
+
+    def test_missing_include(self):
+        self.refuses({"mbs/model/a.cpp": '#include "liegroup/nothing.hpp"\n'}, "not in the source")
+
+    def test_seam(self):
+        self.refuses({"esl/a.cpp": "#include <cholmod.h>\n"}, "belongs to mbs/linalg")
+
+    def test_long_file(self):
+        self.refuses({"tests/mbs/a_test.cpp": "// line\n" * 701}, "701 lines")
+
+    def test_long_function(self):
+        body = "template <class T>\nT f(T x) {\n" + "  x += 1;\n" * 90 + "  return x;\n}\n"
+        wrapped = "namespace liesl {\nclass A {\n public:\n" + body + "};\n}  // namespace\n"
+        self.refuses({"mbs/model/a.hpp": wrapped}, "mbs/model/a.hpp:5: function of 93 lines")
+
+    def test_exempt_function(self):
+        body = "  x += 1;\n" * 90
+        text = "// long function: one closed formula\nint f(int x) {\n" + body + "}\n"
+        self.assertEqual(errors_of({"mbs/model/a.hpp": text}), [])
+
+    def test_braces_in_literals_do_not_count(self):
+        text = 'const char* a = "{(";\nchar b = \'{\';\nauto c = R"(f() {)";\n' + "int x;\n" * 100
+        self.assertEqual(errors_of({"mbs/model/a.hpp": text}), [])
+
+    def test_drawer(self):
+        self.refuses({"mbs/utils/a.hpp": ""}, "'utils' says nothing")
+
+    def test_empty_tree(self):
+        with tempfile.TemporaryDirectory() as folder:
+            with contextlib.redirect_stdout(io.StringIO()):
+                self.assertTrue(check_layers.check(Path(folder)))
+
+
+if __name__ == "__main__":
+    unittest.main()

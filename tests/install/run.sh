@@ -1,0 +1,18 @@
+#!/usr/bin/env bash
+# run.sh BUILD SOURCE: installs the build tree BUILD into a temporary place, moves that, and builds
+# and runs the user's project against it.
+set -euo pipefail
+build=$1 source=$2
+place=$(mktemp -d)
+trap 'rm -rf "$place"' EXIT
+
+cmake --install "$build" --prefix "$place/first" >"$place/install.log"
+mv "$place/first" "$place/prefix" # an installation may be moved
+if grep -rlF -e "$source/" -e "$build/" "$place/prefix" --include='*.cmake' --include='*.hpp'; then
+  echo "the files above name the source or the build tree"
+  exit 1
+fi
+cmake -S "$source/tests/install" -B "$place/build" -DCMAKE_PREFIX_PATH="$place/prefix" \
+  -DCMAKE_BUILD_TYPE=Release
+cmake --build "$place/build"
+"$place/build/user"
