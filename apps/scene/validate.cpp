@@ -231,9 +231,12 @@ class Validator {
   }
 
   void subtable(const Key& key, toml::node& value, const std::string& path) {
-    toml::table* inner = value.as_table();
-    if (!inner) return wrong(key, value, path);
-    table(*inner, key.path, path);
+    const int before = problems_.count();
+    if (toml::table* inner = value.as_table())
+      table(*inner, key.path, path);
+    else
+      wrong(key, value, path);
+    if (problems_.count() > before) broken_.insert(path);
   }
 
   void tables(const Key& key, toml::node& value, const std::string& path) {

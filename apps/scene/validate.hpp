@@ -10,8 +10,8 @@
 
 namespace liesl {
 
-/// Entries with names of the user that have a problem, as "bodies.rod"; they are not read further,
-/// so that one mistake is reported once.
+/// Tables that have a problem, as "bodies.rod"; they are not read further, so that one mistake is
+/// reported once.
 using Broken = std::set<std::string>;
 
 /// Checks a whole file: unknown, missing and superfluous keys, types, finite numbers, ranges,
