@@ -59,8 +59,7 @@ Document parse_document(std::string text, std::string file) {
                        (twice ? "duplicate name: " : "not TOML: ") + what, "TOML 1.0",
                        twice ? "give every key and every table once" : ""}});
   }
-  if (document.root.empty())
-    refuse(document.file, "the file is empty", "a scene or study in TOML");
+  if (document.root.empty()) refuse(document.file, "the file is empty", "a scene or study in TOML");
   return document;
 }
 

@@ -25,7 +25,8 @@ struct Document {
 /// @throws InputError if it is missing, a directory, unreadable, huge, empty or not TOML
 Document load_document(const std::filesystem::path& path);
 
-/// Parses text. @throws InputError if it is empty or not TOML (the parser stops at the first error).
+/// Parses text. @throws InputError if it is empty or not TOML (the parser stops at the first
+/// error).
 Document parse_document(std::string text, std::string file);
 
 /// Applies changes "key.path=value" to a file of the given kind, before it is validated.

@@ -40,8 +40,7 @@ class Problems {
   void add(const toml::node& at, std::string what, std::string expected = "",
            std::string hint = "");
   /// Adds a problem at a key.
-  void add(const toml::key& at, std::string what, std::string expected = "",
-           std::string hint = "");
+  void add(const toml::key& at, std::string what, std::string expected = "", std::string hint = "");
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
 
   int count() const { return static_cast<int>(problems_.size()); }

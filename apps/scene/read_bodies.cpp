@@ -45,7 +45,8 @@ class BeamReader {
     const auto names = strings(table_, "section");
     const int runs = static_cast<int>(names.size());
     if (runs > n_)
-      return refuse(*table_.get("section"), fmt::format("has {} sections for {} elements", runs, n_),
+      return refuse(*table_.get("section"),
+                    fmt::format("has {} sections for {} elements", runs, n_),
                     "at most one section an element");
     for (const toml::node* node : names) {
       const auto name = node->value_or(std::string());
@@ -61,8 +62,8 @@ class BeamReader {
 
   bool all_full(const BeamSpec& beam) const {
     return ok_ && std::all_of(beam.sections.begin(), beam.sections.end(), [](const Section& s) {
-      return std::holds_alternative<FullSection>(s.shape);
-    });
+             return std::holds_alternative<FullSection>(s.shape);
+           });
   }
 
   bool is_static() const { return reader_.scene.simulation.type == SimulationType::Static; }
@@ -73,14 +74,16 @@ class BeamReader {
       const toml::table& all = *reader_.root["sections"].as_table();
       for (const toml::node* node : strings(table_, "section")) {
         const toml::table& section = *all.get(node->value_or(std::string()))->as_table();
-        if (!section.contains("inertia") || matrix(*section.get("inertia"), 6).topLeftCorner(3, 3).trace() <= 0)
+        if (!section.contains("inertia") ||
+            matrix(*section.get("inertia"), 6).topLeftCorner(3, 3).trace() <= 0)
           refuse(section.contains("inertia") ? *section.get("inertia") : section, "has no mass",
                  "an 'inertia' with mass per length (kg/m)", "give it, or simulate \"static\"");
       }
     }
     const toml::node* node = table_.get("material");
     if (!node) {
-      if (!full && ok_) refuse(table_, "has no material", "the name of a material", "material = ...");
+      if (!full && ok_)
+        refuse(table_, "has no material", "the name of a material", "material = ...");
       return;
     }
     const auto name = node->value_or(std::string());
@@ -104,7 +107,8 @@ class BeamReader {
 
   void check_straight() {
     const toml::node* to = table_.get("to");
-    if (!to) return refuse(table_, "has 'from' but no 'to'", "both ends of the axis", "to = [x, y, z]");
+    if (!to)
+      return refuse(table_, "has 'from' but no 'to'", "both ends of the axis", "to = [x, y, z]");
     const Vec3 axis = vec3(*to) - vec3(table_, "from");
     if (axis.norm() < kTiny)
       return refuse(*to, "has zero length: 'from' and 'to' are the same point", "two points");
@@ -129,7 +133,8 @@ class BeamReader {
     const double angle = number(arc, "angle");
     if (vec3(arc, "axis").norm() == 0) ok_ = false;
     if (radius.norm() < kTiny)
-      return refuse(*arc.get("centre"), "has zero length: the arc's centre is its start", "a radius > 0");
+      return refuse(*arc.get("centre"), "has zero length: the arc's centre is its start",
+                    "a radius > 0");
     if (std::abs(angle) < kTiny)
       return refuse(*arc.get("angle"), "has zero length: the arc's angle is 0", "an angle (rad)");
     if (std::abs(angle) > 2 * std::numbers::pi + 1e-9)
@@ -171,7 +176,8 @@ class BeamReader {
                       number(arc, "angle"), n_, up, twist);
     }
     std::vector<Vec3> points;
-    for (const toml::node& point : *table_.get("through")->as_array()) points.push_back(vec3(point));
+    for (const toml::node& point : *table_.get("through")->as_array())
+      points.push_back(vec3(point));
     return spline_axis(points, n_, up, twist);
   }
 
@@ -210,9 +216,10 @@ std::optional<RigidSpec> read_rigid(Reader& reader, const std::string& name, tom
     }
   const std::string what = flaw(rigid.inertia);
   if (what.empty()) return rigid;
-  reader.problems.add(*table.get("inertia"), fmt::format("the inertia of body '{}' {}", name, what),
-                      "principal values > 0, each at most the sum of the others (kg m^2)",
-                      fmt::format("a ball of radius r has 0.4 m r^2; for r = 0.01 m: {:.3g}", rigid.mass * 4e-5));
+  reader.problems.add(
+      *table.get("inertia"), fmt::format("the inertia of body '{}' {}", name, what),
+      "principal values > 0, each at most the sum of the others (kg m^2)",
+      fmt::format("a ball of radius r has 0.4 m r^2; for r = 0.01 m: {:.3g}", rigid.mass * 4e-5));
   return {};
 }
 
@@ -221,7 +228,8 @@ std::optional<RigidSpec> read_rigid(Reader& reader, const std::string& name, tom
 void read_bodies(Reader& reader) {
   for (const Entry& entry : entries(reader, "bodies")) {
     if (entry.name == "ground") {
-      reader.problems.add(*entry.key, "'ground' is the inertial frame", "another name for the body");
+      reader.problems.add(*entry.key, "'ground' is the inertial frame",
+                          "another name for the body");
       continue;
     }
     BodySpec body;
@@ -250,10 +258,10 @@ void check_names(Reader& reader) {
     for (const Entry& entry : entries(reader, group)) {
       const auto [known, fresh] = owner.emplace(entry.name, group);
       if (!fresh)
-        reader.problems.add(*entry.key,
-                            fmt::format("duplicate name '{}' in [{}] and [{}]", entry.name,
-                                        known->second, group),
-                            "different names for bodies, joints, forces and loads");
+        reader.problems.add(
+            *entry.key,
+            fmt::format("duplicate name '{}' in [{}] and [{}]", entry.name, known->second, group),
+            "different names for bodies, joints, forces and loads");
     }
 }
 

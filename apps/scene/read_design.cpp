@@ -36,7 +36,8 @@ class DesignReader {
     design_.lower = bounds[0];
     design_.upper = bounds[1];
     if (design_.lower >= design_.upper)
-      refuse("bounds", fmt::format("the bounds of '{}' are [{:g}, {:g}]", design_.name, bounds[0], bounds[1]),
+      refuse("bounds",
+             fmt::format("the bounds of '{}' are [{:g}, {:g}]", design_.name, bounds[0], bounds[1]),
              "[least, largest] with least < largest (m)");
     bodies();
     if (!ok_) return {};
@@ -111,8 +112,9 @@ class DesignReader {
     for (const int body : design_.bodies) {
       const auto n = static_cast<int>(sections_of(reader_, body).size());
       if (design_.groups > n)
-        return refuse("groups", fmt::format("{} groups for the {} elements of beam '{}'",
-                                            design_.groups, n, name_of(reader_, body)),
+        return refuse("groups",
+                      fmt::format("{} groups for the {} elements of beam '{}'", design_.groups, n,
+                                  name_of(reader_, body)),
                       "at most one group an element");
     }
   }
@@ -124,7 +126,8 @@ class DesignReader {
     design_.start = numbers(*node);
     const auto count = static_cast<int>(design_.start.size());
     if (count != 1 && count != design_.groups)
-      return refuse("start", fmt::format("'start' has {} values for {} groups", count, design_.groups),
+      return refuse("start",
+                    fmt::format("'start' has {} values for {} groups", count, design_.groups),
                     "one value, or one a group");
     for (const double x : design_.start)
       if (!inside(x))
@@ -136,10 +139,11 @@ class DesignReader {
       for (const Section& section : sections_of(reader_, body))
         for (const std::string& property : design_.properties)
           if (const double x = dimension(section.shape, property); !inside(x))
-            return refuse("bounds",
-                          fmt::format("the start {:g} ('{}' of beam '{}' in the scene) is outside the bounds",
-                                      x, property, name_of(reader_, body)),
-                          range(), "give a 'start', or change the scene or the bounds");
+            return refuse(
+                "bounds",
+                fmt::format("the start {:g} ('{}' of beam '{}' in the scene) is outside the bounds",
+                            x, property, name_of(reader_, body)),
+                range(), "give a 'start', or change the scene or the bounds");
   }
 
   bool inside(double x) const {
@@ -191,7 +195,8 @@ void check_walls(StudyReader& reader) {
       const toml::table& table = *reader.root["design"][designs.back()->name].as_table();
       reader.scene.problems.add(
           *table.get("bounds"),
-          fmt::format("within the bounds (at {}) section '{}' is no section: {}", values, section.name, what),
+          fmt::format("within the bounds (at {}) section '{}' is no section: {}", values,
+                      section.name, what),
           "bounds in which the walls do not meet");
       break;
     }

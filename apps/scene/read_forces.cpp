@@ -31,13 +31,15 @@ bool read_points(Reader& reader, const toml::table& table, ForceSpec& force) {
   const Mechanism& mechanism = reader.scene.mechanism;
   const double distance = (mechanism.frame(*b).x - mechanism.frame(*a).x).norm();
   if (distance < 1e-12) {
-    reader.problems.add(pair, fmt::format("force '{}' acts between two ports at the same place", force.name),
-                        "ports that are apart", "use on = \"joint\" for a spring in a joint");
+    reader.problems.add(
+        pair, fmt::format("force '{}' acts between two ports at the same place", force.name),
+        "ports that are apart", "use on = \"joint\" for a spring in a joint");
     return false;
   }
   if (!table.contains("rest")) force.rest = distance;
   if (table.contains("torque"))
-    reader.problems.add(*table.get("torque"), fmt::format("force '{}' acts on a distance", force.name),
+    reader.problems.add(*table.get("torque"),
+                        fmt::format("force '{}' acts on a distance", force.name),
                         "'force' instead of 'torque'");
   return true;
 }
@@ -75,12 +77,14 @@ void read_loads(Reader& reader) {
     load.moment = vec3(table, "moment");
     load.scale = read_function(reader, *table.get("scale"));
     if (load.force.norm() == 0 && load.moment.norm() == 0)
-      reader.problems.add(table, fmt::format("load '{}' is zero", load.name), "a force or a moment");
+      reader.problems.add(table, fmt::format("load '{}' is zero", load.name),
+                          "a force or a moment");
     if (const toml::node* at = table.get("at")) {
       const auto port = reader.port(*at);
       if (!port) continue;
       if (port->body < 0)
-        reader.problems.add(*at, fmt::format("load '{}' acts on the ground", load.name), "a port of a body");
+        reader.problems.add(*at, fmt::format("load '{}' acts on the ground", load.name),
+                            "a port of a body");
       load.port = *port;
     } else {
       const auto beam = reader.beam(*table.get("over"));

@@ -1,12 +1,12 @@
 /// @file
 /// Functions of time.
+#include "apps/scene/read_functions.hpp"
+
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
-
-#include "apps/scene/read_functions.hpp"
 
 namespace liesl {
 
@@ -52,9 +52,9 @@ TimeFunction read_table(Reader& reader, const toml::node& node, const std::strin
     f.push_back(values[1]);
   }
   const bool cubic = interpolation == "cubic";
-  return TimeFunction::table(std::move(t), std::move(f),
-                             cubic ? TimeFunction::Interpolation::Cubic
-                                   : TimeFunction::Interpolation::Linear);
+  return TimeFunction::table(
+      std::move(t), std::move(f),
+      cubic ? TimeFunction::Interpolation::Cubic : TimeFunction::Interpolation::Linear);
 }
 
 TimeFunction read_function(Reader& reader, const toml::node& node) {

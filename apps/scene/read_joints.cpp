@@ -37,17 +37,18 @@ void read_drive(Reader& reader, const toml::table& table, int joint) {
   const toml::node& at = chosen && chosen->source().begin.line ? *chosen : table;
   const int count = coordinates(spec.type);
   if (drive.coordinate >= count)
-    reader.problems.add(at, fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type), spec.name,
-                                        drive.coordinate),
+    reader.problems.add(at,
+                        fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
+                                    spec.name, drive.coordinate),
                         "a joint coordinate",
                         count == 0 ? "drive a revolute, prismatic or other joint with coordinates"
                                    : fmt::format("coordinates are 0 to {}", count - 1));
   auto& drives = reader.scene.mechanism.drives;
   for (const DriveSpec& other : drives)
     if (other.joint == joint && other.coordinate == drive.coordinate)
-      reader.problems.add(at, fmt::format("two drives on coordinate {} of joint '{}'",
-                                          drive.coordinate, spec.name),
-                          "one drive a coordinate");
+      reader.problems.add(
+          at, fmt::format("two drives on coordinate {} of joint '{}'", drive.coordinate, spec.name),
+          "one drive a coordinate");
   drives.push_back(std::move(drive));
 }
 
@@ -65,10 +66,11 @@ void read_axes(Reader& reader, const toml::table& table, JointSpec& joint) {
   joint.axis2 = direction(reader, table, "axis2");
   const double cosine = joint.axis.dot(joint.axis2);
   if (std::abs(cosine) > 1e-6)
-    reader.problems.add(*table.get("axis2"),
-                        fmt::format("the axes of universal joint '{}' are at {:.4g} degrees", joint.name,
-                                    std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI),
-                        "axes at right angles");
+    reader.problems.add(
+        *table.get("axis2"),
+        fmt::format("the axes of universal joint '{}' are at {:.4g} degrees", joint.name,
+                    std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI),
+        "axes at right angles");
   joint.axis2 = (joint.axis2 - cosine * joint.axis).normalized();
 }
 

@@ -94,9 +94,10 @@ void read_simulation(Reader& reader) {
   const toml::node& step = *table->get("step");
   const toml::node& duration = *table->get("duration");
   if (o.step > o.duration)
-    reader.problems.add(step.source().begin.line ? step : duration,
-                        fmt::format("'simulation.step' ({:g} s) is longer than the duration", o.step),
-                        fmt::format("a step of at most {:g} s", o.duration));
+    reader.problems.add(
+        step.source().begin.line ? step : duration,
+        fmt::format("'simulation.step' ({:g} s) is longer than the duration", o.step),
+        fmt::format("a step of at most {:g} s", o.duration));
   if (o.step_min > o.step)
     reader.problems.add(*table->get("step_min"),
                         fmt::format("'simulation.step_min' ({:g} s) is above the step", o.step_min),

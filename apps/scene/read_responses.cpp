@@ -25,14 +25,16 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
     return true;
   }
   if (place == "mid") {
-    reader.problems.add(said, fmt::format("beam '{}' has no node 'mid': it has {} elements", body.name, n),
-                        "an even number of elements", "or at = \"max\" for the largest over all nodes");
+    reader.problems.add(
+        said, fmt::format("beam '{}' has no node 'mid': it has {} elements", body.name, n),
+        "an even number of elements", "or at = \"max\" for the largest over all nodes");
     return false;
   }
   std::vector<std::string> places{"start", "mid", "end", "max"};
   for (int k = 0; k <= n; ++k) places.push_back(fmt::format("node{}", k));
   reader.problems.add(said, fmt::format("beam '{}' has no node '{}'", body.name, place),
-                      fmt::format("start, mid, node0 to node{}, end or max", n), suggestion(place, places));
+                      fmt::format("start, mid, node0 to node{}, end or max", n),
+                      suggestion(place, places));
   return false;
 }
 
@@ -43,7 +45,8 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
   if (!port) return false;
   response.at = *port;
   if (port->body < 0) {
-    reader.problems.add(at, fmt::format("response '{}' is of the ground", response.name), "a port of a body");
+    reader.problems.add(at, fmt::format("response '{}' is of the ground", response.name),
+                        "a port of a body");
     return false;
   }
   return true;
@@ -53,7 +56,8 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   const auto beam = reader.beam(*table.get("of"));
   if (!beam) return false;
   response.body = *beam;
-  const auto& spec = std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
+  const auto& spec =
+      std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
   const int n = static_cast<int>(spec.sections.size());
   if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
   if (response.kind == ResponseKind::Stress) {
@@ -61,7 +65,8 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
       return std::holds_alternative<FullSection>(s.shape);
     });
     if (full)
-      reader.problems.add(*table.get("of"), "'full' sections have no stresses", "a beam whose sections have a shape");
+      reader.problems.add(*table.get("of"), "'full' sections have no stresses",
+                          "a beam whose sections have a shape");
     return !full;
   }
   if (response.kind != ResponseKind::SectionForce) return true;
@@ -70,7 +75,8 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
       std::find(names.begin(), names.end(), text(table, "component")) - names.begin());
   response.element = integer(table, "element");
   if (response.element < n) return true;
-  reader.problems.add(*table.get("element"), fmt::format("there is no element {}", response.element),
+  reader.problems.add(*table.get("element"),
+                      fmt::format("there is no element {}", response.element),
                       fmt::format("0 to {}", n - 1), "elements count from 0");
   return false;
 }
@@ -86,8 +92,8 @@ bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec&
   if (response.coordinate < count) return true;
   const toml::node& given = *table.get("coordinate");
   reader.problems.add(given.source().begin.line ? given : static_cast<const toml::node&>(table),
-                      fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type), spec.name,
-                                  response.coordinate),
+                      fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
+                                  spec.name, response.coordinate),
                       "a joint coordinate",
                       count == 0 ? "" : fmt::format("coordinates are 0 to {}", count - 1));
   return false;
@@ -110,14 +116,21 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::Position:
     case ResponseKind::Velocity:
     case ResponseKind::AngularVelocity:
-    case ResponseKind::Displacement: ok = read_port_response(reader, table, response); break;
+    case ResponseKind::Displacement:
+      ok = read_port_response(reader, table, response);
+      break;
     case ResponseKind::Deflection:
     case ResponseKind::Elongation:
     case ResponseKind::SectionForce:
-    case ResponseKind::Stress: ok = read_beam_response(reader, table, response); break;
+    case ResponseKind::Stress:
+      ok = read_beam_response(reader, table, response);
+      break;
     case ResponseKind::Coordinate:
-    case ResponseKind::JointForce: ok = read_joint_response(reader, table, response); break;
-    case ResponseKind::Energy: break;
+    case ResponseKind::JointForce:
+      ok = read_joint_response(reader, table, response);
+      break;
+    case ResponseKind::Energy:
+      break;
   }
   return ok ? std::optional(response) : std::nullopt;
 }

@@ -37,14 +37,16 @@ void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& r
   const toml::node* at = entry.table->get("use");
   if (!at) at = entry.table->get("response");
   if (!of_beam && response.kind != ResponseKind::Displacement) {
-    reader.scene.problems.add(*at, fmt::format("constraint '{}' is not on the deformation of a part", entry.name),
-                              "a displacement, deflection, elongation or stress");
+    reader.scene.problems.add(
+        *at, fmt::format("constraint '{}' is not on the deformation of a part", entry.name),
+        "a displacement, deflection, elongation or stress");
     return;
   }
   const int body = of_beam ? response.body : response.at.body;
   if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
-    reader.scene.problems.add(*at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
-                              "a beam");
+    reader.scene.problems.add(
+        *at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
+        "a beam");
 }
 
 /// Number of directions that "node:xyz,rx" holds, -1 if it is not of that form.
@@ -57,7 +59,9 @@ int held(const std::string& text) {
     const bool turn = part.starts_with('r');
     const std::string axes = turn ? part.substr(1) : part;
     const bool known = axes.find_first_not_of("xyz") == std::string::npos;
-    const bool twice = std::any_of(axes.begin(), axes.end(), [&](char c) { return std::count(axes.begin(), axes.end(), c) > 1; });
+    const bool twice = std::any_of(axes.begin(), axes.end(), [&](char c) {
+      return std::count(axes.begin(), axes.end(), c) > 1;
+    });
     if (axes.empty() || !known || twice) return -1;
     count += static_cast<int>(axes.size());
   }
@@ -125,7 +129,8 @@ void read_supports(StudyReader& reader) {
     const int body = reader.scene.scene.mechanism.body(name);
     if (body < 0) continue;
     if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind)) {
-      reader.scene.problems.add(value, fmt::format("body '{}' is rigid and needs no support", name), "a beam");
+      reader.scene.problems.add(value, fmt::format("body '{}' is rigid and needs no support", name),
+                                "a beam");
       continue;
     }
     int count = 0;
@@ -137,7 +142,8 @@ void read_supports(StudyReader& reader) {
       reader.spec.supports[body].push_back(node->value_or(std::string()));
     }
     if (ok && count != 6 && count != 3)
-      reader.scene.problems.add(value, fmt::format("the supports of '{}' hold {} directions", name, count),
+      reader.scene.problems.add(value,
+                                fmt::format("the supports of '{}' hold {} directions", name, count),
                                 "6 directions (3 in a plane), statically determinate",
                                 "as in [\"start:xyz,rx\", \"end:yz\"]");
   }

@@ -92,7 +92,8 @@ std::optional<Reader::Coordinate> Reader::coordinate(const toml::node& node) {
   const JointType type = scene.mechanism.joints[static_cast<std::size_t>(*index)].type;
   const int count = coordinates(type);
   if (result.coordinate >= 0 && result.coordinate < count) return result;
-  problems.add(node, fmt::format("'{}' is no coordinate of {} joint '{}'", given, name_of(type), name),
+  problems.add(node,
+               fmt::format("'{}' is no coordinate of {} joint '{}'", given, name_of(type), name),
                "a joint coordinate",
                count == 0 ? fmt::format("{} joints have none", name_of(type))
                           : fmt::format("coordinates are 0 to {}", count - 1));
@@ -114,7 +115,8 @@ std::optional<Port> Reader::port(const toml::node& node) {
   for (const std::string& port : ports)
     local.push_back(port.starts_with(name + ".") ? port.substr(name.size() + 1) : port);
   const std::string port = dot == std::string::npos ? "" : given.substr(dot + 1);
-  const auto* beam = std::get_if<BeamSpec>(&scene.mechanism.bodies[static_cast<std::size_t>(index)].kind);
+  const auto* beam =
+      std::get_if<BeamSpec>(&scene.mechanism.bodies[static_cast<std::size_t>(index)].kind);
   const bool odd = beam && port == "mid";
   problems.add(node,
                port.empty() ? fmt::format("'{}' is a body, not a port", given)
@@ -129,23 +131,34 @@ std::optional<Port> Reader::port(const toml::node& node) {
 int coordinates(JointType type) {
   switch (type) {
     case JointType::Revolute:
-    case JointType::Prismatic: return 1;
+    case JointType::Prismatic:
+      return 1;
     case JointType::Cylindrical:
-    case JointType::Universal: return 2;
-    case JointType::Planar: return 3;
-    default: return 0;
+    case JointType::Universal:
+      return 2;
+    case JointType::Planar:
+      return 3;
+    default:
+      return 0;
   }
 }
 
 std::string_view name_of(JointType type) {
   switch (type) {
-    case JointType::Fixed: return "fixed";
-    case JointType::Revolute: return "revolute";
-    case JointType::Prismatic: return "prismatic";
-    case JointType::Cylindrical: return "cylindrical";
-    case JointType::Spherical: return "spherical";
-    case JointType::Universal: return "universal";
-    case JointType::Planar: return "planar";
+    case JointType::Fixed:
+      return "fixed";
+    case JointType::Revolute:
+      return "revolute";
+    case JointType::Prismatic:
+      return "prismatic";
+    case JointType::Cylindrical:
+      return "cylindrical";
+    case JointType::Spherical:
+      return "spherical";
+    case JointType::Universal:
+      return "universal";
+    case JointType::Planar:
+      return "planar";
   }
   return "";
 }

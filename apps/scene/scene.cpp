@@ -53,9 +53,9 @@ const toml::node& table_or_file(const Reader& reader, const char* name) {
 void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
   const double gap = gap_of(reader.scene.mechanism, joint).norm();
   if (gap <= 1e-3 * size_of(reader.scene.mechanism)) return;
-  reader.problems.add(
-      at, fmt::format("the ends of joint '{}' are {:.4g} m apart", joint.name, gap),
-      "ports at the same place", "check the positions of the bodies and the names of the ports");
+  reader.problems.add(at, fmt::format("the ends of joint '{}' are {:.4g} m apart", joint.name, gap),
+                      "ports at the same place",
+                      "check the positions of the bodies and the names of the ports");
 }
 
 void check_movers(Reader& reader) {

@@ -63,26 +63,40 @@ namespace {
 std::string kind_of_value(const Key& key) {
   const int n = key.size;
   switch (key.type) {
-    case Type::Text: return "a string";
-    case Type::Choice: return fmt::format("one of \"{}\"", fmt::join(words(key.options), "\", \""));
-    case Type::Boolean: return "true or false";
-    case Type::Integer: return "an integer";
-    case Type::Number: return "a number";
-    case Type::Vector: return fmt::format("a list of {} numbers", n);
+    case Type::Text:
+      return "a string";
+    case Type::Choice:
+      return fmt::format("one of \"{}\"", fmt::join(words(key.options), "\", \""));
+    case Type::Boolean:
+      return "true or false";
+    case Type::Integer:
+      return "an integer";
+    case Type::Number:
+      return "a number";
+    case Type::Vector:
+      return fmt::format("a list of {} numbers", n);
     case Type::NumberOrList:
       return n > 0 ? fmt::format("a number or a list of {} numbers", n)
                    : "a number or a list of numbers";
-    case Type::Rows: return fmt::format("a list of two or more rows of {} numbers", n);
+    case Type::Rows:
+      return fmt::format("a list of two or more rows of {} numbers", n);
     case Type::Matrix:
       return n == 3 ? "3 numbers (diagonal), 6 numbers [xx, yy, zz, xy, xz, yz] or 3 rows of 3"
                     : fmt::format("{0} numbers (diagonal) or {0} rows of {0}", n);
-    case Type::Texts: return "a string or a list of strings";
-    case Type::Pair: return "a list of two strings";
-    case Type::Function: return "a number, an expression of t, or a table {table = [[t, f], ...]}";
-    case Type::Table: return "a table";
-    case Type::TableOrList: return "a table or a list of tables";
-    case Type::Named: return "a table of named entries";
-    case Type::Any: return "a value";
+    case Type::Texts:
+      return "a string or a list of strings";
+    case Type::Pair:
+      return "a list of two strings";
+    case Type::Function:
+      return "a number, an expression of t, or a table {table = [[t, f], ...]}";
+    case Type::Table:
+      return "a table";
+    case Type::TableOrList:
+      return "a table or a list of tables";
+    case Type::Named:
+      return "a table of named entries";
+    case Type::Any:
+      return "a value";
   }
   return "a value";
 }

@@ -12,22 +12,22 @@ namespace liesl {
 
 /// Type of a value. `Key::size` says how many numbers where it varies.
 enum class Type {
-  Text,           ///< string
-  Choice,         ///< string out of `Key::options`
+  Text,    ///< string
+  Choice,  ///< string out of `Key::options`
   Boolean,
   Integer,
   Number,
-  Vector,         ///< list of `size` numbers
-  NumberOrList,   ///< number, or list of `size` numbers (0 = one or more)
-  Rows,           ///< two or more rows of `size` numbers
-  Matrix,         ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
-  Texts,          ///< string or list of strings
-  Pair,           ///< list of two strings
-  Function,       ///< number, string (expression of t) or table (keys: `(function).*`)
-  Table,          ///< table with the keys of the schema
-  TableOrList,    ///< table or list of tables
-  Named,          ///< table whose keys are names that the user chooses
-  Any             ///< whatever the key named by the user asks for
+  Vector,        ///< list of `size` numbers
+  NumberOrList,  ///< number, or list of `size` numbers (0 = one or more)
+  Rows,          ///< two or more rows of `size` numbers
+  Matrix,        ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
+  Texts,         ///< string or list of strings
+  Pair,          ///< list of two strings
+  Function,      ///< number, string (expression of t) or table (keys: `(function).*`)
+  Table,         ///< table with the keys of the schema
+  TableOrList,   ///< table or list of tables
+  Named,         ///< table whose keys are names that the user chooses
+  Any            ///< whatever the key named by the user asks for
 };
 
 /// Interval of allowed numbers; an open end excludes its bound.
@@ -52,15 +52,15 @@ inline constexpr std::string_view kOptional = "";
 inline constexpr std::string_view kOneOf = "|";
 
 struct Key {
-  std::string path;          ///< "bodies.*.beam.from"; `*` is a name of the user
+  std::string path;  ///< "bodies.*.beam.from"; `*` is a name of the user
   Type type = Type::Table;
-  std::string_view unit;
-  std::string_view preset;   ///< kRequired, kOptional, kOneOf, or the default as TOML text
-  Range range;
-  std::string_view doc;
+  std::string_view unit = {};
+  std::string_view preset = {};  ///< kRequired, kOptional, kOneOf, or the default as TOML text
+  Range range = {};
+  std::string_view doc = {};
   int size = 0;
-  std::string_view options;  ///< of a Choice, separated by blanks
-  std::string_view when;     ///< "type=circle tube": only if the sibling key has such a value
+  std::string_view options = {};  ///< of a Choice, separated by blanks
+  std::string_view when = {};     ///< "type=circle tube": only if the sibling key has such a value
 
   std::string_view parent() const;  ///< "" for a top-level key
   std::string_view leaf() const;

@@ -47,14 +47,18 @@ std::string tables(const std::vector<Key>& keys) {
     if (scalar) top.clear();
     if (top != group) {
       group = top;
-      const std::string title = top.empty() ? "Top level" : top == "(function)" ? "Functions of time" : "`[" + top + "]`";
-      text += fmt::format("\n### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n", title);
+      const std::string title = top.empty()           ? "Top level"
+                                : top == "(function)" ? "Functions of time"
+                                                      : "`[" + top + "]`";
+      text += fmt::format("\n### {}\n\n| key | value | default | meaning |\n|---|---|---|---|\n",
+                          title);
     }
     Key plain = key;
     plain.unit = "";
     std::string value = cell(expectation(plain));
     if (!key.unit.empty()) value += fmt::format(", {}", cell(key.unit));
-    text += fmt::format("| `{}` | {} | {} | {} |\n", key.path, value, preset_text(key), doc_text(key));
+    text +=
+        fmt::format("| `{}` | {} | {} | {} |\n", key.path, value, preset_text(key), doc_text(key));
   }
   return text;
 }

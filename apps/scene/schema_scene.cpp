@@ -152,7 +152,13 @@ void append(std::vector<Key>& keys, std::vector<Key> more) {
 
 /// `response` of an entry: required in a scene, or an alternative to `use` in a study.
 Key response_choice(std::string_view parent, std::string_view preset) {
-  return {std::string(parent) + ".response", Type::Choice, "", preset, kAny, "Which quantity.", 0,
+  return {std::string(parent) + ".response",
+          Type::Choice,
+          "",
+          preset,
+          kAny,
+          "Which quantity.",
+          0,
           "position velocity angular_velocity displacement deflection elongation coordinate "
           "joint_force section_force stress energy"};
 }

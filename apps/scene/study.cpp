@@ -15,7 +15,8 @@ std::optional<Document> scene_of(const toml::table& root, const fs::path& folder
   if (!node || !node->is_string()) return {};
   const fs::path path = fs::path(text(root, "scene"));
   try {
-    Document document = load_document((path.is_absolute() ? path : folder / path).lexically_normal());
+    Document document =
+        load_document((path.is_absolute() ? path : folder / path).lexically_normal());
     if (kind_of(document.root) == FileKind::Scene) return document;
     problems.add(*node, "'scene' names a study", "the file of a scene");
   } catch (const InputError& error) {
@@ -43,8 +44,8 @@ Study read_document(Document document, const fs::path& folder,
                     const std::vector<std::string>& overrides) {
   Problems problems(document.file);
   if (kind_of(document.root) == FileKind::Scene && document.root.contains("bodies")) {
-    problems.add(document.root, "this is a scene, not a study", "a study, with 'scene' and [design]",
-                 "give a study, or use a command for scenes");
+    problems.add(document.root, "this is a scene, not a study",
+                 "a study, with 'scene' and [design]", "give a study, or use a command for scenes");
     problems.throw_if_any();
   }
   const SplitOverrides parts = split_overrides(overrides);

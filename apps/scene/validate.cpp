@@ -12,13 +12,20 @@ namespace {
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
-    case toml::node_type::table: return "a table";
-    case toml::node_type::array: return "a list";
-    case toml::node_type::string: return "a string";
-    case toml::node_type::integer: return "an integer";
-    case toml::node_type::floating_point: return "a number";
-    case toml::node_type::boolean: return "true or false";
-    default: return "a date or time";
+    case toml::node_type::table:
+      return "a table";
+    case toml::node_type::array:
+      return "a list";
+    case toml::node_type::string:
+      return "a string";
+    case toml::node_type::integer:
+      return "an integer";
+    case toml::node_type::floating_point:
+      return "a number";
+    case toml::node_type::boolean:
+      return "true or false";
+    default:
+      return "a date or time";
   }
 }
 
@@ -66,8 +73,7 @@ class Validator {
     const std::string what = fmt::format("unknown key '{}'", join(path, name.str()));
     std::vector<std::string> candidates;
     for (const Key* key : keys)
-      if (applies(*key, in) == Applies::Yes)
-        candidates.emplace_back(key->leaf());
+      if (applies(*key, in) == Applies::Yes) candidates.emplace_back(key->leaf());
     const std::string choice = known ? " of this kind of entry" : "";
     problems_.add(name, what + choice, path.empty() ? "a key of the file" : "a key of " + path,
                   suggestion(name.str(), candidates));
@@ -99,7 +105,8 @@ class Validator {
       std::vector<std::string> candidates(all.begin(), all.end());
       std::string hint;
       for (auto&& [name, value] : table)
-        if (hint.empty() && !find_key(kind_, fmt::format("{}.{}", keys.front()->parent(), name.str())))
+        if (hint.empty() &&
+            !find_key(kind_, fmt::format("{}.{}", keys.front()->parent(), name.str())))
           if (const auto near = nearest(name.str(), candidates); !near.empty())
             hint = fmt::format("did you mean '{}'?", near);
       problems_.add(table, fmt::format("missing key in '{}'", path), expected, hint);
@@ -115,8 +122,8 @@ class Validator {
     if (key.preset == kOptional || key.preset == kOneOf) return;
     if (applies(key, table) != Applies::Yes) return;
     if (key.preset == kRequired) {
-      problems_.add(table, fmt::format("missing key '{}'", join(path, key.leaf())), expectation(key),
-                    std::string(key.doc));
+      problems_.add(table, fmt::format("missing key '{}'", join(path, key.leaf())),
+                    expectation(key), std::string(key.doc));
       return;
     }
     toml::table preset = toml::parse(fmt::format("v = {}", key.preset));
@@ -132,22 +139,34 @@ class Validator {
   void check(const Key& key, toml::node& value, const std::string& path) {
     switch (key.type) {
       case Type::Text:
-      case Type::Choice: return text(key, value, path);
-      case Type::Boolean: return value.is_boolean() ? void() : wrong(key, value, path);
+      case Type::Choice:
+        return text(key, value, path);
+      case Type::Boolean:
+        return value.is_boolean() ? void() : wrong(key, value, path);
       case Type::Integer:
-      case Type::Number: return number(key, value, path);
-      case Type::Vector: return numbers(key, value, path, {key.size});
+      case Type::Number:
+        return number(key, value, path);
+      case Type::Vector:
+        return numbers(key, value, path, {key.size});
       case Type::NumberOrList:
         return value.is_array() ? numbers(key, value, path, {key.size}) : number(key, value, path);
-      case Type::Rows: return rows(key, value, path);
-      case Type::Matrix: return matrix(key, value, path);
-      case Type::Texts: return texts(key, value, path, 1);
-      case Type::Pair: return texts(key, value, path, 2);
-      case Type::Function: return function(key, value, path);
+      case Type::Rows:
+        return rows(key, value, path);
+      case Type::Matrix:
+        return matrix(key, value, path);
+      case Type::Texts:
+        return texts(key, value, path, 1);
+      case Type::Pair:
+        return texts(key, value, path, 2);
+      case Type::Function:
+        return function(key, value, path);
       case Type::Table:
-      case Type::Named: return subtable(key, value, path);
-      case Type::TableOrList: return tables(key, value, path);
-      case Type::Any: return;
+      case Type::Named:
+        return subtable(key, value, path);
+      case Type::TableOrList:
+        return tables(key, value, path);
+      case Type::Any:
+        return;
     }
   }
 
