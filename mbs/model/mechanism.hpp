@@ -1,12 +1,14 @@
 #pragma once
 /// @file
 /// A mechanism as data: bodies, ports, joints, forces, loads, in the inertial frame, in SI units,
-/// in space. It says nothing of groups or formalisms: `Model<SE2>` and `Model<SE3>` are built from it.
+/// in space. It says nothing of groups or formalisms: `Model<SE2>` and `Model<SE3>` are built from
+/// it.
 
 #include <Eigen/Core>
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -82,7 +84,7 @@ struct DriveSpec {
 /// f = stiffness (q - rest) + damping dq/dt - force(t), acting against q.
 struct ForceSpec {
   std::string name;
-  int joint = -1;       ///< on joint coordinate `coordinate` if >= 0, else between ports a and b
+  int joint = -1;  ///< on joint coordinate `coordinate` if >= 0, else between ports a and b
   int coordinate = 0;
   Port a, b;
   double stiffness = 0;  ///< N/m or N m/rad
@@ -114,11 +116,14 @@ struct Mechanism {
   /// Index of a body by name, -1 if there is none.
   int body(std::string_view name) const;
   /// Port by text: "ground", "rod.start", "rod.end", "rod.mid" (even number of elements),
-  /// "rod.node3", "slider.origin", "top.tip" (named point). Empty if there is no such port.
+  /// "rod.node3", "slider.origin", "top.tip" (named point: its frame has the body's orientation).
+  /// Empty if there is no such port.
   std::optional<Port> port(std::string_view text) const;
-  /// Every port name of a body, for hints.
+  /// Every port of a body by its full name ("rod.start"), for hints; body = -1: {"ground"}.
+  /// @throws std::invalid_argument for a body that does not exist
   std::vector<std::string> port_names(int body) const;
-  /// Frame of a port in the scene as given.
+  /// Frame of a port in the scene as given: H_node * offset; of the ground: the offset.
+  /// @throws std::invalid_argument for a body or node that does not exist
   SE3 frame(const Port& port) const;
 };
 

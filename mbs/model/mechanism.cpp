@@ -1,0 +1,97 @@
+/// @file
+/// Lookup of bodies and ports by text.
+
+#include "mbs/model/mechanism.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace liesl {
+
+namespace {
+
+/// Number of elements; -1 for a beam without nodes, which has no ports.
+int elements(const BeamSpec& beam) { return int(beam.nodes.size()) - 1; }
+
+std::optional<Port> port_of(int body, const BeamSpec& beam, std::string_view name) {
+  const int n = elements(beam);
+  if (n < 0) return {};
+  if (name == "start") return Port{body, 0};
+  if (name == "end") return Port{body, n};
+  if (name == "mid" && n % 2 == 0) return Port{body, n / 2};
+  for (int k = 0; k <= n; ++k)
+    if (name == fmt::format("node{}", k)) return Port{body, k};
+  return {};
+}
+
+/// The offset of a named point: R^T (p - x), with the orientation of the body.
+std::optional<Port> port_of(int body, const RigidSpec& rigid, std::string_view name) {
+  if (name == "origin") return Port{body, 0};
+  for (const auto& [point, p] : rigid.points)
+    if (name == point)
+      return Port{body, 0, SE3(Mat3::Identity(), rigid.frame.R.transpose() * (p - rigid.frame.x))};
+  return {};
+}
+
+std::vector<std::string> names_of(const BeamSpec& beam) {
+  const int n = elements(beam);
+  if (n < 0) return {};
+  std::vector<std::string> names = {"start", "end"};
+  if (n % 2 == 0) names.push_back("mid");
+  for (int k = 0; k <= n; ++k) names.push_back(fmt::format("node{}", k));
+  return names;
+}
+
+std::vector<std::string> names_of(const RigidSpec& rigid) {
+  std::vector<std::string> names = {"origin"};
+  for (const auto& [point, p] : rigid.points)
+    if (point != "origin") names.push_back(point);
+  return names;
+}
+
+[[noreturn]] void no_such(std::string_view what, int got, std::size_t count) {
+  throw std::invalid_argument(
+      fmt::format("mechanism: expected a {} from 0 to {}, got {}", what, int(count) - 1, got));
+}
+
+}  // namespace
+
+int Mechanism::body(std::string_view text) const {
+  for (std::size_t i = 0; i < bodies.size(); ++i)
+    if (bodies[i].name == text) return int(i);
+  return -1;
+}
+
+std::optional<Port> Mechanism::port(std::string_view text) const {
+  if (text == "ground") return Port{};
+  const auto dot = text.rfind('.');  // port names have no dot, body names may
+  if (dot == std::string_view::npos) return {};
+  const int i = body(text.substr(0, dot));
+  if (i < 0) return {};
+  return std::visit([&](const auto& kind) { return port_of(i, kind, text.substr(dot + 1)); },
+                    bodies[std::size_t(i)].kind);
+}
+
+std::vector<std::string> Mechanism::port_names(int body) const {
+  if (body == -1) return {"ground"};
+  if (body < 0 || std::size_t(body) >= bodies.size()) no_such("body", body, bodies.size());
+  const auto& spec = bodies[std::size_t(body)];
+  auto names = std::visit([](const auto& kind) { return names_of(kind); }, spec.kind);
+  for (auto& port : names) port = fmt::format("{}.{}", spec.name, port);
+  return names;
+}
+
+SE3 Mechanism::frame(const Port& port) const {
+  if (port.body == -1) return port.offset;
+  if (port.body < 0 || std::size_t(port.body) >= bodies.size())
+    no_such("body", port.body, bodies.size());
+  const auto& kind = bodies[std::size_t(port.body)].kind;
+  if (const auto* rigid = std::get_if<RigidSpec>(&kind)) return rigid->frame * port.offset;
+  const auto& nodes = std::get<BeamSpec>(kind).nodes;
+  if (port.node < 0 || std::size_t(port.node) >= nodes.size())
+    no_such("node", port.node, nodes.size());
+  return nodes[std::size_t(port.node)] * port.offset;
+}
+
+}  // namespace liesl
