@@ -2,10 +2,9 @@
 # liesl::optim. Headers go to include/liesl, so that `#include "mbs/model/mechanism.hpp"` reads the
 # same inside and outside. The program and what it needs to draw come along with LIESL_APPS.
 #
-# liesl_options is exported too: with LIESL_NATIVE (the default) it carries -march=native, because
-# the layout and alignment of Eigen's types follow the instruction set, and a user who compiles
-# with another one would disagree with the library about both. Such an installation is for the
-# machine it was built on; packages for others are built with -DLIESL_NATIVE=OFF.
+# liesl_options is exported too: it carries -march=${LIESL_ARCH}, because the layout and alignment of
+# Eigen's types follow the instruction set, and a user who compiles with another one would disagree
+# with the library about both. Packages for any x86-64 machine are built with -DLIESL_ARCH=x86-64.
 include(CMakePackageConfigHelpers)
 set(LIESL_CONFIG_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/liesl)
 

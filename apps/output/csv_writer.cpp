@@ -1,0 +1,133 @@
+#include "apps/output/csv_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "apps/output/file.hpp"
+
+namespace liesl::output {
+namespace {
+
+/// A field as it is, or in quotes where it has commas, quotes or line ends.
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string heading(const std::string& name, const std::string& unit) {
+  return field(unit.empty() ? name : name + " [" + unit + "]");
+}
+
+/// Columns that share the abscissa, gathered and then written by rows.
+class Table {
+ public:
+  explicit Table(const Results& results) : n_(results.times.size()) {
+    add(results.abscissa, results.abscissa_unit, results.times);
+  }
+  /// Component `c` of a block [n, C]; nothing if the block is empty.
+  void add(const std::string& name, const std::string& unit, const std::vector<double>& block,
+           std::size_t c = 0, std::size_t C = 1) {
+    if (block.empty()) return;
+    header_ += (header_.empty() ? "" : ",") + heading(name, unit);
+    columns_.push_back({&block, c, C});
+  }
+  std::string text() const {
+    std::string out = header_ + "\n";
+    for (std::size_t i = 0; i < n_; ++i) {
+      const char* separator = "";
+      for (const auto& [block, c, C] : columns_) {
+        fmt::format_to(std::back_inserter(out), "{}{}", separator, (*block)[i * C + c]);
+        separator = ",";
+      }
+      out += "\n";
+    }
+    return out;
+  }
+
+ private:
+  struct Column {
+    const std::vector<double>* block;
+    std::size_t c, C;
+  };
+  std::size_t n_;
+  std::string header_;
+  std::vector<Column> columns_;
+};
+
+}  // namespace
+
+void write_responses_csv(const std::filesystem::path& path, const Results& results) {
+  check_shapes(results);
+  Table table(results);
+  for (const auto& response : results.responses) {
+    const auto C = static_cast<std::size_t>(response.components);
+    // Two components are those across a beam, y and z.
+    const char* suffix = C == 2 ? "yz" : "xyz";
+    for (std::size_t c = 0; c < C; ++c) {
+      const std::string name = C == 1 ? response.name : response.name + "." + suffix[c];
+      table.add(name, response.unit, response.values, c, C);
+    }
+  }
+  write_file(path, table.text());
+}
+
+void write_energies_csv(const std::filesystem::path& path, const Results& results) {
+  check_shapes(results);
+  Table table(results);
+  table.add("kinetic", "J", results.energies.kinetic);
+  table.add("elastic", "J", results.energies.elastic);
+  table.add("potential", "J", results.energies.potential);
+  table.add("dissipated", "J", results.energies.dissipated);
+  table.add("total", "J", results.energies.total);
+  table.add("constraint_residual", "m or rad", results.constraint_residual);
+  write_file(path, table.text());
+}
+
+void write_joints_csv(const std::filesystem::path& path, const Results& results) {
+  check_shapes(results);
+  Table table(results);
+  for (const auto& joint : results.joints) {
+    const std::size_t K = joint.units.size();
+    for (std::size_t c = 0; c < K; ++c) {
+      table.add(fmt::format("{}.q{}", joint.name, c), joint.units[c], joint.coordinates, c, K);
+    }
+    const char* const names[] = {"Fx", "Fy", "Fz", "Mx", "My", "Mz"};
+    for (std::size_t c = 0; c < 6; ++c) {
+      table.add(joint.name + "." + names[c], c < 3 ? "N" : "N m", joint.forces, c, 6);
+    }
+  }
+  write_file(path, table.text());
+}
+
+void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants) {
+  check_shapes(results);
+  std::string out =
+      heading(results.abscissa, results.abscissa_unit) + ",body,kind,node,x [m],y [m],z [m]\n";
+  for (const int i : spread_records(static_cast<int>(results.times.size()), instants)) {
+    for (const auto& body : results.bodies) {
+      if (body.positions.empty()) continue;
+      for (int k = 0; k < body.nodes; ++k) {
+        const double* x =
+            body.positions.data() + (static_cast<std::size_t>(i) * body.nodes + k) * 3;
+        fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", results.times[i],
+                       field(body.name), field(body.kind), k, x[0], x[1], x[2]);
+      }
+    }
+  }
+  write_file(path, out);
+}
+
+void write_design_csv(const std::filesystem::path& path, const std::vector<DesignRow>& rows) {
+  std::string out = "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit\n";
+  for (const auto& r : rows) {
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", field(r.variable),
+                   field(r.body), r.element, r.s0, r.s1, r.initial, r.final, r.lower, r.upper,
+                   field(r.unit));
+  }
+  write_file(path, out);
+}
+
+}  // namespace liesl::output

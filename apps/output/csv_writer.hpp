@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// Tables for people, spreadsheets and the drawing program. The first line names the columns as
+/// `name [unit]`; numbers have as many digits as their doubles need, no more. RFC 4180.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/output/results.hpp"
+
+namespace liesl::output {
+
+/// `<abscissa>`, then a column a response, or `<name>.x`, `.y`, `.z` where it has components
+/// (`.y`, `.z` where it has two). @throws IoError (all below)
+void write_responses_csv(const std::filesystem::path& path, const Results& results);
+
+/// `<abscissa>, kinetic, elastic, potential, dissipated, total [J], constraint_residual`.
+void write_energies_csv(const std::filesystem::path& path, const Results& results);
+
+/// `<abscissa>`, then for each joint its coordinates `<name>.q0 ...`, force `<name>.Fx ...` and
+/// moment `<name>.Mx ...`.
+void write_joints_csv(const std::filesystem::path& path, const Results& results);
+
+/// Positions of all nodes at `instants` records, evenly spread:
+/// `<abscissa>, body, kind, node, x [m], y [m], z [m]`.
+void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants = 13);
+
+/// One stretch of a beam that one design variable sizes.
+struct DesignRow {
+  std::string variable;  ///< "rod_diameters[0]"
+  std::string body;
+  int element = 0;
+  double s0 = 0, s1 = 0;  ///< m, along the undeformed axis
+  double initial = 0, final = 0, lower = 0, upper = 0;
+  std::string unit = "m";
+};
+
+/// `variable, body, element, s0 [m], s1 [m], initial, final, lower, upper, unit`.
+void write_design_csv(const std::filesystem::path& path, const std::vector<DesignRow>& rows);
+
+}  // namespace liesl::output

@@ -1,0 +1,77 @@
+#include "apps/output/hdf5_file.hpp"
+
+#include <string>
+
+#include "apps/output/io_error.hpp"
+
+namespace liesl::output {
+namespace {
+
+/// Innermost message of the library's error stack: there the system's reason stands.
+herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
+  if (error->desc) *static_cast<std::string*>(text) = error->desc;
+  return 0;
+}
+
+hid_t create(const std::filesystem::path& path) {
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+}
+
+}  // namespace
+
+Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path), file_(create(path), H5Fclose) {
+  checked(file_.id());
+}
+
+void Hdf5File::fail() const {
+  std::string reason = "HDF5 gives no reason";
+  H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
+  throw IoError("write", path_, reason);
+}
+
+void Hdf5File::group(const std::string& name) const {
+  const Hdf5Handle group(
+      H5Gcreate2(file_.id(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT), H5Gclose);
+  checked(group.id());
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<double>& values,
+                     const Shape& shape) const {
+  write_any(name, H5T_NATIVE_DOUBLE, values.data(), shape);
+}
+
+void Hdf5File::write(const std::string& name, const std::vector<int>& values,
+                     const Shape& shape) const {
+  write_any(name, H5T_NATIVE_INT, values.data(), shape);
+}
+
+void Hdf5File::write_any(const std::string& name, hid_t type, const void* data,
+                         const Shape& shape) const {
+  const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
+                         H5Sclose);
+  const Hdf5Handle set(H5Dcreate2(file_.id(), name.c_str(), type, checked(space.id()), H5P_DEFAULT,
+                                  H5P_DEFAULT, H5P_DEFAULT),
+                       H5Dclose);
+  checked(set.id());
+  if (H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
+}
+
+void Hdf5File::attribute(const std::string& object, const std::string& key,
+                         const std::string& text) const {
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), text.size() + 1);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  const Hdf5Handle space(H5Screate(H5S_SCALAR), H5Sclose);
+  const Hdf5Handle attribute(H5Acreate_by_name(file_.id(), object.c_str(), key.c_str(), type.id(),
+                                               space.id(), H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT),
+                             H5Aclose);
+  checked(attribute.id());
+  if (H5Awrite(attribute.id(), type.id(), text.c_str()) < 0) fail();
+}
+
+void Hdf5File::close() {
+  if (H5Fflush(file_.id(), H5F_SCOPE_LOCAL) < 0 || !file_.close()) fail();
+}
+
+}  // namespace liesl::output

@@ -1,0 +1,62 @@
+#pragma once
+/// @file
+/// The part of the HDF5 C API that the writer needs, with owners and exceptions.
+
+#include <hdf5.h>
+
+#include <filesystem>
+#include <initializer_list>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace liesl::output {
+
+/// Owner of an HDF5 identifier. Closes it in the end.
+class Hdf5Handle {
+ public:
+  using Close = herr_t (*)(hid_t);
+  Hdf5Handle(hid_t id, Close closer) : id_(id), closer_(closer) {}
+  Hdf5Handle(Hdf5Handle&& other) noexcept
+      : id_(std::exchange(other.id_, -1)), closer_(other.closer_) {}
+  Hdf5Handle& operator=(Hdf5Handle&&) = delete;
+  ~Hdf5Handle() {
+    if (id_ >= 0) closer_(id_);
+  }
+  hid_t id() const { return id_; }
+  /// Closes now and tells whether that worked.
+  bool close() { return closer_(std::exchange(id_, -1)) >= 0; }
+
+ private:
+  hid_t id_;
+  Close closer_;
+};
+
+/// A new HDF5 file with groups, data sets and text attributes. Every method throws IoError with the
+/// library's reason.
+class Hdf5File {
+ public:
+  using Shape = std::vector<hsize_t>;
+
+  explicit Hdf5File(const std::filesystem::path& path);
+  void group(const std::string& name) const;
+  void write(const std::string& name, const std::vector<double>& values, const Shape& shape) const;
+  void write(const std::string& name, const std::vector<int>& values, const Shape& shape) const;
+  /// Text attribute of a group or data set.
+  void attribute(const std::string& object, const std::string& key, const std::string& text) const;
+  /// Flushes and closes: a full disk may show only here.
+  void close();
+
+ private:
+  [[noreturn]] void fail() const;
+  hid_t checked(hid_t id) const {
+    if (id < 0) fail();
+    return id;
+  }
+  void write_any(const std::string& name, hid_t type, const void* data, const Shape& shape) const;
+
+  std::filesystem::path path_;
+  Hdf5Handle file_;
+};
+
+}  // namespace liesl::output

@@ -1,0 +1,87 @@
+#include "apps/output/hdf5_writer.hpp"
+
+#include <algorithm>
+
+#include "apps/output/hdf5_file.hpp"
+
+namespace liesl::output {
+namespace {
+
+using Block = std::vector<double>;
+
+/// Writes a data set with its unit, unless nothing was recorded.
+void put(const Hdf5File& file, const std::string& name, const Block& block,
+         const Hdf5File::Shape& shape, const std::string& unit) {
+  if (block.empty()) return;
+  file.write(name, block, shape);
+  file.attribute(name, "unit", unit);
+}
+
+void write_body(const Hdf5File& file, const BodyResult& body, hsize_t n) {
+  const std::string group = "/bodies/" + hdf5_name(body.name);
+  const hsize_t N = static_cast<hsize_t>(body.nodes);
+  const hsize_t E = body.elements.size();
+  file.group(group);
+  file.attribute(group, "kind", body.kind);
+  put(file, group + "/position", body.positions, {n, N, 3}, "m");
+  put(file, group + "/rotation", body.rotations, {n, N, 9}, "-");
+  put(file, group + "/velocity", body.velocities, {n, N, 6}, "m/s, rad/s");
+  put(file, group + "/strain", body.strains, {n, E, 6}, "-, 1/m");
+  put(file, group + "/section_force", body.section_forces, {n, E, 6}, "N, N m");
+  std::vector<int> elements;
+  for (const auto& element : body.elements) {
+    elements.insert(elements.end(), element.begin(), element.end());
+  }
+  if (E > 0) file.write(group + "/elements", elements, {E, 2});
+}
+
+void write_joint(const Hdf5File& file, const JointResult& joint, hsize_t n) {
+  const std::string group = "/joints/" + hdf5_name(joint.name);
+  std::string units;
+  for (const auto& unit : joint.units) units += (units.empty() ? "" : ", ") + unit;
+  file.group(group);
+  file.attribute(group, "type", joint.type);
+  put(file, group + "/coordinate", joint.coordinates, {n, joint.units.size()}, units);
+  put(file, group + "/force", joint.forces, {n, 6}, "N, N m");
+}
+
+void write_energies(const Hdf5File& file, const Energies& energies, hsize_t n) {
+  file.group("/energies");
+  put(file, "/energies/kinetic", energies.kinetic, {n}, "J");
+  put(file, "/energies/elastic", energies.elastic, {n}, "J");
+  put(file, "/energies/potential", energies.potential, {n}, "J");
+  put(file, "/energies/dissipated", energies.dissipated, {n}, "J");
+  put(file, "/energies/total", energies.total, {n}, "J");
+}
+
+}  // namespace
+
+std::string hdf5_name(std::string name) {
+  std::replace(name.begin(), name.end(), '/', '_');
+  return name;
+}
+
+void write_hdf5(const std::filesystem::path& path, const Results& results) {
+  check_shapes(results);
+  const hsize_t n = results.times.size();
+  Hdf5File file(path);
+  file.attribute("/", "program", "liesl");
+  file.attribute("/", "scene", results.name);
+  file.attribute("/", "space", results.space);
+  file.attribute("/", "abscissa", results.abscissa);
+  put(file, "/time", results.times, {n}, results.abscissa_unit);
+  file.group("/bodies");
+  for (const auto& body : results.bodies) write_body(file, body, n);
+  file.group("/joints");
+  for (const auto& joint : results.joints) write_joint(file, joint, n);
+  write_energies(file, results.energies, n);
+  put(file, "/constraint_residual", results.constraint_residual, {n}, "m, rad");
+  file.group("/responses");
+  for (const auto& response : results.responses) {
+    const hsize_t C = static_cast<hsize_t>(response.components);
+    put(file, "/responses/" + hdf5_name(response.name), response.values, {n, C}, response.unit);
+  }
+  file.close();
+}
+
+}  // namespace liesl::output

@@ -1,0 +1,66 @@
+#include "apps/output/results.hpp"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace liesl::output {
+namespace {
+
+void check_block(const std::vector<double>& block, std::size_t expected, const std::string& what) {
+  if (block.empty() || block.size() == expected) return;
+  throw std::invalid_argument(
+      fmt::format("results: {} has {} numbers, expected {}", what, block.size(), expected));
+}
+
+void check_body(const BodyResult& body, std::size_t n) {
+  const auto N = static_cast<std::size_t>(body.nodes);
+  const std::size_t E = body.elements.size();
+  check_block(body.positions, n * N * 3, body.name + ".positions");
+  check_block(body.rotations, n * N * 9, body.name + ".rotations");
+  check_block(body.velocities, n * N * 6, body.name + ".velocities");
+  check_block(body.strains, n * E * 6, body.name + ".strains");
+  check_block(body.section_forces, n * E * 6, body.name + ".section_forces");
+  for (const auto& element : body.elements) {
+    for (const int node : element) {
+      if (node < 0 || node >= body.nodes) {
+        throw std::invalid_argument(fmt::format("results: an element of {} names node {} of {}",
+                                                body.name, node, body.nodes));
+      }
+    }
+  }
+}
+
+}  // namespace
+
+void check_shapes(const Results& results) {
+  const std::size_t n = results.times.size();
+  for (const auto& body : results.bodies) check_body(body, n);
+  for (const auto& joint : results.joints) {
+    check_block(joint.coordinates, n * joint.units.size(), joint.name + ".coordinates");
+    check_block(joint.forces, n * 6, joint.name + ".forces");
+  }
+  const Energies& e = results.energies;
+  for (const auto* block : {&e.kinetic, &e.elastic, &e.potential, &e.dissipated, &e.total}) {
+    check_block(*block, n, "an energy");
+  }
+  check_block(results.constraint_residual, n, "constraint_residual");
+  for (const auto& response : results.responses) {
+    check_block(response.values, n * static_cast<std::size_t>(response.components), response.name);
+  }
+}
+
+std::vector<int> spread_records(int n, int count) {
+  std::vector<int> records;
+  if (n <= count) {
+    for (int i = 0; i < n; ++i) records.push_back(i);
+    return records;
+  }
+  for (int i = 0; i < count; ++i) {
+    const long last = n - 1;
+    records.push_back(count > 1 ? static_cast<int>((i * last + (count - 1) / 2) / (count - 1)) : 0);
+  }
+  return records;
+}
+
+}  // namespace liesl::output

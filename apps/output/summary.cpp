@@ -1,0 +1,148 @@
+#include "apps/output/summary.hpp"
+
+#include <sys/resource.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/output/file.hpp"
+#include "apps/output/versions.hpp"
+
+namespace liesl::output {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+/// A number for scalars, a list for vectors.
+Json number_or_list(const std::vector<double>& values) {
+  return values.size() == 1 ? Json(values[0]) : Json(values);
+}
+
+Json responses_json(const std::vector<ResponseFigure>& responses) {
+  Json json = Json::object();
+  for (const auto& r : responses) {
+    json[r.name] = {{"max_abs", r.max_abs},
+                    {"at_time", r.at_time},
+                    {"final", number_or_list(r.final)},
+                    {"unit", r.unit}};
+  }
+  return json;
+}
+
+/// Keys of both commands up to the point where those of `optimize` come in.
+Json head(const RunSummary& s) {
+  Json factorizations = Json::object();
+  for (const auto& [body, count] : s.factorizations) factorizations[body] = count;
+  return {{"command", s.command},
+          {"name", s.name},
+          {"status", s.status},
+          {"reason", s.reason},
+          {"space", s.space},
+          {"space_reason", s.space_reason},
+          {"steps", s.steps},
+          {"newton_iterations", s.newton_iterations},
+          {"factorizations", factorizations},
+          {"stepping_s", s.stepping_s},
+          {"wall_s", s.wall_s},
+          {"peak_memory_mb", peak_memory_mb()},
+          {"responses", responses_json(s.responses)}};
+}
+
+void add_tail(Json& json, const RunSummary& s) {
+  if (s.more.is_object()) json.update(s.more);
+  json["warnings"] = s.warnings;
+  json["overrides"] = s.overrides;
+  json["versions"] = Json::object();
+  for (const auto& [name, version] : versions()) json["versions"][name] = version;
+  json["input_sha256"] = s.input_sha256;
+}
+
+Json constraints_json(const std::vector<ConstraintFigure>& constraints) {
+  Json json = Json::object();
+  for (const auto& c : constraints) {
+    json[c.name] = {{"response", c.response},
+                    {"limit", c.limit},
+                    {"unit", c.unit},
+                    {"max_abs_initial", c.max_abs_initial},
+                    {"max_abs_final", c.max_abs_final},
+                    {"at_time", c.at_time},
+                    {"violation", c.violation}};
+  }
+  return json;
+}
+
+Json history_json(const std::vector<CycleRecord>& history) {
+  Json json = Json::array();
+  for (const auto& h : history) {
+    json.push_back({{"cycle", h.cycle},
+                    {"mass", h.mass},
+                    {"worst_constraint", h.worst_constraint},
+                    {"load_change", h.load_change ? Json(*h.load_change) : Json(nullptr)},
+                    {"load_cases", h.load_cases},
+                    {"optimizer_iterations", h.optimizer_iterations},
+                    {"move_limit", h.move_limit},
+                    {"wall_s", h.wall_s}});
+  }
+  return json;
+}
+
+}  // namespace
+
+ResponseFigure response_figure(const ResponseResult& response, const std::vector<double>& times) {
+  ResponseFigure figure{response.name, response.unit, 0, 0, {}};
+  const auto C = static_cast<std::size_t>(response.components);
+  const std::size_t n = C > 0 ? std::min(times.size(), response.values.size() / C) : 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    double squares = 0;
+    for (std::size_t c = 0; c < C; ++c) squares += std::pow(response.values[i * C + c], 2);
+    const double size = std::sqrt(squares);
+    if (i == 0 || size > figure.max_abs) {
+      figure.max_abs = size;
+      figure.at_time = times[i];
+    }
+  }
+  if (n > 0) {
+    const double* last = response.values.data() + (n - 1) * C;
+    figure.final.assign(last, last + C);
+  }
+  return figure;
+}
+
+Json to_json(const RunSummary& summary) {
+  Json json = head(summary);
+  add_tail(json, summary);
+  return json;
+}
+
+Json to_json(const OptimizeSummary& s) {
+  Json json = head(s);
+  json["cycles"] = s.history.size();
+  json["mass_initial"] = s.mass_initial;
+  json["mass_final"] = s.mass_final;
+  json["worst_constraint"] = s.worst_constraint;
+  json["load_change"] = s.load_change;
+  json["design"] = Json::object();
+  json["design_range"] = Json::object();
+  for (const auto& d : s.design) {
+    json["design"][d.name] = d.final;
+    json["design_range"][d.name] = {
+        {"initial", d.initial}, {"lower", d.lower}, {"upper", d.upper}, {"unit", d.unit}};
+  }
+  json["constraints"] = constraints_json(s.constraints);
+  json["history"] = history_json(s.history);
+  add_tail(json, s);
+  return json;
+}
+
+void write_summary(const std::filesystem::path& path, const Json& summary) {
+  // Names come from files: bytes that are not UTF-8 are replaced, not thrown at.
+  write_file(path, summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+}
+
+double peak_memory_mb() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return static_cast<double>(usage.ru_maxrss) / 1024.0;  // Linux counts in kB
+}
+
+}  // namespace liesl::output

@@ -1,0 +1,91 @@
+#pragma once
+/// @file
+/// summary.json: what a command did, why it stopped, and the figures. The keys are an interface,
+/// documented in docs/outputs.md.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "apps/output/results.hpp"
+
+namespace liesl::output {
+
+/// A response in three figures.
+struct ResponseFigure {
+  std::string name, unit;
+  double max_abs = 0;         ///< largest |value| over the records, the norm for vectors
+  double at_time = 0;         ///< where that is
+  std::vector<double> final;  ///< value of the last record, one number a component
+};
+
+/// Of a recorded series; zeros if it is empty.
+ResponseFigure response_figure(const ResponseResult& response, const std::vector<double>& times);
+
+struct RunSummary {
+  std::string command = "run";
+  std::string name;                                          ///< of the scene or study
+  std::string status, reason;                                ///< one word or two; one sentence
+  std::string space, space_reason;                           ///< "planar" | "spatial", and why
+  int steps = 0;                                             ///< accepted
+  long newton_iterations = 0;                                ///< over all steps
+  std::vector<std::pair<std::string, long>> factorizations;  ///< by body
+  double stepping_s = 0;                                     ///< time stepping alone
+  double wall_s = 0;                                         ///< from the start of the program
+  std::vector<ResponseFigure> responses;
+  std::vector<std::string> warnings;
+  std::vector<std::string> overrides;  ///< the --set arguments
+  std::string input_sha256;            ///< of the input files' bytes, scene after study
+  nlohmann::ordered_json more;         ///< object: further keys, put before `warnings`
+};
+
+/// A limit and how it fared over every step of the true dynamic response.
+struct ConstraintFigure {
+  std::string name, response, unit;
+  double limit = 0;
+  double max_abs_initial = 0, max_abs_final = 0;
+  double at_time = 0;    ///< of max_abs_final
+  double violation = 0;  ///< max_abs_final / limit - 1: negative inside
+};
+
+struct DesignFigure {
+  std::string name;  ///< "rod_diameters[0]"
+  double initial = 0, final = 0, lower = 0, upper = 0;
+  std::string unit = "m";
+};
+
+/// One turn of the cycle: the design that was simulated, and what followed.
+struct CycleRecord {
+  int cycle = 0;
+  double mass = 0;                    ///< kg, of the design at the start of the cycle
+  double worst_constraint = 0;        ///< of its dynamic response, relative, negative inside
+  std::optional<double> load_change;  ///< relative to the cycle before; none in the first
+  int load_cases = 0;                 ///< kept by the screening
+  int optimizer_iterations = 0;
+  double move_limit = 0;
+  double wall_s = 0;
+};
+
+struct OptimizeSummary : RunSummary {
+  double mass_initial = 0, mass_final = 0;  ///< kg
+  double worst_constraint = 0;
+  double load_change = 0;
+  std::vector<DesignFigure> design;
+  std::vector<ConstraintFigure> constraints;
+  std::vector<CycleRecord> history;
+};
+
+/// With peak memory and versions added. Numbers that are not finite become null.
+nlohmann::ordered_json to_json(const RunSummary& summary);
+nlohmann::ordered_json to_json(const OptimizeSummary& summary);
+
+/// As a text file, indented. @throws IoError
+void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
+
+/// Largest memory this process has used so far, MB.
+double peak_memory_mb();
+
+}  // namespace liesl::output

@@ -1,0 +1,124 @@
+#include "apps/output/xdmf_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "apps/output/file.hpp"
+#include "apps/output/hdf5_writer.hpp"
+
+namespace liesl::output {
+namespace {
+
+std::string escaped(const std::string& text) {
+  std::string out;
+  for (const char c : text) {
+    switch (c) {
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      case '&':
+        out += "&amp;";
+        break;
+      case '"':
+        out += "&quot;";
+        break;
+      default:
+        out += c;
+    }
+  }
+  return out;
+}
+
+/// A block [n, rows, columns] of the HDF5 file.
+struct Block {
+  std::string file, path;
+  std::size_t n, rows, columns;
+};
+
+/// Columns first .. first + count of one record of the block.
+std::string slab(const Block& b, int record, std::size_t first, std::size_t count) {
+  return fmt::format(
+      R"(<DataItem ItemType="HyperSlab" Dimensions="{1} {2}"><DataItem Dimensions="3 3" Format="XML">)"
+      R"({0} 0 {3} 1 1 1 1 {1} {2}</DataItem><DataItem Dimensions="{4} {1} {5}" NumberType="Float" )"
+      R"(Precision="8" Format="HDF">{6}:{7}</DataItem></DataItem>)",
+      record, b.rows, count, first, b.n, b.columns, escaped(b.file), escaped(b.path));
+}
+
+std::string attribute(const std::string& name, const char* type, const char* centre,
+                      const std::string& data) {
+  return fmt::format(
+      "     <Attribute Name=\"{}\" AttributeType=\"{}\" Center=\"{}\">{}</Attribute>\n", name, type,
+      centre, data);
+}
+
+std::string topology(const BodyResult& body, const std::string& file, const std::string& group) {
+  if (body.elements.empty()) {
+    std::string nodes;
+    for (int i = 0; i < body.nodes; ++i) nodes += fmt::format("{} ", i);
+    return fmt::format(
+        "     <Topology TopologyType=\"Polyvertex\" NumberOfElements=\"{0}\" NodesPerElement=\"1\">"
+        "<DataItem Dimensions=\"{0} 1\" NumberType=\"Int\" Format=\"XML\">{1}</DataItem>"
+        "</Topology>\n",
+        body.nodes, nodes);
+  }
+  return fmt::format(
+      "     <Topology TopologyType=\"Polyline\" NumberOfElements=\"{0}\" NodesPerElement=\"2\">"
+      "<DataItem Dimensions=\"{0} 2\" NumberType=\"Int\" Precision=\"4\" Format=\"HDF\">"
+      "{1}:{2}/elements</DataItem></Topology>\n",
+      body.elements.size(), escaped(file), escaped(group));
+}
+
+std::string grid(const BodyResult& body, const std::string& file, int record, std::size_t n) {
+  const std::string group = "/bodies/" + hdf5_name(body.name);
+  const auto N = static_cast<std::size_t>(body.nodes);
+  const std::size_t E = body.elements.size();
+  const auto block = [&](const char* name, std::size_t rows, std::size_t columns) {
+    return Block{file, group + "/" + name, n, rows, columns};
+  };
+  std::string out = fmt::format("    <Grid Name=\"{}\">\n", escaped(body.name));
+  out += topology(body, file, group);
+  out += "     <Geometry GeometryType=\"XYZ\">" + slab(block("position", N, 3), record, 0, 3) +
+         "</Geometry>\n";
+  if (!body.rotations.empty()) {
+    out += attribute("rotation", "Tensor", "Node", slab(block("rotation", N, 9), record, 0, 9));
+  }
+  // Six-vectors: translation or force first, rotation or moment second.
+  const auto halves = [&](const std::vector<double>& values, const Block& b, const char* centre,
+                          const char* first, const char* second) {
+    if (values.empty()) return;
+    out += attribute(first, "Vector", centre, slab(b, record, 0, 3));
+    out += attribute(second, "Vector", centre, slab(b, record, 3, 3));
+  };
+  halves(body.velocities, block("velocity", N, 6), "Node", "velocity (local)",
+         "angular velocity (local)");
+  halves(body.strains, block("strain", E, 6), "Cell", "strain", "curvature");
+  halves(body.section_forces, block("section_force", E, 6), "Cell", "section force",
+         "section moment");
+  return out + "    </Grid>\n";
+}
+
+}  // namespace
+
+void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
+                const Results& results, int max_instants) {
+  const std::size_t n = results.times.size();
+  std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n";
+  out += "  <Grid Name=\"" + escaped(results.name) +
+         "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  for (const int record : spread_records(static_cast<int>(n), max_instants)) {
+    out += "   <Grid Name=\"bodies\" GridType=\"Collection\" CollectionType=\"Spatial\">\n";
+    out += fmt::format("    <Time Value=\"{}\"/>\n", results.times[record]);
+    for (const auto& body : results.bodies) {
+      if (!body.positions.empty()) out += grid(body, hdf5_name, record, n);
+    }
+    out += "   </Grid>\n";
+  }
+  out += "  </Grid>\n </Domain>\n</Xdmf>\n";
+  write_file(path, out);
+}
+
+}  // namespace liesl::output

@@ -1,0 +1,122 @@
+#pragma once
+/// @file
+/// What a body is to the model: nodes with frames, inertia and elasticity in local frames.
+
+#include <Eigen/Core>
+#include <string>
+#include <vector>
+
+#include "liegroup/concepts.hpp"
+#include "mbs/linalg/block_tridiagonal.hpp"
+
+namespace liesl {
+
+/// The part of a state that belongs to one body: pointers to its first node.
+template <FrameGroup G>
+struct BodyState {
+  const G* H = nullptr;          ///< frames, one a node
+  const double* v = nullptr;     ///< left-invariant velocities, dim a node
+  const double* vdot = nullptr;  ///< their rates, dim a node
+};
+
+/// Weights of the time integrator in the iteration matrix beta' M + gamma' C + K; with
+/// mass = damping = 0 it is the static tangent.
+struct TangentWeights {
+  double mass = 0;     ///< beta'  [1/s^2]
+  double damping = 0;  ///< gamma' [1/s]
+};
+
+/// Sums of squares of the forces and moments that make up a residual: the measure of what
+/// "small" means for it.
+struct ForceScale {
+  double force = 0;   ///< N^2
+  double moment = 0;  ///< (N m)^2
+
+  template <class G, class Wrench>
+  void add(const Wrench& f) {
+    force += f.template head<G::space_dim>().squaredNorm();
+    moment += f.template tail<G::rotation_dim>().squaredNorm();
+  }
+};
+
+struct BodyEnergy {
+  double kinetic = 0, elastic = 0, potential = 0;  ///< J; potential of gravity, zero at the origin
+};
+
+/// A chain of n >= 1 nodes. Forces are conjugate to left-invariant increments in the nodal frames.
+template <FrameGroup G>
+class Body {
+ public:
+  static constexpr int dim = G::dim;
+  using Tangent = typename G::Tangent;
+  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
+  using Matrices = BlockTridiagonal<dim>;
+
+  Body(std::string body_name, std::vector<G> nodes_at_rest)
+      : name(std::move(body_name)), reference(std::move(nodes_at_rest)) {}
+  virtual ~Body() = default;
+
+  const std::string name;
+  const std::vector<G> reference;  ///< nodal frames of the undeformed body where the scene puts it
+
+  int nodes() const { return static_cast<int>(reference.size()); }
+  int size() const { return dim * nodes(); }
+
+  /// r += M (vdot - [R^T gravity; 0]) + gyroscopic force. Gravity enters as an acceleration.
+  virtual void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                           ForceScale& scale) const = 0;
+  /// r += internal force (elastic + damping).
+  virtual void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const = 0;
+
+  /// Constant mass matrix and constant tangent stiffness (at the reference shape).
+  const Matrices& mass() const { return M_; }
+  const Matrices& stiffness() const { return K_; }
+  /// Stiffness-proportional damping in s: C = damping * K.
+  virtual double damping() const { return 0; }
+
+  /// A = w.mass M + w.damping C + K at this state, exact: K with the stress `stress` (elements x dim,
+  /// null = the state's own) in its geometric term, C with the gyroscopic tangent.
+  virtual void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                             const Tangent* stress, Matrices& A) const = 0;
+
+  /// Shares of a load per length: f = W [l_0; ...; l_n]; zero for bodies without length.
+  virtual Matrices load_distribution() const { return Matrices(nodes()); }
+
+  virtual int elements() const { return 0; }
+  /// Strain and section forces of element e.
+  virtual Tangent strain(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
+  virtual Tangent section_force(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
+  virtual BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const = 0;
+
+  /// Kilograms, and the largest axial stiffness EA/L of an element in N/m (0 = rigid): round-off
+  /// in positions times this is the smallest force that means anything.
+  virtual double total_mass() const = 0;
+  virtual double axial_stiffness() const { return 0; }
+
+ protected:
+  Matrices M_, K_;
+};
+
+/// vdot - [R^T gravity; 0] for each node: inertia and weight at once.
+template <FrameGroup G>
+inline typename G::Tangent apparent_acceleration(const BodyState<G>& s, int node,
+                                                 const typename Body<G>::Vector& gravity) {
+  typename G::Tangent a = Eigen::Map<const typename G::Tangent>(s.vdot + G::dim * node);
+  a.template head<G::space_dim>().noalias() -= s.H[node].R.transpose() * gravity;
+  return a;
+}
+
+/// D_h of -[R^T gravity; 0] at one node (left-invariant): columns of the rotation.
+template <FrameGroup G>
+inline typename G::Matrix weight_tangent(const G& H, const typename Body<G>::Vector& gravity) {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  typename G::Matrix D = G::Matrix::Zero();
+  const auto g = (H.R.transpose() * gravity).eval();
+  for (int j = 0; j < rd; ++j)  // -d(R^T g) = w x (R^T g): minus the translation part of -ad
+    D.template block<sd, 1>(0, sd + j) = (G::ad(G::Tangent::Unit(sd + j)) *
+                                          (typename G::Tangent() << g, Eigen::Matrix<double, rd, 1>::Zero()).finished())
+                                             .template head<sd>();
+  return D;
+}
+
+}  // namespace liesl

@@ -1,0 +1,114 @@
+#pragma once
+/// @file
+/// Block-tridiagonal matrices: what a chain of nodes is to linear algebra.
+
+#include <Eigen/Core>
+#include <Eigen/LU>
+#include <Eigen/StdVector>
+#include <vector>
+
+namespace liesl {
+
+/// n x n blocks of N x N: diagonal D_k, upper U_k (row k, column k+1), lower L_k (row k+1, column k).
+/// Linear cost in n. The blocks need not be symmetric.
+template <int N>
+class BlockTridiagonal {
+ public:
+  using Block = Eigen::Matrix<double, N, N>;
+  using Segment = Eigen::Matrix<double, N, 1>;
+  using Blocks = std::vector<Block, Eigen::aligned_allocator<Block>>;
+
+  BlockTridiagonal() = default;
+  explicit BlockTridiagonal(int n) { resize(n); }
+  void resize(int n) {
+    D.resize(n);
+    U.resize(n > 0 ? n - 1 : 0);
+    L.resize(n > 0 ? n - 1 : 0);
+    set_zero();
+  }
+  void set_zero() {
+    for (auto* blocks : {&D, &U, &L})
+      for (auto& b : *blocks) b.setZero();
+  }
+  int blocks() const { return static_cast<int>(D.size()); }
+  int size() const { return N * blocks(); }
+
+  /// Adds the 2N x 2N matrix of element k, which joins nodes k and k + 1.
+  template <class Element>
+  void add_element(int k, const Eigen::MatrixBase<Element>& m) {
+    D[k] += m.template topLeftCorner<N, N>();
+    U[k] += m.template topRightCorner<N, N>();
+    L[k] += m.template bottomLeftCorner<N, N>();
+    D[k + 1] += m.template bottomRightCorner<N, N>();
+  }
+
+  /// this = a A + b B (same size).
+  void set_sum(double a, const BlockTridiagonal& A, double b, const BlockTridiagonal& B) {
+    for (size_t k = 0; k < D.size(); ++k) D[k] = a * A.D[k] + b * B.D[k];
+    for (size_t k = 0; k < U.size(); ++k) {
+      U[k] = a * A.U[k] + b * B.U[k];
+      L[k] = a * A.L[k] + b * B.L[k];
+    }
+  }
+
+  /// y += A x; x and y hold N * blocks() numbers.
+  void multiply_add(const double* x, double* y) const {
+    using In = Eigen::Map<const Segment>;
+    using Out = Eigen::Map<Segment>;
+    const int n = blocks();
+    for (int k = 0; k < n; ++k) {
+      Segment s = D[k].lazyProduct(In(x + N * k));
+      if (k > 0) s += L[k - 1].lazyProduct(In(x + N * (k - 1)));
+      if (k + 1 < n) s += U[k].lazyProduct(In(x + N * (k + 1)));
+      Out(y + N * k) += s;
+    }
+  }
+
+  Blocks D, U, L;
+};
+
+/// LU factors of a block-tridiagonal matrix, without pivoting between blocks (the matrices here
+/// are inertia plus stiffness, near to symmetric positive definite).
+template <int N>
+class BlockTridiagonalLU {
+ public:
+  using Matrix = BlockTridiagonal<N>;
+  using Block = typename Matrix::Block;
+  using Segment = typename Matrix::Segment;
+
+  /// @returns false if a pivot block is singular; the factors are then unusable.
+  bool factor(const Matrix& A) {
+    const int n = A.blocks();
+    inverse_.resize(n);
+    lower_.resize(A.L.size());
+    upper_.resize(A.U.size());
+    Block pivot = n > 0 ? A.D[0] : Block();
+    for (int k = 0; k < n; ++k) {
+      Eigen::PartialPivLU<Block> lu(pivot);
+      inverse_[k] = lu.inverse();
+      if (!inverse_[k].allFinite()) return false;
+      if (k + 1 == n) break;
+      lower_[k] = A.L[k] * inverse_[k];
+      upper_[k] = inverse_[k] * A.U[k];
+      pivot = A.D[k + 1] - lower_[k] * A.U[k];
+    }
+    return true;
+  }
+
+  /// x <- A^-1 x, in place. Allocates nothing.
+  void solve(double* x) const {
+    using Map = Eigen::Map<Segment>;
+    const int n = static_cast<int>(inverse_.size());
+    for (int k = 1; k < n; ++k)
+      Map(x + N * k) -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
+    for (int k = 0; k < n; ++k)
+      Map(x + N * k) = Segment(inverse_[k].lazyProduct(Map(x + N * k)));
+    for (int k = n - 2; k >= 0; --k)
+      Map(x + N * k) -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
+  }
+
+ private:
+  typename Matrix::Blocks inverse_, lower_, upper_;
+};
+
+}  // namespace liesl

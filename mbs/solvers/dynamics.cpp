@@ -1,0 +1,123 @@
+#include "mbs/solvers/dynamics.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "mbs/solvers/constraint_rank.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr int kGrowAfter = 4;       // good steps before the step doubles again
+constexpr double kSafety = 0.5;     // adaptive: double below kSafety^3 of the tolerance
+
+/// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
+class StepGrid {
+ public:
+  StepGrid(const SimulationOptions& o) : step_(o.step), fine_(o.step_min > 0 ? o.step_min : o.step / 1024) {
+    while (step_ / (1L << (deepest_ + 1)) >= fine_ * (1 - 1e-12)) ++deepest_;
+  }
+  double h() const { return step_ / static_cast<double>(1L << level_); }
+  bool halve() {
+    if (level_ == deepest_) return false;
+    ++level_;
+    ticks_ *= 2;
+    good_ = 0;
+    return true;
+  }
+  /// After a good step: one tick on; `may_grow` allows the next step to double.
+  void advance(bool may_grow) {
+    ++ticks_;
+    good_ = may_grow ? good_ + 1 : 0;
+    if (level_ > 0 && good_ >= kGrowAfter && ticks_ % 2 == 0) {
+      --level_;
+      ticks_ /= 2;
+      good_ = 0;
+    }
+  }
+  /// Whole steps done, or -1 between two of them.
+  long whole() const { return ticks_ % (1L << level_) == 0 ? ticks_ >> level_ : -1; }
+  double time() const { return h() * static_cast<double>(ticks_); }
+
+ private:
+  double step_, fine_;
+  int level_ = 0, deepest_ = 0, good_ = 0;
+  long ticks_ = 0;
+};
+
+double seconds_since(std::chrono::steady_clock::time_point start) {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+}  // namespace
+
+template <FrameGroup G>
+DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Progress& progress) {
+  DynamicResult<G> result;
+  Report& report = result.report;
+  State<G> s = model.initial_state();
+  result.start = make_consistent(model, o, s);
+  report.warnings = result.start.redundant;
+  if (result.start.status != SolveStatus::Converged) {
+    report.status = result.start.status;
+    report.reason = result.start.reason;
+    return result;
+  }
+  const long whole_steps = std::lround(o.duration / o.step);
+  result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
+  result.trajectory.record(s);
+
+  GeneralizedAlpha<G> integrator(model, o);
+  StepGrid grid(o);
+  report.smallest_step = o.step;
+  const double error_limit = o.error_tolerance * model.length;
+  const auto start = std::chrono::steady_clock::now();
+  while (grid.whole() < whole_steps) {
+    const double h = grid.h();
+    StepResult step = integrator.step(s, h);
+    report.newton_iterations += step.iterations;
+    report.tangent_refreshes += step.refreshed;
+    if (!step.converged) {
+      ++report.rejected_steps;
+      if (grid.halve()) {
+        report.smallest_step = std::min(report.smallest_step, grid.h());
+        continue;
+      }
+      report.status = SolveStatus::NotConverged;
+      report.reason = fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {:.2g})",
+                                  step.failure, s.t + h, h, step.residual);
+      break;
+    }
+    ++report.steps;
+    grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
+    s.t = grid.time();
+    report.max_constraint_residual =
+        std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
+    if (o.adaptive && step.error > error_limit && grid.halve())
+      report.smallest_step = std::min(report.smallest_step, grid.h());
+    const long whole = grid.whole();
+    if (whole > 0 && whole % o.output_every == 0) result.trajectory.record(s);
+    if (const auto why = contradiction(model, s); !why.empty()) {
+      report.status = SolveStatus::Inconsistent;
+      report.reason = why;
+      break;
+    }
+    if (progress && !progress(s.t)) {
+      report.status = SolveStatus::Interrupted;
+      report.reason = fmt::format("stopped at t = {:.6g} s on request", s.t);
+      break;
+    }
+  }
+  report.stepping_s = seconds_since(start);
+  report.factorizations = integrator.factorizations();
+  if (report.rejected_steps > 0)
+    report.warnings.push_back(fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
+                                          report.rejected_steps, report.smallest_step));
+  return result;
+}
+
+template DynamicResult<SE2> simulate(Model<SE2>&, const SimulationOptions&, const Progress&);
+template DynamicResult<SE3> simulate(Model<SE3>&, const SimulationOptions&, const Progress&);
+
+}  // namespace liesl

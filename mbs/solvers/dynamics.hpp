@@ -1,0 +1,33 @@
+#pragma once
+/// @file
+/// A simulation in time: start, steps, recovery, records.
+
+#include <functional>
+
+#include "mbs/solvers/generalized_alpha.hpp"
+#include "mbs/solvers/initial_state.hpp"
+#include "mbs/solvers/trajectory.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+struct DynamicResult {
+  Trajectory<G> trajectory;
+  Report report;
+  InitialState start;
+};
+
+/// Called after each step with the time reached; return false to stop (Interrupted).
+using Progress = std::function<bool(double t)>;
+
+/// Runs the model over options.duration. A step that does not converge is tried with the tangent
+/// at the current state, then with half the step, down to options.step_min; then the run stops with
+/// a reason, and the records until there are kept. Steps grow back on the grid of options.step.
+/// Never throws for non-convergence; no record holds a NaN.
+template <FrameGroup G>
+DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options, const Progress& progress = {});
+
+extern template DynamicResult<SE2> simulate(Model<SE2>&, const SimulationOptions&, const Progress&);
+extern template DynamicResult<SE3> simulate(Model<SE3>&, const SimulationOptions&, const Progress&);
+
+}  // namespace liesl

@@ -1,0 +1,77 @@
+#pragma once
+/// @file
+/// One step of the Lie-group generalized-alpha method, index 3 (Brüls, Cardona, Arnold 2012,
+/// "Lie group generalized-alpha time integration of constrained flexible multibody systems",
+/// Mech. Mach. Theory 48).
+
+#include "mbs/solvers/joint_system.hpp"
+#include "mbs/solvers/options.hpp"
+
+namespace liesl {
+
+/// Coefficients from the spectral radius at infinity (thesis eq. 2.15).
+struct AlphaWeights {
+  double alpha_m, alpha_f, gamma, beta;
+  explicit AlphaWeights(double rho)
+      : alpha_m((2 * rho - 1) / (rho + 1)),
+        alpha_f(rho / (rho + 1)),
+        gamma(0.5 + alpha_f - alpha_m),
+        beta(0.25 * (gamma + 0.5) * (gamma + 0.5)) {}
+  /// beta' = (1 - alpha_m)/(beta h^2 (1 - alpha_f)), gamma' = gamma/(beta h).
+  TangentWeights at(double h) const {
+    return {(1 - alpha_m) / (beta * h * h * (1 - alpha_f)), gamma / (beta * h)};
+  }
+};
+
+/// What became of one attempt at a step.
+struct StepResult {
+  bool converged = false;
+  bool refreshed = false;      ///< the tangent had to be taken at the current state
+  int iterations = 0;          ///< corrections
+  double residual = 0;         ///< relative, at the last iterate
+  double error = 0;            ///< estimate of the local error of the positions, m
+  const char* failure = "";    ///< why not
+};
+
+template <FrameGroup G>
+class GeneralizedAlpha {
+ public:
+  GeneralizedAlpha(const Model<G>& model, const SimulationOptions& options);
+
+  /// Advances s by h; on failure s is left as it was. Nothing is allocated once each step size
+  /// has been used.
+  StepResult step(State<G>& s, double h);
+
+  /// Forgets refreshed tangents: back to the constant ones.
+  const std::vector<int>& factorizations() const { return factorizations_; }
+  const Equations<G>& equations() const { return equations_; }
+
+ private:
+  struct Factored {
+    double h;
+    bool exact;
+    JointSystem<G> system;
+  };
+
+  JointSystem<G>& system_for(double h);
+  void predict(const State<G>& old, double h);
+  void correct(double h, TangentWeights w);
+  bool small_enough() const;
+  void accept(const State<G>& old, State<G>& s, double h, StepResult& result);
+
+  const Model<G>& model_;
+  const SimulationOptions options_;
+  const AlphaWeights weights_;
+  Equations<G> equations_;
+  std::vector<Factored> factored_;
+  std::vector<int> factorizations_;
+  State<G> trial_;
+  Eigen::VectorXd dq_, delta_, dlambda_, previous_vdot_;
+  double previous_h_ = 0;
+  double scale_ = 0;  ///< largest force scale so far
+};
+
+extern template class GeneralizedAlpha<SE2>;
+extern template class GeneralizedAlpha<SE3>;
+
+}  // namespace liesl

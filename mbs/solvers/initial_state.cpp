@@ -1,0 +1,127 @@
+#include "mbs/solvers/initial_state.hpp"
+
+#include <fmt/format.h>
+
+#include "mbs/solvers/constraint_rank.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr int kMaxAssembly = 50;
+constexpr double kAssembled = 1e-12;  // of the mechanism's length
+
+template <FrameGroup G>
+void move(State<G>& s, const Eigen::VectorXd& delta) {
+  for (size_t k = 0; k < s.H.size(); ++k)
+    s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * static_cast<int>(k)));
+}
+
+template <FrameGroup G>
+bool assemble_positions(const Model<G>& model, double step, State<G>& s, InitialState& out) {
+  Equations<G> eq(model);
+  JointSystem<G> system(model);
+  system.factor({1 / (step * step), 0});
+  Eigen::VectorXd delta = Eigen::VectorXd::Zero(model.size()), dlambda = s.lambda;
+  const auto start = s.H;
+  for (int i = 0; i <= kMaxAssembly; ++i) {
+    eq.evaluate(s, s.q, {s.t, 1});
+    if (!std::isfinite(eq.constraint_residual())) break;
+    if (eq.constraint_residual() <= kAssembled * model.length) {
+      for (size_t k = 0; k < start.size(); ++k)
+        out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
+      return true;
+    }
+    eq.r.setZero();
+    if (!system.solve(eq, delta, dlambda, false)) break;
+    move(s, delta);
+  }
+  out.status = SolveStatus::Inconsistent;
+  out.reason = fmt::format("the joints cannot be assembled from the positions given: a constraint stays {:.3g} "
+                           "(m or rad) from closed; check the positions of the bodies and the joints' axes",
+                           eq.constraint_residual());
+  return false;
+}
+
+template <FrameGroup G>
+bool project_velocities(const Model<G>& model, double time, State<G>& s, InitialState& out) {
+  Equations<G> eq(model);
+  JointSystem<G> system(model);
+  system.factor({1 / (time * time), 0});
+  Eigen::VectorXd delta = s.v, dlambda = s.lambda, target = s.lambda;
+  const Eigen::VectorXd start = s.v;
+  eq.evaluate(s, s.q, {s.t, 1});
+  eq.velocity_target(s.t, target);
+  for (int i = 0; i < 4; ++i) {  // once, and again for what round-off left
+    for (size_t c = 0; c < model.couplings.size(); ++c) {
+      const auto& coupling = model.couplings[c];
+      auto rate = eq.phi.segment(coupling.first_constraint, coupling.constraints);
+      rate = -target.segment(coupling.first_constraint, coupling.constraints);
+      const auto B = eq.couplings[c].B.topRows(coupling.constraints);
+      if (coupling.a.body >= 0)
+        rate += B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
+      if (coupling.b.body >= 0)
+        rate += B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
+    }
+    if (eq.constraint_residual() == 0) break;
+    eq.r.setZero();
+    if (!system.solve(eq, delta, dlambda, false)) {
+      out.status = SolveStatus::Singular;
+      out.reason = "the velocities cannot be made consistent: the joint equations are singular";
+      return false;
+    }
+    s.v += delta;
+  }
+  for (int k = 0; k < model.nodes(); ++k)
+    out.velocity_change = std::max(out.velocity_change,
+                                   (s.v - start).template segment<G::space_dim>(G::dim * k).norm());
+  return true;
+}
+
+template <FrameGroup G>
+bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) {
+  Equations<G> eq(model);
+  JointSystem<G> system(model);
+  s.vdot.setZero();
+  s.lambda.setZero();
+  Eigen::VectorXd target = s.lambda, dlambda = s.lambda;
+  eq.evaluate(s, s.q, {s.t, 1});
+  eq.acceleration_target(s, s.t, target);
+  eq.phi = -target;
+  if (!system.factor({1, 0}, 0) || !system.solve(eq, s.vdot, dlambda, false)) {
+    out.status = SolveStatus::Singular;
+    out.reason = "the accelerations at the start are not determined: a body that can move has no inertia "
+                 "in that direction; give it mass, inertia or a joint";
+    return false;
+  }
+  s.lambda = dlambda;
+  s.a = s.vdot;
+  return true;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s) {
+  InitialState out;
+  Equations<G> eq(model);
+  eq.observe(s, s.q, s.q);
+  remove_redundant_constraints(model, s, out.redundant);
+  s.lambda.setZero(model.constraints());
+  if (!assemble_positions(model, options.step, s, out)) return out;
+  {
+    Equations<G> sorted(model);
+    sorted.observe(s, s.q, s.q);
+  }
+  if (const auto why = contradiction(model, s); !why.empty()) {
+    out.status = SolveStatus::Inconsistent;
+    out.reason = why;
+    return out;
+  }
+  if (project_velocities(model, options.duration, s, out)) solve_accelerations(model, s, out);
+  return out;
+}
+
+template InitialState make_consistent(Model<SE2>&, const SimulationOptions&, State<SE2>&);
+template InitialState make_consistent(Model<SE3>&, const SimulationOptions&, State<SE3>&);
+
+}  // namespace liesl

@@ -1,0 +1,172 @@
+#include "mbs/solvers/joint_system.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
+  const size_t n = model.bodies.size();
+  bodies_.resize(n);
+  sides_.resize(n);
+  factorizations_.assign(n, 0);
+  for (size_t b = 0; b < n; ++b) {
+    scratch_.emplace_back(model.bodies[b]->nodes());
+    const int columns = dim * static_cast<int>(model.coupled_nodes[b].size());
+    bodies_[b].X.setZero(model.bodies[b]->size(), columns);
+    bodies_[b].F.setZero(columns, columns);
+    bodies_[b].joint_force.setZero(columns);
+  }
+  int rows = 0;
+  for (size_t c = 0; c < model.couplings.size(); ++c) {
+    const auto& coupling = model.couplings[c];
+    const int index = static_cast<int>(c);
+    if (coupling.a.body >= 0) sides_[coupling.a.body].push_back({index, 0, coupling.a.slot});
+    if (coupling.b.body >= 0) sides_[coupling.b.body].push_back({index, dim, coupling.b.slot});
+    first_.push_back(rows);
+    rows += coupling.active;
+  }
+  S_.setZero(rows, rows);
+  rhs_.setZero(rows);
+  llt_ = Eigen::LLT<Eigen::MatrixXd>(rows);
+  lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(rows);
+}
+
+template <FrameGroup G>
+bool JointSystem<G>::factor(TangentWeights w, double stiffness) {
+  weights_ = w;
+  symmetric_ = true;
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const Body<G>& body = *model_.bodies[b];
+    scratch_[b].set_sum(w.mass, body.mass(), stiffness * (1 + w.damping * body.damping()), body.stiffness());
+    if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
+  }
+  return true;
+}
+
+template <FrameGroup G>
+bool JointSystem<G>::factor_exact(const State<G>& s, TangentWeights w) {
+  weights_ = w;
+  symmetric_ = false;
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
+    model_.bodies[b]->exact_tangent(state, model_.gravity, w, nullptr, scratch_[b]);
+    if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
+  }
+  return true;
+}
+
+template <FrameGroup G>
+bool JointSystem<G>::factor_body(int body, const BlockTridiagonal<dim>& A) {
+  BodyFactor& f = bodies_[body];
+  ++factorizations_[body];
+  if (!f.lu.factor(A)) return false;
+  const auto& nodes = model_.coupled_nodes[body];
+  f.X.setZero();
+  for (size_t slot = 0; slot < nodes.size(); ++slot)
+    for (int i = 0; i < dim; ++i) {
+      const int column = dim * static_cast<int>(slot) + i;
+      f.X(dim * nodes[slot] + i, column) = 1;
+      f.lu.solve(f.X.col(column).data());
+    }
+  for (size_t slot = 0; slot < nodes.size(); ++slot)
+    f.F.template middleRows<dim>(dim * static_cast<int>(slot)) =
+        f.X.template middleRows<dim>(dim * nodes[slot]);
+  return true;
+}
+
+/// S = sum over bodies of B E^T A^-1 E B^T, + compliance on the diagonal of springs and dampers.
+template <FrameGroup G>
+void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
+  S_.setZero();
+  using Compliance = Eigen::Matrix<double, dim, dim>;
+  for (size_t b = 0; b < bodies_.size(); ++b)
+    for (const Side& i : sides_[b]) {
+      const int mi = model_.couplings[i.coupling].active;
+      const auto Bi = eq.couplings[i.coupling].B.template middleCols<dim>(i.column).topRows(mi);
+      for (const Side& j : sides_[b]) {
+        if (symmetric_ && first_[j.coupling] > first_[i.coupling]) continue;
+        const int mj = model_.couplings[j.coupling].active;
+        const auto Bj = eq.couplings[j.coupling].B.template middleCols<dim>(j.column).topRows(mj);
+        const Compliance F = bodies_[b].F.template block<dim, dim>(dim * i.slot, dim * j.slot);
+        for (int column = 0; column < mj; ++column) {
+          const Eigen::Matrix<double, dim, 1> x = F.lazyProduct(Bj.row(column).transpose());
+          S_.col(first_[j.coupling] + column).segment(first_[i.coupling], mi).noalias() +=
+              Bi.lazyProduct(x);
+        }
+      }
+    }
+  for (size_t c = 0; c < model_.couplings.size(); ++c) {
+    const auto& coupling = model_.couplings[c];
+    for (int i = coupling.constraints; i < coupling.active; ++i) {
+      const int row = first_[c] + i;
+      const ForceLaw& law = coupling.equations[i].law;
+      if (compliant) {
+        S_(row, row) += 1 / (law.stiffness + weights_.damping * law.damping);
+      } else {
+        S_.row(row).setZero();
+        S_.col(row).setZero();
+        S_(row, row) = 1;
+      }
+    }
+  }
+}
+
+template <FrameGroup G>
+bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda,
+                           bool compliant) {
+  delta = eq.r;
+  for (size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].lu.solve(delta.data() + dim * model_.first_node(static_cast<int>(b)));
+  if (rhs_.size() > 0) {
+    assemble(eq, compliant);
+    for (size_t c = 0; c < model_.couplings.size(); ++c) {
+      const auto& coupling = model_.couplings[c];
+      auto rhs = rhs_.segment(first_[c], coupling.active);
+      rhs.setZero();
+      rhs.head(coupling.constraints) = eq.phi.segment(coupling.first_constraint, coupling.constraints);
+      const auto& B = eq.couplings[c].B;
+      if (coupling.a.body >= 0)
+        rhs -= B.topRows(coupling.active).template leftCols<dim>().lazyProduct(
+            delta.template segment<dim>(dim * coupling.a.node));
+      if (coupling.b.body >= 0)
+        rhs -= B.topRows(coupling.active).template rightCols<dim>().lazyProduct(
+            delta.template segment<dim>(dim * coupling.b.node));
+      if (!compliant) rhs.tail(coupling.active - coupling.constraints).setZero();
+    }
+    bool solved = false;
+    if (symmetric_) {
+      llt_.compute(S_);
+      solved = llt_.info() == Eigen::Success;
+      if (solved) llt_.solveInPlace(rhs_);
+    }
+    if (!solved) {
+      if (symmetric_) S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
+      lu_.compute(S_);
+      rhs_ = lu_.solve(rhs_).eval();
+    }
+    if (!rhs_.allFinite()) return false;
+    for (auto& body : bodies_) body.joint_force.setZero();
+    for (size_t b = 0; b < bodies_.size(); ++b)
+      for (const Side& i : sides_[b]) {
+        const int active = model_.couplings[i.coupling].active;
+        bodies_[b].joint_force.template segment<dim>(dim * i.slot) +=
+            eq.couplings[i.coupling].B.topRows(active).template middleCols<dim>(i.column).transpose().lazyProduct(
+                rhs_.segment(first_[i.coupling], active));
+      }
+    for (size_t b = 0; b < bodies_.size(); ++b)
+      if (bodies_[b].X.cols() > 0)
+        delta.segment(dim * model_.first_node(static_cast<int>(b)), model_.bodies[b]->size()).noalias() +=
+            bodies_[b].X * bodies_[b].joint_force;
+    for (size_t c = 0; c < model_.couplings.size(); ++c) {
+      const auto& coupling = model_.couplings[c];
+      dlambda.segment(coupling.first_constraint, coupling.constraints) =
+          rhs_.segment(first_[c], coupling.constraints);
+    }
+  }
+  delta = -delta;
+  return delta.allFinite();
+}
+
+template class JointSystem<SE2>;
+template class JointSystem<SE3>;
+
+}  // namespace liesl

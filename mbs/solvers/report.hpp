@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// How a simulation ended: a status with a reason, and what it took.
+
+#include <string>
+#include <vector>
+
+namespace liesl {
+
+enum class SolveStatus {
+  Converged,
+  NotConverged,  ///< Newton's method failed at the smallest step; results until there are kept
+  Inconsistent,  ///< the scene cannot be assembled or its start contradicts itself
+  Singular,      ///< the equations have no unique solution
+  Interrupted    ///< the caller asked to stop
+};
+
+inline const char* to_string(SolveStatus s) {
+  switch (s) {
+    case SolveStatus::Converged: return "converged";
+    case SolveStatus::NotConverged: return "not_converged";
+    case SolveStatus::Inconsistent: return "inconsistent";
+    case SolveStatus::Singular: return "singular";
+    case SolveStatus::Interrupted: return "interrupted";
+  }
+  return "";
+}
+
+struct Report {
+  SolveStatus status = SolveStatus::Converged;
+  std::string reason;                 ///< one sentence, with time and place
+  long steps = 0;                     ///< accepted steps, load steps
+  long newton_iterations = 0;         ///< corrections
+  long tangent_refreshes = 0;
+  long rejected_steps = 0;
+  double smallest_step = 0;           ///< s
+  std::vector<int> factorizations;    ///< one a body
+  double stepping_s = 0;              ///< wall time of the stepping alone
+  double max_constraint_residual = 0; ///< largest |Phi| at an accepted step, m or rad
+  std::vector<std::string> warnings;
+};
+
+}  // namespace liesl

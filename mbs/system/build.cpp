@@ -1,0 +1,333 @@
+#include <Eigen/Geometry>
+#include <set>
+
+#include "mbs/bodies/beam.hpp"
+#include "mbs/bodies/rigid.hpp"
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+namespace {
+
+SE3::Matrix generalized_inertia(const RigidSpec& r) {
+  const Mat3 c = hat(r.centre);
+  SE3::Matrix M;
+  M << r.mass * Mat3::Identity(), -r.mass * c, r.mass * c, r.inertia - r.mass * c * c;
+  return M;
+}
+
+template <class G>
+std::unique_ptr<Body<G>> make_body(const std::string& name, const BeamSpec& beam,
+                                   const Space<G>& space) {
+  std::vector<G> nodes;
+  for (const SE3& H : beam.nodes) nodes.push_back(space.reduce(H, space.alignment(H)));
+  std::vector<ElementSection<G>> sections;
+  for (size_t e = 0; e < beam.sections.size(); ++e) {
+    const SectionLaw law = section_law(beam.sections[e], beam.material);
+    const SE3 align = space.alignment(beam.nodes[e]);
+    sections.push_back({space.reduce_law(law.K, align), space.reduce_law(law.M, align)});
+  }
+  return std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
+}
+
+template <class G>
+std::unique_ptr<Body<G>> make_body(const std::string& name, const RigidSpec& rigid,
+                                   const Space<G>& space) {
+  const SE3 align = space.alignment(rigid.frame);
+  const typename G::Tangent centre =
+      space.reduce_local((SE3::Tangent() << rigid.centre, Vec3::Zero()).finished(), align);
+  return std::make_unique<Rigid<G>>(name, space.reduce(rigid.frame, align),
+                                    space.reduce_law(generalized_inertia(rigid), align),
+                                    centre.template head<G::space_dim>());
+}
+
+/// Three unit axes, the first one given, the second one as given or any; in a plane each of them
+/// is in it or normal to it.
+template <class G>
+Mat3 axes_of(const JointSpec& j, const Space<G>& space) {
+  Mat3 e;
+  e.col(0) = j.axis;
+  e.col(1) = j.axis.unitOrthogonal();
+  if constexpr (G::space_dim == 2) {
+    const Vec3 n = space.frame.R.col(2);
+    e.col(1) = std::abs(n.dot(j.axis)) > 0.5 ? Vec3(space.frame.R.col(0)) : n;
+  }
+  if (j.type == JointType::Universal) e.col(1) = j.axis2;
+  e.col(2) = e.col(0).cross(e.col(1));
+  return e;
+}
+
+/// Turns the rows of a joint, given by spatial directions, into equations on G; a row that is an
+/// identity in the plane is left out.
+template <class G>
+class JointRows {
+ public:
+  using Vector = typename Row<G>::Vector;
+  JointRows(const Space<G>& space, std::vector<Equation<G>>& out) : space_(space), out_(out) {}
+
+  void along(const Vec3& m, int coordinate = -1) {
+    if (seen(m)) add(Row<G>::along(space_.reduce_vector(m)), coordinate);
+  }
+  void normal(const Vec3& m, const Vec3& n) {
+    if (seen(m) && seen(n)) add(Row<G>::normal(space_.reduce_vector(m), space_.reduce_vector(n)), -1);
+  }
+  /// Angle about the third axis: sine m . R n, cosine m2 . R n2.
+  void angle(const Vec3& m, const Vec3& n, const Vec3& m2, const Vec3& n2, int coordinate) {
+    if (seen(m) && seen(n) && seen(m2) && seen(n2))
+      add(Row<G>::angle(space_.reduce_vector(m), space_.reduce_vector(n), space_.reduce_vector(m2),
+                        space_.reduce_vector(n2)), coordinate);
+  }
+
+ private:
+  bool seen(const Vec3& m) const { return space_.reduce_vector(m).norm() > 0.5 * m.norm(); }
+  void add(const Row<G>& row, int coordinate) {
+    Equation<G> e{row, coordinate < 0 ? Role::Constraint : Role::Observed, TimeFunction(), {}, coordinate};
+    out_.push_back(e);
+  }
+  const Space<G>& space_;
+  std::vector<Equation<G>>& out_;
+};
+
+/// The rows of each joint type: constraints first, then the coordinates it leaves.
+template <class G>
+void add_joint_rows(const JointSpec& j, const Space<G>& space, JointRows<G> rows) {
+  const Mat3 e = axes_of(j, space);
+  const Vec3 e1 = e.col(0), e2 = e.col(1), e3 = e.col(2);
+  const auto type = j.type;
+  const bool centred = type == JointType::Fixed || type == JointType::Revolute ||
+                       type == JointType::Spherical || type == JointType::Universal;
+  const bool slides = type == JointType::Prismatic || type == JointType::Cylindrical;
+  if (centred || type == JointType::Planar) rows.along(e1);
+  if (centred || slides) {
+    rows.along(e2);
+    rows.along(e3);
+  }
+  if (type == JointType::Universal) rows.normal(e1, e2);
+  if (type != JointType::Universal && type != JointType::Spherical) {
+    rows.normal(e2, e1);
+    rows.normal(e3, e1);
+  }
+  if (type == JointType::Fixed || type == JointType::Prismatic) rows.normal(e3, e2);
+
+  if (slides) rows.along(e1, 0);
+  if (type == JointType::Planar) {
+    rows.along(e2, 0);
+    rows.along(e3, 1);
+  }
+  const int angle = type == JointType::Cylindrical ? 1 : type == JointType::Planar ? 2 : 0;
+  if (type == JointType::Revolute || type == JointType::Universal || type == JointType::Cylindrical ||
+      type == JointType::Planar)
+    rows.angle(e3, e2, e2, e2, angle);
+  if (type == JointType::Universal) rows.angle(e1, e3, e1, e1, 1);
+}
+
+/// The part of a gap between the two ports that is a motion of the joint.
+Vec3 free_gap(const JointSpec& j, const Vec3& gap) {
+  const Vec3 along = j.axis * j.axis.dot(gap);
+  if (j.type == JointType::Prismatic || j.type == JointType::Cylindrical) return along;
+  if (j.type == JointType::Planar) return gap - along;
+  return Vec3::Zero();
+}
+
+template <class G>
+class Builder {
+ public:
+  Builder(const Mechanism& m, const Space<G>& space, const std::vector<int>& first_node)
+      : m_(m), space_(space), first_node_(first_node) {}
+
+  /// Port with the axes of the plane (or the inertial ones), at a place given in the scene.
+  PortOf<G> port_at(const Port& port, const Vec3& place) const {
+    SE3 H = SE3::identity();
+    if constexpr (G::space_dim == 2) H.R = space_.frame.R;
+    H.x = place;
+    return port_with(port, space_.reduce(H, SE3::identity()));
+  }
+  /// Port with its own axes.
+  PortOf<G> port_of(const Port& port) const {
+    const SE3 H = m_.frame(port);
+    return port_with(port, space_.reduce(H, space_.alignment(H)));
+  }
+
+  Coupling<G> joint(int index) const {
+    const JointSpec& j = m_.joints[index];
+    Coupling<G> c;
+    c.name = j.name;
+    Vec3 at_a = m_.frame(j.a).x, at_b = m_.frame(j.b).x;
+    if (j.a.body < 0)
+      at_a = at_b;
+    else if (j.b.body < 0)
+      at_b = at_a;
+    else
+      at_a += free_gap(j, at_b - at_a);
+    c.a = port_at(j.a, at_a);
+    c.b = port_at(j.b, at_b);
+    add_joint_rows(j, space_, JointRows<G>(space_, c.equations));
+    for (const auto& d : m_.drives)
+      if (d.joint == index)
+        if (Equation<G>* e = coordinate(c, d.coordinate)) {
+          e->role = Role::Constraint;
+          e->target = d.motion;
+        }
+    for (const auto& f : m_.forces)
+      if (f.joint == index)
+        if (const Equation<G>* e = coordinate(c, f.coordinate)) {
+          Equation<G> force = *e;
+          force.law = {f.stiffness, f.damping, f.rest, f.force};
+          force.role = role_of(force.law);
+          force.coordinate = -1;
+          c.equations.push_back(force);
+        }
+    return c;
+  }
+
+  Coupling<G> force(const ForceSpec& f) const {
+    Coupling<G> c;
+    c.name = f.name;
+    c.is_joint = false;
+    c.a = port_of(f.a);
+    c.b = port_of(f.b);
+    const ForceLaw law{f.stiffness, f.damping, f.rest, f.force};
+    c.equations.push_back({Row<G>::distance(), role_of(law), TimeFunction(), law, 0});
+    return c;
+  }
+
+  Load<G> load(const LoadSpec& l, const Model<G>& model) const {
+    Load<G> load;
+    load.port = port_of(l.port);
+    load.spread = l.spread;
+    load.follower = l.follower;
+    load.scale = l.scale;
+    const SE3::Tangent wrench = (SE3::Tangent() << l.force, l.moment).finished();
+    load.wrench = l.follower ? space_.reduce_local(wrench, space_.alignment(m_.frame(l.port)))
+                             : space_.reduce_wrench(l.force, l.moment);
+    if (l.spread) load.distribution = model.bodies[l.port.body]->load_distribution();
+    return load;
+  }
+
+ private:
+  PortOf<G> port_with(const Port& port, const G& frame) const {
+    if (port.body < 0) return PortOf<G>::ground(frame);
+    const SE3 H = node_frame(port);
+    const G node = space_.reduce(H, space_.alignment(H));
+    G offset = node.inverse() * frame;
+    if (G::log(offset).norm() < 1e-14) offset = G::identity();
+    return PortOf<G>::on(port.body, first_node_[port.body] + port.node, offset);
+  }
+  SE3 node_frame(const Port& port) const {
+    Port node = port;
+    node.offset = SE3::identity();
+    return m_.frame(node);
+  }
+  static Role role_of(const ForceLaw& law) {
+    return law.stiffness == 0 && law.damping == 0 ? Role::Actuator : Role::Compliant;
+  }
+  static Equation<G>* coordinate(Coupling<G>& c, int coordinate) {
+    for (auto& e : c.equations)
+      if (e.coordinate == coordinate) return &e;
+    return nullptr;
+  }
+
+  const Mechanism& m_;
+  const Space<G>& space_;
+  const std::vector<int>& first_node_;
+};
+
+/// Diagonal of the box around all nodes, m.
+double size_of(const Mechanism& m) {
+  Eigen::AlignedBox3d box;
+  for (const auto& body : m.bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+      for (const auto& H : beam->nodes) box.extend(H.x);
+    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+      box.extend(rigid->frame.x);
+      for (const auto& [name, p] : rigid->points) box.extend(p);
+    }
+  }
+  const double size = box.isEmpty() ? 0 : box.diagonal().norm();
+  return size > 0 ? size : 1;
+}
+
+}  // namespace
+
+template <class G>
+Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
+  Model model;
+  model.space = space;
+  model.gravity = space.reduce_vector(mechanism.gravity);
+  model.length = size_of(mechanism);
+  for (const auto& spec : mechanism.bodies) {
+    model.first_node_.push_back(model.nodes_);
+    model.bodies.push_back(std::visit(
+        [&](const auto& kind) { return make_body<G>(spec.name, kind, space); }, spec.kind));
+    model.nodes_ += model.bodies.back()->nodes();
+  }
+  const Builder<G> builder(mechanism, space, model.first_node_);
+  for (size_t j = 0; j < mechanism.joints.size(); ++j) model.couplings.push_back(builder.joint(static_cast<int>(j)));
+  for (const auto& f : mechanism.forces)
+    if (f.joint < 0) model.couplings.push_back(builder.force(f));
+  for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l, model));
+  std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
+  model.finish();
+
+  model.initial_velocity_.setZero(model.size());
+  for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto& spec = mechanism.bodies[b];
+    const auto* beam = std::get_if<BeamSpec>(&spec.kind);
+    const auto* rigid = std::get_if<RigidSpec>(&spec.kind);
+    for (int k = 0; k < model.bodies[b]->nodes(); ++k) {
+      const SE3& first = beam ? beam->nodes[0] : rigid->frame;
+      const SE3& H = beam ? beam->nodes[k] : rigid->frame;
+      SE3::Tangent v;
+      v << H.R.transpose() * (spec.velocity + spec.angular_velocity.cross(H.x - first.x)),
+          H.R.transpose() * spec.angular_velocity;
+      model.initial_velocity_.template segment<G::dim>(G::dim * (model.first_node_[b] + k)) =
+          space.reduce_local(v, space.alignment(H));
+    }
+  }
+  return model;
+}
+
+template <class G>
+void Model<G>::finish() {
+  coupled_nodes.assign(bodies.size(), {});
+  rows_ = constraints_ = 0;
+  const auto place = [this](PortOf<G>& p) {
+    if (p.body < 0) return;
+    auto& nodes = coupled_nodes[p.body];
+    const auto found = std::find(nodes.begin(), nodes.end(), p.node - first_node_[p.body]);
+    p.slot = static_cast<int>(found - nodes.begin());
+    if (found == nodes.end()) nodes.push_back(p.node - first_node_[p.body]);
+  };
+  for (auto& c : couplings) {
+    place(c.a);
+    place(c.b);
+    std::stable_sort(c.equations.begin(), c.equations.end(),
+                     [](const Equation<G>& a, const Equation<G>& b) { return a.role < b.role; });
+    c.first_row = rows_;
+    c.first_constraint = constraints_;
+    c.constraints = c.active = c.acting = 0;
+    for (const auto& e : c.equations) {
+      c.constraints += e.role == Role::Constraint;
+      c.active += e.role <= Role::Compliant;
+      c.acting += e.role <= Role::Actuator;
+    }
+    rows_ += static_cast<int>(c.equations.size());
+    constraints_ += c.constraints;
+  }
+}
+
+template <class G>
+State<G> Model<G>::initial_state() const {
+  State<G> s;
+  for (const auto& body : bodies) s.H.insert(s.H.end(), body->reference.begin(), body->reference.end());
+  s.v = initial_velocity_;
+  s.vdot.setZero(size());
+  s.a.setZero(size());
+  s.lambda.setZero(constraints_);
+  s.q.setZero(rows_);
+  return s;
+}
+
+template class Model<SE2>;
+template class Model<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,164 @@
+#include "mbs/system/equations.hpp"
+
+#include <limits>
+
+namespace liesl {
+
+template <FrameGroup G>
+Equations<G>::Equations(const Model<G>& m) : model(m) {
+  r.setZero(m.size());
+  phi.setZero(m.constraints());
+  for (const auto& c : m.couplings) {
+    CouplingData data;
+    data.B.setZero(c.acting, 2 * dim);
+    data.force.setZero(c.acting);
+    data.rate.setZero(c.acting);
+    couplings.push_back(std::move(data));
+  }
+  for (const auto& body : m.bodies)
+    round_off_ = std::max(round_off_, 4 * std::numeric_limits<double>::epsilon() *
+                                          body->axial_stiffness() * m.length);
+}
+
+template <FrameGroup G>
+void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level) {
+  ForceScale scale;
+  r.setZero();
+  add_bodies(s, level, scale);
+  add_loads(s, level, scale);
+  for (size_t c = 0; c < couplings.size(); ++c)
+    add_coupling(model.couplings[c], couplings[c], s, near, level, scale);
+  scale_ = std::sqrt(scale.force + scale.moment / (model.length * model.length));
+}
+
+template <FrameGroup G>
+void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level, ForceScale& scale) {
+  const typename Model<G>::Vector gravity = level.factor * model.gravity;
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyState<G> state = model.body_state(s, static_cast<int>(b));
+    double* out = r.data() + dim * model.first_node(static_cast<int>(b));
+    model.bodies[b]->add_internal(state, out, scale);
+    model.bodies[b]->add_inertia(state, gravity, out, scale);
+  }
+}
+
+template <FrameGroup G>
+void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceScale& scale) {
+  using Tangent = typename G::Tangent;
+  const auto local = [](const Load<G>& load, const G& H) {
+    Tangent f = load.wrench;
+    if (load.follower) return f;
+    f.template head<G::space_dim>() = H.R.transpose() * load.wrench.template head<G::space_dim>();
+    if constexpr (G::rotation_dim == 3) f.template tail<3>() = H.R.transpose() * load.wrench.template tail<3>();
+    return f;
+  };
+  for (const auto& load : model.loads) {
+    const double factor = load_value(load.scale, level);
+    if (load.port.body < 0 || factor == 0) continue;
+    if (!load.spread) {
+      const Tangent f = factor * local(load, load.port.frame(s.H));
+      r.template segment<dim>(dim * load.port.node) -= load.port.J.transpose() * f;
+      scale.add<G>(f);
+      continue;
+    }
+    const int first = model.first_node(load.port.body), n = model.bodies[load.port.body]->nodes();
+    for (int k = 0; k < n; ++k) {
+      const Tangent y = factor * local(load, s.H[first + k]);
+      const auto& W = load.distribution;
+      auto at = [&](int i) { return r.template segment<dim>(dim * (first + i)); };
+      const Tangent f = W.D[k] * y;
+      at(k) -= f;
+      if (k > 0) at(k - 1) -= W.U[k - 1] * y;
+      if (k + 1 < n) at(k + 1) -= W.L[k] * y;
+      scale.add<G>(f);
+    }
+  }
+}
+
+template <FrameGroup G>
+void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
+                                const Eigen::VectorXd& near, const LoadLevel& level,
+                                ForceScale& scale) {
+  using Segment = Eigen::Matrix<double, dim, 1>;
+  const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
+  Segment on_a = Segment::Zero(), on_b = Segment::Zero();
+  typename Row<G>::Gradient g;
+  for (int i = 0; i < c.acting; ++i) {
+    const Equation<G>& e = c.equations[i];
+    e.row.gradient(motion, g);
+    auto B = data.B.row(i);
+    if (c.a.body < 0)
+      B.template head<dim>().setZero();
+    else
+      B.template head<dim>().noalias() = g.template head<dim>().transpose() * c.a.J;
+    if (c.b.body < 0)
+      B.template tail<dim>().setZero();
+    else
+      B.template tail<dim>().noalias() = g.template tail<dim>().transpose() * c.b.J;
+    const double value = e.row.value(motion, near[c.first_row + i]);
+    double f;
+    if (e.role == Role::Constraint) {
+      phi[c.first_constraint + i] = value - e.target(level.t);
+      f = s.lambda[c.first_constraint + i];
+    } else {
+      double rate = 0;
+      if (c.a.body >= 0) rate += B.template head<dim>().dot(s.v.template segment<dim>(dim * c.a.node));
+      if (c.b.body >= 0) rate += B.template tail<dim>().dot(s.v.template segment<dim>(dim * c.b.node));
+      data.rate[i] = rate;
+      f = e.law.stiffness * (value - e.law.rest) + e.law.damping * rate - load_value(e.law.force, level);
+      data.force[i] = f;
+    }
+    on_a += f * B.template head<dim>().transpose();
+    on_b += f * B.template tail<dim>().transpose();
+  }
+  if (c.a.body >= 0) r.template segment<dim>(dim * c.a.node) += on_a;
+  if (c.b.body >= 0) r.template segment<dim>(dim * c.b.node) += on_b;
+  scale.add<G>(on_a);
+  scale.add<G>(on_b);
+}
+
+template <FrameGroup G>
+void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const {
+  for (const auto& c : model.couplings) {
+    const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
+    for (size_t i = 0; i < c.equations.size(); ++i) {
+      const int row = c.first_row + static_cast<int>(i);
+      q[row] = c.equations[i].row.value(motion, near[row]);
+    }
+  }
+}
+
+template <FrameGroup G>
+double Equations<G>::residual() const {
+  double force = 0, moment = 0;
+  for (int k = 0; k < model.nodes(); ++k) {
+    force += r.template segment<G::space_dim>(dim * k).squaredNorm();
+    moment += r.template segment<G::rotation_dim>(dim * k + G::space_dim).squaredNorm();
+  }
+  return std::sqrt(force + moment / (model.length * model.length));
+}
+
+template <FrameGroup G>
+void Equations<G>::velocity_target(double t, Eigen::VectorXd& rate) const {
+  for (const auto& c : model.couplings)
+    for (int i = 0; i < c.constraints; ++i)
+      rate[c.first_constraint + i] = c.equations[i].target.rate(t);
+}
+
+template <FrameGroup G>
+void Equations<G>::acceleration_target(const State<G>& s, double t, Eigen::VectorXd& rate) const {
+  for (const auto& c : model.couplings) {
+    const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
+    Eigen::Matrix<double, 2 * dim, 1> v = Eigen::Matrix<double, 2 * dim, 1>::Zero();
+    if (c.a.body >= 0) v.template head<dim>() = c.a.J * s.v.template segment<dim>(dim * c.a.node);
+    if (c.b.body >= 0) v.template tail<dim>() = c.b.J * s.v.template segment<dim>(dim * c.b.node);
+    for (int i = 0; i < c.constraints; ++i)
+      rate[c.first_constraint + i] =
+          c.equations[i].target.acceleration(t) - v.dot(c.equations[i].row.hessian(motion) * v);
+  }
+}
+
+template class Equations<SE2>;
+template class Equations<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,69 @@
+#pragma once
+/// @file
+/// Residual of the equations of motion at one state, and the gradients of the couplings:
+///   r = M vdot + g_gyr + g_int - g_ext + B^T lambda,   Phi = row(H) - target(t).
+
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+/// What the loads are at: time functions at `t`; gravity and constant loads times `factor`.
+struct LoadLevel {
+  double t = 0;
+  double factor = 1;  ///< 1 in dynamics; the load factor in statics
+};
+
+/// Workspace of one evaluation. Sized once; an evaluation allocates nothing.
+template <FrameGroup G>
+class Equations {
+ public:
+  static constexpr int dim = G::dim;
+  using Rows = Eigen::Matrix<double, Eigen::Dynamic, 2 * dim, Eigen::RowMajor>;
+
+  explicit Equations(const Model<G>& model);
+
+  /// Fills r, phi, B, the scales. `near`: coupling rows at the last accepted state (angles go on
+  /// from there).
+  void evaluate(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level);
+
+  /// Values of all coupling rows at a state, into q.
+  void observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const;
+
+  /// Norm of r with moments divided by the size of the mechanism, N.
+  double residual() const;
+  /// The same norm of the parts that r is the sum of, plus what round-off alone makes, N.
+  double scale() const { return scale_; }
+  double round_off() const { return round_off_; }
+  double constraint_residual() const { return phi.size() ? phi.template lpNorm<Eigen::Infinity>() : 0; }
+
+  const Model<G>& model;
+  Eigen::VectorXd r;    ///< size of the model
+  Eigen::VectorXd phi;  ///< constraints
+  struct CouplingData {
+    Rows B;                   ///< acting rows x [node of a; node of b]
+    Eigen::VectorXd force;    ///< of the acting rows that are not constraints, else 0
+    Eigen::VectorXd rate;     ///< time derivative of the acting rows
+  };
+  std::vector<CouplingData> couplings;
+
+  /// d(rows)/dt = target rate of each constraint at t, and second derivative minus (dB/dt) v.
+  void velocity_target(double t, Eigen::VectorXd& rate) const;
+  void acceleration_target(const State<G>& s, double t, Eigen::VectorXd& rate) const;
+
+ private:
+  void add_bodies(const State<G>& s, const LoadLevel& level, ForceScale& scale);
+  void add_loads(const State<G>& s, const LoadLevel& level, ForceScale& scale);
+  void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
+                    const Eigen::VectorXd& near, const LoadLevel& level, ForceScale& scale);
+  double scale_ = 0, round_off_ = 0;
+};
+
+/// Value of a time function of a load: constants grow with the load factor.
+inline double load_value(const TimeFunction& f, const LoadLevel& level) {
+  return f.is_constant() ? level.factor * f(level.t) : f(level.t);
+}
+
+extern template class Equations<SE2>;
+extern template class Equations<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,75 @@
+#pragma once
+/// @file
+/// A mechanism on a group of frames, const once built: bodies, couplings, loads.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
+#include "mbs/bodies/body.hpp"
+#include "mbs/couplings/coupling.hpp"
+#include "mbs/model/mechanism.hpp"
+#include "mbs/system/plane.hpp"
+#include "mbs/system/state.hpp"
+
+namespace liesl {
+
+/// A load at a port or spread over a body.
+template <FrameGroup G>
+struct Load {
+  PortOf<G> port;
+  bool spread = false;
+  bool follower = false;
+  typename G::Tangent wrench = G::Tangent::Zero();  ///< [force; moment]; inertial axes unless follower
+  TimeFunction scale;
+  BlockTridiagonal<G::dim> distribution;  ///< of a spread load
+};
+
+template <FrameGroup G>
+class Model {
+ public:
+  using Vector = typename Body<G>::Vector;
+
+  /// Builds the model of a mechanism. For SE(2) `space` maps to the plane; every quantity that is
+  /// not of the plane must vanish (find_plane has seen to that).
+  static Model build(const Mechanism& mechanism, const Space<G>& space);
+
+  int nodes() const { return nodes_; }
+  int size() const { return G::dim * nodes_; }       ///< velocities
+  int constraints() const { return constraints_; }   ///< multipliers
+  int rows() const { return rows_; }                 ///< coupling rows of all roles
+  int first_node(int body) const { return first_node_[body]; }
+
+  /// Bodies where the scene puts them, at rest or with the scene's rigid velocities.
+  State<G> initial_state() const;
+
+  BodyState<G> body_state(const State<G>& s, int body) const {
+    const int n = first_node_[body];
+    return {s.H.data() + n, s.v.data() + G::dim * n, s.vdot.data() + G::dim * n};
+  }
+
+  Space<G> space;
+  Vector gravity = Vector::Zero();
+  std::vector<std::unique_ptr<Body<G>>> bodies;
+  std::vector<Coupling<G>> couplings;
+  std::vector<Load<G>> loads;
+  /// Distinct nodes of each body that couplings hold on to; `PortOf::slot` counts in here.
+  std::vector<std::vector<int>> coupled_nodes;
+  double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
+
+  /// Numbers the rows again, after roles have changed.
+  void finish();
+
+ private:
+
+  int nodes_ = 0, constraints_ = 0, rows_ = 0;
+  std::vector<int> first_node_;
+  Eigen::VectorXd initial_velocity_;
+};
+
+extern template class Model<SE2>;
+extern template class Model<SE3>;
+
+}  // namespace liesl

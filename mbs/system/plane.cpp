@@ -1,0 +1,238 @@
+#include "mbs/system/plane.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace liesl {
+namespace {
+
+constexpr double kTolerance = 1e-9;  // relative to the size of what is compared
+
+using Matrix6 = SE3::Matrix;
+using Vector6 = SE3::Tangent;
+
+Matrix6 turned(const Matrix6& K, const Mat3& A) {
+  Matrix6 T = Matrix6::Zero();
+  T.topLeftCorner<3, 3>() = A;
+  T.bottomRightCorner<3, 3>() = A;
+  return T * K * T.transpose();
+}
+
+constexpr int kInPlane[] = {0, 1, 5}, kOutOfPlane[] = {2, 3, 4};
+
+}  // namespace
+
+SE3 Space<SE2>::alignment(const SE3& H) const {
+  const Vec3 n = H.R.transpose() * frame.R.col(2);  // the normal in the body's own axes
+  SE3 align = SE3::identity();
+  if (std::abs(n.x()) < kTolerance)
+    align.R = Eigen::AngleAxisd(std::atan2(n.y(), n.z()), Vec3::UnitX()).toRotationMatrix();
+  else
+    align.R = Eigen::Quaterniond::FromTwoVectors(n, Vec3::UnitZ()).toRotationMatrix();
+  return align;
+}
+
+SE2 Space<SE2>::reduce(const SE3& H, const SE3& align) const {
+  const SE3 E = frame.inverse() * H * align.inverse();
+  const double angle = std::atan2(E.R(1, 0), E.R(0, 0));
+  SE2 h = SE2::identity();
+  h.R << std::cos(angle), -std::sin(angle), std::sin(angle), std::cos(angle);
+  h.x = E.x.head<2>();
+  return h;
+}
+
+SE3 Space<SE2>::embed(const SE2& h, const SE3& align) const {
+  SE3 E = SE3::identity();
+  E.R.topLeftCorner<2, 2>() = h.R;
+  E.x.head<2>() = h.x;
+  return frame * E * align;
+}
+
+SE2::Tangent Space<SE2>::reduce_wrench(const Vec3& f, const Vec3& m) const {
+  const Vec3 force = frame.R.transpose() * f;
+  return {force.x(), force.y(), frame.R.col(2).dot(m)};
+}
+
+SE2::Tangent Space<SE2>::reduce_local(const SE3::Tangent& h, const SE3& align) const {
+  const Vec3 u = align.R * h.head<3>(), w = align.R * h.tail<3>();
+  return {u.x(), u.y(), w.z()};
+}
+
+SE3::Tangent Space<SE2>::embed_local(const SE2::Tangent& h, const SE3& align) const {
+  SE3::Tangent full;
+  full << align.R.transpose() * Vec3(h[0], h[1], 0), align.R.transpose() * Vec3(0, 0, h[2]);
+  return full;
+}
+
+SE2::Matrix Space<SE2>::reduce_law(const SE3::Matrix& K, const SE3& align) const {
+  const Matrix6 k = turned(K, align.R);
+  SE2::Matrix r;
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j < 3; ++j) r(i, j) = k(kInPlane[i], kInPlane[j]);
+  return r;
+}
+
+namespace {
+
+/// Collects points and directions and asks each part of the mechanism for the first that leaves.
+class Search {
+ public:
+  explicit Search(const Mechanism& m) : m_(m) { collect(); }
+
+  PlaneSearch run() {
+    Space<SE2> plane;
+    if (!choose_plane(plane)) return {std::nullopt, reason_};
+    plane_ = plane;
+    for (const auto check : {&Search::bodies, &Search::joints, &Search::loads})
+      if (!(this->*check)()) return {std::nullopt, reason_};
+    const Vec3 n = plane.frame.R.col(2);
+    return {plane, fmt::format("all points, forces and sections are symmetric to the plane with normal "
+                               "({:.4g}, {:.4g}, {:.4g})", n.x(), n.y(), n.z())};
+  }
+
+ private:
+  void collect() {
+    for (const auto& body : m_.bodies) {
+      if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+        for (const auto& H : beam->nodes) points_.push_back(H.x);
+      if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+        points_.push_back(rigid->frame.x);
+        points_.push_back(rigid->frame.x + rigid->frame.R * rigid->centre);
+      }
+    }
+    for (const auto& j : m_.joints)
+      for (const auto* port : {&j.a, &j.b})
+        if (port->body >= 0) points_.push_back(m_.frame(*port).x);
+    for (const auto& f : m_.forces)
+      if (f.joint < 0) {
+        points_.push_back(m_.frame(f.a).x);
+        points_.push_back(m_.frame(f.b).x);
+      }
+    for (const auto& p : points_) size_ = std::max(size_, (p - points_[0]).norm());
+  }
+
+  /// Normal: spanned out by the points; if they are on a line, by what else fixes it.
+  bool choose_plane(Space<SE2>& plane) {
+    if (points_.empty()) return fail("there are no bodies");
+    Vec3 normal = Vec3::Zero();
+    Vec3 along = Vec3::Zero();
+    for (const auto& p : points_)
+      if ((p - points_[0]).norm() > along.norm()) along = p - points_[0];
+    std::vector<Vec3> in_plane{m_.gravity};
+    for (const auto& p : points_) in_plane.push_back(p - points_[0]);
+    for (const auto& l : m_.loads)
+      if (!l.follower) in_plane.push_back(l.force);
+    for (const auto& v : in_plane)
+      if (along.norm() > 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
+        if (normal.norm() == 0) normal = along.cross(v).normalized();
+    for (const auto& j : m_.joints)
+      if (normal.norm() == 0 && j.type == JointType::Revolute) normal = j.axis;
+    for (const auto& l : m_.loads)
+      if (normal.norm() == 0 && l.moment.norm() > 0 && !l.follower) normal = l.moment.normalized();
+    if (normal.norm() == 0) return fail("nothing singles out a plane");
+    for (int i = 0; i < 3; ++i)  // the same plane for +n and -n: prefer the positive one
+      if (std::abs(normal[i]) > 0.5) normal *= normal[i] > 0 ? 1 : -1;
+    Vec3 first = std::abs(normal.z()) > 1 - kTolerance ? Vec3::UnitX() : normal.cross(Vec3::UnitZ());
+    first = (first - first.dot(normal) * normal).normalized();
+    plane.frame.R << first, normal.cross(first), normal;
+    plane.frame.x = std::abs(points_[0].dot(normal)) < kTolerance * size_
+                        ? Vec3(Vec3::Zero())
+                        : Vec3(points_[0].dot(normal) * normal);
+    return true;
+  }
+
+  bool bodies() {
+    for (const auto& p : points_)
+      if (std::abs(normal().dot(p - plane_.frame.x)) > kTolerance * size_)
+        return fail(fmt::format("point ({:.4g}, {:.4g}, {:.4g}) is outside of the plane of the others",
+                                p.x(), p.y(), p.z()));
+    for (const auto& body : m_.bodies) {
+      if (!along(body.velocity) || !normal_to(body.angular_velocity))
+        return fail(fmt::format("the initial velocity of '{}' leaves the plane", body.name));
+      if (const auto* beam = std::get_if<BeamSpec>(&body.kind)) {
+        for (size_t e = 0; e < beam->sections.size(); ++e)
+          for (const SE3* H : {&beam->nodes[e], &beam->nodes[e + 1]}) {
+            const SectionLaw law = section_law(beam->sections[e], beam->material);
+            if (!along(H->R.col(0)) || couples(law.K, *H) || couples(law.M, *H))
+              return fail(fmt::format("a section of '{}' has no principal axis normal to the plane", body.name));
+          }
+      } else if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+        const Vec3 n = rigid->frame.R.transpose() * normal();
+        if (!n.cross(rigid->inertia * n).isZero(kTolerance * rigid->inertia.norm()))
+          return fail(fmt::format("'{}' has no principal axis of inertia normal to the plane", body.name));
+      }
+    }
+    return along(m_.gravity) || fail("gravity leaves the plane");
+  }
+
+  bool joints() {
+    for (const auto& j : m_.joints) {
+      const bool turns = normal_to(j.axis), slides = along(j.axis);
+      const bool any_axis = j.type == JointType::Spherical || j.type == JointType::Fixed;
+      if (!turns && !slides && !any_axis)
+        return fail(fmt::format("the axis of joint '{}' is neither in the plane nor normal to it", j.name));
+      if (j.type == JointType::Universal && !(turns ? along(j.axis2) : along(j.axis2) || normal_to(j.axis2)))
+        return fail(fmt::format("the second axis of joint '{}' leaves the plane", j.name));
+    }
+    for (const auto& d : m_.drives)
+      if (!planar_coordinate(d.joint, d.coordinate))
+        return fail(fmt::format("joint '{}' is driven out of the plane", m_.joints[d.joint].name));
+    for (const auto& f : m_.forces)
+      if (f.joint >= 0 && !planar_coordinate(f.joint, f.coordinate))
+        return fail(fmt::format("force '{}' acts out of the plane", f.name));
+    return true;
+  }
+
+  bool loads() {
+    for (const auto& l : m_.loads) {
+      const Mat3 R = l.follower ? m_.frame(l.port).R : Mat3::Identity();
+      if (!along(R * l.force) || !normal_to(R * l.moment))
+        return fail(fmt::format("load '{}' leaves the plane", l.name));
+    }
+    return true;
+  }
+
+  /// Is this joint coordinate a motion in the plane?
+  bool planar_coordinate(int joint, int coordinate) const {
+    const JointSpec& j = m_.joints[joint];
+    const bool turns = normal_to(j.axis);
+    switch (j.type) {
+      case JointType::Revolute: return turns;
+      case JointType::Prismatic: return !turns;
+      case JointType::Cylindrical: return (coordinate == 0) != turns;
+      case JointType::Universal: return coordinate == 0 ? turns : normal_to(j.axis2);
+      case JointType::Planar: return turns;
+      default: return false;
+    }
+  }
+
+  bool along(const Vec3& v) const { return std::abs(normal().dot(v)) <= kTolerance * v.norm(); }
+  bool normal_to(const Vec3& v) const { return normal().cross(v).norm() <= kTolerance * v.norm(); }
+  bool couples(const Matrix6& K, const SE3& H) const {
+    const Matrix6 k = turned(K, plane_.alignment(H).R);
+    for (int i : kInPlane)
+      for (int j : kOutOfPlane)
+        if (std::abs(k(i, j)) + std::abs(k(j, i)) > kTolerance * std::sqrt(std::abs(k(i, i) * k(j, j))))
+          return true;
+    return false;
+  }
+  Vec3 normal() const { return plane_.frame.R.col(2); }
+  bool fail(std::string why) {
+    reason_ = std::move(why);
+    return false;
+  }
+
+  const Mechanism& m_;
+  std::vector<Vec3> points_;
+  double size_ = 0;
+  Space<SE2> plane_;
+  std::string reason_;
+};
+
+}  // namespace
+
+PlaneSearch find_plane(const Mechanism& mechanism) { return Search(mechanism).run(); }
+
+}  // namespace liesl
