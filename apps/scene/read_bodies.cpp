@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <set>
+#include <stdexcept>
 
 #include "apps/scene/reader.hpp"
 #include "mbs/model/curves.hpp"
@@ -164,21 +164,33 @@ class BeamReader {
            fmt::format("elements = {}", enough));
   }
 
-  std::vector<SE3> nodes() const {
-    const double twist = number(table_, "pre_twist");
-    const toml::node* given = table_.get("up");
-    const std::optional<Vec3> up = given ? std::optional(vec3(*given)) : std::nullopt;
+  std::vector<SE3> nodes() {
+    try {
+      return frames();
+    } catch (const std::invalid_argument& error) {
+      refuse(table_, std::string("cannot be laid out: ") + error.what(), "a smooth axis");
+      return {};
+    }
+  }
+
+  std::vector<SE3> frames() const {
+    const Orientation turn{vec3(table_, "up"), number(table_, "pre_twist")};
     if (table_.contains("from"))
-      return straight_axis(vec3(table_, "from"), vec3(table_, "to"), n_, up, twist);
+      return straight(vec3(table_, "from"), vec3(table_, "to"), n_, turn);
     if (const toml::node* node = table_.get("arc")) {
-      const toml::table& arc = *node->as_table();
-      return arc_axis(vec3(arc, "from"), vec3(arc, "centre"), vec3(arc, "axis").normalized(),
-                      number(arc, "angle"), n_, up, twist);
+      const toml::table& given = *node->as_table();
+      const Vec3 from = vec3(given, "from"), centre = vec3(given, "centre");
+      const double angle = number(given, "angle");
+      const Vec3 axis = vec3(given, "axis") * (angle < 0 ? -1 : 1);
+      const double whole = 2 * std::numbers::pi;  // a full circle may be rounded up
+      return arc(
+          {from, axis.cross(from - centre).normalized(), centre, std::min(std::abs(angle), whole)},
+          n_, turn);
     }
     std::vector<Vec3> points;
     for (const toml::node& point : *table_.get("through")->as_array())
       points.push_back(vec3(point));
-    return spline_axis(points, n_, up, twist);
+    return spline(points, n_, turn);
   }
 
   Reader& reader_;

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
-#include "apps/scene/scene.hpp"
 #include "apps/good_scene.hpp"
+#include "apps/scene/scene.hpp"
 
 namespace liesl {
 namespace {

@@ -30,7 +30,8 @@ guide = { prismatic = ["ground", "slider.origin"], axis = [1, 0, 0] }
 
 [forces]
 spring = { on = "guide", stiffness = 10, damping = 0.5, rest = 0.01 }
-rope = { between = ["ground", "slider.tip"], stiffness = 2, force = "sin(2*pi*t)" }
+rope = { between = ["ground", "slider.tip"], stiffness = 2, force = "sin(2*pi*t)"
+}
 
 [loads]
 push = { at = "slider.tip", force = [1, 0, 0], scale = { table = [[0, 0], [1, 4]] } }

@@ -183,7 +183,8 @@ TEST(Scene, TapersByRunsOfElements) {
 }
 
 TEST(Scene, InertiaIsGivenInThreeWays) {
-  const char* forms[] = {"[[2, 0.1, 0.2], [0.1, 3, 0.3], [0.2, 0.3, 4]]", "[2, 3, 4, 0.1, 0.2, 0.3]"};
+  const char* forms[] = {"[[2, 0.1, 0.2], [0.1, 3, 0.3], [0.2, 0.3, 4]]",
+                         "[2, 3, 4, 0.1, 0.2, 0.3]"};
   for (const char* form : forms) {
     const auto text = changed(kGoodScene, "[1e-4, 1e-4, 1e-4]", form);
     const Scene scene = read_scene(text, "s");
@@ -240,7 +241,11 @@ TEST_F(File, IsHuge) {
 
 TEST_F(File, IsNotToml) {
   EXPECT_NE(refusal(write("{\"bodies\": 1}")).find("scene.toml:1:"), std::string::npos);
-  EXPECT_NE(refusal(write(std::string("\x7f" "ELF\0\0\0", 7))).find("binary"), std::string::npos);
+  EXPECT_NE(refusal(write(std::string("\x7f"
+                                      "ELF\0\0\0",
+                                      7)))
+                .find("binary"),
+            std::string::npos);
   EXPECT_NE(refusal(write("a = \"\xff\xfe\"\n")).find("not TOML"), std::string::npos);
 }
 
