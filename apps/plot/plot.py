@@ -33,7 +33,7 @@ STYLE = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": GREY,
     "lines.linewidth": 1.6, "legend.frameon": False, "legend.fontsize": 9,
     "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.hashsalt": "liesl",
-    "axes.formatter.limits": (-3, 4), "axes.formatter.use_mathtext": True,
+    "axes.formatter.limits": (-3, 4),
 }
 
 
@@ -128,10 +128,14 @@ class Pictures:
     def save(self, figure, name, heading):
         figure.suptitle(f"{self.title}: {heading}" if self.title else heading, fontsize=12)
         self.folder.mkdir(parents=True, exist_ok=True)
+        # The layout once, for both files.
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
+        box = figure.get_tightbbox().padded(0.12)
         for kind in ("png", "svg"):
             path = self.folder / f"{name}.{kind}"
             part = self.folder / f".{name}.{kind}.part"
-            figure.savefig(part, format=kind, bbox_inches="tight", pad_inches=0.12,
+            figure.savefig(part, format=kind, bbox_inches=box,
                            metadata={"Date": None} if kind == "svg" else {"Software": "liesl"})
             os.replace(part, path)
             self.paths.append(path)
