@@ -35,39 +35,39 @@ struct SE3 {
   static SE3 exp(const Tangent& h) {
     const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>();
     const trig::Stumpff3 c = trig::stumpff3(w.squaredNorm());
-    return {So3Series{.f1 = c.c1, .f2 = c.c2}.value(w),
-            So3Series{.f1 = c.c2, .f2 = c.c3}.apply(w, u)};
+    SE3 H;
+    H.R = So3Series{.f1 = c.c1, .f2 = c.c2}.value(w);
+    H.x = So3Series{.f1 = c.c2, .f2 = c.c3}.apply(w, u);
+    return H;
   }
 
   /// w = log(R), u = T^-T(w) x. Rotation below pi, see SO3::log.
   static Tangent log(const SE3& H) {
-    const Eigen::Vector3d w = SO3::log(SO3(H.R));
-    Tangent h;
-    h << so3_tangent_inverse_transposed(w.squaredNorm()).apply(w, H.x), w;
-    return h;
+    const Eigen::Vector3d w = SO3::log(H.R);
+    return join(so3_tangent_inverse_transposed(w.squaredNorm()).apply(w, H.x), w);
   }
 
   /// d = log(H) and T^-1(d) = [A C; 0 A] with shared coefficients: the beam's inner loop.
   /// T^-1(-d) = T^-1(d) - ad(d).
   static void log_and_Tinv(const SE3& H, Tangent& d, Matrix& Tinv_d) {
-    const Eigen::Vector3d w = SO3::log(SO3(H.R));
+    const Eigen::Vector3d w = SO3::log(H.R);
     const So3Series s = so3_tangent_inverse(w.squaredNorm());
     const Eigen::Vector3d u = s.apply(w, H.x) - w.cross(H.x);  // T^-T(w) x
-    d << u, w;
+    d = join(u, w);
     fill(Tinv_d, s.value(w), s.directional(w, u));
   }
 
   /// Ad(H) = [R x~R; 0 R]
   Matrix Ad() const {
     Matrix A;
-    fill(A, R, hat(x) * R);
+    fill(A, R, hat_times_R());
     return A;
   }
 
-  /// Ad(H^-1) = [R' -R'x~; 0 R']
+  /// Ad(H^-1) = [R' -R'x~; 0 R'], -R'x~ = (x~R)'
   Matrix AdInv() const {
     Matrix A;
-    fill(A, R.transpose(), -(R.transpose() * hat(x)));
+    fill(A, R.transpose(), hat_times_R().transpose());
     return A;
   }
 
@@ -93,12 +93,15 @@ struct SE3 {
   static Matrix dTinvT(const Tangent& h, const Tangent& n) {
     const Eigen::Vector3d u = h.head<3>(), w = h.tail<3>(), nu = n.head<3>();
     const So3Series s = so3_tangent_inverse_transposed(w.squaredNorm());
-    const Eigen::Matrix3d A = s.dF(w, nu);
+    const Eigen::Matrix3d A = s.dF(w, nu), B = s.dF(w, n.tail<3>()), C = s.d2F(w, u, nu);
     Matrix D;
-    D.topLeftCorner<3, 3>().setZero();
-    D.topRightCorner<3, 3>() = A;
-    D.bottomLeftCorner<3, 3>() = A;
-    D.bottomRightCorner<3, 3>() = s.dF(w, n.tail<3>()) + s.d2F(w, u, nu);
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        D(i, j) = 0;
+        D(i, j + 3) = D(i + 3, j) = A(i, j);
+        D(i + 3, j + 3) = B(i, j) + C(i, j);
+      }
+    }
     return D;
   }
 
@@ -106,12 +109,36 @@ struct SE3 {
   void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
 
  private:
-  /// M = [A C; 0 A]
-  static void fill(Matrix& M, const Eigen::Matrix3d& A, const Eigen::Matrix3d& C) {
-    M.topLeftCorner<3, 3>() = A;
-    M.topRightCorner<3, 3>() = C;
-    M.bottomLeftCorner<3, 3>().setZero();
-    M.bottomRightCorner<3, 3>() = A;
+  static Tangent join(const Eigen::Vector3d& u, const Eigen::Vector3d& w) {
+    Tangent h;
+    for (int i = 0; i < 3; ++i) {
+      h[i] = u[i];
+      h[i + 3] = w[i];
+    }
+    return h;
+  }
+
+  /// x~ R, column by column.
+  Eigen::Matrix3d hat_times_R() const {
+    Eigen::Matrix3d M;
+    for (int j = 0; j < 3; ++j) {
+      M(0, j) = x[1] * R(2, j) - x[2] * R(1, j);
+      M(1, j) = x[2] * R(0, j) - x[0] * R(2, j);
+      M(2, j) = x[0] * R(1, j) - x[1] * R(0, j);
+    }
+    return M;
+  }
+
+  /// M = [A C; 0 A], by coefficients (see rank_two).
+  template <class A3, class C3>
+  static void fill(Matrix& M, const A3& A, const C3& C) {
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        M(i, j) = M(i + 3, j + 3) = A(i, j);
+        M(i, j + 3) = C(i, j);
+        M(i + 3, j) = 0;
+      }
+    }
   }
 
   /// [F(w) DF(w)[u]; 0 F(w)]

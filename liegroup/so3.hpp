@@ -35,11 +35,13 @@ struct SO3 {
 
   /// w with exp(w) = R and |w| <= pi. At |w| = pi both w and -w are logarithms and one of them is
   /// returned; up to there the error is a few units of rounding.
-  static Tangent log(const SO3& H) {
-    const Eigen::Vector3d s = vee(H.R);  // sin|w| n
+  static Tangent log(const SO3& H) { return log(H.R); }
+  static Tangent log(const Eigen::Matrix3d& R) {
+    const Eigen::Vector3d s = vee(R);  // sin|w| n
     const double sine2 = s.squaredNorm();
-    if (sine2 <= trig::kArcsineSwitch && H.R.trace() > 1) return trig::angle_over_sine(sine2) * s;
-    return log_by_quaternion(H.R);
+    if (sine2 <= trig::kArcsineSwitch && R(0, 0) + R(1, 1) + R(2, 2) > 1)
+      return trig::angle_over_sine(sine2) * s;
+    return log_by_quaternion(R);
   }
 
   /// Ad(R) = R
@@ -73,20 +75,16 @@ struct SO3 {
   /// Quaternion (W, V) up to scale from the row of 4 q q' with the largest pivot [Shepperd 1978];
   /// then w = 2 atan2(|V|, W) V/|V|, without cancellation for every angle. @pre R is not I.
   static Tangent log_by_quaternion(const Eigen::Matrix3d& R) {
-    const Eigen::Vector3d axial(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
-    const double trace = R.trace();
-    int i = 0;
-    const double largest = R.diagonal().maxCoeff(&i);
+    const double trace = R(0, 0) + R(1, 1) + R(2, 2);
+    Eigen::Vector3d V(R(2, 1) - R(1, 2), R(0, 2) - R(2, 0), R(1, 0) - R(0, 1));
     double W = 1 + trace;
-    Eigen::Vector3d V = axial;
-    if (trace < largest) {
-      V = R.col(i) + R.row(i).transpose();
-      V[i] = 1 + 2 * largest - trace;
-      W = axial[i];
-      if (W < 0) {
-        W = -W;
-        V = -V;
-      }
+    int i = R(0, 0) < R(1, 1) ? 1 : 0;
+    if (R(i, i) < R(2, 2)) i = 2;
+    if (trace < R(i, i)) {
+      const double sign = V[i] < 0 ? -1 : 1;  // W >= 0, so that |w| <= pi
+      W = std::abs(V[i]);
+      for (int k = 0; k < 3; ++k) V[k] = sign * (R(k, i) + R(i, k));
+      V[i] = sign * (1 + 2 * R(i, i) - trace);
     }
     const double sine = V.norm();
     return (2 * std::atan2(sine, W) / sine) * V;

@@ -23,68 +23,74 @@ inline Eigen::Vector3d vee(const Eigen::Matrix3d& M) {
   return {0.5 * (M(2, 1) - M(1, 2)), 0.5 * (M(0, 2) - M(2, 0)), 0.5 * (M(1, 0) - M(0, 1))};
 }
 
+/// s~ + a b' + c d' + diagonal I, coefficient by coefficient: whole-matrix expressions of odd size
+/// cost store-forwarding stalls here (twice the time of the beam kernel's T^-1).
+inline Eigen::Matrix3d rank_two(const Eigen::Vector3d& s, const Eigen::Vector3d& a,
+                                const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                                const Eigen::Vector3d& d, double diagonal) {
+  Eigen::Matrix3d M;
+  M(0, 0) = a[0] * b[0] + c[0] * d[0] + diagonal;
+  M(1, 0) = a[1] * b[0] + c[1] * d[0] + s[2];
+  M(2, 0) = a[2] * b[0] + c[2] * d[0] - s[1];
+  M(0, 1) = a[0] * b[1] + c[0] * d[1] - s[2];
+  M(1, 1) = a[1] * b[1] + c[1] * d[1] + diagonal;
+  M(2, 1) = a[2] * b[1] + c[2] * d[1] + s[0];
+  M(0, 2) = a[0] * b[2] + c[0] * d[2] + s[1];
+  M(1, 2) = a[1] * b[2] + c[1] * d[2] - s[0];
+  M(2, 2) = a[2] * b[2] + c[2] * d[2] + diagonal;
+  return M;
+}
+
 /// Coefficients at one z: f, g = 2 df/dz, k = 4 d2f/dz2 (so that d f(w.w) = g w.dw, d g = k w.dw).
 struct So3Series {
+  using Vector = Eigen::Vector3d;
+  using Matrix = Eigen::Matrix3d;
+
   double f1, f2, g1 = 0, g2 = 0, k1 = 0, k2 = 0;
 
-  /// F(w)  [3x3]
-  Eigen::Matrix3d value(const Eigen::Vector3d& w) const {
-    Eigen::Matrix3d F = hat(f1 * w);
-    F.noalias() += (f2 * w) * w.transpose();
-    F.diagonal().array() += 1 - f2 * w.squaredNorm();
-    return F;
+  /// F(w)
+  Matrix value(const Vector& w) const {
+    const Vector b = 0.5 * f2 * w;
+    return rank_two(f1 * w, w, b, b, w, 1 - f2 * w.squaredNorm());
   }
 
-  /// F(w) a  [3]
-  Eigen::Vector3d apply(const Eigen::Vector3d& w, const Eigen::Vector3d& a) const {
-    const Eigen::Vector3d wa = w.cross(a);
+  /// F(w) a
+  Vector apply(const Vector& w, const Vector& a) const {
+    const Vector wa = w.cross(a);
     return a + f1 * wa + f2 * w.cross(wa);
   }
 
-  /// DF(w)[u], the derivative of F in the direction u  [3x3]:
+  /// DF(w)[u], the derivative of F in the direction u:
   /// f1 u~ + f2 (w~ u~ + u~ w~) + (w.u) (g1 w~ + g2 w~^2). Needs g.
-  Eigen::Matrix3d directional(const Eigen::Vector3d& w, const Eigen::Vector3d& u) const {
+  Matrix directional(const Vector& w, const Vector& u) const {
     const double p = w.dot(u);
-    Eigen::Matrix3d C = hat(f1 * u + (p * g1) * w);
-    const Eigen::Vector3d b = f2 * u + (0.5 * p * g2) * w;  // C = ~ + w b' + b w' + diagonal
-    C.noalias() += w * b.transpose();
-    C.noalias() += b * w.transpose();
-    C.diagonal().array() -= p * (2 * f2 + g2 * w.squaredNorm());
-    return C;
+    const Vector b = f2 * u + (0.5 * p * g2) * w;
+    return rank_two(f1 * u + (p * g1) * w, w, b, b, w, -p * (2 * f2 + g2 * w.squaredNorm()));
   }
 
-  /// D_w [F(w) a]  [3x3]:
-  /// -f1 a~ - f2 ((w x a)~ + w~ a~) + (g1 w x a + g2 w x (w x a)) w'. Needs g.
-  Eigen::Matrix3d dF(const Eigen::Vector3d& w, const Eigen::Vector3d& a) const {
-    const Eigen::Vector3d wa = w.cross(a);
-    Eigen::Matrix3d D = first_order(f1, f2, w, a);
-    D.noalias() += (g1 * wa + g2 * w.cross(wa)) * w.transpose();
-    return D;
+  /// D_w [F(w) a] = -f1 a~ - f2 ((w x a)~ + w~ a~) + (g1 w x a + g2 w x (w x a)) w'. Needs g.
+  /// Used here and below: (w x a)~ + w~ a~ = 2 a w' - w a' - (w.a) I.
+  Matrix dF(const Vector& w, const Vector& a) const {
+    const Vector wa = w.cross(a), b = f2 * a;
+    const Vector c = g1 * wa + g2 * w.cross(wa) - 2 * b;
+    return rank_two(-f1 * a, w, b, c, w, w.dot(b));
   }
 
-  /// D_w [DF(w)[u] a]  [3x3], the second derivative of F(w) a with one direction u. Needs g and k.
-  Eigen::Matrix3d d2F(const Eigen::Vector3d& w, const Eigen::Vector3d& u,
-                      const Eigen::Vector3d& a) const {
+  /// D_w [DF(w)[u] a], the second derivative of F(w) a with one direction u. Needs g and k:
+  /// (g1 u x a + g2 (u x (w x a) + w x (u x a)) + p (k1 w x a + k2 w x (w x a))) w'
+  /// + (g1 w x a + g2 w x (w x a)) u' - f2 ((u x a)~ + u~ a~)
+  /// - p (g1 a~ + g2 ((w x a)~ + w~ a~)),  p = w.u.
+  Matrix d2F(const Vector& w, const Vector& u, const Vector& a) const {
     const double p = w.dot(u);
-    const Eigen::Vector3d ua = u.cross(a), wa = w.cross(a), wwa = w.cross(wa);
-    const Eigen::Vector3d along_w =
-        g1 * ua + g2 * (u.cross(wa) + w.cross(ua)) + p * (k1 * wa + k2 * wwa);
-    Eigen::Matrix3d D = first_order(p * g1, p * g2, w, a) + first_order(0, f2, u, a);
-    D.noalias() += along_w * w.transpose();
-    D.noalias() += (g1 * wa + g2 * wwa) * u.transpose();
-    return D;
-  }
-
- private:
-  /// -s a~ - t ((w x a)~ + w~ a~), with (w x a)~ = a w' - w a' and w~ a~ = a w' - (w.a) I.
-  static Eigen::Matrix3d first_order(double s, double t, const Eigen::Vector3d& w,
-                                     const Eigen::Vector3d& a) {
-    Eigen::Matrix3d D = hat(-s * a);
-    const Eigen::Vector3d ta = t * a;
-    D.noalias() += w * ta.transpose();
-    D.noalias() -= (2 * ta) * w.transpose();
-    D.diagonal().array() += w.dot(ta);
-    return D;
+    const Vector ua = u.cross(a), wa = w.cross(a), wwa = w.cross(wa);
+    const Vector left = f2 * u + (p * g2) * w;  // of a'
+    const Vector along_u = g1 * wa + g2 * wwa - (2 * f2) * a;
+    const Vector along_w =
+        g1 * ua + g2 * (u.cross(wa) + w.cross(ua)) + p * (k1 * wa + k2 * wwa - (2 * g2) * a);
+    Matrix M = rank_two((-p * g1) * a, left, a, along_w, w, left.dot(a));
+    for (int j = 0; j < 3; ++j)
+      for (int i = 0; i < 3; ++i) M(i, j) += along_u[i] * u[j];
+    return M;
   }
 };
 
