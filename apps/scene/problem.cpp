@@ -50,14 +50,22 @@ void Problems::add(const toml::key& at, std::string what, std::string expected, 
 
 void Problems::add(const toml::source_region& at, std::string what, std::string expected,
                    std::string hint) {
-  Problem problem{file_, 1, 1, std::move(what), std::move(expected), std::move(hint)};
+  Problem problem{file_, 0, 0, std::move(what), std::move(expected), std::move(hint)};
   if (at.path) problem.file = *at.path;
-  if (at.begin.line > 0) {
+  if (at.path && at.begin.line > 0) {
     problem.line = static_cast<int>(at.begin.line);
     problem.column = static_cast<int>(at.begin.column);
   }
   if (problem.file.starts_with("--set")) problem.line = problem.column = 0;
   problems_.push_back(std::move(problem));
+}
+
+bool Problems::has(const toml::node& at) const {
+  const auto begin = at.source().begin;
+  return std::any_of(problems_.begin(), problems_.end(), [&](const Problem& p) {
+    return p.line == static_cast<int>(begin.line) && p.column == static_cast<int>(begin.column) &&
+           written(at) && p.file == *at.source().path;
+  });
 }
 
 void Problems::throw_if_any() const {

@@ -31,6 +31,9 @@ class InputError : public std::runtime_error {
   std::vector<Problem> problems;
 };
 
+/// Was a value written in a file or override, rather than put in as a default?
+inline bool written(const toml::node& node) { return node.source().path != nullptr; }
+
 /// Collects problems while a file is read.
 class Problems {
  public:
@@ -43,6 +46,8 @@ class Problems {
   void add(const toml::key& at, std::string what, std::string expected = "", std::string hint = "");
   void add(Problem problem) { problems_.push_back(std::move(problem)); }
 
+  /// Is there a problem at this value already?
+  bool has(const toml::node& at) const;
   int count() const { return static_cast<int>(problems_.size()); }
   const std::string& file() const { return file_; }
   /// @throws InputError if there are any, sorted by place.

@@ -95,8 +95,10 @@ class BeamReader {
     if (full || is_static() || beam.material.rho > 0) return;
     const toml::table& material = *reader_.root["materials"][name].as_table();
     const toml::node& rho = *material.get("rho");
-    refuse(rho.source().begin.line ? rho : material, "has no mass: its material has rho = 0",
-           "a density > 0 (kg/m^3)", "steel: 7850");
+    ok_ = false;
+    const toml::node& at = written(rho) ? rho : static_cast<const toml::node&>(material);
+    if (reader_.problems.has(at)) return;  // of another beam
+    refuse(at, "has no mass: its material has rho = 0", "a density > 0 (kg/m^3)", "steel: 7850");
   }
 
   void check_axis() {

@@ -34,7 +34,7 @@ void read_drive(Reader& reader, const toml::table& table, int joint) {
   const auto& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(joint)];
   DriveSpec drive{joint, integer(table, "coordinate"), motion_of(reader, table)};
   const toml::node* chosen = table.get("coordinate");
-  const toml::node& at = chosen && chosen->source().begin.line ? *chosen : table;
+  const toml::node& at = chosen && written(*chosen) ? *chosen : table;
   const int count = coordinates(spec.type);
   if (drive.coordinate >= count)
     reader.problems.add(at,

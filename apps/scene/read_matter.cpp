@@ -22,12 +22,11 @@ SpaceChoice space_of(const std::string& text) {
 }
 
 /// What is wrong with a 6x6 matrix of a full section, empty if nothing.
-std::string flaw(const Eigen::MatrixXd& M, bool semidefinite) {
+std::string flaw(const Eigen::MatrixXd& M) {
   const double size = M.cwiseAbs().maxCoeff();
   if ((M - M.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) return "is not symmetric";
   const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
-  if (semidefinite ? least < -1e-12 * size : least <= 0)
-    return fmt::format("has an eigenvalue of {:.3g}", least);
+  if (least <= 0) return fmt::format("has an eigenvalue of {:.3g}", least);
   return "";
 }
 
@@ -36,12 +35,12 @@ FullSection full_section(Reader& reader, const toml::table& table) {
   full.stiffness = matrix(*table.get("stiffness"), 6);
   full.inertia.setZero();
   const std::string symmetric = "a symmetric, positive definite matrix";
-  if (const auto what = flaw(full.stiffness, false); !what.empty())
+  if (const auto what = flaw(full.stiffness); !what.empty())
     reader.problems.add(*table.get("stiffness"), fmt::format("'stiffness' {}", what), symmetric,
                         "directions that shall not move want a large stiffness, not none");
   if (const toml::node* inertia = table.get("inertia")) {
     full.inertia = matrix(*inertia, 6);
-    if (const auto what = flaw(full.inertia, true); !what.empty())
+    if (const auto what = flaw(full.inertia); !what.empty())
       reader.problems.add(*inertia, fmt::format("'inertia' {}", what), symmetric);
   }
   return full;
@@ -95,7 +94,7 @@ void read_simulation(Reader& reader) {
   const toml::node& duration = *table->get("duration");
   if (o.step > o.duration)
     reader.problems.add(
-        step.source().begin.line ? step : duration,
+        written(step) ? step : duration,
         fmt::format("'simulation.step' ({:g} s) is longer than the duration", o.step),
         fmt::format("a step of at most {:g} s", o.duration));
   if (o.step_min > o.step)
@@ -116,7 +115,8 @@ void read_matter(Reader& reader) {
       section.shear_factor = {k.front(), k.back()};
     }
     section.torsion_constant = number(*entry.table, "torsion_constant");
-    if (const std::string what = what_is_wrong(section.shape);
+    const bool full = std::holds_alternative<FullSection>(section.shape);  // checked above
+    if (const std::string what = full ? "" : what_is_wrong(section.shape);
         !what.empty() && reader.problems.count() == before)
       reader.problems.add(culprit(*entry.table), fmt::format("section '{}': {}", entry.name, what),
                           "a section of positive material");

@@ -18,7 +18,7 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
   if (response.everywhere) return true;
   const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
   const int n = static_cast<int>(std::get<BeamSpec>(body.kind).sections.size());
-  const toml::node& said = node.source().begin.line ? node : static_cast<const toml::node&>(table);
+  const toml::node& said = written(node) ? node : static_cast<const toml::node&>(table);
   const auto port = reader.scene.mechanism.port(body.name + "." + place);
   if (port && port->body == response.body) {
     response.s = static_cast<double>(port->node) / n;
@@ -91,7 +91,7 @@ bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec&
   const int count = coordinates(spec.type);
   if (response.coordinate < count) return true;
   const toml::node& given = *table.get("coordinate");
-  reader.problems.add(given.source().begin.line ? given : static_cast<const toml::node&>(table),
+  reader.problems.add(written(given) ? given : static_cast<const toml::node&>(table),
                       fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
                                   spec.name, response.coordinate),
                       "a joint coordinate",

@@ -45,7 +45,7 @@ bool given(const Reader& reader, const char* group) {
 /// A table of the file, or the file itself if the table is not written there.
 const toml::node& table_or_file(const Reader& reader, const char* name) {
   const toml::node* table = reader.root.get(name);
-  return table && table->source().begin.line ? *table : reader.root;
+  return table && written(*table) ? *table : reader.root;
 }
 
 }  // namespace

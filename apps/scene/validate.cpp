@@ -31,11 +31,14 @@ std::string_view type_name(const toml::node& node) {
 
 /// Does the condition `when` of a key hold in this table? The sibling key must be readable.
 enum class Applies { Yes, No, Unknown };
-Applies applies(const Key& key, const toml::table& table) {
+Applies applies(FileKind kind, const Key& key, const toml::table& table) {
   if (key.when.empty()) return Applies::Yes;
   const auto equals = key.when.find('=');
   const auto chosen = table[key.when.substr(0, equals)].value<std::string>();
-  if (!chosen) return Applies::Unknown;
+  const Key* choice =
+      find_key(kind, fmt::format("{}.{}", key.parent(), key.when.substr(0, equals)));
+  const auto options = choice ? words(choice->options) : std::vector<std::string>{};
+  if (!chosen || !std::count(options.begin(), options.end(), *chosen)) return Applies::Unknown;
   const auto allowed = words(key.when.substr(equals + 1));
   return std::count(allowed.begin(), allowed.end(), *chosen) ? Applies::Yes : Applies::No;
 }
@@ -65,7 +68,7 @@ class Validator {
       if (key->leaf() == "*") return named(*key, name, value, path);
       if (key->leaf() != name.str()) continue;
       known = true;
-      const Applies how = applies(*key, in);
+      const Applies how = applies(kind_, *key, in);
       undecided = undecided || how == Applies::Unknown;
       if (how == Applies::Yes) return check(*key, value, join(path, name.str()));
     }
@@ -73,7 +76,7 @@ class Validator {
     const std::string what = fmt::format("unknown key '{}'", join(path, name.str()));
     std::vector<std::string> candidates;
     for (const Key* key : keys)
-      if (applies(*key, in) == Applies::Yes) candidates.emplace_back(key->leaf());
+      if (applies(kind_, *key, in) == Applies::Yes) candidates.emplace_back(key->leaf());
     const std::string choice = known ? " of this kind of entry" : "";
     problems_.add(name, what + choice, path.empty() ? "a key of the file" : "a key of " + path,
                   suggestion(name.str(), candidates));
@@ -120,7 +123,7 @@ class Validator {
   void absent(toml::table& table, const Key& key, const std::string& path) {
     if (key.leaf() == "*" || table.contains(key.leaf())) return;
     if (key.preset == kOptional || key.preset == kOneOf) return;
-    if (applies(key, table) != Applies::Yes) return;
+    if (applies(kind_, key, table) != Applies::Yes) return;
     if (key.preset == kRequired) {
       problems_.add(table, fmt::format("missing key '{}'", join(path, key.leaf())),
                     expectation(key), std::string(key.doc));

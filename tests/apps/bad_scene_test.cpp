@@ -117,13 +117,13 @@ const BadScene kScenes[] = {
     {"UnknownResponse", "\"position\"", "@\"postion\"", {"did you mean 'position'"}},
     {"KeyOfOtherResponse", "of = \"crank\"", "of = \"crank\", @axis = [1, 0, 0]", {"unknown key 'responses.bend.axis'"}},
     // The parser's own.
-    {"DuplicateKey", "step = 1e-3", "step = 1e-3\n@duration = 2", {"duplicate name"}},
+    {"DuplicateKey", "step = 1e-3", "step = 1e-3\nduration = @2", {"duplicate name"}},
     {"Syntax", "step = 1e-3", "step = @= 1e-3", {"not TOML"}},
 };
 // clang-format on
 
 INSTANTIATE_TEST_SUITE_P(Scene, Bad, testing::ValuesIn(kScenes),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
 }  // namespace liesl

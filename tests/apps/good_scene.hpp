@@ -7,7 +7,7 @@
 
 namespace liesl::test {
 
-inline const std::string kGoodScene = R"(name = "good"
+inline const std::string kGoodScene = R"toml(name = "good"
 gravity = [0, -9.81, 0]
 
 [materials]
@@ -30,8 +30,7 @@ guide = { prismatic = ["ground", "slider.origin"], axis = [1, 0, 0] }
 
 [forces]
 spring = { on = "guide", stiffness = 10, damping = 0.5, rest = 0.01 }
-rope = { between = ["ground", "slider.tip"], stiffness = 2, force = "sin(2*pi*t)"
-}
+rope = { between = ["ground", "slider.tip"], stiffness = 2, force = "sin(2*pi*t)" }
 
 [loads]
 push = { at = "slider.tip", force = [1, 0, 0], scale = { table = [[0, 0], [1, 4]] } }
@@ -44,7 +43,7 @@ step = 1e-3
 [responses]
 x = { response = "position", at = "slider.origin", axis = [1, 0, 0] }
 bend = { response = "deflection", of = "crank" }
-)";
+)toml";
 
 /// The scene with the first occurrence of a text replaced.
 inline std::string changed(std::string text, const std::string& from, const std::string& to) {

@@ -38,10 +38,14 @@ TEST(Schema, EveryKeyIsExplained) {
     EXPECT_EQ(key.type == Type::Choice, !key.options.empty()) << key.path;
     const bool sized =
         key.type == Type::Vector || key.type == Type::Rows || key.type == Type::Matrix;
-    if (sized) EXPECT_GT(key.size, 1) << key.path;
+    if (sized) {
+      EXPECT_GT(key.size, 1) << key.path;
+    }
     const bool physical = key.type == Type::Number || key.type == Type::Vector ||
                           key.type == Type::Matrix || key.type == Type::Rows;
-    if (physical) EXPECT_FALSE(key.unit.empty()) << key.path;
+    if (physical) {
+      EXPECT_FALSE(key.unit.empty()) << key.path;
+    }
   }
 }
 
@@ -62,8 +66,9 @@ TEST(Schema, DefaultsAreInRange) {
   for (const Key& key : all_keys()) {
     if (key.preset == kRequired || key.preset == kOptional || key.preset == kOneOf) continue;
     const toml::table value = toml::parse("v = " + std::string(key.preset));
-    if (key.type == Type::Number || key.type == Type::Integer)
+    if (key.type == Type::Number || key.type == Type::Integer) {
       EXPECT_TRUE(key.range.contains(*value["v"].value<double>())) << key.path;
+    }
     if (key.type == Type::Choice) {
       const auto options = words(key.options);
       EXPECT_EQ(std::count(options.begin(), options.end(), *value["v"].value<std::string>()), 1)

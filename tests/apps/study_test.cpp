@@ -166,7 +166,7 @@ const BadStudy kStudies[] = {
     {"LimitMissing", "bending = { response = \"deflection\", of = \"rod\", at = \"mid\", limit = 1.0e-3 }", "bending = @{ response = \"deflection\", of = \"rod\" }", {"missing key 'constraints.bending.limit'"}},
     {"NoResponse", "use = \"bend\"", "use = @\"bent\"", {"no response 'bent'", "'bend'"}},
     {"NotOfAPart", "use = \"bend\"", "use = @\"slider_x\"", {"'again' is not on the deformation of a part"}},
-    {"NothingToUse", "again = { use = \"bend\"", "again = @{", {"missing key", "use, response"}},
+    {"NothingToUse", "again = { use = \"bend\", ", "again = @{ ", {"missing key", "use, response"}},
     {"NoNode", "at = \"mid\", limit", "at = @\"node12\", limit", {"no node 'node12'"}},
     {"ObjectiveUnvaried", "of = [\"rod\", \"crank\"]", "of = @[\"slider\"]", {"no design variable changes the objective"}},
     {"NoSupportNode", "[\"start:xyz,rx\", \"end:yz\"]", "[\"start:xyz,rx\", @\"ent:yz\"]", {"no node 'ent'", "'end'"}},
@@ -179,7 +179,7 @@ const BadStudy kStudies[] = {
 // clang-format on
 
 INSTANTIATE_TEST_SUITE_P(Study, Refused, testing::ValuesIn(kStudies),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Study, WallsMayNotMeetWithinTheBounds) {
   const auto path = std::filesystem::path(LIESL_DATA_DIR) / "studies/robot_arms.toml";
