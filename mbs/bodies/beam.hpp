@@ -103,6 +103,16 @@ class Beam final : public Body<G> {
     return elements_[e].section_stiffness() * strain(s, e);
   }
 
+  void extrapolate_stress(const BodyState<G>& s, const double* delta,
+                          Tangent* stress) const override {
+    for (int e = 0; e < elements(); ++e) {
+      const Element& element = elements_[e];
+      const Tangent d = G::log(s.H[e].inverse() * s.H[e + 1]);
+      const Tangent change = Element::P(d) * Eigen::Map<const Pair>(delta + dim * e);
+      stress[e] = element.section_stiffness() * (d - element.d0() + change) / element.length();
+    }
+  }
+
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override {
     BodyEnergy energy;
     Eigen::VectorXd momentum = Eigen::VectorXd::Zero(this->size());
