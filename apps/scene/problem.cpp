@@ -11,9 +11,9 @@ namespace liesl {
 
 namespace {
 
-std::string join(const std::vector<Problem>& problems) {
+std::string join(const std::vector<InputProblem>& problems) {
   std::string text;
-  for (const Problem& problem : problems) {
+  for (const InputProblem& problem : problems) {
     if (!text.empty()) text += '\n';
     text += problem.text();
   }
@@ -28,7 +28,7 @@ std::string lower(std::string_view text) {
 
 }  // namespace
 
-std::string Problem::text() const {
+std::string InputProblem::text() const {
   std::string text = file;
   if (line > 0) text += fmt::format(":{}:{}", line, column);
   text += ": " + what;
@@ -37,7 +37,7 @@ std::string Problem::text() const {
   return text;
 }
 
-InputError::InputError(std::vector<Problem> list)
+InputError::InputError(std::vector<InputProblem> list)
     : std::runtime_error(join(list)), problems(std::move(list)) {}
 
 void Problems::add(const toml::node& at, std::string what, std::string expected, std::string hint) {
@@ -50,7 +50,7 @@ void Problems::add(const toml::key& at, std::string what, std::string expected, 
 
 void Problems::add(const toml::source_region& at, std::string what, std::string expected,
                    std::string hint) {
-  Problem problem{file_, 0, 0, std::move(what), std::move(expected), std::move(hint)};
+  InputProblem problem{file_, 0, 0, std::move(what), std::move(expected), std::move(hint)};
   if (at.path) problem.file = *at.path;
   if (at.path && at.begin.line > 0) {
     problem.line = static_cast<int>(at.begin.line);
@@ -62,7 +62,7 @@ void Problems::add(const toml::source_region& at, std::string what, std::string 
 
 bool Problems::has(const toml::node& at) const {
   const auto begin = at.source().begin;
-  return std::any_of(problems_.begin(), problems_.end(), [&](const Problem& p) {
+  return std::any_of(problems_.begin(), problems_.end(), [&](const InputProblem& p) {
     return p.line == static_cast<int>(begin.line) && p.column == static_cast<int>(begin.column) &&
            written(at) && p.file == *at.source().path;
   });
@@ -71,9 +71,9 @@ bool Problems::has(const toml::node& at) const {
 void Problems::throw_if_any() const {
   if (problems_.empty()) return;
   auto sorted = problems_;
-  const auto place = [](const Problem& p) { return std::tie(p.file, p.line, p.column); };
+  const auto place = [](const InputProblem& p) { return std::tie(p.file, p.line, p.column); };
   std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const Problem& a, const Problem& b) { return place(a) < place(b); });
+                   [&](const InputProblem& a, const InputProblem& b) { return place(a) < place(b); });
   throw InputError(std::move(sorted));
 }
 

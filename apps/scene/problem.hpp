@@ -12,7 +12,7 @@
 namespace liesl {
 
 /// One thing that a user has to mend.
-struct Problem {
+struct InputProblem {
   std::string file;
   int line = 0;  ///< from 1; 0 if the problem has no place in the file
   int column = 0;
@@ -27,8 +27,8 @@ struct Problem {
 /// Input refused. Holds every problem of the file, in the order of the file.
 class InputError : public std::runtime_error {
  public:
-  explicit InputError(std::vector<Problem> problems);
-  std::vector<Problem> problems;
+  explicit InputError(std::vector<InputProblem> problems);
+  std::vector<InputProblem> problems;
 };
 
 /// Was a value written in a file or override, rather than put in as a default?
@@ -44,7 +44,7 @@ class Problems {
            std::string hint = "");
   /// Adds a problem at a key.
   void add(const toml::key& at, std::string what, std::string expected = "", std::string hint = "");
-  void add(Problem problem) { problems_.push_back(std::move(problem)); }
+  void add(InputProblem problem) { problems_.push_back(std::move(problem)); }
 
   /// Is there a problem at this value already?
   bool has(const toml::node& at) const;
@@ -57,7 +57,7 @@ class Problems {
   void add(const toml::source_region& at, std::string what, std::string expected, std::string hint);
 
   std::string file_;
-  std::vector<Problem> problems_;
+  std::vector<InputProblem> problems_;
 };
 
 /// Number of insertions, deletions, replacements and swaps of neighbours between two words,

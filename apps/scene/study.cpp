@@ -20,7 +20,7 @@ std::optional<Document> scene_of(const toml::table& root, const fs::path& folder
     if (kind_of(document.root) == FileKind::Scene) return document;
     problems.add(*node, "'scene' names a study", "the file of a scene");
   } catch (const InputError& error) {
-    for (const Problem& problem : error.problems) {
+    for (const InputProblem& problem : error.problems) {
       if (problem.line > 0)
         problems.add(problem);
       else

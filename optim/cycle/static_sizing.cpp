@@ -28,6 +28,7 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
     variables_[i].upper = std::min(variables_[i].upper, x0[i] * (1 + move));
   }
   make_parts(at);
+  update_stress_of_strain();
   for (auto& part : parts_) {
     part.problem.set_loads(part.loads->f);
     part.problem.solve(stiffness(part));
@@ -173,17 +174,28 @@ typename StaticSizing<G>::StressRows StaticSizing<G>::stress_rows(const Part& pa
 }
 
 template <FrameGroup G>
+void StaticSizing<G>::update_stress_of_strain() {
+  stress_of_strain_.assign(limits_.size(), StressRows::Zero());
+  for (size_t l = 0; l < limits_.size(); ++l) {
+    const Limit& limit = limits_[l];
+    if (limit.element < 0) continue;
+    const Part& part = parts_[limit.part];
+    const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
+    const SectionLaw law = section_law(beam.sections[limit.element], beam.material);
+    stress_of_strain_[l] = stress_rows(part, limit.element, limit.point) *
+                           space_.reduce_law(law.K, part.align[limit.element]);
+  }
+}
+
+template <FrameGroup G>
 double StaticSizing<G>::limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const {
   if (limit.element < 0) {
     const double v = y.norm();
     if (slope) *slope = v > 0 ? Eigen::VectorXd(y / v) : Eigen::VectorXd::Zero(y.size());
     return v;
   }
-  const Part& part = parts_[limit.part];
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
-  const typename G::Matrix K = space_.reduce_law(section_law(beam.sections[limit.element], beam.material).K, part.align[limit.element]);
-  const StressRows SK = stress_rows(part, limit.element, limit.point) * K;
-  Vec3 s = SK * y;
+  const StressRows& SK = stress_of_strain_[static_cast<size_t>(&limit - limits_.data())];
+  const Vec3 s = SK * y;
   const Vec3 weighted(s[0], 3 * s[1], 3 * s[2]);
   const double v = std::sqrt(s.dot(weighted));
   if (slope) *slope = v > 0 ? Eigen::VectorXd(SK.transpose() * weighted / v) : Eigen::VectorXd::Zero(y.size());
@@ -321,6 +333,7 @@ bool StaticSizing<G>::solve(const Eigen::VectorXd& x) {
   mechanism_ = sizing_.apply(mechanism_, x);
   for (auto& part : parts_)
     if (!part.problem.solve(stiffness(part))) return false;
+  update_stress_of_strain();
   return true;
 }
 

@@ -79,6 +79,7 @@ class StaticSizing final : public Problem {
   double limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const;
   Eigen::VectorXd outputs_of(const Limit& limit, int kept) const;
   StressRows stress_rows(const Part& part, int element, int point) const;
+  void update_stress_of_strain();
   double explicit_stress_slope(const Limit& limit, const Eigen::VectorXd& y, int variable) const;
   std::vector<Law> stiffness_derivatives(const Part& part) const;
 
@@ -89,6 +90,7 @@ class StaticSizing final : public Problem {
   Space<G> space_;
   std::vector<Part> parts_;
   std::vector<Limit> limits_;
+  std::vector<StressRows> stress_of_strain_;  ///< S K_s by limit, at the latest x
   std::vector<RowRef> rows_;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;

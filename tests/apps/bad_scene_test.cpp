@@ -39,7 +39,7 @@ TEST_P(Bad, IsRefusedAtItsPlace) {
     FAIL() << "not refused";
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems.size(), 1u) << error.what();
-    const Problem& problem = error.problems.front();
+    const InputProblem& problem = error.problems.front();
     EXPECT_EQ(problem.file, "scene.toml");
     EXPECT_EQ(problem.line, line) << error.what();
     EXPECT_EQ(problem.column, static_cast<int>(column)) << error.what();

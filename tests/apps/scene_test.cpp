@@ -18,7 +18,7 @@ using test::changed;
 using test::kGoodScene;
 namespace fs = std::filesystem;
 
-std::vector<Problem> problems_of(const std::string& text) {
+std::vector<InputProblem> problems_of(const std::string& text) {
   try {
     read_scene(text, "scene.toml");
   } catch (const InputError& error) {

@@ -136,7 +136,7 @@ TEST_P(Refused, AtItsPlace) {
     FAIL() << "not refused";
   } catch (const InputError& error) {
     ASSERT_EQ(error.problems.size(), 1u) << error.what();
-    const Problem& problem = error.problems.front();
+    const InputProblem& problem = error.problems.front();
     EXPECT_EQ(problem.line, line) << error.what();
     EXPECT_EQ(problem.column, static_cast<int>(column)) << error.what();
     for (const char* word : c.words)
