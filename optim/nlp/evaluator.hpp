@@ -88,6 +88,8 @@ class Evaluator {
   }
   bool broken() const { return exception_ != nullptr; }
   const std::string& failure() const { return failure_; }
+  /// `reason`, and the latest failure if it does not say it already.
+  std::string with_failure(const std::string& reason) const;
 
   /// True to go on: calls the user's progress function and looks at the clock.
   bool proceed(int iteration);
@@ -108,7 +110,8 @@ class Evaluator {
   bool values_at(const Eigen::VectorXd& x);
   bool gradients_at(const Eigen::VectorXd& x);
   /// Makes the problem's own state belong to p: the calls that are due, in the order promised.
-  void bring_back(NlpPoint& p, bool with_gradients);
+  /// p keeps what it had if they give nothing finite.
+  bool bring_back(NlpPoint& p, bool with_gradients);
   bool finite_values(const NlpPoint& p);
   bool finite_gradients(const NlpPoint& p);
   void remember(const NlpPoint& p);
@@ -119,6 +122,8 @@ class Evaluator {
   NlpScaling scaling_;
   std::list<NlpPoint> points_;  ///< latest first, at most three
   Eigen::VectorXd current_, differentiated_;  ///< x of the latest values(), gradients()
+  Eigen::VectorXd failed_at_;                 ///< latest x without a value
+  Eigen::VectorXd no_point_;                  ///< NaN: differs from every x
   Eigen::MatrixXd hessian_;
   std::optional<NlpPoint> best_;
   double best_violation_ = 0;

@@ -286,6 +286,10 @@ NlpResult run_once(Evaluator& e, const NlpOptions& options, const NlpWarmStart* 
   translate(code, e, r);
   const bool last = r.solved() && e.values(adapter->y);
   e.rethrow();
+  if (r.solved() && !last) {
+    r.status = NlpStatus::Stopped;
+    r.reason = e.failure();
+  }
   const NlpPoint chosen = last ? e.point() : *e.best();
   const VectorXd y = chosen.x.cwiseQuotient(e.scaling().x);
   r.stationarity = 1;
@@ -313,6 +317,7 @@ NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
   }
   r.reason = least.reason;
   r.conflict = least.conflict;
+  r.stationarity = 1;
   if (!least.solved) r.status = NlpStatus::Stopped;
   if (least.solved && e.values(least.x.cwiseQuotient(e.scaling().x))) e.report(e.point(), r);
   e.rethrow();
@@ -338,6 +343,7 @@ NlpResult solve_ipopt(Problem& problem, const NlpOptions& options, const NlpWarm
   if (nearly) r.status = NlpStatus::Acceptable;
   if (infeasible && r.status == NlpStatus::IterationLimit)
     r.reason += fmt::format("; constraints are still violated by {:.2e} (scaled)", r.violation);
+  if (r.status == NlpStatus::Stopped) r.reason = e.with_failure(r.reason);
   return r;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/feasibility.hpp"
@@ -109,8 +110,8 @@ void Sequence::move_asymptotes() {
 bool Sequence::solve_model() {
   SeparableModel model(e_.problem(), at_);
   NlpOptions inner;
-  inner.tolerance = std::min(1e-9, 0.1 * o_.tolerance);
-  inner.feasibility = std::min(1e-9, 0.1 * o_.feasibility);
+  inner.tolerance = std::max(1e-12, 0.01 * o_.tolerance);
+  inner.feasibility = std::max(1e-12, 0.1 * o_.feasibility);
   inner.acceptable = 1e-6;
   inner.explain_infeasible = false;
   inner.time_limit = std::max(1e-3, o_.time_limit - e_.seconds());
@@ -269,6 +270,7 @@ NlpResult Sequence::result() {
   if (r.status != NlpStatus::Infeasible || !o_.explain_infeasible) return r;
   const LeastViolation least = least_violation(e_.problem(), s.g, r.x, r.violation, o_);
   r.conflict = least.conflict;
+  r.stationarity = 1;
   r.reason = least.reason;
   if (least.conflict.empty()) r.status = NlpStatus::Stopped;
   if (least.solved && least.conflict.empty())
