@@ -70,8 +70,8 @@ Eigen::MatrixXd given_derivatives(const Stack& s, const VectorXd& x) {
     s.problem.hessian(x, s.sigma, s.lambda, h);
     const Eigen::MatrixXd full = h.selfadjointView<Eigen::Lower>();
     const bool diagonal = s.problem.hessian_shape() == HessianShape::Diagonal;
-    out.bottomRows(n) = s.range.asDiagonal() *
-                        (diagonal ? Eigen::MatrixXd(h.diagonal().asDiagonal()) : full);
+    out.bottomRows(n) =
+        s.range.asDiagonal() * (diagonal ? Eigen::MatrixXd(h.diagonal().asDiagonal()) : full);
   }
   return out * s.range.asDiagonal();
 }
@@ -80,7 +80,8 @@ Eigen::MatrixXd given_derivatives(const Stack& s, const VectorXd& x) {
 std::optional<double> truncation_slope(const std::vector<double>& h, const std::vector<double>& e) {
   constexpr double kClearOfRoundOff = 30;  // errors used are this many times the smallest
   constexpr double kRoundOff = 1e-11;
-  const double floor = std::max(*std::min_element(e.begin(), e.end()), kRoundOff / kClearOfRoundOff);
+  const double floor =
+      std::max(*std::min_element(e.begin(), e.end()), kRoundOff / kClearOfRoundOff);
   double sx = 0, sy = 0, sxx = 0, sxy = 0;
   int count = 0;
   for (std::size_t k = 0; k < h.size() && std::isfinite(e[k]); ++k) {
@@ -177,9 +178,9 @@ void refuse_invalid(const Problem& problem, const VectorXd& x, const DerivativeC
   refuse_if("invalid optimisation problem:", problem_errors(problem));
   const auto n = static_cast<Eigen::Index>(problem.variables().size());
   if (x.size() != n || !x.allFinite())
-    throw std::invalid_argument(fmt::format(
-        "check_derivatives: expected x of {} finite variables, got {} ({})", n, x.size(),
-        x.allFinite() ? "finite" : "not finite"));
+    throw std::invalid_argument(
+        fmt::format("check_derivatives: expected x of {} finite variables, got {} ({})", n,
+                    x.size(), x.allFinite() ? "finite" : "not finite"));
 }
 
 }  // namespace
@@ -217,9 +218,9 @@ DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
 }
 
 const DerivativeCheck* DerivativeReport::worst() const {
-  const auto found = std::max_element(checks.begin(), checks.end(), [](const auto& a, const auto& b) {
-    return a.best_error < b.best_error;
-  });
+  const auto found =
+      std::max_element(checks.begin(), checks.end(),
+                       [](const auto& a, const auto& b) { return a.best_error < b.best_error; });
   return found == checks.end() ? nullptr : &*found;
 }
 

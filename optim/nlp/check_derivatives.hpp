@@ -28,20 +28,20 @@ struct DerivativeCheckOptions {
 /// One function in one direction d (scaled by the ranges D of the variables):
 ///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2.
 struct DerivativeCheck {
-  std::string function;        ///< "objective", name of a constraint, "Hessian of the Lagrangian"
-  std::string direction;       ///< name of a variable, or "random"
-  double best_error = 0;       ///< smallest e(h); infinite if no step gave a finite value
-  double best_step = 0;        ///< h of it
+  std::string function;         ///< "objective", name of a constraint, "Hessian of the Lagrangian"
+  std::string direction;        ///< name of a variable, or "random"
+  double best_error = 0;        ///< smallest e(h); infinite if no step gave a finite value
+  double best_step = 0;         ///< h of it
   std::optional<double> slope;  ///< of log e over log h where truncation rules: 2 if right; none if
                                 ///< the error is round-off at every step (linear functions)
-  bool right = false;          ///< best_error <= tolerance
+  bool right = false;           ///< best_error <= tolerance
 };
 
 struct DerivativeReport {
-  Eigen::VectorXd x;                   ///< where: the given point, moved off bounds
+  Eigen::VectorXd x;                    ///< where: the given point, moved off bounds
   std::vector<DerivativeCheck> checks;  ///< objective, constraints, Hessian
-  int failed_evaluations = 0;          ///< points of the sweep without a finite value
-  bool right = false;                  ///< all are
+  int failed_evaluations = 0;           ///< points of the sweep without a finite value
+  bool right = false;                   ///< all are
 
   /// Largest best_error; none without checks.
   const DerivativeCheck* worst() const;

@@ -58,8 +58,8 @@ NlpScaling NlpScaling::at(const Problem& problem, const NlpPoint& p) {
   if (s.f == 0) s.f = 1;
   for (int i = 0; i < p.g.size(); ++i) {
     const double given = problem.constraints()[i].scale;
-    const double found = std::max(
-        std::abs(p.g[i]), p.dg.row(i).transpose().cwiseProduct(s.x).cwiseAbs().maxCoeff());
+    const double found =
+        std::max(std::abs(p.g[i]), p.dg.row(i).transpose().cwiseProduct(s.x).cwiseAbs().maxCoeff());
     s.g[i] = given > 0 ? given : found > 0 ? found : 1;
   }
   return s;
@@ -127,13 +127,13 @@ bool Evaluator::hessian(const VectorXd& y, double sigma, const VectorXd& lambda)
 }
 
 bool Evaluator::values_at(const VectorXd& x) {
-  const auto known = std::find_if(points_.begin(), points_.end(),
-                                  [&](const NlpPoint& p) { return p.x == x; });
+  const auto known =
+      std::find_if(points_.begin(), points_.end(), [&](const NlpPoint& p) { return p.x == x; });
   if (known != points_.end()) {
     points_.splice(points_.begin(), points_, known);
     return true;
   }
-  if (failed_at_ == x) return false;
+  if (failed_at_ == x || given_up()) return false;
   if (!x.allFinite()) {
     failure_ = "the optimiser asked for a point that is not finite";
     return false;
@@ -164,8 +164,10 @@ bool Evaluator::bring_back(NlpPoint& p, bool with_gradients) {
     if (!finite_values(fresh)) {
       failed_at_ = p.x;
       current_ = no_point_;
+      ++failures_in_a_row_;
       return false;
     }
+    failures_in_a_row_ = 0;
     p.f = fresh.f;
     p.g = fresh.g;
   }
@@ -240,7 +242,7 @@ std::string Evaluator::with_failure(const std::string& reason) const {
 }
 
 bool Evaluator::proceed(int iteration) {
-  if (broken() || out_of_time()) return false;
+  if (broken() || given_up() || out_of_time()) return false;
   if (!options_.progress) return true;
   const NlpPoint& p = point();
   return guard([&] {
@@ -271,8 +273,8 @@ double Evaluator::stationarity(const VectorXd& r) const {
   const VectorXd y = point().x.cwiseQuotient(scaling_.x), lo = lower(), up = upper();
   double largest = 0;
   for (int j = 0; j < n(); ++j) {
-    const bool carried = (y[j] - lo[j] <= kOnBound && r[j] > 0) ||
-                         (up[j] - y[j] <= kOnBound && r[j] < 0);
+    const bool carried =
+        (y[j] - lo[j] <= kOnBound && r[j] > 0) || (up[j] - y[j] <= kOnBound && r[j] < 0);
     if (!carried) largest = std::max(largest, std::abs(r[j]));
   }
   return largest;

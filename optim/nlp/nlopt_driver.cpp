@@ -20,7 +20,6 @@ using Eigen::VectorXd;
 
 namespace {
 
-constexpr int kForgivenFailures = 20;
 /// Residual that is Acceptable whatever the options say: f stands still to about its square.
 constexpr double kStandingStill = 1e-3;
 
@@ -29,16 +28,15 @@ struct Session {
   nlopt_opt opt;
   VectorXd y;  ///< start, then the last point
   int calls = 0;
-  int failures = 0;
 };
 
 /// Values (and gradients) at y. Without a value NLopt gets infinity, which shortens its step;
-/// without a gradient, after an exception or too many failures it is told to stop.
+/// without a gradient, after an exception or too many failures in a row it is told to stop.
 bool evaluate(Session& s, unsigned n, const double* y, bool gradients) {
   const Map<const VectorXd> at(y, n);
   const bool value = s.e.values(at);
   if (value && (!gradients || s.e.gradients(at))) return true;
-  if (value || s.e.broken() || ++s.failures > kForgivenFailures) nlopt_force_stop(s.opt);
+  if (value || s.e.broken() || s.e.given_up()) nlopt_force_stop(s.opt);
   return false;
 }
 
@@ -66,9 +64,12 @@ void constraints(unsigned m, double* g, unsigned n, const double* y, double* dg,
 
 nlopt_algorithm algorithm(NloptMethod method) {
   switch (method) {
-    case NloptMethod::Mma: return NLOPT_LD_MMA;
-    case NloptMethod::Ccsaq: return NLOPT_LD_CCSAQ;
-    case NloptMethod::Slsqp: return NLOPT_LD_SLSQP;
+    case NloptMethod::Mma:
+      return NLOPT_LD_MMA;
+    case NloptMethod::Ccsaq:
+      return NLOPT_LD_CCSAQ;
+    case NloptMethod::Slsqp:
+      return NLOPT_LD_SLSQP;
   }
   throw std::invalid_argument("solve_nlopt: expected Mma, Ccsaq or Slsqp");
 }

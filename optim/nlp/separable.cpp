@@ -97,8 +97,8 @@ void Sequence::move_asymptotes() {
       const double turn = (at_.y[j] - before_[j]) * (before_[j] - before2_[j]);
       width_[j] *= turn > 0 ? s_.widen : turn < 0 ? s_.narrow : 1;
     }
-    width_[j] = std::clamp(width_[j], s_.nearest_asymptote * range_[j],
-                           s_.farthest_asymptote * range_[j]);
+    width_[j] =
+        std::clamp(width_[j], s_.nearest_asymptote * range_[j], s_.farthest_asymptote * range_[j]);
   }
   at_.l = at_.y - width_;
   at_.u = at_.y + width_;
@@ -138,7 +138,8 @@ bool Sequence::solve_model() {
   VectorXd g(static_cast<int>(model.kept().size()));
   model.values(trial_, model_f_, g);
   model_g_.setConstant(e_.m(), -std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < model.kept().size(); ++k) model_g_[model.kept()[k]] = g[static_cast<int>(k)];
+  for (std::size_t k = 0; k < model.kept().size(); ++k)
+    model_g_[model.kept()[k]] = g[static_cast<int>(k)];
   return true;
 }
 
@@ -226,8 +227,8 @@ NlpResult Sequence::run() {
     if (finished()) break;
     if (iteration_ >= o_.max_iterations || e_.out_of_time()) {
       status_ = NlpStatus::IterationLimit;
-      reason_ = e_.out_of_time() ? "time is used up"
-                                 : fmt::format("{} iterations used up", iteration_);
+      reason_ =
+          e_.out_of_time() ? "time is used up" : fmt::format("{} iterations used up", iteration_);
       break;
     }
     if (!e_.proceed(iteration_)) {

@@ -25,7 +25,8 @@ NlpOptions tight() {
 }
 
 TEST(Ipopt, SvanbergBeamToTheDigitsPublished) {
-  for (const HessianShape shape : {HessianShape::Diagonal, HessianShape::Dense, HessianShape::None}) {
+  for (const HessianShape shape :
+       {HessianShape::Diagonal, HessianShape::Dense, HessianShape::None}) {
     SvanbergBeam beam(1, shape);
     const NlpResult r = solve_ipopt(beam, tight());
     ASSERT_EQ(r.status, NlpStatus::Converged) << r.brief();
@@ -142,7 +143,8 @@ TEST(Ipopt, FixedVariablesAndNoConstraints) {
 }
 
 TEST(Ipopt, ManyConstraintsInReasonableTime) {
-  for (const HessianShape shape : {HessianShape::Dense, HessianShape::Diagonal, HessianShape::None}) {
+  for (const HessianShape shape :
+       {HessianShape::Dense, HessianShape::Diagonal, HessianShape::None}) {
     ManyLoadCases cases(40, 2000, shape);
     const NlpResult r = solve_ipopt(cases);
     ASSERT_EQ(r.status, NlpStatus::Converged) << r.brief();

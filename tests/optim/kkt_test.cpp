@@ -60,8 +60,8 @@ TEST(Kkt, AgreesWithTheMultipliersOfTheOptimiser) {
 TEST(Kkt, ResidualDoesNotDependOnUnits) {
   reference::SvanbergBeam plain, thousandths(1e-3);
   const Eigen::VectorXd x = Eigen::VectorXd::Constant(5, 4.6);
-  EXPECT_NEAR(kkt_residual(plain, x).stationarity,
-              kkt_residual(thousandths, 1e3 * x).stationarity, 1e-12);
+  EXPECT_NEAR(kkt_residual(plain, x).stationarity, kkt_residual(thousandths, 1e3 * x).stationarity,
+              1e-12);
 }
 
 TEST(Kkt, RefusesWrongSize) {
