@@ -68,7 +68,7 @@ TEST(Ipopt, WarmStartNeedsFewerIterations) {
   const NlpResult first = solve_ipopt(cases);
   ASSERT_EQ(first.status, NlpStatus::Converged);
 
-  // The same requirements in another order, and one more; a start 2 % off.
+  // The same requirements, and a start 2 % off.
   class Changed : public ManyLoadCases {
    public:
     using ManyLoadCases::ManyLoadCases;
