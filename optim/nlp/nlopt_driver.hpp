@@ -11,7 +11,7 @@ namespace liesl {
 enum class NloptMethod {
   Mma,    ///< Svanberg 2002, moving asymptotes
   Ccsaq,  ///< Svanberg 2002, quadratic separable models
-  Slsqp   ///< Kraft 1988; cost grows with (constraints + variables)^3: up to a few hundred rows
+  Slsqp   ///< Kraft 1988; fewest evaluations, dense: memory grows with constraints x variables
 };
 
 /// Minimises from the start of `problem`. NLopt gives no multipliers (`has_multipliers` is false;
