@@ -1,1 +1,411 @@
 #!/usr/bin/env python3
+"""Pictures of a results folder of liesl: plot.py DIR [--to DIR]
+
+Reads summary.json and the CSV tables (docs/outputs.md), draws what they hold, as PNG and SVG, into
+DIR/plots, and prints the path of every picture. Needs Python 3 and matplotlib, nothing else.
+"""
+
+import argparse
+import csv
+import json
+import math
+import os
+import re
+import sys
+from pathlib import Path
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import MaxNLocator  # noqa: E402
+
+# Okabe & Ito: told apart with every kind of colour vision.
+BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
+    "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
+COLOURS = [BLUE, ORANGE, GREEN, PURPLE, SKY, RED]
+GREY = "#6e6e6e"
+LIMIT = dict(color="black", linestyle=(0, (5, 3)), linewidth=1.1)
+
+STYLE = {
+    "figure.dpi": 100, "savefig.dpi": 150, "font.size": 10, "axes.titlesize": 11,
+    "axes.grid": True, "grid.color": "#dddddd", "grid.linewidth": 0.6, "axes.axisbelow": True,
+    "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": GREY,
+    "lines.linewidth": 1.6, "legend.frameon": False, "legend.fontsize": 9,
+    "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.hashsalt": "liesl",
+    "axes.formatter.limits": (-3, 4),
+}
+
+
+class NothingToDraw(Exception):
+    """The folder does not hold what a picture needs; the text says what."""
+
+
+# --- tables --------------------------------------------------------------------------------------
+
+
+class Table:
+    """A CSV file by columns: `names` and `units` from headings like `bend [m]`."""
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8", errors="replace") as file:
+            rows = [row for row in csv.reader(file) if row]
+        if not rows:
+            raise NothingToDraw(f"{path} is empty")
+        parts = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", heading) for heading in rows[0]]
+        self.names = [part.group(1) for part in parts]
+        self.units = [part.group(2) or "" for part in parts]
+        self.rows = rows[1:]
+
+    def text(self, name):
+        i = self.names.index(name)
+        return [row[i] for row in self.rows]
+
+    def numbers(self, name):
+        return [float(value) for value in self.text(name)]
+
+    def unit(self, name):
+        return self.units[self.names.index(name)]
+
+
+def table(folder, name):
+    """The table, or None if there is no such file or no row in it."""
+    path = folder / name
+    if not path.exists():
+        return None
+    found = Table(path)
+    return found if found.rows else None
+
+
+# --- numbers and labels --------------------------------------------------------------------------
+
+PREFIXED = {"m": True, "Pa": True, "N": True, "J": True, "N m": True, "m/s": True, "kg": False}
+
+
+def scale_of(values, unit):
+    """(factor, unit) in which the largest value reads well: 1.2e-3 m becomes 1.2 mm."""
+    finite = [abs(v) for v in values if math.isfinite(v)]
+    largest = max(finite, default=0)
+    if unit == "kg":
+        return (1e3, "g") if 0 < largest < 1 else (1, "kg")
+    if not PREFIXED.get(unit) or largest == 0:
+        return 1, unit
+    for limit, factor, prefix in ((1e7, 1e-6, "M"), (1e4, 1e-3, "k"), (0.1, 1, ""),
+                                  (1e-4, 1e3, "m"), (1e-7, 1e6, "µ")):
+        if largest >= limit:
+            return factor, prefix + unit
+    return 1e9, "n" + unit
+
+
+def label(name, unit):
+    unit = unit.replace("N m", "N·m")
+    name = name.replace("_", " ")
+    return name if unit in ("", "-") else f"{name} [{unit}]"
+
+
+def scaled(values, factor):
+    return [factor * value for value in values]
+
+
+def legend(ax, **options):
+    """Right of the axes, where it covers nothing."""
+    ax.legend(loc="upper left", bbox_to_anchor=(1.005, 1.02), borderaxespad=0, **options)
+
+
+def stacked(count, height=2.3, width=8.2):
+    """`count` panels over one abscissa, and the figure."""
+    figure, axes = plt.subplots(count, 1, sharex=True, squeeze=False, layout="constrained",
+                                figsize=(width, 0.9 + height * count))
+    return figure, [row[0] for row in axes]
+
+
+class Pictures:
+    """Writes each figure as PNG and SVG, whole or not at all."""
+
+    def __init__(self, folder, title):
+        self.folder, self.title, self.paths = folder, title, []
+
+    def save(self, figure, name, heading):
+        figure.suptitle(f"{self.title}: {heading}" if self.title else heading, fontsize=12)
+        self.folder.mkdir(parents=True, exist_ok=True)
+        # The layout once, for both files.
+        figure.draw_without_rendering()
+        figure.set_layout_engine("none")
+        box = figure.get_tightbbox().padded(0.12)
+        for kind in ("png", "svg"):
+            path = self.folder / f"{name}.{kind}"
+            part = self.folder / f".{name}.{kind}.part"
+            figure.savefig(part, format=kind, bbox_inches=box,
+                           metadata={"Date": None} if kind == "svg" else {"Software": "liesl"})
+            os.replace(part, path)
+            self.paths.append(path)
+        plt.close(figure)
+
+
+# --- series over time ----------------------------------------------------------------------------
+
+
+def grouped_columns(series):
+    """{response: [columns]}: `tip.x`, `tip.y`, `tip.z` are one response."""
+    groups = {}
+    for name in series.names[1:]:
+        stem = name[:-2] if re.search(r"\.[xyz]$", name) else name
+        groups.setdefault(stem, []).append(name)
+    return groups
+
+
+def draw_responses(folder, pictures, _summary):
+    series = table(folder, "responses.csv")
+    if series is None or len(series.names) < 2:
+        return
+    time = series.numbers(series.names[0])
+    groups = grouped_columns(series)
+    figure, axes = stacked(len(groups))
+    for ax, (stem, columns) in zip(axes, groups.items()):
+        values = [series.numbers(column) for column in columns]
+        factor, unit = scale_of(sum(values, []), series.unit(columns[0]))
+        for column, line in zip(columns, values):
+            ax.plot(time, scaled(line, factor), label=column[len(stem) + 1:],
+                    marker="o" if len(time) < 30 else None, markersize=3)
+        ax.set_ylabel(label(stem, unit))
+        if len(columns) > 1:
+            legend(ax)
+    axes[-1].set_xlabel(label(series.names[0], series.units[0]))
+    axes[-1].margins(x=0.01)
+    pictures.save(figure, "responses", "responses")
+
+
+def draw_energies(folder, pictures, _summary):
+    series = table(folder, "energies.csv")
+    if series is None:
+        return
+    time = series.numbers(series.names[0])
+    panels = [[n for n in names if n in series.names] for names in
+              (("kinetic", "potential", "total"), ("elastic", "dissipated"))]
+    panels = [names for names in panels if names]
+    colours = dict(kinetic=BLUE, potential=ORANGE, total="black", elastic=GREEN, dissipated=RED)
+    figure, axes = stacked(len(panels), 2.6)
+    for ax, names in zip(axes, panels):
+        factor, unit = scale_of(sum((series.numbers(n) for n in names), []), "J")
+        for name in names:
+            ax.plot(time, scaled(series.numbers(name), factor), color=colours[name],
+                    linestyle="--" if name == "total" else "-",
+                    label="dissipated\n(numerical)" if name == "dissipated" else name)
+        ax.set_ylabel(label("energy", unit))
+        legend(ax)
+    axes[-1].set_xlabel(label(series.names[0], series.units[0]))
+    axes[-1].margins(x=0.01)
+    pictures.save(figure, "energies", "energies")
+
+
+def draw_before_after(folder, pictures, summary):
+    before, after = table(folder, "responses_initial.csv"), table(folder, "responses_final.csv")
+    if before is None or after is None:
+        return
+    constraints = summary.get("constraints", {})
+    groups = grouped_columns(after)
+    chosen = [stem for stem in groups if stem in constraints] or list(groups)
+    figure, axes = stacked(len(chosen), 2.9)
+    for ax, stem in zip(axes, chosen):
+        limit = constraints.get(stem, {}).get("limit")
+        runs = [(run, name, colour) for run, name, colour in
+                ((before, "initial", ORANGE), (after, "final", BLUE))
+                if all(column in run.names for column in groups[stem])]
+        lines = [(name, colour, run.numbers(run.names[0]), magnitude(run, groups[stem]))
+                 for run, name, colour in runs]
+        everything = sum((values for *_, values in lines), [limit] if limit else [])
+        factor, unit = scale_of(everything, after.unit(groups[stem][0]))
+        for name, colour, time, values in lines:
+            ax.plot(time, scaled(values, factor), color=colour, label=name,
+                    alpha=0.85 if name == "initial" else 1)
+        if limit:
+            ax.axhline(limit * factor, label="limit", **LIMIT)
+            if any(v < 0 for v in everything):
+                ax.axhline(-limit * factor, **LIMIT)
+            ax.margins(y=0.08)
+        size = " (norm)" if len(groups[stem]) > 1 else ""
+        ax.set_ylabel(label(stem + size, unit))
+        legend(ax)
+    axes[-1].set_xlabel(label(after.names[0], after.units[0]))
+    axes[-1].margins(x=0.01)
+    pictures.save(figure, "response_before_after", "responses against their limits")
+
+
+def magnitude(series, columns):
+    """The column, or the norm of several: what the limit is for."""
+    if len(columns) == 1:
+        return series.numbers(columns[0])
+    return [math.hypot(*row) for row in zip(*(series.numbers(column) for column in columns))]
+
+
+# --- optimisation --------------------------------------------------------------------------------
+
+
+def draw_history(_folder, pictures, summary):
+    history = summary.get("history") or []
+    if not history:
+        return
+    cycles = [h["cycle"] for h in history]
+    column = lambda key: [math.nan if h.get(key) is None else h[key] for h in history]
+    figure, (mass, worst, change) = stacked(3, 2.0)
+
+    factor, unit = scale_of(column("mass"), "kg")
+    mass.plot(cycles, scaled(column("mass"), factor), "o-", color=BLUE)
+    mass.set_ylabel(label("mass", unit))
+
+    values = scaled(column("worst_constraint"), 100)
+    worst.axhline(0, label="limit", **LIMIT)
+    worst.plot(cycles, values, "o-", color=RED)
+    finite = [v for v in values if math.isfinite(v)]
+    if finite and max(map(abs, finite)) > 20:
+        worst.set_yscale("symlog", linthresh=1)
+        worst.yaxis.set_major_formatter(lambda v, _: f"{v:g}".replace("-", "−"))
+    worst.set_ylabel("worst constraint\nabove its limit [%]")
+    legend(worst)
+
+    values = column("load_change")
+    change.plot(cycles, values, "o-", color=GREEN)
+    if any(v > 0 for v in values):
+        change.set_yscale("log")
+    change.set_ylabel("relative change\nof the loads")
+    change.set_xlabel("cycle")
+    change.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    change.set_xlim(min(cycles) - 0.3, max(cycles) + 0.3)
+    figure.align_ylabels()
+    status = summary.get("status", "")
+    pictures.save(figure, "cycle_history", f"cycle history ({status})" if status else
+                  "cycle history")
+
+
+def draw_design(folder, pictures, _summary):
+    design = table(folder, "design.csv")
+    if design is None:
+        return
+    panels = {}  # (variable without its number, body) -> rows along the beam
+    for row in design.rows:
+        cell = dict(zip(design.names, row))
+        key = (re.sub(r"\[\d+\]$", "", cell["variable"]), cell["body"])
+        panels.setdefault(key, []).append(
+            [float(cell[k]) for k in ("s0", "s1", "initial", "final", "lower", "upper")]
+            + [cell["unit"]])
+    figure, axes = plt.subplots(len(panels), 1, squeeze=False, layout="constrained",
+                                figsize=(8.2, 0.9 + 2.7 * len(panels)))
+    for (ax,), ((variable, body), rows) in zip(axes, panels.items()):
+        draw_steps(ax, sorted(rows), variable, body)
+    pictures.save(figure, "design", "design along the beam")
+
+
+def draw_steps(ax, rows, variable, body):
+    """Initial and final value over the length, as steps, with the bounds."""
+    edges = [row[0] for row in rows] + [rows[-1][1]]
+    factor, unit = scale_of([row[k] for row in rows for k in (2, 3)], rows[0][6])
+    column = lambda k: scaled([row[k] for row in rows], factor)
+    lower, upper = column(4), column(5)
+    ax.stairs(column(3), edges, baseline=0, fill=True, color=BLUE, alpha=0.15)
+    ax.stairs(column(2), edges, baseline=None, color=ORANGE, linewidth=1.8, label="initial")
+    ax.stairs(column(3), edges, baseline=None, color=BLUE, linewidth=2.2, label="final")
+    ax.stairs(lower, edges, baseline=None, label="bounds", **LIMIT)
+    top = max(column(2) + column(3))
+    if max(upper) < 2 * top:  # else it would squeeze the rest
+        ax.stairs(upper, edges, baseline=None, **LIMIT)
+        top = max(top, max(upper))
+    else:
+        ax.text(0.995, 0.985, f"upper bound {max(upper):g} {unit}", transform=ax.transAxes,
+                ha="right", va="top", fontsize=8, color=GREY)
+    ax.set_ylim(0, 1.12 * top)
+    ax.set_ylabel(label(variable, unit))
+    ax.set_xlabel(f"along {body} [m]")
+    legend(ax)
+
+
+# --- the mechanism -------------------------------------------------------------------------------
+
+
+def read_frames(path):
+    """[(time, {body: (kind, [(x, y, z), ...])})] in order of time, and the abscissa's label."""
+    frames = Table(path)
+    instants = {}
+    for time, body, kind, node, *x in frames.rows:
+        bodies = instants.setdefault(float(time), {})
+        bodies.setdefault(body, (kind, {}))[1][int(node)] = tuple(map(float, x[:3]))
+    ordered = [(t, {b: (kind, [nodes[k] for k in sorted(nodes)])
+                    for b, (kind, nodes) in bodies.items()})
+               for t, bodies in instants.items()]
+    return ordered, label(frames.names[0], frames.units[0])
+
+
+def draw_mechanism(folder, pictures, _summary):
+    if not (folder / "frames.csv").exists():
+        return
+    instants, time_label = read_frames(folder / "frames.csv")
+    if not instants:
+        return
+    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
+    flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
+    axes = [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
+    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
+    ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
+    times = [t for t, _ in instants]
+    norm = matplotlib.colors.Normalize(min(times), max(times) if len(times) > 1 else times[0] + 1)
+    # The light end of the map would vanish on white.
+    colours = matplotlib.colors.LinearSegmentedColormap.from_list(
+        "time", plt.get_cmap("viridis_r")([0.12 + 0.88 * i / 20 for i in range(21)]))
+    for number, (time, bodies) in enumerate(instants):
+        last = number == len(instants) - 1
+        for kind, nodes in bodies.values():
+            columns = [[x[k] for x in nodes] for k in axes]
+            ax.plot(*columns, color=colours(norm(time)), linewidth=2.4 if last else 1.3,
+                    marker="s" if len(nodes) == 1 else None, markersize=7 if last else 4,
+                    solid_capstyle="round", zorder=3 if last else 2)
+    frame_axes(ax, axes, points)
+    if len(times) > 1:
+        figure.colorbar(matplotlib.cm.ScalarMappable(norm, colours), ax=ax, label=time_label,
+                        shrink=0.8, pad=0.1 if len(axes) == 3 else 0.02)
+    pictures.save(figure, "mechanism", f"mechanism at {len(times)} instants" if len(times) > 1
+                  else "mechanism")
+
+
+def frame_axes(ax, axes, points):
+    """Labels, and the same scale in all directions."""
+    for k, name in zip(axes, "xyz"):
+        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]")
+    if len(axes) == 2:
+        ax.set_aspect("equal", adjustable="datalim")
+        return
+    spans = [max(max(p[k] for p in points) - min(p[k] for p in points), 1e-9) for k in range(3)]
+    box = [max(span, 0.2 * max(spans)) for span in spans]
+    for k, name in enumerate("xyz"):
+        middle = (max(p[k] for p in points) + min(p[k] for p in points)) / 2
+        getattr(ax, f"set_{name}lim")(middle - 0.52 * box[k], middle + 0.52 * box[k])
+        getattr(ax, f"{name}axis").set_major_locator(MaxNLocator(5 if box[k] > 0.4 * max(box) else 3))
+    ax.set_box_aspect(box, zoom=0.9)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("folder", type=Path, metavar="DIR")
+    parser.add_argument("--to", type=Path, metavar="DIR", help="default: DIR/plots")
+    arguments = parser.parse_args()
+    plt.rcParams.update(STYLE)
+    try:
+        if not (arguments.folder / "summary.json").exists():
+            raise NothingToDraw(f"{arguments.folder} holds no result of liesl (no summary.json)")
+        summary = json.loads((arguments.folder / "summary.json").read_text(encoding="utf-8"))
+        pictures = Pictures(arguments.to or arguments.folder / "plots", summary.get("name", ""))
+        for draw in (draw_history, draw_before_after, draw_design, draw_responses, draw_energies,
+                     draw_mechanism):
+            draw(arguments.folder, pictures, summary)
+        if not pictures.paths:
+            raise NothingToDraw(f"{arguments.folder} has no table to draw")
+    except (NothingToDraw, OSError, ValueError, KeyError) as error:
+        print(f"plot: {type(error).__name__ + ': ' if isinstance(error, KeyError) else ''}{error}",
+              file=sys.stderr)
+        return 1
+    for path in pictures.paths:
+        print(path)
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -46,8 +46,9 @@ class Beam final : public Body<G> {
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override {
     // Three nodes in flight: row k of M needs the accelerations of nodes k - 1, k, k + 1.
-    Tangent before = Tangent::Zero(), here = apparent_acceleration<G>(s, 0, gravity), after;
+    Tangent before = Tangent::Zero(), here = apparent_acceleration<G>(s, 0, gravity), after = here;
     Pair gyroscopic;
+    const bool heavy = gravity.squaredNorm() > 0;
     const int n = this->nodes();
     for (int k = 0; k < n; ++k) {
       Tangent f = this->M_.D[k].lazyProduct(here);
@@ -57,6 +58,7 @@ class Beam final : public Body<G> {
         f += this->M_.U[k].lazyProduct(after);
         gyroscopic.setZero();
         elements_[k].add_gyroscopic(s.v + dim * k, gyroscopic);
+        if (heavy) elements_[k].add_weight_curvature(s.H[k], s.H[k + 1], gravity, gyroscopic);
         Eigen::Map<Pair>(r + dim * k) += gyroscopic;
       }
       Eigen::Map<Tangent>(r + dim * k) += f;
@@ -99,6 +101,16 @@ class Beam final : public Body<G> {
   }
   Tangent section_force(const BodyState<G>& s, int e) const override {
     return elements_[e].section_stiffness() * strain(s, e);
+  }
+
+  void extrapolate_stress(const BodyState<G>& s, const double* delta,
+                          Tangent* stress) const override {
+    for (int e = 0; e < elements(); ++e) {
+      const Element& element = elements_[e];
+      const Tangent d = G::log(s.H[e].inverse() * s.H[e + 1]);
+      const Tangent change = Element::P(d) * Eigen::Map<const Pair>(delta + dim * e);
+      stress[e] = element.section_stiffness() * (d - element.d0() + change) / element.length();
+    }
   }
 
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override {

@@ -24,6 +24,8 @@ class BeamElement {
   using Pair = Eigen::Matrix<double, 2 * dim, 1>;
   using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
   using Gradient = Eigen::Matrix<double, dim, 2 * dim>;
+  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
+  using Rotation = Eigen::Matrix<double, G::space_dim, G::space_dim>;
 
   /// @param K section stiffness, @param M_s section inertia per length, @param length L in m:
   /// arc length of the reference curve between the nodes
@@ -33,7 +35,11 @@ class BeamElement {
     for (int i = 0; i < 2; ++i) {
       Q_[i] = Q(d0_, points[i]);
       weight_[i] = L_ * weights[i];
+      bubble_ += 0.5 * points[i] * (1 - points[i]) * weight_[i] * Q_[i].transpose() *
+                 M_s_.template leftCols<G::space_dim>();
     }
+    const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
+    W0_squared_ = W * W;
   }
 
   double length() const { return L_; }
@@ -109,6 +115,16 @@ class BeamElement {
   }
   PairMatrix mass() const { return integral(M_s_); }
 
+  /// g += what the mass matrix misses of the weight when the element turns by more than at
+  /// reference. M [R_A^T a; R_B^T a] takes R(s)^T a as linear in s; to second order in the rotation
+  /// vector w it is linear - s(1 - s)/2 w x (w x R_mid^T a).
+  /// @param a gravity, inertial axes, m/s^2
+  void add_weight_curvature(const G& A, const G& B, const Vector& a, Pair& g) const {
+    const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
+    const Vector mean = 0.5 * (A.R.transpose() * a + B.R.transpose() * a);
+    g.noalias() += bubble_ * Vector(W * (W * mean) - W0_squared_ * mean);
+  }
+
   /// g += L int Q^T (-v^T M_s v) ds, two-point Gauss; does no work: v . g = 0.
   void add_gyroscopic(const double* v, Pair& g) const {
     const Eigen::Map<const Pair> V(v);
@@ -152,6 +168,9 @@ class BeamElement {
   Matrix K_, M_s_;
   std::array<Gradient, 2> Q_;
   std::array<double, 2> weight_;
+  /// L int Q^T M_s [I; 0] s(1 - s)/2 ds
+  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ = Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
+  Rotation W0_squared_;
 };
 
 }  // namespace liesl

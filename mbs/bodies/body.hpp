@@ -86,6 +86,10 @@ class Body {
   /// Strain and section forces of element e.
   virtual Tangent strain(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
   virtual Tangent section_force(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
+  /// stress[e] = section force + its first-order change by the nodal increments `delta` (dim a
+  /// node), one an element: n = K (eps + P(d) delta / L).
+  virtual void extrapolate_stress(const BodyState<G>&, const double* /*delta*/,
+                                  Tangent* /*stress*/) const {}
   virtual BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const = 0;
 
   /// Kilograms, and the largest axial stiffness EA/L of an element in N/m (0 = rigid): round-off

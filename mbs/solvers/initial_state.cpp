@@ -101,26 +101,34 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
 }  // namespace
 
 template <FrameGroup G>
-InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s) {
+InitialState assemble(Model<G>& model, double step, State<G>& s) {
   InitialState out;
-  Equations<G> eq(model);
-  eq.observe(s, s.q, s.q);
+  {
+    const Equations<G> eq(model);
+    eq.observe(s, s.q, s.q);
+  }
   remove_redundant_constraints(model, s, out.redundant);
   s.lambda.setZero(model.constraints());
-  if (!assemble_positions(model, options.step, s, out)) return out;
-  {
-    Equations<G> sorted(model);
-    sorted.observe(s, s.q, s.q);
-  }
+  if (!assemble_positions(model, step, s, out)) return out;
+  const Equations<G> sorted(model);  // the rows may have been numbered again
+  sorted.observe(s, s.q, s.q);
   if (const auto why = contradiction(model, s); !why.empty()) {
     out.status = SolveStatus::Inconsistent;
     out.reason = why;
-    return out;
   }
+  return out;
+}
+
+template <FrameGroup G>
+InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s) {
+  InitialState out = assemble(model, options.step, s);
+  if (out.status != SolveStatus::Converged) return out;
   if (project_velocities(model, options.duration, s, out)) solve_accelerations(model, s, out);
   return out;
 }
 
+template InitialState assemble(Model<SE2>&, double, State<SE2>&);
+template InitialState assemble(Model<SE3>&, double, State<SE3>&);
 template InitialState make_consistent(Model<SE2>&, const SimulationOptions&, State<SE2>&);
 template InitialState make_consistent(Model<SE3>&, const SimulationOptions&, State<SE3>&);
 

@@ -15,7 +15,9 @@ namespace liesl {
 struct DesignSpec {
   std::string name;
   std::vector<int> bodies;    ///< linked: the same values in each
-  std::string property;       ///< dimension of the section: "diameter", "thickness", ...
+  /// Dimensions of the section that take the value: {"diameter"}, or several that are linked, as
+  /// {"width", "height"} of a square box.
+  std::vector<std::string> properties;
   int groups = 1;             ///< >= 1, divides into the elements as evenly as possible
   double lower = 0, upper = 0;  ///< m
   std::vector<double> start;  ///< empty = as in the scene; else one value or one a group

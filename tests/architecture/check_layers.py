@@ -28,7 +28,7 @@ LAYERS = [
     ("mbs/output",),
     ("esl",),
     ("optim/nlp",),
-    ("optim/drivers", "optim/design"),
+    ("optim/design",),
     ("optim/responses",),
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
@@ -39,8 +39,8 @@ LAYERS = [
 # Headers of a package, and the folders that may include them.
 SEAMS = {
     r"(cholmod|klu|umfpack|amd|colamd|btf)\.h": ["mbs/linalg"],
-    r"(coin/)?Ip\w+\.h(pp)?": ["optim/drivers"],
-    r"nlopt\.h(pp)?": ["optim/drivers"],
+    r"(coin/)?Ip\w+\.h(pp)?": ["optim/nlp"],
+    r"nlopt\.h(pp)?": ["optim/nlp"],
     r"muParser.*\.h": ["mbs/model"],
     r"hdf5.*\.h": ["apps/output"],
     r"openssl/.*": ["apps/output"],

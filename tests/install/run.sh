@@ -12,7 +12,7 @@ if grep -rlF -e "$source/" -e "$build/" "$place/prefix" --include='*.cmake' --in
   echo "the files above name the source or the build tree"
   exit 1
 fi
-cmake -S "$source/tests/install" -B "$place/build" -DCMAKE_PREFIX_PATH="$place/prefix" \
+cmake -G Ninja -S "$source/tests/install" -B "$place/build" -DCMAKE_PREFIX_PATH="$place/prefix" \
   -DCMAKE_BUILD_TYPE=Release
 cmake --build "$place/build"
 "$place/build/user"

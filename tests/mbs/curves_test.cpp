@@ -218,7 +218,8 @@ TEST(Spline, InAPlaneKeepsTheNormal) {
 }
 
 /// Frames of minimal twist on a helix of radius r and pitch 2 pi c turn against the Frenet frame by
-/// the integral of the torsion, c/(r^2 + c^2) an arc length. Order 3, that of the tangent at the ends.
+/// the integral of the torsion, c/(r^2 + c^2) an arc length. Order 3, that of the tangent at the
+/// ends.
 TEST(Spline, ConvergesToTheMinimalTwistOfAHelix) {
   const double r = 1, c = 0.4, turns = 1, torsion = c / (r * r + c * c);
   const double length = 2 * pi * turns * std::hypot(r, c);

@@ -1,0 +1,16 @@
+#pragma once
+/// @file
+/// All files of one simulation at once.
+
+#include <filesystem>
+
+#include "apps/output/results.hpp"
+
+namespace liesl::output {
+
+/// Writes results.h5, results.xdmf, responses.csv, energies.csv, joints.csv and frames.csv into an
+/// existing folder, usually `AtomicFolder::path()`. Tables without columns are left out.
+/// @throws IoError, std::invalid_argument (shapes)
+void write_results(const std::filesystem::path& folder, const Results& results);
+
+}  // namespace liesl::output

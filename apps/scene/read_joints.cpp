@@ -1,0 +1,118 @@
+/// @file
+/// Joints and the drives on them.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "apps/scene/read_functions.hpp"
+#include "apps/scene/reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+constexpr std::array kTypes = {JointType::Fixed,       JointType::Revolute,  JointType::Prismatic,
+                               JointType::Cylindrical, JointType::Spherical, JointType::Universal,
+                               JointType::Planar};
+
+bool same_place(const Port& a, const Port& b) {
+  return a.body == b.body && a.node == b.node && (a.offset.x - b.offset.x).norm() == 0;
+}
+
+TimeFunction motion_of(Reader& reader, const toml::table& drive) {
+  if (const toml::node* expression = drive.get("expression"))
+    return read_expression(reader, *expression);
+  if (const toml::node* table = drive.get("table"))
+    return read_table(reader, *table, text(drive, "interpolation"));
+  return TimeFunction::rate(number(drive, "rate"), number(drive, "ramp"));
+}
+
+void read_drive(Reader& reader, const toml::table& table, int joint) {
+  const auto& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(joint)];
+  DriveSpec drive{joint, integer(table, "coordinate"), motion_of(reader, table)};
+  const toml::node* chosen = table.get("coordinate");
+  const toml::node& at = chosen && written(*chosen) ? *chosen : table;
+  const int count = coordinates(spec.type);
+  if (drive.coordinate >= count)
+    reader.problems.add(at,
+                        fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
+                                    spec.name, drive.coordinate),
+                        "a joint coordinate",
+                        count == 0 ? "drive a revolute, prismatic or other joint with coordinates"
+                                   : fmt::format("coordinates are 0 to {}", count - 1));
+  auto& drives = reader.scene.mechanism.drives;
+  for (const DriveSpec& other : drives)
+    if (other.joint == joint && other.coordinate == drive.coordinate)
+      reader.problems.add(
+          at, fmt::format("two drives on coordinate {} of joint '{}'", drive.coordinate, spec.name),
+          "one drive a coordinate");
+  drives.push_back(std::move(drive));
+}
+
+void read_drives(Reader& reader, const toml::table& table, int joint) {
+  const toml::node* node = table.get("drive");
+  if (!node) return;
+  if (const toml::table* one = node->as_table()) return read_drive(reader, *one, joint);
+  for (const toml::node& item : *node->as_array()) read_drive(reader, *item.as_table(), joint);
+}
+
+void read_axes(Reader& reader, const toml::table& table, JointSpec& joint) {
+  if (joint.type == JointType::Fixed || joint.type == JointType::Spherical) return;
+  joint.axis = direction(reader, table, "axis");
+  if (joint.type != JointType::Universal) return;
+  joint.axis2 = direction(reader, table, "axis2");
+  const double cosine = joint.axis.dot(joint.axis2);
+  if (std::abs(cosine) > 1e-6)
+    reader.problems.add(
+        *table.get("axis2"),
+        fmt::format("the axes of universal joint '{}' are at {:.4g} degrees", joint.name,
+                    std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI),
+        "axes at right angles");
+  joint.axis2 = (joint.axis2 - cosine * joint.axis).normalized();
+}
+
+/// The ground's side of a joint is where the body's side is.
+void place_ground(const Mechanism& mechanism, JointSpec& joint) {
+  if (joint.a.body < 0) joint.a.offset = SE3(Mat3::Identity(), mechanism.frame(joint.b).x);
+  if (joint.b.body < 0) joint.b.offset = SE3(Mat3::Identity(), mechanism.frame(joint.a).x);
+}
+
+void read_joint(Reader& reader, const Entry& entry) {
+  JointSpec joint;
+  joint.name = entry.name;
+  const toml::array* pair = nullptr;
+  for (const JointType type : kTypes)
+    if (const toml::node* node = entry.table->get(name_of(type))) {
+      joint.type = type;
+      pair = node->as_array();
+    }
+  read_axes(reader, *entry.table, joint);
+  const auto a = reader.port((*pair)[0]), b = reader.port((*pair)[1]);
+  if (a && b) {
+    joint.a = *a;
+    joint.b = *b;
+    if (a->body < 0 && b->body < 0)
+      reader.problems.add(*pair, fmt::format("joint '{}' joins the ground to itself", joint.name),
+                          "a body on at least one side");
+    else if (same_place(*a, *b))
+      reader.problems.add(*pair, fmt::format("joint '{}' joins a port to itself", joint.name),
+                          "two different ports");
+    else {
+      place_ground(reader.scene.mechanism, joint);
+      check_gap(reader, *pair, joint);
+    }
+  }
+  reader.scene.mechanism.joints.push_back(std::move(joint));
+  read_drives(reader, *entry.table, static_cast<int>(reader.scene.mechanism.joints.size()) - 1);
+}
+
+}  // namespace
+
+void read_joints(Reader& reader) {
+  for (const Entry& entry : entries(reader, "joints")) read_joint(reader, entry);
+}
+
+}  // namespace liesl

@@ -1,0 +1,144 @@
+/// @file
+/// Responses: quantities that a scene names and a study limits.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/scene/reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+/// Place on a beam by node, "start", "mid", "node3", "end", or "max".
+bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const toml::node& node = *table.get("at");
+  const auto place = node.value_or(std::string());
+  response.everywhere = place == "max";
+  if (response.everywhere) return true;
+  const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
+  const int n = static_cast<int>(std::get<BeamSpec>(body.kind).sections.size());
+  const toml::node& said = written(node) ? node : static_cast<const toml::node&>(table);
+  const auto port = reader.scene.mechanism.port(body.name + "." + place);
+  if (port && port->body == response.body) {
+    response.s = static_cast<double>(port->node) / n;
+    return true;
+  }
+  if (place == "mid") {
+    reader.problems.add(
+        said, fmt::format("beam '{}' has no node 'mid': it has {} elements", body.name, n),
+        "an even number of elements", "or at = \"max\" for the largest over all nodes");
+    return false;
+  }
+  std::vector<std::string> places{"start", "mid", "end", "max"};
+  for (int k = 0; k <= n; ++k) places.push_back(fmt::format("node{}", k));
+  reader.problems.add(said, fmt::format("beam '{}' has no node '{}'", body.name, place),
+                      fmt::format("start, mid, node0 to node{}, end or max", n),
+                      suggestion(place, places));
+  return false;
+}
+
+bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const toml::node& at = *table.get("at");
+  const auto port = reader.port(at);
+  if (table.contains("axis")) response.axis = direction(reader, table, "axis");
+  if (!port) return false;
+  response.at = *port;
+  if (port->body < 0) {
+    reader.problems.add(at, fmt::format("response '{}' is of the ground", response.name),
+                        "a port of a body");
+    return false;
+  }
+  return true;
+}
+
+bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const auto beam = reader.beam(*table.get("of"));
+  if (!beam) return false;
+  response.body = *beam;
+  const auto& spec =
+      std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
+  const int n = static_cast<int>(spec.sections.size());
+  if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
+  if (response.kind == ResponseKind::Stress) {
+    const bool full = std::any_of(spec.sections.begin(), spec.sections.end(), [](const Section& s) {
+      return std::holds_alternative<FullSection>(s.shape);
+    });
+    if (full)
+      reader.problems.add(*table.get("of"), "'full' sections have no stresses",
+                          "a beam whose sections have a shape");
+    return !full;
+  }
+  if (response.kind != ResponseKind::SectionForce) return true;
+  const auto names = words("N Vy Vz Mx My Mz");
+  response.component = static_cast<int>(
+      std::find(names.begin(), names.end(), text(table, "component")) - names.begin());
+  response.element = integer(table, "element");
+  if (response.element < n) return true;
+  reader.problems.add(*table.get("element"),
+                      fmt::format("there is no element {}", response.element),
+                      fmt::format("0 to {}", n - 1), "elements count from 0");
+  return false;
+}
+
+bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const auto joint = reader.joint(*table.get("of"));
+  if (!joint) return false;
+  response.joint = *joint;
+  if (response.kind == ResponseKind::JointForce) return true;
+  response.coordinate = integer(table, "coordinate");
+  const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
+  const int count = coordinates(spec.type);
+  if (response.coordinate < count) return true;
+  const toml::node& given = *table.get("coordinate");
+  reader.problems.add(written(given) ? given : static_cast<const toml::node&>(table),
+                      fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
+                                  spec.name, response.coordinate),
+                      "a joint coordinate",
+                      count == 0 ? "" : fmt::format("coordinates are 0 to {}", count - 1));
+  return false;
+}
+
+}  // namespace
+
+std::optional<ResponseSpec> read_response(Reader& reader, const std::string& name,
+                                          const toml::table& table) {
+  // In the order of ResponseKind.
+  static const auto kinds = words(
+      "position velocity angular_velocity displacement deflection elongation coordinate "
+      "joint_force section_force stress energy");
+  ResponseSpec response;
+  response.name = name;
+  const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));
+  response.kind = static_cast<ResponseKind>(found - kinds.begin());
+  bool ok = true;
+  switch (response.kind) {
+    case ResponseKind::Position:
+    case ResponseKind::Velocity:
+    case ResponseKind::AngularVelocity:
+    case ResponseKind::Displacement:
+      ok = read_port_response(reader, table, response);
+      break;
+    case ResponseKind::Deflection:
+    case ResponseKind::Elongation:
+    case ResponseKind::SectionForce:
+    case ResponseKind::Stress:
+      ok = read_beam_response(reader, table, response);
+      break;
+    case ResponseKind::Coordinate:
+    case ResponseKind::JointForce:
+      ok = read_joint_response(reader, table, response);
+      break;
+    case ResponseKind::Energy:
+      break;
+  }
+  return ok ? std::optional(response) : std::nullopt;
+}
+
+void read_responses(Reader& reader) {
+  for (const Entry& entry : entries(reader, "responses"))
+    if (auto response = read_response(reader, entry.name, *entry.table))
+      reader.scene.responses.push_back(std::move(*response));
+}
+
+}  // namespace liesl

@@ -1,0 +1,101 @@
+#pragma once
+/// @file
+/// What the readers of the parts of a scene share. They run on validated tables: types are right,
+/// defaults are in, entries with problems are skipped (`broken`).
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/scene/problem.hpp"
+#include "apps/scene/scene.hpp"
+#include "apps/scene/validate.hpp"
+
+namespace liesl {
+
+/// State of reading one scene.
+struct Reader {
+  toml::table& root;
+  const Broken& broken;
+  Problems& problems;
+  Scene& scene;
+  std::map<std::string, Section> sections;
+  std::map<std::string, Material> materials;
+
+  /// Names in a top-level table, in the order of the file.
+  std::vector<std::string> names(std::string_view group) const;
+  /// Does a top-level table have this entry? If not, says so at `at` ("no body 'rdo'").
+  bool known(const toml::node& at, std::string_view group, std::string_view kind,
+             const std::string& name);
+
+  /// Index of a body named by a string; empty (and said) if there is none.
+  std::optional<int> body(const toml::node& name);
+  /// The same for a beam.
+  std::optional<int> beam(const toml::node& name);
+  std::optional<int> joint(const toml::node& name);
+  std::optional<int> joint(const toml::node& at, const std::string& name);
+  /// A joint and its coordinate, "joint" or "joint.1".
+  struct Coordinate {
+    int joint = 0;
+    int coordinate = 0;
+  };
+  std::optional<Coordinate> coordinate(const toml::node& text);
+  std::optional<Port> port(const toml::node& text);
+};
+
+/// Number of coordinates of a joint type that drives, springs and responses may use.
+int coordinates(JointType type);
+std::string_view name_of(JointType type);
+
+/// Entries of a table in the order of the file.
+struct Entry {
+  std::string name;
+  const toml::key* key;
+  toml::table* table;
+};
+/// Unbroken entries of a top-level table.
+std::vector<Entry> entries(toml::table& root, const Broken& broken, std::string_view group);
+std::vector<Entry> entries(const Reader& reader, std::string_view group);
+
+// Values of validated tables; zero or empty if missing.
+std::string text(const toml::table& table, std::string_view key);
+double number(const toml::table& table, std::string_view key);
+int integer(const toml::table& table, std::string_view key);
+bool boolean(const toml::table& table, std::string_view key);
+Vec3 vec3(const toml::node& list);
+Vec3 vec3(const toml::table& table, std::string_view key);
+std::vector<double> numbers(const toml::node& list);
+/// Nodes of a string or a list of strings.
+std::vector<const toml::node*> strings(const toml::table& table, std::string_view key);
+/// n x n from rows or a diagonal (n = 3 also [xx, yy, zz, xy, xz, yz]).
+Eigen::MatrixXd matrix(const toml::node& list, int n);
+
+/// Direction of unit length; says if it has none.
+Vec3 direction(Reader& reader, const toml::table& table, std::string_view key);
+
+/// Number, expression or table.
+TimeFunction read_function(Reader& reader, const toml::node& node);
+
+/// All parts of a scene.
+void read_parts(Reader& reader);
+
+// Parts of a scene, in this order.
+void read_simulation(Reader& reader);
+void read_matter(Reader& reader);
+void read_bodies(Reader& reader);
+void check_names(Reader& reader);
+void read_joints(Reader& reader);
+void read_forces(Reader& reader);
+void read_loads(Reader& reader);
+void read_responses(Reader& reader);
+/// One response from its table; empty (and said) if something is wrong with it.
+std::optional<ResponseSpec> read_response(Reader& reader, const std::string& name,
+                                          const toml::table& table);
+/// Are the ends of a joint where they belong? Gaps up to a thousandth of the mechanism are left to
+/// the assembly of the initial state.
+void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint);
+/// A simulation of something that nothing moves is refused.
+void check_movers(Reader& reader);
+
+}  // namespace liesl

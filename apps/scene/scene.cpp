@@ -1,0 +1,134 @@
+#include "apps/scene/scene.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "apps/scene/reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+/// Diagonal of the box around all nodes and points, m.
+double size_of(const Mechanism& mechanism) {
+  Eigen::AlignedBox3d box;
+  for (const BodySpec& body : mechanism.bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+      for (const SE3& H : beam->nodes) box.extend(H.x);
+    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+      box.extend(rigid->frame.x);
+      for (const auto& [name, point] : rigid->points) box.extend(point);
+    }
+  }
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
+
+/// Part of the distance of two ports that the joint does not allow.
+Vec3 gap_of(const Mechanism& mechanism, const JointSpec& joint) {
+  const Vec3 d = mechanism.frame(joint.b).x - mechanism.frame(joint.a).x;
+  const Vec3 along = joint.axis * joint.axis.dot(d);
+  if (joint.type == JointType::Prismatic || joint.type == JointType::Cylindrical) return d - along;
+  return joint.type == JointType::Planar ? along : d;
+}
+
+bool has_velocity(const BodySpec& body) {
+  return body.velocity.norm() > 0 || body.angular_velocity.norm() > 0;
+}
+
+bool given(const Reader& reader, const char* group) {
+  const toml::table* table = reader.root[group].as_table();
+  return table && !table->empty();
+}
+
+/// A table of the file, or the file itself if the table is not written there.
+const toml::node& table_or_file(const Reader& reader, const char* name) {
+  const toml::node* table = reader.root.get(name);
+  return table && written(*table) ? *table : reader.root;
+}
+
+}  // namespace
+
+void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
+  const double gap = gap_of(reader.scene.mechanism, joint).norm();
+  if (gap <= 1e-3 * size_of(reader.scene.mechanism)) return;
+  reader.problems.add(at, fmt::format("the ends of joint '{}' are {:.4g} m apart", joint.name, gap),
+                      "ports at the same place",
+                      "check the positions of the bodies and the names of the ports");
+}
+
+void check_movers(Reader& reader) {
+  const Mechanism& m = reader.scene.mechanism;
+  const SimulationType type = reader.scene.simulation.type;
+  if (type == SimulationType::Modes) return;
+  for (const char* group : {"bodies", "joints", "simulation"})
+    if (reader.broken.contains(group)) return;  // what is refused may be what moves it
+  const bool dynamic = type == SimulationType::Dynamic;
+  const bool started = dynamic && std::any_of(m.bodies.begin(), m.bodies.end(), has_velocity);
+  if (m.gravity.norm() > 0 || given(reader, "loads") || given(reader, "forces") ||
+      !m.drives.empty() || started)
+    return;
+  const toml::node& at = table_or_file(reader, "simulation");
+  if (dynamic)
+    reader.problems.add(at, "the scene has no way to move: nothing drives, loads or pushes it",
+                        "gravity, a drive, a load, a force or an initial velocity",
+                        "as in gravity = [0, -9.81, 0]");
+  else
+    reader.problems.add(at, "the scene has no load", "gravity, a drive, a load or a force",
+                        "as in [loads] tip = { at = \"beam.end\", force = [0, -1, 0] }");
+}
+
+FileKind kind_of(const toml::table& root) {
+  for (const char* key : {"scene", "design", "objective", "constraints", "cycle"})
+    if (root.contains(key) && !root.contains("bodies")) return FileKind::Study;
+  return FileKind::Scene;
+}
+
+void read_parts(Reader& reader) {
+  reader.scene.mechanism.name = text(reader.root, "name");
+  reader.scene.mechanism.gravity = vec3(reader.root, "gravity");
+  read_simulation(reader);
+  read_matter(reader);
+  read_bodies(reader);
+  check_names(reader);
+  read_joints(reader);
+  read_forces(reader);
+  read_loads(reader);
+  read_responses(reader);
+  check_movers(reader);
+}
+
+namespace {
+
+Scene read_document(Document document, const std::vector<std::string>& overrides) {
+  Problems problems(document.file);
+  if (kind_of(document.root) == FileKind::Study) {
+    problems.add(document.root, "this is a study, not a scene", "a scene, with [bodies]",
+                 "give its scene, or use a command for studies");
+    problems.throw_if_any();
+  }
+  apply_overrides(document.root, FileKind::Scene, overrides, problems);
+  const Broken broken = validate(document.root, FileKind::Scene, problems);
+  Scene scene;
+  scene.file = document.file;
+  scene.input = document.text;
+  for (const std::string& text : overrides) scene.input += "\n--set " + text;
+  Reader reader{document.root, broken, problems, scene, {}, {}};
+  read_parts(reader);
+  problems.throw_if_any();
+  return scene;
+}
+
+}  // namespace
+
+Scene load_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+  return read_document(load_document(path), overrides);
+}
+
+Scene read_scene(const std::string& text, const std::string& file,
+                 const std::vector<std::string>& overrides) {
+  return read_document(parse_document(text, file), overrides);
+}
+
+}  // namespace liesl

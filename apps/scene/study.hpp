@@ -1,0 +1,30 @@
+#pragma once
+/// @file
+/// Studies: a scene and what to vary, to keep and to minimise.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/scene/scene.hpp"
+#include "optim/cycle/study.hpp"
+
+namespace liesl {
+
+struct Study {
+  Scene scene;
+  StudySpec spec;
+  std::string file;
+  std::string input;  ///< text of study and scene and the overrides, for the input's hash
+};
+
+/// Reads a study and its scene, with changes "key.path=value" to either (see split_overrides).
+/// @throws InputError with every problem of both files
+Study load_study(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same from text. The scene is looked for relative to `folder`.
+Study read_study(const std::string& text, const std::string& file,
+                 const std::filesystem::path& folder,
+                 const std::vector<std::string>& overrides = {});
+
+}  // namespace liesl

@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// Equivalent static loads of a part: its internal force at every instant of the motion, in the
+/// nodal local frames (Lie group formalism, thesis eq. 3.22).
+
+#include "mbs/bodies/beam.hpp"
+#include "mbs/solvers/trajectory.hpp"
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+struct LoadSet {
+  int body = 0;
+  std::vector<double> t;  ///< s, one a load case
+  Eigen::MatrixXd f;      ///< dim * nodes x load cases; [N; N m] a node
+};
+
+/// f_n = g_int(H_n) of one body at every record. Elastic part only: damping does no static work.
+template <FrameGroup G>
+LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body);
+
+/// sum_n |f_n - g_n| / sum_n |g_n| over all parts (thesis eq. 3.25); moments are divided by
+/// `length`. The sets must have the same bodies and instants.
+/// @throws std::invalid_argument if they do not
+double load_change(const std::vector<LoadSet>& f, const std::vector<LoadSet>& before, int dim,
+                   int space_dim, double length);
+
+/// How well the static problem of a part gives back its dynamic deformation: largest difference of
+/// strain over the largest strain, over the load cases tried.
+struct Identity {
+  double nonlinear = 0;  ///< g_int(H_stat) = f_n solved in full: round-off
+  double linear = 0;     ///< K_t u = f_n: first order in strain
+  int cases = 0;         ///< tried
+};
+
+/// Solves the isolated part, held at its first node, under `cases` of its loads spread over time,
+/// the largest among them, and compares strains (which no rigid motion changes) with the motion's.
+template <FrameGroup G>
+Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, const LoadSet& loads,
+                        int cases = 8);
+
+extern template LoadSet extract_loads(const Model<SE2>&, const Trajectory<SE2>&, int);
+extern template LoadSet extract_loads(const Model<SE3>&, const Trajectory<SE3>&, int);
+extern template Identity check_identity(const Model<SE2>&, const Trajectory<SE2>&, const LoadSet&, int);
+extern template Identity check_identity(const Model<SE3>&, const Trajectory<SE3>&, const LoadSet&, int);
+
+}  // namespace liesl

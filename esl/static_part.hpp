@@ -1,0 +1,86 @@
+#pragma once
+/// @file
+/// The static problem of one isolated part, K(p) u = f, for many load cases and many linear
+/// outputs y = C^T u: one factorisation a design, gradients of all outputs in all cases from one
+/// more solution an output (thesis eq. 3.23-3.24).
+
+#include <string>
+#include <vector>
+
+#include "mbs/bodies/beam.hpp"
+#include "mbs/model/mechanism.hpp"
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+/// What holds the part while its rigid motions are out of the way.
+struct HeldPart {
+  std::vector<int> fixed;       ///< increments held at zero, dim of them
+  bool inertia_relief = false;  ///< loads are balanced by rigid accelerations first
+};
+
+/// Reads {"start"}, {"node3:xyz,rx", "end:yz"} or {"inertia_relief"} for a beam body; x, y, z, rx,
+/// ry, rz are local axes of the node.
+/// @throws std::invalid_argument: no such node, letters, or not exactly as many as rigid motions
+template <FrameGroup G>
+HeldPart read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
+                      const Model<G>& model, int body);
+
+template <FrameGroup G>
+class StaticPart {
+ public:
+  static constexpr int dim = G::dim;
+  using Matrix = typename G::Matrix;
+  using Law = std::vector<Matrix, Eigen::aligned_allocator<Matrix>>;  ///< one an element
+  using Strain = Eigen::Matrix<double, dim, Eigen::Dynamic>;          ///< of one element, by case
+
+  /// @param outputs C, size of the body x m: gradients of the outputs at the reference shape
+  StaticPart(const Beam<G>& beam, HeldPart held, Eigen::MatrixXd outputs);
+
+  /// Loads of the cases [size x n] from here on; balanced if the part has inertia relief.
+  void set_loads(const Eigen::MatrixXd& f);
+  /// Section stiffnesses K_s of the elements. Factors, solves all cases and all outputs.
+  /// @returns false if K is singular
+  bool solve(const Law& K_s);
+
+  int cases() const { return static_cast<int>(f_.cols()); }
+  int outputs() const { return static_cast<int>(C_.cols()); }
+  const Eigen::MatrixXd& u() const { return u_; }  ///< size x cases
+  const Eigen::MatrixXd& y() const { return y_; }  ///< outputs x cases
+  double length(int element) const { return length_[element]; }
+
+  /// dy += -(1/L) (P0 mu)^T dK_s (P0 u) for one element whose section changes by dK_s:
+  /// outputs x cases.
+  void add_gradient(int element, const Matrix& dK_s, Eigen::MatrixXd& dy) const;
+
+  /// Same for one weighted sum: sum_{o,n} w(o, n) d2y(o, n)/dx_i dx_j, all pairs of variables, from
+  /// d2y = mu^T (K_i K^-1 K_j + K_j K^-1 K_i - K_ij) u. `dK[i]`: derivative by element (empty
+  /// matrix list = variable does not touch this part); `d2K(i, j)` by element.
+  using Second = std::vector<std::vector<Law>>;
+  void add_second(const std::vector<Law>& dK, const Second& d2K, const Eigen::MatrixXd& w,
+                  Eigen::MatrixXd& h) const;
+
+  /// The output that is the strain of one element: dim columns of C.
+  static Eigen::MatrixXd strain_output(const Beam<G>& beam, int element);
+
+ private:
+  /// K' u for a change of sections, [size x columns].
+  Eigen::MatrixXd multiply(const Law& dK, const Eigen::MatrixXd& u) const;
+  void solve_columns(Eigen::MatrixXd& x) const;
+
+  const Beam<G>& beam_;
+  HeldPart held_;
+  Eigen::MatrixXd C_, f_, u_, mu_, y_;
+  std::vector<typename BeamElement<G>::Gradient, Eigen::aligned_allocator<typename BeamElement<G>::Gradient>> P0_;
+  std::vector<double> length_;
+  std::vector<Strain> strain_u_, strain_mu_;  ///< P0 u, P0 mu by element
+  BlockTridiagonal<dim> K_;
+  BlockTridiagonalLU<dim> lu_;
+};
+
+extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&, int);
+extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE3>&, int);
+extern template class StaticPart<SE2>;
+extern template class StaticPart<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,29 @@
+#pragma once
+/// @file
+/// One door to the solvers: what a scene asks for, as states with a report.
+
+#include "mbs/solvers/dynamics.hpp"
+#include "mbs/solvers/statics.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+struct Simulation {
+  Trajectory<G> trajectory;
+  Report report;
+  InitialState start;
+  std::vector<CriticalPoint> critical;  ///< statics
+};
+
+/// Dynamics or statics, as options.type says. Modes have their own result: solve_modes.
+template <FrameGroup G>
+Simulation<G> run_simulation(Model<G>& model, const SimulationOptions& options, const Progress& progress = {}) {
+  if (options.type == SimulationType::Dynamic) {
+    auto r = simulate(model, options, progress);
+    return {std::move(r.trajectory), std::move(r.report), std::move(r.start), {}};
+  }
+  auto r = solve_static(model, options, progress);
+  return {std::move(r.trajectory), std::move(r.report), std::move(r.start), std::move(r.critical)};
+}
+
+}  // namespace liesl

@@ -1,0 +1,220 @@
+#include "mbs/solvers/static_newton.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
+constexpr double kLoadStep = 1e-4;    // central difference in the load factor, of max_load
+constexpr double kIncrement = 0.1;  // last correction: this * sqrt(tolerance), of length or in rad
+constexpr double kFold = M_PI - 1e-6;  // log is singular at a relative rotation of pi
+
+}  // namespace
+
+template <FrameGroup G>
+StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& options)
+    : model_(model), options_(options), equations_(model), system_(model) {
+  rhs_.setZero(system_.size() + system_.constraints(), 2);
+  predictor_.setZero(model.size());
+  delta_.setZero(model.size());
+}
+
+template <FrameGroup G>
+void StaticNewton<G>::evaluate(const State<G>& s, double load) {
+  equations_.evaluate(s, s.q, {load, load});
+}
+
+template <FrameGroup G>
+bool StaticNewton<G>::small_enough() const {
+  return equations_.residual() <=
+             options_.tolerance * equations_.scale() + equations_.round_off() &&
+         equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length;
+}
+
+template <FrameGroup G>
+bool StaticNewton<G>::in_equilibrium(const State<G>& s, double load) {
+  evaluate(s, load);
+  return small_enough();
+}
+
+template <FrameGroup G>
+const typename StaticSystem<G>::Matrix& StaticNewton<G>::tangent(const State<G>& s) {
+  evaluate(s, s.t);
+  system_.take_prestress(equations_, s);
+  return system_.assemble(equations_, s, {s.t, s.t});
+}
+
+/// d[r; phi]/d(load factor); exact where loads grow linearly.
+template <FrameGroup G>
+void StaticNewton<G>::load_column(const State<G>& s, double load,
+                                  Eigen::Ref<Eigen::VectorXd> column) {
+  const double h = kLoadStep * options_.max_load;
+  evaluate(s, load + h);
+  column << equations_.r, equations_.phi;
+  evaluate(s, load - h);
+  column.head(system_.size()) -= equations_.r;
+  column.tail(system_.constraints()) -= equations_.phi;
+  column /= 2 * h;
+}
+
+/// rhs_ = -A^-1 [r phi | d/d(load)], equations_ evaluated at (s, load) again.
+template <FrameGroup G>
+bool StaticNewton<G>::solve_both(const State<G>& s, double load) {
+  load_column(s, load, rhs_.col(1));
+  evaluate(s, load);
+  rhs_.col(0) << equations_.r, equations_.phi;
+  system_.assemble(equations_, s, {load, load});
+  if (!system_.factor()) return false;
+  rhs_ = -rhs_;
+  system_.lu().solve(rhs_);
+  return rhs_.allFinite();
+}
+
+/// sum over nodes of u_a . u_b + length^2 w_a . w_b
+template <FrameGroup G>
+double StaticNewton<G>::product(const Eigen::VectorXd& a,
+                                Eigen::Ref<const Eigen::VectorXd> b) const {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  double sum = 0, turn = 0;
+  for (int k = 0; k < model_.size(); k += dim) {
+    sum += a.template segment<sd>(k).dot(b.template segment<sd>(k));
+    turn += a.template segment<rd>(k + sd).dot(b.template segment<rd>(k + sd));
+  }
+  return sum + model_.length * model_.length * turn;
+}
+
+/// Extrapolates the prestress and moves the trial state.
+template <FrameGroup G>
+void StaticNewton<G>::correct(Eigen::Ref<const Eigen::VectorXd> step) {
+  delta_ = step.head(system_.size());
+  system_.extrapolate_prestress(equations_, trial_, delta_);
+  moved_ = std::sqrt(product(delta_, delta_) / model_.nodes()) / model_.length;
+  for (int k = 0; k < model_.nodes(); ++k)
+    trial_.H[k] = trial_.H[k] * G::exp(delta_.template segment<dim>(dim * k));
+  trial_.lambda += step.tail(system_.constraints());
+}
+
+/// Records the residual; @returns true if the iteration goes on.
+template <FrameGroup G>
+bool StaticNewton<G>::check(NewtonResult& result) {
+  const double residual = equations_.residual();
+  result.residuals.push_back(residual / std::max(equations_.scale(), 1e-300));
+  result.converged = false;
+  if (!std::isfinite(residual + equations_.constraint_residual()))
+    result.failure = "the iteration diverged";
+  else if (small_enough() && moved_ <= kIncrement * std::sqrt(options_.tolerance))
+    result.converged = true;
+  else if (result.iterations == options_.max_iterations)
+    result.failure = "the iteration did not converge";
+  else
+    return true;
+  return false;
+}
+
+/// Does an element turn by pi, where its strain has no unique value?
+template <FrameGroup G>
+bool StaticNewton<G>::folded(const State<G>& s) const {
+  for (size_t b = 0; b < model_.bodies.size(); ++b) {
+    const int first = model_.first_node(static_cast<int>(b));
+    for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
+      const auto d = G::log(s.H[first + e].inverse() * s.H[first + e + 1]);
+      if (d.template tail<G::rotation_dim>().norm() > kFold) return true;
+    }
+  }
+  return false;
+}
+
+template <FrameGroup G>
+void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
+  if (!result.converged) return;
+  if (folded(trial_)) {
+    result.converged = false;
+    result.failure = "an element turns by pi: use more elements";
+    return;
+  }
+  for (auto& H : trial_.H) H.orthonormalize();
+  trial_.t = load;
+  equations_.observe(trial_, s.q, trial_.q);
+  std::swap(s, trial_);
+}
+
+template <FrameGroup G>
+NewtonResult StaticNewton<G>::solve(State<G>& s, double load) {
+  NewtonResult result;
+  trial_ = s;
+  moved_ = 0;
+  evaluate(trial_, load);
+  system_.take_prestress(equations_, trial_);
+  while (check(result)) {
+    system_.assemble(equations_, trial_, {load, load});
+    rhs_.col(0) << equations_.r, equations_.phi;
+    if (!system_.factor()) {
+      result.singular = result.iterations == 0;
+      result.failure = "the tangent is singular";
+      return result;
+    }
+    rhs_.col(0) = -rhs_.col(0);
+    system_.lu().solve(rhs_.col(0));
+    correct(rhs_.col(0));
+    ++result.iterations;
+    equations_.observe(trial_, trial_.q, trial_.q);
+    evaluate(trial_, load);
+  }
+  finish(s, load, result);
+  return result;
+}
+
+template <FrameGroup G>
+double StaticNewton<G>::speed(const State<G>& s) {
+  evaluate(s, s.t);
+  system_.take_prestress(equations_, s);
+  if (!solve_both(s, s.t)) return 0;
+  delta_ = rhs_.col(1).head(system_.size());
+  return std::sqrt(product(delta_, delta_));
+}
+
+template <FrameGroup G>
+NewtonResult StaticNewton<G>::follow(State<G>& s, double ds, const Eigen::VectorXd& direction) {
+  NewtonResult result;
+  trial_ = s;
+  moved_ = 0;
+  double load = s.t;
+  evaluate(trial_, load);
+  system_.take_prestress(equations_, trial_);
+  Eigen::VectorXd t;
+  do {
+    if (!solve_both(trial_, load)) {
+      result.singular = result.iterations == 0;
+      result.failure = "the tangent is singular";
+      return result;
+    }
+    double change;
+    if (result.iterations == 0) {
+      t = rhs_.col(1).head(system_.size());
+      t /= std::sqrt(product(t, t));
+      if (!t.allFinite()) {
+        result.failure = "the load moves nothing";
+        return result;
+      }
+      if (product(t, direction) < 0) t = -t;
+      change = ds / product(t, rhs_.col(1).head(system_.size()));
+      rhs_.col(0).setZero();
+    } else {
+      change = -product(t, rhs_.col(0).head(system_.size())) /
+               product(t, rhs_.col(1).head(system_.size()));
+    }
+    load += change;
+    rhs_.col(0) += change * rhs_.col(1);
+    correct(rhs_.col(0));
+    ++result.iterations;
+    equations_.observe(trial_, trial_.q, trial_.q);
+    evaluate(trial_, load);
+  } while (check(result));
+  finish(s, load, result);
+  if (result.converged) predictor_ = t;
+  return result;
+}
+
+template class StaticNewton<SE2>;
+template class StaticNewton<SE3>;
+
+}  // namespace liesl

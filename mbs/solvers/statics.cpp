@@ -1,0 +1,279 @@
+#include "mbs/solvers/statics.hpp"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+#include "mbs/linalg/inertia.hpp"
+#include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/solvers/free_motion.hpp"
+#include "mbs/solvers/static_newton.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr int kDeepest = 10;  // halvings of a load step
+constexpr int kMaxArcSteps = 500;
+constexpr int kWantedIterations = 5;  // arc length: steps grow below, shrink above
+constexpr double kLargestArc = 4;     // of the first step
+constexpr double kLocated = 1e-5;     // of a critical load, relative
+constexpr int kMaxBisections = 40;
+constexpr double kSmallestPart = 1e-3;  // of a step, when the load hardly changes over it
+constexpr double kSide = 0.1;           // part of a step to either side of a possible extremum
+constexpr double kSuspicious = 1e-9;    // reciprocal condition that asks for a look at the tangent
+
+template <FrameGroup G>
+class LoadPath {
+ public:
+  LoadPath(const Model<G>& model, const SimulationOptions& options, State<G>& s,
+           StaticResult<G>& result, const LoadProgress& progress)
+      : model_(model),
+        o_(options),
+        s_(s),
+        result_(result),
+        progress_(progress),
+        newton_(model, options),
+        direction_(Eigen::VectorXd::Zero(model.size())) {}
+
+  void run() {
+    result_.trajectory.record(s_);
+    if (!regular_at_start()) return;
+    if (o_.arc_length)
+      follow_arc();
+    else
+      grow_load();
+    tell_critical();
+  }
+
+ private:
+  /// Does anything move freely, under the first load step?
+  bool regular_at_start() {
+    result_.negative.push_back(negative(s_));
+    unknown_at_start_ = suspicious();
+    State<G> loaded = s_;
+    loaded.t = o_.max_load / o_.load_steps;
+    const auto& A = newton_.tangent(loaded);
+    if (!suspicious()) return true;
+    const Eigen::MatrixXd motions = free_motions(model_, A);
+    if (motions.cols() == 0) return true;
+    stop(SolveStatus::Singular, describe_free_motion(model_, s_, motions));
+    return false;
+  }
+
+  /// Is the tangent last assembled singular, or near to?
+  bool suspicious() {
+    return !newton_.system().factor() || newton_.system().lu().reciprocal_condition() < kSuspicious;
+  }
+
+  void grow_load() {
+    const double whole = o_.max_load / o_.load_steps;
+    int depth = 0;
+    long done = 0, of = o_.load_steps;  // load = done / of * max_load, of = load_steps 2^depth
+    while (done < of) {
+      const double target =
+          done + 1 == of ? o_.max_load
+                         : o_.max_load * static_cast<double>(done + 1) / static_cast<double>(of);
+      const State<G> before = s_;
+      const NewtonResult step = newton_.solve(s_, target);
+      if (!take(step)) {
+        if (depth == kDeepest)
+          return stop(
+              SolveStatus::NotConverged,
+              fmt::format(
+                  "{} between the load factors {:.6g} (reached) and {:.6g}, with the smallest "
+                  "load step {:.3g} (relative residual {:.2g})",
+                  step.failure, s_.t, target, target - s_.t, step.residuals.back()));
+        ++depth;
+        done *= 2;
+        of *= 2;
+        result_.report.smallest_step = whole / static_cast<double>(1L << depth);
+        continue;
+      }
+      ++done;
+      if (!accept(before, target - before.t)) return;
+      if (depth > 0 && done % 2 == 0 && step.iterations <= kWantedIterations) {
+        --depth;
+        done /= 2;
+        of /= 2;
+      }
+    }
+  }
+
+  void follow_arc() {
+    const double speed = newton_.speed(s_);
+    const double first = speed * o_.max_load / o_.load_steps;
+    if (!(first > 0))
+      return stop(SolveStatus::Singular,
+                  "the load moves nothing at the start: arc length has no direction");
+    double ds = first;
+    for (int n = 0; n < kMaxArcSteps; ++n) {
+      const State<G> before = s_;
+      const Eigen::VectorXd direction = direction_;
+      const NewtonResult step = newton_.follow(s_, ds, direction);
+      if (!take(step)) {
+        if (ds < first / (1 << kDeepest))
+          return stop(
+              SolveStatus::NotConverged,
+              fmt::format("{} after the load factor {:.6g} with the smallest arc length {:.3g}",
+                          step.failure, before.t, ds));
+        ds /= 2;
+        --n;
+        continue;
+      }
+      if (s_.t >= o_.max_load) {  // land on the end
+        const NewtonResult last = newton_.solve(s_, o_.max_load);
+        if (!last.converged) s_ = before, last_load_step(before);
+        accept(before, ds);
+        return;
+      }
+      direction_ = newton_.last_direction();
+      if (!accept(before, ds, &direction)) return;
+      if (s_.t <= -o_.max_load)
+        return stop(SolveStatus::Converged,
+                    fmt::format("the path went back to the load factor {:.6g}", s_.t));
+      ds *=
+          std::clamp(std::sqrt(kWantedIterations / static_cast<double>(step.iterations)), 0.5, 1.5);
+      ds = std::min(ds, kLargestArc * first);
+    }
+    stop(SolveStatus::NotConverged,
+         fmt::format("{} steps of arc length ended at the load factor {:.6g}, before {:.6g}",
+                     kMaxArcSteps, s_.t, o_.max_load));
+  }
+
+  /// From the last state below the end to the end, if Newton's method does not get there from
+  /// above.
+  void last_load_step(const State<G>& before) {
+    const NewtonResult step = newton_.solve(s_, o_.max_load);
+    if (!step.converged)
+      stop(SolveStatus::NotConverged, fmt::format("{} between the load factors {:.6g} and {:.6g}",
+                                                  step.failure, before.t, o_.max_load));
+  }
+
+  /// Books an attempt; @returns whether it converged.
+  bool take(const NewtonResult& step) {
+    Report& report = result_.report;
+    report.newton_iterations += step.iterations;
+    if (!step.converged) {
+      ++report.rejected_steps;
+      return false;
+    }
+    ++report.steps;
+    result_.iterations.push_back(step.iterations);
+    result_.residuals = step.residuals;
+    report.max_constraint_residual =
+        std::max(report.max_constraint_residual, newton_.equations().constraint_residual());
+    return true;
+  }
+
+  /// Counts, locates what happened since `before` (a step of size `step`), records.
+  /// @returns false if the path ends here.
+  bool accept(const State<G>& before, double step, const Eigen::VectorXd* direction = nullptr) {
+    const int now = negative(s_);
+    if (unknown_at_start_) result_.negative.back() = now;
+    unknown_at_start_ = false;
+    const int then = result_.negative.back();
+    if (now != then && (o_.critical || o_.arc_length)) locate(before, step, direction, then, now);
+    result_.trajectory.record(s_);
+    result_.negative.push_back(now);
+    if (const auto why = contradiction(model_, s_); !why.empty()) {
+      stop(SolveStatus::Inconsistent, why);
+      return false;
+    }
+    if (progress_ && !progress_(s_.t)) {
+      stop(SolveStatus::Interrupted,
+           fmt::format("stopped at the load factor {:.6g} on request", s_.t));
+      return false;
+    }
+    return true;
+  }
+
+  int negative(const State<G>& s) {
+    return negative_on_null_space(newton_.tangent(s), model_.size()).value_or(-1);
+  }
+
+  /// Bisects the step from `before` for the place where the count is no longer `then`.
+  void locate(const State<G>& before, double step, const Eigen::VectorXd* direction, int then,
+              int now) {
+    double low = 0, high = 1, load_low = before.t, load_high = s_.t;
+    for (int i = 0; i < kMaxBisections; ++i) {
+      const bool close = std::abs(load_high - load_low) <= kLocated * std::abs(load_high);
+      if (close && high - low < kSmallestPart) break;
+      const double middle = 0.5 * (low + high);
+      State<G> s = before;
+      const NewtonResult part = direction ? newton_.follow(s, middle * step, *direction)
+                                          : newton_.solve(s, before.t + middle * step);
+      result_.report.newton_iterations += part.iterations;
+      if (!part.converged) break;
+      const int count = negative(s);
+      (count == then ? low : high) = middle;
+      (count == then ? load_low : load_high) = s.t;
+      if (count != then) now = count;
+    }
+    const double load = 0.5 * (load_low + load_high);
+    const bool limit = direction && is_limit(before, step, *direction, 0.5 * (low + high), load);
+    result_.critical.push_back({load, then, now, limit});
+  }
+
+  /// Does the load factor have an extremum at the fraction `at` of a step? It is `load` there.
+  bool is_limit(const State<G>& before, double step, const Eigen::VectorXd& direction, double at,
+                double load) {
+    double change[2];
+    for (int side = 0; side < 2; ++side) {
+      State<G> s = before;
+      const double fraction = at + (side == 0 ? -1 : 1) * kSide;
+      if (fraction > 0 && !newton_.follow(s, fraction * step, direction).converged) return false;
+      change[side] = s.t - load;
+    }
+    return change[0] * change[1] > 0;
+  }
+
+  void tell_critical() {
+    for (const auto& c : result_.critical)
+      result_.report.warnings.push_back(fmt::format(
+          "{} at the load factor {:.6g}: the tangent has {} negative eigenvalues before "
+          "and {} after",
+          c.limit_point ? "limit point" : "critical load", c.load, c.before, c.after));
+  }
+
+  void stop(SolveStatus status, std::string reason) {
+    result_.report.status = status;
+    result_.report.reason = std::move(reason);
+  }
+
+  const Model<G>& model_;
+  const SimulationOptions& o_;
+  State<G>& s_;
+  StaticResult<G>& result_;
+  const LoadProgress& progress_;
+  StaticNewton<G> newton_;
+  Eigen::VectorXd direction_;      ///< of the path at s_, in local frames
+  bool unknown_at_start_ = false;  ///< without load the tangent is singular: nothing to count
+};
+
+}  // namespace
+
+template <FrameGroup G>
+StaticResult<G> solve_static(Model<G>& model, const SimulationOptions& options,
+                             const LoadProgress& progress) {
+  StaticResult<G> result;
+  State<G> s = model.initial_state();
+  s.v.setZero();
+  result.start = assemble(model, options.step, s);
+  result.report.warnings = result.start.redundant;
+  if (result.start.status != SolveStatus::Converged) {
+    result.report.status = result.start.status;
+    result.report.reason = result.start.reason;
+    return result;
+  }
+  result.report.smallest_step = options.max_load / options.load_steps;
+  const auto start = std::chrono::steady_clock::now();
+  LoadPath<G>(model, options, s, result, progress).run();
+  result.report.stepping_s =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return result;
+}
+
+template StaticResult<SE2> solve_static(Model<SE2>&, const SimulationOptions&, const LoadProgress&);
+template StaticResult<SE3> solve_static(Model<SE3>&, const SimulationOptions&, const LoadProgress&);
+
+}  // namespace liesl

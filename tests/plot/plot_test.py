@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""plot.py draws synthetic results of every kind, and refuses what it cannot draw.
+
+plot_test.py [DIR]  keeps the pictures in DIR, to be looked at.
+"""
+
+import csv
+import json
+import math
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+PLOT = Path(__file__).parents[2] / "apps" / "plot" / "plot.py"
+KEEP = None
+
+
+def write_csv(path, header, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        csv.writer(file, lineterminator="\n").writerows([header, *rows])
+
+
+def times(n=400, end=0.12):
+    return [end * i / (n - 1) for i in range(n)]
+
+
+def write_slider_crank_frames(folder, crank=0.15, rod=0.3):
+    rows = []
+    for t in times(13, 0.042):
+        a = 150 * t
+        pin = (crank * math.cos(a), crank * math.sin(a))
+        slider = pin[0] + math.sqrt(rod**2 - pin[1] ** 2)
+        for k in range(9):
+            s = k / 8
+            rows.append([t, "crank", "beam", k, s * pin[0], s * pin[1], 0])
+        for k in range(9):
+            s = k / 8
+            bow = 0.004 * math.sin(math.pi * s) * math.sin(a)
+            rows.append([t, "rod", "beam", k, pin[0] + s * (slider - pin[0]),
+                         (1 - s) * pin[1] + bow, 0])
+        rows.append([t, "slider", "rigid", 0, slider, 0, 0])
+    write_csv(folder / "frames.csv",
+              ["time [s]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+
+
+def write_run(folder):
+    write_csv(folder / "responses.csv",
+              ["time [s]", "bend [m]", "slider_x [m]", "tip.x [m]", "tip.y [m]", "tip.z [m]",
+               "sigma [Pa]"],
+              [[t, 1.8e-3 * math.sin(300 * t) * math.cos(40 * t), 0.3 + 0.15 * math.cos(150 * t),
+                0.3 * math.cos(150 * t), 0.3 * math.sin(150 * t), 0.001 * t, 2.4e8 * t]
+               for t in times()])
+    write_csv(folder / "energies.csv",
+              ["time [s]", "kinetic [J]", "elastic [J]", "potential [J]", "dissipated [J]",
+               "total [J]", "constraint_residual [m or rad]"],
+              [[t, 30 * math.sin(150 * t) ** 2, 0.2 * math.sin(300 * t) ** 2, math.sin(150 * t),
+                1e-3 * t, 30 * math.sin(150 * t) ** 2 + math.sin(150 * t), 1e-14] for t in times()])
+    write_slider_crank_frames(folder)
+    (folder / "summary.json").write_text(json.dumps({"name": "slider-crank", "status": "done"}))
+
+
+def write_optimize(folder):
+    write_run(folder)
+    for name, size in (("initial", 0.6e-3), ("final", 1e-3)):
+        write_csv(folder / f"responses_{name}.csv",
+                  ["time [s]", "bending [m]", "other [m]", "stress [Pa]"],
+                  [[t, size * math.sin(300 * t) * math.cos(40 * t), 0,
+                    5e4 * size * 1e6 * (1 + math.sin(150 * t))] for t in times()])
+    rows = []
+    for body, groups, unit_length in (("rod", 4, 0.3 / 8), ("crank", 8, 0.15 / 8)):
+        for e in range(8):
+            g = e * groups // 8
+            final = 0.0062 + 0.0022 * math.sin(math.pi * (g + 0.5) / groups)
+            rows.append([f"{body}_diameters[{g}]", body, e, e * unit_length, (e + 1) * unit_length,
+                         0.01, final, 0.004, 0.012 if body == "rod" else 0.05, "m"])
+    write_csv(folder / "design.csv", ["variable", "body", "element", "s0 [m]", "s1 [m]", "initial",
+                                      "final", "lower", "upper", "unit"], rows)
+    history = [dict(cycle=c + 1, mass=0.19 * (0.62 + 0.38 * 0.3**c),
+                    worst_constraint=[-0.45, 0.31, 0.04, 0.003, 2e-4, -1e-6][c],
+                    load_change=None if c == 0 else 0.4 * 0.2**c) for c in range(6)]
+    constraints = {"bending": dict(limit=1e-3, unit="m"), "stress": dict(limit=1.2e8, unit="Pa")}
+    (folder / "summary.json").write_text(json.dumps(
+        {"name": "slider-crank rod", "status": "converged", "history": history,
+         "constraints": constraints}))
+
+
+def write_spatial(folder):
+    """A beam that bends out of its plane, load by load."""
+    rows = []
+    for load in times(6, 1.0):
+        for k in range(9):
+            a = math.pi / 4 * k / 8
+            rows.append([load, "arc", "beam", k, 100 * math.sin(a) * (1 - 0.3 * load * (k / 8) ** 2),
+                         100 * (1 - math.cos(a)), 55 * load * (k / 8) ** 2])
+    write_csv(folder / "frames.csv",
+              ["load_factor [-]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+    write_csv(folder / "responses.csv", ["load_factor [-]", "tip.x [m]", "tip.y [m]", "tip.z [m]"],
+              [[load, -20 * load, -10 * load, 55 * load] for load in times(6, 1.0)])
+    (folder / "summary.json").write_text(json.dumps({"name": "bend45", "status": "done"}))
+
+
+def plot(folder):
+    return subprocess.run([sys.executable, PLOT, folder], capture_output=True, text=True,
+                          check=False)
+
+
+class Plot(unittest.TestCase):
+    def setUp(self):
+        self.temporary = tempfile.TemporaryDirectory()
+        self.folder = Path(self.temporary.name)
+        if KEEP:
+            self.folder = KEEP / self.id().split(".")[-1]
+            self.folder.mkdir(parents=True, exist_ok=True)
+
+    def tearDown(self):
+        self.temporary.cleanup()
+
+    def draws(self, write, names):
+        write(self.folder)
+        done = plot(self.folder)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(done.stderr, "")
+        expected = {f"{name}.{kind}" for name in names for kind in ("png", "svg")}
+        self.assertEqual({Path(line).name for line in done.stdout.split()}, expected)
+        self.assertEqual({p.name for p in (self.folder / "plots").iterdir()}, expected)
+        for path in (self.folder / "plots").glob("*.png"):
+            self.assertEqual(path.read_bytes()[:4], b"\x89PNG")
+            self.assertGreater(path.stat().st_size, 10_000)
+
+    def refuses(self, *words):
+        done = plot(self.folder)
+        self.assertEqual(done.returncode, 1)
+        self.assertEqual(done.stdout, "")
+        for word in words:
+            self.assertIn(word, done.stderr)
+        self.assertNotIn("Traceback", done.stderr)
+
+    def test_run(self):
+        self.draws(write_run, ["responses", "energies", "mechanism"])
+
+    def test_optimize(self):
+        self.draws(write_optimize, ["cycle_history", "response_before_after", "design", "responses",
+                                    "energies", "mechanism"])
+
+    def test_spatial_statics(self):
+        self.draws(write_spatial, ["responses", "mechanism"])
+
+    def test_one_cycle_only(self):
+        def write(folder):
+            (folder / "summary.json").write_text(json.dumps({"name": "x", "history": [
+                dict(cycle=1, mass=0.1, worst_constraint=None, load_change=None)]}))
+        self.draws(write, ["cycle_history"])
+
+    def test_no_result(self):
+        self.refuses("no summary.json")
+
+    def test_nothing_to_draw(self):
+        (self.folder / "summary.json").write_text("{}")
+        self.refuses("no table")
+
+    def test_broken_files(self):
+        (self.folder / "summary.json").write_text("{")
+        self.refuses("plot:")
+        (self.folder / "summary.json").write_text("{}")
+        (self.folder / "responses.csv").write_text("time [s],bend [m]\n0,nonsense\n")
+        self.refuses("nonsense")
+
+
+if __name__ == "__main__":
+    if len(sys.argv) > 1 and not sys.argv[1].startswith("-"):
+        KEEP = Path(sys.argv.pop(1))
+    unittest.main()
