@@ -42,7 +42,14 @@ struct SparseLu::Factors {
     if (!numeric || !klu_refactor(columns, rows, values, symbolic, numeric, &common)) return false;
     return common.status == KLU_OK &&
            klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
-           common.rgrowth > kSmallestGrowth;
+           common.rgrowth > kSmallestGrowth && zero_pivot() < 0;
+  }
+  /// Column of a pivot that is zero, -1 if none is: KLU looks inside its blocks only.
+  int zero_pivot() const {
+    const auto* diagonal = static_cast<const double*>(numeric->Udiag);
+    for (int k = 0; k < symbolic->n; ++k)
+      if (diagonal[k] == 0) return symbolic->Q[k];
+    return -1;
   }
   bool drop(int column) {
     klu_free_numeric(&numeric, &common);
@@ -75,7 +82,8 @@ bool SparseLu::factor(const Matrix& A) {
     const int column = f.common.singular_col;
     return f.drop(column >= 0 && column < n ? column : 0);
   }
-  return true;
+  const int zero = f.zero_pivot();
+  return zero < 0 || f.drop(zero);
 }
 
 void SparseLu::solve(Eigen::Ref<Eigen::MatrixXd> b) const {

@@ -47,6 +47,8 @@ bool find_equilibrium(Model<G>& model, const SimulationOptions& options, ModesRe
   statics.arc_length = statics.critical = false;
   const StaticResult<G> found = solve_static(model, statics);
   out.report = found.report;
+  out.report.warnings.insert(out.report.warnings.begin(), out.start.redundant.begin(),
+                             out.start.redundant.end());
   if (found.report.status != SolveStatus::Converged) return false;
   found.trajectory.read(found.trajectory.size() - 1, s);
   return true;

@@ -25,8 +25,8 @@ void StaticNewton<G>::evaluate(const State<G>& s, double load) {
 
 template <FrameGroup G>
 bool StaticNewton<G>::small_enough() const {
-  return equations_.residual() <=
-             options_.tolerance * equations_.scale() + equations_.round_off() &&
+  const double round_off = equations_.round_off() * std::sqrt(model_.nodes());
+  return equations_.residual() <= options_.tolerance * equations_.scale() + round_off &&
          equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length;
 }
 

@@ -46,16 +46,17 @@ class LoadPath {
   }
 
  private:
-  /// Does anything move freely, under the first load step?
+  /// Does anything move freely, without load and under the first load step too (a pendulum hangs)?
   bool regular_at_start() {
     result_.negative.push_back(negative(s_));
-    unknown_at_start_ = suspicious();
+    if (!suspicious()) return true;
+    const Eigen::MatrixXd motions = free_motions(model_, newton_.system().matrix());
+    unknown_at_start_ = motions.cols() > 0;
+    if (!unknown_at_start_) return true;
     State<G> loaded = s_;
     loaded.t = o_.max_load / o_.load_steps;
     const auto& A = newton_.tangent(loaded);
-    if (!suspicious()) return true;
-    const Eigen::MatrixXd motions = free_motions(model_, A);
-    if (motions.cols() == 0) return true;
+    if (!suspicious() || free_motions(model_, A).cols() == 0) return true;
     stop(SolveStatus::Singular, describe_free_motion(model_, s_, motions));
     return false;
   }

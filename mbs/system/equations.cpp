@@ -129,6 +129,14 @@ void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near, Eigen
 }
 
 template <FrameGroup G>
+double Equations<G>::load_power(const State<G>& s) {
+  ForceScale scale;
+  r.setZero();
+  add_loads(s, {s.t, 1}, scale);
+  return -r.dot(s.v);
+}
+
+template <FrameGroup G>
 double Equations<G>::residual() const {
   double force = 0, moment = 0;
   for (int k = 0; k < model.nodes(); ++k) {

@@ -29,6 +29,9 @@ class Equations {
   /// Values of all coupling rows at a state, into q.
   void observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const;
 
+  /// Power of the loads at a state (dynamics), W. Overwrites r.
+  double load_power(const State<G>& s);
+
   /// Norm of r with moments divided by the size of the mechanism, N.
   double residual() const;
   /// The same norm of the parts that r is the sum of, plus what round-off alone makes, N.

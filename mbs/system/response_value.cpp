@@ -115,11 +115,13 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
         return scalar(largest);
       }
       const Eigen::Vector2d offset = deflection(r, s, r.s);
-      if constexpr (G::space_dim == 3) return offset;
-      // In a plane one of the two normals is the plane's; the other carries the offset.
-      const Vec3 normal = model_.space.frame.R.col(2);
-      const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
-      return scalar(std::abs(beam.nodes[0].R.col(1).dot(normal)) < 0.5 ? offset[0] : offset[1]);
+      if constexpr (G::space_dim == 3) {
+        return offset;
+      } else {  // one of the two normals is the plane's; the other carries the offset
+        const Vec3 normal = model_.space.frame.R.col(2);
+        const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
+        return scalar(std::abs(beam.nodes[0].R.col(1).dot(normal)) < 0.5 ? offset[0] : offset[1]);
+      }
     }
     case ResponseKind::Elongation: return scalar(elongation(r, s));
     case ResponseKind::Coordinate:

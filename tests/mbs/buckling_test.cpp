@@ -1,7 +1,6 @@
 /// @file
 /// Stability of equilibria: counts of negative eigenvalues, critical loads, limit points.
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <random>
@@ -47,7 +46,6 @@ TEST(Buckling, EulerColumn) {
     error[k] = 6 * r.critical[0].load / euler - 1;
     EXPECT_NEAR(r.critical[1].load / r.critical[0].load, 2, 1e-4);
     EXPECT_FALSE(r.report.warnings.empty());
-    fmt::print("Euler column: {:.2e}\n", error[k]);
   }
   EXPECT_LT(std::abs(error[1]), 2e-3);
   EXPECT_NEAR(error[0] / error[1], 4, 0.2);
@@ -100,7 +98,6 @@ TEST(Buckling, RightAngleFrame) {
     const auto solved = solve(frame(n), o);
     ASSERT_EQ(solved.result.report.status, kConverged) << solved.result.report.reason;
     ASSERT_FALSE(solved.result.critical.empty());
-    fmt::print("frame n = {}: {:.6f}\n", n, solved.result.critical[0].load);
     EXPECT_NEAR(solved.result.critical[0].load, reference, 6e-5);
     EXPECT_EQ(solved.result.critical[0].after, 1);
   }
@@ -148,8 +145,6 @@ TEST(Buckling, SnapThroughByArcLength) {
   const auto& r = solved.result;
   ASSERT_EQ(r.report.status, kConverged) << r.report.reason;
   ASSERT_EQ(r.critical.size(), 2u);
-  fmt::print("limit points {:.2e} {:.2e}, {} steps\n", P * r.critical[0].load / limit - 1,
-             P * r.critical[1].load / limit + 1, r.report.steps);
   EXPECT_NEAR(P * r.critical[0].load, limit, 2e-5 * limit);
   EXPECT_NEAR(P * r.critical[1].load, -limit, 2e-5 * limit);
   for (const auto& c : r.critical) EXPECT_TRUE(c.limit_point);

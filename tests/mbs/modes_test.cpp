@@ -3,7 +3,6 @@
 
 #include "mbs/solvers/modes.hpp"
 
-#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "mbs/linalg/constrained_modes.hpp"
@@ -38,22 +37,32 @@ BeamSpec rod(int n, double b, double h) {
   return spec;
 }
 
-/// Both ends held against displacement (and, at the start, twist).
+/// Both ends held against displacement, the first one against twist too; the second one slides
+/// along x with a slider of next to no mass.
 Mechanism simply_supported(BeamSpec spec) {
   const int n = static_cast<int>(spec.sections.size());
   Mechanism m;
   m.bodies.push_back({"beam", std::move(spec)});
-  JointSpec left, right;
+  RigidSpec slider;
+  slider.frame.x = {1, 0, 0};
+  slider.mass = 1e-12;
+  slider.inertia = 1e-12 * Mat3::Identity();
+  m.bodies.push_back({"slider", slider});
+  JointSpec left, right, guide;
   left.name = "left";
   left.type = JointType::Universal;
   left.axis = Vec3::UnitY();
   left.axis2 = Vec3::UnitZ();
   left.b = {0, 0};
   right.name = "right";
-  right.type = JointType::Cylindrical;
-  right.axis = Vec3::UnitX();
-  right.b = {0, n};
-  m.joints = {left, right};
+  right.type = JointType::Spherical;
+  right.a = {0, n};
+  right.b = {1, 0};
+  guide.name = "guide";
+  guide.type = JointType::Prismatic;
+  guide.axis = Vec3::UnitX();
+  guide.b = {1, 0};
+  m.joints = {left, right, guide};
   return m;
 }
 
@@ -86,7 +95,6 @@ TEST(Modes, EulerBernoulliCantilever) {
     for (double residual : r.residuals) EXPECT_LT(residual, 1e-10);
   }
   for (int j = 0; j < 3; ++j) {
-    fmt::print("cantilever mode {}: {:.2e} {:.2e}\n", j, error[j][0], error[j][1]);
     EXPECT_NEAR(error[j][0] / error[j][1], 4, 0.3);
     EXPECT_LT(std::abs(error[j][0] + 4 * (error[j][1] - error[j][0]) / 3), 2e-4);
   }
@@ -104,7 +112,6 @@ TEST(Modes, TimoshenkoSimplySupported) {
       for (double omega : r.omega)
         if (std::abs(omega / exact - 1) < std::abs(error[k])) error[k] = omega / exact - 1;
     }
-    fmt::print("Timoshenko mode {}: {:.2e} {:.2e}\n", j, error[0], error[1]);
     EXPECT_LT(std::abs(error[1]), 4e-3 * j * j / 9);
     EXPECT_NEAR(error[0] / error[1], 4, 0.2);
   }
@@ -209,7 +216,7 @@ TEST(Modes, DenseAndLanczosAgree) {
   for (int j = 0; j < 8; ++j) {
     EXPECT_NEAR(lanczos.lambda[j] / dense.lambda[j], 1, 1e-7) << j;
     EXPECT_LT(lanczos.residuals[j], 1e-11);
-    EXPECT_LT(dense.residuals[j], 1e-11);
+    EXPECT_LT(dense.residuals[j], 1e-10);
   }
 }
 

@@ -1,0 +1,26 @@
+#include <fmt/format.h>
+
+#include "apps/cli/command.hpp"
+#include "apps/output/plot_program.hpp"
+#include "apps/scene/problem.hpp"
+#include "apps/scene/study.hpp"
+
+namespace liesl {
+
+int check_command(const CommandOptions& options) {
+  const bool study = kind_of(load_document(options.file).root) == FileKind::Study;
+  const Scene scene = study ? load_study(options.file, options.set).scene : load_scene(options.file, options.set);
+  const ChosenSpace space = choose_space(scene);
+  if (!options.quiet)
+    fmt::print("{}: a good {} of {} bodies and {} joints; {}: {}\n", options.file, study ? "study" : "scene",
+               scene.mechanism.bodies.size(), scene.mechanism.joints.size(), space.name, space.reason);
+  return 0;
+}
+
+int plot_command(const CommandOptions& options) {
+  for (const auto& picture : output::draw(options.file))
+    if (!options.quiet) fmt::print("{}\n", picture.string());
+  return 0;
+}
+
+}  // namespace liesl

@@ -1,0 +1,87 @@
+#include <fmt/format.h>
+
+#include "apps/cli/run_summary.hpp"
+#include "apps/output/atomic_folder.hpp"
+#include "apps/output/write_results.hpp"
+#include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/solvers/modes.hpp"
+
+namespace liesl {
+namespace {
+
+double end_of(const SimulationOptions& o) {
+  return o.type == SimulationType::Dynamic ? o.duration : o.max_load;
+}
+
+/// Frequencies and shapes: the shapes become records, abscissa = frequency.
+template <FrameGroup G>
+int run_modes(const Scene& scene, const Space<G>& space, output::RunSummary& summary, output::Results& results) {
+  Model<G> model = Model<G>::build(scene.mechanism, space);
+  const ModesResult<G> modes = solve_modes(model, scene.simulation);
+  describe(summary, modes.report, modes.start, scene.mechanism);
+  summary.more["frequencies_hz"] = modes.frequency;
+  summary.more["eigenvalues"] = modes.eigenvalue;
+  if (modes.report.status != SolveStatus::Converged) return 1;
+  Trajectory<G> shapes;
+  for (size_t m = 0; m < modes.frequency.size(); ++m) {
+    State<G> s = modes.equilibrium;
+    const Eigen::VectorXd shape = modes.shapes.col(static_cast<int>(m));
+    const double size = 0.1 * model.length / std::max(shape.cwiseAbs().maxCoeff(), 1e-300);
+    for (int k = 0; k < model.nodes(); ++k)
+      s.H[k] = s.H[k] * G::exp(size * shape.segment<G::dim>(G::dim * k));
+    s.t = modes.frequency[m];
+    s.lambda.setZero();
+    shapes.record(s);
+  }
+  results = collect(scene, scene.mechanism, model, shapes);
+  results.abscissa = "frequency";
+  results.abscissa_unit = "Hz";
+  return 0;
+}
+
+template <FrameGroup G>
+int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::RunSummary& summary, output::Results& results) {
+  if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, summary, results);
+  Model<G> model = Model<G>::build(scene.mechanism, space);
+  Simulation<G> simulation;
+  {
+    output::Progress line("simulating", end_of(scene.simulation),
+                          scene.simulation.type == SimulationType::Dynamic ? "s" : "load", quiet);
+    simulation = run_simulation(model, scene.simulation, watch(line));
+  }
+  describe(summary, simulation.report, simulation.start, scene.mechanism);
+  State<G> start = model.initial_state();
+  const Mobility m = mobility(model, start);
+  summary.more["mobility"] = m.free;
+  summary.more["redundant_if_rigid"] = m.redundant;
+  if (!simulation.critical.empty()) {
+    auto& list = summary.more["critical_loads"] = nlohmann::ordered_json::array();
+    for (const auto& c : simulation.critical)
+      list.push_back({{"load", c.load}, {"before", c.before}, {"after", c.after}, {"limit_point", c.limit_point}});
+  }
+  results = collect(scene, scene.mechanism, model, simulation.trajectory);
+  describe_responses(summary, results);
+  return exit_code(simulation.report.status);
+}
+
+}  // namespace
+
+int run_command(const CommandOptions& options) {
+  const Stopwatch watch_all;
+  const Scene scene = load_scene(options.file, options.set);
+  const ChosenSpace space = choose_space(scene);
+  output::AtomicFolder folder(options.out, options.force);
+  output::RunSummary summary;
+  summary.overrides = options.set;
+  describe(summary, scene, space);
+  output::Results results;
+  const int code = std::visit([&](const auto& s) { return run_scene(scene, s, options.quiet, summary, results); }, space.space);
+  if (!results.times.empty()) output::write_results(folder.path(), results);
+  summary.wall_s = watch_all.seconds();
+  output::write_summary(folder.path() / "summary.json", output::to_json(summary));
+  folder.commit();
+  print_figures(summary, options.out, options.quiet);
+  return code;
+}
+
+}  // namespace liesl

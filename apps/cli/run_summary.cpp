@@ -1,0 +1,62 @@
+#include "apps/cli/run_summary.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/output/file.hpp"
+#include "apps/output/interrupt.hpp"
+
+namespace liesl {
+
+Progress watch(output::Progress& line) {
+  return [&line](double t) {
+    line.update(t);
+    return output::interrupted() == 0;
+  };
+}
+
+std::string status_word(SolveStatus status) {
+  return status == SolveStatus::Converged ? "done" : to_string(status);
+}
+
+void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace& space) {
+  summary.name = scene.mechanism.name;
+  summary.space = space.name;
+  summary.space_reason = space.reason;
+  summary.input_sha256 = output::sha256(scene.input);
+}
+
+void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
+              const Mechanism& mechanism) {
+  summary.status = status_word(report.status);
+  summary.reason = report.reason.empty() ? "the simulation reached its end" : report.reason;
+  summary.steps = static_cast<int>(report.steps);
+  summary.newton_iterations = report.newton_iterations;
+  for (size_t b = 0; b < report.factorizations.size(); ++b)
+    summary.factorizations.emplace_back(mechanism.bodies[b].name, report.factorizations[b]);
+  summary.stepping_s = report.stepping_s;
+  summary.warnings.insert(summary.warnings.end(), report.warnings.begin(), report.warnings.end());
+  summary.more["tangent_refreshes"] = report.tangent_refreshes;
+  summary.more["rejected_steps"] = report.rejected_steps;
+  summary.more["smallest_step"] = report.smallest_step;
+  summary.more["max_constraint_residual"] = report.max_constraint_residual;
+  summary.more["start"] = {{"moved", start.moved}, {"velocity_change", start.velocity_change}};
+}
+
+void describe_responses(output::RunSummary& summary, const output::Results& results) {
+  for (const auto& r : results.responses) summary.responses.push_back(output::response_figure(r, results.times));
+}
+
+void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
+  if (quiet) return;
+  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name, summary.status,
+             summary.reason, summary.steps, summary.newton_iterations, summary.stepping_s, summary.space);
+  for (const auto& r : summary.responses)
+    fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit, r.at_time,
+               r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
+                                   : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
+  for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
+  if (!folder.empty()) fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+}
+
+}  // namespace liesl

@@ -1,0 +1,146 @@
+/// @file
+/// The static tangent against finite differences of the residual, with everything on it.
+
+#include "mbs/solvers/static_system.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbs/static_cases.hpp"
+
+namespace liesl {
+namespace {
+
+/// Two beams and a rigid body in the plane of x and y (or, with `tilt`, in space): joints with
+/// multipliers, springs, an actuator, gravity, dead, follower and spread loads, ports off the
+/// nodes.
+Mechanism everything(bool spatial) {
+  Mechanism m;
+  m.gravity = {1, -9, spatial ? 2.0 : 0.0};
+  const Section s = cases::section((SE3::Tangent() << 90, 40, 50, 7, 8, 9).finished());
+  m.bodies.push_back({"a", cases::beam(straight({0, 0, 0}, {2, 0, 0}, 2), s)});
+  m.bodies.push_back({"b", cases::beam(straight({3, 1, 0}, {3, 3, 0}, 2), s)});
+  RigidSpec block;
+  block.frame.x = {2.5, 0.5, 0};
+  block.mass = 2;
+  block.inertia = Vec3(1, 2, 3).asDiagonal();
+  block.centre = {0.1, 0.2, 0};
+  m.bodies.push_back({"block", block});
+  const auto off = [](double x, double y) { return SE3(Mat3::Identity(), Vec3(x, y, 0)); };
+  JointSpec clamp, pin, slide;
+  clamp.name = "clamp";
+  clamp.b = {0, 0};
+  pin.name = "pin";
+  pin.type = spatial ? JointType::Universal : JointType::Revolute;
+  pin.a = {0, 2};
+  pin.b = {2, 0, off(-0.5, -0.5)};
+  slide.name = "slide";
+  slide.type = JointType::Cylindrical;
+  slide.axis = Vec3::UnitX();
+  slide.a = {2, 0, off(0.5, 0.5)};
+  slide.b = {1, 0};
+  m.joints = {clamp, pin, slide};
+  ForceSpec turn, tie, push;
+  turn.name = "turn";
+  turn.joint = 1;
+  turn.stiffness = 6;
+  turn.rest = 0.3;
+  tie.name = "tie";
+  tie.a = {0, 1, off(0.1, 0.2)};
+  tie.b = {1, 1};
+  tie.stiffness = 11;
+  tie.rest = 1;
+  push.name = "push";
+  push.joint = 2;
+  push.force = TimeFunction::constant(4);
+  m.forces = {turn, tie, push};
+  LoadSpec dead, follower, spread;
+  dead.port = {2, 0, off(0.3, -0.4)};
+  dead.force = {5, 6, spatial ? 7.0 : 0.0};
+  dead.moment = {spatial ? 3.0 : 0.0, 0, 8};
+  follower = dead;
+  follower.port = {1, 2};
+  follower.follower = true;
+  spread = dead;
+  spread.port = {0, 0};
+  spread.spread = true;
+  m.loads = {dead, follower, spread};
+  return m;
+}
+
+template <FrameGroup G>
+void expect_tangent(const Space<G>& space, bool spatial) {
+  const auto model = Model<G>::build(everything(spatial), space);
+  const LoadLevel level{0.7, 0.7};
+  State<G> s = model.initial_state();
+  s.v.setZero();
+  const auto turn = [](int k) {  // a state off every symmetry
+    typename G::Tangent h;
+    for (int i = 0; i < G::dim; ++i) h[i] = 0.2 * std::sin(1 + 2.3 * i + 1.7 * k);
+    return h;
+  };
+  for (int k = 0; k < model.nodes(); ++k) s.H[k] = s.H[k] * G::exp(turn(k));
+  for (int i = 0; i < s.lambda.size(); ++i) s.lambda[i] = 3 * std::cos(1 + i);
+  Equations<G> eq(model);
+  eq.observe(s, s.q, s.q);
+  eq.evaluate(s, s.q, level);
+  StaticSystem<G> system(model);
+  system.take_prestress(eq, s);
+  const Eigen::MatrixXd A = system.assemble(eq, s, level);
+  EXPECT_EQ(Eigen::MatrixXd(system.assemble(eq, s, level)), A);  // the second time by index
+
+  const int n = model.size(), m = model.constraints();
+  const double h = 1e-6;
+  Eigen::MatrixXd difference(n + m, n);
+  for (int j = 0; j < n; ++j) {
+    State<G> moved = s;
+    const auto at = [&](double step) {
+      const typename G::Tangent e = step * G::Tangent::Unit(j % G::dim);
+      moved.H[j / G::dim] = s.H[j / G::dim] * G::exp(e);
+      eq.evaluate(moved, s.q, level);
+      return (Eigen::VectorXd(n + m) << eq.r, eq.phi).finished();
+    };
+    difference.col(j) = (at(h) - at(-h)) / (2 * h);
+  }
+  EXPECT_LT((A.leftCols(n) - difference).cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_EQ(A.topRightCorner(n, m), A.bottomLeftCorner(m, n).transpose());
+  EXPECT_TRUE(A.bottomRightCorner(m, m).isZero(0));
+}
+
+TEST(StaticSystem, TangentIsTheDerivativeInSpace) { expect_tangent<SE3>({}, true); }
+
+TEST(StaticSystem, TangentIsTheDerivativeInThePlane) {
+  const auto plane = find_plane(everything(false));
+  ASSERT_TRUE(plane.plane) << plane.reason;
+  expect_tangent<SE2>(*plane.plane, false);
+}
+
+/// A table of the load factor drives a hinge: the beam turns, nothing bends.
+TEST(StaticSystem, DriveFollowsTheLoadFactor) {
+  Mechanism m = cases::cantilever(cases::beam(straight({0, 0, 0}, {1, 0, 0}, 2),
+                                              cases::section(cases::diagonal(10, 10, 10, 10))));
+  m.joints[0].type = JointType::Revolute;
+  DriveSpec drive;
+  drive.motion = TimeFunction::table({0, 1}, {0, 2.5}, TimeFunction::Interpolation::Linear);
+  m.drives.push_back(drive);
+  SimulationOptions o = cases::tight();
+  o.load_steps = 2;
+  const auto solved = cases::solve(m, o);
+  ASSERT_EQ(solved.result.report.status, SolveStatus::Converged) << solved.result.report.reason;
+  EXPECT_NEAR(solved.frame(2).x.x(), std::cos(2.5), 1e-10);
+  EXPECT_NEAR(solved.frame(2).x.y(), std::sin(2.5), 1e-10);
+}
+
+/// The same clamp twice: left out once, told, and the result is that of one.
+TEST(StaticSystem, RedundantJointsAreLeftOut) {
+  Mechanism m = cases::bend45(4, 300);
+  m.joints.push_back(m.joints[0]);
+  m.joints[1].name = "again";
+  const auto solved = cases::solve(m);
+  ASSERT_EQ(solved.result.report.status, SolveStatus::Converged) << solved.result.report.reason;
+  EXPECT_FALSE(solved.result.report.warnings.empty());
+  const Vec3 once = cases::solve(cases::bend45(4, 300)).frame(4).x;
+  EXPECT_LT((solved.frame(4).x - once).norm(), 1e-9);
+}
+
+}  // namespace
+}  // namespace liesl
