@@ -71,7 +71,7 @@ TEST(FlyingBeam, MeetsThePublishedPositions) {
   const double h = 5e-3;
   const auto r = testing::run_spatial(reference::flying_beam(n), testing::options(5, h, 0.9));
   ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
-  for (const auto& row : reference::flying_beam) {
+  for (const auto& row : reference::flying_beam_states) {
     const SE3* H = r.trajectory().frames(r.at(row.t, h));
     EXPECT_LT((H[0].x - row.A).cwiseAbs().maxCoeff(), 3e-3) << H[0].x.transpose();
     EXPECT_LT((H[n].x - row.B).cwiseAbs().maxCoeff(), 3e-3) << H[n].x.transpose();
@@ -81,10 +81,12 @@ TEST(FlyingBeam, MeetsThePublishedPositions) {
 TEST(FlyingBeam, LinearMomentumDriftsWithTheSquareOfTheStep) {
   std::vector<double> drift;
   for (const double h : {0.02, 0.01, 0.005}) {
-    const auto r = testing::run_spatial(reference::flying_beam(8), testing::options(8, h, 0.9, 1e-9));
+    const auto r =
+        testing::run_spatial(reference::flying_beam(8), testing::options(8, h, 0.9, 1e-9));
     ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
     drift.push_back((momentum(*r.model, r.trajectory(), r.last()) -
-                     momentum(*r.model, r.trajectory(), r.at(5, h))).norm());
+                     momentum(*r.model, r.trajectory(), r.at(5, h)))
+                        .norm());
     std::printf("h %g momentum drift %g  %g\n", h, drift.back(),
                 (momentum(*r.model, r.trajectory(), r.at(5, h)) - Vec3(50, 0, 0)).norm());
   }

@@ -14,8 +14,7 @@ struct Error {
 Error error_at(const testing::Run<SE3>& r, const reference::HeavyTopState& exact, double step) {
   const int i = r.at(exact.t, step);
   const SE3* H = r.trajectory().frames(i);
-  const SE3::Tangent wrench =
-      testing::joint_wrench(*r.model, H, r.trajectory().lambda(i), 0);
+  const SE3::Tangent wrench = testing::joint_wrench(*r.model, H, r.trajectory().lambda(i), 0);
   const Vec3 force = H->R * wrench.head<3>();
   EXPECT_NEAR(r.trajectory().time(i), exact.t, 1e-12);
   EXPECT_LT(wrench.tail<3>().norm(), 1e-9);

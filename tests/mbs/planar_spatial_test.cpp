@@ -90,7 +90,8 @@ void expect_invariant(const Mechanism& m, const SimulationOptions& o) {
     difference = std::max(difference, (a.trajectory().v(i) - b.trajectory().v(i)).norm());
     for (int k = 0; k < a.model->nodes(); ++k)
       place = std::max(place, (reference::oblique() * a.trajectory().frames(i)[k].x -
-                               b.trajectory().frames(i)[k].x).norm());
+                               b.trajectory().frames(i)[k].x)
+                                  .norm());
   }
   EXPECT_LT(difference, 1e-9 * largest) << m.name;
   EXPECT_LT(place, 1e-9 * a.model->length) << m.name;

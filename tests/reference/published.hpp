@@ -15,16 +15,14 @@ struct HeavyTopState {
   double t;
   Eigen::Vector3d x, omega, reaction;
 };
-inline const HeavyTopState heavy_top_half{
-    0.5,
-    {-0.702468297057, -0.021165184702, -0.711400257652},
-    {-0.471053101741, 150, 5.901083048326},
-    {523.281243515, 404.206178320, 357.336176453}};
-inline const HeavyTopState heavy_top_one{
-    1.0,
-    {0.173343964098, 0.640088592070, -0.748490791134},
-    {-0.822078101692, 150, -5.923291348116},
-    {-517.600739477, -396.843101489, 404.574925163}};
+inline const HeavyTopState heavy_top_half{0.5,
+                                          {-0.702468297057, -0.021165184702, -0.711400257652},
+                                          {-0.471053101741, 150, 5.901083048326},
+                                          {523.281243515, 404.206178320, 357.336176453}};
+inline const HeavyTopState heavy_top_one{1.0,
+                                         {0.173343964098, 0.640088592070, -0.748490791134},
+                                         {-0.822078101692, 150, -5.923291348116},
+                                         {-517.600739477, -396.843101489, 404.574925163}};
 inline constexpr double heavy_top_energy = 5435.6967908655;  // J
 /// Errors of generalized-alpha on SE(3) at t = 1, rho = 0.9.
 struct HeavyTopError {
@@ -39,7 +37,7 @@ struct FlyingBeamState {
   double t;
   Eigen::Vector3d A, B;
 };
-inline const std::array<FlyingBeamState, 2> flying_beam{
+inline const std::array<FlyingBeamState, 2> flying_beam_states{
     {{2.5, {3.413, 0.197, 0.017}, {4.024, 8.496, -0.733}},
      {5.0, {19.560, 1.520, -1.507}, {11.876, 6.879, 1.831}}}};
 
