@@ -2,12 +2,17 @@
 
 #include <fmt/format.h>
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
 #include <Eigen/LU>
 #include <set>
 #include <stdexcept>
 
 namespace liesl {
 namespace {
+
+constexpr int kColumnsATask = 256;  // load cases solved by one task
 
 /// Number of the local direction of "x", ..., "rz"; -1 if there is none.
 std::vector<int> directions(const std::string& letters) {
@@ -81,7 +86,10 @@ void StaticPart<G>::set_loads(const Eigen::MatrixXd& f) {
 template <FrameGroup G>
 void StaticPart<G>::solve_columns(Eigen::MatrixXd& x) const {
   for (const int i : held_.fixed) x.row(i).setZero();
-  for (int n = 0; n < x.cols(); ++n) lu_.solve(x.col(n).data());
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(x.cols()), kColumnsATask),
+                    [&](const tbb::blocked_range<int>& range) {
+                      for (int n = range.begin(); n < range.end(); ++n) lu_.solve(x.col(n).data());
+                    });
 }
 
 template <FrameGroup G>

@@ -87,7 +87,7 @@ class Search {
     plane_ = plane;
     for (const auto check : {&Search::bodies, &Search::joints, &Search::loads})
       if (!(this->*check)()) return {std::nullopt, reason_};
-    const Vec3 n = plane.frame.R.col(2);
+    const Vec3 n = plane.frame.R.col(2) + Vec3::Zero();  // -0 + 0 = 0
     return {plane, fmt::format("all points, forces and sections are symmetric to the plane with normal "
                                "({:.4g}, {:.4g}, {:.4g})", n.x(), n.y(), n.z())};
   }

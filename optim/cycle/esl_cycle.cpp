@@ -247,7 +247,7 @@ class EslCycle {
       case Optimizer::Slsqp: return solve_nlopt(problem, NloptMethod::Slsqp, options);
       case Optimizer::Ipopt: break;
     }
-    if (study_.cycle.model == NlpModel::Separable || !problem.has_hessian()) {
+    if (study_.cycle.model == NlpModel::Separable) {
       options.tolerance = 1e-6;
       return solve_separable(problem, options);
     }

@@ -44,7 +44,8 @@ struct CycleOptions {
   double objective_tolerance = 1e-3;   ///< of the relative change of the objective
   double feasibility = 1e-3;       ///< allowed relative violation of a limit
   double move_limit = 0.5;         ///< largest relative change of a variable in a cycle, at first
-  double screening = 0.3;          ///< keep load cases within this of a constraint's largest
+  double screening = 0.1;          ///< keep load cases within this of a constraint's largest;
+                                   ///< others that turn out to violate it are added
   int min_cases = 10;              ///< kept per constraint
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
