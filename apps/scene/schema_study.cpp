@@ -40,7 +40,7 @@ std::vector<Key> study_keys() {
     {"cycle.objective_tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the objective at which the cycle is closed."},
     {"cycle.feasibility", Type::Number, "-", "1e-3", {0, 1, true}, "Allowed relative violation of a limit."},
     {"cycle.move_limit", Type::Number, "-", "0.5", {0, 1, true}, "Largest relative change of a variable in a cycle, at first."},
-    {"cycle.screening", Type::Number, "-", "0.3", {0, 1}, "Keep load cases within this share of a constraint's largest value."},
+    {"cycle.screening", Type::Number, "-", "0.1", {0, 1}, "Keep load cases within this share of a constraint's largest value; others that turn out to violate it are added."},
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
