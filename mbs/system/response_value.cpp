@@ -17,6 +17,23 @@ int components(const ResponseSpec& r, bool planar) {
   }
 }
 
+const char* name_of(ResponseKind kind) {
+  switch (kind) {
+    case ResponseKind::Position: return "position";
+    case ResponseKind::Velocity: return "velocity";
+    case ResponseKind::AngularVelocity: return "angular_velocity";
+    case ResponseKind::Displacement: return "displacement";
+    case ResponseKind::Deflection: return "deflection";
+    case ResponseKind::Elongation: return "elongation";
+    case ResponseKind::Coordinate: return "coordinate";
+    case ResponseKind::JointForce: return "joint_force";
+    case ResponseKind::SectionForce: return "section_force";
+    case ResponseKind::Stress: return "stress";
+    case ResponseKind::Energy: return "energy";
+  }
+  return "";
+}
+
 const char* unit(const ResponseSpec& r, const Mechanism& mechanism) {
   switch (r.kind) {
     case ResponseKind::Velocity: return "m/s";

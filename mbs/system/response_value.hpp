@@ -9,6 +9,8 @@ namespace liesl {
 
 /// Number of components of a response: 1, 2 (deflection in space) or 3.
 int components(const ResponseSpec& response, bool planar);
+/// "deflection", ...: as a scene calls it.
+const char* name_of(ResponseKind kind);
 /// SI unit of a response.
 const char* unit(const ResponseSpec& response, const Mechanism& mechanism);
 

@@ -54,11 +54,7 @@ class EslCycle {
   EslCycle(const Mechanism& mechanism, const Space<G>& space, const SimulationOptions& options,
            const StudySpec& study, const CycleHooks& hooks)
       : mechanism_(mechanism), space_(space), options_(options), study_(study), hooks_(hooks),
-        sizing_(study.design, mechanism), move_(study.cycle.move_limit) {
-    for (const auto& c : study.constraints) {
-      const int body = c.response.kind == ResponseKind::Displacement ? c.response.at.body : c.response.body;
-      if (std::find(bodies_.begin(), bodies_.end(), body) == bodies_.end()) bodies_.push_back(body);
-    }
+        sizing_(study.design, mechanism), move_(study.cycle.move_limit), bodies_(limited_bodies(study)) {
     result_.factorizations.assign(mechanism.bodies.size(), 0);
   }
 

@@ -78,7 +78,7 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body, std::vector<E
   for (size_t i = 0; i < study_.constraints.size(); ++i) {
     ResponseSpec r = study_.constraints[i].response;
     const int index = static_cast<int>(i);
-    if ((r.kind == ResponseKind::Displacement ? r.at.body : r.body) != body) continue;
+    if (limited_body(r) != body) continue;
     if (r.kind == ResponseKind::Stress) {
       stress_ = true;
       const auto& spec = std::get<BeamSpec>(at.mechanism.bodies[body].kind);
@@ -106,7 +106,7 @@ template <FrameGroup G>
 Eigen::MatrixXd StaticSizing<G>::gradient_at_rest(const Analysis<G>& at, const ResponseSpec& r) const {
   const ResponseValues<G> values(at.mechanism, model_);
   State<G> s = model_.initial_state();
-  const int body = r.kind == ResponseKind::Displacement ? r.at.body : r.body;
+  const int body = limited_body(r);
   const int first = model_.first_node(body), nodes = model_.bodies[body]->nodes();
   Eigen::MatrixXd c(dim * nodes, components(r, G::space_dim == 2));
   const double step = kDifference * model_.length;

@@ -2,6 +2,7 @@
 /// @file
 /// A sizing study as data: what may change, what must hold, how to cycle.
 
+#include <algorithm>
 #include <map>
 #include <string>
 #include <vector>
@@ -49,6 +50,11 @@ struct CycleOptions {
   NlpModel model = NlpModel::Exact;
 };
 
+/// Body whose deformation a response measures.
+inline int limited_body(const ResponseSpec& r) {
+  return r.kind == ResponseKind::Displacement ? r.at.body : r.body;
+}
+
 struct StudySpec {
   std::string name;
   std::vector<DesignSpec> design;
@@ -57,5 +63,14 @@ struct StudySpec {
   std::map<int, Support> supports;  ///< by body; default "start"
   CycleOptions cycle;
 };
+
+/// Bodies that carry limits, each once.
+inline std::vector<int> limited_bodies(const StudySpec& study) {
+  std::vector<int> bodies;
+  for (const auto& c : study.constraints)
+    if (const int b = limited_body(c.response); std::find(bodies.begin(), bodies.end(), b) == bodies.end())
+      bodies.push_back(b);
+  return bodies;
+}
 
 }  // namespace liesl

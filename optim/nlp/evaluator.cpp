@@ -35,7 +35,9 @@ VectorXd start_of(const Problem& problem) {
 }
 
 double largest_violation(const VectorXd& g, const VectorXd& scale) {
-  return g.size() ? std::max(0.0, g.cwiseQuotient(scale).maxCoeff()) : 0.0;
+  double largest = 0;
+  for (int i = 0; i < g.size(); ++i) largest = std::max(largest, g[i] / scale[i]);
+  return largest;
 }
 
 VectorXd NlpScaling::of_variables(const Problem& problem) {
@@ -56,8 +58,8 @@ NlpScaling NlpScaling::at(const Problem& problem, const NlpPoint& p) {
   if (s.f == 0) s.f = 1;
   for (int i = 0; i < p.g.size(); ++i) {
     const double given = problem.constraints()[i].scale;
-    const double found = std::max(
-        std::abs(p.g[i]), p.dg.row(i).transpose().cwiseProduct(s.x).cwiseAbs().maxCoeff());
+    const double found =
+        std::max(std::abs(p.g[i]), p.dg.row(i).transpose().cwiseProduct(s.x).cwiseAbs().maxCoeff());
     s.g[i] = given > 0 ? given : found > 0 ? found : 1;
   }
   return s;
@@ -68,8 +70,8 @@ Evaluator::Evaluator(Problem& problem, const NlpOptions& options)
   refuse_if("invalid options of the optimiser:", options.errors());
   refuse_if("invalid optimisation problem:", problem_errors(problem));
   scaling_.x = NlpScaling::of_variables(problem);
-  current_.setConstant(n(), std::numeric_limits<double>::quiet_NaN());
-  differentiated_ = current_;
+  no_point_.setConstant(n(), std::numeric_limits<double>::quiet_NaN());
+  current_ = differentiated_ = failed_at_ = no_point_;
   const VectorXd x = start_of(problem);
   usable_ = guard([&] { return gradients_at(x); });
   rethrow();
@@ -112,7 +114,7 @@ bool Evaluator::hessian(const VectorXd& y, double sigma, const VectorXd& lambda)
   return guard([&] {
     const VectorXd x = unscaled(y);
     if (!gradients_at(x)) return false;
-    if (differentiated_ != x) bring_back(points_.front(), true);
+    if (differentiated_ != x && !bring_back(points_.front(), true)) return false;
     hessian_.setZero(n(), n());
     problem_.hessian(x, sigma / scaling_.f, lambda.cwiseQuotient(scaling_.g), hessian_);
     if (problem_.hessian_shape() == HessianShape::Diagonal)
@@ -125,12 +127,13 @@ bool Evaluator::hessian(const VectorXd& y, double sigma, const VectorXd& lambda)
 }
 
 bool Evaluator::values_at(const VectorXd& x) {
-  const auto known = std::find_if(points_.begin(), points_.end(),
-                                  [&](const NlpPoint& p) { return p.x == x; });
+  const auto known =
+      std::find_if(points_.begin(), points_.end(), [&](const NlpPoint& p) { return p.x == x; });
   if (known != points_.end()) {
     points_.splice(points_.begin(), points_, known);
     return true;
   }
+  if (failed_at_ == x || given_up()) return false;
   if (!x.allFinite()) {
     failure_ = "the optimiser asked for a point that is not finite";
     return false;
@@ -138,8 +141,7 @@ bool Evaluator::values_at(const VectorXd& x) {
   NlpPoint p;
   p.x = x;
   p.g.setZero(m());
-  bring_back(p, false);
-  if (!finite_values(p)) return false;
+  if (!bring_back(p, false)) return false;
   points_.push_front(std::move(p));
   if (points_.size() > kKeptPoints) points_.pop_back();
   remember(points_.front());
@@ -150,23 +152,36 @@ bool Evaluator::gradients_at(const VectorXd& x) {
   if (!values_at(x)) return false;
   NlpPoint& p = points_.front();
   if (p.has_gradients) return true;
-  p.df.setZero(n());
-  p.dg.setZero(m(), n());
-  bring_back(p, true);
-  p.has_gradients = finite_gradients(p);
-  return p.has_gradients;
+  return bring_back(p, true);
 }
 
-void Evaluator::bring_back(NlpPoint& p, bool with_gradients) {
+bool Evaluator::bring_back(NlpPoint& p, bool with_gradients) {
+  NlpPoint fresh{p.x, 0, VectorXd::Zero(m()), false, {}, {}};
   if (current_ != p.x) {
     ++evaluations_;
     current_ = p.x;
-    problem_.values(p.x, p.f, p.g);
+    problem_.values(p.x, fresh.f, fresh.g);
+    if (!finite_values(fresh)) {
+      failed_at_ = p.x;
+      current_ = no_point_;
+      ++failures_in_a_row_;
+      return false;
+    }
+    failures_in_a_row_ = 0;
+    p.f = fresh.f;
+    p.g = fresh.g;
   }
-  if (!with_gradients) return;
+  if (!with_gradients) return true;
+  fresh.df.setZero(n());
+  fresh.dg.setZero(m(), n());
   ++gradient_evaluations_;
   differentiated_ = p.x;
-  problem_.gradients(p.x, p.df, p.dg);
+  problem_.gradients(p.x, fresh.df, fresh.dg);
+  if (!finite_gradients(fresh)) return false;
+  p.df.swap(fresh.df);
+  p.dg.swap(fresh.dg);
+  p.has_gradients = true;
+  return true;
 }
 
 bool Evaluator::finite_values(const NlpPoint& p) {
@@ -221,8 +236,13 @@ double Evaluator::seconds() const {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
 }
 
+std::string Evaluator::with_failure(const std::string& reason) const {
+  if (failure_.empty() || reason.find(failure_) != std::string::npos) return reason;
+  return reason + "; " + failure_;
+}
+
 bool Evaluator::proceed(int iteration) {
-  if (broken() || out_of_time()) return false;
+  if (broken() || given_up() || out_of_time()) return false;
   if (!options_.progress) return true;
   const NlpPoint& p = point();
   return guard([&] {
@@ -253,8 +273,8 @@ double Evaluator::stationarity(const VectorXd& r) const {
   const VectorXd y = point().x.cwiseQuotient(scaling_.x), lo = lower(), up = upper();
   double largest = 0;
   for (int j = 0; j < n(); ++j) {
-    const bool carried = (y[j] - lo[j] <= kOnBound && r[j] > 0) ||
-                         (up[j] - y[j] <= kOnBound && r[j] < 0);
+    const bool carried =
+        (y[j] - lo[j] <= kOnBound && r[j] > 0) || (up[j] - y[j] <= kOnBound && r[j] < 0);
     if (!carried) largest = std::max(largest, std::abs(r[j]));
   }
   return largest;

@@ -45,6 +45,8 @@ double largest_violation(const Eigen::VectorXd& g, const Eigen::VectorXd& scale)
 /// says why, and `rethrow` hands on an exception. After an exception nothing is evaluated.
 class Evaluator {
  public:
+  static constexpr int kForgivenFailures = 30;
+
   /// Evaluates values and gradients at the start and derives the scaling from them.
   Evaluator(Problem& problem, const NlpOptions& options);
 
@@ -87,7 +89,11 @@ class Evaluator {
     if (exception_) std::rethrow_exception(exception_);
   }
   bool broken() const { return exception_ != nullptr; }
+  /// Too many new points in a row without a value: nothing is evaluated any more.
+  bool given_up() const { return failures_in_a_row_ >= kForgivenFailures; }
   const std::string& failure() const { return failure_; }
+  /// `reason`, and the latest failure if it does not say it already.
+  std::string with_failure(const std::string& reason) const;
 
   /// True to go on: calls the user's progress function and looks at the clock.
   bool proceed(int iteration);
@@ -108,7 +114,8 @@ class Evaluator {
   bool values_at(const Eigen::VectorXd& x);
   bool gradients_at(const Eigen::VectorXd& x);
   /// Makes the problem's own state belong to p: the calls that are due, in the order promised.
-  void bring_back(NlpPoint& p, bool with_gradients);
+  /// p keeps what it had if they give nothing finite.
+  bool bring_back(NlpPoint& p, bool with_gradients);
   bool finite_values(const NlpPoint& p);
   bool finite_gradients(const NlpPoint& p);
   void remember(const NlpPoint& p);
@@ -117,15 +124,17 @@ class Evaluator {
   const NlpOptions& options_;
   std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
   NlpScaling scaling_;
-  std::list<NlpPoint> points_;  ///< latest first, at most three
+  std::list<NlpPoint> points_;                ///< latest first, at most three
   Eigen::VectorXd current_, differentiated_;  ///< x of the latest values(), gradients()
+  Eigen::VectorXd failed_at_;                 ///< latest x without a value
+  Eigen::VectorXd no_point_;                  ///< NaN: differs from every x
   Eigen::MatrixXd hessian_;
   std::optional<NlpPoint> best_;
   double best_violation_ = 0;
   std::exception_ptr exception_;
   std::string failure_;
   bool usable_ = false;
-  int evaluations_ = 0, gradient_evaluations_ = 0, failed_ = 0;
+  int evaluations_ = 0, gradient_evaluations_ = 0, failed_ = 0, failures_in_a_row_ = 0;
 };
 
 }  // namespace liesl

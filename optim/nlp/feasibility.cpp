@@ -70,8 +70,8 @@ std::string bounds_in_conflict(const Problem& problem, const NlpResult& r) {
 
 std::string describe(const std::vector<NlpViolation>& conflict) {
   constexpr std::size_t kShown = 5;
-  std::string text = conflict.size() > 1 ? "constraints cannot be met together: "
-                                         : "a constraint cannot be met: ";
+  std::string text =
+      conflict.size() > 1 ? "constraints cannot be met together: " : "a constraint cannot be met: ";
   for (std::size_t k = 0; k < std::min(conflict.size(), kShown); ++k)
     text += fmt::format("{}'{}' exceeds its limit by at least {:.4g}", k ? ", " : "",
                         conflict[k].name, conflict[k].g);
@@ -105,9 +105,8 @@ LeastViolation least_violation(Problem& problem, const VectorXd& scale, const Ve
     if (scaled > 0 && r.multipliers.at(c.id) > kCarries)
       out.conflict.push_back({c.id, c.name, scaled * scale[static_cast<int>(i)], scaled});
   }
-  std::stable_sort(out.conflict.begin(), out.conflict.end(), [](const auto& a, const auto& b) {
-    return a.scaled > b.scaled;
-  });
+  std::stable_sort(out.conflict.begin(), out.conflict.end(),
+                   [](const auto& a, const auto& b) { return a.scaled > b.scaled; });
   out.reason = describe(out.conflict) + bounds_in_conflict(problem, r);
   return out;
 }

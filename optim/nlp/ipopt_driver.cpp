@@ -177,9 +177,9 @@ void set_options(Ipopt::OptionsList& list, const NlpOptions& o, bool exact, bool
   if (!warm) return;
   text("warm_start_init_point", "yes");
   number("mu_init", o.warm_barrier);
-  for (const char* push : {"warm_start_bound_push", "warm_start_bound_frac",
-                           "warm_start_slack_bound_push", "warm_start_slack_bound_frac",
-                           "warm_start_mult_bound_push"})
+  for (const char* push :
+       {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
+        "warm_start_slack_bound_frac", "warm_start_mult_bound_push"})
     number(push, o.warm_barrier);
 }
 
@@ -202,8 +202,7 @@ Ipopt::ApplicationReturnStatus run(const Ipopt::SmartPtr<Adapter>& adapter, cons
     ~Inside() { inside_ipopt = false; }
   } inside;
   one_blas_thread();
-  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application =
-      new Ipopt::IpoptApplication(false);
+  const Ipopt::SmartPtr<Ipopt::IpoptApplication> application = new Ipopt::IpoptApplication(false);
   set_options(*application->Options(), o, exact, warm);
   const auto ready = application->Initialize("");  // "": no ipopt.opt of the working directory
   if (ready != Ipopt::Solve_Succeeded)
@@ -286,6 +285,10 @@ NlpResult run_once(Evaluator& e, const NlpOptions& options, const NlpWarmStart* 
   translate(code, e, r);
   const bool last = r.solved() && e.values(adapter->y);
   e.rethrow();
+  if (r.solved() && !last) {
+    r.status = NlpStatus::Stopped;
+    r.reason = e.failure();
+  }
   const NlpPoint chosen = last ? e.point() : *e.best();
   const VectorXd y = chosen.x.cwiseQuotient(e.scaling().x);
   r.stationarity = 1;
@@ -313,6 +316,7 @@ NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
   }
   r.reason = least.reason;
   r.conflict = least.conflict;
+  r.stationarity = 1;
   if (!least.solved) r.status = NlpStatus::Stopped;
   if (least.solved && e.values(least.x.cwiseQuotient(e.scaling().x))) e.report(e.point(), r);
   e.rethrow();
@@ -333,11 +337,11 @@ NlpResult solve_ipopt(Problem& problem, const NlpOptions& options, const NlpWarm
   if (r.status == NlpStatus::Infeasible && options.explain_infeasible)
     r = explain(e, options, std::move(r));
   const bool nearly = r.status == NlpStatus::Stopped && e.failure().empty() &&
-                      r.stationarity <= options.acceptable &&
-                      r.violation <= options.feasibility;
+                      r.stationarity <= options.acceptable && r.violation <= options.feasibility;
   if (nearly) r.status = NlpStatus::Acceptable;
   if (infeasible && r.status == NlpStatus::IterationLimit)
     r.reason += fmt::format("; constraints are still violated by {:.2e} (scaled)", r.violation);
+  if (r.status == NlpStatus::Stopped) r.reason = e.with_failure(r.reason);
   return r;
 }
 

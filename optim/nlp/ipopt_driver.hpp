@@ -13,7 +13,8 @@ namespace liesl {
 ///
 /// If no feasible point is found, the least violation is looked for (feasibility.hpp): the run is
 /// repeated once from a feasible point, or the result is Infeasible and names the conflict.
-/// A point without a value (NaN) makes Ipopt shorten its step; at the start it ends the run.
+/// A point without a value (NaN) makes Ipopt shorten its step; at the start, or thirty in a row,
+/// it ends the run.
 /// The result is the best point evaluated unless the status is Converged or Acceptable.
 ///
 /// Ipopt and MUMPS are not thread-safe: calls wait for each other in the whole process, and a

@@ -65,8 +65,7 @@ void read_multipliers(const Problem& problem, const NlpPoint& p, const Columns& 
     if (c.kind != Carrier::Constraint) continue;
     ++out.active;
     out.multipliers[problem.constraints()[c.index].id] = value;
-    out.complementarity =
-        std::max(out.complementarity, value * std::abs(p.g[c.index]) / f_scale);
+    out.complementarity = std::max(out.complementarity, value * std::abs(p.g[c.index]) / f_scale);
   }
 }
 
@@ -123,9 +122,9 @@ KktResidual kkt_residual(Problem& problem, const VectorXd& x, const KktOptions& 
 }
 
 std::string KktResidual::brief() const {
-  std::string text = fmt::format(
-      "optimality conditions: stationarity {:.2e} ('{}' should {}), feasibility {:.2e}", stationarity,
-      worst_variable, worst_slope < 0 ? "grow" : "shrink", feasibility);
+  std::string text =
+      fmt::format("optimality conditions: stationarity {:.2e} ('{}' should {}), feasibility {:.2e}",
+                  stationarity, worst_variable, worst_slope < 0 ? "grow" : "shrink", feasibility);
   if (!worst_constraint.empty()) text += fmt::format(" ('{}')", worst_constraint);
   return text + fmt::format(", complementarity {:.2e}, {} near-active constraints", complementarity,
                             active);
@@ -134,9 +133,11 @@ std::string KktResidual::brief() const {
 namespace {
 
 /// Least squares on the columns in `passive`, zero elsewhere.
-VectorXd restricted_solution(const MatrixXd& a, const VectorXd& b, const std::vector<int>& passive) {
+VectorXd restricted_solution(const MatrixXd& a, const VectorXd& b,
+                             const std::vector<int>& passive) {
   MatrixXd part(a.rows(), static_cast<int>(passive.size()));
-  for (std::size_t k = 0; k < passive.size(); ++k) part.col(static_cast<int>(k)) = a.col(passive[k]);
+  for (std::size_t k = 0; k < passive.size(); ++k)
+    part.col(static_cast<int>(k)) = a.col(passive[k]);
   const VectorXd s = part.colPivHouseholderQr().solve(b);
   VectorXd z = VectorXd::Zero(a.cols());
   for (std::size_t k = 0; k < passive.size(); ++k) z[passive[k]] = s[static_cast<int>(k)];
@@ -184,8 +185,8 @@ VectorXd nonnegative_least_squares(const MatrixXd& a, const VectorXd& b) {
       continue;
     }
     std::fill(refused.begin(), refused.end(), false);
-    while (!passive.empty() && std::any_of(passive.begin(), passive.end(),
-                                           [&](int k) { return trial[k] <= 0; })) {
+    while (!passive.empty() &&
+           std::any_of(passive.begin(), passive.end(), [&](int k) { return trial[k] <= 0; })) {
       retreat(z, trial, passive);
       if (!passive.empty()) trial = restricted_solution(a, b, passive);
     }

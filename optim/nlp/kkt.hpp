@@ -25,9 +25,9 @@ struct KktOptions {
 ///     r = D (df + sum lambda_i dg_i - zl + zu) / S,
 /// where lambda, zl, zu >= 0 of the near-active constraints and bounds minimise |r|_2.
 struct KktResidual {
-  double stationarity = 0;     ///< |r|_inf; 0 = optimal, order 1 = no multiplier helps
-  double feasibility = 0;      ///< largest g/scale, 0 if feasible
-  double complementarity = 0;  ///< largest lambda_i |g_i| / S
+  double stationarity = 0;       ///< |r|_inf; 0 = optimal, order 1 = no multiplier helps
+  double feasibility = 0;        ///< largest g/scale, 0 if feasible
+  double complementarity = 0;    ///< largest lambda_i |g_i| / S
   std::string worst_variable;    ///< of the stationarity: which one should move
   double worst_slope = 0;        ///< component of r there: < 0 = it should grow
   std::string worst_constraint;  ///< of the feasibility; empty if feasible
@@ -43,7 +43,8 @@ struct KktResidual {
 
 /// At x, which must lie within the bounds (to round-off). Evaluates values and gradients once;
 /// throws std::runtime_error if they are not finite.
-KktResidual kkt_residual(Problem& problem, const Eigen::VectorXd& x, const KktOptions& options = {});
+KktResidual kkt_residual(Problem& problem, const Eigen::VectorXd& x,
+                         const KktOptions& options = {});
 /// With values and gradients at hand (`point.has_gradients`).
 KktResidual kkt_residual(const Problem& problem, const NlpPoint& point,
                          const KktOptions& options = {});

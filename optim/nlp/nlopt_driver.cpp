@@ -20,24 +20,33 @@ using Eigen::VectorXd;
 
 namespace {
 
+/// Residual that is Acceptable whatever the options say: f stands still to about its square.
+constexpr double kStandingStill = 1e-3;
+
 struct Session {
   Evaluator& e;
   nlopt_opt opt;
+  VectorXd y;  ///< start, then the last point
   int calls = 0;
 };
 
-/// Values (and gradients) at y; otherwise NLopt is told to stop.
+/// Values (and gradients) at y. Without a value NLopt gets infinity, which shortens its step;
+/// without a gradient, after an exception or too many failures in a row it is told to stop.
 bool evaluate(Session& s, unsigned n, const double* y, bool gradients) {
   const Map<const VectorXd> at(y, n);
-  if (gradients ? s.e.gradients(at) : s.e.values(at)) return true;
-  nlopt_force_stop(s.opt);
+  const bool value = s.e.values(at);
+  if (value && (!gradients || s.e.gradients(at))) return true;
+  if (value || s.e.broken() || s.e.given_up()) nlopt_force_stop(s.opt);
   return false;
 }
 
 double objective(unsigned n, const double* y, double* df, void* data) {
   auto& s = *static_cast<Session*>(data);
-  if (!evaluate(s, n, y, df != nullptr)) return HUGE_VAL;
-  if (!s.e.proceed(s.calls++)) nlopt_force_stop(s.opt);
+  if (!evaluate(s, n, y, df != nullptr)) {
+    if (df) std::fill_n(df, n, 0.0);
+    return HUGE_VAL;
+  }
+  if (!s.e.proceed(++s.calls)) nlopt_force_stop(s.opt);
   if (df) Map<VectorXd>(df, n) = s.e.dF();
   return s.e.F();
 }
@@ -46,6 +55,7 @@ void constraints(unsigned m, double* g, unsigned n, const double* y, double* dg,
   auto& s = *static_cast<Session*>(data);
   if (!evaluate(s, n, y, dg != nullptr)) {
     std::fill_n(g, m, HUGE_VAL);
+    if (dg) std::fill_n(dg, std::size_t{m} * n, 0.0);
     return;
   }
   Map<VectorXd>(g, m) = s.e.G();
@@ -54,9 +64,12 @@ void constraints(unsigned m, double* g, unsigned n, const double* y, double* dg,
 
 nlopt_algorithm algorithm(NloptMethod method) {
   switch (method) {
-    case NloptMethod::Mma: return NLOPT_LD_MMA;
-    case NloptMethod::Ccsaq: return NLOPT_LD_CCSAQ;
-    case NloptMethod::Slsqp: return NLOPT_LD_SLSQP;
+    case NloptMethod::Mma:
+      return NLOPT_LD_MMA;
+    case NloptMethod::Ccsaq:
+      return NLOPT_LD_CCSAQ;
+    case NloptMethod::Slsqp:
+      return NLOPT_LD_SLSQP;
   }
   throw std::invalid_argument("solve_nlopt: expected Mma, Ccsaq or Slsqp");
 }
@@ -82,18 +95,28 @@ nlopt_result run(Session& s, const NlpOptions& o) {
   check(nlopt_set_xtol_rel(s.opt, std::max(1e-14, kStandstill * o.tolerance)), "xtol_rel");
   check(nlopt_set_maxeval(s.opt, o.max_iterations), "maxeval");
   if (std::isfinite(o.time_limit)) check(nlopt_set_maxtime(s.opt, o.time_limit), "maxtime");
-  VectorXd y = s.e.start().cwiseMax(lower).cwiseMin(upper);
+  s.y = s.e.start().cwiseMax(lower).cwiseMin(upper);
   double f = 0;
-  return nlopt_optimize(s.opt, y.data(), &f);
+  return nlopt_optimize(s.opt, s.y.data(), &f);
 }
 
-/// Status of the best point from what can be checked there, not from why NLopt stopped.
+/// Where NLopt ended if that is feasible and as good as the best point (which may live off the
+/// feasibility tolerance), else the best point.
+NlpPoint choose(Session& s, const NlpOptions& o) {
+  constexpr double kAsGood = 1e-6;
+  const NlpPoint best = *s.e.best();
+  if (!s.y.allFinite() || !s.e.values(s.y)) return best;
+  const NlpPoint& last = s.e.point();
+  const bool feasible = largest_violation(last.g, s.e.scaling().g) <= o.feasibility;
+  return feasible && last.f <= best.f + kAsGood * std::abs(best.f) ? last : best;
+}
+
+/// Status of r.x from what can be checked there, not from why NLopt stopped.
 void judge(Evaluator& e, nlopt_result code, const NlpOptions& o, NlpResult& r) {
-  const VectorXd y = e.best()->x.cwiseQuotient(e.scaling().x);
   double residual = 1;
-  if (e.gradients(y)) {
+  if (e.gradients(r.x.cwiseQuotient(e.scaling().x))) {
     KktOptions k;
-    k.active = std::max(1e-6, 10 * o.feasibility);
+    k.active = std::max(1e-4, 10 * o.feasibility);
     const KktResidual kkt = kkt_residual(e.problem(), e.point(), k);
     r.stationarity = kkt.stationarity;
     residual = std::max(kkt.stationarity, kkt.complementarity);
@@ -105,7 +128,7 @@ void judge(Evaluator& e, nlopt_result code, const NlpOptions& o, NlpResult& r) {
       "{:.1e} of the optimality conditions is left (no multipliers from NLopt)", residual);
   if (code == NLOPT_FORCED_STOP && !limit) {
     r.reason = e.failure().empty() ? "stopped" : e.failure();
-  } else if (feasible && residual <= o.acceptable) {
+  } else if (feasible && residual <= std::max(o.acceptable, kStandingStill)) {
     r.status = residual <= o.tolerance ? NlpStatus::Converged : NlpStatus::Acceptable;
     r.reason = quality;
   } else if (limit) {
@@ -116,7 +139,7 @@ void judge(Evaluator& e, nlopt_result code, const NlpOptions& o, NlpResult& r) {
     r.status = NlpStatus::Infeasible;
     r.reason = "no feasible point found";
   } else {
-    r.reason = "f and x stand still, but " + quality;
+    r.reason = e.with_failure("f and x stand still, but " + quality);
   }
 }
 
@@ -124,6 +147,7 @@ void explain(Evaluator& e, const NlpOptions& o, NlpResult& r) {
   const LeastViolation least = least_violation(e.problem(), e.scaling().g, r.x, r.violation, o);
   r.reason = least.reason;
   r.conflict = least.conflict;
+  r.stationarity = 1;
   if (!least.conflict.empty()) return;
   r.status = NlpStatus::Stopped;
   if (least.solved)
@@ -144,13 +168,14 @@ NlpResult solve_nlopt(Problem& problem, NloptMethod method, const NlpOptions& op
   const std::unique_ptr<nlopt_opt_s, decltype(&nlopt_destroy)> opt(
       nlopt_create(algorithm(method), static_cast<unsigned>(e.n())), &nlopt_destroy);
   if (!opt) throw std::bad_alloc();
-  Session session{e, opt.get()};
+  Session session{e, opt.get(), e.start()};
   const nlopt_result code = run(session, options);
   e.rethrow();
-  e.report(*e.best(), r);
+  const NlpPoint chosen = choose(session, options);
+  e.report(chosen, r);
   judge(e, code, options, r);
   e.rethrow();
-  e.report(*e.best(), r);
+  e.report(chosen, r);
   r.iterations = session.calls;
   if (r.status == NlpStatus::Infeasible && options.explain_infeasible) explain(e, options, r);
   return r;

@@ -45,8 +45,8 @@ std::vector<std::string> problem_errors(const Problem& problem) {
     if (!ids.insert(c.id).second)
       errors.push_back(fmt::format("constraint '{}': the id {} is taken", c.name, c.id));
     if (!std::isfinite(c.scale) || c.scale < 0)
-      errors.push_back(fmt::format("constraint '{}': expected a scale > 0 (or 0 = automatic), got {}",
-                                   c.name, c.scale));
+      errors.push_back(fmt::format(
+          "constraint '{}': expected a scale > 0 (or 0 = automatic), got {}", c.name, c.scale));
   }
   return errors;
 }

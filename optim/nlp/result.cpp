@@ -6,11 +6,16 @@ namespace liesl {
 
 const char* to_string(NlpStatus status) {
   switch (status) {
-    case NlpStatus::Converged: return "converged";
-    case NlpStatus::Acceptable: return "acceptable";
-    case NlpStatus::IterationLimit: return "iteration limit";
-    case NlpStatus::Infeasible: return "infeasible";
-    case NlpStatus::Stopped: return "stopped";
+    case NlpStatus::Converged:
+      return "converged";
+    case NlpStatus::Acceptable:
+      return "acceptable";
+    case NlpStatus::IterationLimit:
+      return "iteration limit";
+    case NlpStatus::Infeasible:
+      return "infeasible";
+    case NlpStatus::Stopped:
+      return "stopped";
   }
   return "unknown";
 }
@@ -32,7 +37,8 @@ std::vector<std::string> NlpOptions::errors() const {
 
 std::string NlpResult::brief() const {
   return fmt::format(
-      "{}: {} | f = {:.10g}, violation {:.1e}, stationarity {:.1e} | {} iterations, {} evaluations, "
+      "{}: {} | f = {:.10g}, violation {:.1e}, stationarity {:.1e} | {} iterations, {} "
+      "evaluations, "
       "{:.3g} s",
       to_string(status), reason, f, violation, stationarity, iterations, evaluations, time);
 }

@@ -30,18 +30,18 @@ struct NlpProgress {
 };
 
 enum class HessianUse {
-  Auto,     ///< exact if the problem has one
-  Exact,    ///< refuse a problem without
-  Quasi     ///< limited-memory BFGS even if the problem has one
+  Auto,   ///< exact if the problem has one
+  Exact,  ///< refuse a problem without
+  Quasi   ///< limited-memory BFGS even if the problem has one
 };
 
 /// Variables are scaled by their range, f by its start, g by NlpConstraint::scale; tolerances
 /// refer to scaled quantities.
 struct NlpOptions {
-  int max_iterations = 300;    ///< >= 1
-  double tolerance = 1e-8;     ///< of the scaled optimality conditions, in (0, 1)
-  double feasibility = 1e-8;   ///< allowed g/scale, in (0, 1)
-  double acceptable = 1e-5;    ///< of the scaled optimality conditions, in [tolerance, 1)
+  int max_iterations = 300;   ///< >= 1
+  double tolerance = 1e-8;    ///< of the scaled optimality conditions, in (0, 1)
+  double feasibility = 1e-8;  ///< allowed g/scale, in (0, 1)
+  double acceptable = 1e-5;   ///< of the scaled optimality conditions, in [tolerance, 1)
   double time_limit = std::numeric_limits<double>::infinity();  ///< s, > 0
   HessianUse hessian = HessianUse::Auto;
   /// Barrier parameter that an interior point method starts from with a warm start, in (0, 1).
@@ -71,14 +71,14 @@ struct NlpViolation {
 /// sum zu_j (x_j - upper_j): dL/dx = 0, lambda, zl, zu >= 0 at an optimum.
 struct NlpResult {
   NlpStatus status = NlpStatus::Stopped;
-  std::string reason;  ///< one sentence
-  Eigen::VectorXd x;   ///< within the bounds; the start if nothing could be evaluated
-  double f = 0;        ///< at x
-  Eigen::VectorXd g;   ///< at x; empty (and f = 0) if the start could not be evaluated
-  double violation = 0;     ///< largest g/scale at x, 0 if feasible
-  double stationarity = 0;  ///< scaled residual of dL/dx = 0; 1 if unknown
+  std::string reason;            ///< one sentence
+  Eigen::VectorXd x;             ///< within the bounds; the start if nothing could be evaluated
+  double f = 0;                  ///< at x
+  Eigen::VectorXd g;             ///< at x; empty (and f = 0) if the start could not be evaluated
+  double violation = 0;          ///< largest g/scale at x, 0 if feasible
+  double stationarity = 0;       ///< scaled residual of dL/dx = 0; 1 if unknown
   bool has_multipliers = false;  ///< false: the optimiser does not give any (NLopt)
-  std::map<ConstraintId, double> multipliers;     ///< unit f / g
+  std::map<ConstraintId, double> multipliers;            ///< unit f / g
   Eigen::VectorXd lower_multipliers, upper_multipliers;  ///< by variable, unit f / x
   std::vector<NlpViolation> conflict;  ///< Infeasible: least violation possible, largest first
   int iterations = 0;

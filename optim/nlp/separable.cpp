@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/feasibility.hpp"
@@ -96,8 +97,8 @@ void Sequence::move_asymptotes() {
       const double turn = (at_.y[j] - before_[j]) * (before_[j] - before2_[j]);
       width_[j] *= turn > 0 ? s_.widen : turn < 0 ? s_.narrow : 1;
     }
-    width_[j] = std::clamp(width_[j], s_.nearest_asymptote * range_[j],
-                           s_.farthest_asymptote * range_[j]);
+    width_[j] =
+        std::clamp(width_[j], s_.nearest_asymptote * range_[j], s_.farthest_asymptote * range_[j]);
   }
   at_.l = at_.y - width_;
   at_.u = at_.y + width_;
@@ -109,8 +110,8 @@ void Sequence::move_asymptotes() {
 bool Sequence::solve_model() {
   SeparableModel model(e_.problem(), at_);
   NlpOptions inner;
-  inner.tolerance = std::min(1e-9, 0.1 * o_.tolerance);
-  inner.feasibility = std::min(1e-9, 0.1 * o_.feasibility);
+  inner.tolerance = std::max(1e-12, 0.01 * o_.tolerance);
+  inner.feasibility = std::max(1e-12, 0.1 * o_.feasibility);
   inner.acceptable = 1e-6;
   inner.explain_infeasible = false;
   inner.time_limit = std::max(1e-3, o_.time_limit - e_.seconds());
@@ -137,7 +138,8 @@ bool Sequence::solve_model() {
   VectorXd g(static_cast<int>(model.kept().size()));
   model.values(trial_, model_f_, g);
   model_g_.setConstant(e_.m(), -std::numeric_limits<double>::infinity());
-  for (std::size_t k = 0; k < model.kept().size(); ++k) model_g_[model.kept()[k]] = g[static_cast<int>(k)];
+  for (std::size_t k = 0; k < model.kept().size(); ++k)
+    model_g_[model.kept()[k]] = g[static_cast<int>(k)];
   return true;
 }
 
@@ -225,8 +227,8 @@ NlpResult Sequence::run() {
     if (finished()) break;
     if (iteration_ >= o_.max_iterations || e_.out_of_time()) {
       status_ = NlpStatus::IterationLimit;
-      reason_ = e_.out_of_time() ? "time is used up"
-                                 : fmt::format("{} iterations used up", iteration_);
+      reason_ =
+          e_.out_of_time() ? "time is used up" : fmt::format("{} iterations used up", iteration_);
       break;
     }
     if (!e_.proceed(iteration_)) {
@@ -269,6 +271,7 @@ NlpResult Sequence::result() {
   if (r.status != NlpStatus::Infeasible || !o_.explain_infeasible) return r;
   const LeastViolation least = least_violation(e_.problem(), s.g, r.x, r.violation, o_);
   r.conflict = least.conflict;
+  r.stationarity = 1;
   r.reason = least.reason;
   if (least.conflict.empty()) r.status = NlpStatus::Stopped;
   if (least.solved && least.conflict.empty())

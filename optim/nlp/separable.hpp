@@ -15,15 +15,15 @@ namespace liesl {
 
 /// In units of the range of a variable where lengths are meant.
 struct SeparableOptions {
-  double move = 0.5;            ///< largest change of a variable in one iteration, in (0, 1]
-  double first_asymptote = 0.5;   ///< distance of the asymptotes in the first two iterations, > 0
-  double widen = 1.2;           ///< of that distance while a variable keeps its direction, > 1
-  double narrow = 0.7;          ///< when it turns back, in (0, 1)
+  double move = 0.5;             ///< largest change of a variable in one iteration, in (0, 1]
+  double first_asymptote = 0.5;  ///< distance of the asymptotes in the first two iterations, > 0
+  double widen = 1.2;            ///< of that distance while a variable keeps its direction, > 1
+  double narrow = 0.7;           ///< when it turns back, in (0, 1)
   double nearest_asymptote = 1e-3, farthest_asymptote = 10;  ///< limits of that distance
   /// Repeat an iteration with more convex models until they are above the functions at the new
   /// point (GCMMA). Without it an iteration costs one evaluation but may cycle.
   bool conservative = true;
-  int max_repeats = 10;    ///< of one iteration, >= 1
+  int max_repeats = 10;         ///< of one iteration, >= 1
   double smallest_step = 1e-9;  ///< stop when no variable moves more than this, > 0
 
   std::vector<std::string> errors() const;
@@ -41,13 +41,13 @@ struct SeparableOptions {
 class SeparableModel : public Problem {
  public:
   struct Expansion {
-    Eigen::VectorXd y, l, u;       ///< point and asymptotes, l < y < u
-    Eigen::VectorXd alpha, beta;   ///< box of the variables, l < alpha <= y <= beta < u
+    Eigen::VectorXd y, l, u;      ///< point and asymptotes, l < y < u
+    Eigen::VectorXd alpha, beta;  ///< box of the variables, l < alpha <= y <= beta < u
     double f = 0;
     Eigen::VectorXd df, g;
     RowMatrix dg;
-    double f_rho = 0;              ///< rho of F, > 0
-    Eigen::VectorXd g_rho;         ///< rho of each G, > 0
+    double f_rho = 0;       ///< rho of F, > 0
+    Eigen::VectorXd g_rho;  ///< rho of each G, > 0
   };
   SeparableModel(const Problem& original, const Expansion& at);
 

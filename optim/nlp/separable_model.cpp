@@ -29,8 +29,10 @@ SeparableModel::SeparableModel(const Problem& original, const Expansion& at)
     v.start = at.y[j];
   }
   const ArrayXd to_u = (at.u - at.y).array().inverse(), to_l = (at.y - at.l).array().inverse();
-  const ArrayXd u_low = (at.u - at.alpha).array().inverse(), l_low = (at.alpha - at.l).array().inverse();
-  const ArrayXd u_up = (at.u - at.beta).array().inverse(), l_up = (at.beta - at.l).array().inverse();
+  const ArrayXd u_low = (at.u - at.alpha).array().inverse(),
+                l_low = (at.alpha - at.l).array().inverse();
+  const ArrayXd u_up = (at.u - at.beta).array().inverse(),
+                l_up = (at.beta - at.l).array().inverse();
   ArrayXd p, q;
   coefficients(at, at.df.array(), at.f_rho, p, q);
   f_constant_ = at.f - (p * to_u + q * to_l).sum();
@@ -67,7 +69,8 @@ void SeparableModel::values(const VectorXd& y, double& f, VectorXd& g) {
 }
 
 void SeparableModel::gradients(const VectorXd& y, VectorXd& df, RowMatrix& dg) {
-  const VectorXd to_u = (u_ - y).array().square().inverse(), to_l = (y - l_).array().square().inverse();
+  const VectorXd to_u = (u_ - y).array().square().inverse(),
+                 to_l = (y - l_).array().square().inverse();
   df = f_p_.cwiseProduct(to_u) - f_q_.cwiseProduct(to_l);
   dg = g_p_ * to_u.asDiagonal();
   dg -= g_q_ * to_l.asDiagonal();

@@ -15,8 +15,7 @@ namespace liesl::reference {
 
 class ManyLoadCases : public Problem {
  public:
-  ManyLoadCases(int n, int m, HessianShape shape = HessianShape::Dense)
-      : shape_(shape), a_(m, n) {
+  ManyLoadCases(int n, int m, HessianShape shape = HessianShape::Dense) : shape_(shape), a_(m, n) {
     std::mt19937 random(1);
     std::uniform_real_distribution<double> noise(0, 0.02);
     for (int i = 0; i < m; ++i) {

@@ -52,8 +52,8 @@ class TenBarTruss : public Problem {
 
   void gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, RowMatrix& dg) override {
     df = 0.1 * length_;
-    stretch_ = b_.transpose() * u_;                             // b_e^T u
-    adjoint_ = b_.transpose() * factor_.solve(output_);         // b_e^T mu_r
+    stretch_ = b_.transpose() * u_;                      // b_e^T u
+    adjoint_ = b_.transpose() * factor_.solve(output_);  // b_e^T mu_r
     for (int i = 0; i < output_.cols(); ++i) {
       dg.row(2 * i) = -k_.cwiseProduct(adjoint_.col(i)).cwiseProduct(stretch_).transpose();
       dg.row(2 * i + 1) = -dg.row(2 * i);

@@ -1,0 +1,71 @@
+#ifdef LIESL_OPTIM
+
+#include "apps/cli/checkpoint.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "apps/output/file.hpp"
+#include "apps/scene/problem.hpp"
+
+namespace liesl {
+namespace {
+
+using Json = nlohmann::json;
+
+std::vector<double> numbers(const Eigen::VectorXd& x) { return {x.data(), x.data() + x.size()}; }
+
+Eigen::VectorXd vector(const Json& list) {
+  const auto v = list.get<std::vector<double>>();
+  return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<long>(v.size()));
+}
+
+}  // namespace
+
+void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle>& history, const std::string& input_sha256) {
+  Json file;
+  file["input_sha256"] = input_sha256;
+  for (const auto& c : history) {
+    Json cycle = {{"number", c.number}, {"x", numbers(c.x)}, {"next", numbers(c.next)}, {"mass", c.mass}, {"worst", c.worst},
+                  {"worst_constraint", c.worst_constraint}, {"worst_time", c.worst_time}, {"load_cases", c.load_cases},
+                  {"iterations", c.iterations}, {"move", c.move}, {"seconds", c.seconds}};
+    if (c.load_change) cycle["load_change"] = *c.load_change;
+    file["cycles"].push_back(cycle);
+  }
+  output::write_file(path, file.dump(1));
+}
+
+std::vector<Cycle> read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256) {
+  const std::string text = output::read_file(path);
+  const auto refuse = [&](const std::string& what) {
+    throw InputError({{path.string(), 0, 0, what, "the checkpoint of an interrupted run with the same study, scene and --set",
+                       "run without --resume"}});
+  };
+  std::vector<Cycle> history;
+  try {
+    const Json file = Json::parse(text);
+    if (file.at("input_sha256") != input_sha256) refuse("the checkpoint belongs to another input");
+    for (const auto& j : file.at("cycles")) {
+      Cycle c;
+      c.number = j.at("number");
+      c.x = vector(j.at("x"));
+      c.next = vector(j.at("next"));
+      c.mass = j.at("mass");
+      c.worst = j.at("worst");
+      c.worst_constraint = j.at("worst_constraint");
+      c.worst_time = j.at("worst_time");
+      if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
+      c.load_cases = j.at("load_cases");
+      c.iterations = j.at("iterations");
+      c.move = j.at("move");
+      c.seconds = j.at("seconds");
+      history.push_back(c);
+    }
+  } catch (const Json::exception& e) {
+    refuse(std::string("the checkpoint cannot be read: ") + e.what());
+  }
+  return history;
+}
+
+}  // namespace liesl
+
+#endif

@@ -1,0 +1,108 @@
+/// @file
+/// liesl: simulate flexible mechanisms on SE(3), size their parts under the loads of the motion.
+
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <new>
+
+#include "apps/cli/command.hpp"
+#include "apps/output/interrupt.hpp"
+#include "apps/output/io_error.hpp"
+#include "apps/output/versions.hpp"
+#include "apps/scene/problem.hpp"
+
+namespace {
+
+constexpr int kRefused = 2, kFailed = 3;
+
+std::string version_text() {
+  std::string text;
+  for (const auto& [name, version] : liesl::output::versions()) text += name + " " + version + "\n";
+  text.pop_back();
+  return text;
+}
+
+/// The commands with their options; the chosen one is stored in `run`.
+void add_commands(CLI::App& app, liesl::CommandOptions& o, int (*&run)(const liesl::CommandOptions&)) {
+  struct Entry {
+    const char *name, *file, *what;
+    int (*function)(const liesl::CommandOptions&);
+    bool writes;
+  };
+  static const Entry kEntries[] = {
+      {"check", "FILE", "Validate a scene or study", liesl::check_command, false},
+      {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
+      {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
+      {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command, true},
+      {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
+  };
+  for (const auto& entry : kEntries) {
+    auto* command = app.add_subcommand(entry.name, entry.what);
+    command->add_option(entry.file, o.file, "file or folder")->required();
+    command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
+    if (std::string(entry.name) != "plot")
+      command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")->allow_extra_args(false);
+    if (entry.writes) {
+      command->add_option("-o,--output", o.out, "Folder of the results")->required();
+      command->add_flag("-f,--force", o.force, "Replace an earlier result");
+      command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")->check(CLI::NonNegativeNumber);
+    }
+    if (std::string(entry.name) == "optimize") {
+      command->add_flag("--resume", o.resume, "Go on with an interrupted run in the same folder");
+      command->add_flag("--check-derivatives", o.check_derivatives, "Compare the gradients with finite differences and stop");
+      command->get_option("--output")->required(false);
+    }
+    command->callback([&run, &entry] { run = entry.function; });
+  }
+}
+
+int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOptions& o) {
+  try {
+    return run(o);
+  } catch (const liesl::InputError& e) {
+    std::cerr << e.what() << "\n";
+    return kRefused;
+  } catch (const std::invalid_argument& e) {
+    std::cerr << o.file << ": " << e.what() << "\n";
+    return kRefused;
+  } catch (const liesl::output::IoError& e) {
+    std::cerr << "liesl: " << e.what() << "\n";
+  } catch (const liesl::output::Interrupted&) {
+    std::cerr << "liesl: interrupted\n";
+  } catch (const std::bad_alloc&) {
+    std::cerr << "liesl: out of memory; use fewer elements, a larger step or output_every\n";
+  } catch (const std::exception& e) {
+    std::cerr << "liesl: internal error: " << e.what() << "\n";
+  }
+  return kFailed;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("Flexible mechanisms on SE(3), sized under the loads of their motion.", "liesl");
+  app.set_version_flag("--version", version_text());
+  app.require_subcommand(1);
+  liesl::CommandOptions options;
+  int (*run)(const liesl::CommandOptions&) = nullptr;
+  add_commands(app, options, run);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& e) {
+    return app.exit(e) == 0 ? 0 : kRefused;
+  }
+  if (run == liesl::optimize_command && options.out.empty() && !options.check_derivatives) {
+    std::cerr << "liesl optimize: -o DIR is missing: where shall the results go?\n";
+    return kRefused;
+  }
+  liesl::output::catch_interrupts();
+  std::unique_ptr<tbb::global_control> limit;
+  if (options.threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  static_cast<size_t>(options.threads));
+  return guarded(run, options);
+}

@@ -1,0 +1,247 @@
+#include "optim/nlp/check_derivatives.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <random>
+#include <stdexcept>
+
+#include "optim/nlp/evaluator.hpp"
+
+namespace liesl {
+
+using Eigen::VectorXd;
+
+std::vector<std::string> DerivativeCheckOptions::errors() const {
+  std::vector<std::string> list;
+  if (!(largest_step > 0 && largest_step <= 0.5))
+    list.push_back(fmt::format("largest_step: expected in (0, 0.5], got {}", largest_step));
+  if (steps < 3) list.push_back(fmt::format("steps: expected >= 3, got {}", steps));
+  if (!(tolerance > 0 && tolerance < 1))
+    list.push_back(fmt::format("tolerance: expected in (0, 1), got {}", tolerance));
+  return list;
+}
+
+namespace {
+
+/// All functions of the problem stacked: f, g, and with a Hessian the gradient of L times D.
+struct Stack {
+  Problem& problem;
+  VectorXd range;
+  double sigma = 1;
+  VectorXd lambda;
+  bool hessian = false;
+  bool finite = true;
+
+  int functions() const { return 1 + static_cast<int>(lambda.size()); }
+  int size() const { return functions() + (hessian ? static_cast<int>(range.size()) : 0); }
+
+  VectorXd operator()(const VectorXd& x) {
+    const auto n = range.size();
+    double f = 0;
+    VectorXd g = VectorXd::Zero(lambda.size()), df = VectorXd::Zero(n);
+    problem.values(x, f, g);
+    VectorXd out(size());
+    out[0] = f;
+    out.segment(1, g.size()) = g;
+    if (hessian) {
+      RowMatrix dg = RowMatrix::Zero(g.size(), n);
+      problem.gradients(x, df, dg);
+      out.tail(n) = (sigma * df + dg.transpose() * lambda).cwiseProduct(range);
+    }
+    finite = out.allFinite();
+    return out;
+  }
+};
+
+/// Derivatives of the stack with respect to x / range, size() x n, as the problem gives them.
+Eigen::MatrixXd given_derivatives(const Stack& s, const VectorXd& x) {
+  const auto n = s.range.size();
+  VectorXd df = VectorXd::Zero(n);
+  RowMatrix dg = RowMatrix::Zero(s.lambda.size(), n);
+  s.problem.gradients(x, df, dg);
+  Eigen::MatrixXd out(s.size(), n);
+  out.row(0) = df;
+  out.middleRows(1, s.lambda.size()) = dg;
+  if (s.hessian) {
+    Eigen::MatrixXd h = Eigen::MatrixXd::Zero(n, n);
+    s.problem.hessian(x, s.sigma, s.lambda, h);
+    const Eigen::MatrixXd full = h.selfadjointView<Eigen::Lower>();
+    const bool diagonal = s.problem.hessian_shape() == HessianShape::Diagonal;
+    out.bottomRows(n) =
+        s.range.asDiagonal() * (diagonal ? Eigen::MatrixXd(h.diagonal().asDiagonal()) : full);
+  }
+  return out * s.range.asDiagonal();
+}
+
+/// Slope of log e over log h from the largest step down to where the error stops falling.
+std::optional<double> truncation_slope(const std::vector<double>& h, const std::vector<double>& e) {
+  constexpr double kClearOfRoundOff = 30;  // errors used are this many times the smallest
+  constexpr double kRoundOff = 1e-11;
+  const double floor =
+      std::max(*std::min_element(e.begin(), e.end()), kRoundOff / kClearOfRoundOff);
+  double sx = 0, sy = 0, sxx = 0, sxy = 0;
+  int count = 0;
+  for (std::size_t k = 0; k < h.size() && std::isfinite(e[k]); ++k) {
+    if (e[k] < kClearOfRoundOff * floor) break;
+    const double a = std::log(h[k]), b = std::log(e[k]);
+    sx += a, sy += b, sxx += a * a, sxy += a * b, ++count;
+  }
+  // A wrong derivative stays level: its smallest error is the level, and all steps count.
+  if (count < 2 && floor > 1e-6) {
+    count = 0, sx = sy = sxx = sxy = 0;
+    for (std::size_t k = 0; k < h.size() && std::isfinite(e[k]) && e[k] > 0; ++k) {
+      const double a = std::log(h[k]), b = std::log(e[k]);
+      sx += a, sy += b, sxx += a * a, sxy += a * b, ++count;
+    }
+  }
+  if (count < 2) return std::nullopt;
+  return (count * sxy - sx * sy) / (count * sxx - sx * sx);
+}
+
+/// Point from which all steps stay within the bounds.
+VectorXd inside(const Problem& problem, VectorXd x, const VectorXd& range, double step) {
+  for (int j = 0; j < x.size(); ++j) {
+    const auto& v = problem.variables()[static_cast<std::size_t>(j)];
+    const double margin = std::min(step * range[j], 0.5 * (v.upper - v.lower));
+    x[j] = std::clamp(x[j], v.lower + margin, v.upper - margin);
+  }
+  return x;
+}
+
+class Sweep {
+ public:
+  Sweep(Stack& stack, const DerivativeCheckOptions& o, DerivativeReport& report)
+      : stack_(stack), o_(o), report_(report), given_(given_derivatives(stack, report.x)) {
+    if (!given_.allFinite())
+      throw std::runtime_error("check_derivatives: a derivative is not finite at x");
+    norms_ = given_.rowwise().norm();
+    const int n = static_cast<int>(stack.range.size());
+    if (stack.hessian) norms_.tail(n).setConstant(given_.bottomRows(n).norm());
+  }
+
+  void along(const VectorXd& d, const std::string& name) {
+    const VectorXd exact = given_ * d;
+    std::vector<double> steps;
+    std::vector<VectorXd> errors;  // by step, each by function
+    for (int k = 0; k < o_.steps; ++k) {
+      const double h = o_.largest_step * std::pow(10.0, -0.5 * k);
+      const VectorXd shift = h * d.cwiseProduct(stack_.range);
+      const VectorXd after = stack_(report_.x + shift);
+      const bool finite = stack_.finite;
+      const VectorXd before = stack_(report_.x - shift);
+      if (!finite || !stack_.finite) ++report_.failed_evaluations;
+      if (!finite || !stack_.finite) continue;
+      steps.push_back(h);
+      errors.push_back(((after - before) / (2 * h) - exact).cwiseAbs());
+    }
+    for (int i = 0; i < stack_.functions(); ++i) add(i, 1, name, steps, errors);
+    if (stack_.hessian)
+      add(stack_.functions(), static_cast<int>(stack_.range.size()), name, steps, errors);
+  }
+
+ private:
+  std::string function(int row) const {
+    if (row == 0) return "objective";
+    if (row < stack_.functions())
+      return stack_.problem.constraints()[static_cast<std::size_t>(row - 1)].name;
+    return "Hessian of the Lagrangian";
+  }
+
+  void add(int row, int rows, const std::string& name, const std::vector<double>& steps,
+           const std::vector<VectorXd>& errors) {
+    DerivativeCheck c{function(row), name, std::numeric_limits<double>::infinity(), 0, {}, false};
+    const double norm = norms_[row] > 0 ? norms_[row] : 1;
+    std::vector<double> e;
+    for (std::size_t k = 0; k < steps.size(); ++k) {
+      e.push_back(errors[k].segment(row, rows).norm() / norm);
+      if (e.back() >= c.best_error) continue;
+      c.best_error = e.back();
+      c.best_step = steps[k];
+    }
+    if (!e.empty()) c.slope = truncation_slope(steps, e);
+    c.right = c.best_error <= o_.tolerance;
+    report_.checks.push_back(std::move(c));
+  }
+
+  Stack& stack_;
+  const DerivativeCheckOptions& o_;
+  DerivativeReport& report_;
+  Eigen::MatrixXd given_;
+  VectorXd norms_;
+};
+
+void refuse_invalid(const Problem& problem, const VectorXd& x, const DerivativeCheckOptions& o) {
+  refuse_if("invalid options of the derivative check:", o.errors());
+  refuse_if("invalid optimisation problem:", problem_errors(problem));
+  const auto n = static_cast<Eigen::Index>(problem.variables().size());
+  if (x.size() != n || !x.allFinite())
+    throw std::invalid_argument(
+        fmt::format("check_derivatives: expected x of {} finite variables, got {} ({})", n,
+                    x.size(), x.allFinite() ? "finite" : "not finite"));
+}
+
+}  // namespace
+
+DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
+                                   const DerivativeCheckOptions& o) {
+  refuse_invalid(problem, x, o);
+  std::mt19937 random(o.seed);
+  std::uniform_real_distribution<double> around(0.5, 1.5);
+  Stack stack{problem, NlpScaling::of_variables(problem), 1, {}, false, true};
+  stack.hessian = o.hessian && problem.has_hessian();
+  stack.lambda.setOnes(static_cast<Eigen::Index>(problem.constraints().size()));
+  for (int i = 0; i < stack.lambda.size(); ++i) {
+    const double scale = problem.constraints()[static_cast<std::size_t>(i)].scale;
+    stack.lambda[i] = around(random) / (scale > 0 ? scale : 1);
+  }
+  DerivativeReport report;
+  report.x = inside(problem, x, stack.range, o.largest_step);
+  stack(report.x);
+  if (!stack.finite) throw std::runtime_error("check_derivatives: a value is not finite at x");
+
+  Sweep sweep(stack, o, report);
+  const int n = static_cast<int>(x.size());
+  VectorXd random_direction(n);
+  for (int j = 0; j < n; ++j) {
+    const auto& v = problem.variables()[static_cast<std::size_t>(j)];
+    const bool is_free = v.lower < v.upper;
+    random_direction[j] = !is_free ? 0 : (random() % 2 ? 1 : -1) * (around(random) - 0.5);
+    if (o.every_variable && is_free) sweep.along(VectorXd::Unit(n, j), v.name);
+  }
+  if (!o.every_variable) sweep.along(random_direction, "random");
+  report.right = std::all_of(report.checks.begin(), report.checks.end(),
+                             [](const DerivativeCheck& c) { return c.right; });
+  return report;
+}
+
+const DerivativeCheck* DerivativeReport::worst() const {
+  const auto found =
+      std::max_element(checks.begin(), checks.end(),
+                       [](const auto& a, const auto& b) { return a.best_error < b.best_error; });
+  return found == checks.end() ? nullptr : &*found;
+}
+
+std::string DerivativeReport::text(int rows) const {
+  std::vector<const DerivativeCheck*> order;
+  for (const auto& c : checks) order.push_back(&c);
+  std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
+    return a->right != b->right ? b->right : a->best_error > b->best_error;
+  });
+  std::string out = fmt::format("{:<36} {:<16} {:>10} {:>10} {:>6}\n", "function", "direction",
+                                "error", "at step", "slope");
+  int wrong = 0;
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    const DerivativeCheck& c = *order[k];
+    wrong += !c.right;
+    if (c.right && static_cast<int>(k) >= rows) continue;
+    out += fmt::format("{:<36} {:<16} {:>10.2e} {:>10.1e} {:>6}{}\n", c.function, c.direction,
+                       c.best_error, c.best_step, c.slope ? fmt::format("{:.2f}", *c.slope) : "-",
+                       c.right ? "" : "  WRONG");
+  }
+  return out + fmt::format("{} derivatives checked, {} wrong\n", order.size(), wrong);
+}
+
+}  // namespace liesl

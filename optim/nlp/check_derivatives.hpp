@@ -1,0 +1,58 @@
+#pragma once
+/// @file
+/// Derivatives of a problem against central differences over a sweep of steps. A right derivative
+/// shows an error that falls with the square of the step until round-off takes over; a wrong one
+/// stays where it is. The slope tells this apart from a step that happened to suit.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/nlp/problem.hpp"
+
+namespace liesl {
+
+struct DerivativeCheckOptions {
+  /// One direction for each variable instead of a single random one (n times the cost).
+  bool every_variable = false;
+  unsigned seed = 1;           ///< of the random direction
+  double largest_step = 1e-2;  ///< relative to the ranges of the variables, in (0, 0.5]
+  int steps = 17;              ///< each 10^(-1/2) of the one before, >= 3
+  double tolerance = 1e-6;     ///< best relative error that counts as right, in (0, 1)
+  bool hessian = true;         ///< check it too if the problem has one
+
+  std::vector<std::string> errors() const;
+};
+
+/// One function in one direction d (scaled by the ranges D of the variables):
+///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2.
+struct DerivativeCheck {
+  std::string function;         ///< "objective", name of a constraint, "Hessian of the Lagrangian"
+  std::string direction;        ///< name of a variable, or "random"
+  double best_error = 0;        ///< smallest e(h); infinite if no step gave a finite value
+  double best_step = 0;         ///< h of it
+  std::optional<double> slope;  ///< of log e over log h where truncation rules: 2 if right; none if
+                                ///< the error is round-off at every step (linear functions)
+  bool right = false;           ///< best_error <= tolerance
+};
+
+struct DerivativeReport {
+  Eigen::VectorXd x;                    ///< where: the given point, moved off bounds
+  std::vector<DerivativeCheck> checks;  ///< objective, constraints, Hessian
+  int failed_evaluations = 0;           ///< points of the sweep without a finite value
+  bool right = false;                   ///< all are
+
+  /// Largest best_error; none without checks.
+  const DerivativeCheck* worst() const;
+  /// Table of the wrong ones and the `rows` worst others, one line each, and a verdict.
+  std::string text(int rows = 20) const;
+};
+
+/// At x, moved inside so that all steps stay within the bounds. Fixed variables are left alone.
+/// The Hessian is checked with sigma = 1 and random lambda in [0.5, 1.5] over the scales of g.
+/// @throws std::invalid_argument for invalid input, std::runtime_error without finite values at x
+DerivativeReport check_derivatives(Problem& problem, const Eigen::VectorXd& x,
+                                   const DerivativeCheckOptions& options = {});
+
+}  // namespace liesl
