@@ -8,7 +8,7 @@ namespace liesl {
 namespace {
 
 constexpr int kMaxAssembly = 50;
-constexpr double kAssembled = 1e-12;  // of the mechanism's length
+constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 
 template <FrameGroup G>
 void move(State<G>& s, const Eigen::VectorXd& delta) {
@@ -53,7 +53,7 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
   for (int i = 0; i <= kMaxAssembly; ++i) {
     eq.evaluate(s, s.q, {s.t, 1});
     if (!std::isfinite(eq.constraint_residual())) break;
-    if (eq.constraint_residual() <= kAssembled * model.length) {
+    if (eq.constraint_residual() <= kAssembled * model.reach) {
       for (size_t k = 0; k < start.size(); ++k)
         out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
       return true;
