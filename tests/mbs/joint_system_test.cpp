@@ -94,7 +94,14 @@ class JointSystemTest : public ::testing::Test {
     }
     Eigen::VectorXd rhs(n + c);
     rhs << -eq.r, -eq.phi;
-    const Eigen::VectorXd x = S.fullPivLu().solve(rhs);
+    // Rows and columns of the constraints in the size of A, for the sake of the pivots.
+    Eigen::VectorXd d = Eigen::VectorXd::Ones(n + c);
+    d.tail(c) *= S.diagonal().cwiseAbs().maxCoeff();
+    const Eigen::VectorXd x = d.asDiagonal() * (d.asDiagonal() * S * d.asDiagonal())
+                                                   .eval()
+                                                   .partialPivLu()
+                                                   .solve(d.asDiagonal() * rhs)
+                                                   .eval();
     delta = x.head(n);
     dlambda = x.tail(c);
   }

@@ -17,12 +17,13 @@ struct Case {
   std::string reason;  ///< part of it; empty: planar
 };
 
+RigidSpec& slider(Mechanism& m) { return std::get<RigidSpec>(m.bodies[2].kind); }
 Mechanism changed(const Change& change) {
   auto m = reference::slider_crank();
+  slider(m).centre = {0, 0.01, 0};  // the other points are on a line
   change(m);
   return m;
 }
-RigidSpec& slider(Mechanism& m) { return std::get<RigidSpec>(m.bodies[2].kind); }
 BeamSpec& rod(Mechanism& m) { return std::get<BeamSpec>(m.bodies[1].kind); }
 LoadSpec load(const Vec3& force, const Vec3& moment, bool follower = false) {
   LoadSpec l;
@@ -57,12 +58,12 @@ std::vector<Case> cases() {
       {[](Mechanism& m) {
          m.gravity = {0, 0, -9.81};
        },
-       "joint 'motor' is driven out of the plane"},
+       "gravity leaves the plane"},
       {[](Mechanism& m) { m.joints[1].axis = Vec3(0.1, 0, 1).normalized(); },
        "the axis of joint 'pin' is neither in the plane nor normal to it"},
       {[](Mechanism& m) { m.joints[2].type = JointType::Spherical; }, ""},
       {[](Mechanism& m) {
-         slider(m).centre = {0, 0, 0.01};
+         slider(m).centre = {0, 0.01, 0.01};
        },
        "point"},
       {[](Mechanism& m) {
@@ -91,7 +92,7 @@ std::vector<Case> cases() {
       {[](Mechanism& m) {
          m.loads = {load({1, 0, 2}, {0, 0, 3})};
        },
-       "joint 'motor' is driven out of the plane"},
+       "load 'push' leaves the plane"},
       {[](Mechanism& m) {
          m.loads = {load({1, 2, 0}, {1, 0, 3})};
        },
@@ -136,10 +137,12 @@ TEST(FindPlane, SaysYesOrWhyNot) {
       const auto found = find_plane(m);
       EXPECT_EQ(found.plane.has_value(), c.reason.empty()) << i << ": " << found.reason;
       EXPECT_FALSE(found.reason.empty());
-      if (!c.reason.empty())
+      if (!c.reason.empty()) {
         EXPECT_NE(found.reason.find(c.reason), std::string::npos) << i << ": " << found.reason;
-      if (found.plane && !tilted)
+      }
+      if (found.plane && !tilted) {
         EXPECT_LT((found.plane->frame.R - Mat3::Identity()).norm(), 1e-12) << i;
+      }
     }
     ++i;
   }
