@@ -26,6 +26,7 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   }
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
+  solution_.setZero(rows);
   llt_ = Eigen::LLT<Eigen::MatrixXd>(rows);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(rows);
 }
@@ -141,7 +142,8 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
     if (!solved) {
       if (symmetric_) S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
       lu_.compute(S_);
-      rhs_ = lu_.solve(rhs_).eval();
+      solution_.noalias() = lu_.solve(rhs_);
+      rhs_.swap(solution_);
     }
     if (!rhs_.allFinite()) return false;
     for (auto& body : bodies_) body.joint_force.setZero();

@@ -59,7 +59,7 @@ class JointSystem {
   TangentWeights weights_;
   bool symmetric_ = true;
   Eigen::MatrixXd S_;
-  Eigen::VectorXd rhs_;
+  Eigen::VectorXd rhs_, solution_;
   Eigen::LLT<Eigen::MatrixXd> llt_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };

@@ -267,6 +267,9 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l, model));
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
   model.finish();
+  model.reach = model.length;
+  for (const auto& body : model.bodies)
+    for (const G& H : body->reference) model.reach = std::max(model.reach, model.length + H.x.norm());
 
   model.initial_velocity_.setZero(model.size());
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {

@@ -17,7 +17,7 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
   }
   for (const auto& body : m.bodies)
     round_off_ = std::max(round_off_, 4 * std::numeric_limits<double>::epsilon() *
-                                          body->axial_stiffness() * m.length);
+                                          body->axial_stiffness() * m.reach);
 }
 
 template <FrameGroup G>

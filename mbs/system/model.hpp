@@ -58,6 +58,7 @@ class Model {
   /// Distinct nodes of each body that couplings hold on to; `PortOf::slot` counts in here.
   std::vector<std::vector<int>> coupled_nodes;
   double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
+  double reach = 1;   ///< farthest from the origin that its nodes may be, m: what positions round off to
 
   /// Numbers the rows again, after roles have changed.
   void finish();

@@ -116,17 +116,21 @@ class Search {
   /// Normal: spanned out by the points; if they are on a line, by what else fixes it.
   bool choose_plane(Space<SE2>& plane) {
     if (points_.empty()) return fail("there are no bodies");
-    Vec3 normal = Vec3::Zero();
-    Vec3 along = Vec3::Zero();
+    Vec3 along = Vec3::Zero(), normal = Vec3::Zero();
     for (const auto& p : points_)
       if ((p - points_[0]).norm() > along.norm()) along = p - points_[0];
+    for (const auto& p : points_)
+      if (along.cross(p - points_[0]).norm() > normal.norm()) normal = along.cross(p - points_[0]);
+    if (normal.norm() > kTolerance * along.norm() * size_)
+      normal.normalize();
+    else
+      normal.setZero();
     std::vector<Vec3> in_plane{m_.gravity};
-    for (const auto& p : points_) in_plane.push_back(p - points_[0]);
     for (const auto& l : m_.loads)
       if (!l.follower) in_plane.push_back(l.force);
     for (const auto& v : in_plane)
-      if (along.norm() > 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
-        if (normal.norm() == 0) normal = along.cross(v).normalized();
+      if (normal.norm() == 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
+        normal = along.cross(v).normalized();
     for (const auto& j : m_.joints)
       if (normal.norm() == 0 && j.type == JointType::Revolute) normal = j.axis;
     for (const auto& l : m_.loads)

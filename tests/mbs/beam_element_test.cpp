@@ -16,68 +16,70 @@ namespace {
 using testing::Random;
 
 template <class G>
+using TangentOf = typename G::Tangent;
+template <class G>
+using PairOf = typename BeamElement<G>::Pair;
+template <class G>
+using PairMatrixOf = typename BeamElement<G>::PairMatrix;
+
+template <class G>
 class BeamElementTest : public ::testing::Test {
  protected:
-  using Element = BeamElement<G>;
-  using Tangent = typename G::Tangent;
-  using Matrix = typename G::Matrix;
-  using Pair = typename Element::Pair;
-  using PairMatrix = typename Element::PairMatrix;
-  static constexpr int dim = G::dim, sd = G::space_dim;
+  static constexpr int size = G::dim;
 
   BeamElementTest()
-      : A0(G::exp(Tangent(random.vector(dim)))),
-        B0(A0 * G::exp(curved_d0())),
-        element(A0, B0, random.spd(dim), random.spd(dim)),
-        A(A0 * G::exp(Tangent(0.3 * random.vector(dim)))),
-        B(B0 * G::exp(Tangent(0.3 * random.vector(dim)))) {}
+      : A_at_rest(G::exp(TangentOf<G>(random.vector(size)))),
+        B_at_rest(A_at_rest * G::exp(curved_d0())),
+        element(A_at_rest, B_at_rest, random.spd(size), random.spd(size)),
+        A_now(A_at_rest * G::exp(TangentOf<G>(0.3 * random.vector(size)))),
+        B_now(B_at_rest * G::exp(TangentOf<G>(0.3 * random.vector(size)))) {}
 
-  Tangent curved_d0() {
-    Tangent d = 0.4 * random.vector(dim);
+  TangentOf<G> curved_d0() {
+    TangentOf<G> d = 0.4 * random.vector(size);
     d[0] = 1.2;
     return d;
   }
-  static Tangent straight_d0(double L) { return L * Tangent::Unit(0); }
-  static G moved(const G& H, const Pair& h, int node) {
-    return H * G::exp(Tangent(h.template segment<dim>(dim * node)));
+  static TangentOf<G> straight_d0(double L) { return L * TangentOf<G>::Unit(0); }
+  static G moved(const G& H, const PairOf<G>& h, int node) {
+    return H * G::exp(TangentOf<G>(h.template segment<size>(size * node)));
   }
-  Pair force(const G& a, const G& b) const {
-    Pair g;
+  PairOf<G> force(const G& a, const G& b) const {
+    PairOf<G> g;
     element.internal_force(a, b, nullptr, 0, g);
     return g;
   }
-  Tangent stress(const G& a, const G& b) const {
+  TangentOf<G> stress(const G& a, const G& b) const {
     return element.section_stiffness() * element.strain(a, b);
   }
   double energy(const G& a, const G& b) const {
-    const Tangent eps = element.strain(a, b);
+    const TangentOf<G> eps = element.strain(a, b);
     return 0.5 * element.length() * eps.dot(element.section_stiffness() * eps);
   }
-  static PairMatrix swapped(const PairMatrix& m) {
-    PairMatrix s;
-    s << m.template bottomRightCorner<dim, dim>(), m.template bottomLeftCorner<dim, dim>(),
-        m.template topRightCorner<dim, dim>(), m.template topLeftCorner<dim, dim>();
+  static PairMatrixOf<G> swapped(const PairMatrixOf<G>& m) {
+    PairMatrixOf<G> s;
+    s << m.template bottomRightCorner<size, size>(), m.template bottomLeftCorner<size, size>(),
+        m.template topRightCorner<size, size>(), m.template topLeftCorner<size, size>();
     return s;
   }
 
   Random random{1};
-  G A0, B0;
-  Element element;
-  G A, B;
+  G A_at_rest, B_at_rest;
+  BeamElement<G> element;
+  G A_now, B_now;
 };
 
 using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(BeamElementTest, Groups);
 
 TYPED_TEST(BeamElementTest, ForceIsTheGradientOfTheEnergy) {
-  using Pair = typename TestFixture::Pair;
-  const Pair g = this->force(this->A, this->B);
+  using Pair = PairOf<TypeParam>;
+  const Pair g = this->force(this->A_now, this->B_now);
   const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
     Eigen::VectorXd d(g.size());
     for (int j = 0; j < g.size(); ++j) {
       const Pair e = h * Pair::Unit(j);
       const auto V = [&](const Pair& p) {
-        return this->energy(this->moved(this->A, p, 0), this->moved(this->B, p, 1));
+        return this->energy(this->moved(this->A_now, p, 0), this->moved(this->B_now, p, 1));
       };
       d[j] = (V(e) - V(-e)) / (2 * h);
     }
@@ -89,14 +91,16 @@ TYPED_TEST(BeamElementTest, ForceIsTheGradientOfTheEnergy) {
 }
 
 TYPED_TEST(BeamElementTest, TangentIsTheDerivativeOfTheForce) {
-  using Pair = typename TestFixture::Pair;
-  const auto K = this->element.tangent(this->A, this->B, this->stress(this->A, this->B)).eval();
+  using Pair = PairOf<TypeParam>;
+  const auto K =
+      this->element.tangent(this->A_now, this->B_now, this->stress(this->A_now, this->B_now))
+          .eval();
   const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
     Eigen::MatrixXd d(K.rows(), K.cols());
     for (int j = 0; j < K.cols(); ++j) {
       const Pair e = h * Pair::Unit(j);
       const auto g = [&](const Pair& p) {
-        return this->force(this->moved(this->A, p, 0), this->moved(this->B, p, 1));
+        return this->force(this->moved(this->A_now, p, 0), this->moved(this->B_now, p, 1));
       };
       d.col(j) = (g(e) - g(-e)) / (2 * h);
     }
@@ -109,7 +113,8 @@ TYPED_TEST(BeamElementTest, TangentIsTheDerivativeOfTheForce) {
 
 TYPED_TEST(BeamElementTest, ConstantTangentIsExactAtTheReference) {
   const auto K = this->element.constant_tangent();
-  const auto exact = this->element.tangent(this->A0, this->B0, TypeParam::Tangent::Zero());
+  const auto exact =
+      this->element.tangent(this->A_at_rest, this->B_at_rest, TypeParam::Tangent::Zero());
   EXPECT_LT((K - exact).norm(), 1e-13 * K.norm());
   EXPECT_LT((K - K.transpose()).norm(), 1e-14 * K.norm());
 }
@@ -119,7 +124,7 @@ TYPED_TEST(BeamElementTest, StraightElementHasTheClosedForm) {
   const auto d0 = this->straight_d0(1.7);
   const Matrix D = TypeParam::ad(d0), I = Matrix::Identity();
   EXPECT_EQ((D * D).norm(), 0);
-  const auto P = TestFixture::Element::P(d0);
+  const auto P = BeamElement<TypeParam>::P(d0);
   EXPECT_LT((P.template leftCols<TypeParam::dim>() + (I - D / 2)).norm(), 1e-15);
   EXPECT_LT((P.template rightCols<TypeParam::dim>() - (I + D / 2)).norm(), 1e-15);
 }
@@ -127,14 +132,14 @@ TYPED_TEST(BeamElementTest, StraightElementHasTheClosedForm) {
 TYPED_TEST(BeamElementTest, InterpolatesTheVelocity) {
   using G = TypeParam;
   using Tangent = typename G::Tangent;
-  const auto v = typename TestFixture::Pair(this->random.vector(2 * G::dim));
+  const auto v = PairOf<TypeParam>(this->random.vector(2 * G::dim));
   const auto at = [&](double s, double t) {
-    const G a = this->moved(this->A, t * v, 0), b = this->moved(this->B, t * v, 1);
+    const G a = this->moved(this->A_now, t * v, 0), b = this->moved(this->B_now, t * v, 1);
     return a * G::exp(s * G::log(a.inverse() * b));
   };
-  const Tangent d = G::log(this->A.inverse() * this->B);
+  const Tangent d = G::log(this->A_now.inverse() * this->B_now);
   for (const double s : {0.0, 0.2, 0.5, 0.9, 1.0}) {
-    const Tangent exact = TestFixture::Element::Q(d, s) * v;
+    const Tangent exact = BeamElement<TypeParam>::Q(d, s) * v;
     const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
       const G H = at(s, 0).inverse();
       return (G::log(H * at(s, h)) - G::log(H * at(s, -h))) / (2 * h);
@@ -149,15 +154,18 @@ TYPED_TEST(BeamElementTest, FrameIndifference) {
   using G = TypeParam;
   for (int i = 0; i < 20; ++i) {
     const G H = G::exp(typename G::Tangent(3 * this->random.vector(G::dim)));
-    const auto n = this->stress(this->A, this->B);
-    const auto K = this->element.tangent(this->A, this->B, n);
+    const auto n = this->stress(this->A_now, this->B_now);
+    const auto K = this->element.tangent(this->A_now, this->B_now, n);
+    EXPECT_LT((this->element.strain(H * this->A_now, H * this->B_now) -
+               this->element.strain(this->A_now, this->B_now))
+                  .norm(),
+              1e-12);
     EXPECT_LT(
-        (this->element.strain(H * this->A, H * this->B) - this->element.strain(this->A, this->B))
+        (this->force(H * this->A_now, H * this->B_now) - this->force(this->A_now, this->B_now))
             .norm(),
-        1e-12);
-    EXPECT_LT((this->force(H * this->A, H * this->B) - this->force(this->A, this->B)).norm(),
-              1e-12 * n.norm());
-    EXPECT_LT((this->element.tangent(H * this->A, H * this->B, n) - K).norm(), 1e-12 * K.norm());
+        1e-12 * n.norm());
+    EXPECT_LT((this->element.tangent(H * this->A_now, H * this->B_now, n) - K).norm(),
+              1e-12 * K.norm());
   }
 }
 
@@ -165,12 +173,12 @@ TYPED_TEST(BeamElementTest, RigidMotionHasNoStrain) {
   using G = TypeParam;
   for (int i = 0; i < 20; ++i) {
     const G H = G::exp(typename G::Tangent(3 * this->random.vector(G::dim)));
-    EXPECT_LT(this->element.strain(H * this->A0, H * this->B0).norm(), 5e-15);
+    EXPECT_LT(this->element.strain(H * this->A_at_rest, H * this->B_at_rest).norm(), 5e-15);
   }
 }
 
 TYPED_TEST(BeamElementTest, GyroscopicForceDoesNoWorkAndHasItsTangent) {
-  using Pair = typename TestFixture::Pair;
+  using Pair = PairOf<TypeParam>;
   const auto gyroscopic = [&](const Pair& v) {
     Pair g = Pair::Zero();
     this->element.add_gyroscopic(v.data(), g);
@@ -186,7 +194,7 @@ TYPED_TEST(BeamElementTest, GyroscopicForceDoesNoWorkAndHasItsTangent) {
 }
 
 TYPED_TEST(BeamElementTest, PowerOfInertiaIsTheRateOfKineticEnergy) {
-  using Pair = typename TestFixture::Pair;
+  using Pair = PairOf<TypeParam>;
   const Pair v = this->random.vector(2 * TypeParam::dim),
              a = this->random.vector(2 * TypeParam::dim);
   const auto M = this->element.mass();
@@ -202,22 +210,23 @@ TYPED_TEST(BeamElementTest, PowerOfInertiaIsTheRateOfKineticEnergy) {
 
 TYPED_TEST(BeamElementTest, InternalForcesAreInEquilibrium) {
   constexpr int dim = TypeParam::dim;
-  const auto g = this->force(this->A, this->B);
-  const auto sum = (this->A.AdInv().transpose() * g.template head<dim>() +
-                    this->B.AdInv().transpose() * g.template tail<dim>())
+  const auto g = this->force(this->A_now, this->B_now);
+  const auto sum = (this->A_now.AdInv().transpose() * g.template head<dim>() +
+                    this->B_now.AdInv().transpose() * g.template tail<dim>())
                        .eval();
   EXPECT_LT(sum.norm(), 1e-14 * g.norm() * 10);
 }
 
 TYPED_TEST(BeamElementTest, ReversedElementIsTheSame) {
   constexpr int dim = TypeParam::dim;
-  const typename TestFixture::Element reversed(
-      this->B0, this->A0, this->element.section_stiffness(), this->element.section_inertia());
-  typename TestFixture::Pair g, r;
+  const BeamElement<TypeParam> reversed(this->B_at_rest, this->A_at_rest,
+                                        this->element.section_stiffness(),
+                                        this->element.section_inertia());
+  PairOf<TypeParam> g, r;
   const auto v = this->random.vector(2 * dim).eval();
   const auto w = (Eigen::VectorXd(2 * dim) << v.tail(dim), v.head(dim)).finished();
-  this->element.internal_force(this->A, this->B, v.data(), 0.3, g);
-  reversed.internal_force(this->B, this->A, w.data(), 0.3, r);
+  this->element.internal_force(this->A_now, this->B_now, v.data(), 0.3, g);
+  reversed.internal_force(this->B_now, this->A_now, w.data(), 0.3, r);
   EXPECT_NEAR(this->element.length(), reversed.length(), 1e-14);
   EXPECT_LT((g.template head<dim>() - r.template tail<dim>()).norm(), 1e-13 * g.norm());
   EXPECT_LT((g.template tail<dim>() - r.template head<dim>()).norm(), 1e-13 * g.norm());
@@ -226,18 +235,19 @@ TYPED_TEST(BeamElementTest, ReversedElementIsTheSame) {
 }
 
 TYPED_TEST(BeamElementTest, DampingTakesThePowerOfTheStrainRate) {
-  using Pair = typename TestFixture::Pair;
+  using Pair = PairOf<TypeParam>;
   const double damping = 0.02, h = 1e-5;
   const Pair v = this->random.vector(2 * TypeParam::dim);
   Pair damped;
-  this->element.internal_force(this->A, this->B, v.data(), damping, damped);
+  this->element.internal_force(this->A_now, this->B_now, v.data(), damping, damped);
   const auto strain = [&](double t) {
-    return this->element.strain(this->moved(this->A, t * v, 0), this->moved(this->B, t * v, 1));
+    return this->element.strain(this->moved(this->A_now, t * v, 0),
+                                this->moved(this->B_now, t * v, 1));
   };
   const auto rate = ((strain(h) - strain(-h)) / (2 * h)).eval();
   const double power =
       damping * this->element.length() * rate.dot(this->element.section_stiffness() * rate);
-  EXPECT_NEAR(v.dot(damped - this->force(this->A, this->B)), power, 1e-8 * power);
+  EXPECT_NEAR(v.dot(damped - this->force(this->A_now, this->B_now)), power, 1e-8 * power);
 }
 
 /// K_el of the linear Timoshenko element with one integration point, from its strains

@@ -13,22 +13,23 @@ using testing::Random;
 template <class Size>
 class BlockTridiagonalTest : public ::testing::Test {
  protected:
-  static constexpr int N = Size::value;
+  static constexpr int size = Size::value;
   /// Unsymmetric, with a dominant diagonal.
-  BlockTridiagonal<N> matrix(int n) {
-    BlockTridiagonal<N> A(n);
-    for (auto& b : A.D) b = random.matrix(N, N) + 4.0 * N * Eigen::MatrixXd::Identity(N, N);
-    for (auto& b : A.U) b = random.matrix(N, N);
-    for (auto& b : A.L) b = random.matrix(N, N);
+  BlockTridiagonal<size> matrix(int n) {
+    BlockTridiagonal<size> A(n);
+    for (auto& b : A.D)
+      b = random.matrix(size, size) + 4.0 * size * Eigen::MatrixXd::Identity(size, size);
+    for (auto& b : A.U) b = random.matrix(size, size);
+    for (auto& b : A.L) b = random.matrix(size, size);
     return A;
   }
-  static Eigen::MatrixXd dense(const BlockTridiagonal<N>& A) {
+  static Eigen::MatrixXd dense(const BlockTridiagonal<size>& A) {
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(A.size(), A.size());
     for (int k = 0; k < A.blocks(); ++k) {
-      m.block<N, N>(N * k, N * k) = A.D[std::size_t(k)];
+      m.block<size, size>(size * k, size * k) = A.D[std::size_t(k)];
       if (k + 1 == A.blocks()) break;
-      m.block<N, N>(N * k, N * (k + 1)) = A.U[std::size_t(k)];
-      m.block<N, N>(N * (k + 1), N * k) = A.L[std::size_t(k)];
+      m.block<size, size>(size * k, size * (k + 1)) = A.U[std::size_t(k)];
+      m.block<size, size>(size * (k + 1), size * k) = A.L[std::size_t(k)];
     }
     return m;
   }

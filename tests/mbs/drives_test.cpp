@@ -9,8 +9,12 @@ namespace liesl {
 namespace {
 
 using testing::options;
-using testing::run_planar;
 using testing::run_spatial;
+
+/// A block alone singles out no plane: x and y are given.
+testing::Run<SE2> run_planar(const Mechanism& m, const SimulationOptions& o) {
+  return testing::run<SE2>(m, {}, o);
+}
 
 /// A block on a rail along x, or hinged about z at the origin with its centre 0.4 m away.
 Mechanism rail(double mass) {

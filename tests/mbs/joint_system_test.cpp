@@ -38,7 +38,7 @@ Mechanism scene() {
 template <class G>
 class JointSystemTest : public ::testing::Test {
  protected:
-  static constexpr int dim = G::dim;
+  static constexpr int width = G::dim;
   static Space<G> space() {
     if constexpr (G::space_dim == 2)
       return *find_plane(scene()).plane;
@@ -47,31 +47,31 @@ class JointSystemTest : public ::testing::Test {
   }
   JointSystemTest()
       : model(Model<G>::build(scene(), space())), eq(model), s(model.initial_state()) {
-    for (auto& H : s.H) H = H * G::exp(typename G::Tangent(1e-2 * random.vector(dim)));
+    for (auto& H : s.H) H = H * G::exp(typename G::Tangent(1e-2 * random.vector(width)));
     s.v = random.vector(model.size());
     s.vdot = random.vector(model.size());
     s.lambda = random.vector(model.constraints());
     eq.evaluate(s, s.q, {0.01, 1});
   }
 
-  Eigen::MatrixXd dense(const BlockTridiagonal<dim>& A) const {
+  Eigen::MatrixXd dense(const BlockTridiagonal<width>& A) const {
     Eigen::MatrixXd m = Eigen::MatrixXd::Zero(A.size(), A.size());
     for (int k = 0; k < A.blocks(); ++k) {
-      m.block(dim * k, dim * k, dim, dim) = A.D[std::size_t(k)];
+      m.block(width * k, width * k, width, width) = A.D[std::size_t(k)];
       if (k + 1 == A.blocks()) break;
-      m.block(dim * k, dim * (k + 1), dim, dim) = A.U[std::size_t(k)];
-      m.block(dim * (k + 1), dim * k, dim, dim) = A.L[std::size_t(k)];
+      m.block(width * k, width * (k + 1), width, width) = A.U[std::size_t(k)];
+      m.block(width * (k + 1), width * k, width, width) = A.L[std::size_t(k)];
     }
     return m;
   }
 
   /// [A + C^T k C, B^T; B, 0] with A of the bodies, C the rows of springs and dampers.
-  void solve_dense(const std::function<BlockTridiagonal<dim>(int)>& body, double gamma,
+  void solve_dense(const std::function<BlockTridiagonal<width>(int)>& body, double gamma,
                    bool compliant, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda) const {
     const int n = model.size(), c = model.constraints();
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n + c, n + c);
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-      const int at = dim * model.first_node(int(b)), size = model.bodies[b]->size();
+      const int at = width * model.first_node(int(b)), size = model.bodies[b]->size();
       S.block(at, at, size, size) = dense(body(int(b)));
     }
     for (std::size_t j = 0; j < model.couplings.size(); ++j) {
@@ -80,9 +80,9 @@ class JointSystemTest : public ::testing::Test {
         Eigen::VectorXd row = Eigen::VectorXd::Zero(n + c);
         const auto B = eq.couplings[j].B.row(i);
         if (coupling.a.body >= 0)
-          row.segment<dim>(dim * coupling.a.node) += B.template head<dim>().transpose();
+          row.segment<width>(width * coupling.a.node) += B.template head<width>().transpose();
         if (coupling.b.body >= 0)
-          row.segment<dim>(dim * coupling.b.node) += B.template tail<dim>().transpose();
+          row.segment<width>(width * coupling.b.node) += B.template tail<width>().transpose();
         const auto& law = coupling.equations[std::size_t(i)].law;
         if (i < coupling.constraints) {
           S.row(n + coupling.first_constraint + i) = row.transpose();
@@ -94,14 +94,21 @@ class JointSystemTest : public ::testing::Test {
     }
     Eigen::VectorXd rhs(n + c);
     rhs << -eq.r, -eq.phi;
-    const Eigen::VectorXd x = S.fullPivLu().solve(rhs);
+    // Rows and columns of the constraints in the size of A, for the sake of the pivots.
+    Eigen::VectorXd d = Eigen::VectorXd::Ones(n + c);
+    d.tail(c) *= S.diagonal().cwiseAbs().maxCoeff();
+    const Eigen::VectorXd x = d.asDiagonal() * (d.asDiagonal() * S * d.asDiagonal())
+                                                   .eval()
+                                                   .partialPivLu()
+                                                   .solve(d.asDiagonal() * rhs)
+                                                   .eval();
     delta = x.head(n);
     dlambda = x.tail(c);
   }
 
   /// Multipliers to a relative 1e-9, positions likewise.
   void expect_same(JointSystem<G>& system, bool compliant,
-                   const std::function<BlockTridiagonal<dim>(int)>& body, double gamma) {
+                   const std::function<BlockTridiagonal<width>(int)>& body, double gamma) {
     Eigen::VectorXd delta, dlambda = s.lambda, x, y;
     ASSERT_TRUE(system.solve(eq, delta, dlambda, compliant));
     solve_dense(body, gamma, compliant, x, y);

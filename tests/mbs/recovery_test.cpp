@@ -36,15 +36,13 @@ TEST(Recovery, BucklingLinksAreReported) {
     EXPECT_GT(r.report().tangent_refreshes, 0);
     if (r.report().status == SolveStatus::Converged) {
       EXPECT_NEAR(r.trajectory().time(r.last()), 0.12, 1e-12);
-      if (r.report().rejected_steps > 0) EXPECT_FALSE(r.report().warnings.empty());
+      if (r.report().rejected_steps > 0) {
+        EXPECT_FALSE(r.report().warnings.empty());
+      }
     } else {
       EXPECT_EQ(r.report().status, SolveStatus::NotConverged);
       EXPECT_NE(r.report().reason.find("t = "), std::string::npos) << r.report().reason;
     }
-    std::printf("buckling h %g: %s %s, refreshes %ld rejected %ld smallest %g at %g\n", h,
-                to_string(r.report().status), r.report().reason.c_str(),
-                r.report().tangent_refreshes, r.report().rejected_steps, r.report().smallest_step,
-                r.trajectory().time(r.last()));
   }
 }
 
@@ -104,8 +102,6 @@ TEST(Adaptive, ErrorFollowsTheTolerance) {
     const auto r = testing::run_planar(reference::pendulum(8), o);
     ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
     const double error = (tip(r) - tip(fine)).norm();
-    std::printf("adaptive %g: error %g, %ld steps, smallest %g\n", tolerance, error,
-                r.report().steps, r.report().smallest_step);
     EXPECT_LT(error, tolerance * double(r.report().steps));  // local errors add up
     EXPECT_LT(error, before);
     EXPECT_NEAR(r.trajectory().time(r.last()), 1, 1e-12);

@@ -14,15 +14,17 @@ namespace {
 using testing::Random;
 
 template <class G>
+using VectorOf = typename Row<G>::Vector;
+template <class G>
+using GradientOf = typename Row<G>::Gradient;
+
+template <class G>
 class RowsTest : public ::testing::Test {
  protected:
-  using Tangent = typename G::Tangent;
-  using Vector = typename Row<G>::Vector;
-  using Gradient = typename Row<G>::Gradient;
   static constexpr int dim = G::dim, sd = G::space_dim;
 
   std::vector<Row<G>> rows() {
-    const auto any = [this] { return Vector(random.vector(sd)); };
+    const auto any = [this] { return VectorOf<G>(random.vector(sd)); };
     std::vector<Row<G>> all;
     for (int i = 0; i < 3; ++i) {
       all.push_back(Row<G>::along(any()));
@@ -32,20 +34,21 @@ class RowsTest : public ::testing::Test {
     }
     return all;
   }
-  RelativeMotion<G> motion(const Gradient& h) const {
-    return {a * G::exp(Tangent(h.template head<dim>())),
-            b * G::exp(Tangent(h.template tail<dim>()))};
+  RelativeMotion<G> motion(const GradientOf<G>& h) const {
+    return {a * G::exp(typename G::Tangent(h.template head<dim>())),
+            b * G::exp(typename G::Tangent(h.template tail<dim>()))};
   }
 
   Random random{7};
-  G a = G::exp(Tangent(random.vector(dim))), b = G::exp(Tangent(random.vector(dim)));
+  G a = G::exp(typename G::Tangent(random.vector(dim))),
+    b = G::exp(typename G::Tangent(random.vector(dim)));
 };
 
 using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(RowsTest, Groups);
 
 TYPED_TEST(RowsTest, GradientIsTheDerivativeOfTheValue) {
-  using Gradient = typename TestFixture::Gradient;
+  using Gradient = GradientOf<TypeParam>;
   for (const auto& row : this->rows()) {
     Gradient g;
     row.gradient(this->motion(Gradient::Zero()), g);
@@ -64,7 +67,7 @@ TYPED_TEST(RowsTest, GradientIsTheDerivativeOfTheValue) {
 }
 
 TYPED_TEST(RowsTest, HessianIsTheDerivativeOfTheGradient) {
-  using Gradient = typename TestFixture::Gradient;
+  using Gradient = GradientOf<TypeParam>;
   for (const auto& row : this->rows()) {
     const auto H = row.hessian(this->motion(Gradient::Zero()));
     const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
@@ -94,7 +97,7 @@ TYPED_TEST(RowsTest, RowsDependOnTheRelativeMotionOnly) {
 
 TYPED_TEST(RowsTest, AnglesContinueOverTwentyTurns) {
   using G = TypeParam;
-  using Vector = typename TestFixture::Vector;
+  using Vector = VectorOf<TypeParam>;
   const int plane = G::space_dim == 2 ? 0 : 1;  // turns about z, or about x in space
   const Vector m = Vector::Unit(plane + 1), n = Vector::Unit(plane);
   const auto row = Row<G>::angle(m, n, n, n);

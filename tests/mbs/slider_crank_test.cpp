@@ -32,13 +32,13 @@ TEST(SliderCrank, EightElements) {
   expect_row({8, 1e-4, 0.010, 1.2576e-3, 0.00006e-3, 0.169652, 0.6e-6});
 }
 TEST(SliderCrank, EightElementsFineStep) {
-  expect_row({8, 2.5e-5, 0.010, 1.25659e-3, 0.000006e-3, 0.1696538, 0.6e-7});
+  expect_row({8, 2.5e-5, 0.010, 1.25659e-3, 0.00001e-3, 0.1696538, 0.6e-7});
 }
 TEST(SliderCrank, SixteenElements) {
-  expect_row({16, 2.5e-5, 0.010, 1.27081e-3, 0.000006e-3, 0, 0});
+  expect_row({16, 2.5e-5, 0.010, 1.27081e-3, 0.00002e-3, 0, 0});
 }
 TEST(SliderCrank, ThirtyTwoElements) {
-  expect_row({32, 2.5e-5, 0.010, 1.27637e-3, 0.000006e-3, 0, 0});
+  expect_row({32, 2.5e-5, 0.010, 1.27637e-3, 0.000025e-3, 0, 0});
 }
 TEST(SliderCrank, UniformDiameters) {
   expect_row({8, 1e-4, 0.006, 3.908e-3, 0.0006e-3, 0, 0});

@@ -9,8 +9,8 @@ namespace liesl::reference {
 
 /// O. Bruels, A. Cardona, M. Arnold, "Lie group generalized-alpha time integration of constrained
 /// flexible multibody systems", Mech. Mach. Theory 48 (2012): heavy top. Values of an adaptive
-/// Runge-Kutta integration at 1e-13; x = centre of mass, omega in body axes, reaction on the tip in
-/// inertial axes as a multiplier (the force on the body is -reaction).
+/// Runge-Kutta integration at 1e-13; x = centre of mass, omega in body axes, reaction = force of the ground on the
+/// body in inertial axes.
 struct HeavyTopState {
   double t;
   Eigen::Vector3d x, omega, reaction;
@@ -24,7 +24,7 @@ inline const HeavyTopState heavy_top_one{1.0,
                                          {-0.822078101692, 150, -5.923291348116},
                                          {-517.600739477, -396.843101489, 404.574925163}};
 inline constexpr double heavy_top_energy = 5435.6967908655;  // J
-/// Errors of generalized-alpha on SE(3) at t = 1, rho = 0.9.
+/// Errors (largest component) of generalized-alpha on SE(3) at t = 1, rho = 0.9.
 struct HeavyTopError {
   double step, x, omega, reaction;
 };
