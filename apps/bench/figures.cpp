@@ -37,15 +37,18 @@ void simulate_scene(benchmark::State& state, const Mechanism& mechanism, const S
     if (report.status != SolveStatus::Converged) state.SkipWithError(report.reason.c_str());
   }
   const double steps = static_cast<double>(report.steps);
-  state.counters["us_per_step"] = 1e6 * stepping / (steps * static_cast<double>(state.iterations()));
+  state.counters["us_per_step"] =
+      1e6 * stepping / (steps * static_cast<double>(state.iterations()));
   state.counters["corrections_per_step"] = static_cast<double>(report.newton_iterations) / steps;
   state.counters["factorizations"] = report.factorizations.empty() ? 0 : report.factorizations[0];
 }
 
-void run_file(benchmark::State& state, const std::string& file, const std::vector<std::string>& set, bool planar) {
+void run_file(benchmark::State& state, const std::string& file, const std::vector<std::string>& set,
+              bool planar) {
   const Scene scene = load_scene(data("scenes/" + file), set);
   if (planar)
-    simulate_scene<SE2>(state, scene.mechanism, *find_plane(scene.mechanism).plane, scene.simulation);
+    simulate_scene<SE2>(state, scene.mechanism, *find_plane(scene.mechanism).plane,
+                        scene.simulation);
   else
     simulate_scene<SE3>(state, scene.mechanism, Space<SE3>(), scene.simulation);
 }
@@ -53,17 +56,30 @@ void run_file(benchmark::State& state, const std::string& file, const std::vecto
 void slider_crank(benchmark::State& state) {
   run_file(state, "slider_crank.toml", {"gravity=[0,0,0]"}, state.range(0) == 2);
 }
-void pendulum(benchmark::State& state) { run_file(state, "pendulum.toml", {}, state.range(0) == 2); }
+void pendulum(benchmark::State& state) {
+  run_file(state, "pendulum.toml", {}, state.range(0) == 2);
+}
 void bend45(benchmark::State& state) { run_file(state, "bend45.toml", {}, false); }
 
 /// Pendulum of more and more elements: us per step and element must stay.
 void length_of_chain(benchmark::State& state) {
   const auto n = std::to_string(state.range(1));
-  run_file(state, "pendulum.toml", {"bodies.beam.beam.elements=" + n, "simulation.duration=0.05"}, state.range(0) == 2);
+  run_file(state, "pendulum.toml", {"bodies.beam.beam.elements=" + n, "simulation.duration=0.05"},
+           state.range(0) == 2);
 }
 
-BENCHMARK(slider_crank)->ArgName("dimensions")->Arg(3)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
-BENCHMARK(pendulum)->ArgName("dimensions")->Arg(3)->Arg(2)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(slider_crank)
+    ->ArgName("dimensions")
+    ->Arg(3)
+    ->Arg(2)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK(pendulum)
+    ->ArgName("dimensions")
+    ->Arg(3)
+    ->Arg(2)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 BENCHMARK(bend45)->UseManualTime()->Unit(benchmark::kMillisecond);
 BENCHMARK(length_of_chain)
     ->ArgNames({"dimensions", "elements"})
@@ -100,7 +116,8 @@ void static_sizing(benchmark::State& state) {
   const Mechanism sized = sizing.apply(study.scene.mechanism, x);
   Model<SE2> model = Model<SE2>::build(sized, plane);
   const auto run = run_simulation(model, study.scene.simulation);
-  const std::vector<LoadSet> loads{extract_loads(model, run.trajectory, limited_bodies(study.spec)[0])};
+  const std::vector<LoadSet> loads{
+      extract_loads(model, run.trajectory, limited_bodies(study.spec)[0])};
   const Analysis<SE2> at{sized, &model, &run.trajectory, loads};
   int iterations = 0, kept = 0;
   for (auto _ : state) {

@@ -27,13 +27,14 @@ class Beam final : public Body<G> {
 
   /// @param nodes reference frames, n + 1  @param sections one an element
   /// @param damping stiffness-proportional, s
-  Beam(std::string body_name, std::vector<G> nodes_at_rest, const std::vector<ElementSection<G>>& sections,
-       double damping)
+  Beam(std::string body_name, std::vector<G> nodes_at_rest,
+       const std::vector<ElementSection<G>>& sections, double damping)
       : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
     this->M_.resize(this->nodes());
     this->K_.resize(this->nodes());
     for (int e = 0; e + 1 < this->nodes(); ++e) {
-      elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K, sections[e].M);
+      elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K,
+                             sections[e].M);
       this->M_.add_element(e, elements_[e].mass());
       this->K_.add_element(e, elements_[e].constant_tangent());
     }

@@ -30,13 +30,17 @@ class BeamElement {
   /// @param K section stiffness, @param M_s section inertia per length, @param length L in m:
   /// arc length of the reference curve between the nodes
   BeamElement(const G& A, const G& B, const Matrix& K, const Matrix& M_s)
-      : d0_(G::log(A.inverse() * B)), L_(d0_.template head<G::space_dim>().norm()), K_(K), M_s_(M_s) {
+      : d0_(G::log(A.inverse() * B)),
+        L_(d0_.template head<G::space_dim>().norm()),
+        K_(K),
+        M_s_(M_s) {
     for (int i = 0; i < 2; ++i) {
       const double s = 0.5 + (i - 0.5) / std::sqrt(3.0), weight = 0.5 * L_;
       const Gradient q = Q(d0_, s);
       Q_.template middleRows<dim>(dim * i) = q;
       weighted_Qt_.template middleCols<dim>(dim * i) = weight * q.transpose();
-      bubble_ += 0.5 * s * (1 - s) * weight * q.transpose() * M_s_.template leftCols<G::space_dim>();
+      bubble_ +=
+          0.5 * s * (1 - s) * weight * q.transpose() * M_s_.template leftCols<G::space_dim>();
     }
     mass_ = integral(M_s_);
     const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
@@ -190,7 +194,8 @@ class BeamElement {
   PairMatrix Q_;            ///< Q at both Gauss points, one below the other
   PairMatrix weighted_Qt_;  ///< their transposes times L/2, side by side
   /// L int Q^T M_s [I; 0] s(1 - s)/2 ds
-  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ = Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
+  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ =
+      Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
   Rotation W0_squared_;
 };
 

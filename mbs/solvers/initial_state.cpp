@@ -22,8 +22,9 @@ bool has_inertia(const Model<G>& model, InitialState& out) {
   for (const auto& body : model.bodies) {
     if (BlockTridiagonalLU<G::dim>().factor(body->mass())) continue;
     out.status = SolveStatus::Singular;
-    out.reason = fmt::format("body '{}' has no inertia in some direction; give it a mass and moments of inertia",
-                             body->name);
+    out.reason = fmt::format(
+        "body '{}' has no inertia in some direction; give it a mass and moments of inertia",
+        body->name);
     return false;
   }
   return true;
@@ -34,9 +35,9 @@ template <FrameGroup G>
 const std::string& most_open(const Equations<G>& eq) {
   const Coupling<G>* worst = &eq.model.couplings.front();
   const auto open = [&eq](const Coupling<G>& c) {
-    return c.constraints > 0
-               ? eq.phi.segment(c.first_constraint, c.constraints).template lpNorm<Eigen::Infinity>()
-               : 0;
+    return c.constraints > 0 ? eq.phi.segment(c.first_constraint, c.constraints)
+                                   .template lpNorm<Eigen::Infinity>()
+                             : 0;
   };
   for (const auto& c : eq.model.couplings)
     if (!(open(c) <= open(*worst))) worst = &c;
@@ -63,9 +64,10 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
     move(s, delta);
   }
   out.status = SolveStatus::Inconsistent;
-  out.reason = fmt::format("the joints cannot be assembled from the positions given: '{}' stays {:.3g} (m or rad) "
-                           "from closed; check the positions of the bodies and the joints' axes",
-                           most_open(eq), eq.constraint_residual());
+  out.reason = fmt::format(
+      "the joints cannot be assembled from the positions given: '{}' stays {:.3g} (m or rad) "
+      "from closed; check the positions of the bodies and the joints' axes",
+      most_open(eq), eq.constraint_residual());
   return false;
 }
 
@@ -85,9 +87,11 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
       rate = -target.segment(coupling.first_constraint, coupling.constraints);
       const auto B = eq.couplings[c].B.topRows(coupling.constraints);
       if (coupling.a.body >= 0)
-        rate += B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
+        rate +=
+            B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
       if (coupling.b.body >= 0)
-        rate += B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
+        rate +=
+            B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
     }
     if (eq.constraint_residual() == 0) break;
     eq.r.setZero();
@@ -116,7 +120,8 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
   eq.phi = -target;
   if (!system.factor({1, 0}, 0) || !system.solve(eq, s.vdot, dlambda, false)) {
     out.status = SolveStatus::Singular;
-    out.reason = "the accelerations at the start are not determined: the joint equations are singular";
+    out.reason =
+        "the accelerations at the start are not determined: the joint equations are singular";
     return false;
   }
   s.lambda = dlambda;

@@ -15,14 +15,14 @@ namespace liesl {
 /// What the last simulation says of one design: the loads of the parts and the true responses.
 template <FrameGroup G>
 struct Analysis {
-  Mechanism mechanism;             ///< with the design that was simulated
+  Mechanism mechanism;  ///< with the design that was simulated
   const Model<G>* model = nullptr;
   const Trajectory<G>* trajectory = nullptr;
-  std::vector<LoadSet> loads;      ///< one for each constrained part
+  std::vector<LoadSet> loads;  ///< one for each constrained part
 };
 
-/// minimise mass(x) subject to |r_c,n(x)|/limit_c - 1 <= 0. Responses are those of the linear static
-/// problem plus the constant that makes them exact at the analysed design,
+/// minimise mass(x) subject to |r_c,n(x)|/limit_c - 1 <= 0. Responses are those of the linear
+/// static problem plus the constant that makes them exact at the analysed design,
 ///   y_n(x) = C^T K(x)^-1 f_n + (y_n^dynamic - C^T K(x0)^-1 f_n),
 /// so that a fixed point of the cycle satisfies the limits of the motion itself.
 template <FrameGroup G>
@@ -41,7 +41,9 @@ class StaticSizing final : public Problem {
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
-  HessianShape hessian_shape() const override { return stress_ ? HessianShape::None : HessianShape::Dense; }
+  HessianShape hessian_shape() const override {
+    return stress_ ? HessianShape::None : HessianShape::Dense;
+  }
   void hessian(const Eigen::VectorXd& x, double sigma, const Eigen::VectorXd& lambda,
                Eigen::MatrixXd& h) override;
 
@@ -58,7 +60,8 @@ class StaticSizing final : public Problem {
     std::vector<int> kept;       ///< numbers of the retained cases
     std::vector<SE3> align;      ///< of the first node of each element
   };
-  /// A limit on |outputs first .. first + count) of a part, or on the von Mises stress made of them.
+  /// A limit on |outputs first .. first + count) of a part, or on the von Mises stress made of
+  /// them.
   struct Limit {
     int constraint = 0, part = 0, first = 0, count = 0;
     int element = -1, point = -1;  ///< stress

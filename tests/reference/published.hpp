@@ -9,8 +9,8 @@ namespace liesl::reference {
 
 /// O. Bruels, A. Cardona, M. Arnold, "Lie group generalized-alpha time integration of constrained
 /// flexible multibody systems", Mech. Mach. Theory 48 (2012): heavy top. Values of an adaptive
-/// Runge-Kutta integration at 1e-13; x = centre of mass, omega in body axes, reaction = force of the ground on the
-/// body in inertial axes.
+/// Runge-Kutta integration at 1e-13; x = centre of mass, omega in body axes, reaction = force of
+/// the ground on the body in inertial axes.
 struct HeavyTopState {
   double t;
   Eigen::Vector3d x, omega, reaction;
