@@ -8,7 +8,7 @@
 
 #include "esl/load_set.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 #include "optim/design/sizing.hpp"
 
 namespace liesl {

@@ -6,7 +6,7 @@
 #include "esl/load_set.hpp"
 #include "esl/static_part.hpp"
 #include "mbs/system/response_value.hpp"
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 #include "optim/design/sizing.hpp"
 #include "optim/nlp/problem.hpp"
 
