@@ -113,6 +113,11 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
   }
   report.stepping_s = seconds_since(start);
   report.factorizations = integrator.factorizations();
+  if (report.tangent_refreshes > 0)
+    report.warnings.push_back(fmt::format(
+        "the constant tangent was replaced by that of the moment {} times: the deformations leave "
+        "its range",
+        report.tangent_refreshes));
   if (report.rejected_steps > 0)
     report.warnings.push_back(
         fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
