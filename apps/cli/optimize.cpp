@@ -117,9 +117,11 @@ void print_cycle(const Cycle& c, bool quiet) {
   if (quiet) return;
   if (c.number == 1)
     fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
-  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:7} {:12}\n", c.number, c.mass, c.worst,
-             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-", c.load_cases,
-             c.iterations);
+  const bool sized = c.next.size() > 0;  // the last cycle only confirms
+  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass, c.worst,
+             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
+             sized ? std::to_string(c.load_cases) : "-",
+             sized ? std::to_string(c.iterations) : "-");
   std::fflush(stdout);
 }
 
@@ -138,6 +140,7 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
   const Progress progress = watch(line);
   hooks.progress = progress;
   hooks.on_cycle = [&](const std::vector<Cycle>& history) {
+    line.clear();
     print_cycle(history.back(), options.quiet);
     output::OptimizeSummary so_far = summary;
     describe_cycles(so_far, history);
