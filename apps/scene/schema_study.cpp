@@ -24,7 +24,7 @@ std::vector<Key> study_keys() {
     {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Quantity.", 0, "mass"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
 
-    {"constraints", Type::Named, "", kRequired, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress."},
+    {"constraints", Type::Named, "", kRequired, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress, compliance."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},

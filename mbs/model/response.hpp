@@ -23,14 +23,15 @@ enum class ResponseKind {
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
   Stress,        ///< largest von Mises stress over the elements of a beam, Pa
-  Energy         ///< kinetic + elastic + potential, J
+  Energy,        ///< kinetic + elastic + potential, J
+  Compliance     ///< twice the elastic energy of a beam: load times displacement, J
 };
 
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
   Port at;         ///< Position, Velocity, AngularVelocity, Displacement
-  int body = -1;   ///< Deflection, Elongation, SectionForce, Stress
+  int body = -1;   ///< Deflection, Elongation, SectionForce, Stress, Compliance
   double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
                    ///< `everywhere` = largest over the nodes
   bool everywhere = false;

@@ -44,6 +44,8 @@ const char* name_of(ResponseKind kind) {
       return "stress";
     case ResponseKind::Energy:
       return "energy";
+    case ResponseKind::Compliance:
+      return "compliance";
   }
   return "";
 }
@@ -61,6 +63,7 @@ const char* unit(const ResponseSpec& r, const Mechanism& mechanism) {
     case ResponseKind::Stress:
       return "Pa";
     case ResponseKind::Energy:
+    case ResponseKind::Compliance:
       return "J";
     case ResponseKind::Coordinate: {
       const JointType type = mechanism.joints[r.joint].type;
@@ -179,6 +182,9 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
                       r.body, r.element)[r.component]);
     case ResponseKind::Stress:
       return scalar(stress(r, s));
+    case ResponseKind::Compliance:
+      return scalar(
+          2 * model_.bodies[r.body]->energy(model_.body_state(s, r.body), model_.gravity).elastic);
     case ResponseKind::Energy: {
       double sum = 0;
       for (size_t b = 0; b < model_.bodies.size(); ++b) {
