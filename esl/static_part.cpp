@@ -2,17 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-
 #include <Eigen/LU>
 #include <set>
 #include <stdexcept>
 
 namespace liesl {
 namespace {
-
-constexpr int kColumnsATask = 256;  // load cases solved by one task
 
 /// Number of the local direction of "x", ..., "rz"; -1 if there is none.
 std::vector<int> directions(const std::string& letters) {
@@ -86,10 +81,7 @@ void StaticPart<G>::set_loads(const Eigen::MatrixXd& f) {
 template <FrameGroup G>
 void StaticPart<G>::solve_columns(Eigen::MatrixXd& x) const {
   for (const int i : held_.fixed) x.row(i).setZero();
-  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(x.cols()), kColumnsATask),
-                    [&](const tbb::blocked_range<int>& range) {
-                      for (int n = range.begin(); n < range.end(); ++n) lu_.solve(x.col(n).data());
-                    });
+  for (int n = 0; n < x.cols(); ++n) lu_.solve(x.col(n).data());
 }
 
 template <FrameGroup G>
@@ -127,7 +119,12 @@ bool StaticPart<G>::solve(const Law& K_s) {
 template <FrameGroup G>
 void StaticPart<G>::add_gradient(int e, const Matrix& dK_s, Eigen::MatrixXd& dy) const {
   const Strain n = dK_s * strain_u_[e];
-  dy.noalias() -= (strain_mu_[e].transpose() / length_[e]) * n;
+  dy.topRows(outputs()).noalias() -= (strain_mu_[e].transpose() / length_[e]) * n;
+}
+
+template <FrameGroup G>
+Eigen::RowVectorXd StaticPart<G>::compliance_gradient(int e, const Matrix& dK_s) const {
+  return -strain_u_[e].cwiseProduct(dK_s * strain_u_[e]).colwise().sum() / length_[e];
 }
 
 template <FrameGroup G>

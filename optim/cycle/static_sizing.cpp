@@ -37,8 +37,9 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
     part.problem.set_loads(part.loads->f);
     part.problem.solve(stiffness(part));
   }
+  update_outputs();
   for (size_t p = 0; p < parts_.size(); ++p)
-    parts_[p].correction = dynamic_outputs(at, static_cast<int>(p)) - parts_[p].problem.y();
+    parts_[p].correction = dynamic_outputs(at, static_cast<int>(p)) - parts_[p].y;
   screen();
 }
 
@@ -62,7 +63,10 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
     const auto support = study_.supports.find(loads.body);
     HeldPart held = read_support(support == study_.supports.end() ? Support{} : support->second,
                                  at.mechanism, model_, loads.body);
-    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, {}, {}};
+    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, {}, {},
+              false,      {}};
+    for (size_t i = before; i < limits_.size(); ++i)
+      part.compliance |= kind_of(limits_[i]) == ResponseKind::Compliance;
     for (int e = 0; e < beam.elements(); ++e)
       part.align.push_back(space_.alignment(at.mechanism.frame({loads.body, e, SE3::identity()})));
     parts_.push_back(std::move(part));
@@ -73,7 +77,7 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
 template <FrameGroup G>
 void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body,
                                   std::vector<Eigen::MatrixXd>& outputs) {
-  int column = 0;
+  int column = 0, compliance = -1;
   const auto add = [&](int constraint, Eigen::MatrixXd c) {
     limits_.push_back({constraint, 0, column, static_cast<int>(c.cols()), -1, -1});
     column += static_cast<int>(c.cols());
@@ -85,7 +89,7 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body,
     const int index = static_cast<int>(i);
     if (limited_body(r) != body) continue;
     if (r.kind == ResponseKind::Stress) {
-      stress_ = true;
+      second_derivatives_ = false;
       const auto& spec = std::get<BeamSpec>(at.mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {
         const int points =
@@ -94,6 +98,9 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body,
         outputs.push_back(StaticPart<G>::strain_output(beam, e));
         column += dim;
       }
+    } else if (r.kind == ResponseKind::Compliance) {
+      second_derivatives_ = false;
+      compliance = index;
     } else if (r.everywhere) {
       r.everywhere = false;
       for (int k = 1; k < beam.elements(); ++k) {
@@ -104,6 +111,7 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body,
       add(index, gradient_at_rest(at, r));
     }
   }
+  if (compliance >= 0) limits_.push_back({compliance, 0, column, 1, -1, -1});
 }
 
 /// Gradient of a response with respect to the increments of its body at the reference shape, by
@@ -137,7 +145,7 @@ template <FrameGroup G>
 Eigen::MatrixXd StaticSizing<G>::dynamic_outputs(const Analysis<G>& at, int part) const {
   const ResponseValues<G> values(at.mechanism, model_);
   const int body = parts_[part].body;
-  Eigen::MatrixXd y(parts_[part].problem.outputs(), at.trajectory->size());
+  Eigen::MatrixXd y(parts_[part].outputs(), at.trajectory->size());
   State<G> s = model_.initial_state();
   for (int n = 0; n < at.trajectory->size(); ++n) {
     at.trajectory->read(n, s);
@@ -182,6 +190,15 @@ typename StaticSizing<G>::StressRows StaticSizing<G>::stress_rows(const Part& pa
   for (int j = 0; j < dim; ++j)
     rows.col(j) = S * space_.embed_local(G::Tangent::Unit(j), part.align[e]);
   return rows;
+}
+
+template <FrameGroup G>
+void StaticSizing<G>::update_outputs() {
+  for (auto& part : parts_) {
+    part.y.resize(part.outputs(), part.problem.cases());
+    part.y.topRows(part.problem.outputs()) = part.problem.y();
+    if (part.compliance) part.y.bottomRows(1) = part.problem.compliance();
+  }
 }
 
 template <FrameGroup G>
@@ -246,7 +263,7 @@ double StaticSizing<G>::explicit_stress_slope(const Limit& limit, const Eigen::V
 template <FrameGroup G>
 Eigen::VectorXd StaticSizing<G>::outputs_of(const Limit& limit, int kept) const {
   const Part& part = parts_[limit.part];
-  return part.problem.y().col(kept).segment(limit.first, limit.count) +
+  return part.y.col(kept).segment(limit.first, limit.count) +
          part.correction.col(part.kept[kept]).segment(limit.first, limit.count);
 }
 
@@ -355,6 +372,7 @@ bool StaticSizing<G>::solve(const Eigen::VectorXd& x) {
   mechanism_ = sizing_.apply(mechanism_, x);
   for (auto& part : parts_)
     if (!part.problem.solve(stiffness(part))) return false;
+  update_outputs();
   update_stress_of_strain();
   return true;
 }
@@ -382,17 +400,19 @@ void StaticSizing<G>::gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, Row
   dy_.assign(parts_.size(), {});
   for (int i = 0; i < sizing_.size(); ++i) {
     for (size_t p = 0; p < parts_.size(); ++p)
-      dy_[p].push_back(
-          Eigen::MatrixXd::Zero(parts_[p].problem.outputs(), parts_[p].problem.cases()));
+      dy_[p].push_back(Eigen::MatrixXd::Zero(parts_[p].outputs(), parts_[p].problem.cases()));
     for (const auto& at : sizing_.elements(i)) {
       const SectionLaw d = sizing_.derivative(mechanism_, i, at);
       if (in_mass(at.body))
         df[i] += d.M(0, 0) *
                  element_length(std::get<BeamSpec>(mechanism_.bodies[at.body].kind), at.element);
       for (size_t p = 0; p < parts_.size(); ++p)
-        if (parts_[p].body == at.body)
-          parts_[p].problem.add_gradient(
-              at.element, space_.reduce_law(d.K, parts_[p].align[at.element]), dy_[p][i]);
+        if (parts_[p].body == at.body) {
+          const typename G::Matrix dK = space_.reduce_law(d.K, parts_[p].align[at.element]);
+          parts_[p].problem.add_gradient(at.element, dK, dy_[p][i]);
+          if (parts_[p].compliance)
+            dy_[p][i].bottomRows(1) += parts_[p].problem.compliance_gradient(at.element, dK);
+        }
     }
   }
   for (size_t r = 0; r < rows_.size(); ++r) {
@@ -445,7 +465,7 @@ void StaticSizing<G>::hessian(const Eigen::VectorXd&, double sigma, const Eigen:
   }
   for (size_t p = 0; p < parts_.size(); ++p) {
     const Part& part = parts_[p];
-    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(part.problem.outputs(), part.problem.cases());
+    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(part.outputs(), part.problem.cases());
     for (size_t r = 0; r < rows_.size(); ++r) {
       const Limit& limit = limits_[rows_[r].limit];
       const double weight =

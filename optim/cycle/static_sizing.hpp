@@ -6,9 +6,9 @@
 #include "esl/load_set.hpp"
 #include "esl/static_part.hpp"
 #include "mbs/system/response_value.hpp"
-#include "optim/study/study.hpp"
 #include "optim/design/sizing.hpp"
 #include "optim/nlp/problem.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
 
@@ -42,7 +42,7 @@ class StaticSizing final : public Problem {
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
   HessianShape hessian_shape() const override {
-    return stress_ ? HessianShape::None : HessianShape::Dense;
+    return second_derivatives_ ? HessianShape::Dense : HessianShape::None;
   }
   void hessian(const Eigen::VectorXd& x, double sigma, const Eigen::VectorXd& lambda,
                Eigen::MatrixXd& h) override;
@@ -57,8 +57,11 @@ class StaticSizing final : public Problem {
     const LoadSet* loads = nullptr;
     StaticPart<G> problem;
     Eigen::MatrixXd correction;  ///< outputs x all cases
-    std::vector<int> kept;       ///< numbers of the retained cases
-    std::vector<SE3> align;      ///< of the first node of each element
+    bool compliance = false;     ///< one more output, after those of the static part
+    Eigen::MatrixXd y;           ///< outputs x retained cases, at the latest x
+    int outputs() const { return problem.outputs() + compliance; }
+    std::vector<int> kept;   ///< numbers of the retained cases
+    std::vector<SE3> align;  ///< of the first node of each element
   };
   /// A limit on |outputs first .. first + count) of a part, or on the von Mises stress made of
   /// them.
@@ -70,6 +73,9 @@ class StaticSizing final : public Problem {
     int limit = 0, kept = 0;  ///< which limit in which retained case
   };
 
+  ResponseKind kind_of(const Limit& limit) const {
+    return study_.constraints[limit.constraint].response.kind;
+  }
   void make_parts(const Analysis<G>& at);
   void add_outputs(const Analysis<G>& at, int part, std::vector<Eigen::MatrixXd>& outputs);
   Eigen::MatrixXd gradient_at_rest(const Analysis<G>& at, const ResponseSpec& response) const;
@@ -82,6 +88,7 @@ class StaticSizing final : public Problem {
   double limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const;
   Eigen::VectorXd outputs_of(const Limit& limit, int kept) const;
   StressRows stress_rows(const Part& part, int element, int point) const;
+  void update_outputs();
   void update_stress_of_strain();
   double explicit_stress_slope(const Limit& limit, const Eigen::VectorXd& y, int variable) const;
   std::vector<Law> stiffness_derivatives(const Part& part) const;
@@ -98,7 +105,7 @@ class StaticSizing final : public Problem {
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
   std::vector<std::vector<Eigen::MatrixXd>> dy_;  ///< [part][variable]: outputs x retained cases
-  bool stress_ = false;
+  bool second_derivatives_ = true;                ///< not of stresses and compliances
 };
 
 extern template class StaticSizing<SE2>;
