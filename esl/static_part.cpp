@@ -153,7 +153,12 @@ bool StaticPart<G>::solve(const Law& K_s) {
 template <FrameGroup G>
 void StaticPart<G>::add_gradient(int e, const Matrix& dK_s, Eigen::MatrixXd& dy) const {
   const Strain n = dK_s * strain_u_[e];
-  dy.noalias() -= (strain_mu_[e].transpose() / length_[e]) * n;
+  dy.topRows(outputs()).noalias() -= (strain_mu_[e].transpose() / length_[e]) * n;
+}
+
+template <FrameGroup G>
+Eigen::RowVectorXd StaticPart<G>::compliance_gradient(int e, const Matrix& dK_s) const {
+  return -strain_u_[e].cwiseProduct(dK_s * strain_u_[e]).colwise().sum() / length_[e];
 }
 
 template <FrameGroup G>

@@ -55,9 +55,13 @@ class StaticPart {
   const Eigen::MatrixXd& y() const { return y_; }  ///< outputs x cases
   double length(int element) const { return length_[element]; }
 
-  /// dy += -(1/L) (P0 mu)^T dK_s (P0 u) for one element whose section changes by dK_s:
-  /// outputs x cases.
+  /// dy += -(1/L) (P0 mu)^T dK_s (P0 u) for one element whose section changes by dK_s, in the first
+  /// outputs() rows of dy [x cases].
   void add_gradient(int element, const Matrix& dK_s, Eigen::MatrixXd& dy) const;
+
+  /// f^T u of each case, J, and its change -(1/L) (P0 u)^T dK_s (P0 u) with one element's section.
+  Eigen::RowVectorXd compliance() const { return f_.cwiseProduct(u_).colwise().sum(); }
+  Eigen::RowVectorXd compliance_gradient(int element, const Matrix& dK_s) const;
 
   /// Same for one weighted sum: sum_{o,n} w(o, n) d2y(o, n)/dx_i dx_j, all pairs of variables, from
   /// d2y = mu^T (K_i K^-1 K_j + K_j K^-1 K_i - K_ij) u. `dK[i]`: derivative by element (empty

@@ -9,11 +9,13 @@ namespace liesl {
 
 int check_command(const CommandOptions& options) {
   const bool study = kind_of(load_document(options.file).root) == FileKind::Study;
-  const Scene scene = study ? load_study(options.file, options.set).scene : load_scene(options.file, options.set);
+  const Scene scene =
+      study ? load_study(options.file, options.set).scene : load_scene(options.file, options.set);
   const ChosenSpace space = choose_space(scene);
   if (!options.quiet)
-    fmt::print("{}: a good {} of {} bodies and {} joints; {}: {}\n", options.file, study ? "study" : "scene",
-               scene.mechanism.bodies.size(), scene.mechanism.joints.size(), space.name, space.reason);
+    fmt::print("{}: a good {} of {} bodies and {} joints; {}: {}\n", options.file,
+               study ? "study" : "scene", scene.mechanism.bodies.size(),
+               scene.mechanism.joints.size(), space.name, space.reason);
   return 0;
 }
 

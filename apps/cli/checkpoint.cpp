@@ -21,23 +21,29 @@ Eigen::VectorXd vector(const Json& list) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle>& history, const std::string& input_sha256) {
+void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle>& history,
+                      const std::string& input_sha256) {
   Json file;
   file["input_sha256"] = input_sha256;
   for (const auto& c : history) {
-    Json cycle = {{"number", c.number}, {"x", numbers(c.x)}, {"next", numbers(c.next)}, {"mass", c.mass}, {"worst", c.worst},
-                  {"worst_constraint", c.worst_constraint}, {"worst_time", c.worst_time}, {"load_cases", c.load_cases},
-                  {"iterations", c.iterations}, {"move", c.move}, {"seconds", c.seconds}};
+    Json cycle = {{"number", c.number},         {"x", numbers(c.x)},
+                  {"next", numbers(c.next)},    {"mass", c.mass},
+                  {"worst", c.worst},           {"worst_constraint", c.worst_constraint},
+                  {"worst_time", c.worst_time}, {"load_cases", c.load_cases},
+                  {"iterations", c.iterations}, {"move", c.move},
+                  {"seconds", c.seconds}};
     if (c.load_change) cycle["load_change"] = *c.load_change;
     file["cycles"].push_back(cycle);
   }
   output::write_file(path, file.dump(1));
 }
 
-std::vector<Cycle> read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256) {
+std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
+                                   const std::string& input_sha256) {
   const std::string text = output::read_file(path);
   const auto refuse = [&](const std::string& what) {
-    throw InputError({{path.string(), 0, 0, what, "the checkpoint of an interrupted run with the same study, scene and --set",
+    throw InputError({{path.string(), 0, 0, what,
+                       "the checkpoint of an interrupted run with the same study, scene and --set",
                        "run without --resume"}});
   };
   std::vector<Cycle> history;

@@ -6,13 +6,20 @@ namespace liesl {
 
 const char* to_string(JointType type) {
   switch (type) {
-    case JointType::Fixed: return "fixed";
-    case JointType::Revolute: return "revolute";
-    case JointType::Prismatic: return "prismatic";
-    case JointType::Cylindrical: return "cylindrical";
-    case JointType::Spherical: return "spherical";
-    case JointType::Universal: return "universal";
-    case JointType::Planar: return "planar";
+    case JointType::Fixed:
+      return "fixed";
+    case JointType::Revolute:
+      return "revolute";
+    case JointType::Prismatic:
+      return "prismatic";
+    case JointType::Cylindrical:
+      return "cylindrical";
+    case JointType::Spherical:
+      return "spherical";
+    case JointType::Universal:
+      return "universal";
+    case JointType::Planar:
+      return "planar";
   }
   return "";
 }
@@ -34,7 +41,8 @@ output::BodyResult empty_body(const BodySpec& spec) {
 }
 
 template <FrameGroup G>
-void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const State<G>& s, output::BodyResult& out) {
+void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const State<G>& s,
+              output::BodyResult& out) {
   for (int k = 0; k < out.nodes; ++k) {
     const SE3 H = view.node(s.H.data(), b, k);
     append(out.positions, H.x);
@@ -43,8 +51,11 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
   for (size_t e = 0; e < out.elements.size(); ++e) {
     const BodyState<G> state = model.body_state(s, b);
-    append(out.strains, view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
-    append(out.section_forces, view.local(model.bodies[b]->section_force(state, static_cast<int>(e)), b, static_cast<int>(e)));
+    append(out.strains,
+           view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
+    append(out.section_forces,
+           view.local(model.bodies[b]->section_force(state, static_cast<int>(e)), b,
+                      static_cast<int>(e)));
   }
 }
 
@@ -52,7 +63,8 @@ template <FrameGroup G>
 void add_energies(const Model<G>& model, const State<G>& s, output::Energies& out) {
   BodyEnergy sum;
   for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyEnergy e = model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity);
+    const BodyEnergy e =
+        model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity);
     sum.kinetic += e.kinetic;
     sum.elastic += e.elastic;
     sum.potential += e.potential;
@@ -104,7 +116,8 @@ double constraint_residual(const Model<G>& model, const State<G>& s) {
 
 template <FrameGroup G>
 std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>& responses,
-                                                      const Mechanism& mechanism, const Model<G>& model,
+                                                      const Mechanism& mechanism,
+                                                      const Model<G>& model,
                                                       const Trajectory<G>& trajectory) {
   const ResponseValues<G> values(mechanism, model);
   std::vector<output::ResponseResult> out;
@@ -130,7 +143,8 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
     r.abscissa_unit = "-";
   }
   for (const auto& body : mechanism.bodies) r.bodies.push_back(empty_body(body));
-  for (const auto& j : mechanism.joints) r.joints.push_back({j.name, to_string(j.type), {}, {}, {}});
+  for (const auto& j : mechanism.joints)
+    r.joints.push_back({j.name, to_string(j.type), {}, {}, {}});
 
   const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();
@@ -139,10 +153,12 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
-    for (size_t b = 0; b < r.bodies.size(); ++b) add_body(model, view, static_cast<int>(b), s, r.bodies[b]);
+    for (size_t b = 0; b < r.bodies.size(); ++b)
+      add_body(model, view, static_cast<int>(b), s, r.bodies[b]);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
-      append(r.joints[j].coordinates, Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<long>(q.size())));
+      append(r.joints[j].coordinates,
+             Eigen::Map<const Eigen::VectorXd>(q.data(), static_cast<long>(q.size())));
       append(r.joints[j].forces, joint_force(mechanism, model, static_cast<int>(j), s));
       if (n == 0)
         for (size_t k = 0; k < q.size(); ++k) {
@@ -166,11 +182,15 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   return r;
 }
 
-template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
-template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&);
-template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&, const Mechanism&,
-                                                               const Model<SE2>&, const Trajectory<SE2>&);
-template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&, const Mechanism&,
-                                                               const Model<SE3>&, const Trajectory<SE3>&);
+template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
+                                 const Trajectory<SE2>&);
+template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
+                                 const Trajectory<SE3>&);
+template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&,
+                                                               const Mechanism&, const Model<SE2>&,
+                                                               const Trajectory<SE2>&);
+template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&,
+                                                               const Mechanism&, const Model<SE3>&,
+                                                               const Trajectory<SE3>&);
 
 }  // namespace liesl

@@ -16,17 +16,20 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
 /// Only the named responses, over the records.
 template <FrameGroup G>
 std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>& responses,
-                                                      const Mechanism& mechanism, const Model<G>& model,
+                                                      const Mechanism& mechanism,
+                                                      const Model<G>& model,
                                                       const Trajectory<G>& trajectory);
 
 /// "fixed", "revolute", ...
 const char* to_string(JointType type);
 
-extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
-extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&);
-extern template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&, const Mechanism&,
-                                                                      const Model<SE2>&, const Trajectory<SE2>&);
-extern template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&, const Mechanism&,
-                                                                      const Model<SE3>&, const Trajectory<SE3>&);
+extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
+                                        const Trajectory<SE2>&);
+extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
+                                        const Trajectory<SE3>&);
+extern template std::vector<output::ResponseResult> collect_responses(
+    const std::vector<ResponseSpec>&, const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
+extern template std::vector<output::ResponseResult> collect_responses(
+    const std::vector<ResponseSpec>&, const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&);
 
 }  // namespace liesl

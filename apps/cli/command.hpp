@@ -14,14 +14,14 @@
 namespace liesl {
 
 struct CommandOptions {
-  std::string file;               ///< scene, study or results folder
-  std::string out;                ///< -o
-  bool force = false;             ///< replace an earlier result
+  std::string file;    ///< scene, study or results folder
+  std::string out;     ///< -o
+  bool force = false;  ///< replace an earlier result
   bool quiet = false;
-  bool resume = false;            ///< optimize: go on with an interrupted run
-  bool check_derivatives = false; ///< optimize: sweep the gradients of the first static problem
-  int threads = 0;                ///< 0 = as many as there are processors
-  std::vector<std::string> set;   ///< key.path=value
+  bool resume = false;             ///< optimize: go on with an interrupted run
+  bool check_derivatives = false;  ///< optimize: sweep the gradients of the first static problem
+  int threads = 0;                 ///< 0 = as many as there are processors
+  std::vector<std::string> set;    ///< key.path=value
 };
 
 int check_command(const CommandOptions& options);
@@ -33,7 +33,7 @@ int plot_command(const CommandOptions& options);
 /// Where a scene is computed, and why.
 struct ChosenSpace {
   std::variant<Space<SE2>, Space<SE3>> space;
-  std::string name;    ///< "planar" or "spatial"
+  std::string name;  ///< "planar" or "spatial"
   std::string reason;
 };
 /// @throws InputError if the scene asks for "planar" and leaves the plane

@@ -9,7 +9,8 @@
 namespace liesl {
 
 int esl_command(const CommandOptions& options) {
-  throw output::IoError(options.file, "this build has no load extraction: configure with -DLIESL_OPTIM=ON");
+  throw output::IoError(options.file,
+                        "this build has no load extraction: configure with -DLIESL_OPTIM=ON");
 }
 
 }  // namespace liesl
@@ -18,8 +19,8 @@ int esl_command(const CommandOptions& options) {
 
 #include "apps/cli/run_summary.hpp"
 #include "apps/output/atomic_folder.hpp"
-#include "apps/output/hdf5_file.hpp"
 #include "apps/output/file.hpp"
+#include "apps/output/hdf5_file.hpp"
 #include "apps/output/write_results.hpp"
 #include "esl/load_set.hpp"
 #include "mbs/system/spatial_view.hpp"
@@ -29,12 +30,14 @@ namespace {
 
 /// Loads of one part in space: load cases x nodes x 6, in the nodes' own axes.
 template <FrameGroup G>
-std::vector<double> in_space(const Mechanism& mechanism, const Model<G>& model, const LoadSet& set) {
+std::vector<double> in_space(const Mechanism& mechanism, const Model<G>& model,
+                             const LoadSet& set) {
   const SpatialView<G> view(mechanism, model);
   std::vector<double> values;
   for (int n = 0; n < set.f.cols(); ++n)
     for (int k = 0; k < model.bodies[set.body]->nodes(); ++k) {
-      const SE3::Tangent f = view.local(set.f.col(n).template segment<G::dim>(G::dim * k), set.body, k);
+      const SE3::Tangent f =
+          view.local(set.f.col(n).template segment<G::dim>(G::dim * k), set.body, k);
       values.insert(values.end(), f.data(), f.data() + 6);
     }
   return values;
@@ -42,7 +45,7 @@ std::vector<double> in_space(const Mechanism& mechanism, const Model<G>& model, 
 
 /// Force and moment on each node of each part by time, as a table.
 std::string loads_csv(const Mechanism& mechanism, const std::vector<LoadSet>& sets,
-                      const std::vector<std::vector<double>>& values) {
+                      const std::vector<std::vector<double> >& values) {
   std::string text = "time [s],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]\n";
   for (size_t i = 0; i < sets.size(); ++i) {
     const size_t nodes = values[i].size() / 6 / std::max<size_t>(1, sets[i].t.size());
@@ -63,7 +66,8 @@ int esl_on(const Scene& scene, const Space<G>& space, const CommandOptions& opti
   Simulation<G> simulation;
   {
     const bool dynamic = scene.simulation.type == SimulationType::Dynamic;
-    output::Progress line("simulating", dynamic ? scene.simulation.duration : scene.simulation.max_load,
+    output::Progress line("simulating",
+                          dynamic ? scene.simulation.duration : scene.simulation.max_load,
                           dynamic ? "s" : "load", options.quiet);
     simulation = run_simulation(model, scene.simulation, watch(line));
   }
@@ -73,7 +77,7 @@ int esl_on(const Scene& scene, const Space<G>& space, const CommandOptions& opti
   output::write_results(folder.path(), results);
 
   std::vector<LoadSet> sets;
-  std::vector<std::vector<double>> values;
+  std::vector<std::vector<double> > values;
   output::Hdf5File file(folder.path() / "loads.h5");
   file.group("/loads");
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
@@ -82,13 +86,16 @@ int esl_on(const Scene& scene, const Space<G>& space, const CommandOptions& opti
     sets.push_back(extract_loads(model, simulation.trajectory, static_cast<int>(b)));
     values.push_back(in_space(scene.mechanism, model, sets.back()));
     const std::string name = "/loads/" + model.bodies[b]->name;
-    file.write(name, values.back(), {sets.back().t.size(), static_cast<hsize_t>(model.bodies[b]->nodes()), 6});
+    file.write(name, values.back(),
+               {sets.back().t.size(), static_cast<hsize_t>(model.bodies[b]->nodes()), 6});
     file.attribute(name, "unit", "N, N m in the axes of the nodes");
     const Identity id = check_identity(model, simulation.trajectory, sets.back());
-    identity[model.bodies[b]->name] = {{"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+    identity[model.bodies[b]->name] = {
+        {"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
     if (!options.quiet)
-      fmt::print("  {:<16} {} load cases; static = dynamic deformation: nonlinear {:.1e}, linear {:.1e}\n",
-                 model.bodies[b]->name, sets.back().t.size(), id.nonlinear, id.linear);
+      fmt::print(
+          "  {:<16} {} load cases; static = dynamic deformation: nonlinear {:.1e}, linear {:.1e}\n",
+          model.bodies[b]->name, sets.back().t.size(), id.nonlinear, id.linear);
   }
   if (!sets.empty()) file.write("/time", sets.front().t, {sets.front().t.size()});
   file.close();
@@ -107,7 +114,8 @@ int esl_command(const CommandOptions& options) {
   summary.command = "esl";
   summary.overrides = options.set;
   describe(summary, scene, space);
-  const int code = std::visit([&](const auto& s) { return esl_on(scene, s, options, folder, summary); }, space.space);
+  const int code = std::visit(
+      [&](const auto& s) { return esl_on(scene, s, options, folder, summary); }, space.space);
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
   folder.commit();

@@ -27,7 +27,8 @@ std::string version_text() {
 }
 
 /// The commands with their options; the chosen one is stored in `run`.
-void add_commands(CLI::App& app, liesl::CommandOptions& o, int (*&run)(const liesl::CommandOptions&)) {
+void add_commands(CLI::App& app, liesl::CommandOptions& o,
+                  int (*&run)(const liesl::CommandOptions&)) {
   struct Entry {
     const char *name, *file, *what;
     int (*function)(const liesl::CommandOptions&);
@@ -37,7 +38,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o, int (*&run)(const lie
       {"check", "FILE", "Validate a scene or study", liesl::check_command, false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
-      {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command, true},
+      {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
+       true},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
@@ -45,15 +47,18 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o, int (*&run)(const lie
     command->add_option(entry.file, o.file, "file or folder")->required();
     command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
     if (std::string(entry.name) != "plot")
-      command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")->allow_extra_args(false);
+      command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")
+          ->allow_extra_args(false);
     if (entry.writes) {
       command->add_option("-o,--output", o.out, "Folder of the results")->required();
       command->add_flag("-f,--force", o.force, "Replace an earlier result");
-      command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")->check(CLI::NonNegativeNumber);
+      command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")
+          ->check(CLI::NonNegativeNumber);
     }
     if (std::string(entry.name) == "optimize") {
       command->add_flag("--resume", o.resume, "Go on with an interrupted run in the same folder");
-      command->add_flag("--check-derivatives", o.check_derivatives, "Compare the gradients with finite differences and stop");
+      command->add_flag("--check-derivatives", o.check_derivatives,
+                        "Compare the gradients with finite differences and stop");
       command->get_option("--output")->required(false);
     }
     command->callback([&run, &entry] { run = entry.function; });

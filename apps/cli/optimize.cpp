@@ -11,7 +11,9 @@
 namespace liesl {
 
 int optimize_command(const CommandOptions& options) {
-  throw output::IoError(options.file, "this build has no optimisation: configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+  throw output::IoError(
+      options.file,
+      "this build has no optimisation: configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
 }
 
 }  // namespace liesl
@@ -27,9 +29,9 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/write_results.hpp"
 #include "apps/scene/problem.hpp"
 #include "apps/scene/study.hpp"
+#include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
 #include "optim/cycle/esl_cycle.hpp"
-#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 namespace {
@@ -37,14 +39,16 @@ namespace {
 void describe_cycles(output::OptimizeSummary& summary, const std::vector<Cycle>& history) {
   summary.history.clear();
   for (const auto& c : history)
-    summary.history.push_back({c.number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds});
+    summary.history.push_back(
+        {c.number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds});
 }
 
-std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits, const Mechanism& mechanism,
-                                           const StudySpec& spec) {
+std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits,
+                                           const Mechanism& mechanism, const StudySpec& spec) {
   std::vector<output::ResponseResult> out;
   for (size_t i = 0; i < limits.size(); ++i)
-    out.push_back({limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
+    out.push_back(
+        {limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
   return out;
 }
 
@@ -60,7 +64,8 @@ void write_series(const std::filesystem::path& path, const std::vector<double>& 
   output::write_responses_csv(path, r);
 }
 
-std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism& mechanism, const Eigen::VectorXd& x) {
+std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism& mechanism,
+                                           const Eigen::VectorXd& x) {
   std::vector<output::DesignRow> rows;
   for (int i = 0; i < sizing.size(); ++i)
     for (const auto& at : sizing.elements(i)) {
@@ -68,14 +73,15 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
       double s = 0;
       for (int e = 0; e < at.element; ++e) s += element_length(beam, e);
       const auto& v = sizing.variables()[i];
-      rows.push_back({v.name, mechanism.bodies[at.body].name, at.element, s, s + element_length(beam, at.element),
-                      v.start, x[i], v.lower, v.upper, "m"});
+      rows.push_back({v.name, mechanism.bodies[at.body].name, at.element, s,
+                      s + element_length(beam, at.element), v.start, x[i], v.lower, v.upper, "m"});
     }
   return rows;
 }
 
 template <FrameGroup G>
-void describe_result(output::OptimizeSummary& summary, const Study& study, const Sizing& sizing, const CycleResult<G>& r) {
+void describe_result(output::OptimizeSummary& summary, const Study& study, const Sizing& sizing,
+                     const CycleResult<G>& r) {
   describe_cycles(summary, r.history);
   summary.status = to_string(r.status);
   summary.reason = r.reason;
@@ -87,43 +93,54 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
-  for (size_t b = 0; b < r.factorizations.size(); ++b) summary.factorizations.emplace_back(bodies[b].name, r.factorizations[b]);
+  for (size_t b = 0; b < r.factorizations.size(); ++b)
+    summary.factorizations.emplace_back(bodies[b].name, r.factorizations[b]);
   for (int i = 0; i < sizing.size() && r.x.size() > 0; ++i) {
     const auto& v = sizing.variables()[i];
     summary.design.push_back({v.name, v.start, r.x[i], v.lower, v.upper, "m"});
   }
   for (size_t i = 0; i < r.final.size(); ++i) {
     const auto& spec = study.spec.constraints[i].response;
-    summary.constraints.push_back({r.final[i].name, name_of(spec.kind), unit(spec, study.scene.mechanism), r.final[i].limit,
-                                   i < r.initial.size() ? r.initial[i].largest : 0, r.final[i].largest, r.final[i].at_time,
-                                   r.final[i].largest / r.final[i].limit - 1});
+    summary.constraints.push_back(
+        {r.final[i].name, name_of(spec.kind), unit(spec, study.scene.mechanism), r.final[i].limit,
+         i < r.initial.size() ? r.initial[i].largest : 0, r.final[i].largest, r.final[i].at_time,
+         r.final[i].largest / r.final[i].limit - 1});
   }
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
-    identity[bodies[body].name] = {{"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+    identity[bodies[body].name] = {
+        {"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
   summary.warnings.insert(summary.warnings.end(), r.warnings.begin(), r.warnings.end());
 }
 
 void print_cycle(const Cycle& c, bool quiet) {
   if (quiet) return;
-  if (c.number == 1) fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
-  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:7} {:12}\n", c.number, c.mass, c.worst,
-             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-", c.load_cases, c.iterations);
+  if (c.number == 1)
+    fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
+  const bool sized = c.next.size() > 0;  // the last cycle only confirms
+  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass, c.worst,
+             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
+             sized ? std::to_string(c.load_cases) : "-",
+             sized ? std::to_string(c.iterations) : "-");
   std::fflush(stdout);
 }
 
 template <FrameGroup G>
-int optimize_on(const Study& study, const Space<G>& space, const CommandOptions& options, output::AtomicFolder& folder,
-                output::OptimizeSummary& summary, const std::vector<Cycle>& resume, const Stopwatch& clock) {
+int optimize_on(const Study& study, const Space<G>& space, const CommandOptions& options,
+                output::AtomicFolder& folder, output::OptimizeSummary& summary,
+                const std::vector<Cycle>& resume, const Stopwatch& clock) {
   const Scene& scene = study.scene;
   const Sizing sizing(study.spec.design, scene.mechanism);
   CycleHooks hooks;
-  output::Progress line("simulating", scene.simulation.type == SimulationType::Dynamic ? scene.simulation.duration
-                                                                                       : scene.simulation.max_load,
-                        scene.simulation.type == SimulationType::Dynamic ? "s" : "load", options.quiet);
+  output::Progress line(
+      "simulating",
+      scene.simulation.type == SimulationType::Dynamic ? scene.simulation.duration
+                                                       : scene.simulation.max_load,
+      scene.simulation.type == SimulationType::Dynamic ? "s" : "load", options.quiet);
   const Progress progress = watch(line);
   hooks.progress = progress;
   hooks.on_cycle = [&](const std::vector<Cycle>& history) {
+    line.clear();
     print_cycle(history.back(), options.quiet);
     output::OptimizeSummary so_far = summary;
     describe_cycles(so_far, history);
@@ -137,15 +154,19 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
     output::write_summary(folder.path() / "summary.json", output::to_json(so_far));
     folder.commit();
   };
-  const CycleResult<G> r = run_cycle<G>(scene.mechanism, space, scene.simulation, study.spec, hooks, resume);
+  const CycleResult<G> r =
+      run_cycle<G>(scene.mechanism, space, scene.simulation, study.spec, hooks, resume);
   describe_result(summary, study, sizing, r);
   if (r.model) {
     output::Results results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
     output::write_results(folder.path(), results);
     describe_responses(summary, results);
-    write_series(folder.path() / "responses_initial.csv", r.times_initial, series(r.initial, scene.mechanism, study.spec), scene);
-    write_series(folder.path() / "responses_final.csv", r.times, series(r.final, scene.mechanism, study.spec), scene);
-    output::write_design_csv(folder.path() / "design.csv", design_rows(sizing, scene.mechanism, r.x));
+    write_series(folder.path() / "responses_initial.csv", r.times_initial,
+                 series(r.initial, scene.mechanism, study.spec), scene);
+    write_series(folder.path() / "responses_final.csv", r.times,
+                 series(r.final, scene.mechanism, study.spec), scene);
+    output::write_design_csv(folder.path() / "design.csv",
+                             design_rows(sizing, scene.mechanism, r.x));
   }
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
@@ -156,8 +177,10 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
   if (quiet) return;
   fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
-  fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial, s.mass_final, s.worst_constraint, s.wall_s);
-  for (const auto& d : s.design) fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
+  fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
+             s.mass_final, s.worst_constraint, s.wall_s);
+  for (const auto& d : s.design)
+    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
   fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
 }
@@ -186,10 +209,13 @@ int optimize_command(const CommandOptions& options) {
   summary.name = study.spec.name;
   summary.input_sha256 = output::sha256(study.input);
   std::vector<Cycle> resume;
-  if (options.resume) resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json", summary.input_sha256);
+  if (options.resume)
+    resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
+                             summary.input_sha256);
   output::AtomicFolder folder(options.out, options.force || options.resume);
   const int code = std::visit(
-      [&](const auto& s) { return optimize_on(study, s, options, folder, summary, resume, clock); }, space.space);
+      [&](const auto& s) { return optimize_on(study, s, options, folder, summary, resume, clock); },
+      space.space);
   print_result(summary, options.out, options.quiet);
   return code;
 }

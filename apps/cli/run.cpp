@@ -15,7 +15,8 @@ double end_of(const SimulationOptions& o) {
 
 /// Frequencies and shapes: the shapes become records, abscissa = frequency.
 template <FrameGroup G>
-int run_modes(const Scene& scene, const Space<G>& space, output::RunSummary& summary, output::Results& results) {
+int run_modes(const Scene& scene, const Space<G>& space, output::RunSummary& summary,
+              output::Results& results) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
   const ModesResult<G> modes = solve_modes(model, scene.simulation);
   describe(summary, modes.report, modes.start, scene.mechanism);
@@ -40,8 +41,10 @@ int run_modes(const Scene& scene, const Space<G>& space, output::RunSummary& sum
 }
 
 template <FrameGroup G>
-int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::RunSummary& summary, output::Results& results) {
-  if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, summary, results);
+int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::RunSummary& summary,
+              output::Results& results) {
+  if (scene.simulation.type == SimulationType::Modes)
+    return run_modes(scene, space, summary, results);
   Model<G> model = Model<G>::build(scene.mechanism, space);
   Simulation<G> simulation;
   {
@@ -57,7 +60,10 @@ int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::Run
   if (!simulation.critical.empty()) {
     auto& list = summary.more["critical_loads"] = nlohmann::ordered_json::array();
     for (const auto& c : simulation.critical)
-      list.push_back({{"load", c.load}, {"before", c.before}, {"after", c.after}, {"limit_point", c.limit_point}});
+      list.push_back({{"load", c.load},
+                      {"before", c.before},
+                      {"after", c.after},
+                      {"limit_point", c.limit_point}});
   }
   results = collect(scene, scene.mechanism, model, simulation.trajectory);
   describe_responses(summary, results);
@@ -75,7 +81,9 @@ int run_command(const CommandOptions& options) {
   summary.overrides = options.set;
   describe(summary, scene, space);
   output::Results results;
-  const int code = std::visit([&](const auto& s) { return run_scene(scene, s, options.quiet, summary, results); }, space.space);
+  const int code = std::visit(
+      [&](const auto& s) { return run_scene(scene, s, options.quiet, summary, results); },
+      space.space);
   if (!results.times.empty()) output::write_results(folder.path(), results);
   summary.wall_s = watch_all.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));

@@ -44,15 +44,18 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
 }
 
 void describe_responses(output::RunSummary& summary, const output::Results& results) {
-  for (const auto& r : results.responses) summary.responses.push_back(output::response_figure(r, results.times));
+  for (const auto& r : results.responses)
+    summary.responses.push_back(output::response_figure(r, results.times));
 }
 
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
   if (quiet) return;
-  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name, summary.status,
-             summary.reason, summary.steps, summary.newton_iterations, summary.stepping_s, summary.space);
+  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
+             summary.status, summary.reason, summary.steps, summary.newton_iterations,
+             summary.stepping_s, summary.space);
   for (const auto& r : summary.responses)
-    fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit, r.at_time,
+    fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,
+               r.at_time,
                r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                    : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);

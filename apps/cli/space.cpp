@@ -11,8 +11,9 @@ ChosenSpace choose_space(const Scene& scene) {
   const PlaneSearch found = find_plane(scene.mechanism);
   if (found.plane) return {*found.plane, "planar", found.reason};
   if (asked == SpaceChoice::Planar)
-    throw InputError({{scene.file, 0, 0, "simulation.space = \"planar\", but " + found.reason,
-                       "a mechanism that is symmetric to a plane", "use space = \"auto\" or \"spatial\""}});
+    throw InputError(
+        {{scene.file, 0, 0, "simulation.space = \"planar\", but " + found.reason,
+          "a mechanism that is symmetric to a plane", "use space = \"auto\" or \"spatial\""}});
   return {Space<SE3>(), "spatial", found.reason};
 }
 

@@ -24,6 +24,8 @@ class Progress {
 
   /// `done` of `total`; `note` is put behind, e.g. "cycle 3".
   void update(double done, const std::string& note = "");
+  /// Takes the live line away, before something else is printed.
+  void clear();
   /// A line that stays, above the live one. Printed in pipes too, unless quiet.
   void say(const std::string& line);
 
@@ -31,8 +33,6 @@ class Progress {
   std::string line(double done, double seconds, const std::string& note) const;
 
  private:
-  void clear();
-
   std::string label_, unit_;
   double total_;
   std::FILE* out_;  ///< null: say nothing at all

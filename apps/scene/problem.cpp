@@ -72,8 +72,9 @@ void Problems::throw_if_any() const {
   if (problems_.empty()) return;
   auto sorted = problems_;
   const auto place = [](const InputProblem& p) { return std::tie(p.file, p.line, p.column); };
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [&](const InputProblem& a, const InputProblem& b) { return place(a) < place(b); });
+  std::stable_sort(sorted.begin(), sorted.end(), [&](const InputProblem& a, const InputProblem& b) {
+    return place(a) < place(b);
+  });
   throw InputError(std::move(sorted));
 }
 

@@ -106,7 +106,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
   // In the order of ResponseKind.
   static const auto kinds = words(
       "position velocity angular_velocity displacement deflection elongation coordinate "
-      "joint_force section_force stress energy");
+      "joint_force section_force stress energy compliance");
   ResponseSpec response;
   response.name = name;
   const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));
@@ -123,6 +123,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::Elongation:
     case ResponseKind::SectionForce:
     case ResponseKind::Stress:
+    case ResponseKind::Compliance:
       ok = read_beam_response(reader, table, response);
       break;
     case ResponseKind::Coordinate:

@@ -31,15 +31,15 @@ std::optional<ResponseSpec> response_of(StudyReader& reader, const Entry& entry)
 
 /// Can the static problem of a part tell this response?
 void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& response) {
-  const bool of_beam = response.kind == ResponseKind::Deflection ||
-                       response.kind == ResponseKind::Elongation ||
-                       response.kind == ResponseKind::Stress;
+  const bool of_beam =
+      response.kind == ResponseKind::Deflection || response.kind == ResponseKind::Elongation ||
+      response.kind == ResponseKind::Stress || response.kind == ResponseKind::Compliance;
   const toml::node* at = entry.table->get("use");
   if (!at) at = entry.table->get("response");
   if (!of_beam && response.kind != ResponseKind::Displacement) {
     reader.scene.problems.add(
         *at, fmt::format("constraint '{}' is not on the deformation of a part", entry.name),
-        "a displacement, deflection, elongation or stress");
+        "a displacement, deflection, elongation, stress or compliance");
     return;
   }
   const int body = of_beam ? response.body : response.at.body;

@@ -160,7 +160,7 @@ Key response_choice(std::string_view parent, std::string_view preset) {
           "Which quantity.",
           0,
           "position velocity angular_velocity displacement deflection elongation coordinate "
-          "joint_force section_force stress energy"};
+          "joint_force section_force stress energy compliance"};
 }
 
 }  // namespace
@@ -172,7 +172,7 @@ std::vector<Key> response_keys(std::string_view parent) {
     response_choice(parent, scene ? kRequired : kOneOf),
     {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body.", 0, "", "response=position velocity angular_velocity displacement"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam: start, mid, nodeK, end, or `max` for the largest over all nodes.", 0, "", "response=deflection"},
-    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection elongation section_force stress"},
+    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection elongation section_force stress compliance"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
     {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, 2}, "Which coordinate of the joint.", 0, "", "response=coordinate"},

@@ -24,7 +24,7 @@ std::vector<Key> study_keys() {
     {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Quantity.", 0, "mass"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
 
-    {"constraints", Type::Named, "", kRequired, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress."},
+    {"constraints", Type::Named, "", kRequired, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress, compliance."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},
@@ -40,7 +40,7 @@ std::vector<Key> study_keys() {
     {"cycle.objective_tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the objective at which the cycle is closed."},
     {"cycle.feasibility", Type::Number, "-", "1e-3", {0, 1, true}, "Allowed relative violation of a limit."},
     {"cycle.move_limit", Type::Number, "-", "0.5", {0, 1, true}, "Largest relative change of a variable in a cycle, at first."},
-    {"cycle.screening", Type::Number, "-", "0.3", {0, 1}, "Keep load cases within this share of a constraint's largest value."},
+    {"cycle.screening", Type::Number, "-", "0.1", {0, 1}, "Keep load cases within this share of a constraint's largest value; others that turn out to violate it are added."},
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "apps/scene/scene.hpp"
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
 

@@ -27,13 +27,14 @@ class Beam final : public Body<G> {
 
   /// @param nodes reference frames, n + 1  @param sections one an element
   /// @param damping stiffness-proportional, s
-  Beam(std::string body_name, std::vector<G> nodes_at_rest, const std::vector<ElementSection<G>>& sections,
-       double damping)
+  Beam(std::string body_name, std::vector<G> nodes_at_rest,
+       const std::vector<ElementSection<G>>& sections, double damping)
       : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
     this->M_.resize(this->nodes());
     this->K_.resize(this->nodes());
     for (int e = 0; e + 1 < this->nodes(); ++e) {
-      elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K, sections[e].M);
+      elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K,
+                             sections[e].M);
       this->M_.add_element(e, elements_[e].mass());
       this->K_.add_element(e, elements_[e].constant_tangent());
     }
@@ -45,26 +46,17 @@ class Beam final : public Body<G> {
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override {
-    // Three nodes in flight: row k of M needs the accelerations of nodes k - 1, k, k + 1.
-    Tangent before = Tangent::Zero(), here = apparent_acceleration<G>(s, 0, gravity), after = here;
-    Pair gyroscopic;
+    Pair acceleration, g;
     const bool heavy = gravity.squaredNorm() > 0;
-    const int n = this->nodes();
-    for (int k = 0; k < n; ++k) {
-      Tangent f = this->M_.D[k].lazyProduct(here);
-      if (k > 0) f += this->M_.L[k - 1].lazyProduct(before);
-      if (k + 1 < n) {
-        after = apparent_acceleration<G>(s, k + 1, gravity);
-        f += this->M_.U[k].lazyProduct(after);
-        gyroscopic.setZero();
-        elements_[k].add_gyroscopic(s.v + dim * k, gyroscopic);
-        if (heavy) elements_[k].add_weight_curvature(s.H[k], s.H[k + 1], gravity, gyroscopic);
-        Eigen::Map<Pair>(r + dim * k) += gyroscopic;
-      }
-      Eigen::Map<Tangent>(r + dim * k) += f;
-      scale.add<G>(f);
-      before = here;
-      here = after;
+    acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
+    for (int e = 0; e < elements(); ++e) {
+      acceleration.template head<dim>() = Tangent(acceleration.template tail<dim>());
+      acceleration.template tail<dim>() = apparent_acceleration<G>(s, e + 1, gravity);
+      elements_[e].inertia_force(s.v + dim * e, acceleration, g);
+      if (heavy) elements_[e].add_weight_curvature(s.H[e], s.H[e + 1], gravity, g);
+      Eigen::Map<Pair>(r + dim * e) += g;
+      scale.add<G>(g.template head<dim>());
+      scale.add<G>(g.template tail<dim>());
     }
   }
 

@@ -30,14 +30,19 @@ class BeamElement {
   /// @param K section stiffness, @param M_s section inertia per length, @param length L in m:
   /// arc length of the reference curve between the nodes
   BeamElement(const G& A, const G& B, const Matrix& K, const Matrix& M_s)
-      : d0_(G::log(A.inverse() * B)), L_(d0_.template head<G::space_dim>().norm()), K_(K), M_s_(M_s) {
-    const auto [points, weights] = gauss2();
+      : d0_(G::log(A.inverse() * B)),
+        L_(d0_.template head<G::space_dim>().norm()),
+        K_(K),
+        M_s_(M_s) {
     for (int i = 0; i < 2; ++i) {
-      Q_[i] = Q(d0_, points[i]);
-      weight_[i] = L_ * weights[i];
-      bubble_ += 0.5 * points[i] * (1 - points[i]) * weight_[i] * Q_[i].transpose() *
-                 M_s_.template leftCols<G::space_dim>();
+      const double s = 0.5 + (i - 0.5) / std::sqrt(3.0), weight = 0.5 * L_;
+      const Gradient q = Q(d0_, s);
+      Q_.template middleRows<dim>(dim * i) = q;
+      weighted_Qt_.template middleCols<dim>(dim * i) = weight * q.transpose();
+      bubble_ +=
+          0.5 * s * (1 - s) * weight * q.transpose() * M_s_.template leftCols<G::space_dim>();
     }
+    mass_ = integral(M_s_);
     const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
     W0_squared_ = W * W;
   }
@@ -62,15 +67,17 @@ class BeamElement {
     Tangent d;
     Matrix Ti;
     G::log_and_Tinv(A.inverse() * B, d, Ti);
-    const Matrix Tm = Ti - G::ad(d);  // T^-1(-d)
     Tangent strain = (d - d0_) / L_;
     if (damping > 0) {
       using Map = Eigen::Map<const Tangent>;
+      const Matrix Tm = Ti - G::ad(d);  // T^-1(-d)
       strain += (damping / L_) * (Ti * Map(v + dim) - Tm * Map(v));
     }
-    const Tangent n = K_ * strain;
-    g.template head<dim>().noalias() = -Tm.transpose() * n;
-    g.template tail<dim>().noalias() = Ti.transpose() * n;
+    const Tangent n = K_.lazyProduct(strain);
+    const Tangent on_B = Ti.transpose().lazyProduct(n);
+    // -T^-T(-d) n = -T^-T(d) n + ad(d)^T n
+    g.template head<dim>() = -on_B - minus_ad_transpose(d, n);
+    g.template tail<dim>() = on_B;
     return n;
   }
 
@@ -113,7 +120,7 @@ class BeamElement {
     }
     return m;
   }
-  PairMatrix mass() const { return integral(M_s_); }
+  const PairMatrix& mass() const { return mass_; }
 
   /// g += what the mass matrix misses of the weight when the element turns by more than at
   /// reference. M [R_A^T a; R_B^T a] takes R(s)^T a as linear in s; to second order in the rotation
@@ -125,13 +132,24 @@ class BeamElement {
     g.noalias() += bubble_ * Vector(W * (W * mean) - W0_squared_ * mean);
   }
 
-  /// g += L int Q^T (-v^T M_s v) ds, two-point Gauss; does no work: v . g = 0.
-  void add_gyroscopic(const double* v, Pair& g) const {
-    const Eigen::Map<const Pair> V(v);
+  /// g = M a + L int Q^T (-ad(v)^T M_s v) ds: inertia with the constant mass matrix, and the
+  /// gyroscopic force, two-point Gauss, which does no work: v . g_gyr = 0.
+  /// @param v velocities [v_A; v_B]  @param a accelerations [a_A; a_B]
+  void inertia_force(const double* v, const Pair& a, Pair& g) const {
+    const Pair vs = Q_.lazyProduct(Eigen::Map<const Pair>(v));
+    Pair f;
     for (int i = 0; i < 2; ++i) {
-      const Tangent vs = Q_[i] * V;
-      g.noalias() += Q_[i].transpose() * Tangent(weight_[i] * minus_ad_transpose(vs, M_s_ * vs));
+      const auto vi = vs.template segment<dim>(dim * i);
+      f.template segment<dim>(dim * i) = minus_ad_transpose(vi, M_s_.lazyProduct(vi));
     }
+    g = mass_.lazyProduct(a);
+    g += weighted_Qt_.lazyProduct(f);
+  }
+  /// g += the gyroscopic force alone.
+  void add_gyroscopic(const double* v, Pair& g) const {
+    Pair f;
+    inertia_force(v, Pair::Zero(), f);
+    g += f;
   }
 
   /// d add_gyroscopic / dv.
@@ -139,15 +157,26 @@ class BeamElement {
     const Eigen::Map<const Pair> V(v);
     PairMatrix c = PairMatrix::Zero();
     for (int i = 0; i < 2; ++i) {
-      const Tangent vs = Q_[i] * V;
-      c += weight_[i] * Q_[i].transpose() * minus_ad_transpose_derivative(vs, M_s_) * Q_[i];
+      const auto q = Q_.template middleRows<dim>(dim * i);
+      c += weighted_Qt_.template middleCols<dim>(dim * i) *
+           minus_ad_transpose_derivative(Tangent(q * V), M_s_) * q;
     }
     return c;
   }
 
   /// -ad(v)^T p for a momentum p: the force that turns momentum with the frame.
+  /// [w x p_u; u x p_u + w x p_w] in space.
   static Tangent minus_ad_transpose(const Tangent& v, const Tangent& p) {
-    return -G::ad(v).transpose() * p;
+    if constexpr (G::space_dim == 2) {
+      return {-v[2] * p[1], v[2] * p[0], v[0] * p[1] - v[1] * p[0]};
+    } else {
+      Tangent f;
+      f << v[4] * p[2] - v[5] * p[1], v[5] * p[0] - v[3] * p[2], v[3] * p[1] - v[4] * p[0],
+          v[1] * p[2] - v[2] * p[1] + v[4] * p[5] - v[5] * p[4],
+          v[2] * p[0] - v[0] * p[2] + v[5] * p[3] - v[3] * p[5],
+          v[0] * p[1] - v[1] * p[0] + v[3] * p[4] - v[4] * p[3];
+      return f;
+    }
   }
   /// D_v (-ad(v)^T M v).
   static Matrix minus_ad_transpose_derivative(const Tangent& v, const Matrix& M) {
@@ -158,18 +187,15 @@ class BeamElement {
   }
 
  private:
-  static std::pair<std::array<double, 2>, std::array<double, 2>> gauss2() {
-    const double a = 0.5 / std::sqrt(3.0);
-    return {{0.5 - a, 0.5 + a}, {0.5, 0.5}};
-  }
-
   Tangent d0_;
   double L_;
   Matrix K_, M_s_;
-  std::array<Gradient, 2> Q_;
-  std::array<double, 2> weight_;
+  PairMatrix mass_;
+  PairMatrix Q_;            ///< Q at both Gauss points, one below the other
+  PairMatrix weighted_Qt_;  ///< their transposes times L/2, side by side
   /// L int Q^T M_s [I; 0] s(1 - s)/2 ds
-  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ = Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
+  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ =
+      Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
   Rotation W0_squared_;
 };
 

@@ -74,8 +74,8 @@ class Body {
   /// Stiffness-proportional damping in s: C = damping * K.
   virtual double damping() const { return 0; }
 
-  /// A = w.mass M + w.damping C + K at this state, exact: K with the stress `stress` (elements x dim,
-  /// null = the state's own) in its geometric term, C with the gyroscopic tangent.
+  /// A = w.mass M + w.damping C + K at this state, exact: K with the stress `stress` (elements x
+  /// dim, null = the state's own) in its geometric term, C with the gyroscopic tangent.
   virtual void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                              const Tangent* stress, Matrices& A) const = 0;
 
@@ -117,9 +117,10 @@ inline typename G::Matrix weight_tangent(const G& H, const typename Body<G>::Vec
   typename G::Matrix D = G::Matrix::Zero();
   const auto g = (H.R.transpose() * gravity).eval();
   for (int j = 0; j < rd; ++j)  // -d(R^T g) = w x (R^T g): minus the translation part of -ad
-    D.template block<sd, 1>(0, sd + j) = (G::ad(G::Tangent::Unit(sd + j)) *
-                                          (typename G::Tangent() << g, Eigen::Matrix<double, rd, 1>::Zero()).finished())
-                                             .template head<sd>();
+    D.template block<sd, 1>(0, sd + j) =
+        (G::ad(G::Tangent::Unit(sd + j)) *
+         (typename G::Tangent() << g, Eigen::Matrix<double, rd, 1>::Zero()).finished())
+            .template head<sd>();
   return D;
 }
 

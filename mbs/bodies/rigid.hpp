@@ -17,7 +17,8 @@ class Rigid final : public Body<G> {
 
   /// @param inertia generalized inertia about the origin of the frame, conjugate to [u; w]
   /// @param centre of mass in the body frame
-  Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia, const Vector& centre)
+  Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia,
+        const Vector& centre)
       : Body<G>(std::move(body_name), {frame}), centre_(centre) {
     this->M_.resize(1);
     this->K_.resize(1);
@@ -28,21 +29,21 @@ class Rigid final : public Body<G> {
                    ForceScale& scale) const override {
     const Tangent v = Eigen::Map<const Tangent>(s.v);
     const auto& M = this->M_.D[0];
-    const Tangent f = M * apparent_acceleration<G>(s, 0, gravity) +
-                      BeamElement<G>::minus_ad_transpose(v, M * v);
+    const Tangent f =
+        M * apparent_acceleration<G>(s, 0, gravity) + BeamElement<G>::minus_ad_transpose(v, M * v);
     Eigen::Map<Tangent>{r} += f;
     scale.add<G>(f);
   }
 
   void add_internal(const BodyState<G>&, double*, ForceScale&) const override {}
 
-  void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
-                     const Tangent*, Matrices& A) const override {
+  void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w, const Tangent*,
+                     Matrices& A) const override {
     const auto& M = this->M_.D[0];
     A.D[0] = w.mass * M;
     if (w.damping > 0)
-      A.D[0] += w.damping * BeamElement<G>::minus_ad_transpose_derivative(
-                                Eigen::Map<const Tangent>(s.v), M);
+      A.D[0] += w.damping *
+                BeamElement<G>::minus_ad_transpose_derivative(Eigen::Map<const Tangent>(s.v), M);
     A.D[0] += M * weight_tangent<G>(s.H[0], gravity);
   }
 

@@ -14,11 +14,11 @@ namespace liesl {
 /// A frame rigidly tied to a node: H_node * offset; the ground if body < 0.
 template <FrameGroup G>
 struct PortOf {
-  int body = -1;              ///< index of the body, -1 = ground
-  int node = 0;               ///< global node number (unused on the ground)
-  int slot = 0;               ///< which of the body's coupled nodes it is
-  G offset = G::identity();   ///< on the ground the frame itself
-  bool at_node = true;        ///< offset is the identity
+  int body = -1;                                 ///< index of the body, -1 = ground
+  int node = 0;                                  ///< global node number (unused on the ground)
+  int slot = 0;                                  ///< which of the body's coupled nodes it is
+  G offset = G::identity();                      ///< on the ground the frame itself
+  bool at_node = true;                           ///< offset is the identity
   typename G::Matrix J = G::Matrix::Identity();  ///< port increment = J node increment
 
   static PortOf ground(const G& frame) {

@@ -56,10 +56,14 @@ class Row {
   /// @param near the value it had last: an angle is continued from there, over any number of turns
   double value(const Motion& r, double near) const {
     switch (kind_) {
-      case RowKind::Along: return m_.dot(r.p);
-      case RowKind::Normal: return m_.dot(r.R * n_);
-      case RowKind::Distance: return r.p.norm();
-      case RowKind::Angle: break;
+      case RowKind::Along:
+        return m_.dot(r.p);
+      case RowKind::Normal:
+        return m_.dot(r.R * n_);
+      case RowKind::Distance:
+        return r.p.norm();
+      case RowKind::Angle:
+        break;
     }
     const double angle = std::atan2(m_.dot(r.R * n_), m2_.dot(r.R * n2_));
     return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
@@ -70,7 +74,9 @@ class Row {
       case RowKind::Along:
         g << -m_, X(m_).transpose() * r.p, r.R.transpose() * m_, Angular::Zero();
         return;
-      case RowKind::Normal: g = cosine_gradient(r, m_, n_); return;
+      case RowKind::Normal:
+        g = cosine_gradient(r, m_, n_);
+        return;
       case RowKind::Distance: {
         const Vector e = r.p / r.p.norm();
         g << -e, Angular::Zero(), r.R.transpose() * e, Angular::Zero();
@@ -87,16 +93,21 @@ class Row {
   /// Left-invariant derivative of the gradient: the geometric stiffness of a unit force.
   Hessian hessian(const Motion& r) const {
     switch (kind_) {
-      case RowKind::Along: return along_hessian(r);
-      case RowKind::Normal: return cosine_hessian(r, m_, n_);
-      case RowKind::Distance: return distance_hessian(r);
-      case RowKind::Angle: break;
+      case RowKind::Along:
+        return along_hessian(r);
+      case RowKind::Normal:
+        return cosine_hessian(r, m_, n_);
+      case RowKind::Distance:
+        return distance_hessian(r);
+      case RowKind::Angle:
+        break;
     }
     const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_), q = s * s + c * c;
     const Gradient gs = cosine_gradient(r, m_, n_), gc = cosine_gradient(r, m2_, n2_);
     const Gradient g = (c * gs - s * gc) / q;
     return (c * cosine_hessian(r, m_, n_) - s * cosine_hessian(r, m2_, n2_) + gs * gc.transpose() -
-            gc * gs.transpose() - 2 * g * (s * gs + c * gc).transpose()) / q;
+            gc * gs.transpose() - 2 * g * (s * gs + c * gc).transpose()) /
+           q;
   }
 
  private:

@@ -9,8 +9,8 @@
 
 namespace liesl {
 
-/// n x n blocks of N x N: diagonal D_k, upper U_k (row k, column k+1), lower L_k (row k+1, column k).
-/// Linear cost in n. The blocks need not be symmetric.
+/// n x n blocks of N x N: diagonal D_k, upper U_k (row k, column k+1), lower L_k (row k+1, column
+/// k). Linear cost in n. The blocks need not be symmetric.
 template <int N>
 class BlockTridiagonal {
  public:
@@ -99,12 +99,9 @@ class BlockTridiagonalLU {
   void solve(double* x) const {
     using Map = Eigen::Map<Segment>;
     const int n = static_cast<int>(inverse_.size());
-    for (int k = 1; k < n; ++k)
-      Map(x + N * k) -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
-    for (int k = 0; k < n; ++k)
-      Map(x + N * k) = Segment(inverse_[k].lazyProduct(Map(x + N * k)));
-    for (int k = n - 2; k >= 0; --k)
-      Map(x + N * k) -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
+    for (int k = 1; k < n; ++k) Map(x + N * k) -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
+    for (int k = 0; k < n; ++k) Map(x + N * k) = Segment(inverse_[k].lazyProduct(Map(x + N * k)));
+    for (int k = n - 2; k >= 0; --k) Map(x + N * k) -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
   }
 
  private:

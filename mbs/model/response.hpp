@@ -20,19 +20,20 @@ enum class ResponseKind {
                     ///< value, m; signed in a planar scene, two components (y, z) in space
   Elongation,       ///< change of the distance start-end of a beam, m
   Coordinate,       ///< of a joint, m or rad
-  JointForce,       ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
-  SectionForce,     ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
-  Stress,           ///< largest von Mises stress over the elements of a beam, Pa
-  Energy            ///< kinetic + elastic + potential, J
+  JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
+  SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
+  Stress,        ///< largest von Mises stress over the elements of a beam, Pa
+  Energy,        ///< kinetic + elastic + potential, J
+  Compliance     ///< twice the elastic energy of a beam: load times displacement, J
 };
 
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
-  Port at;                   ///< Position, Velocity, AngularVelocity, Displacement
-  int body = -1;             ///< Deflection, Elongation, SectionForce, Stress
-  double s = 0.5;            ///< Deflection: place on the beam by node number / n, in [0, 1];
-                             ///< `everywhere` = largest over the nodes
+  Port at;         ///< Position, Velocity, AngularVelocity, Displacement
+  int body = -1;   ///< Deflection, Elongation, SectionForce, Stress, Compliance
+  double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
+                   ///< `everywhere` = largest over the nodes
   bool everywhere = false;
   int element = 0;           ///< SectionForce
   int component = 0;         ///< SectionForce, 0..5

@@ -47,7 +47,8 @@ void scale_rotations(Eigen::Ref<Eigen::VectorXd> row, double length) {
 }  // namespace
 
 template <FrameGroup G>
-void remove_redundant_constraints(Model<G>& model, const State<G>& s, std::vector<std::string>& out) {
+void remove_redundant_constraints(Model<G>& model, const State<G>& s,
+                                  std::vector<std::string>& out) {
   Equations<G> eq(model);
   State<G> at = s;
   at.lambda.setZero(model.constraints());
@@ -68,9 +69,11 @@ void remove_redundant_constraints(Model<G>& model, const State<G>& s, std::vecto
     for (int k = 0; k < c.constraints; ++k) {
       Eigen::VectorXd row = Eigen::VectorXd::Zero(columns), used;
       if (c.a.body >= 0)
-        row.segment<G::dim>(column[c.a.node]) += eq.couplings[i].B.row(k).template head<G::dim>().transpose();
+        row.segment<G::dim>(column[c.a.node]) +=
+            eq.couplings[i].B.row(k).template head<G::dim>().transpose();
       if (c.b.body >= 0)
-        row.segment<G::dim>(column[c.b.node]) += eq.couplings[i].B.row(k).template tail<G::dim>().transpose();
+        row.segment<G::dim>(column[c.b.node]) +=
+            eq.couplings[i].B.row(k).template tail<G::dim>().transpose();
       scale_rotations<G>(row, model.length);
       if (basis.add(row, used)) {
         owner.push_back(c.name);
@@ -83,9 +86,10 @@ void remove_redundant_constraints(Model<G>& model, const State<G>& s, std::vecto
     }
     if (repeated == 0) continue;
     found = true;
-    out.push_back(fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out", c.name,
-                              others.empty() ? "itself" : fmt::format("{}", fmt::join(others, ", ")), repeated,
-                              c.constraints, repeated == 1 ? "is" : "are"));
+    out.push_back(
+        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out", c.name,
+                    others.empty() ? "itself" : fmt::format("{}", fmt::join(others, ", ")),
+                    repeated, c.constraints, repeated == 1 ? "is" : "are"));
   }
   if (found) model.finish();
 }
@@ -97,12 +101,14 @@ std::string contradiction(const Model<G>& model, const State<G>& s) {
     for (size_t i = 0; i < c.equations.size(); ++i) {
       const auto& e = c.equations[i];
       if (e.role != Role::Redundant) continue;
-      const double off = e.row.value(motion, s.q[c.first_row + static_cast<int>(i)]) - e.target(s.t);
+      const double off =
+          e.row.value(motion, s.q[c.first_row + static_cast<int>(i)]) - e.target(s.t);
       const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
       if (std::abs(off) > kContradiction * (length ? model.length : 1))
-        return fmt::format("joint '{}' repeats other joints and contradicts them by {:.3g} {} at t = {:.6g} s; "
-                           "take it out, or give one of the bodies between them some flexibility",
-                           c.name, off, length ? "m" : "rad", s.t);
+        return fmt::format(
+            "joint '{}' repeats other joints and contradicts them by {:.3g} {} at t = {:.6g} s; "
+            "take it out, or give one of the bodies between them some flexibility",
+            c.name, off, length ? "m" : "rad", s.t);
     }
   }
   return {};
@@ -121,8 +127,10 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(G::dim * bodies), used;
-      const auto add = [&](const PortOf<G>& p, const G& H, auto gradient) {  // body increments: inertial axes
-        if (p.body >= 0) row.template segment<G::dim>(G::dim * p.body) += H.AdInv().transpose() * gradient;
+      const auto add = [&](const PortOf<G>& p, const G& H,
+                           auto gradient) {  // body increments: inertial axes
+        if (p.body >= 0)
+          row.template segment<G::dim>(G::dim * p.body) += H.AdInv().transpose() * gradient;
       };
       add(c.a, a, g.template head<G::dim>());
       add(c.b, b, g.template tail<G::dim>());
@@ -134,8 +142,10 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   return m;
 }
 
-template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&, std::vector<std::string>&);
-template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&, std::vector<std::string>&);
+template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
+                                           std::vector<std::string>&);
+template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
+                                           std::vector<std::string>&);
 template std::string contradiction(const Model<SE2>&, const State<SE2>&);
 template std::string contradiction(const Model<SE3>&, const State<SE3>&);
 template Mobility mobility(const Model<SE2>&, const State<SE2>&);

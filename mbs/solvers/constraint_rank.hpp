@@ -13,7 +13,8 @@ namespace liesl {
 /// by the size of the mechanism), makes them Role::Redundant and writes one sentence a coupling:
 /// "joint 'guide' repeats rows of 'wrist': 1 of its 2 rows is left out".
 template <FrameGroup G>
-void remove_redundant_constraints(Model<G>& model, const State<G>& s, std::vector<std::string>& out);
+void remove_redundant_constraints(Model<G>& model, const State<G>& s,
+                                  std::vector<std::string>& out);
 
 /// Empty, or which redundant constraint does not hold at `s` and by how much.
 template <FrameGroup G>
@@ -28,8 +29,10 @@ struct Mobility {
 template <FrameGroup G>
 Mobility mobility(const Model<G>& model, const State<G>& s);
 
-extern template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&, std::vector<std::string>&);
-extern template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&, std::vector<std::string>&);
+extern template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
+                                                  std::vector<std::string>&);
+extern template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
+                                                  std::vector<std::string>&);
 extern template std::string contradiction(const Model<SE2>&, const State<SE2>&);
 extern template std::string contradiction(const Model<SE3>&, const State<SE3>&);
 extern template Mobility mobility(const Model<SE2>&, const State<SE2>&);

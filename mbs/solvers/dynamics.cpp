@@ -9,13 +9,14 @@
 namespace liesl {
 namespace {
 
-constexpr int kGrowAfter = 4;       // good steps before the step doubles again
-constexpr double kSafety = 0.5;     // adaptive: double below kSafety^3 of the tolerance
+constexpr int kGrowAfter = 4;    // good steps before the step doubles again
+constexpr double kSafety = 0.5;  // adaptive: double below kSafety^3 of the tolerance
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
 class StepGrid {
  public:
-  StepGrid(const SimulationOptions& o) : step_(o.step), fine_(o.step_min > 0 ? o.step_min : o.step / 1024) {
+  StepGrid(const SimulationOptions& o)
+      : step_(o.step), fine_(o.step_min > 0 ? o.step_min : o.step / 1024) {
     while (step_ / (1L << (deepest_ + 1)) >= fine_ * (1 - 1e-12)) ++deepest_;
   }
   double h() const { return step_ / static_cast<double>(1L << level_); }
@@ -85,8 +86,9 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
         continue;
       }
       report.status = SolveStatus::NotConverged;
-      report.reason = fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {:.2g})",
-                                  step.failure, s.t + h, h, step.residual);
+      report.reason = fmt::format(
+          "{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {:.2g})",
+          step.failure, s.t + h, h, step.residual);
       break;
     }
     ++report.steps;
@@ -111,9 +113,15 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
   }
   report.stepping_s = seconds_since(start);
   report.factorizations = integrator.factorizations();
+  if (report.tangent_refreshes > 0)
+    report.warnings.push_back(fmt::format(
+        "the constant tangent was replaced by that of the moment {} times: the deformations leave "
+        "its range",
+        report.tangent_refreshes));
   if (report.rejected_steps > 0)
-    report.warnings.push_back(fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
-                                          report.rejected_steps, report.smallest_step));
+    report.warnings.push_back(
+        fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
+                    report.rejected_steps, report.smallest_step));
   return result;
 }
 

@@ -25,7 +25,8 @@ using Progress = std::function<bool(double t)>;
 /// a reason, and the records until there are kept. Steps grow back on the grid of options.step.
 /// Never throws for non-convergence; no record holds a NaN.
 template <FrameGroup G>
-DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options, const Progress& progress = {});
+DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
+                          const Progress& progress = {});
 
 extern template DynamicResult<SE2> simulate(Model<SE2>&, const SimulationOptions&, const Progress&);
 extern template DynamicResult<SE3> simulate(Model<SE3>&, const SimulationOptions&, const Progress&);

@@ -3,9 +3,9 @@
 namespace liesl {
 namespace {
 
-constexpr double kSlow = 0.5;               // contraction that asks for a new tangent
-constexpr double kConstraint = 1e-3;        // constraint tolerance: this * tolerance * length
-constexpr double kMemory = 0.1;             // share of the largest force so far in the scale
+constexpr double kSlow = 0.5;         // contraction that asks for a new tangent
+constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
+constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
 
 }  // namespace
 
@@ -53,8 +53,7 @@ template <FrameGroup G>
 void GeneralizedAlpha<G>::correct(double, TangentWeights w) {
   for (int k = 0; k < model_.nodes(); ++k) {
     auto dq = dq_.template segment<G::dim>(G::dim * k);
-    const typename G::Tangent e =
-        G::Tinv(dq) * delta_.template segment<G::dim>(G::dim * k);
+    const typename G::Tangent e = G::Tinv(dq) * delta_.template segment<G::dim>(G::dim * k);
     dq += e;
     trial_.v.template segment<G::dim>(G::dim * k) += w.damping * e;
     trial_.vdot.template segment<G::dim>(G::dim * k) += w.mass * e;

@@ -26,11 +26,11 @@ struct AlphaWeights {
 /// What became of one attempt at a step.
 struct StepResult {
   bool converged = false;
-  bool refreshed = false;      ///< the tangent had to be taken at the current state
-  int iterations = 0;          ///< corrections
-  double residual = 0;         ///< relative, at the last iterate
-  double error = 0;            ///< estimate of the local error of the positions, m
-  const char* failure = "";    ///< why not
+  bool refreshed = false;    ///< the tangent had to be taken at the current state
+  int iterations = 0;        ///< corrections
+  double residual = 0;       ///< relative, at the last iterate
+  double error = 0;          ///< estimate of the local error of the positions, m
+  const char* failure = "";  ///< why not
 };
 
 template <FrameGroup G>

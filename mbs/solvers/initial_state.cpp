@@ -8,12 +8,40 @@ namespace liesl {
 namespace {
 
 constexpr int kMaxAssembly = 50;
-constexpr double kAssembled = 1e-12;  // of the mechanism's length
+constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 
 template <FrameGroup G>
 void move(State<G>& s, const Eigen::VectorXd& delta) {
   for (size_t k = 0; k < s.H.size(); ++k)
     s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * static_cast<int>(k)));
+}
+
+/// Each body's mass matrix must be regular: the joints act on it through its inverse.
+template <FrameGroup G>
+bool has_inertia(const Model<G>& model, InitialState& out) {
+  for (const auto& body : model.bodies) {
+    if (BlockTridiagonalLU<G::dim>().factor(body->mass())) continue;
+    out.status = SolveStatus::Singular;
+    out.reason = fmt::format(
+        "body '{}' has no inertia in some direction; give it a mass and moments of inertia",
+        body->name);
+    return false;
+  }
+  return true;
+}
+
+/// The coupling with the constraint that is farthest from closed.
+template <FrameGroup G>
+const std::string& most_open(const Equations<G>& eq) {
+  const Coupling<G>* worst = &eq.model.couplings.front();
+  const auto open = [&eq](const Coupling<G>& c) {
+    return c.constraints > 0 ? eq.phi.segment(c.first_constraint, c.constraints)
+                                   .template lpNorm<Eigen::Infinity>()
+                             : 0;
+  };
+  for (const auto& c : eq.model.couplings)
+    if (!(open(c) <= open(*worst))) worst = &c;
+  return worst->name;
 }
 
 template <FrameGroup G>
@@ -26,7 +54,7 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
   for (int i = 0; i <= kMaxAssembly; ++i) {
     eq.evaluate(s, s.q, {s.t, 1});
     if (!std::isfinite(eq.constraint_residual())) break;
-    if (eq.constraint_residual() <= kAssembled * model.length) {
+    if (eq.constraint_residual() <= kAssembled * model.reach) {
       for (size_t k = 0; k < start.size(); ++k)
         out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
       return true;
@@ -36,9 +64,10 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
     move(s, delta);
   }
   out.status = SolveStatus::Inconsistent;
-  out.reason = fmt::format("the joints cannot be assembled from the positions given: a constraint stays {:.3g} "
-                           "(m or rad) from closed; check the positions of the bodies and the joints' axes",
-                           eq.constraint_residual());
+  out.reason = fmt::format(
+      "the joints cannot be assembled from the positions given: '{}' stays {:.3g} (m or rad) "
+      "from closed; check the positions of the bodies and the joints' axes",
+      most_open(eq), eq.constraint_residual());
   return false;
 }
 
@@ -58,9 +87,11 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
       rate = -target.segment(coupling.first_constraint, coupling.constraints);
       const auto B = eq.couplings[c].B.topRows(coupling.constraints);
       if (coupling.a.body >= 0)
-        rate += B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
+        rate +=
+            B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
       if (coupling.b.body >= 0)
-        rate += B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
+        rate +=
+            B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
     }
     if (eq.constraint_residual() == 0) break;
     eq.r.setZero();
@@ -89,8 +120,8 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
   eq.phi = -target;
   if (!system.factor({1, 0}, 0) || !system.solve(eq, s.vdot, dlambda, false)) {
     out.status = SolveStatus::Singular;
-    out.reason = "the accelerations at the start are not determined: a body that can move has no inertia "
-                 "in that direction; give it mass, inertia or a joint";
+    out.reason =
+        "the accelerations at the start are not determined: the joint equations are singular";
     return false;
   }
   s.lambda = dlambda;
@@ -121,7 +152,9 @@ InitialState assemble(Model<G>& model, double step, State<G>& s) {
 
 template <FrameGroup G>
 InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s) {
-  InitialState out = assemble(model, options.step, s);
+  InitialState out;
+  if (!has_inertia(model, out)) return out;
+  out = assemble(model, options.step, s);
   if (out.status != SolveStatus::Converged) return out;
   if (project_velocities(model, options.duration, s, out)) solve_accelerations(model, s, out);
   return out;

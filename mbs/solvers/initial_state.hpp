@@ -13,14 +13,14 @@ namespace liesl {
 struct InitialState {
   SolveStatus status = SolveStatus::Converged;
   std::string reason;
-  double moved = 0;             ///< largest displacement of a node, m
-  double velocity_change = 0;   ///< largest change of a node's velocity, m/s
+  double moved = 0;                    ///< largest displacement of a node, m
+  double velocity_change = 0;          ///< largest change of a node's velocity, m/s
   std::vector<std::string> redundant;  ///< one sentence a redundant joint row
   std::vector<std::string> warnings;
 };
 
-/// Positions alone: redundant constraints out, nodes onto the rest of them at time s.t (Newton, least
-/// change in the metric M/step^2 + K), joint coordinates into s.q. For statics.
+/// Positions alone: redundant constraints out, nodes onto the rest of them at time s.t (Newton,
+/// least change in the metric M/step^2 + K), joint coordinates into s.q. For statics.
 template <FrameGroup G>
 InitialState assemble(Model<G>& model, double step, State<G>& s);
 

@@ -26,6 +26,7 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   }
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
+  solution_.setZero(rows);
   llt_ = Eigen::LLT<Eigen::MatrixXd>(rows);
   lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(rows);
 }
@@ -36,7 +37,8 @@ bool JointSystem<G>::factor(TangentWeights w, double stiffness) {
   symmetric_ = true;
   for (size_t b = 0; b < bodies_.size(); ++b) {
     const Body<G>& body = *model_.bodies[b];
-    scratch_[b].set_sum(w.mass, body.mass(), stiffness * (1 + w.damping * body.damping()), body.stiffness());
+    scratch_[b].set_sum(w.mass, body.mass(), stiffness * (1 + w.damping * body.damping()),
+                        body.stiffness());
     if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
   }
   return true;
@@ -122,14 +124,17 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
       const auto& coupling = model_.couplings[c];
       auto rhs = rhs_.segment(first_[c], coupling.active);
       rhs.setZero();
-      rhs.head(coupling.constraints) = eq.phi.segment(coupling.first_constraint, coupling.constraints);
+      rhs.head(coupling.constraints) =
+          eq.phi.segment(coupling.first_constraint, coupling.constraints);
       const auto& B = eq.couplings[c].B;
       if (coupling.a.body >= 0)
-        rhs -= B.topRows(coupling.active).template leftCols<dim>().lazyProduct(
-            delta.template segment<dim>(dim * coupling.a.node));
+        rhs -= B.topRows(coupling.active)
+                   .template leftCols<dim>()
+                   .lazyProduct(delta.template segment<dim>(dim * coupling.a.node));
       if (coupling.b.body >= 0)
-        rhs -= B.topRows(coupling.active).template rightCols<dim>().lazyProduct(
-            delta.template segment<dim>(dim * coupling.b.node));
+        rhs -= B.topRows(coupling.active)
+                   .template rightCols<dim>()
+                   .lazyProduct(delta.template segment<dim>(dim * coupling.b.node));
       if (!compliant) rhs.tail(coupling.active - coupling.constraints).setZero();
     }
     bool solved = false;
@@ -141,7 +146,8 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
     if (!solved) {
       if (symmetric_) S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
       lu_.compute(S_);
-      rhs_ = lu_.solve(rhs_).eval();
+      solution_.noalias() = lu_.solve(rhs_);
+      rhs_.swap(solution_);
     }
     if (!rhs_.allFinite()) return false;
     for (auto& body : bodies_) body.joint_force.setZero();
@@ -149,13 +155,16 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
       for (const Side& i : sides_[b]) {
         const int active = model_.couplings[i.coupling].active;
         bodies_[b].joint_force.template segment<dim>(dim * i.slot) +=
-            eq.couplings[i.coupling].B.topRows(active).template middleCols<dim>(i.column).transpose().lazyProduct(
-                rhs_.segment(first_[i.coupling], active));
+            eq.couplings[i.coupling]
+                .B.topRows(active)
+                .template middleCols<dim>(i.column)
+                .transpose()
+                .lazyProduct(rhs_.segment(first_[i.coupling], active));
       }
     for (size_t b = 0; b < bodies_.size(); ++b)
       if (bodies_[b].X.cols() > 0)
-        delta.segment(dim * model_.first_node(static_cast<int>(b)), model_.bodies[b]->size()).noalias() +=
-            bodies_[b].X * bodies_[b].joint_force;
+        delta.segment(dim * model_.first_node(static_cast<int>(b)), model_.bodies[b]->size())
+            .noalias() += bodies_[b].X * bodies_[b].joint_force;
     for (size_t c = 0; c < model_.couplings.size(); ++c) {
       const auto& coupling = model_.couplings[c];
       dlambda.segment(coupling.first_constraint, coupling.constraints) =

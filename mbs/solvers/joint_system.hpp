@@ -38,9 +38,9 @@ class JointSystem {
  private:
   struct BodyFactor {
     BlockTridiagonalLU<dim> lu;
-    Eigen::MatrixXd X;           ///< A^-1 E, E = unit increments of the coupled nodes
-    Eigen::MatrixXd F;           ///< E^T A^-1 E: compliance seen by the joints
-    Eigen::VectorXd joint_force; ///< B^T dlambda on the coupled nodes
+    Eigen::MatrixXd X;            ///< A^-1 E, E = unit increments of the coupled nodes
+    Eigen::MatrixXd F;            ///< E^T A^-1 E: compliance seen by the joints
+    Eigen::VectorXd joint_force;  ///< B^T dlambda on the coupled nodes
   };
   struct Side {  ///< one end of a coupling on a body
     int coupling, column, slot;
@@ -59,7 +59,7 @@ class JointSystem {
   TangentWeights weights_;
   bool symmetric_ = true;
   Eigen::MatrixXd S_;
-  Eigen::VectorXd rhs_;
+  Eigen::VectorXd rhs_, solution_;
   Eigen::LLT<Eigen::MatrixXd> llt_;
   Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
 };

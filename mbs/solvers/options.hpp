@@ -15,24 +15,24 @@ struct SimulationOptions {
   SpaceChoice space = SpaceChoice::Auto;
 
   // Dynamic: Lie-group generalized-alpha, index 3.
-  double duration = 1.0;       ///< s, > 0
-  double step = 1e-3;          ///< s, > 0; the largest step if adaptive
-  double rho_inf = 0.8;        ///< spectral radius at infinity, [0, 1]
-  double tolerance = 1e-6;     ///< of the residual, relative to the forces, (0, 1e-2]
-  int max_iterations = 12;     ///< corrections a step before the step is halved, [3, 100]
-  bool adaptive = false;       ///< choose the step from a local error estimate
+  double duration = 1.0;          ///< s, > 0
+  double step = 1e-3;             ///< s, > 0; the largest step if adaptive
+  double rho_inf = 0.8;           ///< spectral radius at infinity, [0, 1]
+  double tolerance = 1e-6;        ///< of the residual, relative to the forces, (0, 1e-2]
+  int max_iterations = 12;        ///< corrections a step before the step is halved, [3, 100]
+  bool adaptive = false;          ///< choose the step from a local error estimate
   double error_tolerance = 1e-4;  ///< adaptive: local error relative to the scene's size, per step
-  double step_min = 0;         ///< s; 0 = step / 1024
-  int output_every = 1;        ///< steps between two records, >= 1
+  double step_min = 0;            ///< s; 0 = step / 1024
+  int output_every = 1;           ///< steps between two records, >= 1
 
   // Static: load factor from 0 to 1.
-  int load_steps = 1;          ///< >= 1
-  bool arc_length = false;     ///< follow the path past limit points
-  double max_load = 1.0;       ///< load factor at which the path ends, > 0
-  bool critical = false;       ///< bisect the load factor where the tangent loses definiteness
+  int load_steps = 1;       ///< >= 1
+  bool arc_length = false;  ///< follow the path past limit points
+  double max_load = 1.0;    ///< load factor at which the path ends, > 0
+  bool critical = false;    ///< bisect the load factor where the tangent loses definiteness
 
   // Modes: about the static equilibrium.
-  int modes = 10;              ///< how many frequencies, >= 1
+  int modes = 10;  ///< how many frequencies, >= 1
 };
 
 }  // namespace liesl

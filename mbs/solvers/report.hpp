@@ -17,26 +17,31 @@ enum class SolveStatus {
 
 inline const char* to_string(SolveStatus s) {
   switch (s) {
-    case SolveStatus::Converged: return "converged";
-    case SolveStatus::NotConverged: return "not_converged";
-    case SolveStatus::Inconsistent: return "inconsistent";
-    case SolveStatus::Singular: return "singular";
-    case SolveStatus::Interrupted: return "interrupted";
+    case SolveStatus::Converged:
+      return "converged";
+    case SolveStatus::NotConverged:
+      return "not_converged";
+    case SolveStatus::Inconsistent:
+      return "inconsistent";
+    case SolveStatus::Singular:
+      return "singular";
+    case SolveStatus::Interrupted:
+      return "interrupted";
   }
   return "";
 }
 
 struct Report {
   SolveStatus status = SolveStatus::Converged;
-  std::string reason;                 ///< one sentence, with time and place
-  long steps = 0;                     ///< accepted steps, load steps
-  long newton_iterations = 0;         ///< corrections
+  std::string reason;          ///< one sentence, with time and place
+  long steps = 0;              ///< accepted steps, load steps
+  long newton_iterations = 0;  ///< corrections
   long tangent_refreshes = 0;
   long rejected_steps = 0;
-  double smallest_step = 0;           ///< s
-  std::vector<int> factorizations;    ///< one a body
-  double stepping_s = 0;              ///< wall time of the stepping alone
-  double max_constraint_residual = 0; ///< largest |Phi| at an accepted step, m or rad
+  double smallest_step = 0;            ///< s
+  std::vector<int> factorizations;     ///< one a body
+  double stepping_s = 0;               ///< wall time of the stepping alone
+  double max_constraint_residual = 0;  ///< largest |Phi| at an accepted step, m or rad
   std::vector<std::string> warnings;
 };
 

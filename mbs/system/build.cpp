@@ -68,19 +68,22 @@ class JointRows {
     if (seen(m)) add(Row<G>::along(space_.reduce_vector(m)), coordinate);
   }
   void normal(const Vec3& m, const Vec3& n) {
-    if (seen(m) && seen(n)) add(Row<G>::normal(space_.reduce_vector(m), space_.reduce_vector(n)), -1);
+    if (seen(m) && seen(n))
+      add(Row<G>::normal(space_.reduce_vector(m), space_.reduce_vector(n)), -1);
   }
   /// Angle about the third axis: sine m . R n, cosine m2 . R n2.
   void angle(const Vec3& m, const Vec3& n, const Vec3& m2, const Vec3& n2, int coordinate) {
     if (seen(m) && seen(n) && seen(m2) && seen(n2))
       add(Row<G>::angle(space_.reduce_vector(m), space_.reduce_vector(n), space_.reduce_vector(m2),
-                        space_.reduce_vector(n2)), coordinate);
+                        space_.reduce_vector(n2)),
+          coordinate);
   }
 
  private:
   bool seen(const Vec3& m) const { return space_.reduce_vector(m).norm() > 0.5 * m.norm(); }
   void add(const Row<G>& row, int coordinate) {
-    Equation<G> e{row, coordinate < 0 ? Role::Constraint : Role::Observed, TimeFunction(), {}, coordinate};
+    Equation<G> e{
+        row, coordinate < 0 ? Role::Constraint : Role::Observed, TimeFunction(), {}, coordinate};
     out_.push_back(e);
   }
   const Space<G>& space_;
@@ -114,8 +117,8 @@ void add_joint_rows(const JointSpec& j, const Space<G>& space, JointRows<G> rows
     rows.along(e3, 1);
   }
   const int angle = type == JointType::Cylindrical ? 1 : type == JointType::Planar ? 2 : 0;
-  if (type == JointType::Revolute || type == JointType::Universal || type == JointType::Cylindrical ||
-      type == JointType::Planar)
+  if (type == JointType::Revolute || type == JointType::Universal ||
+      type == JointType::Cylindrical || type == JointType::Planar)
     rows.angle(e3, e2, e2, e2, angle);
   if (type == JointType::Universal) rows.angle(e1, e3, e1, e1, 1);
 }
@@ -261,12 +264,17 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     model.nodes_ += model.bodies.back()->nodes();
   }
   const Builder<G> builder(mechanism, space, model.first_node_);
-  for (size_t j = 0; j < mechanism.joints.size(); ++j) model.couplings.push_back(builder.joint(static_cast<int>(j)));
+  for (size_t j = 0; j < mechanism.joints.size(); ++j)
+    model.couplings.push_back(builder.joint(static_cast<int>(j)));
   for (const auto& f : mechanism.forces)
     if (f.joint < 0) model.couplings.push_back(builder.force(f));
   for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l, model));
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
   model.finish();
+  model.reach = model.length;
+  for (const auto& body : model.bodies)
+    for (const G& H : body->reference)
+      model.reach = std::max(model.reach, model.length + H.x.norm());
 
   model.initial_velocity_.setZero(model.size());
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -318,7 +326,8 @@ void Model<G>::finish() {
 template <class G>
 State<G> Model<G>::initial_state() const {
   State<G> s;
-  for (const auto& body : bodies) s.H.insert(s.H.end(), body->reference.begin(), body->reference.end());
+  for (const auto& body : bodies)
+    s.H.insert(s.H.end(), body->reference.begin(), body->reference.end());
   s.v = initial_velocity_;
   s.vdot.setZero(size());
   s.a.setZero(size());

@@ -16,12 +16,13 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
     couplings.push_back(std::move(data));
   }
   for (const auto& body : m.bodies)
-    round_off_ = std::max(round_off_, 4 * std::numeric_limits<double>::epsilon() *
-                                          body->axial_stiffness() * m.length);
+    round_off_ = std::max(
+        round_off_, 4 * std::numeric_limits<double>::epsilon() * body->axial_stiffness() * m.reach);
 }
 
 template <FrameGroup G>
-void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level) {
+void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& near,
+                            const LoadLevel& level) {
   ForceScale scale;
   r.setZero();
   add_bodies(s, level, scale);
@@ -49,7 +50,8 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceSca
     Tangent f = load.wrench;
     if (load.follower) return f;
     f.template head<G::space_dim>() = H.R.transpose() * load.wrench.template head<G::space_dim>();
-    if constexpr (G::rotation_dim == 3) f.template tail<3>() = H.R.transpose() * load.wrench.template tail<3>();
+    if constexpr (G::rotation_dim == 3)
+      f.template tail<3>() = H.R.transpose() * load.wrench.template tail<3>();
     return f;
   };
   for (const auto& load : model.loads) {
@@ -102,10 +104,13 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
       f = s.lambda[c.first_constraint + i];
     } else {
       double rate = 0;
-      if (c.a.body >= 0) rate += B.template head<dim>().dot(s.v.template segment<dim>(dim * c.a.node));
-      if (c.b.body >= 0) rate += B.template tail<dim>().dot(s.v.template segment<dim>(dim * c.b.node));
+      if (c.a.body >= 0)
+        rate += B.template head<dim>().dot(s.v.template segment<dim>(dim * c.a.node));
+      if (c.b.body >= 0)
+        rate += B.template tail<dim>().dot(s.v.template segment<dim>(dim * c.b.node));
       data.rate[i] = rate;
-      f = e.law.stiffness * (value - e.law.rest) + e.law.damping * rate - load_value(e.law.force, level);
+      f = e.law.stiffness * (value - e.law.rest) + e.law.damping * rate -
+          load_value(e.law.force, level);
       data.force[i] = f;
     }
     on_a += f * B.template head<dim>().transpose();
@@ -118,7 +123,8 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
 }
 
 template <FrameGroup G>
-void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const {
+void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near,
+                           Eigen::VectorXd& q) const {
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
     for (size_t i = 0; i < c.equations.size(); ++i) {

@@ -37,15 +37,17 @@ class Equations {
   /// The same norm of the parts that r is the sum of, plus what round-off alone makes, N.
   double scale() const { return scale_; }
   double round_off() const { return round_off_; }
-  double constraint_residual() const { return phi.size() ? phi.template lpNorm<Eigen::Infinity>() : 0; }
+  double constraint_residual() const {
+    return phi.size() ? phi.template lpNorm<Eigen::Infinity>() : 0;
+  }
 
   const Model<G>& model;
   Eigen::VectorXd r;    ///< size of the model
   Eigen::VectorXd phi;  ///< constraints
   struct CouplingData {
-    Rows B;                   ///< acting rows x [node of a; node of b]
-    Eigen::VectorXd force;    ///< of the acting rows that are not constraints, else 0
-    Eigen::VectorXd rate;     ///< time derivative of the acting rows
+    Rows B;                 ///< acting rows x [node of a; node of b]
+    Eigen::VectorXd force;  ///< of the acting rows that are not constraints, else 0
+    Eigen::VectorXd rate;   ///< time derivative of the acting rows
   };
   std::vector<CouplingData> couplings;
 

@@ -22,7 +22,8 @@ struct Load {
   PortOf<G> port;
   bool spread = false;
   bool follower = false;
-  typename G::Tangent wrench = G::Tangent::Zero();  ///< [force; moment]; inertial axes unless follower
+  typename G::Tangent wrench =
+      G::Tangent::Zero();  ///< [force; moment]; inertial axes unless follower
   TimeFunction scale;
   BlockTridiagonal<G::dim> distribution;  ///< of a spread load
 };
@@ -37,9 +38,9 @@ class Model {
   static Model build(const Mechanism& mechanism, const Space<G>& space);
 
   int nodes() const { return nodes_; }
-  int size() const { return G::dim * nodes_; }       ///< velocities
-  int constraints() const { return constraints_; }   ///< multipliers
-  int rows() const { return rows_; }                 ///< coupling rows of all roles
+  int size() const { return G::dim * nodes_; }      ///< velocities
+  int constraints() const { return constraints_; }  ///< multipliers
+  int rows() const { return rows_; }                ///< coupling rows of all roles
   int first_node(int body) const { return first_node_[body]; }
 
   /// Bodies where the scene puts them, at rest or with the scene's rigid velocities.
@@ -58,12 +59,13 @@ class Model {
   /// Distinct nodes of each body that couplings hold on to; `PortOf::slot` counts in here.
   std::vector<std::vector<int>> coupled_nodes;
   double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
+  double reach =
+      1;  ///< farthest from the origin that its nodes may be, m: what positions round off to
 
   /// Numbers the rows again, after roles have changed.
   void finish();
 
  private:
-
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_;
   Eigen::VectorXd initial_velocity_;

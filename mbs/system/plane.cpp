@@ -87,9 +87,11 @@ class Search {
     plane_ = plane;
     for (const auto check : {&Search::bodies, &Search::joints, &Search::loads})
       if (!(this->*check)()) return {std::nullopt, reason_};
-    const Vec3 n = plane.frame.R.col(2);
-    return {plane, fmt::format("all points, forces and sections are symmetric to the plane with normal "
-                               "({:.4g}, {:.4g}, {:.4g})", n.x(), n.y(), n.z())};
+    const Vec3 n = plane.frame.R.col(2) + Vec3::Zero();  // -0 + 0 = 0
+    return {plane,
+            fmt::format("all points, forces and sections are symmetric to the plane with normal "
+                        "({:.4g}, {:.4g}, {:.4g})",
+                        n.x(), n.y(), n.z())};
   }
 
  private:
@@ -116,17 +118,21 @@ class Search {
   /// Normal: spanned out by the points; if they are on a line, by what else fixes it.
   bool choose_plane(Space<SE2>& plane) {
     if (points_.empty()) return fail("there are no bodies");
-    Vec3 normal = Vec3::Zero();
-    Vec3 along = Vec3::Zero();
+    Vec3 along = Vec3::Zero(), normal = Vec3::Zero();
     for (const auto& p : points_)
       if ((p - points_[0]).norm() > along.norm()) along = p - points_[0];
+    for (const auto& p : points_)
+      if (along.cross(p - points_[0]).norm() > normal.norm()) normal = along.cross(p - points_[0]);
+    if (normal.norm() > kTolerance * along.norm() * size_)
+      normal.normalize();
+    else
+      normal.setZero();
     std::vector<Vec3> in_plane{m_.gravity};
-    for (const auto& p : points_) in_plane.push_back(p - points_[0]);
     for (const auto& l : m_.loads)
       if (!l.follower) in_plane.push_back(l.force);
     for (const auto& v : in_plane)
-      if (along.norm() > 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
-        if (normal.norm() == 0) normal = along.cross(v).normalized();
+      if (normal.norm() == 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
+        normal = along.cross(v).normalized();
     for (const auto& j : m_.joints)
       if (normal.norm() == 0 && j.type == JointType::Revolute) normal = j.axis;
     for (const auto& l : m_.loads)
@@ -134,7 +140,8 @@ class Search {
     if (normal.norm() == 0) return fail("nothing singles out a plane");
     for (int i = 0; i < 3; ++i)  // the same plane for +n and -n: prefer the positive one
       if (std::abs(normal[i]) > 0.5) normal *= normal[i] > 0 ? 1 : -1;
-    Vec3 first = std::abs(normal.z()) > 1 - kTolerance ? Vec3::UnitX() : normal.cross(Vec3::UnitZ());
+    Vec3 first =
+        std::abs(normal.z()) > 1 - kTolerance ? Vec3::UnitX() : normal.cross(Vec3::UnitZ());
     first = (first - first.dot(normal) * normal).normalized();
     plane.frame.R << first, normal.cross(first), normal;
     plane.frame.x = std::abs(points_[0].dot(normal)) < kTolerance * size_
@@ -146,8 +153,9 @@ class Search {
   bool bodies() {
     for (const auto& p : points_)
       if (std::abs(normal().dot(p - plane_.frame.x)) > kTolerance * size_)
-        return fail(fmt::format("point ({:.4g}, {:.4g}, {:.4g}) is outside of the plane of the others",
-                                p.x(), p.y(), p.z()));
+        return fail(
+            fmt::format("point ({:.4g}, {:.4g}, {:.4g}) is outside of the plane of the others",
+                        p.x(), p.y(), p.z()));
     for (const auto& body : m_.bodies) {
       if (!along(body.velocity) || !normal_to(body.angular_velocity))
         return fail(fmt::format("the initial velocity of '{}' leaves the plane", body.name));
@@ -156,12 +164,14 @@ class Search {
           for (const SE3* H : {&beam->nodes[e], &beam->nodes[e + 1]}) {
             const SectionLaw law = section_law(beam->sections[e], beam->material);
             if (!along(H->R.col(0)) || couples(law.K, *H) || couples(law.M, *H))
-              return fail(fmt::format("a section of '{}' has no principal axis normal to the plane", body.name));
+              return fail(fmt::format("a section of '{}' has no principal axis normal to the plane",
+                                      body.name));
           }
       } else if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
         const Vec3 n = rigid->frame.R.transpose() * normal();
         if (!n.cross(rigid->inertia * n).isZero(kTolerance * rigid->inertia.norm()))
-          return fail(fmt::format("'{}' has no principal axis of inertia normal to the plane", body.name));
+          return fail(
+              fmt::format("'{}' has no principal axis of inertia normal to the plane", body.name));
       }
     }
     return along(m_.gravity) || fail("gravity leaves the plane");
@@ -172,8 +182,10 @@ class Search {
       const bool turns = normal_to(j.axis), slides = along(j.axis);
       const bool any_axis = j.type == JointType::Spherical || j.type == JointType::Fixed;
       if (!turns && !slides && !any_axis)
-        return fail(fmt::format("the axis of joint '{}' is neither in the plane nor normal to it", j.name));
-      if (j.type == JointType::Universal && !(turns ? along(j.axis2) : along(j.axis2) || normal_to(j.axis2)))
+        return fail(
+            fmt::format("the axis of joint '{}' is neither in the plane nor normal to it", j.name));
+      if (j.type == JointType::Universal &&
+          !(turns ? along(j.axis2) : along(j.axis2) || normal_to(j.axis2)))
         return fail(fmt::format("the second axis of joint '{}' leaves the plane", j.name));
     }
     for (const auto& d : m_.drives)
@@ -199,12 +211,18 @@ class Search {
     const JointSpec& j = m_.joints[joint];
     const bool turns = normal_to(j.axis);
     switch (j.type) {
-      case JointType::Revolute: return turns;
-      case JointType::Prismatic: return !turns;
-      case JointType::Cylindrical: return (coordinate == 0) != turns;
-      case JointType::Universal: return coordinate == 0 ? turns : normal_to(j.axis2);
-      case JointType::Planar: return turns;
-      default: return false;
+      case JointType::Revolute:
+        return turns;
+      case JointType::Prismatic:
+        return !turns;
+      case JointType::Cylindrical:
+        return (coordinate == 0) != turns;
+      case JointType::Universal:
+        return coordinate == 0 ? turns : normal_to(j.axis2);
+      case JointType::Planar:
+        return turns;
+      default:
+        return false;
     }
   }
 
@@ -214,7 +232,8 @@ class Search {
     const Matrix6 k = turned(K, plane_.alignment(H).R);
     for (int i : kInPlane)
       for (int j : kOutOfPlane)
-        if (std::abs(k(i, j)) + std::abs(k(j, i)) > kTolerance * std::sqrt(std::abs(k(i, i) * k(j, j))))
+        if (std::abs(k(i, j)) + std::abs(k(j, i)) >
+            kTolerance * std::sqrt(std::abs(k(i, i) * k(j, j))))
           return true;
     return false;
   }

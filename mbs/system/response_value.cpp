@@ -11,37 +11,60 @@ int components(const ResponseSpec& r, bool planar) {
     case ResponseKind::Position:
     case ResponseKind::Velocity:
     case ResponseKind::AngularVelocity:
-    case ResponseKind::Displacement: return r.axis ? 1 : 3;
-    case ResponseKind::Deflection: return planar || r.everywhere ? 1 : 2;
-    default: return 1;
+    case ResponseKind::Displacement:
+      return r.axis ? 1 : 3;
+    case ResponseKind::Deflection:
+      return planar || r.everywhere ? 1 : 2;
+    default:
+      return 1;
   }
 }
 
 const char* name_of(ResponseKind kind) {
   switch (kind) {
-    case ResponseKind::Position: return "position";
-    case ResponseKind::Velocity: return "velocity";
-    case ResponseKind::AngularVelocity: return "angular_velocity";
-    case ResponseKind::Displacement: return "displacement";
-    case ResponseKind::Deflection: return "deflection";
-    case ResponseKind::Elongation: return "elongation";
-    case ResponseKind::Coordinate: return "coordinate";
-    case ResponseKind::JointForce: return "joint_force";
-    case ResponseKind::SectionForce: return "section_force";
-    case ResponseKind::Stress: return "stress";
-    case ResponseKind::Energy: return "energy";
+    case ResponseKind::Position:
+      return "position";
+    case ResponseKind::Velocity:
+      return "velocity";
+    case ResponseKind::AngularVelocity:
+      return "angular_velocity";
+    case ResponseKind::Displacement:
+      return "displacement";
+    case ResponseKind::Deflection:
+      return "deflection";
+    case ResponseKind::Elongation:
+      return "elongation";
+    case ResponseKind::Coordinate:
+      return "coordinate";
+    case ResponseKind::JointForce:
+      return "joint_force";
+    case ResponseKind::SectionForce:
+      return "section_force";
+    case ResponseKind::Stress:
+      return "stress";
+    case ResponseKind::Energy:
+      return "energy";
+    case ResponseKind::Compliance:
+      return "compliance";
   }
   return "";
 }
 
 const char* unit(const ResponseSpec& r, const Mechanism& mechanism) {
   switch (r.kind) {
-    case ResponseKind::Velocity: return "m/s";
-    case ResponseKind::AngularVelocity: return "rad/s";
-    case ResponseKind::JointForce: return "N";
-    case ResponseKind::SectionForce: return r.component < 3 ? "N" : "N m";
-    case ResponseKind::Stress: return "Pa";
-    case ResponseKind::Energy: return "J";
+    case ResponseKind::Velocity:
+      return "m/s";
+    case ResponseKind::AngularVelocity:
+      return "rad/s";
+    case ResponseKind::JointForce:
+      return "N";
+    case ResponseKind::SectionForce:
+      return r.component < 3 ? "N" : "N m";
+    case ResponseKind::Stress:
+      return "Pa";
+    case ResponseKind::Energy:
+    case ResponseKind::Compliance:
+      return "J";
     case ResponseKind::Coordinate: {
       const JointType type = mechanism.joints[r.joint].type;
       const bool slides = type == JointType::Prismatic ||
@@ -49,7 +72,8 @@ const char* unit(const ResponseSpec& r, const Mechanism& mechanism) {
                           (type == JointType::Planar && r.coordinate < 2);
       return slides ? "m" : "rad";
     }
-    default: return "m";
+    default:
+      return "m";
   }
 }
 
@@ -81,7 +105,8 @@ std::vector<SE3> ResponseValues<G>::nodes(const G* H, int body) const {
 }
 
 template <FrameGroup G>
-Eigen::Vector2d ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s, double place) const {
+Eigen::Vector2d ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s,
+                                              double place) const {
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
   return chord_offset(nodes(s.H.data(), r.body), place) - chord_offset(beam.nodes, place);
 }
@@ -98,11 +123,12 @@ double ResponseValues<G>::stress(const ResponseSpec& r, const State<G>& s) const
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
   double largest = 0;
   for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
-    const SE3::Tangent n =
-        view_.local(model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
+    const SE3::Tangent n = view_.local(
+        model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
     for (const auto& point : stress_points(beam.sections[e], beam.material.nu)) {
       const Vec3 stress = point.S * n;
-      largest = std::max(largest, std::sqrt(stress[0] * stress[0] + 3 * stress.tail<2>().squaredNorm()));
+      largest =
+          std::max(largest, std::sqrt(stress[0] * stress[0] + 3 * stress.tail<2>().squaredNorm()));
     }
   }
   return largest;
@@ -115,10 +141,13 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
   };
   const auto scalar = [](double v) -> Eigen::VectorXd { return Eigen::VectorXd::Constant(1, v); };
   switch (r.kind) {
-    case ResponseKind::Position: return along(view_.frame(s.H.data(), r.at).x);
+    case ResponseKind::Position:
+      return along(view_.frame(s.H.data(), r.at).x);
     case ResponseKind::Velocity:
-      return along(view_.frame(s.H.data(), r.at).R * view_.velocity(s.v.data(), r.at).template head<3>());
-    case ResponseKind::AngularVelocity: return along(view_.velocity(s.v.data(), r.at).template tail<3>());
+      return along(view_.frame(s.H.data(), r.at).R *
+                   view_.velocity(s.v.data(), r.at).template head<3>());
+    case ResponseKind::AngularVelocity:
+      return along(view_.velocity(s.v.data(), r.at).template tail<3>());
     case ResponseKind::Displacement: {
       const Port base{r.at.body, 0, SE3::identity()};
       return along((view_.frame(s.H.data(), base).inverse() * view_.frame(s.H.data(), r.at)).x -
@@ -128,7 +157,8 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
       if (r.everywhere) {
         double largest = 0;
         const int n = model_.bodies[r.body]->elements();
-        for (int k = 1; k < n; ++k) largest = std::max(largest, deflection(r, s, double(k) / n).norm());
+        for (int k = 1; k < n; ++k)
+          largest = std::max(largest, deflection(r, s, double(k) / n).norm());
         return scalar(largest);
       }
       const Eigen::Vector2d offset = deflection(r, s, r.s);
@@ -140,19 +170,26 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
         return scalar(std::abs(beam.nodes[0].R.col(1).dot(normal)) < 0.5 ? offset[0] : offset[1]);
       }
     }
-    case ResponseKind::Elongation: return scalar(elongation(r, s));
+    case ResponseKind::Elongation:
+      return scalar(elongation(r, s));
     case ResponseKind::Coordinate:
       return scalar(joint_coordinates(mechanism_, model_, r.joint, s).at(r.coordinate));
     case ResponseKind::JointForce:
       return scalar(joint_force(mechanism_, model_, r.joint, s).template head<3>().norm());
     case ResponseKind::SectionForce:
-      return scalar(view_.local(model_.bodies[r.body]->section_force(model_.body_state(s, r.body), r.element),
-                                r.body, r.element)[r.component]);
-    case ResponseKind::Stress: return scalar(stress(r, s));
+      return scalar(
+          view_.local(model_.bodies[r.body]->section_force(model_.body_state(s, r.body), r.element),
+                      r.body, r.element)[r.component]);
+    case ResponseKind::Stress:
+      return scalar(stress(r, s));
+    case ResponseKind::Compliance:
+      return scalar(
+          2 * model_.bodies[r.body]->energy(model_.body_state(s, r.body), model_.gravity).elastic);
     case ResponseKind::Energy: {
       double sum = 0;
       for (size_t b = 0; b < model_.bodies.size(); ++b) {
-        const BodyEnergy e = model_.bodies[b]->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity);
+        const BodyEnergy e =
+            model_.bodies[b]->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity);
         sum += e.kinetic + e.elastic + e.potential;
       }
       return scalar(sum);
@@ -173,7 +210,8 @@ const Coupling<G>* find_joint(const Mechanism& mechanism, const Model<G>& model,
 }  // namespace
 
 template <FrameGroup G>
-SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint, const State<G>& s) {
+SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint,
+                         const State<G>& s) {
   SE3::Tangent total = SE3::Tangent::Zero();
   const Coupling<G>* c = find_joint(mechanism, model, joint);
   if (!c) return total;
@@ -203,7 +241,8 @@ std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>
   std::vector<double> q(kCount[static_cast<int>(mechanism.joints[joint].type)], 0.0);
   if (const Coupling<G>* c = find_joint(mechanism, model, joint))
     for (size_t i = 0; i < c->equations.size(); ++i)
-      if (const int k = c->equations[i].coordinate; k >= 0) q[k] = s.q[c->first_row + static_cast<int>(i)];
+      if (const int k = c->equations[i].coordinate; k >= 0)
+        q[k] = s.q[c->first_row + static_cast<int>(i)];
   return q;
 }
 
@@ -211,7 +250,9 @@ template class ResponseValues<SE2>;
 template class ResponseValues<SE3>;
 template SE3::Tangent joint_force(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);
 template SE3::Tangent joint_force(const Mechanism&, const Model<SE3>&, int, const State<SE3>&);
-template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);
-template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE3>&, int, const State<SE3>&);
+template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE2>&, int,
+                                               const State<SE2>&);
+template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE3>&, int,
+                                               const State<SE3>&);
 
 }  // namespace liesl

@@ -41,16 +41,21 @@ class ResponseValues {
 /// Force and moment [6] that a joint transmits to its port b, in b's own axes; and the coordinates
 /// of a joint. `joint` counts the joints of the mechanism.
 template <FrameGroup G>
-SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint, const State<G>& s);
+SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint,
+                         const State<G>& s);
 template <FrameGroup G>
 std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>& model, int joint,
                                       const State<G>& s);
 
 extern template class ResponseValues<SE2>;
 extern template class ResponseValues<SE3>;
-extern template SE3::Tangent joint_force(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);
-extern template SE3::Tangent joint_force(const Mechanism&, const Model<SE3>&, int, const State<SE3>&);
-extern template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);
-extern template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE3>&, int, const State<SE3>&);
+extern template SE3::Tangent joint_force(const Mechanism&, const Model<SE2>&, int,
+                                         const State<SE2>&);
+extern template SE3::Tangent joint_force(const Mechanism&, const Model<SE3>&, int,
+                                         const State<SE3>&);
+extern template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE2>&, int,
+                                                      const State<SE2>&);
+extern template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE3>&, int,
+                                                      const State<SE3>&);
 
 }  // namespace liesl

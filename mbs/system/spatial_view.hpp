@@ -13,7 +13,8 @@ class SpatialView {
   SpatialView(const Mechanism& mechanism, const Model<G>& model) : model_(model) {
     for (size_t b = 0; b < model.bodies.size(); ++b)
       for (int k = 0; k < model.bodies[b]->nodes(); ++k)
-        align_.push_back(model.space.alignment(mechanism.frame({static_cast<int>(b), k, SE3::identity()})));
+        align_.push_back(
+            model.space.alignment(mechanism.frame({static_cast<int>(b), k, SE3::identity()})));
   }
 
   /// Frame of a node; `H` points to the frames of the whole model.

@@ -15,13 +15,14 @@ using Frames = std::vector<G, Eigen::aligned_allocator<G>>;
 
 template <FrameGroup G>
 struct State {
-  double t = 0;            ///< s; in statics the load factor
-  Frames<G> H;             ///< nodal frames, body after body
-  Eigen::VectorXd v;       ///< left-invariant velocities, dim a node
-  Eigen::VectorXd vdot;    ///< their rates
-  Eigen::VectorXd a;       ///< acceleration-like variable of generalized-alpha
-  Eigen::VectorXd lambda;  ///< multipliers of the constraints; the force on the bodies is -B^T lambda
-  Eigen::VectorXd q;       ///< values of all coupling rows (joint coordinates, distances, residuals)
+  double t = 0;          ///< s; in statics the load factor
+  Frames<G> H;           ///< nodal frames, body after body
+  Eigen::VectorXd v;     ///< left-invariant velocities, dim a node
+  Eigen::VectorXd vdot;  ///< their rates
+  Eigen::VectorXd a;     ///< acceleration-like variable of generalized-alpha
+  Eigen::VectorXd
+      lambda;         ///< multipliers of the constraints; the force on the bodies is -B^T lambda
+  Eigen::VectorXd q;  ///< values of all coupling rows (joint coordinates, distances, residuals)
 };
 
 }  // namespace liesl

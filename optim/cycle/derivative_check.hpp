@@ -14,7 +14,8 @@ namespace liesl {
 /// @throws std::runtime_error if the start design cannot be simulated
 template <FrameGroup G>
 DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space<G>& space,
-                                         const SimulationOptions& simulation, const StudySpec& study) {
+                                         const SimulationOptions& simulation,
+                                         const StudySpec& study) {
   const Sizing sizing(study.design, mechanism);
   Eigen::VectorXd x(sizing.size());
   for (int i = 0; i < x.size(); ++i) x[i] = sizing.variables()[i].start;
@@ -25,7 +26,8 @@ DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space
     throw std::runtime_error("the start design cannot be simulated: " + run.report.reason);
   const std::vector<LoadSet> loads = [&] {
     std::vector<LoadSet> sets;
-    for (const int body : limited_bodies(study)) sets.push_back(extract_loads(model, run.trajectory, body));
+    for (const int body : limited_bodies(study))
+      sets.push_back(extract_loads(model, run.trajectory, body));
     return sets;
   }();
   const Analysis<G> at{sized, &model, &run.trajectory, loads};

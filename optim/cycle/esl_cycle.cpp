@@ -15,20 +15,26 @@ namespace liesl {
 
 const char* to_string(CycleStatus status) {
   switch (status) {
-    case CycleStatus::Converged: return "converged";
-    case CycleStatus::CycleLimit: return "cycle limit";
-    case CycleStatus::Oscillating: return "oscillating";
-    case CycleStatus::Infeasible: return "infeasible";
-    case CycleStatus::SimulationFailed: return "simulation failed";
-    case CycleStatus::Interrupted: return "interrupted";
+    case CycleStatus::Converged:
+      return "converged";
+    case CycleStatus::CycleLimit:
+      return "cycle limit";
+    case CycleStatus::Oscillating:
+      return "oscillating";
+    case CycleStatus::Infeasible:
+      return "infeasible";
+    case CycleStatus::SimulationFailed:
+      return "simulation failed";
+    case CycleStatus::Interrupted:
+      return "interrupted";
   }
   return "";
 }
 
 namespace {
 
-constexpr int kMaxRounds = 8;        // screening: optimise, look at all cases, again
-constexpr double kStuck = 1e-6;      // relative change of a design that counts as none
+constexpr int kMaxRounds = 8;    // screening: optimise, look at all cases, again
+constexpr double kStuck = 1e-6;  // relative change of a design that counts as none
 constexpr double kSmallestMove = 1e-3;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -53,8 +59,14 @@ class EslCycle {
  public:
   EslCycle(const Mechanism& mechanism, const Space<G>& space, const SimulationOptions& options,
            const StudySpec& study, const CycleHooks& hooks)
-      : mechanism_(mechanism), space_(space), options_(options), study_(study), hooks_(hooks),
-        sizing_(study.design, mechanism), move_(study.cycle.move_limit), bodies_(limited_bodies(study)) {
+      : mechanism_(mechanism),
+        space_(space),
+        options_(options),
+        study_(study),
+        hooks_(hooks),
+        sizing_(study.design, mechanism),
+        move_(study.cycle.move_limit),
+        bodies_(limited_bodies(study)) {
     result_.factorizations.assign(mechanism.bodies.size(), 0);
   }
 
@@ -86,7 +98,8 @@ class EslCycle {
     for (int i = 0; i < x.size(); ++i) x[i] = sizing_.variables()[i].start;
     if (resume.empty()) return x;
     for (const auto& cycle : resume) {
-      if (cycle.x.size() != x.size()) throw std::invalid_argument("resume: the interrupted run has other variables");
+      if (cycle.x.size() != x.size())
+        throw std::invalid_argument("resume: the interrupted run has other variables");
       result_.history.push_back(cycle);
     }
     Trial<G> first = simulate(resume.front().x);
@@ -108,10 +121,12 @@ class EslCycle {
     result_.steps += report.steps;
     result_.newton_iterations += report.newton_iterations;
     result_.stepping_s += report.stepping_s;
-    for (size_t b = 0; b < report.factorizations.size(); ++b) result_.factorizations[b] += report.factorizations[b];
+    for (size_t b = 0; b < report.factorizations.size(); ++b)
+      result_.factorizations[b] += report.factorizations[b];
     t.mass = mass_of(t.mechanism, study_.mass_of);
     if (report.status != SolveStatus::Converged) return t;
-    for (const int body : bodies_) t.loads.push_back(extract_loads(*t.model, t.simulation.trajectory, body));
+    for (const int body : bodies_)
+      t.loads.push_back(extract_loads(*t.model, t.simulation.trajectory, body));
     measure(t);
     return t;
   }
@@ -121,7 +136,8 @@ class EslCycle {
     const ResponseValues<G> values(t.mechanism, *t.model);
     const auto& trajectory = t.simulation.trajectory;
     State<G> s = t.model->initial_state();
-    for (const auto& c : study_.constraints) t.limits.push_back({c.response.name, c.limit, {}, 0, 0});
+    for (const auto& c : study_.constraints)
+      t.limits.push_back({c.response.name, c.limit, {}, 0, 0});
     for (int n = 0; n < trajectory.size(); ++n) {
       trajectory.read(n, s);
       for (size_t i = 0; i < study_.constraints.size(); ++i) {
@@ -156,7 +172,8 @@ class EslCycle {
       result_.reason = "the simulation of a design failed: " + report.reason;
       return false;
     }
-    result_.warnings.push_back("a design could not be simulated and was taken back half-way: " + report.reason);
+    result_.warnings.push_back("a design could not be simulated and was taken back half-way: " +
+                               report.reason);
     x = 0.5 * (x + result_.history.back().x);
     return true;
   }
@@ -171,7 +188,8 @@ class EslCycle {
     c.worst_time = trial.worst_time;
     c.move = move_;
     if (last_ && last_->loads.size() == trial.loads.size() && same_instants(*last_, trial))
-      c.load_change = load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length);
+      c.load_change =
+          load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length);
     if (result_.history.empty()) keep_initial(trial);
     result_.history.push_back(c);
     keep_best(trial, x);
@@ -196,7 +214,9 @@ class EslCycle {
     const bool meets = trial.worst <= allowed;
     if (best_) {
       const bool best_meets = best_->worst <= allowed;
-      const bool better = meets != best_meets ? meets : meets ? trial.mass <= best_->mass : trial.worst < best_->worst;
+      const bool better = meets != best_meets ? meets
+                          : meets             ? trial.mass <= best_->mass
+                                              : trial.worst < best_->worst;
       if (!better) return;
     }
     best_ = std::move(trial);
@@ -206,24 +226,28 @@ class EslCycle {
   bool finished(const Trial<G>& trial, const Cycle& cycle, int number) {
     const auto& o = study_.cycle;
     const auto& h = result_.history;
-    if (h.size() >= 2 && cycle.load_change && *cycle.load_change < o.tolerance && trial.worst <= o.feasibility &&
+    if (h.size() >= 2 && cycle.load_change && *cycle.load_change < o.tolerance &&
+        trial.worst <= o.feasibility &&
         std::abs(cycle.mass - h[h.size() - 2].mass) <= o.objective_tolerance * cycle.mass) {
       result_.status = CycleStatus::Converged;
-      result_.reason = fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}", *cycle.load_change,
-                                   std::abs(cycle.mass / h[h.size() - 2].mass - 1), trial.worst);
+      result_.reason = fmt::format(
+          "loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}", *cycle.load_change,
+          std::abs(cycle.mass / h[h.size() - 2].mass - 1), trial.worst);
       return true;
     }
     if (oscillates()) {
       move_ *= 0.5;
       if (move_ < kSmallestMove) {
         result_.status = CycleStatus::Oscillating;
-        result_.reason = "the designs go to and fro although the move limits shrank; the best one is returned";
+        result_.reason =
+            "the designs go to and fro although the move limits shrank; the best one is returned";
         return true;
       }
     }
     if (number > o.max) {
       result_.status = CycleStatus::CycleLimit;
-      result_.reason = fmt::format("{} cycles are used up; loads still changed by {:.2g}", o.max, cycle.load_change.value_or(1));
+      result_.reason = fmt::format("{} cycles are used up; loads still changed by {:.2g}", o.max,
+                                   cycle.load_change.value_or(1));
       return true;
     }
     return false;
@@ -233,8 +257,11 @@ class EslCycle {
   bool oscillates() const {
     const auto& h = result_.history;
     if (h.size() < 4) return false;
-    const auto change = [&](size_t back) { return h[h.size() - back].mass - h[h.size() - back - 1].mass; };
-    return change(1) * change(2) < 0 && change(2) * change(3) < 0 && std::abs(change(1)) > 0.7 * std::abs(change(3));
+    const auto change = [&](size_t back) {
+      return h[h.size() - back].mass - h[h.size() - back - 1].mass;
+    };
+    return change(1) * change(2) < 0 && change(2) * change(3) < 0 &&
+           std::abs(change(1)) > 0.7 * std::abs(change(3));
   }
 
   NlpResult optimise(StaticSizing<G>& problem) const {
@@ -242,12 +269,16 @@ class EslCycle {
     options.tolerance = 1e-7;
     options.feasibility = 1e-7;
     switch (study_.cycle.optimizer) {
-      case Optimizer::Mma: return solve_nlopt(problem, NloptMethod::Mma, options);
-      case Optimizer::Ccsaq: return solve_nlopt(problem, NloptMethod::Ccsaq, options);
-      case Optimizer::Slsqp: return solve_nlopt(problem, NloptMethod::Slsqp, options);
-      case Optimizer::Ipopt: break;
+      case Optimizer::Mma:
+        return solve_nlopt(problem, NloptMethod::Mma, options);
+      case Optimizer::Ccsaq:
+        return solve_nlopt(problem, NloptMethod::Ccsaq, options);
+      case Optimizer::Slsqp:
+        return solve_nlopt(problem, NloptMethod::Slsqp, options);
+      case Optimizer::Ipopt:
+        break;
     }
-    if (study_.cycle.model == NlpModel::Separable || !problem.has_hessian()) {
+    if (study_.cycle.model == NlpModel::Separable) {
       options.tolerance = 1e-6;
       return solve_separable(problem, options);
     }
@@ -256,7 +287,8 @@ class EslCycle {
 
   /// The static optimum under the loads of this cycle, then a step towards the fixed point.
   Eigen::VectorXd size(const Trial<G>& trial, Cycle& cycle) {
-    const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory, trial.loads};
+    const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory,
+                         trial.loads};
     StaticSizing<G> problem(at, sizing_, study_, cycle.x, move_);
     NlpResult answer;
     for (int round = 0; round < kMaxRounds; ++round) {
@@ -271,8 +303,8 @@ class EslCycle {
     return cycle.next;
   }
 
-  /// Secant step on x -> G(x), the answer of the static problem (Anderson 1965, depth one): loads that
-  /// follow the mass make the plain cycle halve its error only.
+  /// Secant step on x -> G(x), the answer of the static problem (Anderson 1965, depth one): loads
+  /// that follow the mass make the plain cycle halve its error only.
   Eigen::VectorXd accelerated(const Cycle& cycle, const Eigen::VectorXd& answer) {
     Eigen::VectorXd next = answer;
     const Eigen::VectorXd change = answer - cycle.x;
@@ -294,8 +326,10 @@ class EslCycle {
     if (cycle.worst <= study_.cycle.feasibility || cycle.next.size() == 0) return false;
     if ((cycle.next - cycle.x).norm() > kStuck * cycle.x.norm()) return false;
     result_.status = CycleStatus::Infeasible;
-    result_.reason = fmt::format("'{}' cannot be met within the bounds: it stays {:.3g} % above its limit at t = {:.6g} s; "
-                                 "widen the bounds or the limit", cycle.worst_constraint, 100 * cycle.worst, cycle.worst_time);
+    result_.reason = fmt::format(
+        "'{}' cannot be met within the bounds: it stays {:.3g} % above its limit at t = {:.6g} s; "
+        "widen the bounds or the limit",
+        cycle.worst_constraint, 100 * cycle.worst, cycle.worst_time);
     return true;
   }
 
@@ -306,10 +340,12 @@ class EslCycle {
     result_.worst = best_->worst;
     result_.final = best_->limits;
     for (const auto& loads : best_->loads)
-      result_.identity.emplace_back(loads.body, check_identity(*best_->model, best_->simulation.trajectory, loads));
+      result_.identity.emplace_back(
+          loads.body, check_identity(*best_->model, best_->simulation.trajectory, loads));
     for (int n = 0; n < best_->simulation.trajectory.size(); ++n)
       result_.times.push_back(best_->simulation.trajectory.time(n));
-    if (!result_.history.empty()) result_.load_change = result_.history.back().load_change.value_or(0);
+    if (!result_.history.empty())
+      result_.load_change = result_.history.back().load_change.value_or(0);
     for (const auto& w : best_->simulation.report.warnings) result_.warnings.push_back(w);
     result_.mechanism = best_->mechanism;
     result_.model = best_->model;
@@ -334,14 +370,15 @@ class EslCycle {
 }  // namespace
 
 template <FrameGroup G>
-CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space, const SimulationOptions& simulation,
-                         const StudySpec& study, const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space,
+                         const SimulationOptions& simulation, const StudySpec& study,
+                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   return EslCycle<G>(mechanism, space, simulation, study, hooks).run(resume);
 }
 
-template CycleResult<SE2> run_cycle(const Mechanism&, const Space<SE2>&, const SimulationOptions&, const StudySpec&,
-                                    const CycleHooks&, const std::vector<Cycle>&);
-template CycleResult<SE3> run_cycle(const Mechanism&, const Space<SE3>&, const SimulationOptions&, const StudySpec&,
-                                    const CycleHooks&, const std::vector<Cycle>&);
+template CycleResult<SE2> run_cycle(const Mechanism&, const Space<SE2>&, const SimulationOptions&,
+                                    const StudySpec&, const CycleHooks&, const std::vector<Cycle>&);
+template CycleResult<SE3> run_cycle(const Mechanism&, const Space<SE3>&, const SimulationOptions&,
+                                    const StudySpec&, const CycleHooks&, const std::vector<Cycle>&);
 
 }  // namespace liesl

@@ -8,7 +8,7 @@
 
 #include "esl/load_set.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 #include "optim/design/sizing.hpp"
 
 namespace liesl {
@@ -26,9 +26,9 @@ const char* to_string(CycleStatus status);
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
   int number = 0;
-  Eigen::VectorXd x;                  ///< simulated design, m
-  double mass = 0;                    ///< kg
-  double worst = 0;                   ///< largest |r|/limit - 1 over all steps and limits
+  Eigen::VectorXd x;  ///< simulated design, m
+  double mass = 0;    ///< kg
+  double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
   std::string worst_constraint;
   double worst_time = 0;              ///< s
   std::optional<double> load_change;  ///< against the cycle before
@@ -36,7 +36,7 @@ struct Cycle {
   int iterations = 0;                 ///< of the optimiser
   double move = 0;                    ///< move limit
   double seconds = 0;
-  Eigen::VectorXd next;               ///< what the static problem answered; empty in the last cycle
+  Eigen::VectorXd next;  ///< what the static problem answered; empty in the last cycle
 };
 
 /// A limited response over the records: |value| of each.
@@ -59,13 +59,13 @@ struct CycleResult {
   std::vector<double> times;
   std::vector<LimitSeries> initial, final;
   std::vector<double> times_initial;
-  Mechanism mechanism;                 ///< final
-  std::shared_ptr<Model<G>> model;     ///< final
-  Simulation<G> simulation;            ///< final
+  Mechanism mechanism;                             ///< final
+  std::shared_ptr<Model<G>> model;                 ///< final
+  Simulation<G> simulation;                        ///< final
   std::vector<std::pair<int, Identity>> identity;  ///< by body, final
   long steps = 0, newton_iterations = 0;           ///< of all simulations
   double stepping_s = 0;
-  std::vector<int> factorizations;                 ///< by body, all simulations
+  std::vector<int> factorizations;  ///< by body, all simulations
   std::vector<std::string> warnings;
 };
 
@@ -77,13 +77,15 @@ struct CycleHooks {
 /// Runs the cycle. `resume`: the cycles of an interrupted run with the same study; goes on with
 /// their last answer. @throws std::invalid_argument for a study that does not fit the mechanism
 template <FrameGroup G>
-CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space, const SimulationOptions& simulation,
-                         const StudySpec& study, const CycleHooks& hooks = {},
-                         const std::vector<Cycle>& resume = {});
+CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space,
+                         const SimulationOptions& simulation, const StudySpec& study,
+                         const CycleHooks& hooks = {}, const std::vector<Cycle>& resume = {});
 
-extern template CycleResult<SE2> run_cycle(const Mechanism&, const Space<SE2>&, const SimulationOptions&,
-                                           const StudySpec&, const CycleHooks&, const std::vector<Cycle>&);
-extern template CycleResult<SE3> run_cycle(const Mechanism&, const Space<SE3>&, const SimulationOptions&,
-                                           const StudySpec&, const CycleHooks&, const std::vector<Cycle>&);
+extern template CycleResult<SE2> run_cycle(const Mechanism&, const Space<SE2>&,
+                                           const SimulationOptions&, const StudySpec&,
+                                           const CycleHooks&, const std::vector<Cycle>&);
+extern template CycleResult<SE3> run_cycle(const Mechanism&, const Space<SE3>&,
+                                           const SimulationOptions&, const StudySpec&,
+                                           const CycleHooks&, const std::vector<Cycle>&);
 
 }  // namespace liesl

@@ -20,7 +20,11 @@ ConstraintId row_id(int limit, int load_case) {
 template <FrameGroup G>
 StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const StudySpec& study,
                               const Eigen::VectorXd& x0, double move)
-    : sizing_(sizing), study_(study), mechanism_(at.mechanism), model_(*at.model), space_(at.model->space) {
+    : sizing_(sizing),
+      study_(study),
+      mechanism_(at.mechanism),
+      model_(*at.model),
+      space_(at.model->space) {
   variables_ = sizing.variables();
   for (int i = 0; i < sizing.size(); ++i) {
     variables_[i].start = x0[i];
@@ -33,8 +37,9 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
     part.problem.set_loads(part.loads->f);
     part.problem.solve(stiffness(part));
   }
+  update_outputs();
   for (size_t p = 0; p < parts_.size(); ++p)
-    parts_[p].correction = dynamic_outputs(at, static_cast<int>(p)) - parts_[p].problem.y();
+    parts_[p].correction = dynamic_outputs(at, static_cast<int>(p)) - parts_[p].y;
   screen();
 }
 
@@ -58,7 +63,10 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
     const auto support = study_.supports.find(loads.body);
     HeldPart held = read_support(support == study_.supports.end() ? Support{} : support->second,
                                  at.mechanism, model_, loads.body);
-    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, {}, {}};
+    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, {}, {},
+              false,      {}};
+    for (size_t i = before; i < limits_.size(); ++i)
+      part.compliance |= kind_of(limits_[i]) == ResponseKind::Compliance;
     for (int e = 0; e < beam.elements(); ++e)
       part.align.push_back(space_.alignment(at.mechanism.frame({loads.body, e, SE3::identity()})));
     parts_.push_back(std::move(part));
@@ -67,8 +75,9 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
 
 /// The limits on one body and the outputs they are made of.
 template <FrameGroup G>
-void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body, std::vector<Eigen::MatrixXd>& outputs) {
-  int column = 0;
+void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body,
+                                  std::vector<Eigen::MatrixXd>& outputs) {
+  int column = 0, compliance = -1;
   const auto add = [&](int constraint, Eigen::MatrixXd c) {
     limits_.push_back({constraint, 0, column, static_cast<int>(c.cols()), -1, -1});
     column += static_cast<int>(c.cols());
@@ -80,14 +89,18 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body, std::vector<E
     const int index = static_cast<int>(i);
     if (limited_body(r) != body) continue;
     if (r.kind == ResponseKind::Stress) {
-      stress_ = true;
+      second_derivatives_ = false;
       const auto& spec = std::get<BeamSpec>(at.mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {
-        const int points = static_cast<int>(stress_points(spec.sections[e], spec.material.nu).size());
+        const int points =
+            static_cast<int>(stress_points(spec.sections[e], spec.material.nu).size());
         for (int p = 0; p < points; ++p) limits_.push_back({index, 0, column, dim, e, p});
         outputs.push_back(StaticPart<G>::strain_output(beam, e));
         column += dim;
       }
+    } else if (r.kind == ResponseKind::Compliance) {
+      second_derivatives_ = false;
+      compliance = index;
     } else if (r.everywhere) {
       r.everywhere = false;
       for (int k = 1; k < beam.elements(); ++k) {
@@ -98,12 +111,14 @@ void StaticSizing<G>::add_outputs(const Analysis<G>& at, int body, std::vector<E
       add(index, gradient_at_rest(at, r));
     }
   }
+  if (compliance >= 0) limits_.push_back({compliance, 0, column, 1, -1, -1});
 }
 
 /// Gradient of a response with respect to the increments of its body at the reference shape, by
 /// fourth-order differences.
 template <FrameGroup G>
-Eigen::MatrixXd StaticSizing<G>::gradient_at_rest(const Analysis<G>& at, const ResponseSpec& r) const {
+Eigen::MatrixXd StaticSizing<G>::gradient_at_rest(const Analysis<G>& at,
+                                                  const ResponseSpec& r) const {
   const ResponseValues<G> values(at.mechanism, model_);
   State<G> s = model_.initial_state();
   const int body = limited_body(r);
@@ -118,7 +133,8 @@ Eigen::MatrixXd StaticSizing<G>::gradient_at_rest(const Analysis<G>& at, const R
         s.H[first + k] = rest * G::exp(d * G::Tangent::Unit(i));
         return values(r, s);
       };
-      c.row(dim * k + i) = ((8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h)).transpose();
+      c.row(dim * k + i) =
+          ((8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h)).transpose();
       s.H[first + k] = rest;
     }
   return c;
@@ -129,7 +145,7 @@ template <FrameGroup G>
 Eigen::MatrixXd StaticSizing<G>::dynamic_outputs(const Analysis<G>& at, int part) const {
   const ResponseValues<G> values(at.mechanism, model_);
   const int body = parts_[part].body;
-  Eigen::MatrixXd y(parts_[part].problem.outputs(), at.trajectory->size());
+  Eigen::MatrixXd y(parts_[part].outputs(), at.trajectory->size());
   State<G> s = model_.initial_state();
   for (int n = 0; n < at.trajectory->size(); ++n) {
     at.trajectory->read(n, s);
@@ -139,7 +155,8 @@ Eigen::MatrixXd StaticSizing<G>::dynamic_outputs(const Analysis<G>& at, int part
       if (limit.part != part || limit.first <= filled) continue;
       filled = limit.first;
       if (limit.element >= 0) {
-        y.col(n).segment(limit.first, dim) = model_.bodies[body]->strain(model_.body_state(s, body), limit.element);
+        y.col(n).segment(limit.first, dim) =
+            model_.bodies[body]->strain(model_.body_state(s, body), limit.element);
         continue;
       }
       ResponseSpec r = study_.constraints[limit.constraint].response;
@@ -165,12 +182,23 @@ typename StaticSizing<G>::Law StaticSizing<G>::stiffness(const Part& part) const
 }
 
 template <FrameGroup G>
-typename StaticSizing<G>::StressRows StaticSizing<G>::stress_rows(const Part& part, int e, int point) const {
+typename StaticSizing<G>::StressRows StaticSizing<G>::stress_rows(const Part& part, int e,
+                                                                  int point) const {
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
   const auto S = stress_points(beam.sections[e], beam.material.nu)[point].S;
   StressRows rows;
-  for (int j = 0; j < dim; ++j) rows.col(j) = S * space_.embed_local(G::Tangent::Unit(j), part.align[e]);
+  for (int j = 0; j < dim; ++j)
+    rows.col(j) = S * space_.embed_local(G::Tangent::Unit(j), part.align[e]);
   return rows;
+}
+
+template <FrameGroup G>
+void StaticSizing<G>::update_outputs() {
+  for (auto& part : parts_) {
+    part.y.resize(part.outputs(), part.problem.cases());
+    part.y.topRows(part.problem.outputs()) = part.problem.y();
+    if (part.compliance) part.y.bottomRows(1) = part.problem.compliance();
+  }
 }
 
 template <FrameGroup G>
@@ -188,7 +216,8 @@ void StaticSizing<G>::update_stress_of_strain() {
 }
 
 template <FrameGroup G>
-double StaticSizing<G>::limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const {
+double StaticSizing<G>::limit_value(const Limit& limit, const Eigen::VectorXd& y,
+                                    Eigen::VectorXd* slope) const {
   if (limit.element < 0) {
     const double v = y.norm();
     if (slope) *slope = v > 0 ? Eigen::VectorXd(y / v) : Eigen::VectorXd::Zero(y.size());
@@ -198,22 +227,27 @@ double StaticSizing<G>::limit_value(const Limit& limit, const Eigen::VectorXd& y
   const Vec3 s = SK * y;
   const Vec3 weighted(s[0], 3 * s[1], 3 * s[2]);
   const double v = std::sqrt(s.dot(weighted));
-  if (slope) *slope = v > 0 ? Eigen::VectorXd(SK.transpose() * weighted / v) : Eigen::VectorXd::Zero(y.size());
+  if (slope)
+    *slope =
+        v > 0 ? Eigen::VectorXd(SK.transpose() * weighted / v) : Eigen::VectorXd::Zero(y.size());
   return v;
 }
 
 /// Part of d(stress)/dx_i at fixed strain: the section itself changes.
 template <FrameGroup G>
-double StaticSizing<G>::explicit_stress_slope(const Limit& limit, const Eigen::VectorXd& y, int i) const {
+double StaticSizing<G>::explicit_stress_slope(const Limit& limit, const Eigen::VectorXd& y,
+                                              int i) const {
   const Part& part = parts_[limit.part];
   bool touches = false;
-  for (const auto& at : sizing_.elements(i)) touches |= at.body == part.body && at.element == limit.element;
+  for (const auto& at : sizing_.elements(i))
+    touches |= at.body == part.body && at.element == limit.element;
   if (!touches) return 0;
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
   const Section& section = beam.sections[limit.element];
   const SE3& align = part.align[limit.element];
   const typename G::Matrix K = space_.reduce_law(section_law(section, beam.material).K, align);
-  const typename G::Matrix dK = space_.reduce_law(sizing_.derivative(mechanism_, i, {part.body, limit.element}).K, align);
+  const typename G::Matrix dK =
+      space_.reduce_law(sizing_.derivative(mechanism_, i, {part.body, limit.element}).K, align);
   const StressRows S = stress_rows(part, limit.element, limit.point);
   Eigen::Matrix<double, 3, 6> dS = Eigen::Matrix<double, 3, 6>::Zero();
   for (const auto& name : sizing_.dimensions(i))
@@ -229,7 +263,7 @@ double StaticSizing<G>::explicit_stress_slope(const Limit& limit, const Eigen::V
 template <FrameGroup G>
 Eigen::VectorXd StaticSizing<G>::outputs_of(const Limit& limit, int kept) const {
   const Part& part = parts_[limit.part];
-  return part.problem.y().col(kept).segment(limit.first, limit.count) +
+  return part.y.col(kept).segment(limit.first, limit.count) +
          part.correction.col(part.kept[kept]).segment(limit.first, limit.count);
 }
 
@@ -254,7 +288,8 @@ void StaticSizing<G>::screen() {
   for (size_t l = 0; l < limits_.size(); ++l) {
     std::vector<int> order(value[l].size());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return value[l][a] > value[l][b]; });
+    std::stable_sort(order.begin(), order.end(),
+                     [&](int a, int b) { return value[l][a] > value[l][b]; });
     const bool many = limits_[l].element >= 0;  // stress: hundreds of points share one constraint
     for (size_t k = 0; k < order.size(); ++k)
       if ((!many && static_cast<int>(k) < o.min_cases) ||
@@ -283,13 +318,16 @@ void StaticSizing<G>::retain(const std::vector<std::vector<int>>& cases) {
         part.kept.push_back(n);
       }
       rows_.push_back({static_cast<int>(l), place});
-      constraints_.push_back({row_id(static_cast<int>(l), n),
-                              fmt::format("{} at t = {:.6g} s", study_.constraints[limits_[l].constraint].response.name,
-                                          part.loads->t[n]), 1.0});
+      constraints_.push_back(
+          {row_id(static_cast<int>(l), n),
+           fmt::format("{} at t = {:.6g} s",
+                       study_.constraints[limits_[l].constraint].response.name, part.loads->t[n]),
+           1.0});
     }
   for (auto& part : parts_) {
     Eigen::MatrixXd f(part.loads->f.rows(), part.kept.size());
-    for (size_t k = 0; k < part.kept.size(); ++k) f.col(static_cast<int>(k)) = part.loads->f.col(part.kept[k]);
+    for (size_t k = 0; k < part.kept.size(); ++k)
+      f.col(static_cast<int>(k)) = part.loads->f.col(part.kept[k]);
     part.problem.set_loads(f);
   }
 }
@@ -304,7 +342,8 @@ int StaticSizing<G>::load_cases() const {
 template <FrameGroup G>
 int StaticSizing<G>::add_violated(const Eigen::VectorXd& x, double tolerance) {
   std::vector<std::vector<int>> cases(limits_.size());
-  for (const auto& row : rows_) cases[row.limit].push_back(parts_[limits_[row.limit].part].kept[row.kept]);
+  for (const auto& row : rows_)
+    cases[row.limit].push_back(parts_[limits_[row.limit].part].kept[row.kept]);
   for (auto& part : parts_) {
     part.kept.resize(part.loads->t.size());
     std::iota(part.kept.begin(), part.kept.end(), 0);
@@ -333,6 +372,7 @@ bool StaticSizing<G>::solve(const Eigen::VectorXd& x) {
   mechanism_ = sizing_.apply(mechanism_, x);
   for (auto& part : parts_)
     if (!part.problem.solve(stiffness(part))) return false;
+  update_outputs();
   update_stress_of_strain();
   return true;
 }
@@ -343,9 +383,11 @@ void StaticSizing<G>::values(const Eigen::VectorXd& x, double& f, Eigen::VectorX
   f = mass_of(mechanism_, study_.mass_of);
   for (size_t i = 0; i < rows_.size(); ++i) {
     const Limit& limit = limits_[rows_[i].limit];
-    g[static_cast<int>(i)] = solved ? limit_value(limit, outputs_of(limit, rows_[i].kept), nullptr) /
-                                              study_.constraints[limit.constraint].limit - 1
-                                    : std::numeric_limits<double>::quiet_NaN();
+    g[static_cast<int>(i)] = solved
+                                 ? limit_value(limit, outputs_of(limit, rows_[i].kept), nullptr) /
+                                           study_.constraints[limit.constraint].limit -
+                                       1
+                                 : std::numeric_limits<double>::quiet_NaN();
   }
 }
 
@@ -358,14 +400,19 @@ void StaticSizing<G>::gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, Row
   dy_.assign(parts_.size(), {});
   for (int i = 0; i < sizing_.size(); ++i) {
     for (size_t p = 0; p < parts_.size(); ++p)
-      dy_[p].push_back(Eigen::MatrixXd::Zero(parts_[p].problem.outputs(), parts_[p].problem.cases()));
+      dy_[p].push_back(Eigen::MatrixXd::Zero(parts_[p].outputs(), parts_[p].problem.cases()));
     for (const auto& at : sizing_.elements(i)) {
       const SectionLaw d = sizing_.derivative(mechanism_, i, at);
       if (in_mass(at.body))
-        df[i] += d.M(0, 0) * element_length(std::get<BeamSpec>(mechanism_.bodies[at.body].kind), at.element);
+        df[i] += d.M(0, 0) *
+                 element_length(std::get<BeamSpec>(mechanism_.bodies[at.body].kind), at.element);
       for (size_t p = 0; p < parts_.size(); ++p)
-        if (parts_[p].body == at.body)
-          parts_[p].problem.add_gradient(at.element, space_.reduce_law(d.K, parts_[p].align[at.element]), dy_[p][i]);
+        if (parts_[p].body == at.body) {
+          const typename G::Matrix dK = space_.reduce_law(d.K, parts_[p].align[at.element]);
+          parts_[p].problem.add_gradient(at.element, dK, dy_[p][i]);
+          if (parts_[p].compliance)
+            dy_[p][i].bottomRows(1) += parts_[p].problem.compliance_gradient(at.element, dK);
+        }
     }
   }
   for (size_t r = 0; r < rows_.size(); ++r) {
@@ -383,13 +430,15 @@ void StaticSizing<G>::gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, Row
 }
 
 template <FrameGroup G>
-std::vector<typename StaticSizing<G>::Law> StaticSizing<G>::stiffness_derivatives(const Part& part) const {
+std::vector<typename StaticSizing<G>::Law> StaticSizing<G>::stiffness_derivatives(
+    const Part& part) const {
   std::vector<Law> dK(sizing_.size());
   for (int i = 0; i < sizing_.size(); ++i)
     for (const auto& at : sizing_.elements(i)) {
       if (at.body != part.body) continue;
       if (dK[i].empty()) dK[i].assign(part.align.size(), G::Matrix::Zero());
-      dK[i][at.element] = space_.reduce_law(sizing_.derivative(mechanism_, i, at).K, part.align[at.element]);
+      dK[i][at.element] =
+          space_.reduce_law(sizing_.derivative(mechanism_, i, at).K, part.align[at.element]);
     }
   return dK;
 }
@@ -408,16 +457,19 @@ void StaticSizing<G>::hessian(const Eigen::VectorXd&, double sigma, const Eigen:
             second[i][j].push_back({a, sizing_.second_derivative(mechanism_, i, j, a)});
     for (int j = 0; j <= i; ++j)
       for (const auto& [at, law] : second[i][j])
-        if (std::find(study_.mass_of.begin(), study_.mass_of.end(), at.body) != study_.mass_of.end())
-          h(i, j) += sigma * law.M(0, 0) *
-                     element_length(std::get<BeamSpec>(mechanism_.bodies[at.body].kind), at.element);
+        if (std::find(study_.mass_of.begin(), study_.mass_of.end(), at.body) !=
+            study_.mass_of.end())
+          h(i, j) +=
+              sigma * law.M(0, 0) *
+              element_length(std::get<BeamSpec>(mechanism_.bodies[at.body].kind), at.element);
   }
   for (size_t p = 0; p < parts_.size(); ++p) {
     const Part& part = parts_[p];
-    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(part.problem.outputs(), part.problem.cases());
+    Eigen::MatrixXd w = Eigen::MatrixXd::Zero(part.outputs(), part.problem.cases());
     for (size_t r = 0; r < rows_.size(); ++r) {
       const Limit& limit = limits_[rows_[r].limit];
-      const double weight = lambda[static_cast<int>(r)] / study_.constraints[limit.constraint].limit;
+      const double weight =
+          lambda[static_cast<int>(r)] / study_.constraints[limit.constraint].limit;
       if (limit.part != static_cast<int>(p) || weight == 0) continue;
       const int kept = rows_[r].kept;
       const Eigen::VectorXd y = outputs_of(limit, kept);

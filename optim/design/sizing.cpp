@@ -11,7 +11,8 @@ namespace {
 const BeamSpec& beam_of(const Mechanism& mechanism, int body) {
   const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies.at(body).kind);
   if (!beam)
-    throw std::invalid_argument(fmt::format("design: '{}' is rigid; expected a beam", mechanism.bodies[body].name));
+    throw std::invalid_argument(
+        fmt::format("design: '{}' is rigid; expected a beam", mechanism.bodies[body].name));
   return *beam;
 }
 
@@ -25,7 +26,9 @@ double start_value(const DesignSpec& spec, const Section& section, int group) {
   return spec.start.size() == 1 ? spec.start[0] : spec.start.at(group);
 }
 
-SectionLaw scaled_sum(const SectionLaw& a, double f, const SectionLaw& b) { return {a.K + f * b.K, a.M + f * b.M}; }
+SectionLaw scaled_sum(const SectionLaw& a, double f, const SectionLaw& b) {
+  return {a.K + f * b.K, a.M + f * b.M};
+}
 
 }  // namespace
 
@@ -41,8 +44,9 @@ Sizing::Sizing(const std::vector<DesignSpec>& design, const Mechanism& mechanism
         const auto& beam = beam_of(mechanism, body);
         const int n = static_cast<int>(beam.sections.size());
         if (spec.groups > n)
-          throw std::invalid_argument(fmt::format("design '{}': {} groups on the {} elements of '{}'", spec.name,
-                                                  spec.groups, n, mechanism.bodies[body].name));
+          throw std::invalid_argument(
+              fmt::format("design '{}': {} groups on the {} elements of '{}'", spec.name,
+                          spec.groups, n, mechanism.bodies[body].name));
         const auto [first, last] = group_range(g, spec.groups, n);
         for (int e = first; e < last; ++e) at.push_back({body, e});
         if (body == spec.bodies.front()) v.start = start_value(spec, beam.sections[first], g);
@@ -59,7 +63,8 @@ Mechanism Sizing::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) co
   for (int i = 0; i < size(); ++i)
     for (const auto& at : elements_[i]) {
       Section& section = std::get<BeamSpec>(sized.bodies[at.body].kind).sections[at.element];
-      for (const auto& name : dimensions_[i]) section.shape = with_dimension(section.shape, name, x[i]);
+      for (const auto& name : dimensions_[i])
+        section.shape = with_dimension(section.shape, name, x[i]);
     }
   return sized;
 }
@@ -68,11 +73,13 @@ SectionLaw Sizing::derivative(const Mechanism& mechanism, int i, SizedElement at
   const auto& beam = beam_of(mechanism, at.body);
   SectionLaw sum{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
   for (const auto& name : dimensions_[i])
-    sum = scaled_sum(sum, 1, section_law_derivative(beam.sections[at.element], beam.material, name));
+    sum =
+        scaled_sum(sum, 1, section_law_derivative(beam.sections[at.element], beam.material, name));
   return sum;
 }
 
-SectionLaw Sizing::second_derivative(const Mechanism& mechanism, int i, int j, SizedElement at) const {
+SectionLaw Sizing::second_derivative(const Mechanism& mechanism, int i, int j,
+                                     SizedElement at) const {
   const auto& beam = beam_of(mechanism, at.body);
   const double h = 1e-5 * dimension(beam.sections[at.element].shape, dimensions_[j].front());
   const auto at_step = [&](double step) {
@@ -101,7 +108,8 @@ double mass_of(const Mechanism& mechanism, const std::vector<int>& bodies) {
     }
     const auto& beam = std::get<BeamSpec>(mechanism.bodies[b].kind);
     for (size_t e = 0; e < beam.sections.size(); ++e)
-      mass += section_law(beam.sections[e], beam.material).M(0, 0) * element_length(beam, static_cast<int>(e));
+      mass += section_law(beam.sections[e], beam.material).M(0, 0) *
+              element_length(beam, static_cast<int>(e));
   }
   return mass;
 }

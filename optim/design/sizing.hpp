@@ -3,7 +3,7 @@
 /// Sizing variables: dimensions of beam sections, grouped along a beam, linked between beams.
 
 #include "mbs/model/mechanism.hpp"
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 #include "optim/nlp/problem.hpp"
 
 namespace liesl {

@@ -6,7 +6,7 @@
 #include "liegroup/se3.hpp"
 #include "mbs/model/time_function.hpp"
 #ifdef WITH_OPTIM
-#include "optim/cycle/study.hpp"
+#include "optim/study/study.hpp"
 #endif
 
 int main() {

@@ -15,13 +15,13 @@ namespace liesl {
 /// runs of neighbouring elements. Gives the variables name[0] .. name[groups - 1].
 struct DesignSpec {
   std::string name;
-  std::vector<int> bodies;    ///< linked: the same values in each
+  std::vector<int> bodies;  ///< linked: the same values in each
   /// Dimensions of the section that take the value: {"diameter"}, or several that are linked, as
   /// {"width", "height"} of a square box.
   std::vector<std::string> properties;
-  int groups = 1;             ///< >= 1, divides into the elements as evenly as possible
+  int groups = 1;               ///< >= 1, divides into the elements as evenly as possible
   double lower = 0, upper = 0;  ///< m
-  std::vector<double> start;  ///< empty = as in the scene; else one value or one a group
+  std::vector<double> start;    ///< empty = as in the scene; else one value or one a group
 };
 
 struct ConstraintSpec {
@@ -39,13 +39,14 @@ enum class NlpModel { Exact, Separable };
 using Support = std::vector<std::string>;
 
 struct CycleOptions {
-  int max = 30;                    ///< cycles
-  double tolerance = 1e-3;         ///< of the relative change of the loads (thesis eq. 3.25)
-  double objective_tolerance = 1e-3;   ///< of the relative change of the objective
-  double feasibility = 1e-3;       ///< allowed relative violation of a limit
-  double move_limit = 0.5;         ///< largest relative change of a variable in a cycle, at first
-  double screening = 0.3;          ///< keep load cases within this of a constraint's largest
-  int min_cases = 10;              ///< kept per constraint
+  int max = 30;                       ///< cycles
+  double tolerance = 1e-3;            ///< of the relative change of the loads (thesis eq. 3.25)
+  double objective_tolerance = 1e-3;  ///< of the relative change of the objective
+  double feasibility = 1e-3;          ///< allowed relative violation of a limit
+  double move_limit = 0.5;  ///< largest relative change of a variable in a cycle, at first
+  double screening = 0.1;   ///< keep load cases within this of a constraint's largest;
+                            ///< others that turn out to violate it are added
+  int min_cases = 10;       ///< kept per constraint
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
 };
@@ -68,7 +69,8 @@ struct StudySpec {
 inline std::vector<int> limited_bodies(const StudySpec& study) {
   std::vector<int> bodies;
   for (const auto& c : study.constraints)
-    if (const int b = limited_body(c.response); std::find(bodies.begin(), bodies.end(), b) == bodies.end())
+    if (const int b = limited_body(c.response);
+        std::find(bodies.begin(), bodies.end(), b) == bodies.end())
       bodies.push_back(b);
   return bodies;
 }

@@ -1,0 +1,200 @@
+/// @file
+/// The joint system against a dense solve of the whole saddle point.
+
+#include "mbs/solvers/joint_system.hpp"
+
+#include <functional>
+
+#include "mbs/run.hpp"
+
+namespace liesl {
+namespace {
+
+using testing::Random;
+
+/// Slider-crank with a spring and a damper on joints, a spring between two points and an actuator.
+Mechanism scene() {
+  reference::SliderCrank p;
+  p.elements = 3;
+  auto m = reference::slider_crank(p);
+  ForceSpec spring;
+  spring.name = "spring";
+  spring.joint = 1;
+  spring.stiffness = 40;
+  spring.damping = 0.3;
+  ForceSpec rope;
+  rope.name = "rope";
+  rope.a.offset = SE3(Mat3::Identity(), {0.1, 0.3, 0});
+  rope.b = {1, 2};
+  rope.stiffness = 900;
+  ForceSpec motor;
+  motor.name = "motor";
+  motor.joint = 2;
+  motor.force = TimeFunction::constant(3);
+  m.forces = {spring, rope, motor};
+  return m;
+}
+
+template <class G>
+class JointSystemTest : public ::testing::Test {
+ protected:
+  static constexpr int width = G::dim;
+  static Space<G> space() {
+    if constexpr (G::space_dim == 2)
+      return *find_plane(scene()).plane;
+    else
+      return {};
+  }
+  JointSystemTest()
+      : model(Model<G>::build(scene(), space())), eq(model), s(model.initial_state()) {
+    for (auto& H : s.H) H = H * G::exp(typename G::Tangent(1e-2 * random.vector(width)));
+    s.v = random.vector(model.size());
+    s.vdot = random.vector(model.size());
+    s.lambda = random.vector(model.constraints());
+    eq.evaluate(s, s.q, {0.01, 1});
+  }
+
+  Eigen::MatrixXd dense(const BlockTridiagonal<width>& A) const {
+    Eigen::MatrixXd m = Eigen::MatrixXd::Zero(A.size(), A.size());
+    for (int k = 0; k < A.blocks(); ++k) {
+      m.block(width * k, width * k, width, width) = A.D[std::size_t(k)];
+      if (k + 1 == A.blocks()) break;
+      m.block(width * k, width * (k + 1), width, width) = A.U[std::size_t(k)];
+      m.block(width * (k + 1), width * k, width, width) = A.L[std::size_t(k)];
+    }
+    return m;
+  }
+
+  /// [A + C^T k C, B^T; B, 0] with A of the bodies, C the rows of springs and dampers.
+  void solve_dense(const std::function<BlockTridiagonal<width>(int)>& body, double gamma,
+                   bool compliant, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda) const {
+    const int n = model.size(), c = model.constraints();
+    Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n + c, n + c);
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      const int at = width * model.first_node(int(b)), size = model.bodies[b]->size();
+      S.block(at, at, size, size) = dense(body(int(b)));
+    }
+    for (std::size_t j = 0; j < model.couplings.size(); ++j) {
+      const auto& coupling = model.couplings[j];
+      for (int i = 0; i < coupling.active; ++i) {
+        Eigen::VectorXd row = Eigen::VectorXd::Zero(n + c);
+        const auto B = eq.couplings[j].B.row(i);
+        if (coupling.a.body >= 0)
+          row.segment<width>(width * coupling.a.node) += B.template head<width>().transpose();
+        if (coupling.b.body >= 0)
+          row.segment<width>(width * coupling.b.node) += B.template tail<width>().transpose();
+        const auto& law = coupling.equations[std::size_t(i)].law;
+        if (i < coupling.constraints) {
+          S.row(n + coupling.first_constraint + i) = row.transpose();
+          S.col(n + coupling.first_constraint + i) = row;
+        } else if (compliant) {
+          S += (law.stiffness + gamma * law.damping) * row * row.transpose();
+        }
+      }
+    }
+    Eigen::VectorXd rhs(n + c);
+    rhs << -eq.r, -eq.phi;
+    // Rows and columns of the constraints in the size of A, for the sake of the pivots.
+    Eigen::VectorXd d = Eigen::VectorXd::Ones(n + c);
+    d.tail(c) *= S.diagonal().cwiseAbs().maxCoeff();
+    const Eigen::VectorXd x = d.asDiagonal() * (d.asDiagonal() * S * d.asDiagonal())
+                                                   .eval()
+                                                   .partialPivLu()
+                                                   .solve(d.asDiagonal() * rhs)
+                                                   .eval();
+    delta = x.head(n);
+    dlambda = x.tail(c);
+  }
+
+  /// Multipliers to a relative 1e-9, positions likewise.
+  void expect_same(JointSystem<G>& system, bool compliant,
+                   const std::function<BlockTridiagonal<width>(int)>& body, double gamma) {
+    Eigen::VectorXd delta, dlambda = s.lambda, x, y;
+    ASSERT_TRUE(system.solve(eq, delta, dlambda, compliant));
+    solve_dense(body, gamma, compliant, x, y);
+    EXPECT_LT((delta - x).norm(), 1e-8 * x.norm());
+    EXPECT_LT((dlambda - y).norm(), 1e-8 * y.norm());
+  }
+
+  Random random{11};
+  Model<G> model;
+  Equations<G> eq;
+  State<G> s;
+};
+
+using Groups = ::testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(JointSystemTest, Groups);
+
+constexpr TangentWeights kWeights{4e8, 2e4};
+
+TYPED_TEST(JointSystemTest, ConstantTangent) {
+  JointSystem<TypeParam> system(this->model);
+  ASSERT_TRUE(system.factor(kWeights));
+  const auto body = [&](int b) {
+    BlockTridiagonal<TypeParam::dim> A(this->model.bodies[std::size_t(b)]->nodes());
+    const auto& part = *this->model.bodies[std::size_t(b)];
+    A.set_sum(kWeights.mass, part.mass(), 1 + kWeights.damping * part.damping(), part.stiffness());
+    return A;
+  };
+  this->expect_same(system, true, body, kWeights.damping);
+  this->expect_same(system, false, body, kWeights.damping);
+}
+
+TYPED_TEST(JointSystemTest, ExactTangent) {
+  JointSystem<TypeParam> system(this->model);
+  ASSERT_TRUE(system.factor_exact(this->s, kWeights));
+  const auto body = [&](int b) {
+    const auto& part = *this->model.bodies[std::size_t(b)];
+    BlockTridiagonal<TypeParam::dim> A(part.nodes());
+    part.exact_tangent(this->model.body_state(this->s, b), this->model.gravity, kWeights, nullptr,
+                       A);
+    return A;
+  };
+  this->expect_same(system, true, body, kWeights.damping);
+}
+
+TYPED_TEST(JointSystemTest, MassAlone) {
+  JointSystem<TypeParam> system(this->model);
+  ASSERT_TRUE(system.factor({1, 0}, 0));
+  this->expect_same(
+      system, false, [&](int b) { return this->model.bodies[std::size_t(b)]->mass(); }, 0);
+}
+
+/// The exact tangent of the bodies is the derivative of their residual along
+/// (H, v, vdot) += (delta, gamma' delta, beta' delta).
+TYPED_TEST(JointSystemTest, ExactTangentIsTheDerivativeOfTheResidual) {
+  using G = TypeParam;
+  constexpr int dim = G::dim;
+  const TangentWeights w{5e3, 40};
+  for (std::size_t b = 0; b < this->model.bodies.size(); ++b) {
+    const auto& body = *this->model.bodies[b];
+    const int first = this->model.first_node(int(b));
+    const auto residual = [&](const Eigen::VectorXd& delta) {
+      State<G> at = this->s;
+      for (int k = 0; k < body.nodes(); ++k)
+        at.H[std::size_t(first + k)] =
+            at.H[std::size_t(first + k)] * G::exp(typename G::Tangent(delta.segment<dim>(dim * k)));
+      at.v.segment(dim * first, body.size()) += w.damping * delta;
+      at.vdot.segment(dim * first, body.size()) += w.mass * delta;
+      Eigen::VectorXd r = Eigen::VectorXd::Zero(body.size());
+      ForceScale scale;
+      const auto state = this->model.body_state(at, int(b));
+      body.add_internal(state, r.data(), scale);
+      body.add_inertia(state, Body<G>::Vector::Zero(), r.data(), scale);
+      return r;
+    };
+    BlockTridiagonal<dim> A(body.nodes());
+    body.exact_tangent(this->model.body_state(this->s, int(b)), Body<G>::Vector::Zero(), w, nullptr,
+                       A);
+    const Eigen::VectorXd direction = this->random.vector(body.size());
+    Eigen::VectorXd exact = Eigen::VectorXd::Zero(body.size());
+    A.multiply_add(direction.data(), exact.data());
+    const double h = 1e-6;
+    const Eigen::VectorXd difference =
+        (residual(h * direction) - residual(-h * direction)) / (2 * h);
+    EXPECT_LT((difference - exact).norm(), 1e-7 * exact.norm()) << body.name;
+  }
+}
+
+}  // namespace
+}  // namespace liesl

@@ -1,0 +1,134 @@
+#pragma once
+/// @file
+/// Runs a mechanism in a test and reads what came out.
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <memory>
+#include <random>
+
+#include "mbs/solvers/dynamics.hpp"
+#include "mbs/system/plane.hpp"
+#include "reference/mechanisms.hpp"
+
+namespace liesl::testing {
+
+template <class G>
+struct Run {
+  std::unique_ptr<Model<G>> model;
+  DynamicResult<G> result;
+  const Trajectory<G>& trajectory() const { return result.trajectory; }
+  const Report& report() const { return result.report; }
+  int last() const { return trajectory().size() - 1; }
+  /// Record at time t. @pre the records are `every` seconds apart
+  int at(double t, double every) const { return int(std::lround(t / every)); }
+};
+
+template <class G>
+Run<G> run(const Mechanism& m, const Space<G>& space, const SimulationOptions& options) {
+  Run<G> r;
+  r.model = std::make_unique<Model<G>>(Model<G>::build(m, space));
+  r.result = simulate(*r.model, options);
+  return r;
+}
+inline Run<SE3> run_spatial(const Mechanism& m, const SimulationOptions& options) {
+  return run<SE3>(m, {}, options);
+}
+inline Run<SE2> run_planar(const Mechanism& m, const SimulationOptions& options) {
+  const auto search = find_plane(m);
+  if (!search.plane) throw std::runtime_error("not planar: " + search.reason);
+  return run<SE2>(m, *search.plane, options);
+}
+
+inline SimulationOptions options(double duration, double step, double rho = 0.8,
+                                 double tolerance = 1e-6) {
+  SimulationOptions o;
+  o.duration = duration;
+  o.step = step;
+  o.rho_inf = rho;
+  o.tolerance = tolerance;
+  return o;
+}
+
+/// Number in State::q of a joint coordinate, -1 if the coupling does not keep it.
+template <class G>
+int row_of(const Model<G>& model, int coupling, int coordinate) {
+  const auto& c = model.couplings[std::size_t(coupling)];
+  for (std::size_t i = 0; i < c.equations.size(); ++i)
+    if (c.equations[i].coordinate == coordinate) return c.first_row + int(i);
+  return -1;
+}
+
+/// Wrench of a joint's multipliers on its port b, in the axes of b: -B_b^T lambda.
+template <class G>
+typename G::Tangent joint_wrench(const Model<G>& model, const G* H, const Eigen::VectorXd& lambda,
+                                 int coupling) {
+  const auto& c = model.couplings[std::size_t(coupling)];
+  const Frames<G> frames(H, H + model.nodes());
+  const RelativeMotion<G> motion(c.a.frame(frames), c.b.frame(frames));
+  typename G::Tangent wrench = G::Tangent::Zero();
+  for (int i = 0; i < c.constraints; ++i) {
+    typename Row<G>::Gradient g;
+    c.equations[std::size_t(i)].row.gradient(motion, g);
+    wrench -= lambda[c.first_constraint + i] * g.template tail<G::dim>();
+  }
+  return wrench;
+}
+
+/// Kinetic + elastic + potential energy of a state, J.
+template <class G>
+BodyEnergy energy(const Model<G>& model, const State<G>& s) {
+  BodyEnergy sum;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyEnergy e = model.bodies[b]->energy(model.body_state(s, int(b)), model.gravity);
+    sum.kinetic += e.kinetic;
+    sum.elastic += e.elastic;
+    sum.potential += e.potential;
+  }
+  return sum;
+}
+template <class G>
+double total_energy(const Run<G>& r, int record) {
+  State<G> s = r.model->initial_state();
+  r.trajectory().read(record, s);
+  const BodyEnergy e = energy(*r.model, s);
+  return e.kinetic + e.elastic + e.potential;
+}
+
+/// Largest offset of the middle node from the chord of a chain of nodes first .. first + n.
+template <class G>
+double largest_chord_offset(const Trajectory<G>& t, int first, int n) {
+  double largest = 0;
+  for (int i = 0; i < t.size(); ++i) {
+    const G* H = t.frames(i) + first;
+    const auto chord = ((H[n].x - H[0].x).normalized()).eval();
+    const auto d = (H[n / 2].x - H[0].x).eval();
+    largest = std::max(largest, (d - chord * chord.dot(d)).norm());
+  }
+  return largest;
+}
+
+/// Numbers in [-1, 1] that are the same in every run.
+class Random {
+ public:
+  explicit Random(unsigned seed) : engine_(seed) {}
+  double operator()() { return distribution_(engine_); }
+  Eigen::VectorXd vector(int n) {
+    return Eigen::VectorXd::NullaryExpr(n, [this] { return (*this)(); });
+  }
+  Eigen::MatrixXd matrix(int rows, int columns) {
+    return Eigen::MatrixXd::NullaryExpr(rows, columns, [this] { return (*this)(); });
+  }
+  /// Symmetric positive definite.
+  Eigen::MatrixXd spd(int n) {
+    const Eigen::MatrixXd a = matrix(n, n);
+    return a * a.transpose() + 0.5 * Eigen::MatrixXd::Identity(n, n);
+  }
+
+ private:
+  std::mt19937 engine_;
+  std::uniform_real_distribution<double> distribution_{-1, 1};
+};
+
+}  // namespace liesl::testing
