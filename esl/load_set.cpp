@@ -9,6 +9,7 @@ namespace liesl {
 namespace {
 
 constexpr int kMaxNewton = 40;
+constexpr double kRoundOff = 1e-9;  // of the part's length: a correction that Newton's method ends with
 
 /// Makes node 0 fixed: its rows and columns become those of the identity.
 template <int N>
@@ -41,7 +42,8 @@ bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
   std::vector<Tangent, Eigen::aligned_allocator<Tangent>> stress(beam.elements(), Tangent::Zero());
   BlockTridiagonal<G::dim> A(beam.nodes());
   BlockTridiagonalLU<G::dim> lu;
-  double best = std::numeric_limits<double>::infinity();
+  double best = std::numeric_limits<double>::infinity(), moved = best, length = 0;
+  for (int e = 0; e < beam.elements(); ++e) length += beam.element(e).length();
   for (int i = 0; i < kMaxNewton; ++i) {
     const BodyState<G> s{H.data(), rest.data(), rest.data()};
     Eigen::VectorXd r = -f;
@@ -50,12 +52,13 @@ bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
     r.head<G::dim>().setZero();
     const double size = r.norm();
     if (!std::isfinite(size)) return false;
-    if (size >= best && size <= 1e-9 * f.norm()) return true;  // round-off: no better is possible
+    if (size == 0 || (size >= best && moved <= kRoundOff * length)) return true;  // no better is possible
     best = std::min(best, size);
     beam.exact_tangent(s, Body<G>::Vector::Zero(), {}, stress.data(), A);
     hold_first_node(A);
     if (!lu.factor(A)) return false;
     lu.solve(r.data());
+    moved = r.norm();
     for (int e = 0; e < beam.elements(); ++e) {
       const auto& element = beam.element(e);
       const Tangent d = G::log(H[e].inverse() * H[e + 1]);
@@ -127,14 +130,16 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, 
   BlockTridiagonalLU<G::dim> lu;
   lu.factor(K);
   Identity identity;
+  double largest = 0;
   for (const int n : chosen_cases(loads, cases)) {
     const Strains<G> dynamic = strains<G>(beam, trajectory.frames(n) + model.first_node(loads.body));
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
+    largest = std::max(largest, size);
     ++identity.cases;
     Frames<G> H;
     const bool solved = solve_nonlinear<G>(beam, loads.f.col(n), H);
-    const double off = solved ? (strains<G>(beam, H.data()) - dynamic).cwiseAbs().maxCoeff() / size
+    const double off = solved ? (strains<G>(beam, H.data()) - dynamic).cwiseAbs().maxCoeff()
                               : std::numeric_limits<double>::infinity();
     identity.nonlinear = std::max(identity.nonlinear, off);
     Eigen::VectorXd u = loads.f.col(n);
@@ -143,8 +148,12 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, 
     for (int e = 0; e < beam.elements(); ++e) {
       const auto& element = beam.element(e);
       const typename G::Tangent eps = BeamElement<G>::P(element.d0()) * u.segment<2 * G::dim>(G::dim * e) / element.length();
-      identity.linear = std::max(identity.linear, (eps - dynamic.col(e)).cwiseAbs().maxCoeff() / size);
+      identity.linear = std::max(identity.linear, (eps - dynamic.col(e)).cwiseAbs().maxCoeff());
     }
+  }
+  if (largest > 0) {
+    identity.nonlinear /= largest;
+    identity.linear /= largest;
   }
   return identity;
 }

@@ -1,8 +1,10 @@
 #include "esl/static_part.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <set>
 #include <stdexcept>
 
@@ -23,6 +25,21 @@ std::vector<int> directions(const std::string& letters) {
   return out;
 }
 
+/// A rigid motion h of node 0, [size of G] increments: that of node k is Ad(H_k^-1 H_0) h.
+template <FrameGroup G>
+typename StaticPart<G>::Law rigid_motions(const Beam<G>& beam) {
+  typename StaticPart<G>::Law motions;
+  for (const auto& H : beam.reference) motions.push_back((H.inverse() * beam.reference[0]).Ad());
+  return motions;
+}
+
+template <FrameGroup G>
+typename G::Matrix held_motions(const typename StaticPart<G>::Law& rigid, const std::vector<int>& fixed) {
+  typename G::Matrix held;
+  for (int i = 0; i < G::dim; ++i) held.row(i) = rigid[fixed[i] / G::dim].row(fixed[i] % G::dim);
+  return held;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -33,6 +50,8 @@ HeldPart read_support(const std::vector<std::string>& support, const Mechanism& 
   std::vector<std::string> places = support.empty() ? std::vector<std::string>{"start"} : support;
   if (places[0] == "inertia_relief") {
     held.inertia_relief = true;
+    if (model.bodies[body]->total_mass() <= 0)
+      throw std::invalid_argument(fmt::format("support of '{}': inertia relief of a part without mass; expected a density, or nodes that hold it", name));
     places = {"start"};
   }
   std::set<int> fixed;
@@ -53,18 +72,25 @@ HeldPart read_support(const std::vector<std::string>& support, const Mechanism& 
     throw std::invalid_argument(fmt::format("support of '{}' holds {} directions; expected {}, as many as the part has rigid motions",
                                             name, fixed.size(), G::dim));
   held.fixed.assign(fixed.begin(), fixed.end());
+  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  const typename G::Matrix motions = held_motions<G>(rigid_motions(beam), held.fixed);
+  if (Eigen::FullPivLU<typename G::Matrix>(motions).setThreshold(1e-9).rank() < G::dim)
+    throw std::invalid_argument(fmt::format("support of '{}' leaves it a rigid motion: '{}'; expected directions that hold it, as start",
+                                            name, fmt::join(places, "', '")));
   return held;
 }
 
 template <FrameGroup G>
 StaticPart<G>::StaticPart(const Beam<G>& beam, HeldPart held, Eigen::MatrixXd outputs)
-    : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), K_(beam.nodes()) {
+    : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), rigid_(rigid_motions(beam)) {
   for (int e = 0; e < beam.elements(); ++e) {
-    P0_.push_back(BeamElement<G>::P(beam.element(e).d0()));
+    const auto& d = beam.element(e).d0();
+    P0_.push_back(BeamElement<G>::P(d));
+    T_.push_back(G::T(d));
+    back_.push_back(G::exp(-d).Ad());
     length_.push_back(beam.element(e).length());
   }
-  strain_u_.resize(P0_.size());
-  strain_mu_.resize(P0_.size());
+  held_inverse_ = held_motions<G>(rigid_, held_.fixed).inverse();
 }
 
 template <FrameGroup G>
@@ -79,40 +105,48 @@ void StaticPart<G>::set_loads(const Eigen::MatrixXd& f) {
 }
 
 template <FrameGroup G>
-void StaticPart<G>::solve_columns(Eigen::MatrixXd& x) const {
-  for (const int i : held_.fixed) x.row(i).setZero();
-  for (int n = 0; n < x.cols(); ++n) lu_.solve(x.col(n).data());
+void StaticPart<G>::solve_column(double* x, std::vector<Strain>& strain, int column) const {
+  using Tangent = typename G::Tangent;
+  using Node = Eigen::Map<Tangent>;
+  const int n = static_cast<int>(P0_.size());
+  Tangent resultant = Tangent::Zero();
+  for (const int i : held_.fixed) x[i] = 0;
+  for (int k = 0; k <= n; ++k) resultant += rigid_[k].transpose() * Node(x + dim * k);
+  const Tangent reaction = -held_inverse_.transpose() * resultant;
+  for (int i = 0; i < dim; ++i) x[held_.fixed[i]] = reaction[i];
+  for (int e = n - 1; e >= 0; --e) {
+    const Tangent carried = Node(x + dim * (e + 1));  // P_B^T n_e, all that acts beyond
+    strain[e].col(column) = flexibility_[e] * (T_[e].transpose() * carried);
+    Node(x + dim * e) += back_[e].transpose() * carried;
+  }
+  Node(x).setZero();
+  for (int e = 0; e < n; ++e)
+    Node(x + dim * (e + 1)) = T_[e] * strain[e].col(column) + back_[e] * Node(x + dim * e);
+  Tangent gap;
+  for (int i = 0; i < dim; ++i) gap[i] = x[held_.fixed[i]];
+  const Tangent motion = held_inverse_ * gap;
+  for (int k = 0; k <= n; ++k) Node(x + dim * k) -= rigid_[k] * motion;
+  for (const int i : held_.fixed) x[i] = 0;
+}
+
+template <FrameGroup G>
+void StaticPart<G>::solve_columns(Eigen::MatrixXd& x, std::vector<Strain>& strain) const {
+  strain.assign(P0_.size(), Strain(dim, x.cols()));
+  for (int n = 0; n < x.cols(); ++n) solve_column(x.col(n).data(), strain, n);
 }
 
 template <FrameGroup G>
 bool StaticPart<G>::solve(const Law& K_s) {
-  K_.set_zero();
-  for (size_t e = 0; e < P0_.size(); ++e)
-    K_.add_element(static_cast<int>(e), (P0_[e].transpose() * K_s[e] * P0_[e] / length_[e]).eval());
-  for (const int i : held_.fixed) {
-    const int k = i / dim, row = i % dim;
-    K_.D[k].row(row).setZero();
-    K_.D[k].col(row).setZero();
-    K_.D[k](row, row) = 1;
-    if (k > 0) {
-      K_.U[k - 1].col(row).setZero();
-      K_.L[k - 1].row(row).setZero();
-    }
-    if (k + 1 < K_.blocks()) {
-      K_.U[k].row(row).setZero();
-      K_.L[k].col(row).setZero();
-    }
+  flexibility_.resize(K_s.size());
+  for (size_t e = 0; e < K_s.size(); ++e) {
+    flexibility_[e] = length_[e] * K_s[e].inverse();
+    if (!flexibility_[e].allFinite()) return false;
   }
-  if (!lu_.factor(K_)) return false;
   u_ = f_;
-  solve_columns(u_);
+  solve_columns(u_, strain_u_);
   mu_ = C_;
-  solve_columns(mu_);
+  solve_columns(mu_, strain_mu_);
   y_ = C_.transpose() * u_;
-  for (size_t e = 0; e < P0_.size(); ++e) {
-    strain_u_[e] = P0_[e] * u_.middleRows<2 * dim>(dim * static_cast<int>(e));
-    strain_mu_[e] = P0_[e] * mu_.middleRows<2 * dim>(dim * static_cast<int>(e));
-  }
   return u_.allFinite() && mu_.allFinite();
 }
 
@@ -128,13 +162,11 @@ Eigen::RowVectorXd StaticPart<G>::compliance_gradient(int e, const Matrix& dK_s)
 }
 
 template <FrameGroup G>
-Eigen::MatrixXd StaticPart<G>::multiply(const Law& dK, const Eigen::MatrixXd& u) const {
-  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(u.rows(), u.cols());
-  for (size_t e = 0; e < P0_.size(); ++e) {
-    const int row = dim * static_cast<int>(e);
-    out.middleRows<2 * dim>(row) +=
-        P0_[e].transpose() * (dK[e] * (P0_[e] * u.middleRows<2 * dim>(row))) / length_[e];
-  }
+Eigen::MatrixXd StaticPart<G>::multiply(const Law& dK, const std::vector<Strain>& strain) const {
+  Eigen::MatrixXd out = Eigen::MatrixXd::Zero(beam_.size(), strain.front().cols());
+  for (size_t e = 0; e < P0_.size(); ++e)
+    out.middleRows<2 * dim>(dim * static_cast<int>(e)) +=
+        P0_[e].transpose() * (dK[e] * strain[e]) / length_[e];
   return out;
 }
 
@@ -142,19 +174,15 @@ template <FrameGroup G>
 void StaticPart<G>::add_second(const std::vector<Law>& dK, const Second& d2K, const Eigen::MatrixXd& w,
                                Eigen::MatrixXd& h) const {
   // The sum over cases goes into the displacement: ubar_o = sum_n w(o, n) u_n, one an output.
-  const Eigen::MatrixXd ubar = u_ * w.transpose();
+  std::vector<Strain> ubar, unused;
+  for (const auto& strain : strain_u_) ubar.push_back(strain * w.transpose());
   const int n = static_cast<int>(dK.size());
-  std::vector<Eigen::MatrixXd> K_ubar(n), K_mu(n), solved(n);
+  std::vector<Eigen::MatrixXd> K_mu(n), solved(n);
   for (int i = 0; i < n; ++i) {
     if (dK[i].empty()) continue;
-    K_ubar[i] = multiply(dK[i], ubar);
-    K_mu[i] = multiply(dK[i], mu_);
-    for (const int f : held_.fixed) {
-      K_ubar[i].row(f).setZero();
-      K_mu[i].row(f).setZero();
-    }
-    solved[i] = K_ubar[i];
-    solve_columns(solved[i]);
+    K_mu[i] = multiply(dK[i], strain_mu_);
+    solved[i] = multiply(dK[i], ubar);
+    solve_columns(solved[i], unused);
   }
   for (int i = 0; i < n; ++i)
     for (int j = 0; j <= i; ++j) {

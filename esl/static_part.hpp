@@ -1,8 +1,13 @@
 #pragma once
 /// @file
 /// The static problem of one isolated part, K(p) u = f, for many load cases and many linear
-/// outputs y = C^T u: one factorisation a design, gradients of all outputs in all cases from one
-/// more solution an output (thesis eq. 3.23-3.24).
+/// outputs y = C^T u; gradients of all outputs in all cases from one more solution an output
+/// (thesis eq. 3.23-3.24).
+///
+/// A beam that is held determinately is solved by statics, not by factoring K: equilibrium gives the
+/// reactions and section forces, K_s^-1 the strains, and their sum along the chain the displacement.
+/// That costs less than a factorisation and keeps all digits; K of n slender elements loses
+/// n^3 kGA L^2/EI of them (nine with 100 elements and shear that is made rigid).
 
 #include <string>
 #include <vector>
@@ -21,7 +26,8 @@ struct HeldPart {
 
 /// Reads {"start"}, {"node3:xyz,rx", "end:yz"} or {"inertia_relief"} for a beam body; x, y, z, rx,
 /// ry, rz are local axes of the node.
-/// @throws std::invalid_argument: no such node, letters, or not exactly as many as rigid motions
+/// @throws std::invalid_argument: no such node, letters, not exactly as many as rigid motions, or
+///         such that a rigid motion remains
 template <FrameGroup G>
 HeldPart read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
                       const Model<G>& model, int body);
@@ -39,8 +45,8 @@ class StaticPart {
 
   /// Loads of the cases [size x n] from here on; balanced if the part has inertia relief.
   void set_loads(const Eigen::MatrixXd& f);
-  /// Section stiffnesses K_s of the elements. Factors, solves all cases and all outputs.
-  /// @returns false if K is singular
+  /// Section stiffnesses K_s of the elements. Solves all cases and all outputs.
+  /// @returns false if a K_s is singular
   bool solve(const Law& K_s);
 
   int cases() const { return static_cast<int>(f_.cols()); }
@@ -68,9 +74,11 @@ class StaticPart {
   static Eigen::MatrixXd strain_output(const Beam<G>& beam, int element);
 
  private:
-  /// K' u for a change of sections, [size x columns].
-  Eigen::MatrixXd multiply(const Law& dK, const Eigen::MatrixXd& u) const;
-  void solve_columns(Eigen::MatrixXd& x) const;
+  /// K' u for a change of sections, [size x columns], from the strains P0 u.
+  Eigen::MatrixXd multiply(const Law& dK, const std::vector<Strain>& strain) const;
+  /// x <- K^-1 x by columns; `strain`: P0 x by element.
+  void solve_columns(Eigen::MatrixXd& x, std::vector<Strain>& strain) const;
+  void solve_column(double* x, std::vector<Strain>& strain, int column) const;
 
   const Beam<G>& beam_;
   HeldPart held_;
@@ -78,8 +86,10 @@ class StaticPart {
   std::vector<typename BeamElement<G>::Gradient, Eigen::aligned_allocator<typename BeamElement<G>::Gradient>> P0_;
   std::vector<double> length_;
   std::vector<Strain> strain_u_, strain_mu_;  ///< P0 u, P0 mu by element
-  BlockTridiagonal<dim> K_;
-  BlockTridiagonalLU<dim> lu_;
+  Law T_, back_;                  ///< by element: T(d0), Ad(exp(-d0)): u_B = T P0 u + Ad u_A
+  Law rigid_;                     ///< by node: increments of the rigid motions, about node 0
+  Matrix held_inverse_;           ///< (rigid motions at the held increments)^-1
+  Law flexibility_;               ///< by element: L K_s^-1
 };
 
 extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&, int);

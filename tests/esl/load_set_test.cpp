@@ -1,0 +1,182 @@
+/// @file
+/// Equivalent static loads: they give the deformation back, they balance each other, they do not
+/// know where in space the mechanism runs.
+#include "esl/load_set.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "esl/static_part.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl {
+namespace {
+
+using test::Changes;
+using test::Motion;
+
+constexpr int kCrank = 0, kRod = 1;
+
+Scene slider_crank(Changes changes = {}) {
+  changes.push_back("simulation.duration=0.06");
+  return test::shipped_scene("slider_crank", changes);
+}
+
+template <FrameGroup G>
+Motion<G> run(const Scene& scene) {
+  return Motion<G>(scene.mechanism, scene.simulation);
+}
+
+template <class G>
+class Loads : public testing::Test {};
+using Groups = testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(Loads, Groups);
+
+TYPED_TEST(Loads, GiveTheDeformationBackInTheNonlinearProblem) {
+  const auto motion = run<TypeParam>(slider_crank());
+  ASSERT_TRUE(motion.good());
+  for (const int body : {kCrank, kRod}) {
+    const LoadSet loads = extract_loads(motion.model, motion.trajectory(), body);
+    const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
+    EXPECT_GE(identity.cases, 18);
+    EXPECT_LT(identity.nonlinear, 1e-10) << body;
+    EXPECT_GT(identity.linear, 1e-7) << "the linear problem is another one";
+  }
+}
+
+TYPED_TEST(Loads, BalanceEachOtherInTheDeformedShape) {
+  using G = TypeParam;
+  const auto motion = run<G>(slider_crank());
+  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), kRod);
+  double largest = 0;
+  for (int n = 0; n < loads.f.cols(); ++n) {
+    const G* H = motion.trajectory().frames(n) + motion.model.first_node(kRod);
+    typename G::Tangent sum = G::Tangent::Zero();
+    for (int k = 0; k < motion.model.bodies[kRod]->nodes(); ++k)
+      sum += (H[k].inverse() * H[0]).Ad().transpose() *
+             loads.f.col(n).template segment<G::dim>(G::dim * k);
+    largest = std::max(largest, sum.norm());
+  }
+  EXPECT_LT(largest, 1e-11 * loads.f.cwiseAbs().maxCoeff());
+}
+
+/// Largest error of the strains of K_t u = f over the motion, relative to the largest strain of the
+/// motion. Not to the strain of the same instant: an axial force N on a rod with almost no bending
+/// adds N L^2/(pi^2 EI) of that little bending in the deformed shape, which no linear problem
+/// knows.
+struct LinearError {
+  double strain = 0, error = 0;
+};
+
+template <FrameGroup G>
+LinearError linear_error(const Scene& scene) {
+  const auto motion = run<G>(scene);
+  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), kRod);
+  const auto& beam = dynamic_cast<const Beam<G>&>(*motion.model.bodies[kRod]);
+  Eigen::MatrixXd C(beam.size(), 0);
+  typename StaticPart<G>::Law K;
+  for (int e = 0; e < beam.elements(); ++e) {
+    const Eigen::MatrixXd c = StaticPart<G>::strain_output(beam, e);
+    C.conservativeResize(beam.size(), C.cols() + G::dim);
+    C.rightCols(G::dim) = c;
+    K.push_back(beam.element(e).section_stiffness());
+  }
+  StaticPart<G> part(beam, read_support({}, motion.mechanism, motion.model, kRod), C);
+  part.set_loads(loads.f);
+  EXPECT_TRUE(part.solve(K));
+  LinearError result;
+  State<G> s = motion.model.initial_state();
+  for (int n = 0; n < motion.trajectory().size(); ++n) {
+    motion.trajectory().read(n, s);
+    for (int e = 0; e < beam.elements(); ++e) {
+      const auto eps = beam.strain(motion.model.body_state(s, kRod), e);
+      const auto linear = part.y().col(n).template segment<G::dim>(G::dim * e);
+      result.strain = std::max(result.strain, eps.cwiseAbs().maxCoeff());
+      result.error = std::max(result.error, (linear - eps).cwiseAbs().maxCoeff());
+    }
+  }
+  result.error /= result.strain;
+  return result;
+}
+
+TYPED_TEST(Loads, GiveTheDeformationBackToFirstOrderInStrainInTheLinearProblem) {
+  // The stiffer, the smaller the strain; the motion stays about the same.
+  const LinearError soft = linear_error<TypeParam>(slider_crank({"materials.steel.E=8.4e11"}));
+  const LinearError stiff = linear_error<TypeParam>(slider_crank({"materials.steel.E=8.4e13"}));
+  const double slope = std::log(soft.error / stiff.error) / std::log(soft.strain / stiff.strain);
+  EXPECT_GT(soft.strain / stiff.strain, 10);
+  EXPECT_NEAR(slope, 1, 0.15) << soft.strain << " " << soft.error << ", " << stiff.strain << " "
+                              << stiff.error;
+}
+
+/// The whole scene moved by g.
+Mechanism moved(Mechanism m, const SE3& g) {
+  m.gravity = g.R * m.gravity;
+  for (auto& body : m.bodies) {
+    body.velocity = g.R * body.velocity;
+    body.angular_velocity = g.R * body.angular_velocity;
+    if (auto* beam = std::get_if<BeamSpec>(&body.kind))
+      for (auto& node : beam->nodes) node = g * node;
+    if (auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+      rigid->frame = g * rigid->frame;
+      for (auto& [name, x] : rigid->points) x = g.R * x + g.x;
+    }
+  }
+  for (auto& joint : m.joints) {
+    joint.axis = g.R * joint.axis;
+    joint.axis2 = g.R * joint.axis2;
+    for (Port* port : {&joint.a, &joint.b})
+      if (port->body < 0) port->offset = g * port->offset;
+  }
+  return m;
+}
+
+TYPED_TEST(Loads, DoNotChangeWhenTheSceneIsMoved) {
+  const Scene scene = slider_crank();
+  const SE3 g = SE3::exp((SE3::Tangent() << 0.1, -0.2, 0.15, 0.9, -0.4, 1.3).finished());
+  const Motion<TypeParam> here(scene.mechanism, scene.simulation);
+  const Motion<TypeParam> there(moved(scene.mechanism, g), scene.simulation);
+  ASSERT_TRUE(here.good() && there.good());
+  for (const int body : {kCrank, kRod}) {
+    const LoadSet a = extract_loads(here.model, here.trajectory(), body);
+    const LoadSet b = extract_loads(there.model, there.trajectory(), body);
+    EXPECT_LT((a.f - b.f).norm(), 1e-9 * a.f.norm()) << body;
+  }
+}
+
+TEST(LoadSets, ArePlanarAsInSpace) {
+  const Scene scene = slider_crank();
+  const auto plane = run<SE2>(scene);
+  const auto space = run<SE3>(scene);
+  const LoadSet flat = extract_loads(plane.model, plane.trajectory(), kRod);
+  const LoadSet full = extract_loads(space.model, space.trajectory(), kRod);
+  const auto& beam = std::get<BeamSpec>(scene.mechanism.bodies[kRod].kind);
+  Eigen::MatrixXd lifted(full.f.rows(), full.f.cols());
+  for (int k = 0; k < static_cast<int>(beam.nodes.size()); ++k)
+    for (int n = 0; n < full.f.cols(); ++n)
+      lifted.col(n).segment<6>(6 * k) = plane.model.space.embed_local(
+          flat.f.col(n).segment<3>(3 * k), plane.model.space.alignment(beam.nodes[k]));
+  EXPECT_LT((lifted - full.f).norm(), 1e-9 * full.f.norm());
+}
+
+TEST(LoadSets, ChangeIsRelativeWithMomentsOverLength) {
+  LoadSet before{0, {0, 1}, Eigen::MatrixXd::Zero(3, 2)}, after = before;
+  before.f << 3, 0, 4, 0, 0, 10;  // sizes 5 and 10/2 = 5
+  after.f = before.f;
+  after.f(0, 0) += 1;
+  after.f(2, 1) += 2;  // 2 N m over 2 m
+  EXPECT_DOUBLE_EQ(load_change({after}, {before}, 3, 2, 2.0), 0.2);
+  EXPECT_EQ(load_change({before}, {before}, 3, 2, 2.0), 0);
+  LoadSet shorter{0, {0}, Eigen::MatrixXd::Zero(3, 1)};
+  EXPECT_THROW(load_change({shorter}, {before}, 3, 2, 2.0), std::invalid_argument);
+  EXPECT_THROW(load_change({}, {before}, 3, 2, 2.0), std::invalid_argument);
+}
+
+TEST(LoadSets, RigidBodiesHaveNone) {
+  const auto motion = run<SE2>(slider_crank({"simulation.step=1e-3"}));
+  EXPECT_THROW(extract_loads(motion.model, motion.trajectory(), 2), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace liesl

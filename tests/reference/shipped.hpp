@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// Shipped scenes and studies, simulated: what the tests of loads and sizing work on.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "apps/scene/study.hpp"
+#include "mbs/solvers/simulation.hpp"
+
+namespace liesl::test {
+
+using Changes = std::vector<std::string>;  ///< key.path=value
+
+inline Scene shipped_scene(const std::string& name, const Changes& changes = {}) {
+  return load_scene(std::filesystem::path(LIESL_DATA_DIR) / "scenes" / (name + ".toml"), changes);
+}
+
+inline Study shipped_study(const std::string& name, const Changes& changes = {}) {
+  return load_study(std::filesystem::path(LIESL_DATA_DIR) / "studies" / (name + ".toml"), changes);
+}
+
+template <FrameGroup G>
+Space<G> space_of(const Mechanism& mechanism) {
+  if constexpr (G::dim == 3)
+    return find_plane(mechanism).plane.value();
+  else
+    return {};
+}
+
+/// A mechanism and its motion.
+template <FrameGroup G>
+struct Motion {
+  Mechanism mechanism;
+  Model<G> model;
+  Simulation<G> simulation;
+
+  Motion(const Mechanism& m, const SimulationOptions& options)
+      : mechanism(m),
+        model(Model<G>::build(mechanism, space_of<G>(mechanism))),
+        simulation(run_simulation(model, options)) {}
+  bool good() const { return simulation.report.status == SolveStatus::Converged; }
+  const Trajectory<G>& trajectory() const { return simulation.trajectory; }
+};
+
+}  // namespace liesl::test
