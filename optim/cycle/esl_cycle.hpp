@@ -8,8 +8,8 @@
 
 #include "esl/load_set.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "optim/study/study.hpp"
 #include "optim/design/sizing.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
 
