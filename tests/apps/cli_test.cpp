@@ -1,0 +1,326 @@
+/// @file
+/// The program itself: exit codes, what it prints and leaves behind, also when it is stopped.
+#include <fcntl.h>
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <sstream>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::json;
+using Words = std::vector<std::string>;
+
+const fs::path kData = LIESL_DATA_DIR;
+
+std::string text_of(const fs::path& path) {
+  std::ifstream in(path);
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+struct Outcome {
+  int code = -1;
+  std::string out, err;
+};
+
+class Cli : public testing::Test {
+ protected:
+  fs::path dir_ =
+      fs::temp_directory_path() / ("liesl_cli_" + std::to_string(getpid()) + "_" +
+                                   testing::UnitTest::GetInstance()->current_test_info()->name());
+  void SetUp() override { fs::create_directories(dir_); }
+  void TearDown() override { fs::remove_all(dir_); }
+
+  pid_t start(Words words) const {
+    words.insert(words.begin(), LIESL_PROGRAM);
+    const pid_t child = fork();
+    if (child != 0) return child;
+    for (const auto& [name, number] : {std::pair{"out", 1}, std::pair{"err", 2}})
+      dup2(open((dir_ / name).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), number);
+    std::vector<char*> args;
+    for (auto& word : words) args.push_back(word.data());
+    args.push_back(nullptr);
+    execv(args[0], args.data());
+    _exit(127);
+  }
+  Outcome wait_for(pid_t child) const {
+    int status = 0;
+    waitpid(child, &status, 0);
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), text_of(dir_ / "out"),
+            text_of(dir_ / "err")};
+  }
+  Outcome run(const Words& words) const { return wait_for(start(words)); }
+
+  fs::path results() const { return dir_ / "results"; }
+  Json summary() const { return Json::parse(text_of(results() / "summary.json")); }
+  fs::path write(const char* name, const std::string& text) const {
+    std::ofstream(dir_ / name) << text;
+    return dir_ / name;
+  }
+  /// Until the first checkpoint is there.
+  bool wait_for_results() const {
+    for (int i = 0; i < 20000 && !fs::exists(results() / "summary.json"); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return fs::exists(results() / "summary.json");
+  }
+};
+
+std::string scene(const char* name) { return kData / "scenes" / (std::string(name) + ".toml"); }
+std::string study(const char* name) { return kData / "studies" / (std::string(name) + ".toml"); }
+
+Words short_run(const fs::path& out, const Words& more = {}) {
+  Words words = {"run",   scene("slider_crank"),      "-o",    out,
+                 "--set", "simulation.duration=0.01", "--set", "simulation.step=1e-3"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+TEST_F(Cli, VersionListsTheLibraries) {
+  const Outcome o = run({"--version"});
+  EXPECT_EQ(o.code, 0);
+  EXPECT_EQ(o.out.substr(0, 6), "liesl ");
+  for (const char* library : {"Eigen", "Ipopt", "NLopt", "HDF5", "SuiteSparse"})
+    EXPECT_NE(o.out.find(library), std::string::npos) << library << " in\n" << o.out;
+}
+
+TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
+  EXPECT_EQ(run({}).code, 2);
+  EXPECT_EQ(run({"optimise", "x"}).code, 2);
+  EXPECT_EQ(run({"optimize", study("slider_crank_rod")}).code, 2) << "no -o";
+  EXPECT_EQ(run({"--help"}).code, 0);
+}
+
+TEST_F(Cli, RunAnswersWithFiguresAndNoProgressInAPipe) {
+  const Outcome o = run(short_run(results()));
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  EXPECT_NE(o.out, "");
+  EXPECT_EQ(o.out.find_first_of("\r\033"), std::string::npos) << o.out;
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_EQ(summary()["steps"], 10) << "--set of a scene";
+  for (const char* file :
+       {"results.h5", "results.xdmf", "responses.csv", "energies.csv", "joints.csv"})
+    EXPECT_TRUE(fs::exists(results() / file)) << file;
+}
+
+TEST_F(Cli, QuietPrintsNothing) {
+  const Outcome o = run(short_run(results(), {"--quiet"}));
+  EXPECT_EQ(o.code, 0);
+  EXPECT_EQ(o.out + o.err, "");
+  EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", dir_ / "other", "-q"}).out, "");
+}
+
+TEST_F(Cli, BadInputIsRefusedWithAllProblemsAtTheirPlaces) {
+  const fs::path file = write("bad.toml",
+                              "name = \"bad\"\n"
+                              "gravety = [0, 0, 0]\n"
+                              "[materials]\n"
+                              "steel = { E = -1, nu = 0.3, rho = 7850 }\n"
+                              "[simulation]\n"
+                              "step = \"small\"\n");
+  const Outcome o = run({"run", file, "-o", results()});
+  EXPECT_EQ(o.code, 2);
+  for (const char* place : {":2:1: ", ":4:15: ", ":6:8: "})
+    EXPECT_NE(o.err.find(file.string() + place), std::string::npos) << place << " in\n" << o.err;
+  EXPECT_NE(o.err.find("'gravity'"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(results()));
+  EXPECT_EQ(run({"check", dir_ / "absent.toml"}).code, 2);
+  EXPECT_EQ(run(short_run(results(), {"--set", "simulation.stepp=1"})).code, 2);
+}
+
+TEST_F(Cli, FolderThatCannotBeWrittenIsAnError) {
+  write("file", "");
+  const Outcome o = run(short_run(dir_ / "file" / "results"));
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find((dir_ / "file").string()), std::string::npos) << o.err;
+  EXPECT_EQ(run(short_run(dir_)).code, 3) << "a folder that holds something else";
+  EXPECT_EQ(run(short_run(results())).code, 0);
+  EXPECT_EQ(run(short_run(results())).code, 3) << "an earlier result, no --force";
+  EXPECT_EQ(run(short_run(results(), {"--force"})).code, 0);
+}
+
+TEST_F(Cli, OptimizeSaysHowItEnded) {
+  const auto optimize = [&](const Words& changes) {
+    Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--force"};
+    for (const auto& change : changes) words.insert(words.end(), {"--set", change});
+    return run(words);
+  };
+  EXPECT_EQ(optimize({}).code, 0);
+  EXPECT_EQ(summary()["status"], "converged");
+  EXPECT_EQ(optimize({"cycle.max=1"}).code, 1);
+  EXPECT_EQ(summary()["status"], "cycle limit");
+  EXPECT_EQ(optimize({"constraints.bending.limit=1e-5", "simulation.duration=0.03"}).code, 1);
+  EXPECT_EQ(summary()["status"], "infeasible");
+  EXPECT_NE(summary()["reason"].get<std::string>().find("'bending'"), std::string::npos);
+  const Outcome failed = optimize({"joints.motor.drive.rate=1e7"});
+  EXPECT_EQ(failed.code, 1);
+  EXPECT_EQ(summary()["status"], "simulation failed");
+  EXPECT_EQ(failed.out.find("nan"), std::string::npos) << failed.out;
+}
+
+/// Keys of the table under a heading of docs/outputs.md; those that are not always there are
+/// described as "only ...".
+struct Documented {
+  std::set<std::string> always, sometimes;
+};
+
+Documented documented(const std::string& heading) {
+  std::istringstream page(text_of(kData / "../docs/outputs.md"));
+  Documented keys;
+  bool here = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("##", 0) == 0) here = (line + "\n").rfind(heading, 0) == 0;
+    if (!here || line.rfind("| `", 0) != 0) continue;
+    const bool optional = line.find("| only ") != std::string::npos;
+    const std::string names = line.substr(0, line.find('|', 2));
+    for (size_t a = names.find('`'); a != std::string::npos; a = names.find('`', a + 1)) {
+      const size_t b = names.find('`', a + 1);
+      (optional ? keys.sometimes : keys.always).insert(names.substr(a + 1, b - a - 1));
+      a = b;
+    }
+  }
+  return keys;
+}
+
+std::set<std::string> keys(const Json& json) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : json.items()) names.insert(name);
+  return names;
+}
+
+TEST_F(Cli, SummaryHasTheDocumentedKeys) {
+  const auto common = documented("### `run`\n").always;
+  ASSERT_GE(common.size(), 17u);
+  auto expected = common;
+  for (const auto& key : documented("### `run` and `esl`").always) expected.insert(key);
+  ASSERT_EQ(
+      run({"esl", scene("pendulum"), "-o", results(), "--set", "simulation.duration=0.01"}).code,
+      0);
+  expected.insert("identity");
+  EXPECT_EQ(keys(summary()), expected);
+
+  ASSERT_EQ(run(short_run(results(), {"-f"})).code, 0);
+  expected.erase("identity");
+  for (const char* key : {"mobility", "redundant_if_rigid"}) {
+    EXPECT_TRUE(documented("### `run` and `esl`").sometimes.count(key)) << key;
+    expected.insert(key);
+  }
+  EXPECT_EQ(keys(summary()), expected);
+
+  ASSERT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "-f"}).code, 0);
+  expected = common;
+  for (const auto& key : documented("### `optimize`").always) expected.insert(key);
+  EXPECT_EQ(keys(summary()), expected);
+  EXPECT_EQ(summary()["cycles"], summary()["history"].size());
+}
+
+TEST_F(Cli, EslWritesTheLoads) {
+  Words words = short_run(results());
+  words[0] = "esl";
+  EXPECT_EQ(run(words).code, 0);
+  const std::string table = text_of(results() / "loads.csv");
+  EXPECT_EQ(table.substr(0, table.find('\n')),
+            "time [s],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]");
+  EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 11 * 2 * 9);
+  EXPECT_TRUE(fs::exists(results() / "loads.h5"));
+  EXPECT_LT(summary()["identity"]["rod"]["nonlinear"], 1e-10);
+}
+
+Words rod_study(const fs::path& out) {
+  return {"optimize", study("slider_crank_rod"),          "-o",    out,
+          "--set",    "design.rod_diameters.start=0.006", "--set", "simulation.step=5e-5"};
+}
+
+TEST_F(Cli, KilledRunLeavesAStateToResumeFrom) {
+  ASSERT_EQ(run(rod_study(dir_ / "whole")).code, 0);
+  const Json whole = Json::parse(text_of(dir_ / "whole" / "summary.json"));
+
+  const pid_t child = start(rod_study(results()));
+  ASSERT_TRUE(wait_for_results());
+  kill(child, SIGKILL);
+  ASSERT_EQ(wait_for(child).code, -SIGKILL) << "it was done before";
+  EXPECT_EQ(summary()["status"], "running");
+  EXPECT_GE(summary()["history"].size(), 1u);
+
+  Words words = rod_study(results());
+  words.push_back("--resume");
+  const Outcome o = run(words);
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(summary()["status"], "converged");
+  EXPECT_EQ(summary()["cycles"], whole["cycles"]);
+  for (const auto& [name, value] : whole["design"].items())
+    EXPECT_NEAR(summary()["design"][name].get<double>(), value, 1e-5 * value.get<double>()) << name;
+  for (const auto& entry : fs::directory_iterator(dir_))
+    EXPECT_EQ(entry.path().filename().string().find(".partial"), std::string::npos) << entry.path();
+}
+
+TEST_F(Cli, InterruptedRunEndsWithAReadableState) {
+  const pid_t child = start(rod_study(results()));
+  ASSERT_TRUE(wait_for_results());
+  kill(child, SIGINT);
+  const Outcome o = wait_for(child);
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(summary()["status"], "interrupted") << summary()["reason"];
+  EXPECT_TRUE(fs::exists(results() / "checkpoint.json"));
+  EXPECT_TRUE(std::isfinite(summary()["mass_final"].get<double>()));
+  Words words = rod_study(results());
+  words.push_back("--resume");
+  EXPECT_EQ(run(words).code, 0);
+}
+
+TEST_F(Cli, CheckpointOfAnotherStudyIsRefused) {
+  const Words first = {"optimize",   study("slider_crank_rod"), "-o", results(), "--set",
+                       "cycle.max=1"};
+  ASSERT_EQ(run(first).code, 1);
+  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--resume"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("another input"), std::string::npos) << o.err;
+}
+
+std::vector<fs::path> shipped(const char* folder) {
+  std::vector<fs::path> list;
+  for (const auto& entry : fs::directory_iterator(kData / folder))
+    if (entry.path().extension() == ".toml") list.push_back(entry.path());
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+TEST_F(Cli, ChecksEveryShippedFile) {
+  for (const char* folder : {"scenes", "studies"})
+    for (const auto& file : shipped(folder)) EXPECT_EQ(run({"check", file}).code, 0) << file;
+}
+
+TEST_F(Cli, SlowRunsEveryShippedScene) {
+  for (const auto& file : shipped("scenes")) {
+    const Outcome o = run({"run", file, "-o", results(), "-f", "-q"});
+    EXPECT_EQ(o.code, 0) << file << "\n" << o.err;
+    EXPECT_EQ(summary()["status"], "done") << file << ": " << summary()["reason"];
+  }
+}
+
+TEST_F(Cli, SlowConvergesOnEveryShippedStudy) {
+  for (const auto& file : shipped("studies")) {
+    const Outcome o = run({"optimize", file, "-o", results(), "-f", "-q"});
+    EXPECT_EQ(o.code, 0) << file << "\n" << o.err;
+    EXPECT_EQ(summary()["status"], "converged") << file << ": " << summary()["reason"];
+    EXPECT_LE(summary()["worst_constraint"].get<double>(), 1e-3) << file;
+    EXPECT_LT(summary()["mass_final"], summary()["mass_initial"].get<double>() * 1.2) << file;
+  }
+}
+
+}  // namespace
