@@ -139,6 +139,7 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
       scene.simulation.type == SimulationType::Dynamic ? "s" : "load", options.quiet);
   const Progress progress = watch(line);
   hooks.progress = progress;
+  hooks.keep_going = [] { return output::interrupted() == 0; };
   hooks.on_cycle = [&](const std::vector<Cycle>& history) {
     line.clear();
     print_cycle(history.back(), options.quiet);
@@ -198,6 +199,10 @@ int check_derivatives_of(const Study& study, const Space<G>& space) {
 int optimize_command(const CommandOptions& options) {
   const Stopwatch clock;
   const Study study = load_study(options.file, options.set);
+  if (study.scene.simulation.type == SimulationType::Modes)
+    throw InputError(
+        {{study.scene.file, 0, 0, "simulation.type = \"modes\" has no loads to size a part for",
+          "\"dynamic\" or \"static\"", ""}});
   const ChosenSpace space = choose_space(study.scene);
   if (options.check_derivatives)
     return std::visit([&](const auto& s) { return check_derivatives_of(study, s); }, space.space);

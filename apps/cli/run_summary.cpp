@@ -54,10 +54,11 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
              summary.status, summary.reason, summary.steps, summary.newton_iterations,
              summary.stepping_s, summary.space);
   for (const auto& r : summary.responses)
-    fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,
-               r.at_time,
-               r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
-                                   : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
+    if (!r.final.empty())
+      fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,
+                 r.at_time,
+                 r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
+                                     : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
   if (!folder.empty()) fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
 }

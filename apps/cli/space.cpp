@@ -5,7 +5,34 @@
 
 namespace liesl {
 
+namespace {
+
+constexpr double kMostSteps = 1e8;
+constexpr double kMostBytes = 8e9;  // of the records of a run
+
+/// Refuses a simulation that could not be kept in memory.
+void check_size(const Scene& scene) {
+  const SimulationOptions& o = scene.simulation;
+  if (o.type != SimulationType::Dynamic) return;
+  double nodes = 0;
+  for (const auto& body : scene.mechanism.bodies) {
+    const auto* beam = std::get_if<BeamSpec>(&body.kind);
+    nodes += beam ? static_cast<double>(beam->nodes.size()) : 1;
+  }
+  const double steps = o.duration / o.step, bytes = 8 * 60 * nodes * steps / o.output_every;
+  if (steps > kMostSteps || bytes > kMostBytes)
+    throw InputError(
+        {{scene.file, 0, 0,
+          fmt::format("simulation: {:.3g} steps of {:.0f} nodes, about {:.3g} GB", steps, nodes,
+                      1e-9 * bytes),
+          fmt::format("at most {:.0e} steps and {:.0f} GB", kMostSteps, 1e-9 * kMostBytes),
+          "use a shorter duration, a larger step or a larger simulation.output_every"}});
+}
+
+}  // namespace
+
 ChosenSpace choose_space(const Scene& scene) {
+  check_size(scene);
   const SpaceChoice asked = scene.simulation.space;
   if (asked == SpaceChoice::Spatial) return {Space<SE3>(), "spatial", "the scene asks for it"};
   const PlaneSearch found = find_plane(scene.mechanism);

@@ -45,10 +45,31 @@ Document load_document(const fs::path& path) {
   return parse_document(text.str(), path.string());
 }
 
+namespace {
+
+/// Line (from 1) with a key of more than `parts` dotted parts, 0 if there is none. The parser is
+/// recursive and would run out of stack.
+int line_of_endless_key(const std::string& text, int parts) {
+  std::istringstream lines(text);
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    const std::string key = line.substr(0, line.find('='));
+    if (key.find(',') == std::string::npos && std::count(key.begin(), key.end(), '.') > parts)
+      return number;
+  }
+  return 0;
+}
+
+}  // namespace
+
 Document parse_document(std::string text, std::string file) {
   Document document{std::move(file), std::move(text), {}};
   const bool binary = document.text.find('\0') != std::string::npos;
   if (binary) refuse(document.file, "not TOML: the file is binary", "a scene or study in TOML");
+  constexpr int kMostParts = 100;
+  if (const int line = line_of_endless_key(document.text, kMostParts); line > 0)
+    throw InputError({{document.file, line, 1, "not TOML for liesl: a key of very many parts",
+                       fmt::format("at most {} parts between dots", kMostParts), ""}});
   try {
     document.root = toml::parse(document.text, document.file);
   } catch (const toml::parse_error& error) {

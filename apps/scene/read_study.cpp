@@ -96,7 +96,12 @@ void read_objective(StudyReader& reader) {
     const auto body = reader.scene.body(*node);
     complete = complete && body;
     if (!body) continue;
-    reader.spec.mass_of.push_back(*body);
+    auto& counted = reader.spec.mass_of;
+    if (std::find(counted.begin(), counted.end(), *body) != counted.end()) {
+      reader.scene.problems.add(*node, "this body is named twice", "each body once");
+      continue;
+    }
+    counted.push_back(*body);
     for (const DesignSpec& design : reader.spec.design)
       varied = varied || std::count(design.bodies.begin(), design.bodies.end(), *body);
   }

@@ -54,7 +54,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }  // namespace
 
 template <FrameGroup G>
-DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Progress& progress) {
+DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
+                          const Progress& progress) {
+  const long whole_steps = std::lround(std::ceil(options.duration / options.step * (1 - 1e-12)));
+  SimulationOptions o = options;
+  o.step = options.duration / static_cast<double>(whole_steps);
   DynamicResult<G> result;
   Report& report = result.report;
   State<G> s = model.initial_state();
@@ -65,7 +69,6 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
     report.reason = result.start.reason;
     return result;
   }
-  const long whole_steps = std::lround(o.duration / o.step);
   result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
   result.trajectory.record(s);
 
@@ -86,9 +89,11 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
         continue;
       }
       report.status = SolveStatus::NotConverged;
-      report.reason = fmt::format(
-          "{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {:.2g})",
-          step.failure, s.t + h, h, step.residual);
+      report.reason =
+          fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {})",
+                      step.failure, s.t + h, h,
+                      std::isfinite(step.residual) ? fmt::format("{:.2g}", step.residual)
+                                                   : "beyond all numbers");
       break;
     }
     ++report.steps;
@@ -99,7 +104,8 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
     if (o.adaptive && step.error > error_limit && grid.halve())
       report.smallest_step = std::min(report.smallest_step, grid.h());
     const long whole = grid.whole();
-    if (whole > 0 && whole % o.output_every == 0) result.trajectory.record(s);
+    if (whole > 0 && (whole % o.output_every == 0 || whole == whole_steps))
+      result.trajectory.record(s);
     if (const auto why = contradiction(model, s); !why.empty()) {
       report.status = SolveStatus::Inconsistent;
       report.reason = why;
@@ -113,6 +119,10 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& o, const Pro
   }
   report.stepping_s = seconds_since(start);
   report.factorizations = integrator.factorizations();
+  if (std::abs(o.step - options.step) > 1e-9 * options.step)
+    report.warnings.push_back(fmt::format(
+        "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", o.step,
+        options.step));
   if (report.tangent_refreshes > 0)
     report.warnings.push_back(fmt::format(
         "the constant tangent was replaced by that of the moment {} times: the deformations leave "

@@ -86,6 +86,11 @@ class EslCycle {
       cycle.seconds = seconds_since(begin);
       last_ = std::move(trial);
       if (hooks_.on_cycle) hooks_.on_cycle(result_.history);
+      if (hooks_.keep_going && !hooks_.keep_going() && !done) {
+        result_.status = CycleStatus::Interrupted;
+        result_.reason = fmt::format("stopped in cycle {} on request", number);
+        break;
+      }
       if (done || stuck(result_.history.back())) break;
     }
     finish();
@@ -266,6 +271,9 @@ class EslCycle {
 
   NlpResult optimise(StaticSizing<G>& problem) const {
     NlpOptions options;
+    options.progress = [this](const NlpProgress&) {
+      return !hooks_.keep_going || hooks_.keep_going();
+    };
     options.tolerance = 1e-7;
     options.feasibility = 1e-7;
     switch (study_.cycle.optimizer) {

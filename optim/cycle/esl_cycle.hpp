@@ -72,6 +72,7 @@ struct CycleResult {
 struct CycleHooks {
   std::function<void(const std::vector<Cycle>&)> on_cycle;  ///< after each cycle
   Progress progress;                                        ///< during simulations
+  std::function<bool()> keep_going;  ///< asked by the optimiser; false = Interrupted
 };
 
 /// Runs the cycle. `resume`: the cycles of an interrupted run with the same study; goes on with
