@@ -9,7 +9,8 @@ namespace liesl {
 namespace {
 
 constexpr int kMaxNewton = 40;
-constexpr double kRoundOff = 1e-9;  // of the part's length: a correction that Newton's method ends with
+constexpr double kRoundOff =
+    1e-9;  // of the part's length: a correction that Newton's method ends with
 
 /// Makes node 0 fixed: its rows and columns become those of the identity.
 template <int N>
@@ -52,7 +53,8 @@ bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
     r.head<G::dim>().setZero();
     const double size = r.norm();
     if (!std::isfinite(size)) return false;
-    if (size == 0 || (size >= best && moved <= kRoundOff * length)) return true;  // no better is possible
+    if (size == 0 || (size >= best && moved <= kRoundOff * length))
+      return true;  // no better is possible
     best = std::min(best, size);
     beam.exact_tangent(s, Body<G>::Vector::Zero(), {}, stress.data(), A);
     hold_first_node(A);
@@ -63,7 +65,8 @@ bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
       const auto& element = beam.element(e);
       const Tangent d = G::log(H[e].inverse() * H[e + 1]);
       const Eigen::Matrix<double, 2 * G::dim, 1> pair = -r.segment<2 * G::dim>(G::dim * e);
-      stress[e] = element.section_stiffness() * ((d - element.d0()) + BeamElement<G>::P(d) * pair) / element.length();
+      stress[e] = element.section_stiffness() * ((d - element.d0()) + BeamElement<G>::P(d) * pair) /
+                  element.length();
     }
     for (int k = 1; k < beam.nodes(); ++k)
       H[k] = H[k] * G::exp(Tangent(-r.segment<G::dim>(G::dim * k)));
@@ -79,7 +82,8 @@ std::set<int> chosen_cases(const LoadSet& loads, int count) {
   int largest = 0;
   loads.f.colwise().squaredNorm().maxCoeff(&largest);
   cases.insert(largest);
-  for (int i = 1; i < count; ++i) cases.insert(static_cast<int>(static_cast<long>(n - 1) * i / count));
+  for (int i = 1; i < count; ++i)
+    cases.insert(static_cast<int>(static_cast<long>(n - 1) * i / count));
   return cases;
 }
 
@@ -88,7 +92,9 @@ std::set<int> chosen_cases(const LoadSet& loads, int count) {
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
   const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[body].get());
-  if (!beam) throw std::invalid_argument(fmt::format("'{}' is rigid: only a beam has internal forces", model.bodies[body]->name));
+  if (!beam)
+    throw std::invalid_argument(
+        fmt::format("'{}' is rigid: only a beam has internal forces", model.bodies[body]->name));
   LoadSet set;
   set.body = body;
   set.f.setZero(beam->size(), trajectory.size());
@@ -122,8 +128,8 @@ double load_change(const std::vector<LoadSet>& f, const std::vector<LoadSet>& be
 }
 
 template <FrameGroup G>
-Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, const LoadSet& loads,
-                        int cases) {
+Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
+                        const LoadSet& loads, int cases) {
   const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[loads.body]);
   BlockTridiagonal<G::dim> K = beam.stiffness();
   hold_first_node(K);
@@ -132,7 +138,8 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, 
   Identity identity;
   double largest = 0;
   for (const int n : chosen_cases(loads, cases)) {
-    const Strains<G> dynamic = strains<G>(beam, trajectory.frames(n) + model.first_node(loads.body));
+    const Strains<G> dynamic =
+        strains<G>(beam, trajectory.frames(n) + model.first_node(loads.body));
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
     largest = std::max(largest, size);
@@ -147,7 +154,8 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, 
     lu.solve(u.data());
     for (int e = 0; e < beam.elements(); ++e) {
       const auto& element = beam.element(e);
-      const typename G::Tangent eps = BeamElement<G>::P(element.d0()) * u.segment<2 * G::dim>(G::dim * e) / element.length();
+      const typename G::Tangent eps =
+          BeamElement<G>::P(element.d0()) * u.segment<2 * G::dim>(G::dim * e) / element.length();
       identity.linear = std::max(identity.linear, (eps - dynamic.col(e)).cwiseAbs().maxCoeff());
     }
   }

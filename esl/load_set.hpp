@@ -37,12 +37,14 @@ struct Identity {
 /// Solves the isolated part, held at its first node, under `cases` of its loads spread over time,
 /// the largest among them, and compares strains (which no rigid motion changes) with the motion's.
 template <FrameGroup G>
-Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory, const LoadSet& loads,
-                        int cases = 8);
+Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
+                        const LoadSet& loads, int cases = 8);
 
 extern template LoadSet extract_loads(const Model<SE2>&, const Trajectory<SE2>&, int);
 extern template LoadSet extract_loads(const Model<SE3>&, const Trajectory<SE3>&, int);
-extern template Identity check_identity(const Model<SE2>&, const Trajectory<SE2>&, const LoadSet&, int);
-extern template Identity check_identity(const Model<SE3>&, const Trajectory<SE3>&, const LoadSet&, int);
+extern template Identity check_identity(const Model<SE2>&, const Trajectory<SE2>&, const LoadSet&,
+                                        int);
+extern template Identity check_identity(const Model<SE3>&, const Trajectory<SE3>&, const LoadSet&,
+                                        int);
 
 }  // namespace liesl

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/LU>
 #include <algorithm>
@@ -10,6 +12,8 @@
 
 namespace liesl {
 namespace {
+
+constexpr int kColumnsATask = 256;  // load cases solved by one task
 
 /// Number of the local direction of "x", ..., "rz"; -1 if there is none.
 std::vector<int> directions(const std::string& letters) {
@@ -34,7 +38,8 @@ typename StaticPart<G>::Law rigid_motions(const Beam<G>& beam) {
 }
 
 template <FrameGroup G>
-typename G::Matrix held_motions(const typename StaticPart<G>::Law& rigid, const std::vector<int>& fixed) {
+typename G::Matrix held_motions(const typename StaticPart<G>::Law& rigid,
+                                const std::vector<int>& fixed) {
   typename G::Matrix held;
   for (int i = 0; i < G::dim; ++i) held.row(i) = rigid[fixed[i] / G::dim].row(fixed[i] % G::dim);
   return held;
@@ -51,32 +56,43 @@ HeldPart read_support(const std::vector<std::string>& support, const Mechanism& 
   if (places[0] == "inertia_relief") {
     held.inertia_relief = true;
     if (model.bodies[body]->total_mass() <= 0)
-      throw std::invalid_argument(fmt::format("support of '{}': inertia relief of a part without mass; expected a density, or nodes that hold it", name));
+      throw std::invalid_argument(
+          fmt::format("support of '{}': inertia relief of a part without mass; expected a density, "
+                      "or nodes that hold it",
+                      name));
     places = {"start"};
   }
   std::set<int> fixed;
   for (const auto& text : places) {
     const size_t colon = text.find(':');
     const auto port = mechanism.port(name + "." + text.substr(0, colon));
-    if (!port) throw std::invalid_argument(fmt::format("support of '{}': no node '{}'; expected start, end, mid or nodeK", name, text));
+    if (!port)
+      throw std::invalid_argument(fmt::format(
+          "support of '{}': no node '{}'; expected start, end, mid or nodeK", name, text));
     const SE3 align = model.space.alignment(mechanism.frame(*port));
-    const auto letters = colon == std::string::npos ? std::string("xyzrxryrz") : text.substr(colon + 1);
+    const auto letters =
+        colon == std::string::npos ? std::string("xyzrxryrz") : text.substr(colon + 1);
     for (const int d : directions(letters)) {
-      if (d < 0) throw std::invalid_argument(fmt::format("support of '{}': '{}'; expected directions among x, y, z, rx, ry, rz", name, text));
+      if (d < 0)
+        throw std::invalid_argument(fmt::format(
+            "support of '{}': '{}'; expected directions among x, y, z, rx, ry, rz", name, text));
       const typename G::Tangent local = model.space.reduce_local(SE3::Tangent::Unit(d), align);
       int index = 0;
       if (local.cwiseAbs().maxCoeff(&index) > 0.5) fixed.insert(G::dim * port->node + index);
     }
   }
   if (static_cast<int>(fixed.size()) != G::dim)
-    throw std::invalid_argument(fmt::format("support of '{}' holds {} directions; expected {}, as many as the part has rigid motions",
-                                            name, fixed.size(), G::dim));
+    throw std::invalid_argument(fmt::format(
+        "support of '{}' holds {} directions; expected {}, as many as the part has rigid motions",
+        name, fixed.size(), G::dim));
   held.fixed.assign(fixed.begin(), fixed.end());
   const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
   const typename G::Matrix motions = held_motions<G>(rigid_motions(beam), held.fixed);
   if (Eigen::FullPivLU<typename G::Matrix>(motions).setThreshold(1e-9).rank() < G::dim)
-    throw std::invalid_argument(fmt::format("support of '{}' leaves it a rigid motion: '{}'; expected directions that hold it, as start",
-                                            name, fmt::join(places, "', '")));
+    throw std::invalid_argument(
+        fmt::format("support of '{}' leaves it a rigid motion: '{}'; expected directions that hold "
+                    "it, as start",
+                    name, fmt::join(places, "', '")));
   return held;
 }
 
@@ -132,7 +148,11 @@ void StaticPart<G>::solve_column(double* x, std::vector<Strain>& strain, int col
 template <FrameGroup G>
 void StaticPart<G>::solve_columns(Eigen::MatrixXd& x, std::vector<Strain>& strain) const {
   strain.assign(P0_.size(), Strain(dim, x.cols()));
-  for (int n = 0; n < x.cols(); ++n) solve_column(x.col(n).data(), strain, n);
+  tbb::parallel_for(tbb::blocked_range<int>(0, static_cast<int>(x.cols()), kColumnsATask),
+                    [&](const tbb::blocked_range<int>& range) {
+                      for (int n = range.begin(); n < range.end(); ++n)
+                        solve_column(x.col(n).data(), strain, n);
+                    });
 }
 
 template <FrameGroup G>
@@ -157,6 +177,14 @@ void StaticPart<G>::add_gradient(int e, const Matrix& dK_s, Eigen::MatrixXd& dy)
 }
 
 template <FrameGroup G>
+void StaticPart<G>::add_gradient_direct(const Law& dK, Eigen::MatrixXd& dy) const {
+  Eigen::MatrixXd du = multiply(dK, strain_u_);
+  std::vector<Strain> unused;
+  solve_columns(du, unused);
+  dy.topRows(outputs()).noalias() -= C_.transpose() * du;
+}
+
+template <FrameGroup G>
 Eigen::RowVectorXd StaticPart<G>::compliance_gradient(int e, const Matrix& dK_s) const {
   return -strain_u_[e].cwiseProduct(dK_s * strain_u_[e]).colwise().sum() / length_[e];
 }
@@ -171,8 +199,8 @@ Eigen::MatrixXd StaticPart<G>::multiply(const Law& dK, const std::vector<Strain>
 }
 
 template <FrameGroup G>
-void StaticPart<G>::add_second(const std::vector<Law>& dK, const Second& d2K, const Eigen::MatrixXd& w,
-                               Eigen::MatrixXd& h) const {
+void StaticPart<G>::add_second(const std::vector<Law>& dK, const Second& d2K,
+                               const Eigen::MatrixXd& w, Eigen::MatrixXd& h) const {
   // The sum over cases goes into the displacement: ubar_o = sum_n w(o, n) u_n, one an output.
   std::vector<Strain> ubar, unused;
   for (const auto& strain : strain_u_) ubar.push_back(strain * w.transpose());
@@ -201,8 +229,10 @@ Eigen::MatrixXd StaticPart<G>::strain_output(const Beam<G>& beam, int e) {
   return c;
 }
 
-template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&, int);
-template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE3>&, int);
+template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&,
+                               int);
+template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE3>&,
+                               int);
 template class StaticPart<SE2>;
 template class StaticPart<SE3>;
 

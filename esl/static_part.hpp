@@ -4,10 +4,10 @@
 /// outputs y = C^T u; gradients of all outputs in all cases from one more solution an output
 /// (thesis eq. 3.23-3.24).
 ///
-/// A beam that is held determinately is solved by statics, not by factoring K: equilibrium gives the
-/// reactions and section forces, K_s^-1 the strains, and their sum along the chain the displacement.
-/// That costs less than a factorisation and keeps all digits; K of n slender elements loses
-/// n^3 kGA L^2/EI of them (nine with 100 elements and shear that is made rigid).
+/// A beam that is held determinately is solved by statics, not by factoring K: equilibrium gives
+/// the reactions and section forces, K_s^-1 the strains, and their sum along the chain the
+/// displacement. That costs less than a factorisation and keeps all digits; K of n slender elements
+/// loses n^3 kGA L^2/EI of them (nine with 100 elements and shear that is made rigid).
 
 #include <string>
 #include <vector>
@@ -59,6 +59,12 @@ class StaticPart {
   /// outputs() rows of dy [x cases].
   void add_gradient(int element, const Matrix& dK_s, Eigen::MatrixXd& dy) const;
 
+  /// The same by the direct form, dy -= C^T K^-1 (dK u): one solution a case and variable instead
+  /// of one an output. `dK`: change of every element's section.
+  void add_gradient_direct(const Law& dK, Eigen::MatrixXd& dy) const;
+  /// Which form costs fewer solutions for so many variables.
+  bool direct_is_cheaper(int variables) const { return variables * cases() < outputs(); }
+
   /// f^T u of each case, J, and its change -(1/L) (P0 u)^T dK_s (P0 u) with one element's section.
   Eigen::RowVectorXd compliance() const { return f_.cwiseProduct(u_).colwise().sum(); }
   Eigen::RowVectorXd compliance_gradient(int element, const Matrix& dK_s) const;
@@ -83,17 +89,21 @@ class StaticPart {
   const Beam<G>& beam_;
   HeldPart held_;
   Eigen::MatrixXd C_, f_, u_, mu_, y_;
-  std::vector<typename BeamElement<G>::Gradient, Eigen::aligned_allocator<typename BeamElement<G>::Gradient>> P0_;
+  std::vector<typename BeamElement<G>::Gradient,
+              Eigen::aligned_allocator<typename BeamElement<G>::Gradient>>
+      P0_;
   std::vector<double> length_;
   std::vector<Strain> strain_u_, strain_mu_;  ///< P0 u, P0 mu by element
-  Law T_, back_;                  ///< by element: T(d0), Ad(exp(-d0)): u_B = T P0 u + Ad u_A
-  Law rigid_;                     ///< by node: increments of the rigid motions, about node 0
-  Matrix held_inverse_;           ///< (rigid motions at the held increments)^-1
-  Law flexibility_;               ///< by element: L K_s^-1
+  Law T_, back_;         ///< by element: T(d0), Ad(exp(-d0)): u_B = T P0 u + Ad u_A
+  Law rigid_;            ///< by node: increments of the rigid motions, about node 0
+  Matrix held_inverse_;  ///< (rigid motions at the held increments)^-1
+  Law flexibility_;      ///< by element: L K_s^-1
 };
 
-extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&, int);
-extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE3>&, int);
+extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&,
+                                      const Model<SE2>&, int);
+extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&,
+                                      const Model<SE3>&, int);
 extern template class StaticPart<SE2>;
 extern template class StaticPart<SE3>;
 

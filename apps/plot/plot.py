@@ -33,7 +33,7 @@ STYLE = {
     "axes.spines.top": False, "axes.spines.right": False, "axes.edgecolor": GREY,
     "lines.linewidth": 1.6, "legend.frameon": False, "legend.fontsize": 9,
     "axes.prop_cycle": matplotlib.cycler(color=COLOURS), "svg.hashsalt": "liesl",
-    "axes.formatter.limits": (-3, 4),
+    "axes.formatter.limits": (-3, 4), "axes.formatter.useoffset": False,
 }
 
 
@@ -154,6 +154,11 @@ def grouped_columns(series):
     return groups
 
 
+def moving(series, names):
+    """Those that are not zero throughout; all of them if none is."""
+    return [n for n in names if any(series.numbers(n))] or names
+
+
 def draw_responses(folder, pictures, _summary):
     series = table(folder, "responses.csv")
     if series is None or len(series.names) < 2:
@@ -162,6 +167,7 @@ def draw_responses(folder, pictures, _summary):
     groups = grouped_columns(series)
     figure, axes = stacked(len(groups))
     for ax, (stem, columns) in zip(axes, groups.items()):
+        columns = moving(series, columns)
         values = [series.numbers(column) for column in columns]
         factor, unit = scale_of(sum(values, []), series.unit(columns[0]))
         for column, line in zip(columns, values):
@@ -182,7 +188,9 @@ def draw_energies(folder, pictures, _summary):
     time = series.numbers(series.names[0])
     panels = [[n for n in names if n in series.names] for names in
               (("kinetic", "potential", "total"), ("elastic", "dissipated"))]
-    panels = [names for names in panels if names]
+    panels = [moving(series, names) for names in panels if names]
+    if panels[0] == ["total"] and len(panels) > 1:  # statics without gravity: total = elastic
+        del panels[0]
     colours = dict(kinetic=BLUE, potential=ORANGE, total="black", elastic=GREEN, dissipated=RED)
     figure, axes = stacked(len(panels), 2.6)
     for ax, names in zip(axes, panels):
@@ -207,28 +215,32 @@ def draw_before_after(folder, pictures, summary):
     chosen = [stem for stem in groups if stem in constraints] or list(groups)
     figure, axes = stacked(len(chosen), 2.9)
     for ax, stem in zip(axes, chosen):
-        limit = constraints.get(stem, {}).get("limit")
-        runs = [(run, name, colour) for run, name, colour in
-                ((before, "initial", ORANGE), (after, "final", BLUE))
-                if all(column in run.names for column in groups[stem])]
-        lines = [(name, colour, run.numbers(run.names[0]), magnitude(run, groups[stem]))
-                 for run, name, colour in runs]
-        everything = sum((values for *_, values in lines), [limit] if limit else [])
-        factor, unit = scale_of(everything, after.unit(groups[stem][0]))
-        for name, colour, time, values in lines:
-            ax.plot(time, scaled(values, factor), color=colour, label=name,
-                    alpha=0.85 if name == "initial" else 1)
-        if limit:
-            ax.axhline(limit * factor, label="limit", **LIMIT)
-            if any(v < 0 for v in everything):
-                ax.axhline(-limit * factor, **LIMIT)
-            ax.margins(y=0.08)
-        size = " (norm)" if len(groups[stem]) > 1 else ""
-        ax.set_ylabel(label(stem + size, unit))
+        before_after(ax, before, after, stem, groups[stem], constraints.get(stem, {}).get("limit"))
         legend(ax)
     axes[-1].set_xlabel(label(after.names[0], after.units[0]))
     axes[-1].margins(x=0.01)
     pictures.save(figure, "response_before_after", "responses against their limits")
+
+
+def before_after(ax, before, after, stem, columns, limit):
+    """One response of the first and of the final design."""
+    runs = [(run, name, colour) for run, name, colour in
+            ((before, "initial", ORANGE), (after, "final", BLUE))
+            if all(column in run.names for column in columns)]
+    lines = [(name, colour, run.numbers(run.names[0]), magnitude(run, columns))
+             for run, name, colour in runs]
+    everything = sum((values for *_, values in lines), [limit] if limit else [])
+    factor, unit = scale_of(everything, after.unit(columns[0]))
+    for name, colour, time, values in lines:
+        ax.plot(time, scaled(values, factor), color=colour, label=name,
+                linewidth=2.4 if name == "initial" else 1.6, alpha=0.85 if name == "initial" else 1)
+    if limit:
+        ax.axhline(limit * factor, label="limit", **LIMIT)
+        if any(v < 0 for v in everything):
+            ax.axhline(-limit * factor, **LIMIT)
+        ax.margins(y=0.08)
+    size = " (norm)" if len(columns) > 1 else ""
+    ax.set_ylabel(label(stem + size, unit))
 
 
 def magnitude(series, columns):
@@ -264,9 +276,10 @@ def draw_history(_folder, pictures, summary):
     legend(worst)
 
     values = column("load_change")
-    change.plot(cycles, values, "o-", color=GREEN)
     if any(v > 0 for v in values):
         change.set_yscale("log")
+        values = [v if v > 0 else math.nan for v in values]
+    change.plot(cycles, values, "o-", color=GREEN)
     change.set_ylabel("relative change\nof the loads")
     change.set_xlabel("cycle")
     change.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
@@ -281,18 +294,25 @@ def draw_design(folder, pictures, _summary):
     design = table(folder, "design.csv")
     if design is None:
         return
-    panels = {}  # (variable without its number, body) -> rows along the beam
+    panels = design_panels(design)
+    figure, axes = plt.subplots(len(panels), 1, squeeze=False, layout="constrained",
+                                figsize=(8.2, 0.9 + 2.7 * len(panels)))
+    for (ax,), ((variable, body), rows) in zip(axes, panels.items()):
+        draw_steps(ax, sorted(rows), variable, body)
+        legend(ax)
+    pictures.save(figure, "design", "design along the beam")
+
+
+def design_panels(design):
+    """{(variable without its number, body): rows along the beam}."""
+    panels = {}
     for row in design.rows:
         cell = dict(zip(design.names, row))
         key = (re.sub(r"\[\d+\]$", "", cell["variable"]), cell["body"])
         panels.setdefault(key, []).append(
             [float(cell[k]) for k in ("s0", "s1", "initial", "final", "lower", "upper")]
             + [cell["unit"]])
-    figure, axes = plt.subplots(len(panels), 1, squeeze=False, layout="constrained",
-                                figsize=(8.2, 0.9 + 2.7 * len(panels)))
-    for (ax,), ((variable, body), rows) in zip(axes, panels.items()):
-        draw_steps(ax, sorted(rows), variable, body)
-    pictures.save(figure, "design", "design along the beam")
+    return panels
 
 
 def draw_steps(ax, rows, variable, body):
@@ -315,7 +335,6 @@ def draw_steps(ax, rows, variable, body):
     ax.set_ylim(0, 1.12 * top)
     ax.set_ylabel(label(variable, unit))
     ax.set_xlabel(f"along {body} [m]")
-    legend(ax)
 
 
 # --- the mechanism -------------------------------------------------------------------------------
@@ -340,12 +359,30 @@ def draw_mechanism(folder, pictures, _summary):
     instants, time_label = read_frames(folder / "frames.csv")
     if not instants:
         return
+    axes = shown_axes(instants)
+    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
+    ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
+    mechanism(ax, instants, axes, time_label)
+    times = len(instants)
+    pictures.save(figure, "mechanism", f"mechanism at {times} instants" if times > 1 else
+                  "mechanism")
+
+
+def shown_axes(instants):
+    """Two axes for what lies in a coordinate plane, else all three."""
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
     spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
     flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
-    axes = [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
-    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
-    ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
+    return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
+
+
+def mechanism(ax, instants, axes, time_label):
+    """Bodies at all instants, coloured by time; rigid bodies with their paths."""
+    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    for body, (_, nodes) in instants[0][1].items():
+        if len(nodes) == 1 and len(instants) > 2:
+            path = [bodies[body][1][0] for _, bodies in instants if body in bodies]
+            ax.plot(*[[x[k] for x in path] for k in axes], color="#b8b8b8", linewidth=0.8, zorder=1)
     times = [t for t, _ in instants]
     norm = matplotlib.colors.Normalize(min(times), max(times) if len(times) > 1 else times[0] + 1)
     # The light end of the map would vanish on white.
@@ -360,18 +397,52 @@ def draw_mechanism(folder, pictures, _summary):
                     solid_capstyle="round", zorder=3 if last else 2)
     frame_axes(ax, axes, points)
     if len(times) > 1:
-        figure.colorbar(matplotlib.cm.ScalarMappable(norm, colours), ax=ax, label=time_label,
-                        shrink=0.8, pad=0.1 if len(axes) == 3 else 0.02)
-    pictures.save(figure, "mechanism", f"mechanism at {len(times)} instants" if len(times) > 1
-                  else "mechanism")
+        ax.figure.colorbar(matplotlib.cm.ScalarMappable(norm, colours), ax=ax, label=time_label,
+                           shrink=0.8, pad=0.1 if len(axes) == 3 else 0.02)
+
+
+def draw_overview(folder, pictures, summary):
+    """Of an optimisation, in one picture: the mechanism, the first limit, the first design."""
+    before, after = table(folder, "responses_initial.csv"), table(folder, "responses_final.csv")
+    design = table(folder, "design.csv")
+    if before is None or after is None or design is None or not (folder / "frames.csv").exists():
+        return
+    instants, time_label = read_frames(folder / "frames.csv")
+    groups, constraints = grouped_columns(after), summary.get("constraints", {})
+    stems = [stem for stem in groups if stem in constraints]
+    if not instants or not stems or len(shown_axes(instants)) == 3:
+        return
+    figure = plt.figure(figsize=(11, 4.6), layout="constrained")
+    grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1))
+    ax = figure.add_subplot(grid[:, 0])
+    mechanism(ax, instants, shown_axes(instants), time_label)
+    ax = figure.add_subplot(grid[0, 1])
+    before_after(ax, before, after, stems[0], groups[stems[0]], constraints[stems[0]].get("limit"))
+    ax.set_xlabel(label(after.names[0], after.units[0]))
+    ax.margins(x=0.01)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 0.98), ncols=3)
+    (variable, body), rows = next(iter(design_panels(design).items()))
+    draw_steps(figure.add_subplot(grid[1, 1]), sorted(rows), variable, body)
+    masses = [summary.get(key) for key in ("mass_initial", "mass_final")]
+    heading = f"{summary.get('status', '')} after {summary.get('cycles', '?')} cycles"
+    if None not in masses:
+        factor, unit = scale_of(masses, "kg")
+        heading += f", {masses[0] * factor:.4g} {unit} → {masses[1] * factor:.4g} {unit}"
+    pictures.save(figure, "overview", heading)
 
 
 def frame_axes(ax, axes, points):
     """Labels, and the same scale in all directions."""
     for k, name in zip(axes, "xyz"):
-        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]")
+        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]", labelpad=9 if len(axes) == 3 else 4)
     if len(axes) == 2:
-        ax.set_aspect("equal", adjustable="datalim")
+        low = [min(p[k] for p in points) for k in axes]
+        high = [max(p[k] for p in points) for k in axes]
+        size = [max(b - a, 0.4 * max(h - l for l, h in zip(low, high)), 1e-9)
+                for a, b in zip(low, high)]
+        for set_limits, a, b, span in zip((ax.set_xlim, ax.set_ylim), low, high, size):
+            set_limits((a + b - 1.12 * span) / 2, (a + b + 1.12 * span) / 2)
+        ax.set_aspect("equal", adjustable="box")
         return
     spans = [max(max(p[k] for p in points) - min(p[k] for p in points), 1e-9) for k in range(3)]
     box = [max(span, 0.2 * max(spans)) for span in spans]
@@ -393,8 +464,8 @@ def main():
             raise NothingToDraw(f"{arguments.folder} holds no result of liesl (no summary.json)")
         summary = json.loads((arguments.folder / "summary.json").read_text(encoding="utf-8"))
         pictures = Pictures(arguments.to or arguments.folder / "plots", summary.get("name", ""))
-        for draw in (draw_history, draw_before_after, draw_design, draw_responses, draw_energies,
-                     draw_mechanism):
+        for draw in (draw_overview, draw_history, draw_before_after, draw_design, draw_responses,
+                     draw_energies, draw_mechanism):
             draw(arguments.folder, pictures, summary)
         if not pictures.paths:
             raise NothingToDraw(f"{arguments.folder} has no table to draw")

@@ -409,11 +409,18 @@ void StaticSizing<G>::gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, Row
       for (size_t p = 0; p < parts_.size(); ++p)
         if (parts_[p].body == at.body) {
           const typename G::Matrix dK = space_.reduce_law(d.K, parts_[p].align[at.element]);
-          parts_[p].problem.add_gradient(at.element, dK, dy_[p][i]);
+          if (!parts_[p].problem.direct_is_cheaper(sizing_.size()))
+            parts_[p].problem.add_gradient(at.element, dK, dy_[p][i]);
           if (parts_[p].compliance)
             dy_[p][i].bottomRows(1) += parts_[p].problem.compliance_gradient(at.element, dK);
         }
     }
+  }
+  for (size_t p = 0; p < parts_.size(); ++p) {
+    if (!parts_[p].problem.direct_is_cheaper(sizing_.size())) continue;
+    const std::vector<Law> dK = stiffness_derivatives(parts_[p]);
+    for (int i = 0; i < sizing_.size(); ++i)
+      if (!dK[i].empty()) parts_[p].problem.add_gradient_direct(dK[i], dy_[p][i]);
   }
   for (size_t r = 0; r < rows_.size(); ++r) {
     const Limit& limit = limits_[rows_[r].limit];

@@ -3,8 +3,8 @@
 /// Sizing variables: dimensions of beam sections, grouped along a beam, linked between beams.
 
 #include "mbs/model/mechanism.hpp"
-#include "optim/study/study.hpp"
 #include "optim/nlp/problem.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
 

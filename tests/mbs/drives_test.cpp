@@ -79,8 +79,8 @@ TEST(Drives, AreFollowed) {
     for (auto m : {rail(2), arm()}) {
       m.drives = {{0, 0, motion}};
       const auto exact = [&](double t) { return motion(t); };
-      EXPECT_LT(deviation(run_planar(m, options(1, 1e-3)), exact), 1e-10);
-      EXPECT_LT(deviation(run_spatial(m, options(1, 1e-3)), exact), 1e-10);
+      EXPECT_LT(deviation(run_planar(m, options(1, 1e-3, 0.8, 1e-8)), exact), 1e-10);
+      EXPECT_LT(deviation(run_spatial(m, options(1, 1e-3, 0.8, 1e-8)), exact), 1e-10);
     }
   }
 }

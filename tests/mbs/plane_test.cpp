@@ -65,7 +65,7 @@ std::vector<Case> cases() {
       {[](Mechanism& m) {
          slider(m).centre = {0, 0.01, 0.01};
        },
-       "point"},
+       "the axis of joint 'motor'"},
       {[](Mechanism& m) {
          slider(m).centre = {0.01, 0.02, 0};
        },

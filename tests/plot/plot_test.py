@@ -141,8 +141,8 @@ class Plot(unittest.TestCase):
         self.draws(write_run, ["responses", "energies", "mechanism"])
 
     def test_optimize(self):
-        self.draws(write_optimize, ["cycle_history", "response_before_after", "design", "responses",
-                                    "energies", "mechanism"])
+        self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",
+                                    "responses", "energies", "mechanism"])
 
     def test_spatial_statics(self):
         self.draws(write_spatial, ["responses", "mechanism"])
