@@ -26,11 +26,17 @@ void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle
   Json file;
   file["input_sha256"] = input_sha256;
   for (const auto& c : history) {
-    Json cycle = {{"number", c.number},         {"x", numbers(c.x)},
-                  {"next", numbers(c.next)},    {"mass", c.mass},
-                  {"worst", c.worst},           {"worst_constraint", c.worst_constraint},
-                  {"worst_time", c.worst_time}, {"load_cases", c.load_cases},
-                  {"iterations", c.iterations}, {"move", c.move},
+    Json cycle = {{"number", c.number},
+                  {"x", numbers(c.x)},
+                  {"answer", numbers(c.answer)},
+                  {"next", numbers(c.next)},
+                  {"mass", c.mass},
+                  {"worst", c.worst},
+                  {"worst_constraint", c.worst_constraint},
+                  {"worst_time", c.worst_time},
+                  {"load_cases", c.load_cases},
+                  {"iterations", c.iterations},
+                  {"move", c.move},
                   {"seconds", c.seconds}};
     if (c.load_change) cycle["load_change"] = *c.load_change;
     file["cycles"].push_back(cycle);
@@ -54,6 +60,7 @@ std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
       Cycle c;
       c.number = j.at("number");
       c.x = vector(j.at("x"));
+      c.answer = vector(j.at("answer"));
       c.next = vector(j.at("next"));
       c.mass = j.at("mass");
       c.worst = j.at("worst");

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <stdexcept>
 
@@ -107,13 +108,18 @@ class EslCycle {
         throw std::invalid_argument("resume: the interrupted run has other variables");
       result_.history.push_back(cycle);
     }
-    Trial<G> first = simulate(resume.front().x);
-    keep_initial(first);
-    keep_best(std::move(first), resume.front().x);
-    Trial<G> previous = simulate(resume.back().x);
-    last_ = previous;
-    keep_best(std::move(previous), resume.back().x);
+    // Simulated again: the first (where it came from), the best (to return), the last (its loads).
+    const auto best =
+        std::min_element(resume.begin(), resume.end(), [this](const Cycle& a, const Cycle& b) {
+          return better(a.worst, a.mass, b.worst, b.mass);
+        });
+    keep_initial(simulate(resume.front().x));
+    keep_best(simulate(best->x), best->x);
+    last_ = simulate(resume.back().x);
+    keep_best(*last_, resume.back().x);
     move_ = resume.back().move;
+    answer_before_ = resume.back().answer;
+    if (answer_before_.size() == x.size()) change_before_ = answer_before_ - resume.back().x;
     return resume.back().next.size() == x.size() ? resume.back().next : resume.back().x;
   }
 
@@ -212,18 +218,16 @@ class EslCycle {
       result_.times_initial.push_back(trial.simulation.trajectory.time(n));
   }
 
+  bool better(double worst, double mass, double than_worst, double than_mass) const {
+    const double allowed = study_.cycle.feasibility;
+    const bool meets = worst <= allowed, other_meets = than_worst <= allowed;
+    return meets != other_meets ? meets : meets ? mass < than_mass : worst < than_worst;
+  }
+
   /// Best: the lightest among those that meet the limits, else the least violation.
   void keep_best(Trial<G> trial, const Eigen::VectorXd& x) {
     if (trial.simulation.report.status != SolveStatus::Converged) return;
-    const double allowed = study_.cycle.feasibility;
-    const bool meets = trial.worst <= allowed;
-    if (best_) {
-      const bool best_meets = best_->worst <= allowed;
-      const bool better = meets != best_meets ? meets
-                          : meets             ? trial.mass <= best_->mass
-                                              : trial.worst < best_->worst;
-      if (!better) return;
-    }
+    if (best_ && !better(trial.worst, trial.mass, best_->worst, best_->mass)) return;
     best_ = std::move(trial);
     best_x_ = x;
   }
@@ -258,7 +262,7 @@ class EslCycle {
     return false;
   }
 
-  /// The last three changes of mass alternate and do not shrink.
+  /// The last three changes of mass alternate and do not shrink; below the tolerance they may.
   bool oscillates() const {
     const auto& h = result_.history;
     if (h.size() < 4) return false;
@@ -266,7 +270,8 @@ class EslCycle {
       return h[h.size() - back].mass - h[h.size() - back - 1].mass;
     };
     return change(1) * change(2) < 0 && change(2) * change(3) < 0 &&
-           std::abs(change(1)) > 0.7 * std::abs(change(3));
+           std::abs(change(1)) > 0.7 * std::abs(change(3)) &&
+           std::abs(change(1)) > study_.cycle.objective_tolerance * h.back().mass;
   }
 
   NlpResult optimise(StaticSizing<G>& problem) const {
@@ -306,6 +311,7 @@ class EslCycle {
     }
     warm_ = answer.warm_start();
     cycle.load_cases = problem.load_cases();
+    cycle.answer = answer.x;
     cycle.next = accelerated(cycle, answer.x);
     last_answer_ = answer;
     return cycle.next;

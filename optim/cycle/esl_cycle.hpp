@@ -36,7 +36,8 @@ struct Cycle {
   int iterations = 0;                 ///< of the optimiser
   double move = 0;                    ///< move limit
   double seconds = 0;
-  Eigen::VectorXd next;  ///< what the static problem answered; empty in the last cycle
+  Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
+  Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
 };
 
 /// A limited response over the records: |value| of each.

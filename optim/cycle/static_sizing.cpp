@@ -63,8 +63,8 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
     const auto support = study_.supports.find(loads.body);
     HeldPart held = read_support(support == study_.supports.end() ? Support{} : support->second,
                                  at.mechanism, model_, loads.body);
-    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, {}, {},
-              false,      {}};
+    Part part{loads.body, &loads, StaticPart<G>(beam, std::move(held), std::move(C)), {}, false, {},
+              {},         {}};
     for (size_t i = before; i < limits_.size(); ++i)
       part.compliance |= kind_of(limits_[i]) == ResponseKind::Compliance;
     for (int e = 0; e < beam.elements(); ++e)
