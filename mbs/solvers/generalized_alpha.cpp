@@ -18,6 +18,7 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
   delta_.setZero(model.size());
   dlambda_.setZero(model.constraints());
   previous_vdot_.setZero(model.size());
+  step_before_.setZero(model.size());
 }
 
 /// The factors for a step size: kept from the first use on.
@@ -61,6 +62,15 @@ void GeneralizedAlpha<G>::correct(double, TangentWeights w) {
   trial_.lambda += dlambda_;
 }
 
+/// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the same
+/// direction; the rest of that geometric series is known.
+template <FrameGroup G>
+void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
+  const double size = step_before_.squaredNorm();
+  const double c = size > 0 ? delta.dot(step_before_) / size : 0;
+  if (std::abs(c) < kSlow) delta /= 1 - c;
+}
+
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::small_enough() const {
   const double scale = std::max(equations_.scale(), kMemory * scale_);
@@ -102,6 +112,8 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the joint equations are singular";
       return result;
     }
+    if (result.iterations > 0) extrapolate(delta_);
+    step_before_ = delta_;
     ++result.iterations;
     correct(h, w);
     for (int k = 0; k < model_.nodes(); ++k)

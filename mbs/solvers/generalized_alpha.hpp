@@ -56,6 +56,7 @@ class GeneralizedAlpha {
   JointSystem<G>& system_for(double h);
   void predict(const State<G>& old, double h);
   void correct(double h, TangentWeights w);
+  void extrapolate(Eigen::VectorXd& delta) const;
   bool small_enough() const;
   void accept(const State<G>& old, State<G>& s, double h, StepResult& result);
 
@@ -66,7 +67,7 @@ class GeneralizedAlpha {
   std::vector<Factored> factored_;
   std::vector<int> factorizations_;
   State<G> trial_;
-  Eigen::VectorXd dq_, delta_, dlambda_, previous_vdot_;
+  Eigen::VectorXd dq_, delta_, dlambda_, previous_vdot_, step_before_;
   double previous_h_ = 0;
   double scale_ = 0;  ///< largest force scale so far
 };
