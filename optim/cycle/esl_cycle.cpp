@@ -34,8 +34,9 @@ const char* to_string(CycleStatus status) {
 
 namespace {
 
-constexpr int kMaxRounds = 8;    // screening: optimise, look at all cases, again
-constexpr double kStuck = 1e-6;  // relative change of a design that counts as none
+constexpr int kMaxRounds = 8;        // screening: optimise, look at all cases, again
+constexpr double kStuck = 1e-6;      // relative change of a design that counts as none
+constexpr double kFixedPoint = 0.1;  // change of a design, of the tolerance, that ends the cycle
 constexpr double kSmallestMove = 1e-3;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -92,7 +93,7 @@ class EslCycle {
         result_.reason = fmt::format("stopped in cycle {} on request", number);
         break;
       }
-      if (done || stuck(result_.history.back())) break;
+      if (done || at_fixed_point(result_.history.back()) || stuck(result_.history.back())) break;
     }
     finish();
     return std::move(result_);
@@ -333,6 +334,20 @@ class EslCycle {
     for (int i = 0; i < next.size(); ++i)
       next[i] = std::clamp(next[i], sizing_.variables()[i].lower, sizing_.variables()[i].upper);
     return next;
+  }
+
+  /// The static optimum under the loads of a design is that design: nothing is left to agree on.
+  bool at_fixed_point(const Cycle& cycle) {
+    const auto& o = study_.cycle;
+    if (cycle.worst > o.feasibility || cycle.next.size() == 0) return false;
+    const double change = change_before_.norm() / cycle.x.norm();
+    if (change > kFixedPoint * o.tolerance) return false;
+    result_.status = CycleStatus::Converged;
+    result_.reason = fmt::format(
+        "the static optimum under the loads is the design itself within {:.2g}, worst limit at "
+        "{:+.2g}",
+        change, cycle.worst);
+    return true;
   }
 
   /// Nothing moves any more and a limit is still violated.
