@@ -133,8 +133,10 @@ class Beam final : public Body<G> {
   }
 
  private:
-  /// A += M D_h(-[R^T g; 0]), block column by block column.
+  /// A += M D_h(-[R^T g; 0]), block column by block column, and the tangent of the curvature part.
   void add_weight_tangent(const BodyState<G>& s, const Vector& gravity, Matrices& A) const {
+    for (int e = 0; e < elements(); ++e)
+      A.add_element(e, elements_[e].weight_curvature_tangent(s.H[e], s.H[e + 1], gravity));
     for (int k = 0; k < this->nodes(); ++k) {
       const typename G::Matrix D = weight_tangent<G>(s.H[k], gravity);
       A.D[k] += this->M_.D[k] * D;

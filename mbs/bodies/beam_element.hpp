@@ -127,9 +127,17 @@ class BeamElement {
   /// vector w it is linear - s(1 - s)/2 w x (w x R_mid^T a).
   /// @param a gravity, inertial axes, m/s^2
   void add_weight_curvature(const G& A, const G& B, const Vector& a, Pair& g) const {
-    const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
-    const Vector mean = 0.5 * (A.R.transpose() * a + B.R.transpose() * a);
-    g.noalias() += bubble_ * Vector(W * (W * mean) - W0_squared_ * mean);
+    g += curvature(bubble_, A, B, a);
+  }
+  PairMatrix weight_curvature_tangent(const G& A, const G& B, const Vector& a) const {
+    return curvature_tangent(bubble_, A, B, a);
+  }
+  /// The same for a dead force per length q [N/m] and its share by integral(I).
+  Pair spread_curvature(const G& A, const G& B, const Vector& q) const {
+    return curvature(spread_bubble_, A, B, q);
+  }
+  PairMatrix spread_curvature_tangent(const G& A, const G& B, const Vector& q) const {
+    return curvature_tangent(spread_bubble_, A, B, q);
   }
 
   /// g = M a + L int Q^T (-ad(v)^T M_s v) ds: inertia with the constant mass matrix, and the
@@ -187,15 +195,43 @@ class BeamElement {
   }
 
  private:
+  using Bubble = Eigen::Matrix<double, 2 * dim, G::space_dim>;
+
+  /// bubble (w x (w x m) - its value at reference), m the mean of R^T a at the nodes.
+  Pair curvature(const Bubble& bubble, const G& A, const G& B, const Vector& a) const {
+    const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
+    const Vector mean = 0.5 * (A.R.transpose() * a + B.R.transpose() * a);
+    return bubble * Vector(W * (W * mean) - W0_squared_ * mean);
+  }
+
+  /// D_[h_A; h_B] curvature, column by column: dR = -e~ R or R e~.
+  PairMatrix curvature_tangent(const Bubble& bubble, const G& A, const G& B,
+                               const Vector& a) const {
+    const Rotation R = A.R.transpose() * B.R, W = 0.5 * (R - R.transpose());
+    const Vector at_A = A.R.transpose() * a, at_B = B.R.transpose() * a, mean = 0.5 * (at_A + at_B);
+    PairMatrix k = PairMatrix::Zero();
+    for (int i = G::space_dim; i < dim; ++i) {
+      const Rotation e =
+          G::ad(Tangent::Unit(i)).template topLeftCorner<G::space_dim, G::space_dim>();
+      const auto column = [&](const Rotation& dR, const Vector& dmean) -> Pair {
+        const Rotation dW = 0.5 * (dR - dR.transpose());
+        return bubble *
+               Vector(dW * (W * mean) + W * (dW * mean) + W * (W * dmean) - W0_squared_ * dmean);
+      };
+      k.col(i) = column(-e * R, -0.5 * e * at_A);
+      k.col(dim + i) = column(R * e, -0.5 * e * at_B);
+    }
+    return k;
+  }
+
   Tangent d0_;
   double L_;
   Matrix K_, M_s_;
   PairMatrix mass_;
-  PairMatrix Q_;            ///< Q at both Gauss points, one below the other
-  PairMatrix weighted_Qt_;  ///< their transposes times L/2, side by side
-  /// L int Q^T M_s [I; 0] s(1 - s)/2 ds
-  Eigen::Matrix<double, 2 * dim, G::space_dim> bubble_ =
-      Eigen::Matrix<double, 2 * dim, G::space_dim>::Zero();
+  PairMatrix Q_;                           ///< Q at both Gauss points, one below the other
+  PairMatrix weighted_Qt_;                 ///< their transposes times L/2, side by side
+  Bubble bubble_ = Bubble::Zero();         ///< L int Q^T M_s [I; 0] s(1 - s)/2 ds
+  Bubble spread_bubble_ = Bubble::Zero();  ///< the same with the identity for M_s
   Rotation W0_squared_;
 };
 

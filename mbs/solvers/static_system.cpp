@@ -1,5 +1,7 @@
 #include "mbs/solvers/static_system.hpp"
 
+#include "mbs/bodies/beam.hpp"
+
 namespace liesl {
 namespace {
 
@@ -90,6 +92,11 @@ void StaticSystem<G>::add_loads(const State<G>& s, const LoadLevel& level) {
           J.transpose() * dead_load_tangent<G>(load.port.frame(s.H), wrench) * J;
       continue;
     }
+    if (const auto* beam = dynamic_cast<const Beam<G>*>(model_.bodies[load.port.body].get()))
+      for (int e = 0; e < beam->elements(); ++e)
+        K.add_element(
+            e, beam->element(e).spread_curvature_tangent(s.H[first + e], s.H[first + e + 1],
+                                                         wrench.template head<G::space_dim>()));
     for (int k = 0; k < K.blocks(); ++k) {
       const typename G::Matrix D = dead_load_tangent<G>(s.H[first + k], wrench);
       const auto& W = load.distribution;

@@ -2,6 +2,8 @@
 
 #include <limits>
 
+#include "mbs/bodies/beam.hpp"
+
 namespace liesl {
 
 template <FrameGroup G>
@@ -64,6 +66,11 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceSca
       continue;
     }
     const int first = model.first_node(load.port.body), n = model.bodies[load.port.body]->nodes();
+    if (const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[load.port.body].get());
+        beam && !load.follower)
+      for (int e = 0; e < beam->elements(); ++e)
+        r.template segment<2 * dim>(dim * (first + e)) += beam->element(e).spread_curvature(
+            s.H[first + e], s.H[first + e + 1], factor * load.wrench.template head<G::space_dim>());
     for (int k = 0; k < n; ++k) {
       const Tangent y = factor * local(load, s.H[first + k]);
       const auto& W = load.distribution;

@@ -115,8 +115,9 @@ TEST(Records, OutputEveryKeepsEveryNthStep) {
   const auto all = testing::run_planar(reference::pendulum(4), o);
   o.output_every = 7;
   const auto some = testing::run_planar(reference::pendulum(4), o);
-  ASSERT_EQ(some.trajectory().size(), 1 + 100 / 7);
-  for (int i = 0; i < some.trajectory().size(); ++i) {
+  ASSERT_EQ(some.trajectory().size(), 2 + 100 / 7);
+  EXPECT_NEAR(some.trajectory().time(some.last()), 0.1, 1e-13) << "the end is always kept";
+  for (int i = 0; i < some.last(); ++i) {
     EXPECT_NEAR(some.trajectory().time(i), 7e-3 * i, 1e-13);
     EXPECT_EQ(some.trajectory().v(i), all.trajectory().v(7 * i));
   }
