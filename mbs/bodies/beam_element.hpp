@@ -39,6 +39,8 @@ class BeamElement {
       const Gradient q = Q(d0_, s);
       Q_.template middleRows<dim>(dim * i) = q;
       weighted_Qt_.template middleCols<dim>(dim * i) = weight * q.transpose();
+      spread_bubble_ +=
+          0.5 * s * (1 - s) * weight * q.transpose().template leftCols<G::space_dim>();
       bubble_ +=
           0.5 * s * (1 - s) * weight * q.transpose() * M_s_.template leftCols<G::space_dim>();
     }

@@ -62,8 +62,8 @@ void GeneralizedAlpha<G>::correct(double, TangentWeights w) {
   trial_.lambda += dlambda_;
 }
 
-/// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the same
-/// direction; the rest of that geometric series is known.
+/// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the
+/// same direction; the rest of that geometric series is known.
 template <FrameGroup G>
 void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
   const double size = step_before_.squaredNorm();
