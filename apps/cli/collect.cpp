@@ -1,28 +1,9 @@
 #include "apps/cli/collect.hpp"
 
+#include "apps/scene/reader.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
-
-const char* to_string(JointType type) {
-  switch (type) {
-    case JointType::Fixed:
-      return "fixed";
-    case JointType::Revolute:
-      return "revolute";
-    case JointType::Prismatic:
-      return "prismatic";
-    case JointType::Cylindrical:
-      return "cylindrical";
-    case JointType::Spherical:
-      return "spherical";
-    case JointType::Universal:
-      return "universal";
-    case JointType::Planar:
-      return "planar";
-  }
-  return "";
-}
 
 namespace {
 
@@ -144,7 +125,7 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   }
   for (const auto& body : mechanism.bodies) r.bodies.push_back(empty_body(body));
   for (const auto& j : mechanism.joints)
-    r.joints.push_back({j.name, to_string(j.type), {}, {}, {}});
+    r.joints.push_back({j.name, std::string(name_of(j.type)), {}, {}, {}});
 
   const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();

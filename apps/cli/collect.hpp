@@ -20,9 +20,6 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
                                                       const Model<G>& model,
                                                       const Trajectory<G>& trajectory);
 
-/// "fixed", "revolute", ...
-const char* to_string(JointType type);
-
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
                                         const Trajectory<SE2>&);
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
