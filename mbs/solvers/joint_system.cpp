@@ -27,8 +27,8 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
   solution_.setZero(rows);
-  llt_ = Eigen::LLT<Eigen::MatrixXd>(rows);
-  lu_ = Eigen::PartialPivLU<Eigen::MatrixXd>(rows);
+  llt_.compute(Eigen::MatrixXd::Identity(rows, rows));
+  lu_.compute(Eigen::MatrixXd::Identity(rows, rows));
 }
 
 template <FrameGroup G>
