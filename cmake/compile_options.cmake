@@ -21,6 +21,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # False alarms of GCC 12: its own AVX headers when Eigen's small products are inlined, and sums of
   # std::string (GCC bug 105651).
   list(APPEND LIESL_WARNINGS -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow
+       -Wno-stringop-overread
        -Wno-restrict)
 endif()
 if(LIESL_WERROR)

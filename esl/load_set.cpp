@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "mbs/bodies/modal.hpp"
+
 namespace liesl {
 namespace {
 
@@ -34,17 +36,25 @@ Strains<G> strains(const Body<G>& body, const G* H) {
   return eps;
 }
 
+template <FrameGroup G>
+double length_of(const Body<G>& body) {
+  double length = 0;
+  for (int k = 0; k + 1 < body.nodes(); ++k)
+    length += (body.reference[k + 1].x - body.reference[k].x).norm();
+  return length;
+}
+
 /// g_int(H) = f with H_0 = reference, by Newton's method with extrapolated stress.
 template <FrameGroup G>
-bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H) {
+bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H) {
   using Tangent = typename G::Tangent;
   H.assign(beam.reference.begin(), beam.reference.end());
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
   std::vector<Tangent, Eigen::aligned_allocator<Tangent>> stress(beam.elements(), Tangent::Zero());
-  BlockTridiagonal<G::dim> A(beam.nodes());
+  BodyMatrix<G::dim> A(beam.nodes());
   BlockTridiagonalLU<G::dim> lu;
-  double best = std::numeric_limits<double>::infinity(), moved = best, length = 0;
-  for (int e = 0; e < beam.elements(); ++e) length += beam.element(e).length();
+  double best = std::numeric_limits<double>::infinity(), moved = best;
+  const double length = length_of(beam);
   for (int i = 0; i < kMaxNewton; ++i) {
     const BodyState<G> s{H.data(), rest.data(), rest.data()};
     Eigen::VectorXd r = -f;
@@ -61,17 +71,52 @@ bool solve_nonlinear(const Beam<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
     if (!lu.factor(A)) return false;
     lu.solve(r.data());
     moved = r.norm();
-    for (int e = 0; e < beam.elements(); ++e) {
-      const auto& element = beam.element(e);
-      const Tangent d = G::log(H[e].inverse() * H[e + 1]);
-      const Eigen::Matrix<double, 2 * G::dim, 1> pair = -r.segment<2 * G::dim>(G::dim * e);
-      stress[e] = element.section_stiffness() * ((d - element.d0()) + BeamElement<G>::P(d) * pair) /
-                  element.length();
-    }
+    const Eigen::VectorXd delta = -r;
+    beam.extrapolate_stress(s, delta.data(), stress.data());
     for (int k = 1; k < beam.nodes(); ++k)
-      H[k] = H[k] * G::exp(Tangent(-r.segment<G::dim>(G::dim * k)));
+      H[k] = H[k] * G::exp(Tangent(delta.segment<G::dim>(G::dim * k)));
   }
   return false;
+}
+
+/// Displacements in the frame that moves with node 0, each in its node's axes: [u; rotation
+/// vector].
+template <FrameGroup G>
+Eigen::VectorXd corotational(const Body<G>& body, const G* H) {
+  constexpr int dim = G::dim;
+  Eigen::VectorXd u(body.size());
+  for (int k = 0; k < body.nodes(); ++k) {
+    const G X = body.reference[0].inverse() * body.reference[k], Y = H[0].inverse() * H[k];
+    u.segment<dim>(dim * k) << X.R.transpose() * (Y.x - X.x),
+        RotationOf<G>::log(X.R.transpose() * Y.R);
+  }
+  return u;
+}
+
+/// Stiffness of the part as a free linear structure.
+template <FrameGroup G>
+const BlockTridiagonal<G::dim>& linear_stiffness(const Body<G>& body) {
+  if (const auto* modal = dynamic_cast<const ModalBody<G>*>(&body))
+    return modal->beam().stiffness();
+  return body.stiffness();
+}
+
+/// Strains of the part under displacements u at reference.
+template <FrameGroup G>
+Strains<G> linear_strains(const Body<G>& body, const Eigen::VectorXd& u) {
+  constexpr int dim = G::dim;
+  if (const auto* beam = dynamic_cast<const Beam<G>*>(&body)) {
+    Strains<G> eps(dim, beam->elements());
+    for (int e = 0; e < beam->elements(); ++e) {
+      const auto& element = beam->element(e);
+      eps.col(e) = BeamElement<G>::P(element.d0()) * u.segment<2 * dim>(dim * e) / element.length();
+    }
+    return eps;
+  }
+  Frames<G> H(body.reference.begin(), body.reference.end());
+  for (int k = 0; k < body.nodes(); ++k)
+    H[k] = H[k] * G::exp(typename G::Tangent(u.segment<dim>(dim * k)));
+  return strains<G>(body, H.data());
 }
 
 /// Up to `count` load cases spread over time, and the one with the largest load.
@@ -90,21 +135,26 @@ std::set<int> chosen_cases(const LoadSet& loads, int count) {
 }  // namespace
 
 template <FrameGroup G>
-LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
-  const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[body].get());
-  if (!beam)
+LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
+  const Body<G>& body = *model.bodies[index];
+  const auto* modal = dynamic_cast<const ModalBody<G>*>(&body);
+  if (body.elements() == 0)
     throw std::invalid_argument(
-        fmt::format("'{}' is rigid: only a beam has internal forces", model.bodies[body]->name));
+        fmt::format("'{}' is rigid: only a beam has internal forces", body.name));
   LoadSet set;
-  set.body = body;
-  set.f.setZero(beam->size(), trajectory.size());
-  typename Beam<G>::Pair g;
+  set.body = index;
+  set.f.setZero(body.size(), trajectory.size());
+  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(body.size());
+  ForceScale scale;
   for (int n = 0; n < trajectory.size(); ++n) {
     set.t.push_back(trajectory.time(n));
-    const G* H = trajectory.frames(n) + model.first_node(body);
-    for (int e = 0; e < beam->elements(); ++e) {
-      beam->element(e).internal_force(H[e], H[e + 1], nullptr, 0, g);
-      set.f.col(n).template segment<2 * G::dim>(G::dim * e) += g;
+    const G* H = trajectory.frames(n) + model.first_node(index);
+    double* f = set.f.col(n).data();
+    if (modal || model.formalism == Formalism::Classical) {
+      const Eigen::VectorXd u = modal ? modal->displacements(H) : corotational<G>(body, H);
+      linear_stiffness(body).multiply_add(u.data(), f);
+    } else {
+      body.add_internal({H, rest.data(), rest.data()}, f, scale);
     }
   }
   return set;
@@ -130,8 +180,9 @@ double load_change(const std::vector<LoadSet>& f, const std::vector<LoadSet>& be
 template <FrameGroup G>
 Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
                         const LoadSet& loads, int cases) {
-  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[loads.body]);
-  BlockTridiagonal<G::dim> K = beam.stiffness();
+  const Body<G>& body = *model.bodies[loads.body];
+  const bool linear = body.mass().is_dense();  // a modal body is linear: no second problem
+  BlockTridiagonal<G::dim> K = linear_stiffness(body);
   hold_first_node(K);
   BlockTridiagonalLU<G::dim> lu;
   lu.factor(K);
@@ -139,25 +190,22 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
   double largest = 0;
   for (const int n : chosen_cases(loads, cases)) {
     const Strains<G> dynamic =
-        strains<G>(beam, trajectory.frames(n) + model.first_node(loads.body));
+        strains<G>(body, trajectory.frames(n) + model.first_node(loads.body));
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
     largest = std::max(largest, size);
     ++identity.cases;
-    Frames<G> H;
-    const bool solved = solve_nonlinear<G>(beam, loads.f.col(n), H);
-    const double off = solved ? (strains<G>(beam, H.data()) - dynamic).cwiseAbs().maxCoeff()
-                              : std::numeric_limits<double>::infinity();
-    identity.nonlinear = std::max(identity.nonlinear, off);
     Eigen::VectorXd u = loads.f.col(n);
     u.head<G::dim>().setZero();
     lu.solve(u.data());
-    for (int e = 0; e < beam.elements(); ++e) {
-      const auto& element = beam.element(e);
-      const typename G::Tangent eps =
-          BeamElement<G>::P(element.d0()) * u.segment<2 * G::dim>(G::dim * e) / element.length();
-      identity.linear = std::max(identity.linear, (eps - dynamic.col(e)).cwiseAbs().maxCoeff());
-    }
+    const double off = (linear_strains(body, u) - dynamic).cwiseAbs().maxCoeff();
+    identity.linear = std::max(identity.linear, off);
+    Frames<G> H;
+    const bool solved = linear || solve_nonlinear<G>(body, loads.f.col(n), H);
+    identity.nonlinear = std::max(
+        identity.nonlinear, linear   ? off
+                            : solved ? (strains<G>(body, H.data()) - dynamic).cwiseAbs().maxCoeff()
+                                     : std::numeric_limits<double>::infinity());
   }
   if (largest > 0) {
     identity.nonlinear /= largest;

@@ -1,7 +1,9 @@
 #pragma once
 /// @file
-/// Equivalent static loads of a part: its internal force at every instant of the motion, in the
-/// nodal local frames (Lie group formalism, thesis eq. 3.22).
+/// Equivalent static loads of a part at every instant of the motion, in the nodal local frames. By
+/// formalism: Lie group and R^3 x SO(3): the internal force, f = g_int(H) (thesis eq. 3.22);
+/// classical: f = K_ref u with u in a corotational frame, here that of the first node (eq. 3.21);
+/// floating: f = K_ff q_f (eq. 3.20).
 
 #include "mbs/bodies/beam.hpp"
 #include "mbs/solvers/trajectory.hpp"
@@ -15,7 +17,7 @@ struct LoadSet {
   Eigen::MatrixXd f;      ///< dim * nodes x load cases; [N; N m] a node
 };
 
-/// f_n = g_int(H_n) of one body at every record. Elastic part only: damping does no static work.
+/// The loads of one body at every record. Elastic part only: damping does no static work.
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body);
 

@@ -27,6 +27,11 @@ class BeamReader {
   std::optional<BeamSpec> read() {
     BeamSpec beam;
     beam.damping = number(table_, "damping");
+    const std::string as = text(table_, "as");
+    beam.as = as == "rigid"   ? BeamModel::Rigid
+              : as == "modal" ? BeamModel::Modal
+                              : BeamModel::AsFormalism;
+    if (table_.contains("modes")) beam.modes = integer(table_, "modes");
     sections(beam);
     material(beam);
     check_axis();

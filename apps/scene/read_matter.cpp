@@ -16,6 +16,19 @@ SimulationType type_of(const std::string& text) {
   return text == "modes" ? SimulationType::Modes : SimulationType::Dynamic;
 }
 
+Formalism formalism_of(const std::string& name) {
+  for (auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating, Formalism::Rigid})
+    if (name == to_string(f)) return f;
+  return Formalism::Lie;
+}
+
+TangentStrategy tangent_of(const std::string& name) {
+  if (name == "constant") return TangentStrategy::Constant;
+  if (name == "adaptive") return TangentStrategy::Adaptive;
+  if (name == "exact") return TangentStrategy::Exact;
+  return TangentStrategy::Auto;
+}
+
 SpaceChoice space_of(const std::string& text) {
   if (text == "planar") return SpaceChoice::Planar;
   return text == "spatial" ? SpaceChoice::Spatial : SpaceChoice::Auto;
@@ -74,7 +87,10 @@ void read_simulation(Reader& reader) {
   SimulationOptions& o = reader.scene.simulation;
   o.type = type_of(text(*table, "type"));
   o.space = space_of(text(*table, "space"));
+  reader.scene.mechanism.formalism = formalism_of(text(*table, "formalism"));
+  o.tangent = tangent_of(text(*table, "tangent"));
   if (reader.broken.contains("simulation")) return;
+  o.rescale = boolean(*table, "rescale");
   o.duration = number(*table, "duration");
   o.step = number(*table, "step");
   o.rho_inf = number(*table, "rho_inf");

@@ -60,6 +60,8 @@ std::vector<Key> body_keys() {
     {"bodies.*.beam.elements", Type::Integer, "", kRequired, {1, 100000}, "Number of elements, spaced evenly along the axis."},
     {"bodies.*.beam.up", Type::Vector, "-", kOptional, kAny, "Local y of the section at the start is the part of this direction normal to the axis. Default: local z is the part of inertial z (for an axis along z: inertial y) normal to the axis, of an arc its normal; a beam in the x-y plane has local y in that plane.", 3},
     {"bodies.*.beam.pre_twist", Type::Number, "rad", "0", kAny, "Rotation of the section about the axis from start to end."},
+    {"bodies.*.beam.as", Type::Choice, "", "\"formalism\"", kAny, "What the beam is simulated as: as `simulation.formalism` says, rigid, or linear in a floating frame with modes.", 0, "formalism rigid modal"},
+    {"bodies.*.beam.modes", Type::Integer, "", kOptional, kWhole0, "Internal modes that are kept where the beam is simulated with modes. Default: all."},
     {"bodies.*.beam.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional: section forces get damping K d(strain)/dt."},
 
     {"bodies.*.rigid", Type::Table, "", kOneOf, kAny, "Rigid body. Ports: origin and the named points."},
@@ -124,6 +126,9 @@ std::vector<Key> simulation_keys() {
     {"simulation", Type::Table, "", kOptional, kAny, "What is computed and how finely."},
     {"simulation.type", Type::Choice, "", "\"dynamic\"", kAny, "Motion over time, equilibrium under the loads, or natural modes about it.", 0, "dynamic static modes"},
     {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them.", 0, "auto planar spatial"},
+    {"simulation.formalism", Type::Choice, "", "\"se3\"", kAny, "Unknowns and kind of flexible body: SE(3) (SE(2) in a plane), R^3 x SO(3), classical rotation vectors, floating frames with modes, flexible bodies rigid.", 0, "se3 r3so3 classical floating rigid"},
+    {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
+    {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},
     {"simulation.duration", Type::Number, "s", "1.0", kPositive, "Dynamic: length of the simulated time."},
     {"simulation.step", Type::Number, "s", "1e-3", kPositive, "Dynamic: time step; the largest one if adaptive."},
     {"simulation.rho_inf", Type::Number, "-", "0.8", {0, 1}, "Dynamic: spectral radius at infinity; 1 = no numerical dissipation."},

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "liegroup/concepts.hpp"
-#include "mbs/linalg/block_tridiagonal.hpp"
+#include "mbs/bodies/body_matrix.hpp"
 
 namespace liesl {
 
@@ -17,6 +17,14 @@ struct BodyState {
   const G* H = nullptr;          ///< frames, one a node
   const double* v = nullptr;     ///< left-invariant velocities, dim a node
   const double* vdot = nullptr;  ///< their rates, dim a node
+  const double* w = nullptr;     ///< amplitudes of modes, dim a node
+};
+
+/// What a node of a body is to the solvers.
+enum class NodeKind {
+  Frame,       ///< an unknown frame
+  Amplitudes,  ///< dim unknown amplitudes of modes: a vector; its frame follows
+  Follower     ///< no unknowns: its frame follows from those of the body's other nodes
 };
 
 /// Weights of the time integrator in the iteration matrix beta' M + gamma' C + K; with
@@ -50,7 +58,7 @@ class Body {
   static constexpr int dim = G::dim;
   using Tangent = typename G::Tangent;
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
-  using Matrices = BlockTridiagonal<dim>;
+  using Matrices = BodyMatrix<dim>;
 
   Body(std::string body_name, std::vector<G> nodes_at_rest)
       : name(std::move(body_name)), reference(std::move(nodes_at_rest)) {}
@@ -61,6 +69,10 @@ class Body {
 
   int nodes() const { return static_cast<int>(reference.size()); }
   int size() const { return dim * nodes(); }
+  virtual NodeKind kind(int /*node*/) const { return NodeKind::Frame; }
+  /// Frames, velocities and their rates of every node from the unknowns; nothing to do where all
+  /// nodes are frames.
+  virtual void complete(G* /*H*/, double* /*v*/, double* /*vdot*/, const double* /*w*/) const {}
 
   /// r += M (vdot - [R^T gravity; 0]) + gyroscopic force. Gravity enters as an acceleration.
   virtual void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
@@ -81,6 +93,9 @@ class Body {
 
   /// Shares of a load per length: f = W [l_0; ...; l_n]; zero for bodies without length.
   virtual Matrices load_distribution() const { return Matrices(nodes()); }
+  /// For bodies with followers instead: f = S l_0, all of the load from its components in the axes
+  /// of node 0 [size x dim]; `follower` loads keep their components in the axes of every node.
+  virtual Eigen::MatrixXd load_share(bool /*follower*/) const { return {}; }
 
   virtual int elements() const { return 0; }
   /// Strain and section forces of element e.

@@ -1,8 +1,10 @@
 #pragma once
 /// @file
-/// Rigid body: M vdot - ad(v)^T M v = g, in the frame of its origin.
+/// Rigid body: M vdot - ad(v)^T M v = g, in the frame of its origin; or a beam taken as rigid,
+/// whose further nodes follow the first one.
 
-#include "mbs/bodies/beam_element.hpp"
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
 #include "mbs/bodies/body.hpp"
 
 namespace liesl {
@@ -19,44 +21,39 @@ class Rigid final : public Body<G> {
   /// @param centre of mass in the body frame
   Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia,
         const Vector& centre)
-      : Body<G>(std::move(body_name), {frame}), centre_(centre) {
-    this->M_.resize(1);
-    this->K_.resize(1);
-    this->M_.D[0] = inertia;
+      : Body<G>(std::move(body_name), {frame}), inertia_(inertia), centre_(centre) {
+    set_matrices();
   }
+
+  /// A flexible body made rigid: H_k = H_0 X_k with X_k as at reference, J_k = Ad(X_k^-1),
+  /// M = sum_kl J_k^T M_kl J_l, loads per length likewise.
+  Rigid(std::string body_name, const Body<G>& flexible);
+
+  NodeKind kind(int node) const override {
+    return node == 0 ? NodeKind::Frame : NodeKind::Follower;
+  }
+  void complete(G* H, double* v, double* vdot, const double* w) const override;
+  Eigen::MatrixXd load_share(bool follower) const override;
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
-                   ForceScale& scale) const override {
-    const Tangent v = Eigen::Map<const Tangent>(s.v);
-    const auto& M = this->M_.D[0];
-    const Tangent f =
-        M * apparent_acceleration<G>(s, 0, gravity) + BeamElement<G>::minus_ad_transpose(v, M * v);
-    Eigen::Map<Tangent>{r} += f;
-    scale.add<G>(f);
-  }
-
+                   ForceScale& scale) const override;
   void add_internal(const BodyState<G>&, double*, ForceScale&) const override {}
-
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w, const Tangent*,
-                     Matrices& A) const override {
-    const auto& M = this->M_.D[0];
-    A.D[0] = w.mass * M;
-    if (w.damping > 0)
-      A.D[0] += w.damping *
-                BeamElement<G>::minus_ad_transpose_derivative(Eigen::Map<const Tangent>(s.v), M);
-    A.D[0] += M * weight_tangent<G>(s.H[0], gravity);
-  }
-
-  BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override {
-    const Eigen::Map<const Tangent> v(s.v);
-    const auto& M = this->M_.D[0];
-    return {0.5 * v.dot(M * v), 0, -total_mass() * gravity.dot(s.H[0].x + s.H[0].R * centre_)};
-  }
-
-  double total_mass() const override { return this->M_.D[0](0, 0); }
+                     Matrices& A) const override;
+  BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  double total_mass() const override { return inertia_(0, 0); }
 
  private:
-  Vector centre_;
+  using Matrix = typename G::Matrix;
+  void set_matrices();
+
+  Matrix inertia_;  ///< about node 0
+  Vector centre_ = Vector::Zero();
+  std::vector<G, Eigen::aligned_allocator<G>> X_;  ///< H_0^-1 H_k
+  Eigen::MatrixXd dead_share_, follower_share_;
 };
+
+extern template class Rigid<SE2>;
+extern template class Rigid<SE3>;
 
 }  // namespace liesl

@@ -7,9 +7,9 @@
 /// with respect to left-invariant increments of the two ports, [u_a; w_a; u_b; w_b].
 
 #include <Eigen/Core>
-#include <cmath>
 
-#include "liegroup/concepts.hpp"
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
 
 namespace liesl {
 
@@ -54,61 +54,10 @@ class Row {
   RowKind kind() const { return kind_; }
 
   /// @param near the value it had last: an angle is continued from there, over any number of turns
-  double value(const Motion& r, double near) const {
-    switch (kind_) {
-      case RowKind::Along:
-        return m_.dot(r.p);
-      case RowKind::Normal:
-        return m_.dot(r.R * n_);
-      case RowKind::Distance:
-        return r.p.norm();
-      case RowKind::Angle:
-        break;
-    }
-    const double angle = std::atan2(m_.dot(r.R * n_), m2_.dot(r.R * n2_));
-    return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
-  }
-
-  void gradient(const Motion& r, Gradient& g) const {
-    switch (kind_) {
-      case RowKind::Along:
-        g << -m_, X(m_).transpose() * r.p, r.R.transpose() * m_, Angular::Zero();
-        return;
-      case RowKind::Normal:
-        g = cosine_gradient(r, m_, n_);
-        return;
-      case RowKind::Distance: {
-        const Vector e = r.p / r.p.norm();
-        g << -e, Angular::Zero(), r.R.transpose() * e, Angular::Zero();
-        return;
-      }
-      case RowKind::Angle: {
-        const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_);
-        g = (c * cosine_gradient(r, m_, n_) - s * cosine_gradient(r, m2_, n2_)) / (s * s + c * c);
-        return;
-      }
-    }
-  }
-
+  double value(const Motion& r, double near) const;
+  void gradient(const Motion& r, Gradient& g) const;
   /// Left-invariant derivative of the gradient: the geometric stiffness of a unit force.
-  Hessian hessian(const Motion& r) const {
-    switch (kind_) {
-      case RowKind::Along:
-        return along_hessian(r);
-      case RowKind::Normal:
-        return cosine_hessian(r, m_, n_);
-      case RowKind::Distance:
-        return distance_hessian(r);
-      case RowKind::Angle:
-        break;
-    }
-    const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_), q = s * s + c * c;
-    const Gradient gs = cosine_gradient(r, m_, n_), gc = cosine_gradient(r, m2_, n2_);
-    const Gradient g = (c * gs - s * gc) / q;
-    return (c * cosine_hessian(r, m_, n_) - s * cosine_hessian(r, m2_, n2_) + gs * gc.transpose() -
-            gc * gs.transpose() - 2 * g * (s * gs + c * gc).transpose()) /
-           q;
-  }
+  Hessian hessian(const Motion& r) const;
 
  private:
   using Angular = Eigen::Matrix<double, rd, 1>;
@@ -118,59 +67,17 @@ class Row {
       : kind_(kind), m_(m), n_(n), m2_(m2), n2_(n2) {}
 
   /// X(v) w = w x v; X(v)^T a = v x a.
-  static Cross X(const Vector& v) {
-    if constexpr (sd == 2)
-      return Vector(-v.y(), v.x());
-    else
-      return (Cross() << 0, v.z(), -v.y(), -v.z(), 0, v.x(), v.y(), -v.x(), 0).finished();
-  }
-
-  static Gradient cosine_gradient(const Motion& r, const Vector& m, const Vector& n) {
-    Gradient g;
-    g << Vector::Zero(), X(m).transpose() * (r.R * n), Vector::Zero(),
-        X(n).transpose() * (r.R.transpose() * m);
-    return g;
-  }
-
-  static Hessian cosine_hessian(const Motion& r, const Vector& m, const Vector& n) {
-    const Vector Rn = r.R * n, Rtm = r.R.transpose() * m;
-    Hessian h = Hessian::Zero();
-    h.template block<rd, rd>(sd, sd) = -X(m).transpose() * X(Rn);
-    h.template block<rd, rd>(sd, dim + sd) = X(m).transpose() * r.R * X(n);
-    h.template block<rd, rd>(dim + sd, sd) = X(n).transpose() * r.R.transpose() * X(m);
-    h.template block<rd, rd>(dim + sd, dim + sd) = -X(n).transpose() * X(Rtm);
-    return h;
-  }
-
-  Hessian along_hessian(const Motion& r) const {
-    Hessian h = Hessian::Zero();
-    const Cross Xm = X(m_);
-    h.template block<rd, sd>(sd, 0) = -Xm.transpose();
-    h.template block<rd, rd>(sd, sd) = -Xm.transpose() * X(r.p);
-    h.template block<rd, sd>(sd, dim) = Xm.transpose() * r.R;
-    h.template block<sd, rd>(dim, sd) = r.R.transpose() * Xm;
-    h.template block<sd, rd>(dim, dim + sd) = -X(r.R.transpose() * m_);
-    return h;
-  }
-
-  Hessian distance_hessian(const Motion& r) const {
-    Gradient g;
-    gradient(r, g);
-    const double l = r.p.norm();
-    const Vector pb = r.R.transpose() * r.p;
-    Hessian h = Hessian::Zero();
-    // -d(p)/l on the rows of u_a, d(R^T p)/l on those of u_b, and the change of 1/l.
-    h.template block<sd, sd>(0, 0).setIdentity();
-    h.template block<sd, rd>(0, sd) = X(r.p);
-    h.template block<sd, sd>(0, dim) = -r.R;
-    h.template block<sd, sd>(dim, 0) = -r.R.transpose();
-    h.template block<sd, sd>(dim, dim).setIdentity();
-    h.template block<sd, rd>(dim, dim + sd) = -X(pb);
-    return (h - g * g.transpose()) / l;
-  }
+  static Cross X(const Vector& v);
+  static Gradient cosine_gradient(const Motion& r, const Vector& m, const Vector& n);
+  static Hessian cosine_hessian(const Motion& r, const Vector& m, const Vector& n);
+  Hessian along_hessian(const Motion& r) const;
+  Hessian distance_hessian(const Motion& r) const;
 
   RowKind kind_;
   Vector m_, n_, m2_, n2_;
 };
+
+extern template class Row<SE2>;
+extern template class Row<SE3>;
 
 }  // namespace liesl

@@ -3,7 +3,6 @@
 /// Block-tridiagonal matrices: what a chain of nodes is to linear algebra.
 
 #include <Eigen/Core>
-#include <Eigen/LU>
 #include <Eigen/StdVector>
 #include <vector>
 
@@ -77,35 +76,15 @@ class BlockTridiagonalLU {
   using Segment = typename Matrix::Segment;
 
   /// @returns false if a pivot block is singular; the factors are then unusable.
-  bool factor(const Matrix& A) {
-    const int n = A.blocks();
-    inverse_.resize(n);
-    lower_.resize(A.L.size());
-    upper_.resize(A.U.size());
-    Block pivot = n > 0 ? A.D[0] : Block();
-    for (int k = 0; k < n; ++k) {
-      Eigen::PartialPivLU<Block> lu(pivot);
-      inverse_[k] = lu.inverse();
-      if (!inverse_[k].allFinite()) return false;
-      if (k + 1 == n) break;
-      lower_[k] = A.L[k] * inverse_[k];
-      upper_[k] = inverse_[k] * A.U[k];
-      pivot = A.D[k + 1] - lower_[k] * A.U[k];
-    }
-    return true;
-  }
-
+  bool factor(const Matrix& A);
   /// x <- A^-1 x, in place. Allocates nothing.
-  void solve(double* x) const {
-    using Map = Eigen::Map<Segment>;
-    const int n = static_cast<int>(inverse_.size());
-    for (int k = 1; k < n; ++k) Map(x + N * k) -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
-    for (int k = 0; k < n; ++k) Map(x + N * k) = Segment(inverse_[k].lazyProduct(Map(x + N * k)));
-    for (int k = n - 2; k >= 0; --k) Map(x + N * k) -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
-  }
+  void solve(double* x) const;
 
  private:
   typename Matrix::Blocks inverse_, lower_, upper_;
 };
+
+extern template class BlockTridiagonalLU<3>;
+extern template class BlockTridiagonalLU<6>;
 
 }  // namespace liesl

@@ -57,6 +57,22 @@ std::vector<std::string> names_of(const RigidSpec& rigid) {
 
 }  // namespace
 
+const char* to_string(Formalism formalism) {
+  switch (formalism) {
+    case Formalism::Lie:
+      return "se3";
+    case Formalism::Decoupled:
+      return "r3so3";
+    case Formalism::Classical:
+      return "classical";
+    case Formalism::Floating:
+      return "floating";
+    case Formalism::Rigid:
+      return "rigid";
+  }
+  return "";
+}
+
 int Mechanism::body(std::string_view text) const {
   for (std::size_t i = 0; i < bodies.size(); ++i)
     if (bodies[i].name == text) return int(i);

@@ -21,12 +21,17 @@ namespace liesl {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
+/// What a beam is simulated as: as the formalism says, or rigid, or by modes, whatever it says.
+enum class BeamModel { AsFormalism, Rigid, Modal };
+
 /// Chain of two-node beam elements. Node frames have x along the axis, y and z along the section's.
 struct BeamSpec {
   std::vector<SE3> nodes;         ///< reference frames, n + 1; elements may be curved and twisted
   std::vector<Section> sections;  ///< n, one an element
   Material material;              ///< of all elements; unused by FullSection
   double damping = 0;             ///< stiffness-proportional, in s: n_d = damping K d(eps)/dt
+  BeamModel as = BeamModel::AsFormalism;
+  int modes = -1;  ///< internal modes of a modal body, -1 = all
 };
 
 /// Rigid body with named points.
@@ -104,8 +109,20 @@ struct LoadSpec {
   TimeFunction scale = TimeFunction::constant(1);
 };
 
+/// Which unknowns and which kind of body a mechanism is simulated with; all else is shared.
+enum class Formalism {
+  Lie,        ///< SE(3), or SE(2) in a plane: beams on the group, local frames
+  Decoupled,  ///< R^3 x SO(3): inertial positions, rotations on their group, Reissner beams
+  Classical,  ///< inertial positions and Cartesian rotation vectors (Geradin, Cardona)
+  Floating,   ///< flexible bodies linear in a frame that moves with them, in modes
+  Rigid       ///< flexible bodies rigid
+};
+/// "se3", "r3so3", "classical", "floating", "rigid": as a scene calls it.
+const char* to_string(Formalism formalism);
+
 struct Mechanism {
   std::string name;
+  Formalism formalism = Formalism::Lie;
   Vec3 gravity = Vec3::Zero();
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;

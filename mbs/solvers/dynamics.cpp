@@ -70,9 +70,16 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     return result;
   }
   result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
-  result.trajectory.record(s);
+  State<G> seen;  // completed
+  const auto record = [&] {
+    seen = s;
+    model.complete(seen);
+    result.trajectory.record(seen);
+  };
+  record();
 
   GeneralizedAlpha<G> integrator(model, o);
+  integrator.start(s);
   StepGrid grid(o);
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
@@ -81,7 +88,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     const double h = grid.h();
     StepResult step = integrator.step(s, h);
     report.newton_iterations += step.iterations;
-    report.tangent_refreshes += step.refreshed;
+    report.tangent_refreshes += step.tangents;
     if (!step.converged) {
       ++report.rejected_steps;
       if (grid.halve()) {
@@ -104,8 +111,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     if (o.adaptive && step.error > error_limit && grid.halve())
       report.smallest_step = std::min(report.smallest_step, grid.h());
     const long whole = grid.whole();
-    if (whole > 0 && (whole % o.output_every == 0 || whole == whole_steps))
-      result.trajectory.record(s);
+    if (whole > 0 && (whole % o.output_every == 0 || whole == whole_steps)) record();
     if (const auto why = contradiction(model, s); !why.empty()) {
       report.status = SolveStatus::Inconsistent;
       report.reason = why;
@@ -123,7 +129,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     report.warnings.push_back(fmt::format(
         "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", o.step,
         options.step));
-  if (report.tangent_refreshes > 0)
+  if (report.tangent_refreshes > 0 && integrator.tangent() == TangentStrategy::Constant)
     report.warnings.push_back(fmt::format(
         "the constant tangent was replaced by that of the moment {} times: the deformations leave "
         "its range",

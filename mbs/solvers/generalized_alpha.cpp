@@ -4,21 +4,40 @@ namespace liesl {
 namespace {
 
 constexpr double kSlow = 0.5;         // contraction that asks for a new tangent
+constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
+
+TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
+  if (chosen != TangentStrategy::Auto) return chosen;
+  if (formalism == Formalism::Classical) return TangentStrategy::Exact;
+  if (formalism == Formalism::Decoupled) return TangentStrategy::Adaptive;
+  return TangentStrategy::Constant;
+}
 
 }  // namespace
 
 template <FrameGroup G>
 GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOptions& options)
-    : model_(model), options_(options), weights_(options.rho_inf), equations_(model) {
+    : model_(model),
+      options_(options),
+      weights_(options.rho_inf),
+      tangent_(strategy(options.tangent, model.formalism)),
+      coordinates_(model, options.rescale),
+      equations_(model) {
   factorizations_.assign(model.bodies.size(), 0);
   trial_ = model.initial_state();
-  dq_.setZero(model.size());
-  delta_.setZero(model.size());
+  coordinates_.start(trial_);
+  for (auto* x :
+       {&dq_, &u_, &udot_, &old_u_, &old_udot_, &older_udot_, &delta_, &increment_, &step_before_})
+    x->setZero(model.size());
   dlambda_.setZero(model.constraints());
-  previous_vdot_.setZero(model.size());
-  step_before_.setZero(model.size());
+}
+
+template <FrameGroup G>
+void GeneralizedAlpha<G>::start(State<G>& s) {
+  coordinates_.start(s);
+  coordinates_.rates(s, old_u_, s.a);
 }
 
 /// The factors for a step size: kept from the first use on.
@@ -32,34 +51,42 @@ JointSystem<G>& GeneralizedAlpha<G>::system_for(double h) {
   return factored_.back().system;
 }
 
-/// Extrapolated accelerations and the formulas of Newmark: dq, v, vdot, H of the trial state.
+/// Extrapolated accelerations and the formulas of Newmark: dq, rates, frames of the trial state.
 template <FrameGroup G>
 void GeneralizedAlpha<G>::predict(const State<G>& old, double h) {
   const auto& [am, af, gamma, beta] = weights_;
+  coordinates_.rates(old, old_u_, old_udot_);
   if (previous_h_ == h)
-    trial_.vdot = 2 * old.vdot - previous_vdot_;
+    udot_ = 2 * old_udot_ - older_udot_;
   else
-    trial_.vdot = old.vdot;
-  trial_.a = ((1 - af) * trial_.vdot + af * old.vdot - am * old.a) / (1 - am);
-  dq_ = h * old.v + h * h * (0.5 - beta) * old.a + h * h * beta * trial_.a;
-  trial_.v = old.v + h * (1 - gamma) * old.a + h * gamma * trial_.a;
+    udot_ = old_udot_;
+  trial_.a = ((1 - af) * udot_ + af * old_udot_ - am * old.a) / (1 - am);
+  dq_ = h * old_u_ + h * h * (0.5 - beta) * old.a + h * h * beta * trial_.a;
+  u_ = old_u_ + h * (1 - gamma) * old.a + h * gamma * trial_.a;
   trial_.lambda = old.lambda;
   trial_.t = old.t + h;
-  for (size_t k = 0; k < old.H.size(); ++k)
-    trial_.H[k] = old.H[k] * G::exp(dq_.template segment<G::dim>(G::dim * static_cast<int>(k)));
+  coordinates_.place(old, dq_, u_, udot_, trial_);
 }
 
-/// The correction delta is an increment at the current iterate: dq += T^-1(dq) delta.
+/// The correction delta is an increment of the frames at the current iterate.
 template <FrameGroup G>
-void GeneralizedAlpha<G>::correct(double, TangentWeights w) {
-  for (int k = 0; k < model_.nodes(); ++k) {
-    auto dq = dq_.template segment<G::dim>(G::dim * k);
-    const typename G::Tangent e = G::Tinv(dq) * delta_.template segment<G::dim>(G::dim * k);
-    dq += e;
-    trial_.v.template segment<G::dim>(G::dim * k) += w.damping * e;
-    trial_.vdot.template segment<G::dim>(G::dim * k) += w.mass * e;
-  }
+void GeneralizedAlpha<G>::correct(const State<G>& old, TangentWeights w) {
+  coordinates_.increment(trial_, dq_, delta_, increment_);
+  dq_ += increment_;
+  u_ += w.damping * increment_;
+  udot_ += w.mass * increment_;
   trial_.lambda += dlambda_;
+  coordinates_.place(old, dq_, u_, udot_, trial_);
+}
+
+template <FrameGroup G>
+bool GeneralizedAlpha<G>::wants_tangent(const StepResult& result, double residual,
+                                        double before) const {
+  if (tangent_ == TangentStrategy::Exact) return true;
+  if (result.tangents > 0) return false;
+  if (tangent_ == TangentStrategy::Adaptive)
+    return result.iterations >= 1 && residual > kGain * before;
+  return result.iterations >= 2 && residual > kSlow * before;
 }
 
 /// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the
@@ -98,44 +125,41 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the iteration did not converge";
       return result;
     }
-    const bool slow = result.iterations >= 2 && residual > kSlow * before;
-    if (slow && !result.refreshed) {
+    if (wants_tangent(result, residual, before)) {
       if (!system.factor_exact(trial_, w)) {
         result.failure = "the tangent is singular";
         return result;
       }
       for (auto& n : factorizations_) ++n;
-      result.refreshed = true;
+      ++result.tangents;
     }
     before = residual;
     if (!system.solve(equations_, delta_, dlambda_)) {
       result.failure = "the joint equations are singular";
       return result;
     }
-    if (result.iterations > 0) extrapolate(delta_);
+    if (result.iterations > 0 && tangent_ != TangentStrategy::Exact) extrapolate(delta_);
     step_before_ = delta_;
     ++result.iterations;
-    correct(h, w);
-    for (int k = 0; k < model_.nodes(); ++k)
-      trial_.H[k] = s.H[k] * G::exp(dq_.template segment<G::dim>(G::dim * k));
+    correct(s, w);
   }
   result.converged = true;
-  accept(s, s, h, result);
+  accept(s, h, result);
   return result;
 }
 
 template <FrameGroup G>
-void GeneralizedAlpha<G>::accept(const State<G>& old, State<G>& s, double h, StepResult& result) {
+void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
   const auto& [am, af, gamma, beta] = weights_;
-  trial_.a = ((1 - af) * trial_.vdot + af * old.vdot - am * old.a) / (1 - am);
+  trial_.a = ((1 - af) * udot_ + af * old_udot_ - am * s.a) / (1 - am);
   double error = 0;
   for (int k = 0; k < model_.nodes(); ++k)
-    error = std::max(error, (trial_.a - old.a).template segment<G::space_dim>(G::dim * k).norm());
+    error = std::max(error, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
   result.error = h * h * std::abs(beta - 1. / 6) * error;
-  equations_.observe(trial_, old.q, trial_.q);
-  for (auto& H : trial_.H) H.orthonormalize();
-  previous_vdot_ = old.vdot;
-  previous_h_ = h;
+  equations_.observe(trial_, s.q, trial_.q);
+  const bool moved = coordinates_.finish(trial_);
+  older_udot_ = old_udot_;
+  previous_h_ = moved ? 0 : h;
   scale_ = std::max(scale_, equations_.scale());
   std::swap(s, trial_);
 }

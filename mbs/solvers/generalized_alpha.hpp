@@ -5,6 +5,7 @@
 /// Mech. Mach. Theory 48).
 
 #include "mbs/solvers/joint_system.hpp"
+#include "mbs/solvers/node_coordinates.hpp"
 #include "mbs/solvers/options.hpp"
 
 namespace liesl {
@@ -26,7 +27,7 @@ struct AlphaWeights {
 /// What became of one attempt at a step.
 struct StepResult {
   bool converged = false;
-  bool refreshed = false;    ///< the tangent had to be taken at the current state
+  int tangents = 0;          ///< how often the tangent was taken at the current state
   int iterations = 0;        ///< corrections
   double residual = 0;       ///< relative, at the last iterate
   double error = 0;          ///< estimate of the local error of the positions, m
@@ -38,11 +39,16 @@ class GeneralizedAlpha {
  public:
   GeneralizedAlpha(const Model<G>& model, const SimulationOptions& options);
 
+  /// Sets up what the formalism integrates besides frames (before the first step), and turns
+  /// s.a into its coordinates.
+  void start(State<G>& s);
+  /// The strategy in use (never Auto).
+  TangentStrategy tangent() const { return tangent_; }
+
   /// Advances s by h; on failure s is left as it was. Nothing is allocated once each step size
   /// has been used.
   StepResult step(State<G>& s, double h);
 
-  /// Forgets refreshed tangents: back to the constant ones.
   const std::vector<int>& factorizations() const { return factorizations_; }
   const Equations<G>& equations() const { return equations_; }
 
@@ -55,19 +61,24 @@ class GeneralizedAlpha {
 
   JointSystem<G>& system_for(double h);
   void predict(const State<G>& old, double h);
-  void correct(double h, TangentWeights w);
+  void correct(const State<G>& old, TangentWeights w);
+  bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
   bool small_enough() const;
-  void accept(const State<G>& old, State<G>& s, double h, StepResult& result);
+  void accept(State<G>& s, double h, StepResult& result);
 
   const Model<G>& model_;
   const SimulationOptions options_;
   const AlphaWeights weights_;
+  const TangentStrategy tangent_;
+  NodeCoordinates<G> coordinates_;
   Equations<G> equations_;
   std::vector<Factored> factored_;
   std::vector<int> factorizations_;
   State<G> trial_;
-  Eigen::VectorXd dq_, delta_, dlambda_, previous_vdot_, step_before_;
+  Eigen::VectorXd dq_, u_, udot_;                  ///< coordinates of the trial state
+  Eigen::VectorXd old_u_, old_udot_, older_udot_;  ///< one and two steps before
+  Eigen::VectorXd delta_, increment_, dlambda_, step_before_;
   double previous_h_ = 0;
   double scale_ = 0;  ///< largest force scale so far
 };

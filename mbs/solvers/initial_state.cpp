@@ -11,16 +11,18 @@ constexpr int kMaxAssembly = 50;
 constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 
 template <FrameGroup G>
-void move(State<G>& s, const Eigen::VectorXd& delta) {
-  for (size_t k = 0; k < s.H.size(); ++k)
-    s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * static_cast<int>(k)));
+void move(const Model<G>& model, State<G>& s, const Eigen::VectorXd& delta) {
+  for (const int k : model.frames())
+    s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
+  for (const int k : model.amplitudes())
+    s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }
 
 /// Each body's mass matrix must be regular: the joints act on it through its inverse.
 template <FrameGroup G>
 bool has_inertia(const Model<G>& model, InitialState& out) {
   for (const auto& body : model.bodies) {
-    if (BlockTridiagonalLU<G::dim>().factor(body->mass())) continue;
+    if (BodyLU<G::dim>().factor(body->mass())) continue;
     out.status = SolveStatus::Singular;
     out.reason = fmt::format(
         "body '{}' has no inertia in some direction; give it a mass and moments of inertia",
@@ -61,7 +63,7 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
     }
     eq.r.setZero();
     if (!system.solve(eq, delta, dlambda, false)) break;
-    move(s, delta);
+    move(model, s, delta);
   }
   out.status = SolveStatus::Inconsistent;
   out.reason = fmt::format(

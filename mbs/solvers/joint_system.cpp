@@ -9,7 +9,7 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   sides_.resize(n);
   factorizations_.assign(n, 0);
   for (size_t b = 0; b < n; ++b) {
-    scratch_.emplace_back(model.bodies[b]->nodes());
+    scratch_.push_back(model.bodies[b]->mass());
     const int columns = dim * static_cast<int>(model.coupled_nodes[b].size());
     bodies_[b].X.setZero(model.bodies[b]->size(), columns);
     bodies_[b].F.setZero(columns, columns);
@@ -57,7 +57,7 @@ bool JointSystem<G>::factor_exact(const State<G>& s, TangentWeights w) {
 }
 
 template <FrameGroup G>
-bool JointSystem<G>::factor_body(int body, const BlockTridiagonal<dim>& A) {
+bool JointSystem<G>::factor_body(int body, const BodyMatrix<dim>& A) {
   BodyFactor& f = bodies_[body];
   ++factorizations_[body];
   if (!f.lu.factor(A)) return false;
@@ -67,7 +67,7 @@ bool JointSystem<G>::factor_body(int body, const BlockTridiagonal<dim>& A) {
     for (int i = 0; i < dim; ++i) {
       const int column = dim * static_cast<int>(slot) + i;
       f.X(dim * nodes[slot] + i, column) = 1;
-      f.lu.solve(f.X.col(column).data());
+      f.lu.solve(f.X.col(column).data(), model_.bodies[body]->size());
     }
   for (size_t slot = 0; slot < nodes.size(); ++slot)
     f.F.template middleRows<dim>(dim * static_cast<int>(slot)) =
@@ -117,7 +117,8 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
                            bool compliant) {
   delta = eq.r;
   for (size_t b = 0; b < bodies_.size(); ++b)
-    bodies_[b].lu.solve(delta.data() + dim * model_.first_node(static_cast<int>(b)));
+    bodies_[b].lu.solve(delta.data() + dim * model_.first_node(static_cast<int>(b)),
+                        model_.bodies[b]->size());
   if (rhs_.size() > 0) {
     assemble(eq, compliant);
     for (size_t c = 0; c < model_.couplings.size(); ++c) {

@@ -37,7 +37,7 @@ class JointSystem {
 
  private:
   struct BodyFactor {
-    BlockTridiagonalLU<dim> lu;
+    BodyLU<dim> lu;
     Eigen::MatrixXd X;            ///< A^-1 E, E = unit increments of the coupled nodes
     Eigen::MatrixXd F;            ///< E^T A^-1 E: compliance seen by the joints
     Eigen::VectorXd joint_force;  ///< B^T dlambda on the coupled nodes
@@ -46,7 +46,7 @@ class JointSystem {
     int coupling, column, slot;
   };
 
-  bool factor_body(int body, const BlockTridiagonal<dim>& A);
+  bool factor_body(int body, const BodyMatrix<dim>& A);
   void assemble(const Equations<G>& eq, bool compliant);
 
   const Model<G>& model_;
@@ -54,8 +54,7 @@ class JointSystem {
   std::vector<std::vector<Side>> sides_;  ///< by body
   std::vector<int> first_;                ///< first row of each coupling in the joint system
   std::vector<int> factorizations_;
-  BlockTridiagonal<dim> A_;
-  std::vector<BlockTridiagonal<dim>> scratch_;
+  std::vector<BodyMatrix<dim>> scratch_;
   TangentWeights weights_;
   bool symmetric_ = true;
   Eigen::MatrixXd S_;

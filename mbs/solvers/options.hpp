@@ -10,14 +10,24 @@ namespace liesl {
 enum class SimulationType { Dynamic, Static, Modes };
 enum class SpaceChoice { Auto, Planar, Spatial };
 
+/// When the matrix of the Newton iteration is factored.
+enum class TangentStrategy {
+  Auto,      ///< as the formalism is known for: constant, adaptive (r3so3), exact (classical)
+  Constant,  ///< once, at the reference shape; again only where the iteration would fail
+  Adaptive,  ///< again at the current state whenever a correction gains less than a digit
+  Exact      ///< in every iteration
+};
+
 struct SimulationOptions {
   SimulationType type = SimulationType::Dynamic;
   SpaceChoice space = SpaceChoice::Auto;
 
   // Dynamic: Lie-group generalized-alpha, index 3.
-  double duration = 1.0;          ///< s, > 0
-  double step = 1e-3;             ///< s, > 0; the largest step if adaptive
-  double rho_inf = 0.8;           ///< spectral radius at infinity, [0, 1]
+  double duration = 1.0;  ///< s, > 0
+  double step = 1e-3;     ///< s, > 0; the largest step if adaptive
+  double rho_inf = 0.8;   ///< spectral radius at infinity, [0, 1]
+  TangentStrategy tangent = TangentStrategy::Auto;
+  bool rescale = true;            ///< classical: rotation vectors are kept below pi
   double tolerance = 1e-6;        ///< of the residual, relative to the forces, (0, 1e-2]
   int max_iterations = 12;        ///< corrections a step before the step is halved, [3, 100]
   bool adaptive = false;          ///< choose the step from a local error estimate

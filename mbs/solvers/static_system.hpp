@@ -59,7 +59,7 @@ class StaticSystem {
 
   const Model<G>& model_;
   Prestress<G> prestress_;
-  std::vector<BlockTridiagonal<dim>> K_;  ///< bodies with the loads on them
+  std::vector<BodyMatrix<dim>> K_;  ///< bodies with the loads on them
   SparseAssembly assembly_;
   const Matrix* matrix_ = nullptr;
   SparseLu lu_;

@@ -1,7 +1,7 @@
 #include <Eigen/Geometry>
 #include <set>
 
-#include "mbs/bodies/beam.hpp"
+#include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/system/model.hpp"
 
@@ -17,7 +17,8 @@ SE3::Matrix generalized_inertia(const RigidSpec& r) {
 
 template <class G>
 std::unique_ptr<Body<G>> make_body(const std::string& name, const BeamSpec& beam,
-                                   const Space<G>& space) {
+                                   const Space<G>& space, Formalism formalism,
+                                   const std::vector<int>& held) {
   std::vector<G> nodes;
   for (const SE3& H : beam.nodes) nodes.push_back(space.reduce(H, space.alignment(H)));
   std::vector<ElementSection<G>> sections;
@@ -26,12 +27,23 @@ std::unique_ptr<Body<G>> make_body(const std::string& name, const BeamSpec& beam
     const SE3 align = space.alignment(beam.nodes[e]);
     sections.push_back({space.reduce_law(law.K, align), space.reduce_law(law.M, align)});
   }
+  const bool rigid = beam.as == BeamModel::Rigid ||
+                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Rigid);
+  const bool modal = beam.as == BeamModel::Modal ||
+                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Floating);
+  if (rigid || modal) {
+    auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
+    if (rigid) return std::make_unique<Rigid<G>>(name, *linear);
+    return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
+  }
+  if (formalism == Formalism::Decoupled || formalism == Formalism::Classical)
+    return std::make_unique<ReissnerBeam<G>>(name, std::move(nodes), sections, beam.damping);
   return std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
 }
 
 template <class G>
 std::unique_ptr<Body<G>> make_body(const std::string& name, const RigidSpec& rigid,
-                                   const Space<G>& space) {
+                                   const Space<G>& space, Formalism, const std::vector<int>&) {
   const SE3 align = space.alignment(rigid.frame);
   const typename G::Tangent centre =
       space.reduce_local((SE3::Tangent() << rigid.centre, Vec3::Zero()).finished(), align);
@@ -134,8 +146,8 @@ Vec3 free_gap(const JointSpec& j, const Vec3& gap) {
 template <class G>
 class Builder {
  public:
-  Builder(const Mechanism& m, const Space<G>& space, const std::vector<int>& first_node)
-      : m_(m), space_(space), first_node_(first_node) {}
+  Builder(const Mechanism& m, const Space<G>& space, const Model<G>& model)
+      : m_(m), space_(space), model_(model) {}
 
   /// Port with the axes of the plane (or the inertial ones), at a place given in the scene.
   PortOf<G> port_at(const Port& port, const Vec3& place) const {
@@ -193,7 +205,7 @@ class Builder {
     return c;
   }
 
-  Load<G> load(const LoadSpec& l, const Model<G>& model) const {
+  Load<G> load(const LoadSpec& l) const {
     Load<G> load;
     load.port = port_of(l.port);
     load.spread = l.spread;
@@ -202,18 +214,24 @@ class Builder {
     const SE3::Tangent wrench = (SE3::Tangent() << l.force, l.moment).finished();
     load.wrench = l.follower ? space_.reduce_local(wrench, space_.alignment(m_.frame(l.port)))
                              : space_.reduce_wrench(l.force, l.moment);
-    if (l.spread) load.distribution = model.bodies[l.port.body]->load_distribution();
+    if (l.spread) {
+      const Body<G>& body = *model_.bodies[l.port.body];
+      load.distribution = body.load_distribution();
+      load.share = body.load_share(l.follower);
+    }
     return load;
   }
 
  private:
   PortOf<G> port_with(const Port& port, const G& frame) const {
     if (port.body < 0) return PortOf<G>::ground(frame);
-    const SE3 H = node_frame(port);
+    Port on = port;  // the node that the port's node follows, if it does
+    if (model_.bodies[port.body]->kind(port.node) != NodeKind::Frame) on.node = 0;
+    const SE3 H = node_frame(on);
     const G node = space_.reduce(H, space_.alignment(H));
     G offset = node.inverse() * frame;
     if (G::log(offset).norm() < 1e-14) offset = G::identity();
-    return PortOf<G>::on(port.body, first_node_[port.body] + port.node, offset);
+    return PortOf<G>::on(port.body, model_.first_node(port.body) + on.node, offset);
   }
   SE3 node_frame(const Port& port) const {
     Port node = port;
@@ -231,8 +249,30 @@ class Builder {
 
   const Mechanism& m_;
   const Space<G>& space_;
-  const std::vector<int>& first_node_;
+  const Model<G>& model_;
 };
+
+/// Nodes of each body that joints, forces and loads hold on to, in order.
+std::vector<std::vector<int>> held_nodes(const Mechanism& m) {
+  std::vector<std::set<int>> held(m.bodies.size());
+  const auto add = [&held](const Port& p) {
+    if (p.body >= 0) held[p.body].insert(p.node);
+  };
+  for (const auto& j : m.joints) {
+    add(j.a);
+    add(j.b);
+  }
+  for (const auto& f : m.forces)
+    if (f.joint < 0) {
+      add(f.a);
+      add(f.b);
+    }
+  for (const auto& l : m.loads)
+    if (!l.spread) add(l.port);
+  std::vector<std::vector<int>> out;
+  for (const auto& nodes : held) out.emplace_back(nodes.begin(), nodes.end());
+  return out;
+}
 
 /// Diagonal of the box around all nodes, m.
 double size_of(const Mechanism& m) {
@@ -254,21 +294,32 @@ double size_of(const Mechanism& m) {
 template <class G>
 Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   Model model;
+  model.formalism = mechanism.formalism;
   model.space = space;
   model.gravity = space.reduce_vector(mechanism.gravity);
   model.length = size_of(mechanism);
+  const auto held = held_nodes(mechanism);
   for (const auto& spec : mechanism.bodies) {
+    const auto& at = held[model.bodies.size()];
     model.first_node_.push_back(model.nodes_);
     model.bodies.push_back(std::visit(
-        [&](const auto& kind) { return make_body<G>(spec.name, kind, space); }, spec.kind));
+        [&](const auto& kind) {
+          return make_body<G>(spec.name, kind, space, mechanism.formalism, at);
+        },
+        spec.kind));
+    for (int k = 0; k < model.bodies.back()->nodes(); ++k) {
+      const NodeKind kind = model.bodies.back()->kind(k);
+      if (kind == NodeKind::Frame) model.frames_.push_back(model.nodes_ + k);
+      if (kind == NodeKind::Amplitudes) model.amplitudes_.push_back(model.nodes_ + k);
+    }
     model.nodes_ += model.bodies.back()->nodes();
   }
-  const Builder<G> builder(mechanism, space, model.first_node_);
+  const Builder<G> builder(mechanism, space, model);
   for (size_t j = 0; j < mechanism.joints.size(); ++j)
     model.couplings.push_back(builder.joint(static_cast<int>(j)));
   for (const auto& f : mechanism.forces)
     if (f.joint < 0) model.couplings.push_back(builder.force(f));
-  for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l, model));
+  for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l));
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
   model.finish();
   model.reach = model.length;
@@ -282,6 +333,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     const auto* beam = std::get_if<BeamSpec>(&spec.kind);
     const auto* rigid = std::get_if<RigidSpec>(&spec.kind);
     for (int k = 0; k < model.bodies[b]->nodes(); ++k) {
+      if (model.bodies[b]->kind(k) != NodeKind::Frame) continue;
       const SE3& first = beam ? beam->nodes[0] : rigid->frame;
       const SE3& H = beam ? beam->nodes[k] : rigid->frame;
       SE3::Tangent v;
@@ -324,6 +376,16 @@ void Model<G>::finish() {
 }
 
 template <class G>
+void Model<G>::complete(State<G>& s) const {
+  if (static_cast<int>(frames_.size()) == nodes_) return;
+  for (size_t b = 0; b < bodies.size(); ++b) {
+    const int n = first_node_[b];
+    bodies[b]->complete(s.H.data() + n, s.v.data() + G::dim * n, s.vdot.data() + G::dim * n,
+                        s.w.data() + G::dim * n);
+  }
+}
+
+template <class G>
 State<G> Model<G>::initial_state() const {
   State<G> s;
   for (const auto& body : bodies)
@@ -331,6 +393,7 @@ State<G> Model<G>::initial_state() const {
   s.v = initial_velocity_;
   s.vdot.setZero(size());
   s.a.setZero(size());
+  s.w.setZero(size());
   s.lambda.setZero(constraints_);
   s.q.setZero(rows_);
   return s;

@@ -66,6 +66,11 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceSca
       continue;
     }
     const int first = model.first_node(load.port.body), n = model.bodies[load.port.body]->nodes();
+    if (load.share.size() > 0) {
+      r.segment(dim * first, dim * n).noalias() -= load.share * (factor * local(load, s.H[first]));
+      scale.add<G>(Tangent(factor * load.wrench * load.share.template topRows<1>().norm()));
+      continue;
+    }
     if (const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[load.port.body].get());
         beam && !load.follower)
       for (int e = 0; e < beam->elements(); ++e)

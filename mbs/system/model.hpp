@@ -6,8 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "liegroup/se2.hpp"
-#include "liegroup/se3.hpp"
+#include "liegroup/rotation.hpp"
 #include "mbs/bodies/body.hpp"
 #include "mbs/couplings/coupling.hpp"
 #include "mbs/model/mechanism.hpp"
@@ -26,6 +25,7 @@ struct Load {
       G::Tangent::Zero();  ///< [force; moment]; inertial axes unless follower
   TimeFunction scale;
   BlockTridiagonal<G::dim> distribution;  ///< of a spread load
+  Eigen::MatrixXd share;                  ///< the same on a body with followers, see load_share
 };
 
 template <FrameGroup G>
@@ -43,14 +43,22 @@ class Model {
   int rows() const { return rows_; }                ///< coupling rows of all roles
   int first_node(int body) const { return first_node_[body]; }
 
+  /// Nodes of a kind over all bodies.
+  const std::vector<int>& frames() const { return frames_; }
+  const std::vector<int>& amplitudes() const { return amplitudes_; }
+  /// Sets all that follows from the unknowns: what records and responses see.
+  void complete(State<G>& s) const;
+
   /// Bodies where the scene puts them, at rest or with the scene's rigid velocities.
   State<G> initial_state() const;
 
   BodyState<G> body_state(const State<G>& s, int body) const {
     const int n = first_node_[body];
-    return {s.H.data() + n, s.v.data() + G::dim * n, s.vdot.data() + G::dim * n};
+    return {s.H.data() + n, s.v.data() + G::dim * n, s.vdot.data() + G::dim * n,
+            s.w.data() + G::dim * n};
   }
 
+  Formalism formalism = Formalism::Lie;
   Space<G> space;
   Vector gravity = Vector::Zero();
   std::vector<std::unique_ptr<Body<G>>> bodies;
@@ -67,7 +75,7 @@ class Model {
 
  private:
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
-  std::vector<int> first_node_;
+  std::vector<int> first_node_, frames_, amplitudes_;
   Eigen::VectorXd initial_velocity_;
 };
 

@@ -19,7 +19,9 @@ struct State {
   Frames<G> H;           ///< nodal frames, body after body
   Eigen::VectorXd v;     ///< left-invariant velocities, dim a node
   Eigen::VectorXd vdot;  ///< their rates
-  Eigen::VectorXd a;     ///< acceleration-like variable of generalized-alpha
+  Eigen::VectorXd a;     ///< acceleration-like variable of generalized-alpha, in its coordinates
+  Eigen::VectorXd w;     ///< what is integrated as a vector, dim a node: rotation vectors of the
+                         ///< classical formalism (last components), modal amplitudes; else zero
   Eigen::VectorXd
       lambda;         ///< multipliers of the constraints; the force on the bodies is -B^T lambda
   Eigen::VectorXd q;  ///< values of all coupling rows (joint coordinates, distances, residuals)

@@ -131,7 +131,7 @@ TYPED_TEST(JointSystemTest, ConstantTangent) {
   JointSystem<TypeParam> system(this->model);
   ASSERT_TRUE(system.factor(kWeights));
   const auto body = [&](int b) {
-    BlockTridiagonal<TypeParam::dim> A(this->model.bodies[std::size_t(b)]->nodes());
+    BodyMatrix<TypeParam::dim> A(this->model.bodies[std::size_t(b)]->nodes());
     const auto& part = *this->model.bodies[std::size_t(b)];
     A.set_sum(kWeights.mass, part.mass(), 1 + kWeights.damping * part.damping(), part.stiffness());
     return A;
@@ -145,7 +145,7 @@ TYPED_TEST(JointSystemTest, ExactTangent) {
   ASSERT_TRUE(system.factor_exact(this->s, kWeights));
   const auto body = [&](int b) {
     const auto& part = *this->model.bodies[std::size_t(b)];
-    BlockTridiagonal<TypeParam::dim> A(part.nodes());
+    BodyMatrix<TypeParam::dim> A(part.nodes());
     part.exact_tangent(this->model.body_state(this->s, b), this->model.gravity, kWeights, nullptr,
                        A);
     return A;
@@ -184,7 +184,7 @@ TYPED_TEST(JointSystemTest, ExactTangentIsTheDerivativeOfTheResidual) {
       body.add_inertia(state, gravity, r.data(), scale);
       return r;
     };
-    BlockTridiagonal<dim> A(body.nodes());
+    BodyMatrix<dim> A(body.nodes());
     body.exact_tangent(this->model.body_state(this->s, int(b)), gravity, w, nullptr, A);
     const Eigen::VectorXd direction = this->random.vector(body.size());
     Eigen::VectorXd exact = Eigen::VectorXd::Zero(body.size());

@@ -1,0 +1,128 @@
+#include "mbs/bodies/beam.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+
+template <FrameGroup G, class E>
+ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
+                           const std::vector<ElementSection<G>>& sections, double damping)
+    : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
+  this->M_.resize(this->nodes());
+  this->K_.resize(this->nodes());
+  for (int e = 0; e + 1 < this->nodes(); ++e) {
+    elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K,
+                           sections[e].M);
+    this->M_.add_element(e, elements_[e].mass());
+    this->K_.add_element(e, elements_[e].constant_tangent());
+  }
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                                  ForceScale& scale) const {
+  Pair acceleration, g;
+  const bool heavy = gravity.squaredNorm() > 0;
+  acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
+  for (int e = 0; e < elements(); ++e) {
+    acceleration.template head<dim>() = Tangent(acceleration.template tail<dim>());
+    acceleration.template tail<dim>() = apparent_acceleration<G>(s, e + 1, gravity);
+    elements_[e].inertia_force(s.H[e], s.H[e + 1], s.v + dim * e, acceleration, g);
+    if (heavy) elements_[e].add_weight_curvature(s.H[e], s.H[e + 1], gravity, g);
+    Eigen::Map<Pair>(r + dim * e) += g;
+    scale.add<G>(g.template head<dim>());
+    scale.add<G>(g.template tail<dim>());
+  }
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
+  Pair g;
+  for (int e = 0; e < elements(); ++e) {
+    elements_[e].internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g);
+    Eigen::Map<Pair>(r + dim * e) += g;
+    scale.add<G>(g.template head<dim>());
+  }
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                                    const Tangent* stress, Matrices& A) const {
+  A.set_sum(0, this->M_, damping_ * w.damping, this->K_);
+  const bool heavy = gravity.squaredNorm() > 0;
+  for (int e = 0; e < elements(); ++e) {
+    const Tangent n = stress ? stress[e] : section_force(s, e);
+    const G &a = s.H[e], &b = s.H[e + 1];
+    PairMatrix k = elements_[e].tangent(a, b, n);
+    if (w.mass > 0) k += w.mass * elements_[e].mass(a, b);
+    if (w.damping > 0) k += w.damping * elements_[e].gyroscopic_tangent(a, b, s.v + dim * e);
+    if (heavy) k += elements_[e].weight_tangent(a, b, gravity);
+    A.add_element(e, k);
+  }
+}
+
+template <FrameGroup G, class E>
+typename ChainBeam<G, E>::Matrices ChainBeam<G, E>::load_distribution() const {
+  Matrices W(this->nodes());
+  for (int e = 0; e < elements(); ++e)
+    W.add_element(e, elements_[e].integral(G::Matrix::Identity()));
+  return W;
+}
+
+template <FrameGroup G, class E>
+typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::strain(const BodyState<G>& s, int e) const {
+  return elements_[e].strain(s.H[e], s.H[e + 1]);
+}
+
+template <FrameGroup G, class E>
+typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s,
+                                                                 int e) const {
+  return elements_[e].section_stiffness() * strain(s, e);
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::extrapolate_stress(const BodyState<G>& s, const double* delta,
+                                         Tangent* stress) const {
+  for (int e = 0; e < elements(); ++e) {
+    const Element& element = elements_[e];
+    const Tangent d = Element::relative(s.H[e], s.H[e + 1]);
+    const Tangent change = Element::P(d) * Eigen::Map<const Pair>(delta + dim * e);
+    stress[e] = element.section_stiffness() * (d - element.d0() + change) / element.length();
+  }
+}
+
+template <FrameGroup G, class E>
+BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity) const {
+  BodyEnergy energy;
+  for (int e = 0; e < elements(); ++e) {
+    const Element& element = elements_[e];
+    const Eigen::Map<const Pair> v(s.v + dim * e);
+    const Tangent eps = strain(s, e);
+    energy.kinetic += 0.5 * v.dot(element.mass(s.H[e], s.H[e + 1]) * v);
+    energy.elastic += 0.5 * element.length() * eps.dot(element.section_stiffness() * eps);
+    energy.potential += element.weight_potential(s.H[e], s.H[e + 1], gravity);
+  }
+  return energy;
+}
+
+template <FrameGroup G, class E>
+double ChainBeam<G, E>::total_mass() const {
+  double m = 0;
+  for (const auto& e : elements_) m += e.length() * e.section_inertia()(0, 0);
+  return m;
+}
+
+template <FrameGroup G, class E>
+double ChainBeam<G, E>::axial_stiffness() const {
+  double k = 0;
+  for (const auto& e : elements_) k = std::max(k, e.section_stiffness()(0, 0) / e.length());
+  return k;
+}
+
+template class ChainBeam<SE2, BeamElement<SE2>>;
+template class ChainBeam<SE3, BeamElement<SE3>>;
+template class ChainBeam<SE2, ReissnerElement<SE2>>;
+template class ChainBeam<SE3, ReissnerElement<SE3>>;
+
+}  // namespace liesl

@@ -1,0 +1,69 @@
+#pragma once
+/// @file
+/// The matrices of a body: block-tridiagonal for a chain of nodes that all carry unknowns, dense
+/// over the few nodes that do where the others follow them (rigid chains, modal bodies).
+
+#include <Eigen/LU>
+
+#include "mbs/linalg/block_tridiagonal.hpp"
+
+namespace liesl {
+
+template <int N>
+struct BodyMatrix : BlockTridiagonal<N> {
+  using Chain = BlockTridiagonal<N>;
+  using Chain::Chain;
+
+  std::vector<int> nodes;  ///< dense form: the nodes of its blocks
+  Eigen::MatrixXd dense;
+
+  bool is_dense() const { return dense.size() > 0; }
+  void set_dense(std::vector<int> at, Eigen::MatrixXd matrix) {
+    nodes = std::move(at);
+    dense = std::move(matrix);
+  }
+  /// this = a A + b B (same shape).
+  void set_sum(double a, const BodyMatrix& A, double b, const BodyMatrix& B) {
+    if (is_dense())
+      dense.noalias() = a * A.dense + b * B.dense;
+    else
+      Chain::set_sum(a, A, b, B);
+  }
+};
+
+/// LU factors of either form; a solution is zero at the nodes that follow.
+template <int N>
+class BodyLU {
+ public:
+  /// @returns false if the matrix is singular; the factors are then unusable.
+  bool factor(const BodyMatrix<N>& A) {
+    dense_ = A.is_dense();
+    if (!dense_) return chain_.factor(A);
+    nodes_ = A.nodes;
+    x_.setZero(A.dense.rows());
+    y_.setZero(A.dense.rows());
+    lu_.compute(A.dense);
+    const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
+    return std::isfinite(smallest) && smallest > 0;
+  }
+  /// x <- A^-1 x for the `size` numbers of the body, in place. Allocates nothing.
+  void solve(double* x, int size) {
+    if (!dense_) return chain_.solve(x);
+    Eigen::Map<Eigen::VectorXd> all(x, size);
+    for (size_t i = 0; i < nodes_.size(); ++i)
+      x_.template segment<N>(N * static_cast<int>(i)) = all.template segment<N>(N * nodes_[i]);
+    y_.noalias() = lu_.solve(x_);
+    all.setZero();
+    for (size_t i = 0; i < nodes_.size(); ++i)
+      all.template segment<N>(N * nodes_[i]) = y_.template segment<N>(N * static_cast<int>(i));
+  }
+
+ private:
+  bool dense_ = false;
+  BlockTridiagonalLU<N> chain_;
+  std::vector<int> nodes_;
+  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  Eigen::VectorXd x_, y_;
+};
+
+}  // namespace liesl

@@ -1,0 +1,107 @@
+#include "mbs/bodies/rigid.hpp"
+
+#include "mbs/bodies/beam_element.hpp"
+
+namespace liesl {
+
+/// Dense over node 0 where other nodes follow, else a chain of one.
+template <FrameGroup G>
+void Rigid<G>::set_matrices() {
+  if (this->nodes() > 1) {
+    this->M_.set_dense({0}, inertia_);
+    this->K_.set_dense({0}, Matrix::Zero());
+  } else {
+    this->M_.resize(1);
+    this->K_.resize(1);
+    this->M_.D[0] = inertia_;
+  }
+}
+
+template <FrameGroup G>
+Rigid<G>::Rigid(std::string body_name, const Body<G>& flexible)
+    : Body<G>(std::move(body_name), flexible.reference) {
+  const int n = this->nodes();
+  Eigen::MatrixXd J(dim * n, dim), turned = Eigen::MatrixXd::Zero(dim * n, dim);
+  Eigen::MatrixXd MJ = Eigen::MatrixXd::Zero(dim * n, dim), WJ = MJ, WF = MJ, same = MJ;
+  for (int k = 0; k < n; ++k) {
+    X_.push_back(this->reference[0].inverse() * this->reference[k]);
+    J.middleRows<dim>(dim * k) = X_[k].AdInv();
+    // Components in the axes of node k of a vector given in those of node 0.
+    auto turn = turned.middleRows<dim>(dim * k);
+    turn.setIdentity();
+    turn.template topLeftCorner<G::space_dim, G::space_dim>() = X_[k].R.transpose();
+    if constexpr (G::rotation_dim == 3)
+      turn.template bottomRightCorner<3, 3>() = X_[k].R.transpose();
+    same.middleRows<dim>(dim * k).setIdentity();
+  }
+  const Matrices W = flexible.load_distribution();
+  for (int j = 0; j < dim; ++j) {
+    flexible.mass().multiply_add(J.col(j).data(), MJ.col(j).data());
+    W.multiply_add(turned.col(j).data(), WJ.col(j).data());
+    W.multiply_add(same.col(j).data(), WF.col(j).data());
+  }
+  inertia_ = J.transpose() * MJ;
+  dead_share_ = Eigen::MatrixXd::Zero(dim * n, dim);
+  follower_share_ = dead_share_;
+  dead_share_.topRows<dim>() = J.transpose() * WJ;
+  follower_share_.topRows<dim>() = J.transpose() * WF;
+  // First moment m c: the force that an angular acceleration takes, m (wdot x c).
+  if constexpr (G::space_dim == 3)
+    centre_ = vee(inertia_.template block<3, 3>(3, 0).eval()) / inertia_(0, 0);
+  else
+    centre_ = Vector(inertia_(1, 2), -inertia_(0, 2)) / inertia_(0, 0);
+  set_matrices();
+}
+
+template <FrameGroup G>
+void Rigid<G>::complete(G* H, double* v, double* vdot, const double*) const {
+  using Node = Eigen::Map<Tangent>;
+  for (int k = 1; k < this->nodes(); ++k) {
+    H[k] = H[0] * X_[k];
+    Node(v + dim * k) = X_[k].AdInv() * Node(v);
+    Node(vdot + dim * k) = X_[k].AdInv() * Node(vdot);
+  }
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd Rigid<G>::load_share(bool follower) const {
+  return follower ? follower_share_ : dead_share_;
+}
+
+template <FrameGroup G>
+void Rigid<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                           ForceScale& scale) const {
+  const Tangent v = Eigen::Map<const Tangent>(s.v);
+  const auto& M = inertia_;
+  const Tangent f =
+      M * apparent_acceleration<G>(s, 0, gravity) + BeamElement<G>::minus_ad_transpose(v, M * v);
+  Eigen::Map<Tangent>{r} += f;
+  scale.add<G>(f);
+}
+
+template <FrameGroup G>
+void Rigid<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                             const Tangent*, Matrices& A) const {
+  const auto& M = inertia_;
+  Matrix tangent = w.mass * M;
+  if (w.damping > 0)
+    tangent += w.damping *
+               BeamElement<G>::minus_ad_transpose_derivative(Eigen::Map<const Tangent>(s.v), M);
+  tangent += M * weight_tangent<G>(s.H[0], gravity);
+  if (A.is_dense())
+    A.dense = tangent;
+  else
+    A.D[0] = tangent;
+}
+
+template <FrameGroup G>
+BodyEnergy Rigid<G>::energy(const BodyState<G>& s, const Vector& gravity) const {
+  const Eigen::Map<const Tangent> v(s.v);
+  const auto& M = inertia_;
+  return {0.5 * v.dot(M * v), 0, -total_mass() * gravity.dot(s.H[0].x + s.H[0].R * centre_)};
+}
+
+template class Rigid<SE2>;
+template class Rigid<SE3>;
+
+}  // namespace liesl

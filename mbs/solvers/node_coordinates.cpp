@@ -1,0 +1,135 @@
+#include "mbs/solvers/node_coordinates.hpp"
+
+#include <cmath>
+
+namespace liesl {
+namespace {
+
+bool uses_local(Formalism f) { return f != Formalism::Decoupled && f != Formalism::Classical; }
+
+}  // namespace
+
+template <FrameGroup G>
+NodeCoordinates<G>::NodeCoordinates(const Model<G>& model, bool rescale)
+    : model_(model), rescale_(rescale) {}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::start(State<G>& s) const {
+  if (model_.formalism != Formalism::Classical) return;
+  for (const int k : model_.frames()) s.w.template segment<rd>(dim * k + sd) = Rot::log(s.H[k].R);
+}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::rates(const State<G>& s, Eigen::VectorXd& u, Eigen::VectorXd& udot) const {
+  u = s.v;
+  udot = s.vdot;
+  if (uses_local(model_.formalism)) return;
+  for (const int k : model_.frames()) {
+    const auto v = s.v.template segment<sd>(dim * k);
+    const Angular w = s.v.template segment<rd>(dim * k + sd);
+    u.template segment<sd>(dim * k) = s.H[k].R * v;
+    udot.template segment<sd>(dim * k) =
+        s.H[k].R * (s.vdot.template segment<sd>(dim * k) - Rot::cross(v) * w);
+    if (model_.formalism != Formalism::Classical) continue;
+    const Angular p = psi(s, k);
+    const auto Tinv = Rot::Tinv(p);
+    const Angular rate = Tinv * w;
+    u.template segment<rd>(dim * k + sd) = rate;
+    udot.template segment<rd>(dim * k + sd) =
+        Tinv * (s.vdot.template segment<rd>(dim * k + sd) - Rot::dT(p, rate) * rate);
+  }
+}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::local_rates(const Eigen::VectorXd& u, const Eigen::VectorXd& udot,
+                                     State<G>& s) const {
+  s.v = u;
+  s.vdot = udot;
+  if (uses_local(model_.formalism)) return;
+  for (const int k : model_.frames()) {
+    if (model_.formalism == Formalism::Classical) {
+      const Angular p = psi(s, k), rate = u.template segment<rd>(dim * k + sd);
+      const auto T = Rot::T(p);
+      s.v.template segment<rd>(dim * k + sd) = T * rate;
+      s.vdot.template segment<rd>(dim * k + sd) =
+          T * udot.template segment<rd>(dim * k + sd) + Rot::dT(p, rate) * rate;
+    }
+    const Angular w = s.v.template segment<rd>(dim * k + sd);
+    const Eigen::Matrix<double, sd, 1> v = s.H[k].R.transpose() * u.template segment<sd>(dim * k);
+    s.v.template segment<sd>(dim * k) = v;
+    s.vdot.template segment<sd>(dim * k) =
+        s.H[k].R.transpose() * udot.template segment<sd>(dim * k) + Rot::cross(v) * w;
+  }
+}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::place(const State<G>& old, const Eigen::VectorXd& dq,
+                               const Eigen::VectorXd& u, const Eigen::VectorXd& udot,
+                               State<G>& s) const {
+  if (uses_local(model_.formalism)) {
+    for (const int k : model_.frames())
+      s.H[k] = old.H[k] * G::exp(dq.template segment<dim>(dim * k));
+  } else {
+    const bool vector = model_.formalism == Formalism::Classical;
+    if (vector) s.w = old.w;
+    for (const int k : model_.frames()) {
+      const Angular turn = dq.template segment<rd>(dim * k + sd);
+      s.H[k].x = old.H[k].x + dq.template segment<sd>(dim * k);
+      if (vector) s.w.template segment<rd>(dim * k + sd) += turn;
+      s.H[k].R = vector ? Rot::exp(psi(s, k)) : (old.H[k].R * Rot::exp(turn)).eval();
+    }
+  }
+  for (const int k : model_.amplitudes())
+    s.w.template segment<dim>(dim * k) =
+        old.w.template segment<dim>(dim * k) + dq.template segment<dim>(dim * k);
+  local_rates(u, udot, s);
+}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::increment(const State<G>& s, const Eigen::VectorXd& dq,
+                                   const Eigen::VectorXd& delta, Eigen::VectorXd& e) const {
+  for (const int k : model_.amplitudes())
+    e.template segment<dim>(dim * k) = delta.template segment<dim>(dim * k);
+  for (const int k : model_.frames()) {
+    const auto d = delta.template segment<dim>(dim * k);
+    auto out = e.template segment<dim>(dim * k);
+    if (uses_local(model_.formalism)) {
+      out.noalias() = G::Tinv(dq.template segment<dim>(dim * k)) * d;
+      continue;
+    }
+    const Angular at = model_.formalism == Formalism::Classical
+                           ? psi(s, k)
+                           : Angular(dq.template segment<rd>(dim * k + sd));
+    out.template head<sd>() = s.H[k].R * d.template head<sd>();
+    out.template tail<rd>() = Rot::Tinv(at) * d.template tail<rd>();
+  }
+}
+
+template <FrameGroup G>
+bool NodeCoordinates<G>::finish(State<G>& s) const {
+  if (model_.formalism != Formalism::Classical) {
+    for (const int k : model_.frames()) s.H[k].orthonormalize();
+    return false;
+  }
+  bool changed = false;
+  if (!rescale_ || rd == 1) return false;
+  for (const int k : model_.frames()) {
+    const Angular p = psi(s, k);
+    const double angle = p.norm();
+    if (angle <= M_PI) continue;
+    // The acceleration-like variable turns with the coordinates, as the acceleration does.
+    const Angular w = s.v.template segment<rd>(dim * k + sd), rate = Rot::Tinv(p) * w;
+    auto a = s.a.template segment<rd>(dim * k + sd);
+    const Angular local = Rot::T(p) * a + Rot::dT(p, rate) * rate;
+    const Angular q = (1 - 2 * M_PI / angle) * p, new_rate = Rot::Tinv(q) * w;
+    a = Rot::Tinv(q) * (local - Rot::dT(q, new_rate) * new_rate);
+    s.w.template segment<rd>(dim * k + sd) = q;
+    changed = true;
+  }
+  return changed;
+}
+
+template class NodeCoordinates<SE2>;
+template class NodeCoordinates<SE3>;
+
+}  // namespace liesl

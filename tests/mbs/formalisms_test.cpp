@@ -1,0 +1,106 @@
+/// @file
+/// The formalisms beside each other: the same limit, the same order, the known constants.
+
+#include "mbs/run.hpp"
+#include "reference/published.hpp"
+
+namespace liesl {
+namespace {
+
+Mechanism with(Mechanism m, Formalism f) {
+  m.formalism = f;
+  return m;
+}
+
+/// Largest error of the position of the heavy top at t = 1.
+double top_error(Formalism f, double step) {
+  const auto r =
+      testing::run_spatial(with(reference::heavy_top(), f), testing::options(1, step, 0.9, 1e-9));
+  EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  return (r.trajectory().frames(r.last())->x - reference::heavy_top_one.x).cwiseAbs().maxCoeff();
+}
+
+TEST(Formalisms, HeavyTopIsOfSecondOrderInAll) {
+  for (const auto f : {Formalism::Lie, Formalism::Decoupled, Formalism::Classical}) {
+    const double coarse = top_error(f, 2.5e-4), fine = top_error(f, 1.25e-4);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << to_string(f);
+  }
+}
+
+TEST(Formalisms, DecoupledTopHasTheSmallerConstant) {
+  const double ratio =
+      top_error(Formalism::Lie, 1.25e-4) / top_error(Formalism::Decoupled, 1.25e-4);
+  EXPECT_GT(ratio, 8);
+  EXPECT_LT(ratio, 18);  // BENCHMARKS section 3
+}
+
+Eigen::Vector2d pendulum_tip(Formalism f, int elements, double step) {
+  const auto r = testing::run_planar(with(reference::pendulum(elements), f),
+                                     testing::options(0.5, step, 0.8, 1e-8));
+  EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  return r.trajectory().frames(r.last())[elements].x;
+}
+
+TEST(Formalisms, PendulumConvergesToTheSameMotion) {
+  const Eigen::Vector2d exact = pendulum_tip(Formalism::Lie, 128, 2.5e-4);
+  for (const auto f :
+       {Formalism::Lie, Formalism::Decoupled, Formalism::Classical, Formalism::Floating}) {
+    // The floating frame is linear: it keeps an error of the size of the deflection squared.
+    const double limit = f == Formalism::Floating ? 2e-2 : 1e-4;
+    EXPECT_LT((pendulum_tip(f, 64, 2.5e-4) - exact).norm(), limit) << to_string(f);
+  }
+}
+
+TEST(Formalisms, ClassicalIsDecoupledInAPlane) {
+  const auto a = pendulum_tip(Formalism::Decoupled, 8, 1e-3);
+  const auto b = pendulum_tip(Formalism::Classical, 8, 1e-3);
+  EXPECT_LT((a - b).norm(), 1e-5);
+}
+
+/// A stiff slider-crank, whose bending is small: largest midspan offset of the rod, m.
+template <class G>
+double largest_bend(const Mechanism& m, const Space<G>& space) {
+  const auto r = testing::run<G>(m, space, testing::options(0.12, 1e-4, 0.8, 1e-7));
+  EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  double largest = 0;
+  for (int i = 0; i < r.trajectory().size(); ++i) {
+    const G* H = r.trajectory().frames(i) + r.model->first_node(1);
+    const Eigen::VectorXd chord = (H[8].x - H[0].x).normalized(), mid = H[4].x - H[0].x;
+    largest = std::max(largest, (mid - chord.dot(mid) * chord).norm());
+  }
+  return largest;
+}
+
+TEST(Formalisms, AgreeOnTheBendingOfTheSliderCrank) {
+  const Mechanism m = reference::slider_crank({});
+  const double lie = largest_bend<SE3>(with(m, Formalism::Lie), {});
+  const auto plane = *find_plane(m).plane;
+  for (const auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating})
+    EXPECT_NEAR(largest_bend<SE2>(with(m, f), plane), lie, 0.03 * lie) << to_string(f);
+  EXPECT_NEAR(largest_bend<SE3>(with(m, Formalism::Floating), {}),
+              largest_bend<SE2>(with(m, Formalism::Floating), plane), 1e-6 * lie);
+  EXPECT_LT(largest_bend<SE2>(with(m, Formalism::Rigid), plane), 1e-12);
+}
+
+TEST(Formalisms, RotationVectorsSurviveTurnsOnlyWhenRescaled) {
+  Mechanism m = reference::heavy_top();
+  m.bodies[0].velocity.setZero();
+  m.bodies[0].angular_velocity = Vec3(0, 0, 20);  // past six turns in 2 s
+  m.bodies[0].velocity = Vec3(0, 0, 20).cross(Vec3(0, 1, 0));
+  auto o = testing::options(2, 2.5e-4, 0.9, 1e-8);
+  const auto lie = testing::run_spatial(m, o);
+  ASSERT_EQ(lie.report().status, SolveStatus::Converged) << lie.report().reason;
+  const Vec3 x = lie.trajectory().frames(lie.last())->x;
+  m.formalism = Formalism::Classical;
+  const auto rescaled = testing::run_spatial(m, o);
+  ASSERT_EQ(rescaled.report().status, SolveStatus::Converged) << rescaled.report().reason;
+  EXPECT_LT((rescaled.trajectory().frames(rescaled.last())->x - x).norm(), 2e-2);
+  o.rescale = false;
+  const auto lost = testing::run_spatial(m, o);
+  EXPECT_TRUE(lost.report().status != SolveStatus::Converged ||
+              (lost.trajectory().frames(lost.last())->x - x).norm() > 0.1);
+  EXPECT_TRUE(lost.trajectory().v(lost.last()).allFinite());
+}
+
+}  // namespace
+}  // namespace liesl
