@@ -26,46 +26,58 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
 
-/// Makes sure that the folder belongs to this batch: new, or of an earlier command with the same
-/// input, which goes on.
-void prepare(const fs::path& folder, const Batch& batch, const std::string& hash, bool force) {
-  const fs::path plan = folder / "batch.json";
+/// One pool at a time makes the folder or collects; the last one to collect sees the marks of all.
+class FolderLock {
+ public:
+  explicit FolderLock(const fs::path& folder)
+      : file_(::open((folder / kName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
+    if (file_ < 0 || ::flock(file_, LOCK_EX) != 0)
+      throw output::IoError("write to", folder, std::strerror(errno));
+  }
+  ~FolderLock() { ::close(file_); }
+  FolderLock(const FolderLock&) = delete;
+  FolderLock& operator=(const FolderLock&) = delete;
+
+  static constexpr const char* kName = ".lock";
+
+ private:
+  int file_;
+};
+
+/// Makes the folder. One that holds something else than a batch is left alone.
+void make_folder(const fs::path& folder) {
   std::error_code error;
-  if (fs::exists(plan, error) && force) fs::remove_all(folder);
-  if (fs::exists(plan, error)) {
+  const bool ours = fs::exists(folder / FolderLock::kName, error) || !fs::exists(folder, error) ||
+                    (fs::is_directory(folder, error) && fs::is_empty(folder, error));
+  // Another pool may have made it, and its lock, in between.
+  if (!ours && !fs::exists(folder / FolderLock::kName, error))
+    throw output::IoError("write to", folder, "it holds something else; choose another");
+  fs::create_directories(folder, error);
+  if (error) throw output::IoError("write to", folder, error.message());
+}
+
+/// Makes sure that the folder is of this batch: new, or of an earlier command with the same input,
+/// which goes on.
+void prepare(const fs::path& folder, const Batch& batch, const std::string& hash, bool force) {
+  make_folder(folder);
+  const FolderLock lock(folder);
+  const fs::path plan = folder / "batch.json";
+  if (force)
+    for (const auto& entry : fs::directory_iterator(folder))
+      if (entry.path().filename() != FolderLock::kName) fs::remove_all(entry.path());
+  if (fs::exists(plan)) {
     const Json earlier = Json::parse(output::read_file(plan), nullptr, false);
     if (earlier.is_object() && earlier.value("input_sha256", "") == hash) return;
     throw InputError({{folder.string(), 0, 0, "the folder belongs to another batch",
                        "a new folder, or one of the same files and --set",
                        "choose another folder; --force begins again in this one"}});
   }
-  if (fs::exists(folder, error) &&
-      (!fs::is_directory(folder, error) || !fs::is_empty(folder, error)))
-    throw output::IoError("write to", folder, "it holds something else; choose another");
-  fs::create_directories(folder, error);
-  if (error) throw output::IoError("write to", folder, error.message());
   Json json = {{"name", batch.name}, {"of", batch.of.string()}, {"input_sha256", hash}};
   json["cases"] = Json::object();
   for (std::size_t row = 0; row < batch.cases.rows.size(); ++row)
     json["cases"][batch.cases.rows[row].name] = batch.changes(row);
   output::replace_file(plan, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
-
-/// One pool at a time collects; the last one sees the marks of all.
-class CollectLock {
- public:
-  explicit CollectLock(const fs::path& folder)
-      : file_(::open((folder / ".lock").c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ < 0 || ::flock(file_, LOCK_EX) != 0)
-      throw output::IoError("lock", folder / ".lock", std::strerror(errno));
-  }
-  ~CollectLock() { ::close(file_); }
-  CollectLock(const CollectLock&) = delete;
-  CollectLock& operator=(const CollectLock&) = delete;
-
- private:
-  int file_;
-};
 
 std::string counted(const std::map<std::string, int>& statuses) {
   std::string text;
@@ -97,11 +109,12 @@ void describe(output::BatchSummary& summary, const Batch& batch, const BatchTabl
 output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
                                  const PoolReport& report, output::BatchSummary summary,
                                  const Stopwatch& clock) {
-  const CollectLock lock(folder);
+  const FolderLock lock(folder);
   const BatchTable table = collect_cases(batch, folder);
   describe(summary, batch, table, report);
   write_batch_csv(folder, table);
-  if (summary.done == summary.cases) write_batch_hdf5(folder, table);
+  const bool news = report.ran > 0 || !fs::exists(folder / "results.h5");
+  if (summary.done == summary.cases && news) write_batch_hdf5(folder, table);
   summary.wall_s = clock.seconds();
   output::replace_file(
       folder / "summary.json",

@@ -7,6 +7,7 @@
 #include <set>
 
 #include "apps/batch/case_table.hpp"
+#include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
 namespace {
@@ -113,6 +114,27 @@ TEST_F(BatchProgram, ShardsAreThePartsOfTheWhole) {
   EXPECT_TRUE(fs::exists(results() / "results.h5"));
 }
 
+/// Several pools in one folder, begun at once: every case is run by one of them.
+TEST_F(BatchProgram, PoolsShareAFolder) {
+  const fs::path file = simulations();
+  std::vector<pid_t> pools;
+  for (const char* tag : {"0", "1", "2", "3"})
+    pools.push_back(start({"batch", file, "-o", results(), "-j", "2"}, tag));
+  int ran = 0;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    const Outcome o = wait_for(pools[i], std::to_string(i));
+    EXPECT_EQ(o.code, 0) << o.err;
+    const auto at = o.out.find(" cases now");
+    ASSERT_NE(at, std::string::npos) << o.out;
+    ran += std::stoi(o.out.substr(o.out.rfind('\n', at)));
+  }
+  EXPECT_EQ(ran, 6);
+  EXPECT_EQ(summary()["status"], "done") << summary()["reason"];
+  EXPECT_EQ(table().at("case").size(), 6u);
+  for (const auto& entry : fs::directory_iterator(results() / "cases"))
+    EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path();
+}
+
 TEST_F(BatchProgram, FinishedCasesAreNotRunAgain) {
   const fs::path file = simulations();
   ASSERT_EQ(batch(file).code, 0);
@@ -209,28 +231,63 @@ TEST_F(BatchProgram, CrashIsOneFailedRow) {
   EXPECT_NE(o.err.find("case 1: crashed"), std::string::npos) << o.err;
 }
 
-TEST_F(BatchProgram, FailuresAreRowsWithReasons) {
-  const fs::path file = simulations();
-  // 500 000 steps of records need 4.6 GB, and some seconds.
-  EXPECT_EQ(batch(file, {"--set", "limits.memory=700", "--set", "simulation.duration=50", "--set",
-                         "simulation.output_every=1", "-j", "1", "--set", "grid.rate.values=[150]",
-                         "--set", "grid.step.values=[1e-4]"})
-                .code,
-            1);
+TEST_F(BatchProgram, TimeOutIsOneFailedRow) {
+  const Outcome o = batch(simulations("[limits]\ntime = 0.3\n"),
+                          {"--set", "grid.rate.values=[150]", "--set", "simulation.duration=50",
+                           "--set", "grid.step.values=[1e-4]"});
+  EXPECT_EQ(o.code, 1);
+  EXPECT_EQ(table().at("status"), Words{"time-out"});
+  EXPECT_EQ(table().at("reason"), Words{"stopped after limits.time = 0.3 s"});
+  EXPECT_LT(std::stod(table().at("wall_s [s]")[0]), 5);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // its shadow memory alone is more than any limit
+/// 500 000 steps of records need 4.6 GB.
+TEST_F(BatchProgram, OutOfMemoryIsOneFailedRow) {
+  const Outcome o = batch(simulations("[limits]\nmemory = 700\n"),
+                          {"--set", "grid.rate.values=[150]", "--set", "simulation.duration=50",
+                           "--set", "grid.step.values=[1e-4]"});
+  EXPECT_EQ(o.code, 1);
   EXPECT_EQ(table().at("status"), Words{"out of memory"}) << table().at("reason")[0];
   EXPECT_EQ(table().at("reason"), Words{"needs more than limits.memory = 700 MB"});
-  EXPECT_EQ(batch(file, {"--force", "--set", "limits.time=0.2", "--set", "simulation.duration=50",
-                         "--set", "grid.rate.values=[150]", "--set", "grid.step.values=[1e-4]"})
-                .code,
-            1);
-  EXPECT_EQ(table().at("status"), Words{"time-out"});
-  EXPECT_EQ(batch(file, {"--force", "--set", "grid.rate.values=[100, 1e7]", "--set",
-                         "grid.step.values=[1e-3]"})
+}
+#endif
+
+TEST_F(BatchProgram, FailuresAreRowsWithReasons) {
+  EXPECT_EQ(batch(simulations(),
+                  {"--set", "grid.rate.values=[100, 1e7]", "--set", "grid.step.values=[1e-3]"})
                 .code,
             1);
   EXPECT_EQ(table().at("status")[0], "done");
   EXPECT_NE(table().at("status")[1], "done");
   EXPECT_NE(table().at("reason")[1], "");
+}
+
+/// Everything of every case is in one file.
+TEST_F(BatchProgram, Hdf5HoldsTheTableAndTheCases) {
+  ASSERT_EQ(batch(simulations(), {"--set", "grid.rate.values=[100, 1e7]"}).code, 1);
+  const fs::path file = results() / "results.h5";
+  const auto columns = table();
+  EXPECT_EQ(read_set(file, "/inputs/rate").values, (std::vector<double>{100, 100, 1e7, 1e7}));
+  const auto largest = read_set(file, "/figures/bend.max_abs").values;
+  ASSERT_EQ(largest.size(), 4u);
+  EXPECT_EQ(largest[1], std::stod(columns.at("bend.max_abs [m]")[1]));
+  for (const char* name : {"1", "2"}) {
+    const std::string inside = std::string("/cases/") + name;
+    for (const char* set : {"/bodies/rod/position", "/responses/bend", "/time"}) {
+      const auto copy = read_set(file, inside + set);
+      const auto own = read_set(results() / "cases" / name / "results.h5", set);
+      EXPECT_FALSE(own.values.empty()) << set;
+      EXPECT_EQ(copy.values, own.values) << inside << set;
+      EXPECT_EQ(copy.shape, own.shape) << inside << set;
+    }
+  }
+}
+
+TEST_F(BatchProgram, SummaryHasTheDocumentedKeys) {
+  ASSERT_EQ(batch(simulations()).code, 0);
+  EXPECT_EQ(keys(summary()), documented("### `batch`\n").always);
+  EXPECT_EQ(keys(Json::parse(text_of(mark("1")))), documented("### Marks").always);
 }
 
 TEST_F(BatchProgram, DrawsAnyPairOfColumns) {

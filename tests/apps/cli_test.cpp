@@ -104,36 +104,6 @@ TEST_F(Cli, OptimizeSaysHowItEnded) {
   EXPECT_EQ(failed.out.find("nan"), std::string::npos) << failed.out;
 }
 
-/// Keys of the table under a heading of docs/outputs.md; those that are not always there are
-/// described as "only ...".
-struct Documented {
-  std::set<std::string> always, sometimes;
-};
-
-Documented documented(const std::string& heading) {
-  std::istringstream page(text_of(kData / "../docs/outputs.md"));
-  Documented keys;
-  bool here = false;
-  for (std::string line; std::getline(page, line);) {
-    if (line.rfind("##", 0) == 0) here = (line + "\n").rfind(heading, 0) == 0;
-    if (!here || line.rfind("| `", 0) != 0) continue;
-    const bool optional = line.find("| only ") != std::string::npos;
-    const std::string names = line.substr(0, line.find('|', 2));
-    for (size_t a = names.find('`'); a != std::string::npos; a = names.find('`', a + 1)) {
-      const size_t b = names.find('`', a + 1);
-      (optional ? keys.sometimes : keys.always).insert(names.substr(a + 1, b - a - 1));
-      a = b;
-    }
-  }
-  return keys;
-}
-
-std::set<std::string> keys(const Json& json) {
-  std::set<std::string> names;
-  for (const auto& [name, value] : json.items()) names.insert(name);
-  return names;
-}
-
 TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   const auto common = documented("### `run`\n").always;
   ASSERT_GE(common.size(), 17u);

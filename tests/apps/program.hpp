@@ -11,6 +11,7 @@
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -44,23 +45,24 @@ class Program : public testing::Test {
   void SetUp() override { fs::create_directories(dir_); }
   void TearDown() override { fs::remove_all(dir_); }
 
-  pid_t start(Words words) const {
+  /// Starts it; what it prints goes to files whose names end with `tag`.
+  pid_t start(Words words, const std::string& tag = "") const {
     words.insert(words.begin(), LIESL_PROGRAM);
     const pid_t child = fork();
     if (child != 0) return child;
     for (const auto& [name, number] : {std::pair{"out", 1}, std::pair{"err", 2}})
-      dup2(open((dir_ / name).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), number);
+      dup2(open((dir_ / (name + tag)).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), number);
     std::vector<char*> args;
     for (auto& word : words) args.push_back(word.data());
     args.push_back(nullptr);
     execv(args[0], args.data());
     _exit(127);
   }
-  Outcome wait_for(pid_t child) const {
+  Outcome wait_for(pid_t child, const std::string& tag = "") const {
     int status = 0;
     waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), text_of(dir_ / "out"),
-            text_of(dir_ / "err")};
+    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status),
+            text_of(dir_ / ("out" + tag)), text_of(dir_ / ("err" + tag))};
   }
   Outcome run(const Words& words) const { return wait_for(start(words)); }
 
@@ -83,6 +85,36 @@ inline std::string scene(const char* name) {
 }
 inline std::string study(const char* name) {
   return kData / "studies" / (std::string(name) + ".toml");
+}
+
+/// Keys of the table under a heading of docs/outputs.md; those that are not always there are
+/// described as "only ...".
+struct Documented {
+  std::set<std::string> always, sometimes;
+};
+
+inline Documented documented(const std::string& heading) {
+  std::istringstream page(text_of(kData / "../docs/outputs.md"));
+  Documented keys;
+  bool here = false;
+  for (std::string line; std::getline(page, line);) {
+    if (line.rfind("##", 0) == 0) here = (line + "\n").rfind(heading, 0) == 0;
+    if (!here || line.rfind("| `", 0) != 0) continue;
+    const bool optional = line.find("| only ") != std::string::npos;
+    const std::string names = line.substr(0, line.find('|', 2));
+    for (size_t a = names.find('`'); a != std::string::npos; a = names.find('`', a + 1)) {
+      const size_t b = names.find('`', a + 1);
+      (optional ? keys.sometimes : keys.always).insert(names.substr(a + 1, b - a - 1));
+      a = b;
+    }
+  }
+  return keys;
+}
+
+inline std::set<std::string> keys(const Json& json) {
+  std::set<std::string> names;
+  for (const auto& [name, value] : json.items()) names.insert(name);
+  return names;
 }
 
 }  // namespace liesl::test
