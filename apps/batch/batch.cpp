@@ -87,7 +87,10 @@ void check_columns(const Batch& batch, Problems& problems) {
     for (const std::string& key : column.keys) {
       if (!keys.insert(key).second)
         add(column.place, fmt::format("key '{}' is there twice", key), "every key once", "");
-      if (const auto wrong = key_problem(batch.of, key))
+      if (key.empty() || key.find('=') != std::string::npos)
+        add(column.place, fmt::format("'{}' is not a key", key), "a key of the study or scene",
+            "as in joints.motor.drive.rate");
+      else if (const auto wrong = key_problem(batch.of, key))
         add(column.place, wrong->what, wrong->expected, wrong->hint);
     }
   }

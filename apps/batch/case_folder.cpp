@@ -140,7 +140,8 @@ CaseLock::CaseLock(const CaseFolder& folder) {
   file_ = ::open(folder.log_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (file_ < 0) throw output::IoError("write", folder.log_, std::strerror(errno));
   struct stat mine = {}, there = {};
-  const bool locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0;
+  // A file system without locks takes none: then the marks alone keep cases apart.
+  const bool locked = ::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK;
   // Another process may have taken the file away between the two lines above.
   const bool same = ::fstat(file_, &mine) == 0 && ::stat(folder.log_.c_str(), &there) == 0 &&
                     mine.st_ino == there.st_ino;

@@ -121,6 +121,10 @@ std::vector<CsvRow> read_csv(const std::string& text, const std::string& file, P
 
 CaseList read_cases(const std::string& text, const std::string& file, Problems& problems) {
   CaseList list;
+  if (text.find('\0') != std::string::npos) {
+    add(problems, {file, 0, 0}, "not a table: the file is binary", "a CSV file of the cases");
+    return list;
+  }
   std::vector<CsvRow> rows = read_csv(text, file, problems);
   const std::string expected = "a line of keys and a line a case";
   if (rows.size() < 2 || rows.size() > kMostCases + 1) {

@@ -31,8 +31,8 @@ class FolderLock {
  public:
   explicit FolderLock(const fs::path& folder)
       : file_(::open((folder / kName).c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666)) {
-    if (file_ < 0 || ::flock(file_, LOCK_EX) != 0)
-      throw output::IoError("write to", folder, std::strerror(errno));
+    if (file_ < 0) throw output::IoError("write to", folder, std::strerror(errno));
+    while (::flock(file_, LOCK_EX) != 0 && errno == EINTR) continue;  // other errors: no locks here
   }
   ~FolderLock() { ::close(file_); }
   FolderLock(const FolderLock&) = delete;

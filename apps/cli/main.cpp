@@ -65,7 +65,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     }
     if (std::string(entry.name) == "batch") {
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
-          ->check(CLI::NonNegativeNumber);
+          ->check(CLI::Range(0, 10000));
       command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
     }
     if (std::string(entry.name) == "plot") {

@@ -191,9 +191,11 @@ TEST_F(BatchFiles, ValuesAreRefusedAtTheirPlaceAndOnce) {
 }
 
 TEST_F(BatchFiles, TablesThatAreNoneAreRefused) {
-  const std::pair<const char*, const char*> wrong[] = {
+  const std::pair<std::string, const char*> wrong[] = {
       {"", "cases.csv: the table has 0 cases"},
       {"gravity.1\n", "cases.csv: the table has 0 cases"},
+      {std::string("a\0b,c\n1,2\n", 8), "cases.csv: not a table: the file is binary"},
+      {"a=b\n1\n", "cases.csv:1:1: 'a=b' is not a key"},
       {"case\na\n", "cases.csv:1:1: the table changes no key"},
       {"gravity.1,gravity.1\n1,2\n", "cases.csv:1:11: column 'gravity.1' is there twice"},
       {"gravity.1,\n1,2\n", "cases.csv:1:11: a column without a key"},
