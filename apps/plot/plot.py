@@ -495,14 +495,18 @@ def draw_pair(series, pictures, x_name, y_name):
               and 1 < len(set(series.text(n))) <= len(COLOURS)]
     groups = series.text(others[0]) if others else [""] * len(x)
     figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.6))
+    good = [status in ("done", "converged") for status in series.text("status")]
     for colour, group in zip(COLOURS, dict.fromkeys(groups)):
-        chosen = [k for k in range(len(x)) if groups[k] == group]
-        ax.plot([x[k] for k in chosen], [y[k] for k in chosen], "o", color=colour, markersize=5,
-                alpha=0.8, label=group)
+        for marker, wanted in (("o", True), ("x", False)):
+            chosen = [k for k in range(len(x)) if groups[k] == group and good[k] == wanted]
+            ax.plot([x[k] for k in chosen], [y[k] for k in chosen], marker, color=colour,
+                    markersize=5, alpha=0.8, label=group if wanted else None)
+    if not all(good):
+        ax.plot([], [], "x", color=GREY, markersize=5, label="failed")
     ax.set_xlabel(label(x_name, ux))
     ax.set_ylabel(label(y_name, uy))
-    if others:
-        legend(ax, title=others[0].replace("_", " "))
+    if others or not all(good):
+        legend(ax, title=others[0].replace("_", " ") if others else None)
     none = sum(isinstance(v, float) and math.isnan(v) for v in y)
     note = f" ({none} of {len(y)} cases have none)" if none else ""
     name = re.sub(r"[^\w.+-]+", "_", f"{y_name}_over_{x_name}")
