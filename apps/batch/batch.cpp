@@ -30,13 +30,10 @@ bool is_of_batch(const std::string& change) {
   return find_key(FileKind::Batch, top) && (whole || (top != "scene" && top != "study"));
 }
 
-CaseList read_table(const toml::node& name, const fs::path& file, std::string& input,
-                    Problems& problems) {
+CaseList read_table(const toml::node& name, const fs::path& file, Problems& problems) {
   const fs::path path = beside(file, *name.value<std::string>());
   try {
-    const std::string text = output::read_file(path);
-    input += text;
-    return read_cases(text, path.string(), problems);
+    return read_cases(output::read_file(path), path.string(), problems);
   } catch (const output::IoError& error) {
     problems.add(name, fmt::format("table {}: {}", path.string(), error.reason()),
                  "a CSV file of the cases");
@@ -57,7 +54,7 @@ CaseList read_grid(const toml::table& root, Problems& problems) {
   return expand(axes);
 }
 
-CaseList read_case_list(const Document& document, std::string& input, Problems& problems) {
+CaseList read_case_list(const Document& document, Problems& problems) {
   const toml::node* table = document.root.get("table");
   const toml::node* grid = document.root.get("grid");
   if (table && grid)
@@ -66,7 +63,7 @@ CaseList read_case_list(const Document& document, std::string& input, Problems& 
   else if (!table && !grid)
     problems.add(document.root, "the batch has no cases", "exactly one of table, grid");
   else if (table)
-    return read_table(*table, document.file, input, problems);
+    return read_table(*table, document.file, problems);
   else
     return read_grid(document.root, problems);
   return {};
@@ -115,7 +112,9 @@ void check_cases(Batch& batch, Problems& problems) {
       const auto changes = batch.changes(row);
       const std::string input = batch.optimize ? load_study(batch.of, changes).input
                                                : load_scene(batch.of, changes).input;
-      if (row == 0) batch.input += input;
+      if (row == 0) batch.input = input;
+      batch.input += "\ncase " + batch.cases.rows[row].name;
+      for (const std::string& change : changes) batch.input += "\n--set " + change;
     } catch (const InputError& error) {
       for (InputProblem problem : error.problems) {
         if (const InputPlace* at = place_of(batch, row, problem.file)) {
@@ -160,9 +159,7 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.of = beside(path, *root[batch.optimize ? "study" : "scene"].value<std::string>());
   batch.time = root["limits"]["time"].value<double>();
   batch.memory = root["limits"]["memory"].value<double>();
-  batch.input = document.text;
-  for (const std::string& change : own) batch.input += "\n--set " + change;
-  batch.cases = read_case_list(document, batch.input, problems);
+  batch.cases = read_case_list(document, problems);
   problems.throw_if_any();
   check_columns(batch, problems);
   problems.throw_if_any();

@@ -20,7 +20,7 @@ struct Batch {
   CaseList cases;                ///< one or more
   std::optional<double> time;    ///< s, wall time of a case
   std::optional<double> memory;  ///< MB, address space of a case
-  std::string input;             ///< text of all files and overrides, for the input's hash
+  std::string input;             ///< texts of study and scene, and all cases, for the input's hash
 
   /// All changes of a case, those to all cases first.
   std::vector<std::string> changes(std::size_t row) const;

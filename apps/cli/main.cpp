@@ -35,7 +35,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     bool writes;
   };
   static const Entry kEntries[] = {
-      {"check", "FILE", "Validate a scene or study", liesl::check_command, false},
+      {"check", "FILE", "Validate a scene, study or batch", liesl::check_command, false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,

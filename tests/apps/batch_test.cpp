@@ -146,6 +146,8 @@ TEST_F(BatchProgram, FinishedCasesAreNotRunAgain) {
   EXPECT_EQ(fs::last_write_time(mark("3")), before);
   EXPECT_EQ(text_of(results() / "results.csv"), first);
 
+  EXPECT_EQ(batch(simulations("[limits]\ntime = 60\n")).code, 0) << "the cases are the same";
+
   fs::remove(mark("3"));  // killed between the end of the case and its mark
   const auto result = fs::last_write_time(results() / "cases" / "3" / "responses.csv");
   EXPECT_EQ(batch(file).code, 0);
@@ -156,6 +158,7 @@ TEST_F(BatchProgram, FinishedCasesAreNotRunAgain) {
 TEST_F(BatchProgram, FoldersOfOthersAreRefused) {
   const fs::path file = simulations();
   ASSERT_EQ(batch(file, {"--set", "simulation.duration=0.01"}).code, 0);
+  EXPECT_EQ(batch(file, {"--set", "grid.step.values=[1e-3, 6e-4]"}).code, 2);
   const Outcome o = batch(file);
   EXPECT_EQ(o.code, 2);
   EXPECT_NE(o.err.find("belongs to another batch"), std::string::npos) << o.err;
