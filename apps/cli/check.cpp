@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "apps/batch/batch.hpp"
 #include "apps/cli/command.hpp"
 #include "apps/output/plot_program.hpp"
 #include "apps/scene/problem.hpp"
@@ -8,7 +9,15 @@
 namespace liesl {
 
 int check_command(const CommandOptions& options) {
-  const bool study = kind_of(load_document(options.file).root) == FileKind::Study;
+  const FileKind kind = kind_of(load_document(options.file).root);
+  if (kind == FileKind::Batch) {
+    const Batch batch = load_batch(options.file, options.set);
+    if (!options.quiet)
+      fmt::print("{}: a good batch of {} cases of {}\n", options.file, batch.cases.rows.size(),
+                 batch.of.string());
+    return 0;
+  }
+  const bool study = kind == FileKind::Study;
   const Scene scene =
       study ? load_study(options.file, options.set).scene : load_scene(options.file, options.set);
   const ChosenSpace space = choose_space(scene);
@@ -20,7 +29,7 @@ int check_command(const CommandOptions& options) {
 }
 
 int plot_command(const CommandOptions& options) {
-  for (const auto& picture : output::draw(options.file))
+  for (const auto& picture : output::draw(options.file, options.x, options.y))
     if (!options.quiet) fmt::print("{}\n", picture.string());
   return 0;
 }

@@ -22,12 +22,16 @@ struct CommandOptions {
   bool check_derivatives = false;  ///< optimize: sweep the gradients of the first static problem
   int threads = 0;                 ///< 0 = as many as there are processors
   std::vector<std::string> set;    ///< key.path=value
+  int jobs = 0;                    ///< batch: processes at once, 0 = a processor each
+  std::string shard;               ///< batch: "i/n", only every n-th case from the i-th on
+  std::string x, y;                ///< plot: columns of a batch
 };
 
 int check_command(const CommandOptions& options);
 int run_command(const CommandOptions& options);
 int esl_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
+int batch_command(const CommandOptions& options);
 int plot_command(const CommandOptions& options);
 
 /// Where a scene is computed, and why.

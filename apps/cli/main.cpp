@@ -35,11 +35,13 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     bool writes;
   };
   static const Entry kEntries[] = {
-      {"check", "FILE", "Validate a scene or study", liesl::check_command, false},
+      {"check", "FILE", "Validate a scene, study or batch", liesl::check_command, false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
+      {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
+       liesl::batch_command, true},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
@@ -60,6 +62,16 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_flag("--check-derivatives", o.check_derivatives,
                         "Compare the gradients with finite differences and stop");
       command->get_option("--output")->required(false);
+    }
+    if (std::string(entry.name) == "batch") {
+      command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
+          ->check(CLI::Range(0, 10000));
+      command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
+    }
+    if (std::string(entry.name) == "plot") {
+      auto* x = command->add_option("--x", o.x, "Column of a batch's table, across");
+      command->add_option("--y", o.y, "Column of a batch's table, upwards")->needs(x);
+      x->needs("--y");
     }
     command->callback([&run, &entry] { run = entry.function; });
   }

@@ -39,9 +39,25 @@ void check_replaceable(const fs::path& target, bool overwrite) {
   }
 }
 
+/// Puts `from` at the place of the folder `to`; afterwards `from` holds the former one or is gone.
+void exchange(const fs::path& from, const fs::path& to) {
+  if (!fs::exists(to)) {
+    fs::rename(from, to);
+    return;
+  }
+  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
+  // Not every file system can exchange; remove_leftovers() mends a kill between the next two lines.
+  const fs::path aside = sibling(to, "previous");
+  fs::rename(to, aside);
+  fs::rename(from, to);
+  fs::rename(aside, from);
+}
+
+}  // namespace
+
 /// Clears up after killed runs: unfinished folders of processes that are gone, and a result that
 /// was moved aside while the file system could not exchange two folders.
-void clear_up(const fs::path& target) {
+void remove_leftovers(const fs::path& target) {
   std::error_code error;
   const fs::path aside = sibling(target, "previous");
   if (fs::exists(aside, error) && !fs::exists(target, error)) fs::rename(aside, target, error);
@@ -55,22 +71,6 @@ void clear_up(const fs::path& target) {
     if (pid > 0 && ::kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
   }
 }
-
-/// Puts `from` at the place of the folder `to`; afterwards `from` holds the former one or is gone.
-void exchange(const fs::path& from, const fs::path& to) {
-  if (!fs::exists(to)) {
-    fs::rename(from, to);
-    return;
-  }
-  if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_EXCHANGE) == 0) return;
-  // Not every file system can exchange; clear_up() mends a kill between the next two lines.
-  const fs::path aside = sibling(to, "previous");
-  fs::rename(to, aside);
-  fs::rename(from, to);
-  fs::rename(aside, from);
-}
-
-}  // namespace
 
 bool is_result(const fs::path& folder) {
   std::error_code error;
@@ -88,7 +88,7 @@ AtomicFolder::AtomicFolder(const fs::path& target, bool overwrite) try {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "demo/"
   if (fs::is_symlink(target_)) target_ = fs::canonical(target_);
   fs::create_directories(target_.parent_path());
-  clear_up(target_);
+  remove_leftovers(target_);
   check_replaceable(target_, overwrite);
   partial_ = sibling(target_, "partial-" + std::to_string(::getpid()));
   fs::remove_all(partial_);

@@ -45,6 +45,9 @@ class AtomicFolder {
   bool committed_ = false;  ///< and not written to since
 };
 
+/// Removes what killed runs have left beside `target`. The constructor of AtomicFolder does, too.
+void remove_leftovers(const std::filesystem::path& target);
+
 /// True if the folder holds a result of liesl: a summary.json that names the version of liesl.
 bool is_result(const std::filesystem::path& folder);
 

@@ -120,6 +120,24 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
   write_file(path, out);
 }
 
+std::string columns_csv(const std::vector<TextColumn>& columns) {
+  std::string out;
+  const char* separator = "";
+  for (const TextColumn& column : columns) {
+    out += separator + heading(column.name, column.unit);
+    separator = ",";
+  }
+  const std::size_t rows = columns.empty() ? 0 : columns.front().cells.size();
+  for (std::size_t row = 0; row < rows; ++row) {
+    separator = "\n";
+    for (const TextColumn& column : columns) {
+      out += separator + field(column.cells.at(row));
+      separator = ",";
+    }
+  }
+  return out + "\n";
+}
+
 void write_design_csv(const std::filesystem::path& path, const std::vector<DesignRow>& rows) {
   std::string out = "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit\n";
   for (const auto& r : rows) {

@@ -26,6 +26,15 @@ void write_joints_csv(const std::filesystem::path& path, const Results& results)
 /// `<abscissa>, body, kind, node, x [m], y [m], z [m]`.
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants = 13);
 
+/// A column of texts, one a row.
+struct TextColumn {
+  std::string name, unit;  ///< unit "": none is said
+  std::vector<std::string> cells;
+};
+
+/// Columns of the same length as the text of a table.
+std::string columns_csv(const std::vector<TextColumn>& columns);
+
 /// One stretch of a beam that one design variable sizes.
 struct DesignRow {
   std::string variable;  ///< "rod_diameters[0]"

@@ -38,6 +38,13 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
   if (::close(file) != 0) fail("write", path);  // network file systems report a full disk here
 }
 
+void replace_file(const std::filesystem::path& path, std::string_view content) {
+  const auto part =
+      path.parent_path() / fmt::format(".{}.part-{}", path.filename().string(), ::getpid());
+  write_file(part, content);
+  if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path);
+}
+
 std::string read_file(const std::filesystem::path& path, std::size_t limit) {
   std::error_code error;
   if (std::filesystem::is_directory(path, error)) throw IoError("read", path, "is a folder");

@@ -13,6 +13,9 @@ namespace liesl::output {
 /// folder, permission denied, ... The file may then be incomplete: write into an AtomicFolder.
 void write_file(const std::filesystem::path& path, std::string_view content);
 
+/// The same, so that other processes see the former file or the whole new one.
+void replace_file(const std::filesystem::path& path, std::string_view content);
+
 /// Content of a whole regular file of at most `limit` bytes. @throws IoError
 std::string read_file(const std::filesystem::path& path, std::size_t limit = std::size_t{1} << 30);
 

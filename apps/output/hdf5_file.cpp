@@ -57,6 +57,21 @@ void Hdf5File::write_any(const std::string& name, hid_t type, const void* data,
   if (H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
 }
 
+void Hdf5File::write(const std::string& name, const std::vector<std::string>& texts) const {
+  std::vector<const char*> data;
+  for (const std::string& text : texts) data.push_back(text.c_str());
+  const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);
+  H5Tset_size(type.id(), H5T_VARIABLE);
+  H5Tset_cset(type.id(), H5T_CSET_UTF8);
+  write_any(name, type.id(), data.data(), {data.size()});
+}
+
+void Hdf5File::copy(const std::filesystem::path& from, const std::string& group) const {
+  const Hdf5Handle source(H5Fopen(from.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
+  if (H5Ocopy(checked(source.id()), "/", file_.id(), group.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
+    fail();
+}
+
 void Hdf5File::attribute(const std::string& object, const std::string& key,
                          const std::string& text) const {
   const Hdf5Handle type(H5Tcopy(H5T_C_S1), H5Tclose);

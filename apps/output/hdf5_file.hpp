@@ -42,6 +42,10 @@ class Hdf5File {
   void group(const std::string& name) const;
   void write(const std::string& name, const std::vector<double>& values, const Shape& shape) const;
   void write(const std::string& name, const std::vector<int>& values, const Shape& shape) const;
+  /// Texts, UTF-8 of any length.
+  void write(const std::string& name, const std::vector<std::string>& texts) const;
+  /// Everything in another file, as a new group.
+  void copy(const std::filesystem::path& from, const std::string& group) const;
   /// Text attribute of a group or data set.
   void attribute(const std::string& object, const std::string& key, const std::string& text) const;
   /// Flushes and closes: a full disk may show only here.

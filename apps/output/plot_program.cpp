@@ -63,12 +63,14 @@ fs::path script() {
 
 }  // namespace
 
-std::vector<fs::path> draw(const fs::path& folder) {
+std::vector<fs::path> draw(const fs::path& folder, const std::string& x, const std::string& y) {
   const char* chosen = std::getenv("LIESL_PYTHON");
   const std::string python = chosen && *chosen ? chosen : LIESL_PYTHON;
   const fs::path plot = script();
   if (!fs::exists(plot)) throw IoError("draw with", plot, "no such file; install liesl again");
-  const Outcome outcome = run({python, plot.string(), folder.string()});
+  std::vector<std::string> arguments = {python, plot.string(), folder.string()};
+  if (!x.empty()) arguments.insert(arguments.end(), {"--x=" + x, "--y=" + y});
+  const Outcome outcome = run(std::move(arguments));
   std::vector<fs::path> pictures;
   std::string last;
   std::istringstream lines(outcome.text);

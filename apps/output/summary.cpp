@@ -48,13 +48,19 @@ Json head(const RunSummary& s) {
           {"responses", responses_json(s.responses)}};
 }
 
-void add_tail(Json& json, const RunSummary& s) {
-  if (s.more.is_object()) json.update(s.more);
-  json["warnings"] = s.warnings;
-  json["overrides"] = s.overrides;
+/// Keys that every summary ends with.
+void add_tail(Json& json, const std::vector<std::string>& warnings,
+              const std::vector<std::string>& overrides, const std::string& input_sha256) {
+  json["warnings"] = warnings;
+  json["overrides"] = overrides;
   json["versions"] = Json::object();
   for (const auto& [name, version] : versions()) json["versions"][name] = version;
-  json["input_sha256"] = s.input_sha256;
+  json["input_sha256"] = input_sha256;
+}
+
+void add_tail(Json& json, const RunSummary& s) {
+  if (s.more.is_object()) json.update(s.more);
+  add_tail(json, s.warnings, s.overrides, s.input_sha256);
 }
 
 Json constraints_json(const std::vector<ConstraintFigure>& constraints) {
@@ -131,6 +137,16 @@ Json to_json(const OptimizeSummary& s) {
   json["constraints"] = constraints_json(s.constraints);
   json["history"] = history_json(s.history);
   add_tail(json, s);
+  return json;
+}
+
+Json to_json(const BatchSummary& s) {
+  Json json = {{"command", "batch"}, {"name", s.name}, {"status", s.status}, {"reason", s.reason},
+               {"cases", s.cases},   {"done", s.done}, {"failed", s.failed}};
+  json["ended"] = Json::object();
+  for (const auto& [status, count] : s.ended) json["ended"][status] = count;
+  json.update({{"jobs", s.jobs}, {"shard", s.shard}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}});
+  add_tail(json, s.warnings, s.overrides, s.input_sha256);
   return json;
 }
 

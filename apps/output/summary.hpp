@@ -82,6 +82,22 @@ struct OptimizeSummary : RunSummary {
 nlohmann::ordered_json to_json(const RunSummary& summary);
 nlohmann::ordered_json to_json(const OptimizeSummary& summary);
 
+/// Of a batch: how many of its cases ended how.
+struct BatchSummary {
+  std::string name;
+  std::string status, reason;
+  int cases = 0;                                   ///< of the batch
+  int done = 0, failed = 0;                        ///< cases that have ended; of those
+  std::vector<std::pair<std::string, int>> ended;  ///< status -> cases
+  int jobs = 1;                                    ///< processes at once
+  std::string shard;                               ///< "i/n" as asked for; empty: all cases
+  double wall_s = 0;                               ///< of this command
+  double cpu_s = 0;                                ///< of all processes of all cases
+  std::vector<std::string> warnings, overrides;
+  std::string input_sha256;
+};
+nlohmann::ordered_json to_json(const BatchSummary& summary);
+
 /// As a text file, indented. @throws IoError
 void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
 

@@ -73,9 +73,8 @@ class Setter {
 
  private:
   void complain(const toml::node& value, const std::string& what, const std::string& hint) {
-    problems_.add(value, what, "a key of the " + std::string(kind_name()), hint);
+    problems_.add(value, what, "a key of the " + std::string(name_of(kind_)), hint);
   }
-  std::string_view kind_name() const { return kind_ == FileKind::Scene ? "scene" : "study"; }
 
   bool step(Cursor& at, const std::string& part, const toml::node& value) {
     if (toml::array* list = at.node->as_array()) {

@@ -80,8 +80,11 @@ void check_movers(Reader& reader) {
 }
 
 FileKind kind_of(const toml::table& root) {
+  const auto has = [&root](const char* key) { return root.contains(key); };
+  if (has("bodies")) return FileKind::Scene;
+  if (has("grid") || has("table") || has("study") || has("limits")) return FileKind::Batch;
   for (const char* key : {"scene", "design", "objective", "constraints", "cycle"})
-    if (root.contains(key) && !root.contains("bodies")) return FileKind::Study;
+    if (has(key)) return FileKind::Study;
   return FileKind::Scene;
 }
 
@@ -103,9 +106,10 @@ namespace {
 
 Scene read_document(Document document, const std::vector<std::string>& overrides) {
   Problems problems(document.file);
-  if (kind_of(document.root) == FileKind::Study) {
-    problems.add(document.root, "this is a study, not a scene", "a scene, with [bodies]",
-                 "give its scene, or use a command for studies");
+  if (const FileKind kind = kind_of(document.root); kind != FileKind::Scene) {
+    const std::string name(name_of(kind));
+    problems.add(document.root, "this is a " + name + ", not a scene", "a scene, with [bodies]",
+                 "give its scene, or use a command for a " + name);
     problems.throw_if_any();
   }
   apply_overrides(document.root, FileKind::Scene, overrides, problems);

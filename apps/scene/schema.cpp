@@ -35,7 +35,12 @@ std::string_view Key::leaf() const {
 const std::vector<Key>& schema(FileKind kind) {
   static const std::vector<Key> scene = scene_keys();
   static const std::vector<Key> study = study_keys();
-  return kind == FileKind::Scene ? scene : study;
+  static const std::vector<Key> batch = batch_keys();
+  return kind == FileKind::Scene ? scene : kind == FileKind::Study ? study : batch;
+}
+
+std::string_view name_of(FileKind kind) {
+  return kind == FileKind::Scene ? "scene" : kind == FileKind::Study ? "study" : "batch";
 }
 
 std::vector<const Key*> children(FileKind kind, std::string_view parent) {
@@ -95,6 +100,8 @@ std::string kind_of_value(const Key& key) {
       return "a table or a list of tables";
     case Type::Named:
       return "a table of named entries";
+    case Type::List:
+      return "a list of values, one or more";
     case Type::Any:
       return "a value";
   }

@@ -27,6 +27,7 @@ enum class Type {
   Table,         ///< table with the keys of the schema
   TableOrList,   ///< table or list of tables
   Named,         ///< table whose keys are names that the user chooses
+  List,          ///< list of one or more values, of whatever the keys it is for ask for
   Any            ///< whatever the key named by the user asks for
 };
 
@@ -66,8 +67,10 @@ struct Key {
   std::string_view leaf() const;
 };
 
-/// Keys of the two kinds of file.
-enum class FileKind { Scene, Study };
+/// Kinds of file: a mechanism, a task on it, many cases of either.
+enum class FileKind { Scene, Study, Batch };
+/// "scene", "study", "batch"
+std::string_view name_of(FileKind kind);
 const std::vector<Key>& schema(FileKind kind);
 
 /// Keys directly below a path pattern ("" = top level). `(function).*` for functions of time.
@@ -81,12 +84,13 @@ std::vector<std::string> words(std::string_view text);
 /// What a value of this key looks like, for messages and the reference: "a number > 0 (m)".
 std::string expectation(const Key& key);
 
-/// The reference page of scenes and studies, docs/scene_reference.md.
+/// The reference page of all kinds of file, docs/scene_reference.md.
 std::string schema_markdown();
 
 /// Parts of the tables, in the order of the page.
 std::vector<Key> scene_keys();
 std::vector<Key> study_keys();
+std::vector<Key> batch_keys();
 std::vector<Key> response_keys(std::string_view parent);
 std::vector<Key> function_keys();
 

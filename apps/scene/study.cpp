@@ -43,9 +43,12 @@ void read_study_parts(StudyReader& reader) {
 Study read_document(Document document, const fs::path& folder,
                     const std::vector<std::string>& overrides) {
   Problems problems(document.file);
-  if (kind_of(document.root) == FileKind::Scene && document.root.contains("bodies")) {
-    problems.add(document.root, "this is a scene, not a study",
-                 "a study, with 'scene' and [design]", "give a study, or use a command for scenes");
+  const FileKind kind = kind_of(document.root);
+  if (kind == FileKind::Batch || document.root.contains("bodies")) {
+    const std::string name(name_of(kind));
+    problems.add(document.root, "this is a " + name + ", not a study",
+                 "a study, with 'scene' and [design]",
+                 "give a study, or use a command for a " + name);
     problems.throw_if_any();
   }
   const SplitOverrides parts = split_overrides(overrides);
@@ -81,6 +84,25 @@ Study load_study(const fs::path& path, const std::vector<std::string>& overrides
 Study read_study(const std::string& text, const std::string& file, const fs::path& folder,
                  const std::vector<std::string>& overrides) {
   return read_document(parse_document(text, file), folder, overrides);
+}
+
+std::optional<InputProblem> key_problem(const fs::path& path, const std::string& key) {
+  Document document = load_document(path);
+  Problems problems(document.file);
+  SplitOverrides parts{{}, {key + "=0"}};
+  if (kind_of(document.root) == FileKind::Study) {
+    parts = split_overrides(parts.scene);
+    apply_overrides(document.root, FileKind::Study, parts.study, problems);
+    if (auto scene = scene_of(document.root, path.parent_path(), problems))
+      document = std::move(*scene);
+  }
+  apply_overrides(document.root, FileKind::Scene, parts.scene, problems);
+  try {
+    problems.throw_if_any();
+  } catch (const InputError& error) {
+    return error.problems.front();
+  }
+  return {};
 }
 
 }  // namespace liesl

@@ -3,6 +3,7 @@
 /// Studies: a scene and what to vary, to keep and to minimise.
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,5 +27,10 @@ Study load_study(const std::filesystem::path& path, const std::vector<std::strin
 Study read_study(const std::string& text, const std::string& file,
                  const std::filesystem::path& folder,
                  const std::vector<std::string>& overrides = {});
+
+/// What is wrong with the path of a key, as it may be changed in a study or scene and, of a study,
+/// in its scene; empty if it leads to a key. Values are not looked at.
+/// @throws InputError if a file cannot be read
+std::optional<InputProblem> key_problem(const std::filesystem::path& path, const std::string& key);
 
 }  // namespace liesl

@@ -168,6 +168,8 @@ class Validator {
         return subtable(key, value, path);
       case Type::TableOrList:
         return tables(key, value, path);
+      case Type::List:
+        return list(key, value, path);
       case Type::Any:
         return;
     }
@@ -231,6 +233,18 @@ class Validator {
       return;
     }
     rows(key, value, path);
+  }
+
+  void list(const Key& key, const toml::node& value, const std::string& path) {
+    const toml::array* values = value.as_array();
+    if (!values) return wrong(key, value, path);
+    if (values->empty())
+      problems_.add(value, fmt::format("'{}' is empty", path), expectation(key),
+                    std::string(key.doc));
+    for (const toml::node& item : *values)
+      if (item.is_table())
+        problems_.add(item, fmt::format("'{}' holds a table", path),
+                      "numbers, strings, true or false, or lists of them");
   }
 
   /// @param count 1: a string or a list of them, 2: a list of two

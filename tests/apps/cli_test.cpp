@@ -1,87 +1,18 @@
 /// @file
 /// The program itself: exit codes, what it prints and leaves behind, also when it is stopped.
-#include <fcntl.h>
-#include <gtest/gtest.h>
-#include <signal.h>
-#include <sys/wait.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
-#include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
-#include <sstream>
-#include <string>
-#include <thread>
-#include <vector>
+
+#include "apps/program.hpp"
+#include "apps/scene/scene.hpp"
 
 namespace {
 
-namespace fs = std::filesystem;
-using Json = nlohmann::json;
-using Words = std::vector<std::string>;
+using namespace liesl::test;
 
-const fs::path kData = LIESL_DATA_DIR;
-
-std::string text_of(const fs::path& path) {
-  std::ifstream in(path);
-  std::stringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
-
-struct Outcome {
-  int code = -1;
-  std::string out, err;
-};
-
-class Cli : public testing::Test {
- protected:
-  fs::path dir_ =
-      fs::temp_directory_path() / ("liesl_cli_" + std::to_string(getpid()) + "_" +
-                                   testing::UnitTest::GetInstance()->current_test_info()->name());
-  void SetUp() override { fs::create_directories(dir_); }
-  void TearDown() override { fs::remove_all(dir_); }
-
-  pid_t start(Words words) const {
-    words.insert(words.begin(), LIESL_PROGRAM);
-    const pid_t child = fork();
-    if (child != 0) return child;
-    for (const auto& [name, number] : {std::pair{"out", 1}, std::pair{"err", 2}})
-      dup2(open((dir_ / name).c_str(), O_CREAT | O_TRUNC | O_WRONLY, 0600), number);
-    std::vector<char*> args;
-    for (auto& word : words) args.push_back(word.data());
-    args.push_back(nullptr);
-    execv(args[0], args.data());
-    _exit(127);
-  }
-  Outcome wait_for(pid_t child) const {
-    int status = 0;
-    waitpid(child, &status, 0);
-    return {WIFEXITED(status) ? WEXITSTATUS(status) : -WTERMSIG(status), text_of(dir_ / "out"),
-            text_of(dir_ / "err")};
-  }
-  Outcome run(const Words& words) const { return wait_for(start(words)); }
-
-  fs::path results() const { return dir_ / "results"; }
-  Json summary() const { return Json::parse(text_of(results() / "summary.json")); }
-  fs::path write(const char* name, const std::string& text) const {
-    std::ofstream(dir_ / name) << text;
-    return dir_ / name;
-  }
-  /// Until the first checkpoint is there.
-  bool wait_for_results() const {
-    for (int i = 0; i < 20000 && !fs::exists(results() / "summary.json"); ++i)
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    return fs::exists(results() / "summary.json");
-  }
-};
-
-std::string scene(const char* name) { return kData / "scenes" / (std::string(name) + ".toml"); }
-std::string study(const char* name) { return kData / "studies" / (std::string(name) + ".toml"); }
+class Cli : public Program {};
 
 Words short_run(const fs::path& out, const Words& more = {}) {
   Words words = {"run",   scene("slider_crank"),      "-o",    out,
@@ -173,36 +104,6 @@ TEST_F(Cli, OptimizeSaysHowItEnded) {
   EXPECT_EQ(failed.out.find("nan"), std::string::npos) << failed.out;
 }
 
-/// Keys of the table under a heading of docs/outputs.md; those that are not always there are
-/// described as "only ...".
-struct Documented {
-  std::set<std::string> always, sometimes;
-};
-
-Documented documented(const std::string& heading) {
-  std::istringstream page(text_of(kData / "../docs/outputs.md"));
-  Documented keys;
-  bool here = false;
-  for (std::string line; std::getline(page, line);) {
-    if (line.rfind("##", 0) == 0) here = (line + "\n").rfind(heading, 0) == 0;
-    if (!here || line.rfind("| `", 0) != 0) continue;
-    const bool optional = line.find("| only ") != std::string::npos;
-    const std::string names = line.substr(0, line.find('|', 2));
-    for (size_t a = names.find('`'); a != std::string::npos; a = names.find('`', a + 1)) {
-      const size_t b = names.find('`', a + 1);
-      (optional ? keys.sometimes : keys.always).insert(names.substr(a + 1, b - a - 1));
-      a = b;
-    }
-  }
-  return keys;
-}
-
-std::set<std::string> keys(const Json& json) {
-  std::set<std::string> names;
-  for (const auto& [name, value] : json.items()) names.insert(name);
-  return names;
-}
-
 TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   const auto common = documented("### `run`\n").always;
   ASSERT_GE(common.size(), 17u);
@@ -292,10 +193,13 @@ TEST_F(Cli, CheckpointOfAnotherStudyIsRefused) {
   EXPECT_NE(o.err.find("another input"), std::string::npos) << o.err;
 }
 
-std::vector<fs::path> shipped(const char* folder) {
+/// Shipped files of a folder; of these the ones of a kind.
+std::vector<fs::path> shipped(const char* folder, std::optional<liesl::FileKind> kind = {}) {
   std::vector<fs::path> list;
   for (const auto& entry : fs::directory_iterator(kData / folder))
-    if (entry.path().extension() == ".toml") list.push_back(entry.path());
+    if (entry.path().extension() == ".toml" &&
+        (!kind || liesl::kind_of(liesl::load_document(entry.path()).root) == *kind))
+      list.push_back(entry.path());
   std::sort(list.begin(), list.end());
   return list;
 }
@@ -314,7 +218,7 @@ TEST_F(Cli, SlowRunsEveryShippedScene) {
 }
 
 TEST_F(Cli, SlowConvergesOnEveryShippedStudy) {
-  for (const auto& file : shipped("studies")) {
+  for (const auto& file : shipped("studies", liesl::FileKind::Study)) {
     const Outcome o = run({"optimize", file, "-o", results(), "-f", "-q"});
     EXPECT_EQ(o.code, 0) << file << "\n" << o.err;
     EXPECT_EQ(summary()["status"], "converged") << file << ": " << summary()["reason"];

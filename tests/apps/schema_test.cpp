@@ -17,8 +17,8 @@ namespace {
 
 std::vector<Key> all_keys() {
   auto keys = schema(FileKind::Scene);
-  const auto& study = schema(FileKind::Study);
-  keys.insert(keys.end(), study.begin(), study.end());
+  for (const FileKind kind : {FileKind::Study, FileKind::Batch})
+    keys.insert(keys.end(), schema(kind).begin(), schema(kind).end());
   return keys;
 }
 
@@ -50,7 +50,7 @@ TEST(Schema, EveryKeyIsExplained) {
 }
 
 TEST(Schema, EveryParentIsATable) {
-  for (const FileKind kind : {FileKind::Scene, FileKind::Study})
+  for (const FileKind kind : {FileKind::Scene, FileKind::Study, FileKind::Batch})
     for (const Key& key : schema(kind)) {
       if (key.parent().empty() || key.parent() == "(function)") continue;
       const Key* parent = find_key(kind, key.parent());

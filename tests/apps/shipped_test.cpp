@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 
+#include "apps/batch/batch.hpp"
 #include "apps/scene/study.hpp"
 
 namespace liesl {
@@ -43,6 +44,7 @@ TEST(Shipped, ScenesAreRead) {
 TEST(Shipped, StudiesAreRead) {
   EXPECT_GE(files("studies").size(), 4u);
   for (const fs::path& path : files("studies")) {
+    if (kind_of(load_document(path).root) != FileKind::Study) continue;
     SCOPED_TRACE(path.filename());
     try {
       const Study read = load_study(path);
@@ -52,6 +54,14 @@ TEST(Shipped, StudiesAreRead) {
       ADD_FAILURE() << error.what();
     }
   }
+}
+
+TEST(Shipped, BatchesAreRead) {
+  const fs::path path = fs::path(LIESL_DATA_DIR) / "studies/batch_rod.toml";
+  const Batch rods = load_batch(path);
+  EXPECT_EQ(rods.cases.rows.size(), 200u);
+  EXPECT_TRUE(rods.optimize);
+  EXPECT_NE(load_document(path).text.find("Source:"), std::string::npos);
 }
 
 TEST(Shipped, SliderCrankNamesItsResponses) {

@@ -31,6 +31,7 @@ LAYERS = [
     ("optim/design",),
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
+    ("apps/batch",),
     ("apps/cli",),
     ("apps/bench",),
 ]

@@ -101,8 +101,19 @@ def write_spatial(folder):
     (folder / "summary.json").write_text(json.dumps({"name": "bend45", "status": "done"}))
 
 
-def plot(folder):
-    return subprocess.run([sys.executable, PLOT, folder], capture_output=True, text=True,
+def write_batch(folder):
+    rows = []
+    for speed in (100, 150):
+        for limit in (1e-3, 2e-3, "wide"):
+            rows.append([len(rows) + 1, speed, limit, "converged", "a, reason", 0.2, 1e-3])
+    rows[3][3:] = ["crashed", "signal 11", "", ""]
+    write_csv(folder / "results.csv", ["case", "speed", "limit", "status", "reason",
+                                       "mass_final [kg]", "bend.max_abs [m]"], rows)
+    (folder / "summary.json").write_text(json.dumps({"name": "rods", "status": "done"}))
+
+
+def plot(folder, *more):
+    return subprocess.run([sys.executable, PLOT, folder, *more], capture_output=True, text=True,
                           check=False)
 
 
@@ -117,9 +128,9 @@ class Plot(unittest.TestCase):
     def tearDown(self):
         self.temporary.cleanup()
 
-    def draws(self, write, names):
+    def draws(self, write, names, *more):
         write(self.folder)
-        done = plot(self.folder)
+        done = plot(self.folder, *more)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertEqual(done.stderr, "")
         expected = {f"{name}.{kind}" for name in names for kind in ("png", "svg")}
@@ -129,8 +140,8 @@ class Plot(unittest.TestCase):
             self.assertEqual(path.read_bytes()[:4], b"\x89PNG")
             self.assertGreater(path.stat().st_size, 10_000)
 
-    def refuses(self, *words):
-        done = plot(self.folder)
+    def refuses(self, *words, options=()):
+        done = plot(self.folder, *options)
         self.assertEqual(done.returncode, 1)
         self.assertEqual(done.stdout, "")
         for word in words:
@@ -152,6 +163,18 @@ class Plot(unittest.TestCase):
             (folder / "summary.json").write_text(json.dumps({"name": "x", "history": [
                 dict(cycle=1, mass=0.1, worst_constraint=None, load_change=None)]}))
         self.draws(write, ["cycle_history"])
+
+    def test_batch(self):
+        self.draws(write_batch, ["mass_final_over_speed", "mass_final_over_limit"])
+
+    def test_pairs_of_columns(self):
+        self.draws(write_batch, ["bend.max_abs_over_mass_final"],
+                   "--x=mass_final", "--y=bend.max_abs")
+        self.refuses("no column 'sped'", "'speed'", options=["--x=sped", "--y=mass_final"])
+
+    def test_pair_without_a_table(self):
+        write_run(self.folder)
+        self.refuses("no table of cases", options=["--x=a", "--y=b"])
 
     def test_no_result(self):
         self.refuses("no summary.json")

@@ -1,0 +1,45 @@
+#pragma once
+/// @file
+/// Batches: many cases of one study or scene. Keys: docs/scene_reference.md.
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "apps/batch/case_list.hpp"
+
+namespace liesl {
+
+struct Batch {
+  std::string name;
+  std::string file;              ///< where it was read
+  bool optimize = false;         ///< each case sizes a study; else it simulates a scene
+  std::filesystem::path of;      ///< the study or scene
+  std::vector<std::string> set;  ///< changes to all cases
+  CaseList cases;                ///< one or more
+  std::optional<double> time;    ///< s, wall time of a case
+  std::optional<double> memory;  ///< MB, address space of a case
+  std::string input;             ///< texts of study and scene, and all cases, for the input's hash
+
+  /// All changes of a case, those to all cases first.
+  std::vector<std::string> changes(std::size_t row) const;
+};
+
+/// Reads a batch with its table, and every one of its cases as the study or scene that it will be.
+/// Overrides change keys of the batch (name, table, grid, limits, and study or scene as a whole),
+/// else keys of all cases.
+/// @throws InputError with the problems of all files; of a case at the place of its value
+Batch load_batch(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// One of n shares of the cases, as jobs of a cluster take them: every n-th case.
+struct Shard {
+  int number = 1, of = 1;  ///< 1 <= number <= of
+  bool has(std::size_t row) const {
+    return static_cast<int>(row % static_cast<std::size_t>(of)) == number - 1;
+  }
+};
+/// "i/n", or "" for all. @throws InputError if it is none or outside the range
+Shard read_shard(const std::string& text);
+
+}  // namespace liesl

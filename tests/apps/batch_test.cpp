@@ -1,0 +1,307 @@
+/// @file
+/// `liesl batch` as a user runs it: what it leaves, how it goes on, and what failures become.
+#include <algorithm>
+#include <csignal>
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "apps/batch/case_table.hpp"
+#include "apps/hdf5_set.hpp"
+#include "apps/program.hpp"
+
+namespace {
+
+using namespace liesl::test;
+
+class BatchProgram : public Program {
+ protected:
+  /// Six short simulations of the slider-crank.
+  fs::path simulations(const std::string& more = "") const {
+    return write("batch.toml",
+                 "name = \"six\"\nscene = \"" + scene("slider_crank") +
+                     "\"\n[grid]\n"
+                     "rate = { key = \"joints.motor.drive.rate\", values = [50, 100, 150] }\n"
+                     "step = { key = \"simulation.step\", values = [1e-3, 5e-4] }\n" +
+                     more);
+  }
+  /// Sizings of the rod that take some cycles each.
+  fs::path sizings() const {
+    return write("batch.toml", "study = \"" + study("slider_crank_rod") +
+                                   "\"\n[grid]\n"
+                                   "limit = { key = \"constraints.bending.limit\", values = "
+                                   "[6e-4, 7e-4, 8e-4, 9e-4, 1e-3, 1.1e-3] }\n");
+  }
+  Outcome batch(const fs::path& file, const Words& more = {}) const {
+    Words words = {"batch", file, "-o", results()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  /// results.csv by columns.
+  std::map<std::string, Words> table() const {
+    liesl::Problems problems("results.csv");
+    const auto rows = liesl::read_csv(text_of(results() / "results.csv"), "", problems);
+    std::map<std::string, Words> columns;
+    for (std::size_t c = 0; c < rows.at(0).size(); ++c)
+      for (std::size_t r = 1; r < rows.size(); ++r)
+        columns[rows[0][c].text].push_back(rows[r][c].text);
+    return columns;
+  }
+  fs::path mark(const std::string& name) const { return results() / "cases" / name / "done.json"; }
+  std::set<std::string> marks() const {
+    std::set<std::string> names;
+    if (!fs::exists(results() / "cases")) return names;
+    for (const auto& entry : fs::directory_iterator(results() / "cases"))
+      if (fs::exists(entry.path() / "done.json")) names.insert(entry.path().filename());
+    return names;
+  }
+  /// Until as many cases have their mark, or the time is over.
+  bool wait_for_marks(std::size_t count) const {
+    for (int i = 0; i < 30000 && marks().size() < count; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    return marks().size() >= count;
+  }
+  /// Processes that a process has started.
+  static std::vector<pid_t> children(pid_t parent) {
+    std::istringstream list(text_of("/proc/" + std::to_string(parent) + "/task/" +
+                                    std::to_string(parent) + "/children"));
+    std::vector<pid_t> pids;
+    for (pid_t pid; list >> pid;) pids.push_back(pid);
+    return pids;
+  }
+  pid_t wait_for_child(pid_t parent) const {
+    for (int i = 0; i < 5000 && children(parent).empty(); ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    return children(parent).empty() ? 0 : children(parent).front();
+  }
+};
+
+TEST_F(BatchProgram, EveryCaseIsTheCommandByHand) {
+  const Outcome o = batch(simulations());
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_EQ(summary()["ended"], Json({{"done", 6}}));
+  const auto columns = table();
+  EXPECT_EQ(text_of(results() / "results.csv").substr(0, 28), "case,rate,step,status,reason");
+  EXPECT_EQ(columns.at("case"), (Words{"1", "2", "3", "4", "5", "6"}));
+  EXPECT_EQ(columns.at("rate"), (Words{"50", "50", "100", "100", "150", "150"}));
+
+  const fs::path by_hand = dir_ / "by_hand";
+  ASSERT_EQ(run({"run", scene("slider_crank"), "-o", by_hand, "--set",
+                 "joints.motor.drive.rate=100", "--set", "simulation.step=5e-4"})
+                .code,
+            0);
+  EXPECT_EQ(text_of(by_hand / "responses.csv"),
+            text_of(results() / "cases" / "4" / "responses.csv"));
+  const Json single = Json::parse(text_of(by_hand / "summary.json"));
+  EXPECT_EQ(std::stod(columns.at("bend.max_abs [m]")[3]), single["responses"]["bend"]["max_abs"]);
+  EXPECT_EQ(std::stod(columns.at("steps [-]")[3]), single["steps"]);
+}
+
+TEST_F(BatchProgram, ShardsAreThePartsOfTheWhole) {
+  const fs::path file = simulations();
+  EXPECT_EQ(batch(file, {"--shard", "2/3"}).code, 0);
+  EXPECT_EQ(marks(), (std::set<std::string>{"2", "5"}));
+  EXPECT_EQ(summary()["status"], "incomplete");
+  EXPECT_EQ(table().at("case"), (Words{"2", "5"}));
+  EXPECT_FALSE(fs::exists(results() / "results.h5"));
+  const pid_t one = start({"batch", file, "-o", results(), "--shard", "1/3"});
+  EXPECT_EQ(batch(file, {"--shard", "3/3"}).code, 0);
+  EXPECT_EQ(wait_for(one).code, 0);
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_EQ(table().at("case").size(), 6u);
+  EXPECT_TRUE(fs::exists(results() / "results.h5"));
+}
+
+/// Several pools in one folder, begun at once: every case is run by one of them.
+TEST_F(BatchProgram, PoolsShareAFolder) {
+  const fs::path file = simulations();
+  std::vector<pid_t> pools;
+  for (const char* tag : {"0", "1", "2", "3"})
+    pools.push_back(start({"batch", file, "-o", results(), "-j", "2"}, tag));
+  int ran = 0;
+  for (std::size_t i = 0; i < pools.size(); ++i) {
+    const Outcome o = wait_for(pools[i], std::to_string(i));
+    EXPECT_EQ(o.code, 0) << o.err;
+    const auto at = o.out.find(" cases now");
+    ASSERT_NE(at, std::string::npos) << o.out;
+    ran += std::stoi(o.out.substr(o.out.rfind('\n', at)));
+  }
+  EXPECT_EQ(ran, 6);
+  EXPECT_EQ(summary()["status"], "done") << summary()["reason"];
+  EXPECT_EQ(table().at("case").size(), 6u);
+  for (const auto& entry : fs::directory_iterator(results() / "cases"))
+    EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path();
+}
+
+TEST_F(BatchProgram, FinishedCasesAreNotRunAgain) {
+  const fs::path file = simulations();
+  ASSERT_EQ(batch(file).code, 0);
+  const auto before = fs::last_write_time(mark("3"));
+  const std::string first = text_of(results() / "results.csv");
+  const Outcome o = batch(file);
+  EXPECT_EQ(o.code, 0);
+  EXPECT_NE(o.out.find("0 cases now, 6 before"), std::string::npos) << o.out;
+  EXPECT_EQ(fs::last_write_time(mark("3")), before);
+  EXPECT_EQ(text_of(results() / "results.csv"), first);
+
+  EXPECT_EQ(batch(simulations("[limits]\ntime = 60\n")).code, 0) << "the cases are the same";
+
+  fs::remove(mark("3"));  // killed between the end of the case and its mark
+  const auto result = fs::last_write_time(results() / "cases" / "3" / "responses.csv");
+  EXPECT_EQ(batch(file).code, 0);
+  EXPECT_TRUE(fs::exists(mark("3")));
+  EXPECT_EQ(fs::last_write_time(results() / "cases" / "3" / "responses.csv"), result);
+}
+
+TEST_F(BatchProgram, FoldersOfOthersAreRefused) {
+  const fs::path file = simulations();
+  ASSERT_EQ(batch(file, {"--set", "simulation.duration=0.01"}).code, 0);
+  EXPECT_EQ(batch(file, {"--set", "grid.step.values=[1e-3, 6e-4]"}).code, 2);
+  const Outcome o = batch(file);
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("belongs to another batch"), std::string::npos) << o.err;
+  EXPECT_EQ(batch(file, {"--shard", "1/2", "--force"}).code, 2);
+  EXPECT_EQ(batch(file, {"--force", "--set", "simulation.duration=0.02"}).code, 0);
+  EXPECT_EQ(batch(file, {"--shard", "7/6"}).code, 2);
+  EXPECT_EQ(run({"batch", file, "-o", dir_}).code, 3) << "a folder that holds something else";
+}
+
+/// Nothing lost, nothing twice, and the same designs as without a kill.
+TEST_F(BatchProgram, KilledBatchGoesOn) {
+  const fs::path file = sizings();
+  ASSERT_EQ(run({"batch", file, "-o", dir_ / "whole", "-j", "2"}).code, 0);
+
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2"});
+  ASSERT_TRUE(wait_for_marks(2));
+  const auto workers = children(pool);
+  kill(pool, SIGKILL);
+  ASSERT_EQ(wait_for(pool).code, -SIGKILL) << "it was done before";
+  for (const pid_t worker : workers)  // they die with it
+    for (int i = 0; i < 2000 && kill(worker, 0) == 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+  for (const pid_t worker : workers) EXPECT_NE(kill(worker, 0), 0);
+  const auto before = marks();
+  ASSERT_LT(before.size(), 6u);
+  std::map<std::string, fs::file_time_type> times;
+  for (const auto& name : before) times[name] = fs::last_write_time(mark(name));
+
+  const Outcome o = batch(file, {"-j", "2"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(marks().size(), 6u);
+  for (const auto& [name, time] : times) EXPECT_EQ(fs::last_write_time(mark(name)), time) << name;
+  const Words masses = table().at("mass_final [kg]");
+  for (int k = 0; k < 6; ++k) {
+    const Json whole =
+        Json::parse(text_of(dir_ / "whole/cases" / std::to_string(k + 1) / "summary.json"));
+    EXPECT_NEAR(std::stod(masses[k]), whole["mass_final"], 1e-5 * double(whole["mass_final"]));
+  }
+  for (const auto& entry : fs::directory_iterator(results() / "cases"))
+    EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path();
+}
+
+TEST_F(BatchProgram, InterruptedBatchGoesOn) {
+  const fs::path file = sizings();
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2"});
+  ASSERT_TRUE(wait_for_marks(1));
+  kill(pool, SIGINT);
+  const Outcome o = wait_for(pool);
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(summary()["status"], "interrupted");
+  const std::size_t before = marks().size();
+  EXPECT_LT(before, 6u);
+  EXPECT_EQ(table().at("case").size(), before);
+  EXPECT_EQ(batch(file).code, 0);
+  EXPECT_EQ(summary()["status"], "done");
+}
+
+TEST_F(BatchProgram, CrashIsOneFailedRow) {
+  const fs::path file = sizings();
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1"});
+  const pid_t worker = wait_for_child(pool);
+  ASSERT_NE(worker, 0);
+  kill(worker, SIGSEGV);
+  const Outcome o = wait_for(pool);
+  EXPECT_EQ(o.code, 1);
+  EXPECT_EQ(summary()["status"], "some failed");
+  EXPECT_EQ(summary()["failed"], 1);
+  const auto columns = table();
+  EXPECT_EQ(columns.at("status")[0], "crashed");
+  EXPECT_EQ(columns.at("reason")[0], "signal 11: Segmentation fault");
+  EXPECT_EQ(columns.at("mass_final [kg]")[0], "");
+  EXPECT_EQ(std::count(columns.at("status").begin(), columns.at("status").end(), "converged"), 5);
+  EXPECT_NE(o.err.find("case 1: crashed"), std::string::npos) << o.err;
+}
+
+TEST_F(BatchProgram, TimeOutIsOneFailedRow) {
+  const Outcome o = batch(simulations("[limits]\ntime = 0.3\n"),
+                          {"--set", "grid.rate.values=[150]", "--set", "simulation.duration=50",
+                           "--set", "grid.step.values=[1e-4]"});
+  EXPECT_EQ(o.code, 1);
+  EXPECT_EQ(table().at("status"), Words{"time-out"});
+  EXPECT_EQ(table().at("reason"), Words{"stopped after limits.time = 0.3 s"});
+  EXPECT_LT(std::stod(table().at("wall_s [s]")[0]), 5);
+}
+
+#ifndef __SANITIZE_ADDRESS__  // its shadow memory alone is more than any limit
+/// 500 000 steps of records need 4.6 GB.
+TEST_F(BatchProgram, OutOfMemoryIsOneFailedRow) {
+  const Outcome o = batch(simulations("[limits]\nmemory = 700\n"),
+                          {"--set", "grid.rate.values=[150]", "--set", "simulation.duration=50",
+                           "--set", "grid.step.values=[1e-4]"});
+  EXPECT_EQ(o.code, 1);
+  EXPECT_EQ(table().at("status"), Words{"out of memory"}) << table().at("reason")[0];
+  EXPECT_EQ(table().at("reason"), Words{"needs more than limits.memory = 700 MB"});
+}
+#endif
+
+TEST_F(BatchProgram, FailuresAreRowsWithReasons) {
+  EXPECT_EQ(batch(simulations(),
+                  {"--set", "grid.rate.values=[100, 1e7]", "--set", "grid.step.values=[1e-3]"})
+                .code,
+            1);
+  EXPECT_EQ(table().at("status")[0], "done");
+  EXPECT_NE(table().at("status")[1], "done");
+  EXPECT_NE(table().at("reason")[1], "");
+}
+
+/// Everything of every case is in one file.
+TEST_F(BatchProgram, Hdf5HoldsTheTableAndTheCases) {
+  ASSERT_EQ(batch(simulations(), {"--set", "grid.rate.values=[100, 1e7]"}).code, 1);
+  const fs::path file = results() / "results.h5";
+  const auto columns = table();
+  EXPECT_EQ(read_set(file, "/inputs/rate").values, (std::vector<double>{100, 100, 1e7, 1e7}));
+  const auto largest = read_set(file, "/figures/bend.max_abs").values;
+  ASSERT_EQ(largest.size(), 4u);
+  EXPECT_EQ(largest[1], std::stod(columns.at("bend.max_abs [m]")[1]));
+  for (const char* name : {"1", "2"}) {
+    const std::string inside = std::string("/cases/") + name;
+    for (const char* set : {"/bodies/rod/position", "/responses/bend", "/time"}) {
+      const auto copy = read_set(file, inside + set);
+      const auto own = read_set(results() / "cases" / name / "results.h5", set);
+      EXPECT_FALSE(own.values.empty()) << set;
+      EXPECT_EQ(copy.values, own.values) << inside << set;
+      EXPECT_EQ(copy.shape, own.shape) << inside << set;
+    }
+  }
+}
+
+TEST_F(BatchProgram, SummaryHasTheDocumentedKeys) {
+  ASSERT_EQ(batch(simulations()).code, 0);
+  EXPECT_EQ(keys(summary()), documented("### `batch`\n").always);
+  EXPECT_EQ(keys(Json::parse(text_of(mark("1")))), documented("### Marks").always);
+}
+
+TEST_F(BatchProgram, DrawsAnyPairOfColumns) {
+  ASSERT_EQ(batch(simulations()).code, 0);
+  const Outcome o = run({"plot", results(), "--x", "rate", "--y", "bend.max_abs"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(fs::exists(results() / "plots" / "bend.max_abs_over_rate.png")) << o.out;
+  const Outcome wrong = run({"plot", results(), "--x", "rat", "--y", "steps"});
+  EXPECT_EQ(wrong.code, 3);
+  EXPECT_NE(wrong.err.find("'rate'"), std::string::npos) << wrong.err;
+  EXPECT_EQ(run({"plot", results(), "--x", "rate"}).code, 2) << "no --y";
+}
+
+}  // namespace
