@@ -119,13 +119,22 @@ double ResponseValues<G>::elongation(const ResponseSpec& r, const State<G>& s) c
 }
 
 template <FrameGroup G>
+const std::vector<std::vector<StressPoint>>& ResponseValues<G>::points_of(int body) const {
+  const auto [known, fresh] = stress_points_.try_emplace(body);
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+  for (size_t e = 0; fresh && e < beam.sections.size(); ++e)
+    known->second.push_back(stress_points(beam.sections[e], beam.material.nu));
+  return known->second;
+}
+
+template <FrameGroup G>
 double ResponseValues<G>::stress(const ResponseSpec& r, const State<G>& s) const {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
+  const auto& points = points_of(r.body);
   double largest = 0;
   for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
     const SE3::Tangent n = view_.local(
         model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
-    for (const auto& point : stress_points(beam.sections[e], beam.material.nu)) {
+    for (const auto& point : points[e]) {
       const Vec3 stress = point.S * n;
       largest =
           std::max(largest, std::sqrt(stress[0] * stress[0] + 3 * stress.tail<2>().squaredNorm()));

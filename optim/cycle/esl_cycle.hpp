@@ -6,10 +6,8 @@
 #include <functional>
 #include <optional>
 
-#include "esl/load_set.hpp"
-#include "mbs/solvers/simulation.hpp"
-#include "optim/design/sizing.hpp"
-#include "optim/study/study.hpp"
+#include "optim/cycle/design_run.hpp"
+#include "optim/cycle/dynamic_optimality.hpp"
 
 namespace liesl {
 
@@ -34,18 +32,10 @@ struct Cycle {
   std::optional<double> load_change;  ///< against the cycle before
   int load_cases = 0;                 ///< retained by the screening
   int iterations = 0;                 ///< of the optimiser
-  double move = 0;                    ///< move limit
+  double move = 0;                    ///< move limit of the answer
   double seconds = 0;
   Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
-};
-
-/// A limited response over the records: |value| of each.
-struct LimitSeries {
-  std::string name;
-  double limit = 0;
-  std::vector<double> values;
-  double largest = 0, at_time = 0;
 };
 
 template <FrameGroup G>
@@ -68,6 +58,8 @@ struct CycleResult {
   double stepping_s = 0;
   std::vector<int> factorizations;  ///< by body, all simulations
   std::vector<std::string> warnings;
+  /// Of the final design; none if it was not asked for or the cycle found no design to ask it of.
+  std::optional<DynamicOptimality> optimality;
 };
 
 struct CycleHooks {

@@ -179,7 +179,10 @@ TEST(WriteFile, FullDiskIsNamed) {
     write_file("/dev/full", "text");
     FAIL() << "a full disk went unnoticed";
   } catch (const IoError& error) {
-    EXPECT_STREQ(error.what(), "cannot write '/dev/full': No space left on device");
+    EXPECT_STREQ(
+        error.what(),
+        "cannot write '/dev/full': the disk is full (No space left on device); make room or "
+        "choose another folder");
   }
 }
 
