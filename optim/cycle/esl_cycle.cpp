@@ -13,29 +13,9 @@
 
 namespace liesl {
 
-const char* to_string(CycleStatus status) {
-  switch (status) {
-    case CycleStatus::Converged:
-      return "converged";
-    case CycleStatus::CycleLimit:
-      return "cycle limit";
-    case CycleStatus::Oscillating:
-      return "oscillating";
-    case CycleStatus::Infeasible:
-      return "infeasible";
-    case CycleStatus::SimulationFailed:
-      return "simulation failed";
-    case CycleStatus::Interrupted:
-      return "interrupted";
-  }
-  return "";
-}
-
 namespace {
 
-constexpr int kMaxRounds = 8;        // screening: optimise, look at all cases, again
-constexpr double kStuck = 1e-6;      // relative change of a design that counts as none
-constexpr double kFixedPoint = 0.1;  // change of a design, of the tolerance, that ends the cycle
+constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 constexpr double kSmallestMove = 1e-3;
 constexpr int kFewVariables = 12;     // the optimality check simulates twice for each
 constexpr double kNearActive = 1e-2;  // limits that may hold the mass up when the cycle ends
@@ -68,7 +48,8 @@ class EslCycle {
         continue;
       }
       Cycle& cycle = record(trial, x, number);
-      const bool done = finished(trial, cycle, number);
+      const bool done = ended(agreement(result_.history, study_.cycle)) || oscillates_for_good() ||
+                        ended(used_up(result_.history, study_.cycle));
       if (!done) x = size(trial, cycle);
       cycle.seconds = seconds_since(begin);
       last_ = std::move(trial);
@@ -78,7 +59,9 @@ class EslCycle {
         result_.reason = fmt::format("stopped in cycle {} on request", number);
         break;
       }
-      if (done || at_fixed_point(result_.history.back()) || stuck(result_.history.back())) break;
+      if (done || ended(fixed_point(result_.history.back(), study_.cycle)) ||
+          ended(stuck(result_.history.back(), study_.cycle)))
+        break;
     }
     if (asks_for_optimality()) report_optimality();
     finish();
@@ -180,46 +163,21 @@ class EslCycle {
     best_x_ = x;
   }
 
-  bool finished(const DesignRun<G>& trial, const Cycle& cycle, int number) {
-    const auto& o = study_.cycle;
-    const auto& h = result_.history;
-    if (h.size() >= 2 && cycle.load_change && *cycle.load_change < o.tolerance &&
-        trial.worst <= o.feasibility &&
-        std::abs(cycle.mass - h[h.size() - 2].mass) <= o.objective_tolerance * cycle.mass) {
-      result_.status = CycleStatus::Converged;
-      result_.reason = fmt::format(
-          "loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}", *cycle.load_change,
-          std::abs(cycle.mass / h[h.size() - 2].mass - 1), trial.worst);
-      return true;
-    }
-    if (oscillates()) {
-      move_ *= 0.5;
-      if (move_ < kSmallestMove) {
-        result_.status = CycleStatus::Oscillating;
-        result_.reason =
-            "the designs go to and fro although the move limits shrank; the best one is returned";
-        return true;
-      }
-    }
-    if (number > o.max) {
-      result_.status = CycleStatus::CycleLimit;
-      result_.reason = fmt::format("{} cycles are used up; loads still changed by {:.2g}", o.max,
-                                   cycle.load_change.value_or(1));
-      return true;
-    }
-    return false;
+  bool ended(const std::optional<CycleEnd>& end) {
+    if (!end) return false;
+    result_.status = end->status;
+    result_.reason = end->reason;
+    return true;
   }
 
-  /// The last three changes of mass alternate and do not shrink; below the tolerance they may.
-  bool oscillates() const {
-    const auto& h = result_.history;
-    if (h.size() < 4) return false;
-    const auto change = [&](size_t back) {
-      return h[h.size() - back].mass - h[h.size() - back - 1].mass;
-    };
-    return change(1) * change(2) < 0 && change(2) * change(3) < 0 &&
-           std::abs(change(1)) > 0.7 * std::abs(change(3)) &&
-           std::abs(change(1)) > study_.cycle.objective_tolerance * h.back().mass;
+  /// Halves the move limit of a cycle that oscillates; true if that does not help any more.
+  bool oscillates_for_good() {
+    if (!oscillates(result_.history, study_.cycle)) return false;
+    move_ *= 0.5;
+    return move_ < kSmallestMove &&
+           ended(CycleEnd{CycleStatus::Oscillating,
+                          "the designs go to and fro although the move limits shrank; the best "
+                          "one is returned"});
   }
 
   NlpResult optimise(StaticSizing<G>& problem) const {
@@ -262,70 +220,8 @@ class EslCycle {
     cycle.load_cases = problem.load_cases();
     cycle.move = move_;
     cycle.answer = answer.x;
-    cycle.next = accelerated();
+    cycle.next = next_design(result_.history, simulator_.sizing().variables());
     return cycle.next;
-  }
-
-  /// Secant step on x -> G(x), the answer of the static problem (Anderson 1965, depth one): loads
-  /// that follow the mass make the plain cycle halve its error only. An answer that a move limit
-  /// cut off says nothing of G.
-  Eigen::VectorXd accelerated() const {
-    const auto& h = result_.history;
-    const Cycle& now = h.back();
-    Eigen::VectorXd next = now.answer;
-    if (h.size() < 2 || on_move_limit(now) || on_move_limit(h[h.size() - 2])) return next;
-    const Cycle& before = h[h.size() - 2];
-    const Eigen::VectorXd change = now.answer - now.x;
-    const Eigen::VectorXd difference = change - (before.answer - before.x);
-    const double size = difference.squaredNorm();
-    const double theta = size > 0 ? change.dot(difference) / size : 0;
-    if (theta > -2 && theta < 0.5) next -= theta * (now.answer - before.answer);
-    for (int i = 0; i < next.size(); ++i) {
-      const auto& v = simulator_.sizing().variables()[i];
-      next[i] = std::clamp(next[i], v.lower, v.upper);
-    }
-    return next;
-  }
-
-  /// A variable went as far as it may in one cycle, and not to its own bound.
-  bool on_move_limit(const Cycle& cycle) const {
-    for (int i = 0; i < cycle.answer.size(); ++i) {
-      const auto& v = simulator_.sizing().variables()[i];
-      const double close = kStuck * cycle.x[i];
-      const double lower = cycle.x[i] * (1 - cycle.move), upper = cycle.x[i] * (1 + cycle.move);
-      if (lower > v.lower && cycle.answer[i] < lower + close) return true;
-      if (upper < v.upper && cycle.answer[i] > upper - close) return true;
-    }
-    return false;
-  }
-
-  /// The static optimum under the loads of a design is that design: nothing is left to agree on.
-  bool at_fixed_point(const Cycle& cycle) {
-    const auto& o = study_.cycle;
-    if (cycle.worst > o.feasibility || cycle.next.size() == 0) return false;
-    const double change = (cycle.answer - cycle.x).norm() / cycle.x.norm();
-    if (change > kFixedPoint * o.tolerance) return false;
-    result_.status = CycleStatus::Converged;
-    result_.reason = fmt::format(
-        "the static optimum under the loads is the design itself within {:.2g}, worst limit at "
-        "{:+.2g}",
-        change, cycle.worst);
-    return true;
-  }
-
-  /// Nothing moves any more and a limit is still violated.
-  bool stuck(const Cycle& cycle) {
-    if (cycle.worst <= study_.cycle.feasibility || cycle.next.size() == 0) return false;
-    if ((cycle.next - cycle.x).norm() > kStuck * cycle.x.norm()) return false;
-    result_.status = CycleStatus::Infeasible;
-    result_.reason = fmt::format(
-        "'{}' cannot be met within the bounds: it stays {} its limit at t = {:.6g} s; widen the "
-        "bounds or the limit",
-        cycle.worst_constraint,
-        cycle.worst < 10 ? fmt::format("{:.3g} % above", 100 * cycle.worst)
-                         : fmt::format("{:.3g} times", 1 + cycle.worst),
-        cycle.worst_time);
-    return true;
   }
 
   /// Only of a design the cycle stands by, and if it costs no more than some cycles do.
@@ -352,8 +248,7 @@ class EslCycle {
           o.brief() + "; " + result_.reason;
     result_.warnings.push_back(
         "not optimal for the motion itself: the cycle does not see how the loads follow the "
-        "design, "
-        "and a lighter one may be near (" +
+        "design, and a lighter one may be near (" +
         o.brief() + ")");
   }
 

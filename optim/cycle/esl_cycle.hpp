@@ -6,37 +6,11 @@
 #include <functional>
 #include <optional>
 
+#include "optim/cycle/cycle_rules.hpp"
 #include "optim/cycle/design_run.hpp"
 #include "optim/cycle/dynamic_optimality.hpp"
 
 namespace liesl {
-
-enum class CycleStatus {
-  Converged,         ///< loads, mass and limits agree with the design
-  CycleLimit,        ///< as many cycles as allowed
-  Oscillating,       ///< the designs go to and fro; the best one is returned
-  Infeasible,        ///< a limit cannot be met within the bounds; the reason says which
-  SimulationFailed,  ///< no simulation of a design succeeded
-  Interrupted        ///< the caller asked to stop
-};
-const char* to_string(CycleStatus status);
-
-/// One cycle: the design that was simulated and what followed.
-struct Cycle {
-  int number = 0;
-  Eigen::VectorXd x;  ///< simulated design, m
-  double mass = 0;    ///< kg
-  double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
-  std::string worst_constraint;
-  double worst_time = 0;              ///< s
-  std::optional<double> load_change;  ///< against the cycle before
-  int load_cases = 0;                 ///< retained by the screening
-  int iterations = 0;                 ///< of the optimiser
-  double move = 0;                    ///< move limit of the answer
-  double seconds = 0;
-  Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
-  Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
-};
 
 template <FrameGroup G>
 struct CycleResult {

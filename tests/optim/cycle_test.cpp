@@ -151,6 +151,16 @@ TEST(CycleEnds, InfeasibleWithTheNameOfTheLimit) {
   expect_best(r, 1e-3);
 }
 
+TEST(CycleEnds, InfeasibleAtOnceWhereTheLimitIsHopeless) {
+  const auto r = cycle(rod({"constraints.bending.limit=1e-12"}));
+  EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
+  EXPECT_NE(r.reason.find("'bending' cannot be met"), std::string::npos) << r.reason;
+  int iterations = 0;
+  for (const auto& c : r.history) iterations += c.iterations;
+  EXPECT_LT(iterations, 60) << "Ipopt alone: 600 a cycle";
+  expect_finite(r);
+}
+
 TEST(CycleEnds, SimulationFailedWithTheReason) {
   const auto r = cycle(rod({"joints.motor.drive.rate=1e7"}));
   EXPECT_EQ(r.status, CycleStatus::SimulationFailed);
