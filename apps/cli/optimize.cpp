@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "apps/cli/command.hpp"
 
 #ifndef LIESL_OPTIM

@@ -105,10 +105,10 @@ std::vector<SE3> ResponseValues<G>::nodes(const G* H, int body) const {
 }
 
 template <FrameGroup G>
-Eigen::Vector2d ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s,
+Eigen::Vector2d ResponseValues<G>::deflection(int body, const std::vector<SE3>& now,
                                               double place) const {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
-  return chord_offset(nodes(s.H.data(), r.body), place) - chord_offset(beam.nodes, place);
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+  return chord_offset(now, place) - chord_offset(beam.nodes, place);
 }
 
 template <FrameGroup G>
@@ -163,14 +163,15 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
                    (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x);
     }
     case ResponseKind::Deflection: {
+      const std::vector<SE3> now = nodes(s.H.data(), r.body);
       if (r.everywhere) {
         double largest = 0;
         const int n = model_.bodies[r.body]->elements();
         for (int k = 1; k < n; ++k)
-          largest = std::max(largest, deflection(r, s, double(k) / n).norm());
+          largest = std::max(largest, deflection(r.body, now, double(k) / n).norm());
         return scalar(largest);
       }
-      const Eigen::Vector2d offset = deflection(r, s, r.s);
+      const Eigen::Vector2d offset = deflection(r.body, now, r.s);
       if constexpr (G::space_dim == 3) {
         return offset;
       } else {  // one of the two normals is the plane's; the other carries the offset

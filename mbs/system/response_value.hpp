@@ -32,7 +32,8 @@ class ResponseValues {
   Eigen::VectorXd operator()(const ResponseSpec& response, const State<G>& s) const;
 
  private:
-  Eigen::Vector2d deflection(const ResponseSpec& r, const State<G>& s, double place) const;
+  /// Of the point `place` of a beam whose frames are `now`.
+  Eigen::Vector2d deflection(int body, const std::vector<SE3>& now, double place) const;
   double elongation(const ResponseSpec& r, const State<G>& s) const;
   double stress(const ResponseSpec& r, const State<G>& s) const;
   std::vector<SE3> nodes(const G* H, int body) const;

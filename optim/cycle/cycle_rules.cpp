@@ -46,9 +46,10 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
   if (h.back().number <= o.max) return {};
-  return CycleEnd{CycleStatus::CycleLimit,
-                  fmt::format("{} cycles are used up; loads still changed by {:.2g}", o.max,
-                              h.back().load_change.value_or(1))};
+  std::string reason = fmt::format("{} cycles are used up", o.max);
+  if (const auto change = h.back().load_change)
+    reason += fmt::format("; loads still changed by {:.2g}", *change);
+  return CycleEnd{CycleStatus::CycleLimit, reason};
 }
 
 bool oscillates(const History& h, const CycleOptions& o) {

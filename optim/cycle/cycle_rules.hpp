@@ -29,11 +29,12 @@ struct Cycle {
   double mass = 0;    ///< kg
   double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
   std::string worst_constraint;
-  double worst_time = 0;              ///< s
-  std::optional<double> load_change;  ///< against the cycle before
-  int load_cases = 0;                 ///< retained by the screening
-  int iterations = 0;                 ///< of the optimiser
-  double move = 0;                    ///< move limit of the answer
+  double worst_time = 0;  ///< s
+  std::optional<double>
+      load_change;     ///< against the cycle before, if its records have the same times
+  int load_cases = 0;  ///< retained by the screening
+  int iterations = 0;  ///< of the optimiser
+  double move = 0;     ///< move limit of the answer
   double seconds = 0;
   Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated

@@ -130,17 +130,13 @@ class EslCycle {
     c.worst_constraint = trial.worst_constraint;
     c.worst_time = trial.worst_time;
     c.move = move_;
-    if (last_ && last_->loads.size() == trial.loads.size() && same_instants(*last_, trial))
+    if (last_ && last_->good() && last_->times() == trial.times())
       c.load_change =
           load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length);
     if (result_.history.empty()) keep_initial(trial);
     result_.history.push_back(c);
     keep_best(trial, x);
     return result_.history.back();
-  }
-
-  static bool same_instants(const DesignRun<G>& a, const DesignRun<G>& b) {
-    return a.simulation.trajectory.size() == b.simulation.trajectory.size();
   }
 
   void keep_initial(const DesignRun<G>& trial) {
@@ -262,8 +258,7 @@ class EslCycle {
       result_.identity.emplace_back(
           loads.body, check_identity(*best_->model, best_->simulation.trajectory, loads));
     result_.times = best_->times();
-    if (!result_.history.empty())
-      result_.load_change = result_.history.back().load_change.value_or(0);
+    if (!result_.history.empty()) result_.load_change = result_.history.back().load_change;
     for (const auto& w : best_->simulation.report.warnings) result_.warnings.push_back(w);
     result_.mechanism = best_->mechanism;
     result_.model = best_->model;

@@ -19,8 +19,8 @@ struct CycleResult {
   std::vector<Cycle> history;
   Eigen::VectorXd x;  ///< final design: the lightest that meets the limits, else the least bad
   double mass_initial = 0, mass = 0;
-  double worst = 0;        ///< of the final design, over every step of its simulation
-  double load_change = 0;  ///< of the last cycle
+  double worst = 0;                   ///< of the final design, over every step of its simulation
+  std::optional<double> load_change;  ///< of the last cycle; none if it has nothing to compare with
   std::vector<double> times;
   std::vector<LimitSeries> initial, final;
   std::vector<double> times_initial;

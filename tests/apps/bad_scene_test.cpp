@@ -157,6 +157,13 @@ TEST(LongText, IsShortenedInMessages) {
         EXPECT_NE(problem.text().find("characters)"), std::string::npos) << problem.text();
       }
     }
+  try {
+    read_scene(kGoodScene, "scene.toml", {"simulation.stepp=" + endless});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 1500u);
+    EXPECT_NE(std::string(error.what()).find("did you mean 'step'?"), std::string::npos);
+  }
   // Between UTF-8 characters only.
   const InputProblem umlauts{"f",
                              0,

@@ -186,6 +186,13 @@ TEST(WriteFile, FullDiskIsNamed) {
   }
 }
 
+TEST(IoError, FullDiskIsNamedWhicheverLibrarySaysIt) {
+  const IoError hdf5("write", "results.h5",
+                     "file write failed: errno = 28, error message = 'No space left on device'");
+  EXPECT_EQ(hdf5.reason().find("the disk is full ("), 0u) << hdf5.reason();
+  EXPECT_EQ(IoError("write", "file", "Permission denied").reason(), "Permission denied");
+}
+
 TEST(ReadFile, RefusesFoldersMissingAndHugeFiles) {
   const TemporaryFolder place;
   EXPECT_THROW(read_file(place.path()), IoError);
