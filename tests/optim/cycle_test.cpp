@@ -45,7 +45,8 @@ double rod_mass(const Eigen::VectorXd& diameters) {
 
 void expect_finite(const CycleResult<SE2>& r) {
   EXPECT_TRUE(r.x.allFinite());
-  EXPECT_TRUE(std::isfinite(r.mass) && std::isfinite(r.worst) && std::isfinite(r.load_change.value_or(0)));
+  EXPECT_TRUE(std::isfinite(r.mass) && std::isfinite(r.worst) &&
+              std::isfinite(r.load_change.value_or(0)));
   EXPECT_FALSE(r.reason.empty());
   for (const auto& c : r.history) {
     EXPECT_TRUE(c.x.allFinite() && c.next.allFinite());
