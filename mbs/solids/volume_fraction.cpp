@@ -132,7 +132,7 @@ class Mapping {
 
 Fractions volume_fractions(const SolidMesh& mesh, const levelset::LevelSet& shape,
                            int subdivisions) {
-  const Mapping mapping(mesh, shape, subdivisions > 0 ? subdivisions : (mesh.dim == 2 ? 4 : 2));
+  const Mapping mapping(mesh, shape, subdivisions > 0 ? subdivisions : (mesh.dim == 2 ? 4 : 3));
   std::vector<CellShare> shares(mesh.cell_count());
   tbb::parallel_for(0, mesh.cell_count(), [&](int cell) { shares[cell] = mapping.share(cell); });
   Fractions f{Eigen::VectorXd(mesh.cell_count()),

@@ -20,10 +20,10 @@ struct Fractions {
 
 /// phi is taken as linear on the simplices of `subdivisions` sub-cells a direction; the share of a
 /// simplex is a closed form of its corner values (`positive_share`), and so its derivative is exact
-/// for the value given. The error of both falls with the square of the sub-cell. A cell is not
-/// looked into if phi at its centre is farther from zero than its slope there bridges over two half
-/// diagonals, and its corners agree in sign. 0: 4 in the plane, 2 in space
-/// (docs/performance.md).
+/// for the value given. Against the true shape the value's error falls with the square of the
+/// sub-cell, the derivative's a little slower (tests/mbs/solids/volume_fraction_test.cpp). A cell
+/// is not looked into if |phi| at its centre exceeds its slope there times two half diagonals, and
+/// its corners agree in sign. 0: 4 sub-cells in the plane, 3 in space.
 Fractions volume_fractions(const SolidMesh& mesh, const levelset::LevelSet& shape,
                            int subdivisions = 0);
 
