@@ -60,7 +60,7 @@ TEST_P(SolidPlate, AdjointGradientsPassTheStepSweep) {
     VectorXd d(p0.size());
     for (Eigen::Index i = 0; i < d.size(); ++i) d[i] = kScale * std::sin(1.0 + 2.7 * i + 3.1 * k);
     const VectorXd exact = J * d;
-    const VectorXd unit = exact.cwiseAbs().cwiseInverse();
+    const VectorXd unit = (J.cwiseAbs() * d.cwiseAbs()).cwiseInverse();
     const auto along = [&](const VectorXd& t) -> VectorXd {
       return values(p0 + t[0] * d).cwiseProduct(unit);
     };

@@ -4,7 +4,6 @@
 
 #include <numbers>
 
-#include "liegroup/numdiff.hpp"
 #include "mbs/levelset/shapes.hpp"
 
 namespace liesl::testing {
@@ -112,28 +111,51 @@ TEST(VolumeFraction, OnlyCutCellsHaveDerivatives) {
 
 class EveryShapeOnAMesh : public ::testing::TestWithParam<NamedShape> {};
 
-/// The fractions, weighted at random, pass the step sweep in every parameter.
+/// The fractions, weighted by a smooth function, against central differences along directions that
+/// change every parameter. Fractions are C1: where the outline passes a node of the sub-grid the
+/// second derivative jumps, and a step across such places has an error of first order. Hence the
+/// slope is that of the median over many places, at steps that are small against a sub-cell.
 TEST_P(EveryShapeOnAMesh, FractionGradientsPassTheStepSweep) {
   const LevelSetPtr shape = GetParam().make();
   const VectorXd p0 = shape->start();
   for (int dim : {2, 3}) {
     const SolidMesh mesh =
-        dim == 2 ? quad_grid({-1, -1}, {1, 1}, 23, 23) : hex_grid({-1, -1, -1}, {1, 1, 1}, 7, 7, 7);
+        dim == 2 ? quad_grid({-1, -1}, {1, 1}, 19, 19) : hex_grid({-1, -1, -1}, {1, 1, 1}, 6, 6, 6);
     VectorXd weight(mesh.cell_count());
     for (int e = 0; e < weight.size(); ++e) {
       const Eigen::Vector3d x = mesh.corners_of(e).rowwise().mean();
       weight[e] = mesh.cell_size(e) * (1 + 0.5 * x[0] - 0.3 * x[1] * x[1] + 0.2 * x[2]);
     }
-    const Fractions f = volume_fractions(mesh, *shape);
-    const Eigen::RowVectorXd exact = weight.transpose() * f.derivative;
-    const auto total = [&](const VectorXd& p) {
+    const std::vector<double> steps = {8e-4, 4e-4, 2e-4, 1e-4, 1e-5};
+    Eigen::MatrixXd error(16, 5);
+    for (int k = 0; k < 16; ++k) {
+      VectorXd p = p0, d(p0.size());
+      for (Eigen::Index i = 0; i < d.size(); ++i) {
+        d[i] = 0.3 * std::sin(1.0 + 2.7 * i + 3.1 * k);
+        p[i] += 0.01 * std::sin(2.0 + 1.3 * i + 1.7 * k);
+      }
       shape->set(p);
-      return VectorXd::Constant(1, weight.dot(volume_fractions(mesh, *shape).value)).eval();
+      const VectorXd gradient = volume_fractions(mesh, *shape).derivative.transpose() * weight;
+      const double size = gradient.cwiseAbs().dot(d.cwiseAbs());
+      const auto total = [&](double t) {
+        shape->set(p + t * d);
+        return weight.dot(volume_fractions(mesh, *shape).value);
+      };
+      for (std::size_t s = 0; s < steps.size(); ++s) {
+        const double h = steps[s];
+        const double error = std::abs((total(h) - total(-h)) / (2 * h) - gradient.dot(d)) / size;
+        mean[static_cast<Eigen::Index>(s)] += error / 16;
+        best[k] = std::min(best[k], error);
+      }
+    }
+    EXPECT_LE(error.rowwise().minCoeff().maxCoeff(), 1e-6) << dim;
+    const auto median = [&](Eigen::Index s) {
+      VectorXd e = error.col(s);
+      std::nth_element(e.data(), e.data() + 8, e.data() + 16);
+      return e[8];
     };
-    const StepSweep sweep = step_sweep(total, p0, exact);
-    EXPECT_LE(sweep.best_error, 1e-6 * exact.cwiseAbs().maxCoeff()) << dim;
-    if (sweep.slope_points >= 3) {
-      EXPECT_NEAR(sweep.slope, 2, 0.5) << dim;
+    if (median(0) > 1e-9) {  // else it is round-off
+      EXPECT_GT(std::log2(median(0) / median(3)) / 3, 1.6) << dim;
     }
     shape->set(p0);
   }
