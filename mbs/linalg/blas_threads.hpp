@@ -4,8 +4,10 @@
 
 namespace liesl {
 
-/// More threads than one cost more than they give at the sizes of liesl; where the BLAS is
-/// OpenBLAS, it is told so. liesl uses its threads over load cases and cells instead.
+/// More threads than one cost more than they give at the sizes of liesl, and wait for each other
+/// where the machine is busy. Tells OpenBLAS, if the BLAS is that, and the OpenMP of CHOLMOD, which
+/// asks for four. For the calling thread, hence before each use. liesl uses its threads over load
+/// cases and cells instead.
 void one_blas_thread();
 
 }  // namespace liesl

@@ -20,7 +20,6 @@ struct SparseCholesky::Factors {
     common.nmethods = 1;
     common.method[0].ordering = CHOLMOD_METIS;
     common.postorder = 1;
-    one_blas_thread();
   }
   ~Factors() {
     for (cholmod_dense** d : {&X, &Y, &E}) cholmod_free_dense(d, &common);
@@ -39,6 +38,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factor(const Matrix& A) {
   Factors& f = *f_;
   f.valid = false;
+  one_blas_thread();
   if (!A.coeffs().allFinite()) return false;
   cholmod_sparse view{};
   view.nrow = view.ncol = static_cast<std::size_t>(A.cols());
@@ -60,9 +60,11 @@ bool SparseCholesky::factor(const Matrix& A) {
   return f.valid;
 }
 
-Eigen::MatrixXd SparseCholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const {
-  if (b.size() == 0) return b;
+Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
+    const Eigen::Ref<const Eigen::MatrixXd>& b) const {
+  if (b.size() == 0) return {b.data(), b.rows(), b.cols()};
   const Factors& f = *f_;
+  one_blas_thread();
   cholmod_dense view{};
   view.nrow = static_cast<std::size_t>(b.rows());
   view.ncol = static_cast<std::size_t>(b.cols());
@@ -73,7 +75,7 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::Ref<const Eigen::MatrixXd>& b
   view.dtype = CHOLMOD_DOUBLE;
   if (!cholmod_solve2(CHOLMOD_A, f.L, &view, nullptr, &f.X, nullptr, &f.Y, &f.E, &f.common))
     throw std::runtime_error("CHOLMOD could not solve: out of memory");
-  return Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(f.X->x), b.rows(), b.cols());
+  return {static_cast<const double*>(f.X->x), b.rows(), b.cols()};
 }
 
 double SparseCholesky::nonzeros() const { return f_->valid ? f_->common.lnz : 0; }

@@ -23,8 +23,9 @@ class SparseCholesky {
   /// @returns false if A is not positive definite or not finite: there are no factors then.
   bool factor(const Matrix& A);
 
-  /// A^-1 b, all columns together. @pre the last `factor` returned true
-  Eigen::MatrixXd solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
+  /// A^-1 b, all columns together; the view holds until the next call. Not for several threads.
+  /// @pre the last `factor` returned true
+  Eigen::Map<const Eigen::MatrixXd> solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 
   /// Numbers in the factor; 0 without one.
   double nonzeros() const;

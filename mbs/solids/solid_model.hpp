@@ -79,6 +79,8 @@ class SolidModel {
 
   /// Matrices of a full cell; cells of equal shape share them.
   const CellMatrices& cell(int e) const { return shapes_[shape_of_[e]]; }
+  /// Its mass matrix for all freedoms, kg: that of one component for each.
+  const Eigen::MatrixXd& cell_mass(int e) const { return M_of_shape_[shape_of_[e]]; }
   /// First freedom of a corner: freedoms are dim * node + component.
   int freedom(int cell, int corner) const { return mesh_.dim * mesh_.cells(corner, cell); }
 

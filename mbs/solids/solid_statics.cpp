@@ -1,5 +1,7 @@
 #include "mbs/solids/solid_statics.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <Eigen/QR>
@@ -35,6 +37,7 @@ SolidStatics::SolidStatics(SolidModel& model, SolidSupport support, MatrixXd out
     if (c < 0 || c >= model.size())
       throw std::invalid_argument("support: coordinate " + std::to_string(c) + " does not exist");
   f_.resize(model.size(), 0);
+  TR_ = model.T() * model.rigid_motions();
 }
 
 /// Coordinates that keep the part from moving rigidly while reactions are zero: the best
@@ -61,109 +64,100 @@ SolidStatus SolidStatics::solve(const VectorXd& v) {
   }
   hold(K_, held_);
   if (!factor_.factor(K_)) return SolidStatus::Unsupported;
-  MatrixXd all(model_.size(), cases() + outputs());
-  all << f_, C_;
-  Solved solved = solve_columns(all);
-  const auto n = f_.cols(), m = C_.cols();
-  cases_ = {{}, {}, solved.acceleration.leftCols(n), solved.relief.topRows(n)};
-  outputs_ = {
-      {}, solved.u.bottomRows(m), solved.acceleration.rightCols(m), solved.relief.bottomRows(m)};
-  q_ = solved.q.leftCols(n);
-  u_ = solved.u.topRows(n);
-  y_ = C_.transpose() * q_;
-  return q_.allFinite() ? SolidStatus::Solved : SolidStatus::NotFinite;
+  all_.rhs.resize(model_.size(), cases() + outputs());
+  all_.rhs << f_, C_;
+  solve_columns(all_);
+  y_ = C_.transpose() * q();
+  return all_.q.allFinite() ? SolidStatus::Solved : SolidStatus::NotFinite;
 }
 
-SolidStatics::Solved SolidStatics::solve_columns(const MatrixXd& f) const {
-  Solved s;
-  MatrixXd rhs = f;
-  s.acceleration.resize(model_.rigid_count(), f.cols());
-  s.relief.resize(f.cols(), 0);
+/// Solves for s.rhs, which is overwritten.
+void SolidStatics::solve_columns(Solved& s) const {
+  const MatrixXd& R = model_.rigid_motions();
+  s.acceleration = MatrixXd::Zero(model_.rigid_count(), s.rhs.cols());
   if (support_.inertia_relief) {
-    s.acceleration = RMR_inverse_ * (model_.rigid_motions().transpose() * f);
-    rhs.noalias() -= MR_ * s.acceleration;
+    s.acceleration = RMR_inverse_ * (R.transpose() * s.rhs);
+    s.rhs.noalias() -= MR_ * s.acceleration;
   }
-  for (int c : held_) rhs.row(c).setZero();
-  s.q = factor_.solve(rhs);
-  if (support_.inertia_relief) {
-    s.q -= model_.rigid_motions() * (RMR_inverse_ * (MR_.transpose() * s.q)).eval();
-    s.relief = (model_.T() * (model_.rigid_motions() * s.acceleration)).transpose();
-  }
-  s.u = (model_.T() * s.q).transpose();
-  return s;
+  for (int c : held_) s.rhs.row(c).setZero();
+  s.q = factor_.solve(s.rhs);
+  if (support_.inertia_relief) s.q.noalias() -= R * (RMR_inverse_ * (MR_.transpose() * s.q)).eval();
+  s.u = model_.T() * s.q;
 }
 
-VectorXd SolidStatics::compliance() const { return f_.cwiseProduct(q_).colwise().sum(); }
+VectorXd SolidStatics::compliance() const { return f_.cwiseProduct(q()).colwise().sum(); }
 
-/// g(n) = -s' mu^T K u_n - mu^T M (R a_n) - u_n^T M (R b): the change of the output with the
-/// fraction of cell e. column >= 0: that column of mu for all cases; -1: column n for case n.
-void SolidStatics::cell_weights(int e, const Solved& mu, int column, VectorXd& g) const {
-  const CellMatrices& cell = model_.cell(e);
-  const int dim = model_.mesh().dim, corners = model_.mesh().corners();
-  const auto gather = [&](const ByFreedom& from, MatrixXd& into) {
-    into.resize(from.rows(), dim * corners);
-    for (int c = 0; c < corners; ++c)
-      into.middleCols(dim * c, dim) = from.middleCols(model_.freedom(e, c), dim);
-  };
-  const auto mass_times = [&](const MatrixXd& x) {  // M for each component
-    MatrixXd y = MatrixXd::Zero(x.rows(), x.cols());
-    for (int i = 0; i < corners; ++i)
-      for (int j = 0; j < corners; ++j)
-        y.middleCols(dim * i, dim) += cell.M(i, j) * x.middleCols(dim * j, dim);
-    return y;
-  };
-  const double slope = model_.law().slope(v_[e]);
-  MatrixXd u, m, a, b;
-  gather(u_, u);
-  if (column >= 0) {
-    m.resize(1, dim * corners);
-    for (int i = 0; i < dim * corners; ++i)
-      m(0, i) = mu.u(column, model_.freedom(e, i / dim) + i % dim);
-    g.noalias() = -slope * (u * (cell.K * m.transpose()));
-  } else {
-    gather(mu.u, m);
-    g = -slope * (u * cell.K).cwiseProduct(m).rowwise().sum();
+/// P = s' K mu + M R b, Q = M mu, where b balances the output.
+SolidStatics::CellWeights SolidStatics::cell_weights(int e, const double* mu,
+                                                     const double* rigid_b) const {
+  const int dim = model_.mesh().dim, n = dim * model_.mesh().corners();
+  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1> local(n), rigid(n);
+  for (int i = 0; i < n; ++i) {
+    const int at = model_.freedom(e, i / dim) + i % dim;
+    local[i] = mu[at];
+    rigid[i] = rigid_b[at];
   }
-  if (!support_.inertia_relief) return;
-  gather(cases_.relief, a);
-  gather(mu.relief, b);
-  if (column >= 0) {
-    g.noalias() -= mass_times(a) * m.transpose();
-    g.noalias() -= mass_times(u) * b.row(column).transpose();
-  } else {
-    g -= mass_times(a).cwiseProduct(m).rowwise().sum();
-    g -= mass_times(u).cwiseProduct(b).rowwise().sum();
+  CellWeights w;
+  w.P.noalias() = model_.cell(e).K * local;
+  w.P *= model_.law().slope(v_[e]);
+  if (support_.inertia_relief) {
+    w.P.noalias() += model_.cell_mass(e) * rigid;
+    w.Q.noalias() = model_.cell_mass(e) * local;
   }
+  return w;
 }
 
 void SolidStatics::accumulate(const Solved& mu, int column, const FractionGradient& dv,
                               MatrixXd& out) const {
-  VectorXd g;
-  for (int e = 0; e < dv.rows(); ++e) {
-    FractionGradient::InnerIterator d(dv, e);
-    if (!d) continue;
-    cell_weights(e, mu, column, g);
-    for (; d; ++d) out.col(d.col()) += d.value() * g;
+  const int dim = model_.mesh().dim, n = dim * model_.mesh().corners();
+  std::vector<int> touched;
+  for (int e = 0; e < dv.rows(); ++e)
+    if (FractionGradient::InnerIterator(dv, e)) touched.push_back(e);
+  std::vector<CellWeights> fixed;  // of the one output, for all cases
+  if (column >= 0) {
+    const VectorXd b = TR_ * mu.acceleration.col(column);
+    for (int e : touched) fixed.push_back(cell_weights(e, mu.u.col(column).data(), b.data()));
   }
+  MatrixXd change = MatrixXd::Zero(dv.cols(), cases());  // a case is a column: no two threads meet
+  tbb::parallel_for(0, cases(), [&](int k) {
+    const VectorXd a = TR_ * all_.acceleration.col(k);
+    const VectorXd b = column < 0 ? VectorXd(TR_ * mu.acceleration.col(k)) : VectorXd();
+    const double* u = all_.u.col(k).data();
+    for (std::size_t t = 0; t < touched.size(); ++t) {
+      const int e = touched[t];
+      const CellWeights own =
+          column < 0 ? cell_weights(e, mu.u.col(k).data(), b.data()) : CellWeights();
+      const CellWeights& w = column < 0 ? own : fixed[t];
+      double g = 0;
+      for (int i = 0; i < n; ++i) {
+        const int at = model_.freedom(e, i / dim) + i % dim;
+        g -= w.P[i] * u[at];
+        if (support_.inertia_relief) g -= w.Q[i] * a[at];
+      }
+      for (FractionGradient::InnerIterator d(dv, e); d; ++d) change(d.col(), k) += d.value() * g;
+    }
+  });
+  out += change.transpose();
 }
 
 MatrixXd SolidStatics::output_gradient(int output, const FractionGradient& dv) const {
   MatrixXd out = MatrixXd::Zero(cases(), dv.cols());
-  accumulate(outputs_, output, dv, out);
+  accumulate(all_, cases() + output, dv, out);
   return out;
 }
 
 MatrixXd SolidStatics::compliance_gradient(const FractionGradient& dv) const {
   MatrixXd out = MatrixXd::Zero(cases(), dv.cols());
-  Solved self = cases_;
-  self.u = u_;
-  accumulate(self, -1, dv, out);
+  accumulate(all_, -1, dv, out);
   return out;
 }
 
 void SolidStatics::add_adjoint_gradient(const MatrixXd& dS_dq, const FractionGradient& dv,
                                         MatrixXd& out) const {
-  accumulate(solve_columns(dS_dq), -1, dv, out);
+  Solved mu;
+  mu.rhs = dS_dq;
+  solve_columns(mu);
+  accumulate(mu, -1, dv, out);
 }
 
 std::string reason(SolidStatus status) {

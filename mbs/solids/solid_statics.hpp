@@ -45,9 +45,6 @@ std::string reason(SolidStatus status);
 
 class SolidStatics {
  public:
-  /// By case, columns are cases or outputs: transposed, so that a cell reads whole columns.
-  using ByFreedom = Eigen::MatrixXd;
-
   /// @param outputs C, q x m (m may be 0). The model must outlive this and its mesh not change.
   SolidStatics(SolidModel& model, SolidSupport support, Eigen::MatrixXd outputs);
 
@@ -62,10 +59,10 @@ class SolidStatics {
   const SolidModel& model() const { return model_; }
   const Eigen::VectorXd& fractions() const { return v_; }
 
-  const Eigen::MatrixXd& q() const { return q_; }  ///< q x cases
-  const ByFreedom& u() const { return u_; }        ///< cases x node freedoms
-  const Eigen::MatrixXd& y() const { return y_; }  ///< outputs x cases
-  Eigen::VectorXd compliance() const;              ///< f^T u by case, J
+  auto q() const { return all_.q.leftCols(cases()); }  ///< q x cases
+  auto u() const { return all_.u.leftCols(cases()); }  ///< node freedoms x cases
+  const Eigen::MatrixXd& y() const { return y_; }      ///< outputs x cases
+  Eigen::VectorXd compliance() const;                  ///< f^T u by case, J
 
   /// d y(output, case)/d p for all cases [cases x parameters], from d v/d p [cells x parameters]:
   /// -s'(v) mu_e^T K_e u_e summed over cells; with inertia relief also
@@ -82,29 +79,32 @@ class SolidStatics {
                             Eigen::MatrixXd& out) const;
 
  private:
-  /// A solved set of right-hand sides, and the rigid accelerations taken off them.
+  /// Solutions, and the rigid accelerations taken off their right-hand sides.
   struct Solved {
-    Eigen::MatrixXd q;             ///< q x columns
-    ByFreedom u;                   ///< columns x freedoms
-    Eigen::MatrixXd acceleration;  ///< rigid x columns; empty without inertia relief
-    ByFreedom relief;              ///< columns x freedoms: T R a
+    Eigen::MatrixXd rhs, q;        ///< q x columns
+    Eigen::MatrixXd u;             ///< freedoms x columns
+    Eigen::MatrixXd acceleration;  ///< rigid x columns; without inertia relief zero
   };
-  Solved solve_columns(const Eigen::MatrixXd& f) const;
+  /// What a change of a cell's fraction does to an output: -(P . u_n + Q . (R a_n)).
+  struct CellWeights {
+    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1> P, Q;
+  };
+
+  void solve_columns(Solved& s) const;
   void hold_determinately(const SolidModel::Sparse& M);
-  /// g(n) = weight of cell e in case n, for one adjoint column or one a case.
-  void cell_weights(int e, const Solved& mu, int column, Eigen::VectorXd& g) const;
+  CellWeights cell_weights(int e, const double* mu, const double* rigid_b) const;
+  /// out(n, :) -= sum_e (P . u_n + Q . (R a_n)) dv_e, for one adjoint column or one a case (-1).
   void accumulate(const Solved& mu, int column, const FractionGradient& dv,
                   Eigen::MatrixXd& out) const;
 
   SolidModel& model_;
   SolidSupport support_;
-  Eigen::MatrixXd C_, f_, q_, y_;
-  ByFreedom u_;
-  Solved cases_, outputs_;
+  Eigen::MatrixXd C_, f_, y_;
+  Solved all_;  ///< cases, then outputs
   Eigen::VectorXd v_;
   std::vector<int> held_;  ///< coordinates at zero in the factor
   SolidModel::Sparse K_;   ///< with the held rows replaced
-  Eigen::MatrixXd MR_, RMR_inverse_;
+  Eigen::MatrixXd MR_, RMR_inverse_, TR_;
   SparseCholesky factor_;
 };
 

@@ -31,7 +31,7 @@ MatrixXd of_cell(const SolidStatics& statics, int e) {
   const int dim = model.mesh().dim, corners = model.mesh().corners();
   MatrixXd u(dim * corners, statics.cases());
   for (int c = 0; c < corners; ++c)
-    u.middleRows(dim * c, dim) = statics.u().middleCols(model.freedom(e, c), dim).transpose();
+    u.middleRows(dim * c, dim) = statics.u().middleRows(model.freedom(e, c), dim);
   return u;
 }
 
