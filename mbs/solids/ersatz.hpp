@@ -11,8 +11,8 @@ namespace liesl {
 /// 2004), so that the stiffness matrix stays regular and holes may merge or vanish. The defaults
 /// are the best of those measured in tests/mbs/solids/ersatz_test.cpp (docs/performance.md).
 struct ErsatzLaw {
-  double exponent = 1;  ///< >= 1
-  double ratio = 1e-6;  ///< in (0, 1)
+  double exponent = 1.4;  ///< >= 1
+  double ratio = 1e-6;    ///< in (0, 1)
 
   double stiffness(double v) const { return ratio + (1 - ratio) * std::pow(v, exponent); }
   /// ds/dv
