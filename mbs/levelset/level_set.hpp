@@ -59,6 +59,7 @@ class LevelSet {
 using LevelSetPtr = std::unique_ptr<LevelSet>;
 
 /// Where a shape is put: x = position + exp(rotation~) X.
+/// Write `Pose{{x, y, z}}` for no rotation: `{}` in its place would be a vector without values.
 struct Pose {
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< m
   Eigen::Vector3d rotation = Eigen::Vector3d::Zero();  ///< rotation vector, rad

@@ -56,7 +56,7 @@ TEST(Outline, NothingLeftIsNoLine) {
 }
 
 TEST(Surface, OfABallIsClosedOutwardAndItsVolumeConvergesWithOrderTwo) {
-  const LevelSetPtr ball = placed({{0.02, 0.01, -0.03}, {}}, sphere(0.7));
+  const LevelSetPtr ball = placed(Pose{{0.02, 0.01, -0.03}, Eigen::Vector3d::Zero()}, sphere(0.7));
   double previous = 0;
   for (int n : {8, 16, 32}) {
     const Surface s = surface(*ball, {{-1, -1, -1}, {1, 1, 1}}, n, n, n);

@@ -76,7 +76,8 @@ TEST(VolumeFraction, BallInHexahedraConvergesWithOrderTwo) {
     double error = 0;
     for (int place = 0; place < 4; ++place) {
       const LevelSetPtr ball =
-          placed({{0.5 + 0.0023 * place, 0.5, 0.49}, {}}, sphere(0.33 + 0.003 * place));
+          placed(Pose{{0.5 + 0.0023 * place, 0.5, 0.49}, Eigen::Vector3d::Zero()},
+                 sphere(0.33 + 0.003 * place));
       const double V = volume(mesh, volume_fractions(mesh, *ball).value);
       error += std::abs(V / (4 * kPi / 3 * std::pow(0.33 + 0.003 * place, 3)) - 1) / 4;
     }
