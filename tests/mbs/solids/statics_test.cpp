@@ -119,12 +119,12 @@ TEST(SolidModel, RefusesInterfacesThatHoldNothing) {
       EXPECT_NE(std::string(e.what()).find(words), std::string::npos) << e.what();
     }
   };
-  refused({{"pin", {3}, {}, Tie::Rigid}}, "interface 'pin': has 1 nodes");
-  refused({{"pin", {3, 99}, {}, Tie::Rigid}}, "node 99 is not in the mesh");
-  refused({{"pin", {3, 4}, {}, Tie::Rigid}, {"eye", {4, 5}, {}, Tie::Averaged}},
+  refused({{"pin", {3}, {0, 0, 0}, Tie::Rigid}}, "interface 'pin': has 1 nodes");
+  refused({{"pin", {3, 99}, {0, 0, 0}, Tie::Rigid}}, "node 99 is not in the mesh");
+  refused({{"pin", {3, 4}, {0, 0, 0}, Tie::Rigid}, {"eye", {4, 5}, {0, 0, 0}, Tie::Averaged}},
           "interface 'eye': node 4 belongs to another");
   const SolidMesh cube = hex_grid({0, 0, 0}, {1, 1, 1}, 2, 2, 2);
-  EXPECT_THROW(SolidModel(cube, m, {{"line", {0, 1, 2}, {}, Tie::Rigid}}, {}),
+  EXPECT_THROW(SolidModel(cube, m, {{"line", {0, 1, 2}, {0, 0, 0}, Tie::Rigid}}, {}),
                std::invalid_argument);
   SolidMesh folded = mesh;
   folded.nodes.col(4) << 1.5, 1.5, 0;

@@ -90,8 +90,8 @@ TEST(Connectivity, CellsThatTouchInACornerAreNotJoined) {
     const SolidMesh mesh =
         dim == 2 ? quad_grid({0, 0}, {2, 2}, 2, 2) : hex_grid({0, 0, 0}, {2, 2, 1}, 2, 2, 1);
     const SolidModel model(mesh, {"m", 1, 0.3, 1},
-                           {{"a", mesh.sets.at("x_min"), {}, Tie::Rigid},
-                            {"b", mesh.sets.at("x_max"), {}, Tie::Rigid}},
+                           {{"a", mesh.sets.at("x_min"), {0, 0, 0}, Tie::Rigid},
+                            {"b", mesh.sets.at("x_max"), {0, 0, 0}, Tie::Rigid}},
                            {});
     VectorXd v(4);
     v << 1, 0, 0, 1;
