@@ -1,6 +1,5 @@
 #include "optim/nlp/ipopt_driver.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <IpIpoptApplication.hpp>
@@ -12,6 +11,7 @@
 #include <optional>
 #include <stdexcept>
 
+#include "mbs/linalg/blas_threads.hpp"
 #include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/feasibility.hpp"
 
@@ -184,12 +184,6 @@ void set_options(Ipopt::OptionsList& list, const NlpOptions& o, bool exact, bool
        {"warm_start_bound_push", "warm_start_bound_frac", "warm_start_slack_bound_push",
         "warm_start_slack_bound_frac", "warm_start_mult_bound_push"})
     number(push, o.warm_barrier);
-}
-
-/// More threads cost more than they give at these sizes, if the BLAS of this process is OpenBLAS.
-void one_blas_thread() {
-  if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-    reinterpret_cast<void (*)(int)>(symbol)(1);
 }
 
 std::mutex ipopt_mutex;
