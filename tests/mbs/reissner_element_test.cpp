@@ -59,13 +59,13 @@ using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(ReissnerElementTest, Groups);
 
 TYPED_TEST(ReissnerElementTest, ForceIsTheGradientOfTheEnergy) {
-  using Pair = typename ReissnerElement<TypeParam>::Pair;
-  const Pair g = this->force(this->A_now, this->B_now);
+  using Vector = typename TestFixture::Pair;
+  const Vector g = this->force(this->A_now, this->B_now);
   const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
     Eigen::VectorXd d(g.size());
     for (int j = 0; j < g.size(); ++j) {
-      const Pair e = h * Pair::Unit(j);
-      const auto V = [&](const Pair& p) {
+      const Vector e = h * Vector::Unit(j);
+      const auto V = [&](const Vector& p) {
         return this->energy(this->moved(this->A_now, p, 0), this->moved(this->B_now, p, 1));
       };
       d[j] = (V(e) - V(-e)) / (2 * h);
@@ -77,15 +77,15 @@ TYPED_TEST(ReissnerElementTest, ForceIsTheGradientOfTheEnergy) {
 }
 
 TYPED_TEST(ReissnerElementTest, TangentIsTheDerivativeOfTheForce) {
-  using Pair = typename ReissnerElement<TypeParam>::Pair;
+  using Vector = typename TestFixture::Pair;
   const typename TypeParam::Tangent n =
       this->element.section_stiffness() * this->element.strain(this->A_now, this->B_now);
   const Eigen::MatrixXd K = this->element.tangent(this->A_now, this->B_now, n);
   const testing::VectorOf difference = [&](double h) -> Eigen::VectorXd {
     Eigen::MatrixXd d(K.rows(), K.cols());
     for (int j = 0; j < K.cols(); ++j) {
-      const Pair e = h * Pair::Unit(j);
-      const auto g = [&](const Pair& p) {
+      const Vector e = h * Vector::Unit(j);
+      const auto g = [&](const Vector& p) {
         return this->force(this->moved(this->A_now, p, 0), this->moved(this->B_now, p, 1));
       };
       d.col(j) = (g(e) - g(-e)) / (2 * h);
@@ -118,13 +118,13 @@ TYPED_TEST(ReissnerElementTest, StraightStiffnessIsThatOfTheLieElement) {
 }
 
 TYPED_TEST(ReissnerElementTest, PowerOfInertiaIsTheRateOfKineticEnergy) {
-  using Pair = typename ReissnerElement<TypeParam>::Pair;
-  const Pair v = this->random.vector(2 * TypeParam::dim),
-             a = this->random.vector(2 * TypeParam::dim);
-  Pair g;
+  using Vector = typename TestFixture::Pair;
+  const Vector v = this->random.vector(2 * TypeParam::dim),
+               a = this->random.vector(2 * TypeParam::dim);
+  Vector g;
   this->element.inertia_force(this->A_now, this->B_now, v.data(), a, g);
   const auto kinetic = [&](double t) {
-    const Pair d = t * v + 0.5 * t * t * a, w = v + t * a;
+    const Vector d = t * v + 0.5 * t * t * a, w = v + t * a;
     const auto M =
         this->element.mass(this->moved(this->A_now, d, 0), this->moved(this->B_now, d, 1));
     return 0.5 * w.dot(M * w);
@@ -134,14 +134,14 @@ TYPED_TEST(ReissnerElementTest, PowerOfInertiaIsTheRateOfKineticEnergy) {
 }
 
 TYPED_TEST(ReissnerElementTest, GyroscopicTangentIsTheDerivativeOfTheInertiaForce) {
-  using Pair = typename ReissnerElement<TypeParam>::Pair;
-  const Pair v = this->random.vector(2 * TypeParam::dim);
+  using Vector = typename TestFixture::Pair;
+  const Vector v = this->random.vector(2 * TypeParam::dim);
   const auto C = this->element.gyroscopic_tangent(this->A_now, this->B_now, v.data());
   for (int j = 0; j < C.cols(); ++j) {  // quadratic in v: central differences are exact
     const auto force = [&](double t) {
-      const Pair w = v + t * Pair::Unit(j);
-      Pair g;
-      this->element.inertia_force(this->A_now, this->B_now, w.data(), Pair::Zero(), g);
+      const Vector w = v + t * Vector::Unit(j);
+      Vector g;
+      this->element.inertia_force(this->A_now, this->B_now, w.data(), Vector::Zero(), g);
       return g;
     };
     EXPECT_LT((C.col(j) - (force(1) - force(-1)) / 2).norm(), 1e-12 * C.norm());
