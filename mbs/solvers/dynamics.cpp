@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "mbs/solvers/constraint_rank.hpp"
 
@@ -84,6 +85,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
   while (grid.whole() < whole_steps) {
     const double h = grid.h();
     StepResult step = integrator.step(s, h);
@@ -124,6 +126,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     }
   }
   report.stepping_s = seconds_since(start);
+  report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
   if (std::abs(o.step - options.step) > 1e-9 * options.step)
     report.warnings.push_back(fmt::format(

@@ -32,6 +32,7 @@ LAYERS = [
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
     ("apps/batch",),
+    ("apps/compare",),
     ("apps/cli",),
     ("apps/bench",),
 ]
