@@ -59,10 +59,18 @@ class References {
     reference.floor = distance(a, b, comparison_.norm);
     summary_.references.push_back({physics, comparison_.reference->formalisms, reference.floor,
                                    size_of(reference.mean, comparison_.norm)});
+    const double size = summary_.references.back().size;
+    if (reference.floor > kTrusted * size)
+      summary_.warnings.push_back(
+          fmt::format("the two sides of reference {} differ by {:.2g} of their size; use a finer "
+                      "reference",
+                      known_.size(), reference.floor / size));
     return &reference;
   }
 
  private:
+  static constexpr double kTrusted = 1e-2;  ///< a difference of the sides that goes without saying
+
   Series side(std::size_t row, int side) const {
     std::vector<double> weights;
     std::vector<Series> series;
@@ -192,6 +200,7 @@ class Run {
                  r.changes.empty() ? "" : fmt::format(" ({})", fmt::join(r.changes, ", ")),
                  r.formalisms[0], r.formalisms[1], r.floor, summary_.unit,
                  r.size > 0 ? r.floor / r.size : 0.0);
+    for (const auto& w : summary_.warnings) fmt::print("  note: {}\n", w);
     fmt::print("results in {}; next: liesl plot {}\n", options_.out, options_.out);
   }
 

@@ -52,8 +52,9 @@ void judge(const Scene& scene, const Watch& watch, Measured& run) {
     const long again = constant_tangent(scene) ? report.tangent_refreshes : 0;
     if (again + report.rejected_steps == 0) return;
     run.ending = Ending::Recovered;
-    run.reason =
-        fmt::format("{} tangents taken again, {} steps halved", again, report.rejected_steps);
+    if (again > 0) run.reason = fmt::format("{} tangents taken again", again);
+    if (report.rejected_steps > 0)
+      run.reason += fmt::format("{}{} steps halved", again > 0 ? ", " : "", report.rejected_steps);
   }
 }
 

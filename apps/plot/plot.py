@@ -653,7 +653,9 @@ def draw_orders(comparison, pictures, _arguments):
             points = [(float(row[axis]), float(row["error"])) for row in rows]
             if not points:
                 continue
-            sound = [p for p in points if p[1] > 3 * floor]
+            # Halved steps are not the steps of the axis.
+            sound = [p for p, row in zip(points, rows)
+                     if p[1] > 3 * floor and float(row["rejected_steps"]) == 0]
             order = f"{kind}: {slope(sound):.2f}" if len(sound) > 1 else kind
             ax.plot(*zip(*points), label=order.replace("-", "\u2212"), **comparison.looks[kind])
         show_floor(ax, comparison)

@@ -52,6 +52,24 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// What a user should know of a run: another step than asked for, tangents taken again, halved
+/// steps.
+void add_warnings(Report& report, double step, double asked, TangentStrategy tangent) {
+  if (std::abs(step - asked) > 1e-9 * asked)
+    report.warnings.push_back(fmt::format(
+        "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", step,
+        asked));
+  if (report.tangent_refreshes > 0 && tangent == TangentStrategy::Constant)
+    report.warnings.push_back(fmt::format(
+        "the constant tangent was replaced by that of the moment {} times: the deformations leave "
+        "its range",
+        report.tangent_refreshes));
+  if (report.rejected_steps > 0)
+    report.warnings.push_back(
+        fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
+                    report.rejected_steps, report.smallest_step));
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -128,19 +146,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.stepping_s = seconds_since(start);
   report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
-  if (std::abs(o.step - options.step) > 1e-9 * options.step)
-    report.warnings.push_back(fmt::format(
-        "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", o.step,
-        options.step));
-  if (report.tangent_refreshes > 0 && integrator.tangent() == TangentStrategy::Constant)
-    report.warnings.push_back(fmt::format(
-        "the constant tangent was replaced by that of the moment {} times: the deformations leave "
-        "its range",
-        report.tangent_refreshes));
-  if (report.rejected_steps > 0)
-    report.warnings.push_back(
-        fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
-                    report.rejected_steps, report.smallest_step));
+  add_warnings(report, o.step, options.step, integrator.tangent());
   return result;
 }
 

@@ -8,6 +8,7 @@
 #include "apps/compare/comparison.hpp"
 #include "apps/compare/conserved.hpp"
 #include "apps/program.hpp"
+#include "apps/scene/scene.hpp"
 
 namespace liesl::test {
 namespace {
@@ -67,7 +68,7 @@ class Compare : public Program {
 };
 
 const std::string kTopGrid =
-    "[grid]\nformalism = [\"se3\", \"r3so3\"]\nstep = [2e-3, 1e-3, 5e-4]\n";
+    "[grid]\nformalism = [\"se3\", \"r3so3\"]\nstep = [1e-3, 5e-4, 2.5e-4]\n";
 const std::string kTopReference =
     "[reference]\nformalisms = [\"r3so3\", \"se3\"]\nstep = 5e-5\nextrapolate = \"step\"\n"
     "[set]\n\"simulation.duration\" = 0.1\n";
@@ -160,18 +161,24 @@ TEST_F(Compare, OrdersAreTwo) {
   EXPECT_EQ(keys(summary()), documented("### `compare`\n").always);
 }
 
+/// On SE(3) the momentum drifts by an error of the mesh and one of second order in the step; where
+/// positions are inertial it stays.
 TEST_F(Compare, MomentumOfFreeFlightIsWatched) {
   const Outcome o = compare(head("flying_beam", "A") +
-                            "[grid]\nformalism = [\"se3\", \"r3so3\"]\nelements = [2]\n"
-                            "step = [0.05, 0.025]\n[set]\n\"simulation.duration\" = 7\n");
+                            "[grid]\nformalism = [\"se3\", \"r3so3\"]\nelements = [4]\n"
+                            "step = [0.04, 0.02, 0.01]\n[set]\n\"simulation.duration\" = 7\n");
   ASSERT_EQ(o.code, 0) << o.err;
   const auto all = rows();
-  ASSERT_EQ(all.size(), 4u);
+  ASSERT_EQ(all.size(), 6u);
   EXPECT_EQ(all[0].at("error"), "") << "there is no reference";
-  EXPECT_NEAR(number(all[0], "momentum_drift") / number(all[1], "momentum_drift"), 4, 1)
-      << "of second order on SE(3)";
-  EXPECT_LT(number(all[2], "momentum_drift"), 1e-3 * number(all[0], "momentum_drift"))
-      << "kept where positions are inertial";
+  double lie[3], decoupled[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    lie[k] = number(all[k], "momentum_drift");
+    decoupled[k] = number(all[k + 3], "momentum_drift");
+    EXPECT_LT(decoupled[k], 1e-3 * lie[k]);
+    EXPECT_GT(number(all[k], "energy_drift"), 0);
+  }
+  EXPECT_NEAR((lie[0] - lie[1]) / (lie[1] - lie[2]), 4, 0.4);
 }
 
 /// A second command runs what is missing, and nothing else: rows that are there keep every letter.
@@ -253,10 +260,10 @@ TEST_F(Compare, ComparisonsThatAreNoneAreRefused) {
   }
   const Outcome failed =
       compare(head("slider_crank", "bend") + grid +
-              "[reference]\nformalisms = [\"se3\", \"r3so3\"]\nstep = 2e-3\ntolerance = 1e-16\n"
-              "[set]\n\"simulation.duration\" = 0.02\n");
+              "[reference]\nformalisms = [\"se3\", \"r3so3\"]\nstep = 1e-3\ntolerance = 1e-16\n"
+              "[set]\n\"simulation.duration\" = 0.02\n\"simulation.max_iterations\" = 3\n");
   EXPECT_EQ(failed.code, 2);
-  EXPECT_NE(failed.err.find("study.toml:8:1: the reference of se3 failed: "), std::string::npos)
+  EXPECT_NE(failed.err.find("study.toml:8:1: the reference of r3so3 failed: "), std::string::npos)
       << failed.err;
 }
 
@@ -275,7 +282,9 @@ TEST_F(Compare, IsDrawn) {
 TEST(ShippedComparisons, AreRead) {
   int count = 0;
   for (const auto& entry : fs::directory_iterator(kData / "studies")) {
-    if (kind_of(load_document(entry.path()).root) != FileKind::Comparison) continue;
+    if (entry.path().extension() != ".toml" ||
+        kind_of(load_document(entry.path()).root) != FileKind::Comparison)
+      continue;
     SCOPED_TRACE(entry.path());
     ++count;
     EXPECT_EQ(entry.path().filename().string().rfind("compare_", 0), 0u);
