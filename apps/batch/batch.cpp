@@ -104,7 +104,7 @@ const InputPlace* place_of(const Batch& batch, std::size_t row, const std::strin
 }
 
 /// Reads every case; a problem that many cases share is told once.
-void check_cases(Batch& batch, Problems& problems) {
+void read_every_case(Batch& batch, Problems& problems) {
   constexpr int kEnough = 50;
   std::set<std::string> told;
   for (std::size_t row = 0; row < batch.cases.rows.size() && problems.count() < kEnough; ++row)
@@ -135,6 +135,13 @@ std::vector<std::string> Batch::changes(std::size_t row) const {
   return all;
 }
 
+void check_cases(Batch& batch, Problems& problems) {
+  check_columns(batch, problems);
+  problems.throw_if_any();
+  read_every_case(batch, problems);
+  problems.throw_if_any();
+}
+
 Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) {
   Document document = load_document(path);
   Problems problems(document.file);
@@ -161,10 +168,7 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.memory = root["limits"]["memory"].value<double>();
   batch.cases = read_case_list(document, problems);
   problems.throw_if_any();
-  check_columns(batch, problems);
-  problems.throw_if_any();
   check_cases(batch, problems);
-  problems.throw_if_any();
   return batch;
 }
 

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "apps/batch/case_list.hpp"
+#include "apps/scene/problem.hpp"
 
 namespace liesl {
 
@@ -31,6 +32,10 @@ struct Batch {
 /// else keys of all cases.
 /// @throws InputError with the problems of all files; of a case at the place of its value
 Batch load_batch(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// Reads every case as the scene or study that it will be, and puts the texts into `input`.
+/// @throws InputError for columns that are no keys and cases that are refused, at their places
+void check_cases(Batch& batch, Problems& problems);
 
 /// One of n shares of the cases, as jobs of a cluster take them: every n-th case.
 struct Shard {

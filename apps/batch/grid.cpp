@@ -9,12 +9,23 @@ namespace liesl {
 
 namespace {
 
-InputPlace place_of(const toml::source_region& at) {
+std::vector<std::string> keys_of(const toml::node& node) {
+  std::vector<std::string> keys;
+  if (const toml::array* list = node.as_array())
+    for (const toml::node& item : *list) keys.push_back(*item.value<std::string>());
+  else
+    keys.push_back(*node.value<std::string>());
+  return keys;
+}
+
+}  // namespace
+
+InputPlace place_of(const toml::node& node) {
+  const toml::source_region& at = node.source();
   if (!at.path || at.path->starts_with("--set")) return {at.path ? *at.path : "", 0, 0};
   return {*at.path, static_cast<int>(at.begin.line), static_cast<int>(at.begin.column)};
 }
 
-/// A value as TOML; numbers with the fewest digits that give back the same double.
 std::string toml_text(const toml::node& node) {
   if (const toml::array* list = node.as_array()) {
     std::string text;
@@ -27,25 +38,14 @@ std::string toml_text(const toml::node& node) {
   return out.str();
 }
 
-std::vector<std::string> keys_of(const toml::node& node) {
-  std::vector<std::string> keys;
-  if (const toml::array* list = node.as_array())
-    for (const toml::node& item : *list) keys.push_back(*item.value<std::string>());
-  else
-    keys.push_back(*node.value<std::string>());
-  return keys;
-}
-
-}  // namespace
-
 std::vector<Axis> read_axes(const toml::table& grid) {
   std::vector<Axis> axes;
   for (const auto& [name, node] : grid) {
     const toml::table& table = *node.as_table();
     const toml::node& key = *table.get("key");
-    Axis axis{{std::string(name.str()), keys_of(key), place_of(key.source())}, {}};
+    Axis axis{{std::string(name.str()), keys_of(key), place_of(key)}, {}};
     for (const toml::node& value : *table["values"].as_array())
-      axis.values.push_back({toml_text(value), place_of(value.source())});
+      axis.values.push_back({toml_text(value), place_of(value)});
     axes.push_back(std::move(axis));
   }
   // The parser sorts by name; the file's order is by place.

@@ -2,6 +2,7 @@
 
 #include "apps/batch/batch.hpp"
 #include "apps/cli/command.hpp"
+#include "apps/compare/comparison.hpp"
 #include "apps/output/plot_program.hpp"
 #include "apps/scene/problem.hpp"
 #include "apps/scene/study.hpp"
@@ -15,6 +16,13 @@ int check_command(const CommandOptions& options) {
     if (!options.quiet)
       fmt::print("{}: a good batch of {} cases of {}\n", options.file, batch.cases.rows.size(),
                  batch.of.string());
+    return 0;
+  }
+  if (kind == FileKind::Comparison) {
+    const Comparison comparison = load_comparison(options.file, options.set);
+    if (!options.quiet)
+      fmt::print("{}: a good comparison of {} rows of {}\n", options.file,
+                 comparison.rows.cases.rows.size(), comparison.rows.of.string());
     return 0;
   }
   const bool study = kind == FileKind::Study;

@@ -32,6 +32,7 @@ int run_command(const CommandOptions& options);
 int esl_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
 int batch_command(const CommandOptions& options);
+int compare_command(const CommandOptions& options);
 int plot_command(const CommandOptions& options);
 
 /// Where a scene is computed, and why.

@@ -36,13 +36,16 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     bool writes;
   };
   static const Entry kEntries[] = {
-      {"check", "FILE", "Validate a scene, study or batch", liesl::check_command, false},
+      {"check", "FILE", "Validate a scene, study, batch or comparison", liesl::check_command,
+       false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
        liesl::batch_command, true},
+      {"compare", "COMPARISON", "Run a scene under many formalisms, meshes and steps",
+       liesl::compare_command, true},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {

@@ -150,6 +150,23 @@ Json to_json(const BatchSummary& s) {
   return json;
 }
 
+Json to_json(const CompareSummary& s) {
+  Json json = {{"command", "compare"}, {"name", s.name},         {"status", s.status},
+               {"reason", s.reason},   {"response", s.response}, {"unit", s.unit},
+               {"norm", s.norm},       {"rows", s.rows},         {"done", s.done}};
+  json["ended"] = Json::object();
+  for (const auto& [status, count] : s.ended) json["ended"][status] = count;
+  json["references"] = Json::array();
+  for (const ReferenceFigure& r : s.references)
+    json["references"].push_back({{"changes", r.changes},
+                                  {"formalisms", r.formalisms},
+                                  {"floor", r.floor},
+                                  {"size", r.size}});
+  json["wall_s"] = s.wall_s;
+  add_tail(json, s.warnings, s.overrides, s.input_sha256);
+  return json;
+}
+
 void write_summary(const std::filesystem::path& path, const Json& summary) {
   // Names come from files: bytes that are not UTF-8 are replaced, not thrown at.
   write_file(path, summary.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");

@@ -3,6 +3,7 @@
 /// summary.json: what a command did, why it stopped, and the figures. The keys are an interface,
 /// documented in docs/outputs.md.
 
+#include <array>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -97,6 +98,27 @@ struct BatchSummary {
   std::string input_sha256;
 };
 nlohmann::ordered_json to_json(const BatchSummary& summary);
+
+/// What the rows of a comparison are measured against.
+struct ReferenceFigure {
+  std::vector<std::string> changes;  ///< that make it another motion; none for the scene's
+  std::array<std::string, 2> formalisms;
+  double floor = 0;  ///< distance of the two, in the norm
+  double size = 0;   ///< norm of their mean
+};
+
+struct CompareSummary {
+  std::string name;
+  std::string status, reason;
+  std::string response, unit, norm;
+  int rows = 0, done = 0;                          ///< of the grid; of those that have ended
+  std::vector<std::pair<std::string, int>> ended;  ///< status -> rows
+  std::vector<ReferenceFigure> references;
+  double wall_s = 0;
+  std::vector<std::string> warnings, overrides;
+  std::string input_sha256;
+};
+nlohmann::ordered_json to_json(const CompareSummary& summary);
 
 /// As a text file, indented. @throws IoError
 void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary);

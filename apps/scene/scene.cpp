@@ -81,6 +81,7 @@ void check_movers(Reader& reader) {
 FileKind kind_of(const toml::table& root) {
   const auto has = [&root](const char* key) { return root.contains(key); };
   if (has("bodies")) return FileKind::Scene;
+  if (has("quantity") || has("reference")) return FileKind::Comparison;
   if (has("grid") || has("table") || has("study") || has("limits")) return FileKind::Batch;
   for (const char* key : {"scene", "design", "objective", "constraints", "cycle"})
     if (has(key)) return FileKind::Study;

@@ -34,8 +34,9 @@ Scene load_scene(const std::filesystem::path& path, const std::vector<std::strin
 Scene read_scene(const std::string& text, const std::string& file,
                  const std::vector<std::string>& overrides = {});
 
-/// A file with a key `grid`, `table`, `study` or `limits` is a batch, one with `scene`, `design`,
-/// `objective`, `constraints` or `cycle` a study, unless it has `bodies`.
+/// A file with a key `quantity` or `reference` is a comparison, one with `grid`, `table`, `study`
+/// or `limits` is a batch, one with `scene`, `design`, `objective`, `constraints` or `cycle` a
+/// study, unless it has `bodies`.
 FileKind kind_of(const toml::table& root);
 
 }  // namespace liesl

@@ -36,11 +36,23 @@ const std::vector<Key>& schema(FileKind kind) {
   static const std::vector<Key> scene = scene_keys();
   static const std::vector<Key> study = study_keys();
   static const std::vector<Key> batch = batch_keys();
-  return kind == FileKind::Scene ? scene : kind == FileKind::Study ? study : batch;
+  static const std::vector<Key> comparison = compare_keys();
+  switch (kind) {
+    case FileKind::Scene:
+      return scene;
+    case FileKind::Study:
+      return study;
+    case FileKind::Batch:
+      return batch;
+    case FileKind::Comparison:
+      break;
+  }
+  return comparison;
 }
 
 std::string_view name_of(FileKind kind) {
-  return kind == FileKind::Scene ? "scene" : kind == FileKind::Study ? "study" : "batch";
+  constexpr std::string_view kNames[] = {"scene", "study", "batch", "comparison"};
+  return kNames[static_cast<int>(kind)];
 }
 
 std::vector<const Key*> children(FileKind kind, std::string_view parent) {

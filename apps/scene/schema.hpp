@@ -67,9 +67,10 @@ struct Key {
   std::string_view leaf() const;
 };
 
-/// Kinds of file: a mechanism, a task on it, many cases of either.
-enum class FileKind { Scene, Study, Batch };
-/// "scene", "study", "batch"
+/// Kinds of file: a mechanism, a task on it, many cases of either, a mechanism under many
+/// formalisms.
+enum class FileKind { Scene, Study, Batch, Comparison };
+/// "scene", "study", "batch", "comparison"
 std::string_view name_of(FileKind kind);
 const std::vector<Key>& schema(FileKind kind);
 
@@ -91,6 +92,7 @@ std::string schema_markdown();
 std::vector<Key> scene_keys();
 std::vector<Key> study_keys();
 std::vector<Key> batch_keys();
+std::vector<Key> compare_keys();
 std::vector<Key> response_keys(std::string_view parent);
 std::vector<Key> function_keys();
 

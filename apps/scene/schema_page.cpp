@@ -66,11 +66,11 @@ std::string tables(const std::vector<Key>& keys) {
 }  // namespace
 
 std::string schema_markdown() {
-  std::string page = R"(# Scenes, studies and batches: every key
+  std::string page = R"(# Scenes, studies, batches and comparisons: every key
 
 <!-- Generated from apps/scene/schema_*.cpp; do not edit. -->
 
-Scenes, studies and batches are [TOML](https://toml.io) files. All quantities are in SI units, all vectors in
+Scenes, studies, batches and comparisons are [TOML](https://toml.io) files. All quantities are in SI units, all vectors in
 inertial axes unless the key says otherwise. `*` stands for a name that you choose; names have no dots
 and are used once among bodies, joints, forces and loads. "One of": exactly one of the keys so marked
 in a table. Lists of numbers refuse `nan` and `inf`; whole numbers may be written for numbers.
@@ -94,6 +94,9 @@ first; a key that only scenes have goes to the scene; `scene.` in front always m
       "Many cases of one study or scene. `--set` changes keys of the batch first, then those of ";
   page += "all its cases.\n";
   page += tables(schema(FileKind::Batch));
+  page += "\n## Comparisons\n\n";
+  page += "One scene under many formalisms, meshes and steps, for `liesl compare`.\n";
+  page += tables(schema(FileKind::Comparison));
   return page;
 }
 

@@ -44,7 +44,7 @@ Study read_document(Document document, const fs::path& folder,
                     const std::vector<std::string>& overrides) {
   Problems problems(document.file);
   const FileKind kind = kind_of(document.root);
-  if (kind == FileKind::Batch || document.root.contains("bodies")) {
+  if (kind == FileKind::Batch || kind == FileKind::Comparison || document.root.contains("bodies")) {
     const std::string name(name_of(kind));
     problems.add(document.root, "this is a " + name + ", not a study",
                  "a study, with 'scene' and [design]",

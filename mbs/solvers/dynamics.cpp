@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <ctime>
 
 #include "mbs/solvers/constraint_rank.hpp"
 
@@ -51,8 +52,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// What a user should know of a run that went well.
-void add_warnings(double asked, double step, TangentStrategy tangent, Report& report) {
+/// What a user should know of a run: another step than asked for, tangents taken again, halved
+/// steps.
+void add_warnings(Report& report, double step, double asked, TangentStrategy tangent) {
   if (std::abs(step - asked) > 1e-9 * asked)
     report.warnings.push_back(fmt::format(
         "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", step,
@@ -101,6 +103,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
   const auto start = std::chrono::steady_clock::now();
+  const std::clock_t cpu_start = std::clock();
   while (grid.whole() < whole_steps) {
     const double h = grid.h();
     StepResult step = integrator.step(s, h);
@@ -141,8 +144,9 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     }
   }
   report.stepping_s = seconds_since(start);
+  report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
-  add_warnings(options.step, o.step, integrator.tangent(), report);
+  add_warnings(report, o.step, options.step, integrator.tangent());
   return result;
 }
 

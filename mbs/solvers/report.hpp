@@ -41,6 +41,7 @@ struct Report {
   double smallest_step = 0;            ///< s
   std::vector<int> factorizations;     ///< one a body
   double stepping_s = 0;               ///< wall time of the stepping alone
+  double stepping_cpu_s = 0;           ///< the same of all processors of this process; dynamics
   double max_constraint_residual = 0;  ///< largest |Phi| at an accepted step, m or rad
   std::vector<std::string> warnings;
 };

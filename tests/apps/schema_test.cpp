@@ -17,7 +17,7 @@ namespace {
 
 std::vector<Key> all_keys() {
   auto keys = schema(FileKind::Scene);
-  for (const FileKind kind : {FileKind::Study, FileKind::Batch})
+  for (const FileKind kind : {FileKind::Study, FileKind::Batch, FileKind::Comparison})
     keys.insert(keys.end(), schema(kind).begin(), schema(kind).end());
   return keys;
 }
@@ -50,7 +50,8 @@ TEST(Schema, EveryKeyIsExplained) {
 }
 
 TEST(Schema, EveryParentIsATable) {
-  for (const FileKind kind : {FileKind::Scene, FileKind::Study, FileKind::Batch})
+  for (const FileKind kind :
+       {FileKind::Scene, FileKind::Study, FileKind::Batch, FileKind::Comparison})
     for (const Key& key : schema(kind)) {
       if (key.parent().empty() || key.parent() == "(function)") continue;
       const Key* parent = find_key(kind, key.parent());

@@ -33,6 +33,7 @@ LAYERS = [
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
     ("apps/batch",),
+    ("apps/compare",),
     ("apps/cli",),
     ("apps/bench",),
 ]

@@ -112,6 +112,32 @@ def write_batch(folder):
     (folder / "summary.json").write_text(json.dumps({"name": "rods", "status": "done"}))
 
 
+def write_comparison(folder):
+    """Errors of second order in the step and the mesh, over a floor; the stiffest one stops."""
+    rows = []
+    for kind, factor in (("se3", 1), ("r3so3", 0.3), ("classical", 0.31)):
+        for n in (4, 8, 16):
+            for h in (4e-3, 2e-3, 1e-3):
+                for stiffness in (1e2, 1e4, 1e6):
+                    stopped = stiffness * h > 2e3 and kind == "classical"
+                    status = "stopped" if stopped else "recovered" if h > 3e-3 else "converged"
+                    steps = round(1 / h)
+                    rows.append([len(rows) + 1, kind, n, h, stiffness, status,
+                                 "" if stopped else factor * 1e3 * h * h + 0.1 / n**2,
+                                 "" if stopped else 1e-5 * n / h * (3 if kind == "classical" else 1),
+                                 "" if stopped else 0.1, steps, 3 * steps, 0, 0,
+                                 3 * steps if kind == "classical" else 1, "", "", "", 1e-12,
+                                 1e-5, "did not converge, at 0.1 s" if stopped else ""])
+    write_csv(folder / "rows.csv",
+              ["run", "formalism", "elements", "step", "stiffness", "status", "error [m]",
+               "cpu_s [s]", "cpu_spread [-]", "steps", "newton_iterations", "tangent_refreshes",
+               "rejected_steps", "factorizations", "energy_drift [J]", "momentum_drift [N s]",
+               "angular_momentum_drift [N m s]", "constraint_residual [m or rad]", "floor [m]",
+               "reason"], rows)
+    (folder / "summary.json").write_text(json.dumps(
+        {"command": "compare", "name": "three formalisms", "response": "tip", "norm": "rms"}))
+
+
 def plot(folder, *more):
     return subprocess.run([sys.executable, PLOT, folder, *more], capture_output=True, text=True,
                           check=False)
@@ -175,6 +201,14 @@ class Plot(unittest.TestCase):
     def test_pair_without_a_table(self):
         write_run(self.folder)
         self.refuses("no table of cases", options=["--x=a", "--y=b"])
+
+    def test_comparison(self):
+        self.draws(write_comparison, ["work_precision", "orders", "effort_over_stiffness",
+                                      "stability_step_stiffness"])
+
+    def test_stability_map_of_two_axes(self):
+        self.draws(write_comparison, ["stability_elements_step"], "--x=elements", "--y=step")
+        self.refuses("varies no number 'formalism'", options=["--x=formalism", "--y=step"])
 
     def test_no_result(self):
         self.refuses("no summary.json")

@@ -1,0 +1,224 @@
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/cli/command.hpp"
+#include "apps/cli/run_summary.hpp"
+#include "apps/compare/comparison.hpp"
+#include "apps/compare/row_table.hpp"
+#include "apps/output/atomic_folder.hpp"
+#include "apps/output/file.hpp"
+#include "apps/output/interrupt.hpp"
+#include "apps/output/io_error.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Json = nlohmann::ordered_json;
+
+ResponseSpec response_named(const Scene& scene, const std::string& name) {
+  for (const ResponseSpec& response : scene.responses)
+    if (response.name == name) return response;
+  throw std::logic_error("no response " + name);  // load_comparison has looked
+}
+
+Measured measure_scene(const Comparison& comparison, const std::vector<std::string>& changes,
+                       int repeats, double time_limit) {
+  const Scene scene = load_scene(comparison.rows.of, changes);
+  const MeasureOptions options{response_named(scene, comparison.response), repeats, time_limit};
+  return std::visit([&](const auto& space) { return measure(scene, space, options); },
+                    choose_space(scene).space);
+}
+
+/// What rows are compared with.
+struct Reference {
+  Series mean;
+  double floor = 0;  ///< distance of its two sides
+};
+
+/// The references of a comparison, one for each motion; computed when first asked for, kept in
+/// files.
+class References {
+ public:
+  References(const Comparison& comparison, fs::path folder, output::CompareSummary& summary)
+      : comparison_(comparison), folder_(std::move(folder)), summary_(summary) {}
+
+  /// Null if the comparison has none.
+  const Reference* of(std::size_t row) {
+    if (!comparison_.reference) return nullptr;
+    const std::vector<std::string> physics = comparison_.physics(row);
+    const auto [place, fresh] = known_.try_emplace(fmt::format("{}", fmt::join(physics, "\n")));
+    Reference& reference = place->second;
+    if (!fresh) return &reference;
+    const fs::path path = folder_ / fmt::format("reference_{}.csv", known_.size());
+    if (!fs::exists(path)) write_series(path, side(row, 0), side(row, 1));
+    const auto [a, b] = read_series(path);
+    reference.mean = combine({0.5, 0.5}, {a, b});
+    reference.floor = distance(a, b, comparison_.norm);
+    summary_.references.push_back({physics, comparison_.reference->formalisms, reference.floor,
+                                   size_of(reference.mean, comparison_.norm)});
+    const double size = summary_.references.back().size;
+    if (reference.floor > kTrusted * size)
+      summary_.warnings.push_back(
+          fmt::format("the two sides of reference {} differ by {:.2g} of their size; use a finer "
+                      "reference",
+                      known_.size(), reference.floor / size));
+    return &reference;
+  }
+
+ private:
+  static constexpr double kTrusted = 1e-2;  ///< a difference of the sides that goes without saying
+
+  Series side(std::size_t row, int side) const {
+    std::vector<double> weights;
+    std::vector<Series> series;
+    for (const ReferenceRun& run : comparison_.reference_runs(row, side)) {
+      Measured m =
+          measure_scene(comparison_, run.changes, 0, std::numeric_limits<double>::infinity());
+      if (m.ending == Ending::Stopped) refuse(side, row, m.reason);
+      weights.push_back(run.weight);
+      series.push_back(std::move(m.series));
+    }
+    return combine(weights, series);
+  }
+  [[noreturn]] void refuse(int side, std::size_t row, const std::string& reason) const {
+    const ReferenceSpec& spec = *comparison_.reference;
+    const std::vector<std::string> physics = comparison_.physics(row);
+    throw InputError(
+        {{spec.place.file, spec.place.line, spec.place.column,
+          fmt::format(
+              "the reference of {}{} failed: {}", spec.formalisms[static_cast<std::size_t>(side)],
+              physics.empty() ? "" : fmt::format(" ({})", fmt::join(physics, ", ")), reason),
+          "a reference that reaches its end",
+          "use a smaller reference.step, another formalism, or no [reference]"}});
+  }
+
+  const Comparison& comparison_;
+  fs::path folder_;
+  output::CompareSummary& summary_;
+  std::map<std::string, Reference> known_;
+};
+
+/// Makes the folder, or goes on in one that an earlier command with the same input has left.
+void prepare(const fs::path& folder, const std::string& hash, bool force) {
+  fs::create_directories(folder);
+  if (fs::is_empty(folder)) return;
+  if (!output::is_result(folder))
+    throw output::IoError("write to", folder, "it holds something else; choose another");
+  const Json earlier = Json::parse(output::read_file(folder / "summary.json"), nullptr, false);
+  if (force) {
+    for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+  } else if (!earlier.is_object() || earlier.value("command", "") != "compare" ||
+             earlier.value("input_sha256", "") != hash) {
+    throw InputError({{folder.string(), 0, 0, "the folder belongs to another command",
+                       "a new folder, or one of the same comparison and scene",
+                       "choose another folder; --force begins again in this one"}});
+  }
+}
+
+class Run {
+ public:
+  Run(const Comparison& comparison, const CommandOptions& options)
+      : comparison_(comparison),
+        options_(options),
+        folder_(fs::absolute(options.out).lexically_normal()),
+        table_(comparison.rows.cases, unit_of(comparison)),
+        references_(comparison, folder_, summary_) {
+    const auto& rows = comparison.rows;
+    summary_.name = rows.name;
+    summary_.response = comparison.response;
+    summary_.unit = unit_of(comparison);
+    summary_.norm = name_of(comparison.norm);
+    summary_.rows = static_cast<int>(rows.cases.rows.size());
+    summary_.overrides = options.set;
+    summary_.input_sha256 = output::sha256(rows.input);
+    prepare(folder_, summary_.input_sha256, options.force);
+    if (fs::exists(folder_ / "rows.csv")) table_.read(folder_ / "rows.csv");
+    before_ = table_.size();
+    save("running");
+  }
+
+  int operator()() {
+    try {
+      rows();
+      save("done");
+    } catch (const output::Interrupted&) {
+      save("interrupted");
+    }
+    if (!options_.quiet) print();
+    return summary_.status == "done" ? 0 : 1;
+  }
+
+ private:
+  static std::string unit_of(const Comparison& comparison) {
+    const Scene scene = load_scene(comparison.rows.of, comparison.rows.changes(0));
+    return unit(response_named(scene, comparison.response), scene.mechanism);
+  }
+
+  void rows() {
+    const CaseList& cases = comparison_.rows.cases;
+    output::Progress line("comparing", summary_.rows, "rows", options_.quiet);
+    for (std::size_t row = 0; row < cases.rows.size(); ++row) {
+      const CaseList::Row& run = cases.rows[row];
+      line.update(static_cast<double>(table_.size()), "row " + run.name);
+      const Reference* reference = references_.of(row);
+      if (table_.has(run.name)) continue;
+      const Measured m = measure_scene(comparison_, comparison_.rows.changes(row),
+                                       comparison_.repeats, comparison_.time_limit);
+      std::optional<double> error, floor;
+      if (reference) floor = reference->floor;
+      if (reference && m.ending != Ending::Stopped)
+        error = distance(m.series, reference->mean, comparison_.norm);
+      table_.add(run, m, error, floor);
+      save("running");
+    }
+  }
+
+  void save(const std::string& status) {
+    summary_.status = status;
+    summary_.done = static_cast<int>(table_.size());
+    const auto endings = table_.endings();
+    summary_.ended.assign(endings.begin(), endings.end());
+    summary_.reason = fmt::format("{} of {} rows", summary_.done, summary_.rows);
+    for (const auto& [ending, count] : endings)
+      summary_.reason += fmt::format(", {} {}", count, ending);
+    summary_.wall_s = clock_.seconds();
+    table_.write(folder_ / "rows.csv");
+    output::replace_file(
+        folder_ / "summary.json",
+        output::to_json(summary_).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  }
+
+  void print() const {
+    fmt::print("{}: {} ({}), {} before, {:.3g} s\n", summary_.name, summary_.status,
+               summary_.reason, before_, summary_.wall_s);
+    for (const auto& r : summary_.references)
+      fmt::print("  floor of {}{}: {} and {} differ by {:.3g} {}, {:.3g} of its size\n",
+                 summary_.response,
+                 r.changes.empty() ? "" : fmt::format(" ({})", fmt::join(r.changes, ", ")),
+                 r.formalisms[0], r.formalisms[1], r.floor, summary_.unit,
+                 r.size > 0 ? r.floor / r.size : 0.0);
+    for (const auto& w : summary_.warnings) fmt::print("  note: {}\n", w);
+    fmt::print("results in {}; next: liesl plot {}\n", options_.out, options_.out);
+  }
+
+  const Stopwatch clock_;
+  const Comparison& comparison_;
+  const CommandOptions& options_;
+  fs::path folder_;
+  output::CompareSummary summary_;
+  RowTable table_;
+  References references_;
+  std::size_t before_ = 0;
+};
+
+}  // namespace
+
+int compare_command(const CommandOptions& options) {
+  const Comparison comparison = load_comparison(options.file, options.set);
+  return Run(comparison, options)();
+}
+
+}  // namespace liesl

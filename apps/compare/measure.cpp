@@ -1,0 +1,115 @@
+#include "apps/compare/measure.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "apps/output/interrupt.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+
+namespace {
+
+/// Stops a run that needs too much time, or when the program is asked to end.
+class Watch {
+ public:
+  explicit Watch(double limit) : limit_(limit) {}
+  Progress progress() {
+    start_ = std::clock();
+    return [this](double) {
+      over_ = over_ || static_cast<double>(std::clock() - start_) > limit_ * CLOCKS_PER_SEC;
+      return !over_ && output::interrupted() == 0;
+    };
+  }
+  bool over() const { return over_; }
+
+ private:
+  double limit_;
+  std::clock_t start_ = 0;
+  bool over_ = false;
+};
+
+bool constant_tangent(const Scene& scene) {
+  const TangentStrategy asked = scene.simulation.tangent;
+  const Formalism f = scene.mechanism.formalism;
+  return asked == TangentStrategy::Constant ||
+         (asked == TangentStrategy::Auto && f != Formalism::Classical && f != Formalism::Decoupled);
+}
+
+void judge(const Scene& scene, const Watch& watch, Measured& run) {
+  const Report& report = run.report;
+  const auto finite = [](double x) { return std::isfinite(x); };
+  if (report.status != SolveStatus::Converged) {
+    run.ending = Ending::Stopped;
+    run.reason = watch.over() ? "needed more CPU time than time_limit" : report.reason;
+  } else if (!std::all_of(run.series.values.begin(), run.series.values.end(), finite)) {
+    run.ending = Ending::Stopped;
+    run.reason = "the response is not finite";
+  } else {
+    const long again = constant_tangent(scene) ? report.tangent_refreshes : 0;
+    if (again + report.rejected_steps == 0) return;
+    run.ending = Ending::Recovered;
+    if (again > 0) run.reason = fmt::format("{} tangents taken again", again);
+    if (report.rejected_steps > 0)
+      run.reason += fmt::format("{}{} steps halved", again > 0 ? ", " : "", report.rejected_steps);
+  }
+}
+
+template <FrameGroup G>
+Series response_of(const Scene& scene, const Model<G>& model, const Trajectory<G>& trajectory,
+                   const ResponseSpec& response) {
+  const ResponseValues<G> values(scene.mechanism, model);
+  Series series{components(response, G::space_dim == 2), {}, {}};
+  State<G> s = model.initial_state();
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    const Eigen::VectorXd value = values(response, s);
+    series.t.push_back(s.t);
+    series.values.insert(series.values.end(), value.data(), value.data() + value.size());
+  }
+  return series;
+}
+
+}  // namespace
+
+const char* name_of(Ending ending) {
+  return ending == Ending::Converged   ? "converged"
+         : ending == Ending::Recovered ? "recovered"
+                                       : "stopped";
+}
+
+template <FrameGroup G>
+Measured measure(const Scene& scene, const Space<G>& space, const MeasureOptions& options) {
+  Measured run;
+  Watch watch(options.time_limit);
+  {
+    Model<G> model = Model<G>::build(scene.mechanism, space);
+    const DynamicResult<G> result = simulate(model, scene.simulation, watch.progress());
+    output::check_interrupt();
+    run.report = result.report;
+    run.series = response_of(scene, model, result.trajectory, options.response);
+    judge(scene, watch, run);
+    if (options.repeats > 0 && run.ending != Ending::Stopped)
+      run.drift = drift(scene.mechanism, model, result.trajectory);
+  }
+  std::vector<double> times;
+  while (static_cast<int>(times.size()) < options.repeats && run.ending != Ending::Stopped) {
+    Model<G> model = Model<G>::build(scene.mechanism, space);
+    times.push_back(simulate(model, scene.simulation, watch.progress()).report.stepping_cpu_s);
+    output::check_interrupt();
+  }
+  if (times.empty()) return run;
+  std::sort(times.begin(), times.end());
+  const std::size_t middle = times.size() / 2;
+  run.cpu_s = times.size() % 2 ? times[middle] : 0.5 * (times[middle - 1] + times[middle]);
+  run.cpu_spread = run.cpu_s > 0 ? (times.back() - times.front()) / run.cpu_s : 0;
+  return run;
+}
+
+template Measured measure(const Scene&, const Space<SE2>&, const MeasureOptions&);
+template Measured measure(const Scene&, const Space<SE3>&, const MeasureOptions&);
+
+}  // namespace liesl

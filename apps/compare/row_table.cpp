@@ -1,0 +1,111 @@
+#include "apps/compare/row_table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <numeric>
+
+#include "apps/batch/case_table.hpp"
+#include "apps/output/csv_writer.hpp"
+#include "apps/output/file.hpp"
+
+namespace liesl {
+
+namespace {
+
+struct Figure {
+  const char *name, *unit;  ///< unit "*": of the response
+};
+constexpr Figure kFigures[] = {
+    {"status", ""},
+    {"error", "*"},
+    {"cpu_s", "s"},
+    {"cpu_spread", "-"},
+    {"steps", ""},
+    {"newton_iterations", ""},
+    {"tangent_refreshes", ""},
+    {"rejected_steps", ""},
+    {"factorizations", ""},
+    {"energy_drift", "J"},
+    {"momentum_drift", "N s"},
+    {"angular_momentum_drift", "N m s"},
+    {"constraint_residual", "m or rad"},
+    {"floor", "*"},
+    {"reason", ""},
+};
+constexpr std::size_t kStatus = 0;
+
+std::string cell(const std::optional<double>& x) { return x ? fmt::format("{}", *x) : ""; }
+
+/// A value of a row without the quotes of TOML.
+std::string plain(const std::string& text) {
+  const bool quoted =
+      text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"');
+  return quoted ? text.substr(1, text.size() - 2) : text;
+}
+
+}  // namespace
+
+bool is_figure(const std::string& column) {
+  return column == "run" || std::any_of(std::begin(kFigures), std::end(kFigures),
+                                        [&](const Figure& f) { return column == f.name; });
+}
+
+void RowTable::add(const CaseList::Row& run, const Measured& m, std::optional<double> error,
+                   std::optional<double> floor) {
+  const bool timed = m.ending != Ending::Stopped;
+  const auto when_timed = [&](double x) { return timed ? fmt::format("{}", x) : ""; };
+  const Report& r = m.report;
+  rows_[run.name] = {
+      name_of(m.ending),
+      cell(error),
+      when_timed(m.cpu_s),
+      when_timed(m.cpu_spread),
+      fmt::format("{}", r.steps),
+      fmt::format("{}", r.newton_iterations),
+      fmt::format("{}", r.tangent_refreshes),
+      fmt::format("{}", r.rejected_steps),
+      fmt::format("{}", std::accumulate(r.factorizations.begin(), r.factorizations.end(), 0L)),
+      cell(m.drift.energy),
+      cell(m.drift.momentum),
+      cell(m.drift.angular_momentum),
+      fmt::format("{}", r.max_constraint_residual),
+      cell(floor),
+      m.reason};
+}
+
+std::map<std::string, int> RowTable::endings() const {
+  std::map<std::string, int> counts;
+  for (const auto& [name, cells] : rows_) ++counts[cells[kStatus]];
+  return counts;
+}
+
+void RowTable::read(const std::filesystem::path& path) {
+  Problems problems(path.string());
+  const auto rows = read_csv(output::read_file(path), path.string(), problems);
+  const std::size_t before = 1 + runs_.columns.size(), width = before + std::size(kFigures);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    if (rows[i].size() != width) continue;
+    auto& cells = rows_[rows[i][0].text];
+    cells.clear();
+    for (std::size_t c = before; c < width; ++c) cells.push_back(rows[i][c].text);
+  }
+}
+
+void RowTable::write(const std::filesystem::path& path) const {
+  std::vector<output::TextColumn> columns{{"run", "", {}}};
+  for (const CaseColumn& column : runs_.columns) columns.push_back({column.name, "", {}});
+  for (const Figure& figure : kFigures)
+    columns.push_back({figure.name, figure.unit[0] == '*' ? unit_ : figure.unit, {}});
+  for (const CaseList::Row& run : runs_.rows) {
+    const auto row = rows_.find(run.name);
+    if (row == rows_.end()) continue;
+    auto column = columns.begin();
+    (column++)->cells.push_back(run.name);
+    for (const CaseValue& value : run.values) (column++)->cells.push_back(plain(value.text));
+    for (const std::string& text : row->second) (column++)->cells.push_back(text);
+  }
+  output::replace_file(path, output::columns_csv(columns));
+}
+
+}  // namespace liesl

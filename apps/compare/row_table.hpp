@@ -1,0 +1,42 @@
+#pragma once
+/// @file
+/// rows.csv of a comparison: what was varied, then the figures. Columns: docs/outputs.md.
+
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "apps/batch/case_list.hpp"
+#include "apps/compare/measure.hpp"
+
+namespace liesl {
+
+/// Is this a column that every table has?
+bool is_figure(const std::string& column);
+
+/// Rows by the name of the run. Cells are texts, so that rows read again stay as they were written.
+class RowTable {
+ public:
+  /// @param unit of the response
+  RowTable(const CaseList& runs, std::string unit) : runs_(runs), unit_(std::move(unit)) {}
+
+  bool has(const std::string& run) const { return rows_.contains(run); }
+  std::size_t size() const { return rows_.size(); }
+  /// @param error,floor of the row and its reference; empty without a reference or an end
+  void add(const CaseList::Row& run, const Measured& measured, std::optional<double> error,
+           std::optional<double> floor);
+  /// How many rows ended how.
+  std::map<std::string, int> endings() const;
+
+  /// Rows of an earlier command; only those that are whole. @throws output::IoError
+  void read(const std::filesystem::path& path);
+  /// Replaces the file in one step, rows in the order of the runs. @throws output::IoError
+  void write(const std::filesystem::path& path) const;
+
+ private:
+  const CaseList& runs_;
+  std::string unit_;
+  std::map<std::string, std::vector<std::string>> rows_;
+};
+
+}  // namespace liesl

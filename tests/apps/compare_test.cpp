@@ -1,0 +1,298 @@
+/// @file
+/// Comparisons: grids, refusals, orders of convergence, resumption, pictures.
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "apps/batch/case_table.hpp"
+#include "apps/compare/comparison.hpp"
+#include "apps/compare/conserved.hpp"
+#include "apps/program.hpp"
+#include "apps/scene/scene.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Row = std::map<std::string, std::string>;
+
+/// Rows of rows.csv by the names of their columns, without units.
+std::vector<Row> read_rows(const fs::path& path) {
+  Problems problems("rows.csv");
+  const auto cells = read_csv(text_of(path), "", problems);
+  std::vector<Row> rows;
+  for (std::size_t r = 1; r < cells.size(); ++r) {
+    Row& row = rows.emplace_back();
+    for (std::size_t c = 0; c < cells[0].size(); ++c) {
+      const std::string& heading = cells[0][c].text;
+      row[heading.substr(0, heading.find(" ["))] = cells[r][c].text;
+    }
+  }
+  return rows;
+}
+
+double number(const Row& row, const char* column) { return std::stod(row.at(column)); }
+
+/// Fitted slope of log error over log x.
+double slope(const std::vector<Row>& rows, const char* axis) {
+  double x = 0, y = 0, xx = 0, xy = 0;
+  for (const Row& row : rows) {
+    const double a = std::log(number(row, axis)), b = std::log(number(row, "error"));
+    x += a, y += b, xx += a * a, xy += a * b;
+  }
+  const auto n = static_cast<double>(rows.size());
+  return (n * xy - x * y) / (n * xx - x * x);
+}
+
+class Compare : public Program {
+ protected:
+  std::string head(const char* scene_name, const char* response,
+                   const std::string& norm = "final") const {
+    return "scene = \"" + scene(scene_name) + "\"\nrepeats = 1\n[quantity]\nresponse = \"" +
+           response + "\"\nnorm = \"" + norm + "\"\n";
+  }
+  Outcome compare(const std::string& text, const Words& more = {}) const {
+    Words words = {"compare", write("study.toml", text), "-o", results()};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+  /// What is said of a comparison, without the folder.
+  std::string refusal(const std::string& text) const {
+    const Outcome o = run({"check", write("study.toml", text)});
+    EXPECT_EQ(o.code, 2) << text;
+    std::string said = o.err;
+    for (auto at = said.find(dir_.string()); at != std::string::npos; at = said.find(dir_.string()))
+      said.erase(at, dir_.string().size() + 1);
+    return said;
+  }
+  std::vector<Row> rows() const { return read_rows(results() / "rows.csv"); }
+};
+
+const std::string kTopGrid =
+    "[grid]\nformalism = [\"se3\", \"r3so3\"]\nstep = [1e-3, 5e-4, 2.5e-4]\n";
+const std::string kTopReference =
+    "[reference]\nformalisms = [\"r3so3\", \"se3\"]\nstep = 5e-5\nextrapolate = \"step\"\n"
+    "[set]\n\"simulation.duration\" = 0.1\n";
+
+TEST_F(Compare, RowsAreEveryCombination) {
+  const fs::path file = write("study.toml", head("slider_crank", "bend") +
+                                                "[grid]\nelements = [2, 4]\nstep = [1e-3, 5e-4]\n"
+                                                "formalism = [\"rigid\", \"se3\", \"classical\"]\n"
+                                                "[vary]\nrate = { key = \"joints.motor.drive.rate\""
+                                                ", values = [50, 100] }\n");
+  const Comparison c = load_comparison(file, {"simulation.duration=0.01", "repeats=7"});
+  ASSERT_EQ(c.rows.cases.rows.size(), 24u);
+  EXPECT_EQ(c.repeats, 7);
+  EXPECT_EQ(c.smallest_step, 5e-4);
+  EXPECT_EQ(c.rows.changes(0),
+            (Words{"simulation.duration=0.01", "bodies.crank.beam.elements=2",
+                   "bodies.rod.beam.elements=2", "simulation.step=0.001",
+                   "simulation.formalism='rigid'", "joints.motor.drive.rate=50"}));
+  EXPECT_EQ(c.physics(23), Words{"joints.motor.drive.rate=100"})
+      << "what is numerical does not ask for another reference";
+}
+
+/// Shares of the extrapolated runs add up to one, and cancel errors h^2, l^2 and h^2 l^2.
+TEST_F(Compare, ExtrapolationCancelsSecondOrders) {
+  const fs::path file =
+      write("study.toml", head("pendulum", "tip") +
+                              "[reference]\nformalisms = [\"se3\", \"rigid\"]\nelements = 8\n"
+                              "step = 1e-3\nextrapolate = \"both\"\n[grid]\nstep = [4e-3]\n");
+  const auto runs = load_comparison(file).reference_runs(0, 1);
+  ASSERT_EQ(runs.size(), 4u);
+  double one = 0, h2 = 0, l2 = 0, both = 0;
+  for (const ReferenceRun& r : runs) {
+    const Scene read = load_scene(scene("pendulum"), r.changes);
+    EXPECT_EQ(read.mechanism.formalism, Formalism::Rigid);
+    const auto& beam = std::get<BeamSpec>(read.mechanism.bodies[0].kind);
+    const double h = std::pow(read.simulation.step, 2);
+    const double l = std::pow(1.0 / static_cast<double>(beam.nodes.size() - 1), 2);
+    one += r.weight, h2 += r.weight * h, l2 += r.weight * l, both += r.weight * h * l;
+    EXPECT_NEAR(read.simulation.step * read.simulation.output_every, 4e-3, 1e-15);
+  }
+  EXPECT_NEAR(one, 1, 1e-15);
+  EXPECT_NEAR(h2, 0, 1e-20);
+  EXPECT_NEAR(l2, 0, 1e-16);
+  EXPECT_NEAR(both, 0, 1e-20);
+}
+
+TEST(SeriesOfComparisons, CubicsAreExactBetweenInstants) {
+  const auto f = [](double t) { return 1 - t + 2 * t * t - 3 * t * t * t; };
+  Series fine, coarse;
+  for (int k = 0; k <= 10; ++k) fine.t.push_back(0.1 * k), fine.values.push_back(f(0.1 * k));
+  for (int k = 0; k <= 7; ++k) coarse.t.push_back(k / 7.0), coarse.values.push_back(f(k / 7.0));
+  for (const Norm norm : {Norm::Final, Norm::Max, Norm::Rms})
+    EXPECT_LT(distance(coarse, fine, norm), 1e-14) << name_of(norm);
+  for (double& x : fine.values) x += 2;
+  for (const Norm norm : {Norm::Final, Norm::Max, Norm::Rms})
+    EXPECT_NEAR(distance(coarse, fine, norm), 2, 1e-14) << name_of(norm);
+}
+
+/// Momentum of a body in space is that of its mass and its inertia.
+TEST(MomentumOfModels, IsThatOfTheRigidBody) {
+  const Scene top = load_scene(scene("heavy_top"));
+  const Model<SE3> model = Model<SE3>::build(top.mechanism, {});
+  const SE3::Tangent p = momentum(model, model.initial_state());
+  const Vec3 v(4.61538, 0, 0), w(0, 150, -4.61538), x(0, 1, 0);
+  const Vec3 L = Vec3(0.234375, 0.46875, 0.234375).cwiseProduct(w) + 15 * x.cross(v);
+  EXPECT_LT((p.head<3>() - 15 * v).norm(), 1e-9);
+  EXPECT_LT((p.tail<3>() - L).norm(), 1e-9);
+}
+
+TEST_F(Compare, OrdersAreTwo) {
+  const Outcome o = compare(head("heavy_top", "centre", "rms") + kTopReference + kTopGrid);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto all = rows();
+  ASSERT_EQ(all.size(), 6u);
+  for (const char* formalism : {"se3", "r3so3"}) {
+    std::vector<Row> of;
+    for (const Row& row : all)
+      if (row.at("formalism") == formalism) of.push_back(row);
+    EXPECT_NEAR(slope(of, "step"), 2, 0.1) << formalism;
+    for (const Row& row : of) {
+      EXPECT_EQ(row.at("status"), "converged");
+      EXPECT_EQ(number(row, "steps"), std::round(0.1 / number(row, "step")));
+      EXPECT_GT(number(row, "error"), 3 * number(row, "floor"));
+      EXPECT_GT(number(row, "energy_drift"), 0);
+      EXPECT_EQ(row.at("momentum_drift"), "") << "the top is tied to the ground";
+    }
+  }
+  EXPECT_EQ(summary()["status"], "done");
+  EXPECT_EQ(summary()["references"].size(), 1u);
+  EXPECT_EQ(keys(summary()), documented("### `compare`\n").always);
+}
+
+/// On SE(3) the momentum drifts by an error of the mesh and one of second order in the step; where
+/// positions are inertial it stays.
+TEST_F(Compare, MomentumOfFreeFlightIsWatched) {
+  const Outcome o = compare(head("flying_beam", "A") +
+                            "[grid]\nformalism = [\"se3\", \"r3so3\"]\nelements = [4]\n"
+                            "step = [0.04, 0.02, 0.01]\n[set]\n\"simulation.duration\" = 7\n");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto all = rows();
+  ASSERT_EQ(all.size(), 6u);
+  EXPECT_EQ(all[0].at("error"), "") << "there is no reference";
+  double lie[3], decoupled[3];
+  for (std::size_t k = 0; k < 3; ++k) {
+    lie[k] = number(all[k], "momentum_drift");
+    decoupled[k] = number(all[k + 3], "momentum_drift");
+    EXPECT_LT(decoupled[k], 1e-3 * lie[k]);
+    EXPECT_GT(number(all[k], "energy_drift"), 0);
+  }
+  EXPECT_NEAR((lie[0] - lie[1]) / (lie[1] - lie[2]), 4, 0.4);
+}
+
+/// A second command runs what is missing, and nothing else: rows that are there keep every letter.
+TEST_F(Compare, GoesOnWhereItStopped) {
+  const std::string text = head("heavy_top", "centre") + kTopReference + kTopGrid;
+  ASSERT_EQ(compare(text).code, 0);
+  const std::string whole = text_of(results() / "rows.csv");
+  std::string cut = whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1);
+  const std::string marker = "12345.5";
+  const auto lines = read_rows(results() / "rows.csv");
+  const std::string cpu = lines[0].at("cpu_s");
+  cut.replace(cut.find("," + cpu + ",") + 1, cpu.size(), marker);
+  std::ofstream(results() / "rows.csv") << cut << "6,r3so3,0.00";  // and half a row
+  ASSERT_EQ(compare(text).code, 0);
+  const auto again = rows();
+  ASSERT_EQ(again.size(), 6u);
+  EXPECT_EQ(again[0].at("cpu_s"), marker) << "run again";
+  EXPECT_EQ(again[5].at("error"), lines[5].at("error"));
+  EXPECT_EQ(compare(text + "elements_of = 1\n").code, 2);
+  const Outcome other = compare(text, {"--set", "simulation.duration=0.05"});
+  EXPECT_EQ(other.code, 2);
+  EXPECT_NE(other.err.find("belongs to another"), std::string::npos) << other.err;
+  EXPECT_EQ(compare(text, {"--force"}).code, 0);
+  EXPECT_NE(rows()[0].at("cpu_s"), marker);
+}
+
+TEST_F(Compare, RunsThatStopAreRows) {
+  const Outcome o = compare(head("slider_crank", "bend") +
+                            "[grid]\nstep = [1e-3, 5e-4]\n[vary]\n"
+                            "allowed = { key = \"simulation.max_iterations\", values = [3, 12] }\n"
+                            "fine = { key = \"simulation.tolerance\", values = [1e-6, 1e-16] }\n"
+                            "[set]\n\"simulation.duration\" = 0.02\n");
+  ASSERT_EQ(o.code, 0) << o.err;
+  ASSERT_EQ(rows().size(), 8u);
+  int stopped = 0;
+  for (const Row& row : rows()) {
+    if (row.at("status") != "stopped") continue;
+    ++stopped;
+    EXPECT_NE(row.at("reason"), "");
+    EXPECT_EQ(row.at("cpu_s"), "");
+  }
+  EXPECT_GT(stopped, 0);
+  EXPECT_LT(stopped, 8);
+  EXPECT_EQ(summary()["ended"]["stopped"], stopped);
+}
+
+TEST_F(Compare, ComparisonsThatAreNoneAreRefused) {
+  const std::string grid = "[grid]\nstep = [1e-3]\n";
+  const std::pair<std::string, const char*> wrong[] = {
+      {head("pendulum", "tipp") + grid,
+       "study.toml:4:12: the scene has no response 'tipp'; expected a response of the scene; hint: "
+       "did you mean 'tip'?"},
+      {head("pendulum", "tip") + "[grid]\nformalism = [\"se3\", \"clasical\"]\n",
+       "study.toml:7:21: 'simulation.formalism' is \"clasical\""},
+      {head("pendulum", "tip") + "[grid]\n", "study.toml:6:1: the grid is empty"},
+      {head("pendulum", "tip") + "[grid]\nstep = []\n", "study.toml:7:8: 'grid.step' is empty"},
+      {head("pendulum", "tip") + "[grid]\nsteps = [1]\n", "did you mean 'step'?"},
+      {head("pendulum", "tip", "mean") + grid, "'quantity.norm' is \"mean\""},
+      {head("pendulum", "tip") + grid + "[set]\n\"simulation.stp\" = 1\n", "study.toml:9:20: "},
+      {head("pendulum", "tip") + grid +
+           "[reference]\nformalisms = [\"se3\", \"se3\"]\nstep = 1e-4\n",
+       "study.toml:9:14: the reference compares a formalism with itself"},
+      {head("pendulum", "tip") + grid +
+           "[reference]\nformalisms = [\"se3\", \"r3s3\"]\nstep = 1e-4\n",
+       "study.toml:9:22: unknown formalism \"r3s3\"; expected one of"},
+      {head("pendulum", "tip") + grid +
+           "[reference]\nformalisms = [\"se3\", \"r3so3\"]\nstep = 1e-4\nextrapolate = \"mesh\"\n",
+       "study.toml:11:15: the mesh cannot be halved"},
+      {head("heavy_top", "centre") + "[grid]\nelements = [2]\n", "the scene has no beam"},
+      {head("roll_up", "tip") + grid, "the scene is not dynamic"},
+      {"beams = [\"rud\"]\n" + head("slider_crank", "bend") + grid,
+       "study.toml:1:10: the scene has no beam 'rud'"},
+      {head("pendulum", "tip") + grid + "[vary]\nerror = { key = \"gravity.1\", values = [1] }\n",
+       "study.toml:9:17: 'error' is the name of a column"},
+  };
+  for (const auto& [text, message] : wrong) {
+    const std::string said = refusal(text);
+    EXPECT_NE(said.find(message), std::string::npos) << text << "\n" << said;
+  }
+  const Outcome failed =
+      compare(head("slider_crank", "bend") + grid +
+              "[reference]\nformalisms = [\"se3\", \"r3so3\"]\nstep = 1e-3\ntolerance = 1e-16\n"
+              "[set]\n\"simulation.duration\" = 0.02\n\"simulation.max_iterations\" = 3\n");
+  EXPECT_EQ(failed.code, 2);
+  EXPECT_NE(failed.err.find("study.toml:8:1: the reference of r3so3 failed: "), std::string::npos)
+      << failed.err;
+}
+
+TEST_F(Compare, IsDrawn) {
+  ASSERT_EQ(compare(head("heavy_top", "centre") + kTopReference + kTopGrid).code, 0);
+  const Outcome o = run({"plot", results()});
+  ASSERT_EQ(o.code, 0) << o.err;
+  for (const char* name : {"work_precision", "orders"})
+    for (const char* kind : {".png", ".svg"})
+      EXPECT_GT(fs::file_size(results() / "plots" / (std::string(name) + kind)), 5000u) << name;
+  const Outcome none = run({"plot", results(), "--x", "stp", "--y", "step"});
+  EXPECT_EQ(none.code, 3);
+  EXPECT_NE(none.err.find("'stp'"), std::string::npos) << none.err;
+}
+
+TEST(ShippedComparisons, AreRead) {
+  int count = 0;
+  for (const auto& entry : fs::directory_iterator(kData / "studies")) {
+    if (entry.path().extension() != ".toml" ||
+        kind_of(load_document(entry.path()).root) != FileKind::Comparison)
+      continue;
+    SCOPED_TRACE(entry.path());
+    ++count;
+    EXPECT_EQ(entry.path().filename().string().rfind("compare_", 0), 0u);
+    EXPECT_GT(load_comparison(entry.path()).rows.cases.rows.size(), 10u);
+    EXPECT_NE(text_of(entry.path()).find("Source:"), std::string::npos);
+  }
+  EXPECT_GE(count, 7);
+}
+
+}  // namespace
+}  // namespace liesl::test
