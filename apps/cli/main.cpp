@@ -42,6 +42,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
        liesl::batch_command, true},
+      {"lean", "SCENE", "Find the cheapest model of a scene that is good enough",
+       liesl::lean_command, true},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
@@ -67,6 +69,12 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
           ->check(CLI::Range(0, 10000));
       command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
+    }
+    if (std::string(entry.name) == "lean") {
+      command->add_option("--response", o.response, "Response of the scene that has to be right")
+          ->required();
+      command->add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
+          ->default_val("1%");
     }
     if (std::string(entry.name) == "plot") {
       auto* x = command->add_option("--x", o.x, "Column of a batch's table, across");

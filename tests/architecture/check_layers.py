@@ -31,7 +31,7 @@ LAYERS = [
     ("optim/design",),
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
-    ("apps/batch",),
+    ("apps/batch", "apps/lean"),
     ("apps/cli",),
     ("apps/bench",),
 ]
