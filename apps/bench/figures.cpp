@@ -110,18 +110,14 @@ void static_sizing(benchmark::State& state) {
                            {"scene.bodies.rod.beam.elements=40", "design.rod_diameters.groups=40",
                             "scene.simulation.duration=0.2"});
   const Space<SE2> plane = *find_plane(study.scene.mechanism).plane;
-  const Sizing sizing(study.spec.design, study.scene.mechanism);
-  Eigen::VectorXd x(sizing.size());
-  for (int i = 0; i < x.size(); ++i) x[i] = sizing.variables()[i].start;
-  const Mechanism sized = sizing.apply(study.scene.mechanism, x);
-  Model<SE2> model = Model<SE2>::build(sized, plane);
-  const auto run = run_simulation(model, study.scene.simulation);
-  const std::vector<LoadSet> loads{
-      extract_loads(model, run.trajectory, limited_bodies(study.spec)[0])};
-  const Analysis<SE2> at{sized, &model, &run.trajectory, loads};
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, plane, study.scene.simulation,
+                                       study.spec);
+  const Eigen::VectorXd x = simulator.start();
+  const DesignRun<SE2> run = simulator.run(x);
+  const Analysis<SE2> at{run.mechanism, run.model.get(), &run.simulation.trajectory, run.loads};
   int iterations = 0, kept = 0;
   for (auto _ : state) {
-    StaticSizing<SE2> problem(at, sizing, study.spec, x, study.spec.cycle.move_limit);
+    StaticSizing<SE2> problem(at, simulator.sizing(), study.spec, x, study.spec.cycle.move_limit);
     for (int round = 0; round < 8; ++round) {
       const NlpResult answer = solve_ipopt(problem);
       iterations += answer.iterations;
@@ -130,7 +126,7 @@ void static_sizing(benchmark::State& state) {
     }
     kept = problem.load_cases();
   }
-  state.counters["load_cases"] = static_cast<double>(run.trajectory.size());
+  state.counters["load_cases"] = static_cast<double>(run.simulation.trajectory.size());
   state.counters["kept"] = kept;
   state.counters["iterations"] = benchmark::Counter(iterations, benchmark::Counter::kAvgIterations);
 }

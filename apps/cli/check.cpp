@@ -25,6 +25,8 @@ int check_command(const CommandOptions& options) {
     fmt::print("{}: a good {} of {} bodies and {} joints; {}: {}\n", options.file,
                study ? "study" : "scene", scene.mechanism.bodies.size(),
                scene.mechanism.joints.size(), space.name, space.reason);
+  for (const auto& warning : scene.warnings)
+    if (!options.quiet) fmt::print("  note: {}\n", warning);
   return 0;
 }
 

@@ -46,12 +46,17 @@ void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle
 
 std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
                                    const std::string& input_sha256) {
-  const std::string text = output::read_file(path);
   const auto refuse = [&](const std::string& what) {
     throw InputError({{path.string(), 0, 0, what,
                        "the checkpoint of an interrupted run with the same study, scene and --set",
                        "run without --resume"}});
   };
+  if (!std::filesystem::exists(path))
+    throw InputError(
+        {{path.parent_path().string(), 0, 0, "--resume: there is no interrupted run in this folder",
+          "the folder (-o) of an interrupted run, with its checkpoint.json",
+          "to begin anew, run without --resume"}});
+  const std::string text = output::read_file(path);
   std::vector<Cycle> history;
   try {
     const Json file = Json::parse(text);

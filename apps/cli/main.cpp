@@ -4,6 +4,7 @@
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 #include <memory>
@@ -85,6 +86,17 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
   }
 }
 
+/// "runn" -> what it may have meant; empty if the command line is wrong in another way.
+std::string unknown_command(const CLI::App& app, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
+  const std::string word = argc > 1 ? argv[1] : "";
+  const bool known = std::find(names.begin(), names.end(), word) != names.end();
+  if (word.empty() || word.starts_with('-') || known) return "";
+  return "liesl: there is no command '" + word + "'; " + liesl::suggestion(word, names) +
+         "\nliesl --help lists the commands\n";
+}
+
 int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOptions& o) {
   try {
     return run(o);
@@ -118,6 +130,8 @@ int main(int argc, char** argv) {
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
+    const std::string unknown = unknown_command(app, argc, argv);
+    if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
   }
   if (run == liesl::optimize_command && options.out.empty() && !options.check_derivatives) {

@@ -1,7 +1,5 @@
 #include <fmt/format.h>
 
-#include <fstream>
-
 #include "apps/cli/command.hpp"
 
 #ifndef LIESL_OPTIM
@@ -110,6 +108,10 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   for (const auto& [body, id] : r.identity)
     identity[bodies[body].name] = {
         {"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+  const KktResidual* kkt =
+      r.optimality && r.optimality->residual ? &*r.optimality->residual : nullptr;
+  summary.more["kkt_residual"] = kkt ? nlohmann::json(kkt->stationarity) : nlohmann::json(nullptr);
+  summary.more["kkt"] = r.optimality ? r.optimality->brief() : "not checked";
   summary.warnings.insert(summary.warnings.end(), r.warnings.begin(), r.warnings.end());
 }
 
@@ -180,6 +182,7 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
   fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
   fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
              s.mass_final, s.worst_constraint, s.wall_s);
+  fmt::print("  optimality conditions of the motion: {}\n", s.more["kkt"].get<std::string>());
   for (const auto& d : s.design)
     fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);

@@ -24,6 +24,7 @@ void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace
   summary.space = space.name;
   summary.space_reason = space.reason;
   summary.input_sha256 = output::sha256(scene.input);
+  summary.warnings = scene.warnings;
 }
 
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,

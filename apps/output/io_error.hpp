@@ -8,17 +8,22 @@
 
 namespace liesl::output {
 
-/// Message: "cannot <what> '<path>': <reason>".
+/// Message: "cannot <what> '<path>': <reason>". Whatever library says it, a full disk is called so.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& what, std::filesystem::path path, const std::string& reason)
-      : std::runtime_error("cannot " + what + " '" + path.string() + "': " + reason),
+      : std::runtime_error("cannot " + what + " '" + path.string() + "': " + plain(reason)),
         path_(std::move(path)),
-        reason_(reason) {}
+        reason_(plain(reason)) {}
   const std::filesystem::path& path() const { return path_; }
   const std::string& reason() const { return reason_; }
 
  private:
+  static std::string plain(const std::string& reason) {
+    const bool full = reason.find("No space left on device") != std::string::npos;
+    return full ? "the disk is full (" + reason + "); make room or choose another folder" : reason;
+  }
+
   std::filesystem::path path_;
   std::string reason_;
 };

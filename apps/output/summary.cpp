@@ -126,7 +126,7 @@ Json to_json(const OptimizeSummary& s) {
   json["mass_initial"] = s.mass_initial;
   json["mass_final"] = s.mass_final;
   json["worst_constraint"] = s.worst_constraint;
-  json["load_change"] = s.load_change;
+  json["load_change"] = s.load_change ? Json(*s.load_change) : Json(nullptr);
   json["design"] = Json::object();
   json["design_range"] = Json::object();
   for (const auto& d : s.design) {

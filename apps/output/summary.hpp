@@ -72,7 +72,7 @@ struct CycleRecord {
 struct OptimizeSummary : RunSummary {
   double mass_initial = 0, mass_final = 0;  ///< kg
   double worst_constraint = 0;
-  double load_change = 0;
+  std::optional<double> load_change;  ///< of the last cycle; none if it cannot be compared
   std::vector<DesignFigure> design;
   std::vector<ConstraintFigure> constraints;
   std::vector<CycleRecord> history;

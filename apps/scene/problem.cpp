@@ -26,14 +26,28 @@ std::string lower(std::string_view text) {
   return low;
 }
 
+/// Keys, expressions and names of the user may have any length; messages may not.
+std::string shortened(const std::string& text) {
+  constexpr std::size_t kLongest = 400, kHead = 200, kTail = 120;
+  if (text.size() <= kLongest) return text;
+  const auto inside = [&](std::size_t i) {  // a UTF-8 character
+    return i < text.size() && (static_cast<unsigned char>(text[i]) & 0xC0) == 0x80;
+  };
+  std::size_t head = kHead, tail = text.size() - kTail;
+  while (inside(head)) --head;
+  while (inside(tail)) ++tail;
+  return fmt::format("{}... ({} characters) ...{}", text.substr(0, head), tail - head,
+                     text.substr(tail));
+}
+
 }  // namespace
 
 std::string InputProblem::text() const {
-  std::string text = file;
+  std::string text = file.starts_with("--set") ? shortened(file) : file;
   if (line > 0) text += fmt::format(":{}:{}", line, column);
-  text += ": " + what;
-  if (!expected.empty()) text += "; expected " + expected;
-  if (!hint.empty()) text += "; hint: " + hint;
+  text += ": " + shortened(what);
+  if (!expected.empty()) text += "; expected " + shortened(expected);
+  if (!hint.empty()) text += "; hint: " + shortened(hint);
   return text;
 }
 
@@ -95,7 +109,9 @@ int edit_distance(std::string_view first, std::string_view second) {
 }
 
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
+  constexpr std::size_t kLongestName = 255;  // distances of longer ones cost time for nothing
   std::string best;
+  if (name.size() > kLongestName) return best;
   int least = std::max<int>(1, static_cast<int>(name.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
     const int distance = edit_distance(name, candidate);

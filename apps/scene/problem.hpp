@@ -20,7 +20,7 @@ struct InputProblem {
   std::string expected;  ///< may be empty
   std::string hint;      ///< may be empty
 
-  /// "file:line:column: what; expected ...; hint: ..."
+  /// "file:line:column: what; expected ...; hint: ..."; the middle of very long parts is left out.
   std::string text() const;
 };
 

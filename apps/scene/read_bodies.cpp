@@ -32,6 +32,11 @@ class BeamReader {
               : as == "modal" ? BeamModel::Modal
                               : BeamModel::AsFormalism;
     if (table_.contains("modes")) beam.modes = integer(table_, "modes");
+    if (beam.as != BeamModel::AsFormalism &&
+        reader_.scene.simulation.type != SimulationType::Dynamic)
+      reader_.problems.add(*table_.get("as"),
+                           fmt::format("beam '{}' as \"{}\" is for motions only", name_, as),
+                           "simulation.type = \"dynamic\", or as = \"formalism\"");
     sections(beam);
     material(beam);
     check_axis();

@@ -105,6 +105,13 @@ void read_simulation(Reader& reader) {
   o.max_load = number(*table, "max_load");
   o.critical = boolean(*table, "critical");
   o.modes = integer(*table, "modes");
+  const Formalism formalism = reader.scene.mechanism.formalism;
+  if (o.type != SimulationType::Dynamic &&
+      (formalism == Formalism::Floating || formalism == Formalism::Rigid))
+    reader.problems.add(
+        *table->get("formalism"),
+        fmt::format("'simulation.formalism' = \"{}\" is for motions only", to_string(formalism)),
+        "simulation.type = \"dynamic\", or formalism se3, r3so3 or classical");
   if (o.type != SimulationType::Dynamic) return;
   const toml::node& step = *table->get("step");
   const toml::node& duration = *table->get("duration");

@@ -97,5 +97,9 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
 void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint);
 /// A simulation of something that nothing moves is refused.
 void check_movers(Reader& reader);
+/// Diagonal of the box around all nodes and points, m.
+double size_of(const Mechanism& mechanism);
+/// What is possible but looks like another unit: E in GPa, a diameter in mm.
+std::vector<std::string> unit_warnings(const Reader& reader);
 
 }  // namespace liesl

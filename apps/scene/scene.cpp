@@ -11,20 +11,6 @@ namespace liesl {
 
 namespace {
 
-/// Diagonal of the box around all nodes and points, m.
-double size_of(const Mechanism& mechanism) {
-  Eigen::AlignedBox3d box;
-  for (const BodySpec& body : mechanism.bodies) {
-    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
-      for (const SE3& H : beam->nodes) box.extend(H.x);
-    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
-      box.extend(rigid->frame.x);
-      for (const auto& [name, point] : rigid->points) box.extend(point);
-    }
-  }
-  return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 /// Part of the distance of two ports that the joint does not allow.
 Vec3 gap_of(const Mechanism& mechanism, const JointSpec& joint) {
   const Vec3 d = mechanism.frame(joint.b).x - mechanism.frame(joint.a).x;
@@ -49,6 +35,19 @@ const toml::node& table_or_file(const Reader& reader, const char* name) {
 }
 
 }  // namespace
+
+double size_of(const Mechanism& mechanism) {
+  Eigen::AlignedBox3d box;
+  for (const BodySpec& body : mechanism.bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+      for (const SE3& H : beam->nodes) box.extend(H.x);
+    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+      box.extend(rigid->frame.x);
+      for (const auto& [name, point] : rigid->points) box.extend(point);
+    }
+  }
+  return box.isEmpty() ? 0 : box.diagonal().norm();
+}
 
 void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
   const double gap = gap_of(reader.scene.mechanism, joint).norm();
@@ -100,6 +99,7 @@ void read_parts(Reader& reader) {
   read_loads(reader);
   read_responses(reader);
   check_movers(reader);
+  reader.scene.warnings = unit_warnings(reader);
 }
 
 namespace {

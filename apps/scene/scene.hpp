@@ -21,8 +21,9 @@ struct Scene {
   Mechanism mechanism;
   SimulationOptions simulation;
   std::vector<ResponseSpec> responses;
-  std::string file;   ///< where it was read
-  std::string input;  ///< the file's text and the overrides, for the input's hash
+  std::vector<std::string> warnings;  ///< what is accepted but looks like a mistake
+  std::string file;                   ///< where it was read
+  std::string input;                  ///< the file's text and the overrides, for the input's hash
 };
 
 /// Reads a scene, with changes "key.path=value".

@@ -57,7 +57,7 @@ std::vector<Key> body_keys() {
     {"bodies.*.beam.through", Type::Rows, "m", kOneOf, kAny, "Spline axis through these points.", 3},
     {"bodies.*.beam.section", Type::Texts, "", kRequired, kAny, "Section of all elements, or a list: one for each of as many runs of neighbouring elements, as even as possible."},
     {"bodies.*.beam.material", Type::Text, "", kOptional, kAny, "Material of all elements; needed unless all sections are `full`."},
-    {"bodies.*.beam.elements", Type::Integer, "", kRequired, {1, 100000}, "Number of elements, spaced evenly along the axis."},
+    {"bodies.*.beam.elements", Type::Integer, "", kRequired, {1, 10000}, "Number of elements, spaced evenly along the axis."},
     {"bodies.*.beam.up", Type::Vector, "-", kOptional, kAny, "Local y of the section at the start is the part of this direction normal to the axis. Default: local z is the part of inertial z (for an axis along z: inertial y) normal to the axis, of an arc its normal; a beam in the x-y plane has local y in that plane.", 3},
     {"bodies.*.beam.pre_twist", Type::Number, "rad", "0", kAny, "Rotation of the section about the axis from start to end."},
     {"bodies.*.beam.as", Type::Choice, "", "\"formalism\"", kAny, "What the beam is simulated as: as `simulation.formalism` says, rigid, or linear in a floating frame with modes.", 0, "formalism rigid modal"},

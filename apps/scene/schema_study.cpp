@@ -44,6 +44,7 @@ std::vector<Key> study_keys() {
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
+    {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Check the optimality conditions of the motion itself at the end, by two simulations a variable: up to 12 variables, always, or never.", 0, "auto always never"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
   return keys;

@@ -43,6 +43,8 @@ Applies applies(FileKind kind, const Key& key, const toml::table& table) {
   return std::count(allowed.begin(), allowed.end(), *chosen) ? Applies::Yes : Applies::No;
 }
 
+constexpr std::size_t kLongestName = 255;  // HDF5 takes more, file systems do not
+
 class Validator {
  public:
   Validator(FileKind kind, Problems& problems, Broken& broken)
@@ -89,8 +91,18 @@ class Validator {
         (name.str().empty() || name.str().find_first_of(". \t\"'") != std::string_view::npos))
       problems_.add(name, fmt::format("'{}' is not a name", name.str()),
                     "a name without dots, blanks and quotes");
+    else if (key.type != Type::Any)
+      check_length(name, name.str(), full);
     check(key, value, full);
     if (problems_.count() > before) broken_.insert(full);
+  }
+
+  /// Names become names of data sets and attributes in results.h5.
+  template <class Place>
+  void check_length(const Place& at, std::string_view text, const std::string& path) {
+    if (text.size() > kLongestName)
+      problems_.add(at, fmt::format("'{}' is a name of {} characters", path, text.size()),
+                    fmt::format("at most {} characters", kLongestName));
   }
 
   /// Exactly one of the keys marked kOneOf.
@@ -178,6 +190,7 @@ class Validator {
   void text(const Key& key, const toml::node& value, const std::string& path) {
     const auto given = value.value<std::string>();
     if (!given) return wrong(key, value, path);
+    if (key.path == "name") check_length(value, *given, path);
     if (key.type != Type::Choice) return;
     const auto options = words(key.options);
     if (!std::count(options.begin(), options.end(), *given))

@@ -44,6 +44,7 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
   for (auto* x : {&motion_.u, &motion_.du, &motion_.ddu, &full_, &vel_, &acc_})
     x->setZero(this->size());
   motion_.Y.resize(interfaces_.size(), G::identity());
+  set_constant_matrices();
 }
 
 /// Psi, K_e and the constant matrices of the unknowns [v_0; v_i; etadot].
@@ -81,19 +82,56 @@ void ModalBody<G>::reduce(int modes) {
     }
   }
   K_e_ = Psi_.transpose() * K * Psi_;
-  const int unknown = dim + n;
-  Pi_.setZero(this->size(), unknown);
-  Pi_.rightCols(n) = Psi_;
-  for (int k = 0; k < this->nodes(); ++k) Pi_.template block<dim, dim>(dim * k, 0) = A_[k];
-  for (size_t i = 0; i < interfaces_.size(); ++i)
-    Pi_.leftCols(dim) -= Psi_.middleCols(dim * static_cast<int>(i), dim) * A_[interfaces_[i]];
-  Eigen::MatrixXd M_r = Pi_.transpose() * M * Pi_, K_r = Pi_.transpose() * K * Pi_;
-  for (int j = dim + ni + kept; j < unknown; ++j) M_r(j, j) = K_r(j, j) = 1;  // unused amplitudes
+  unused_ = dim * slots - kept;
   std::vector<int> nodes{0};
   nodes.insert(nodes.end(), interfaces_.begin(), interfaces_.end());
   nodes.insert(nodes.end(), slots_.begin(), slots_.end());
-  this->M_.set_dense(nodes, std::move(M_r));
-  this->K_.set_dense(std::move(nodes), std::move(K_r));
+  for (auto* A : {&this->M_, &this->K_})
+    A->set_dense(nodes, Eigen::MatrixXd::Zero(dim + n, dim + n));
+}
+
+/// Zero displacement: Ad(Y^-1) = Ad(X^-1), T = I.
+template <FrameGroup G>
+void ModalBody<G>::set_constant_matrices() {
+  for (size_t i = 0; i < interfaces_.size(); ++i) motion_.Y[i] = X_[interfaces_[i]];
+  set_matrix(motion_, 1, 0, this->M_);
+  set_matrix(motion_, 0, 1, this->K_);
+}
+
+/// A = mass Pi^T M Pi + stiffness E^T K_e E with all nodal increments = Pi [h_0; h_i; deta],
+/// Pi = [(I - ad(u_k)) Ad(X_k^-1), 0] + Psi E.
+template <FrameGroup G>
+void ModalBody<G>::set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const {
+  const Eigen::MatrixXd E = increments(m);
+  A.dense.noalias() = stiffness * E.transpose() * K_e_ * E;
+  if (mass > 0) {
+    Eigen::MatrixXd Pi = Psi_ * E, MPi = Eigen::MatrixXd::Zero(Pi.rows(), Pi.cols());
+    for (int k = 0; k < this->nodes(); ++k) {
+      const auto ad_u = G::ad(Tangent(m.u.template segment<dim>(dim * k)));
+      auto rows = Pi.template middleRows<dim>(dim * k);
+      rows -= 0.5 * (ad_u * rows).eval();
+      rows.template leftCols<dim>() += A_[k] - ad_u * A_[k];
+    }
+    for (int j = 0; j < Pi.cols(); ++j)
+      beam_->mass().multiply_add(Pi.col(j).data(), MPi.col(j).data());
+    A.dense.noalias() += mass * Pi.transpose() * MPi;
+  }
+  for (int j = static_cast<int>(E.cols()) - unused_; j < E.cols(); ++j)
+    A.dense(j, j) = mass + stiffness;
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd ModalBody<G>::increments(const Motion& m) const {
+  const int n = static_cast<int>(Psi_.cols()), ni = interface_size();
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(n, dim + n);
+  E.bottomRightCorner(n - ni, n - ni).setIdentity();
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const typename G::Matrix Ti = G::Tinv(Tangent(m.e.template segment<dim>(at)));
+    E.template block<dim, dim>(at, dim + at) = Ti;
+    E.template block<dim, dim>(at, 0) = -Ti * m.Y[i].AdInv();
+  }
+  return E;
 }
 
 /// e and, from y = v_i - Ad(Y^-1) v_0:  edot = T^-1(u) y,
@@ -121,8 +159,8 @@ void ModalBody<G>::measure(const BodyState<G>& s, bool rates, Motion& m) const {
     m.rate.template segment<dim>(at) = Node(s.v + node);
     m.acceleration.template segment<dim>(at) = Node(s.vdot + node);
   }
-  if (!rates) return;
   m.u.noalias() = Psi_ * m.e;
+  if (!rates) return;
   m.du.noalias() = Psi_ * m.rate;
   m.ddu.noalias() = Psi_ * m.acceleration;
 }
@@ -155,6 +193,21 @@ void ModalBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale& sc
 }
 
 template <FrameGroup G>
+auto ModalBody<G>::velocity(const Motion& m, int k, const Tangent& v0) const -> Tangent {
+  const Tangent u = m.u.template segment<dim>(dim * k), du = m.du.template segment<dim>(dim * k);
+  const Tangent carried = A_[k] * v0;
+  return carried + du - G::ad(u) * (carried + 0.5 * du);
+}
+
+template <FrameGroup G>
+auto ModalBody<G>::acceleration(const Motion& m, int k, const Tangent& v0, const Tangent& a0) const
+    -> Tangent {
+  const Tangent u = m.u.template segment<dim>(dim * k), du = m.du.template segment<dim>(dim * k);
+  const Tangent ddu = m.ddu.template segment<dim>(dim * k), a = A_[k] * a0;
+  return a + ddu - G::ad(u) * (a + 0.5 * ddu) - G::ad(du) * (A_[k] * v0);
+}
+
+template <FrameGroup G>
 void ModalBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                                ForceScale& scale) const {
   using Node = Eigen::Map<Tangent>;
@@ -164,12 +217,8 @@ void ModalBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, dou
   const Tangent v0 = Eigen::Map<const Tangent>(s.v);
   const Tangent a0 = apparent_acceleration<G>(s, 0, gravity);
   for (int k = 0; k < this->nodes(); ++k) {
-    const auto u = m.u.template segment<dim>(dim * k), du = m.du.template segment<dim>(dim * k);
-    const Tangent carried = A_[k] * v0, a = A_[k] * a0;
-    const auto ad_u = G::ad(Tangent(u));
-    vel_.template segment<dim>(dim * k) = carried - ad_u * carried + du;
-    acc_.template segment<dim>(dim * k) =
-        a - ad_u * a - G::ad(Tangent(du)) * carried + m.ddu.template segment<dim>(dim * k);
+    vel_.template segment<dim>(dim * k) = velocity(m, k, v0);
+    acc_.template segment<dim>(dim * k) = acceleration(m, k, v0, a0);
   }
   full_.setZero();
   Pair g;
@@ -182,7 +231,9 @@ void ModalBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, dou
   for (int k = 0; k < this->nodes(); ++k) {
     const Tangent f = full_.template segment<dim>(dim * k);
     const auto ad_u = G::ad(Tangent(m.u.template segment<dim>(dim * k)));
-    Node{r} += A_[k].transpose() * (f - ad_u.transpose() * f);
+    const Tangent turned = ad_u.transpose() * f;
+    Node{r} += A_[k].transpose() * (f - turned);
+    full_.template segment<dim>(dim * k) -= 0.5 * turned;
     scale.add<G>(f);
   }
   q_.noalias() = Psi_.transpose() * full_;
@@ -190,9 +241,11 @@ void ModalBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, dou
 }
 
 template <FrameGroup G>
-void ModalBody<G>::exact_tangent(const BodyState<G>&, const Vector&, TangentWeights w,
+void ModalBody<G>::exact_tangent(const BodyState<G>& s, const Vector&, TangentWeights w,
                                  const Tangent*, Matrices& A) const {
-  A.set_sum(w.mass, this->M_, 1 + damping() * w.damping, this->K_);
+  Motion& m = motion_;
+  measure(s, false, m);
+  set_matrix(m, w.mass, 1 + damping() * w.damping, A);
 }
 
 template <FrameGroup G>
@@ -203,12 +256,9 @@ void ModalBody<G>::complete(G* H, double* v, double* vdot, const double* w) cons
   const Tangent v0 = Node(v), a0 = Node(vdot);
   for (int k = 1; k < this->nodes(); ++k) {
     if (kind_[k] == NodeKind::Frame) continue;
-    const Tangent u = m.u.template segment<dim>(dim * k), du = m.du.template segment<dim>(dim * k);
-    const Tangent carried = A_[k] * v0, a = A_[k] * a0;
-    H[k] = H[0] * (X_[k] * G::exp(u));
-    Node(v + dim * k) = carried - G::ad(u) * carried + du;
-    Node(vdot + dim * k) =
-        a - G::ad(u) * a - G::ad(du) * carried + m.ddu.template segment<dim>(dim * k);
+    H[k] = H[0] * (X_[k] * G::exp(Tangent(m.u.template segment<dim>(dim * k))));
+    Node(v + dim * k) = velocity(m, k, v0);
+    Node(vdot + dim * k) = acceleration(m, k, v0, a0);
   }
 }
 
@@ -226,7 +276,12 @@ Eigen::MatrixXd ModalBody<G>::load_share(bool follower) const {
   }
   const Matrices W = beam_->load_distribution();
   for (int j = 0; j < dim; ++j) W.multiply_add(local.col(j).data(), shared.col(j).data());
-  const Eigen::MatrixXd reduced = Pi_.transpose() * shared;
+  Motion rest = motion_;
+  rest.e.setZero();
+  for (size_t i = 0; i < interfaces_.size(); ++i) rest.Y[i] = X_[interfaces_[i]];
+  Eigen::MatrixXd Pi = Psi_ * increments(rest);
+  for (int k = 0; k < n; ++k) Pi.template block<dim, dim>(dim * k, 0) += A_[k];
+  const Eigen::MatrixXd reduced = Pi.transpose() * shared;
   Eigen::MatrixXd share = Eigen::MatrixXd::Zero(dim * n, dim);
   for (size_t i = 0; i < this->M_.nodes.size(); ++i)
     share.middleRows<dim>(dim * this->M_.nodes[i]) =

@@ -10,7 +10,7 @@
 ///   u_i = log(X_i^-1 H_0^-1 H_i),  X_k = H_0^-1 H_k at reference,  e = [u_i; eta],  u = Psi e,
 /// Psi = [static shapes of unit u_i, modes with all interfaces held], V = e^T K_e e / 2 with K_e
 /// constant. Inertia is that of the finite element nodes, to first order in their displacements:
-///   v_k = (I - ad(u_k)) Ad(X_k^-1) v_0 + Psi_k edot.
+///   v_k = (I - ad(u_k)) Ad(X_k^-1) v_0 + (I - ad(u_k)/2) Psi_k edot.
 
 #include <memory>
 
@@ -42,7 +42,9 @@ class ModalBody final : public Body<G> {
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override;
   void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
-  /// The constant one: K_e and the mass at reference.
+  /// With the mass at this state, and K_e. The mass matters where the frame is held by a hinge: a
+  /// turn of the frame is then nearly a motion of the modes, and the mass at reference nearly
+  /// singular.
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
   Eigen::MatrixXd load_share(bool follower) const override;
@@ -65,9 +67,16 @@ class ModalBody final : public Body<G> {
   };
 
   void reduce(int modes);
+  void set_constant_matrices();
+  void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
   void measure(const BodyState<G>& s, bool rates, Motion& m) const;
   /// r += forces q conjugate to e, on the interfaces, the frame and the amplitudes.
   void add_conjugate(const Motion& m, const Eigen::VectorXd& q, double* r, ForceScale& scale) const;
+  /// E: d[u_i; eta] = E [h_0; h_i; deta].
+  Eigen::MatrixXd increments(const Motion& m) const;
+  /// Velocity of node k, and its rate from the acceleration a_0 of the frame.
+  Tangent velocity(const Motion& m, int k, const Tangent& v0) const;
+  Tangent acceleration(const Motion& m, int k, const Tangent& v0, const Tangent& a0) const;
   int interface_size() const { return dim * static_cast<int>(interfaces_.size()); }
 
   std::unique_ptr<Beam<G>> beam_;
@@ -75,8 +84,9 @@ class ModalBody final : public Body<G> {
   std::vector<int> interfaces_, slots_;  ///< nodes: without node 0; that hold amplitudes
   std::vector<G, Eigen::aligned_allocator<G>> X_;
   std::vector<typename G::Matrix, Eigen::aligned_allocator<typename G::Matrix>> A_;  ///< Ad(X^-1)
-  Eigen::MatrixXd Psi_;       ///< size x [interfaces, amplitudes]
-  Eigen::MatrixXd K_e_, Pi_;  ///< of e; all nodes from the unknown ones, at reference
+  Eigen::MatrixXd Psi_;  ///< size x [interfaces, amplitudes]
+  Eigen::MatrixXd K_e_;  ///< of e
+  int unused_ = 0;       ///< amplitudes of the last slot
   Eigen::VectorXd omega2_;
   mutable Motion motion_;  ///< workspace, so that a step allocates nothing
   mutable Eigen::VectorXd full_, vel_, acc_, q_;

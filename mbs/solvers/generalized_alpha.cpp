@@ -11,7 +11,8 @@ constexpr double kMemory = 0.1;       // share of the largest force so far in th
 TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
   if (chosen != TangentStrategy::Auto) return chosen;
   if (formalism == Formalism::Classical) return TangentStrategy::Exact;
-  if (formalism == Formalism::Decoupled) return TangentStrategy::Adaptive;
+  if (formalism == Formalism::Decoupled || formalism == Formalism::Floating)
+    return TangentStrategy::Adaptive;
   return TangentStrategy::Constant;
 }
 

@@ -105,10 +105,10 @@ std::vector<SE3> ResponseValues<G>::nodes(const G* H, int body) const {
 }
 
 template <FrameGroup G>
-Eigen::Vector2d ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s,
+Eigen::Vector2d ResponseValues<G>::deflection(int body, const std::vector<SE3>& now,
                                               double place) const {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
-  return chord_offset(nodes(s.H.data(), r.body), place) - chord_offset(beam.nodes, place);
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+  return chord_offset(now, place) - chord_offset(beam.nodes, place);
 }
 
 template <FrameGroup G>
@@ -119,13 +119,22 @@ double ResponseValues<G>::elongation(const ResponseSpec& r, const State<G>& s) c
 }
 
 template <FrameGroup G>
+const std::vector<std::vector<StressPoint>>& ResponseValues<G>::points_of(int body) const {
+  const auto [known, fresh] = stress_points_.try_emplace(body);
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+  for (size_t e = 0; fresh && e < beam.sections.size(); ++e)
+    known->second.push_back(stress_points(beam.sections[e], beam.material.nu));
+  return known->second;
+}
+
+template <FrameGroup G>
 double ResponseValues<G>::stress(const ResponseSpec& r, const State<G>& s) const {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
+  const auto& points = points_of(r.body);
   double largest = 0;
   for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
     const SE3::Tangent n = view_.local(
         model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
-    for (const auto& point : stress_points(beam.sections[e], beam.material.nu)) {
+    for (const auto& point : points[e]) {
       const Vec3 stress = point.S * n;
       largest =
           std::max(largest, std::sqrt(stress[0] * stress[0] + 3 * stress.tail<2>().squaredNorm()));
@@ -154,14 +163,15 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
                    (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x);
     }
     case ResponseKind::Deflection: {
+      const std::vector<SE3> now = nodes(s.H.data(), r.body);
       if (r.everywhere) {
         double largest = 0;
         const int n = model_.bodies[r.body]->elements();
         for (int k = 1; k < n; ++k)
-          largest = std::max(largest, deflection(r, s, double(k) / n).norm());
+          largest = std::max(largest, deflection(r.body, now, double(k) / n).norm());
         return scalar(largest);
       }
-      const Eigen::Vector2d offset = deflection(r, s, r.s);
+      const Eigen::Vector2d offset = deflection(r.body, now, r.s);
       if constexpr (G::space_dim == 3) {
         return offset;
       } else {  // one of the two normals is the plane's; the other carries the offset

@@ -2,6 +2,9 @@
 /// @file
 /// Values of named responses at a state.
 
+#include <map>
+#include <vector>
+
 #include "mbs/model/response.hpp"
 #include "mbs/system/spatial_view.hpp"
 
@@ -25,17 +28,22 @@ class ResponseValues {
   ResponseValues(const Mechanism& mechanism, const Model<G>& model);
 
   /// Value of a response, `components` numbers. Only H, v, lambda and q of the state are used.
+  /// Not for several threads at once: what depends on the sections alone is kept.
   Eigen::VectorXd operator()(const ResponseSpec& response, const State<G>& s) const;
 
  private:
-  Eigen::Vector2d deflection(const ResponseSpec& r, const State<G>& s, double place) const;
+  /// Of the point `place` of a beam whose frames are `now`.
+  Eigen::Vector2d deflection(int body, const std::vector<SE3>& now, double place) const;
   double elongation(const ResponseSpec& r, const State<G>& s) const;
   double stress(const ResponseSpec& r, const State<G>& s) const;
   std::vector<SE3> nodes(const G* H, int body) const;
+  const std::vector<std::vector<StressPoint>>& points_of(int body) const;
 
   const Mechanism& mechanism_;
   const Model<G>& model_;
   SpatialView<G> view_;
+  /// Of the beams whose stress was asked for: by body and element.
+  mutable std::map<int, std::vector<std::vector<StressPoint>>> stress_points_;
 };
 
 /// Force and moment [6] that a joint transmits to its port b, in b's own axes; and the coordinates

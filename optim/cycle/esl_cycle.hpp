@@ -6,47 +6,11 @@
 #include <functional>
 #include <optional>
 
-#include "esl/load_set.hpp"
-#include "mbs/solvers/simulation.hpp"
-#include "optim/design/sizing.hpp"
-#include "optim/study/study.hpp"
+#include "optim/cycle/cycle_rules.hpp"
+#include "optim/cycle/design_run.hpp"
+#include "optim/cycle/dynamic_optimality.hpp"
 
 namespace liesl {
-
-enum class CycleStatus {
-  Converged,         ///< loads, mass and limits agree with the design
-  CycleLimit,        ///< as many cycles as allowed
-  Oscillating,       ///< the designs go to and fro; the best one is returned
-  Infeasible,        ///< a limit cannot be met within the bounds; the reason says which
-  SimulationFailed,  ///< no simulation of a design succeeded
-  Interrupted        ///< the caller asked to stop
-};
-const char* to_string(CycleStatus status);
-
-/// One cycle: the design that was simulated and what followed.
-struct Cycle {
-  int number = 0;
-  Eigen::VectorXd x;  ///< simulated design, m
-  double mass = 0;    ///< kg
-  double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
-  std::string worst_constraint;
-  double worst_time = 0;              ///< s
-  std::optional<double> load_change;  ///< against the cycle before
-  int load_cases = 0;                 ///< retained by the screening
-  int iterations = 0;                 ///< of the optimiser
-  double move = 0;                    ///< move limit
-  double seconds = 0;
-  Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
-  Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
-};
-
-/// A limited response over the records: |value| of each.
-struct LimitSeries {
-  std::string name;
-  double limit = 0;
-  std::vector<double> values;
-  double largest = 0, at_time = 0;
-};
 
 template <FrameGroup G>
 struct CycleResult {
@@ -55,8 +19,8 @@ struct CycleResult {
   std::vector<Cycle> history;
   Eigen::VectorXd x;  ///< final design: the lightest that meets the limits, else the least bad
   double mass_initial = 0, mass = 0;
-  double worst = 0;        ///< of the final design, over every step of its simulation
-  double load_change = 0;  ///< of the last cycle
+  double worst = 0;                   ///< of the final design, over every step of its simulation
+  std::optional<double> load_change;  ///< of the last cycle; none if it has nothing to compare with
   std::vector<double> times;
   std::vector<LimitSeries> initial, final;
   std::vector<double> times_initial;
@@ -68,6 +32,8 @@ struct CycleResult {
   double stepping_s = 0;
   std::vector<int> factorizations;  ///< by body, all simulations
   std::vector<std::string> warnings;
+  /// Of the final design; none if it was not asked for or the cycle found no design to ask it of.
+  std::optional<DynamicOptimality> optimality;
 };
 
 struct CycleHooks {

@@ -3,9 +3,14 @@
 /// The static problem of one ESL cycle (thesis eq. 3.24): minimum mass under the load cases of the
 /// last simulation, all limits in all retained cases.
 
+#include <array>
+#include <map>
+#include <optional>
+
 #include "esl/load_set.hpp"
 #include "esl/static_part.hpp"
-#include "mbs/system/response_value.hpp"
+#include "optim/cycle/element_stress.hpp"
+#include "optim/cycle/part_outputs.hpp"
 #include "optim/design/sizing.hpp"
 #include "optim/nlp/problem.hpp"
 #include "optim/study/study.hpp"
@@ -50,24 +55,16 @@ class StaticSizing final : public Problem {
  private:
   static constexpr int dim = G::dim;
   using Law = typename StaticPart<G>::Law;
-  using StressRows = Eigen::Matrix<double, 3, dim>;
-
   struct Part {
     int body = 0;
     const LoadSet* loads = nullptr;
+    PartOutputs outputs;
     StaticPart<G> problem;
-    Eigen::MatrixXd correction;  ///< outputs x all cases
-    bool compliance = false;     ///< one more output, after those of the static part
-    Eigen::MatrixXd y;           ///< outputs x retained cases, at the latest x
-    int outputs() const { return problem.outputs() + compliance; }
-    std::vector<int> kept;   ///< numbers of the retained cases
-    std::vector<SE3> align;  ///< of the first node of each element
-  };
-  /// A limit on |outputs first .. first + count) of a part, or on the von Mises stress made of
-  /// them.
-  struct Limit {
-    int constraint = 0, part = 0, first = 0, count = 0;
-    int element = -1, point = -1;  ///< stress
+    std::vector<SE3> align;                ///< of the first node of each element
+    Eigen::MatrixXd correction;            ///< outputs x all cases
+    Eigen::MatrixXd y;                     ///< outputs x retained cases, at the latest x
+    std::vector<ElementStress<G>> stress;  ///< by element, at the latest x; if stress is limited
+    std::vector<int> kept;                 ///< numbers of the retained cases
   };
   struct RowRef {
     int limit = 0, kept = 0;  ///< which limit in which retained case
@@ -77,30 +74,37 @@ class StaticSizing final : public Problem {
     return study_.constraints[limit.constraint].response.kind;
   }
   void make_parts(const Analysis<G>& at);
-  void add_outputs(const Analysis<G>& at, int part, std::vector<Eigen::MatrixXd>& outputs);
-  Eigen::MatrixXd gradient_at_rest(const Analysis<G>& at, const ResponseSpec& response) const;
-  Eigen::MatrixXd dynamic_outputs(const Analysis<G>& at, int part) const;
+  void retain_all(Part& part) const;
   void screen();
   void retain(const std::vector<std::vector<int>>& cases);
   bool solve(const Eigen::VectorXd& x);
+  bool solve_parts();
   Law stiffness(const Part& part) const;
   /// Value of a limit for the outputs y (corrected); `slope`: its gradient with respect to y.
   double limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const;
   Eigen::VectorXd outputs_of(const Limit& limit, int kept) const;
-  StressRows stress_rows(const Part& part, int element, int point) const;
-  void update_outputs();
-  void update_stress_of_strain();
-  double explicit_stress_slope(const Limit& limit, const Eigen::VectorXd& y, int variable) const;
+  double limit_of(const Limit& limit) const { return study_.constraints[limit.constraint].limit; }
+  bool in_mass(int body) const;
+  double mass_slope(const SectionLaw& derivative, SizedElement at) const;
+
+  using StressChange = typename ElementStress<G>::Change;
+  using StressChanges = std::map<std::array<int, 3>, StressChange>;  ///< part, element, variable
+  StressChanges stress_changes() const;
+  void output_gradients();
   std::vector<Law> stiffness_derivatives(const Part& part) const;
+
+  using SecondLaws = std::vector<std::vector<std::vector<std::pair<SizedElement, SectionLaw>>>>;
+  SecondLaws second_laws() const;
+  Eigen::MatrixXd output_weights(int part, const Eigen::VectorXd& lambda, Eigen::MatrixXd& h) const;
 
   const Sizing& sizing_;
   const StudySpec& study_;
-  Mechanism mechanism_;  ///< at the latest x
-  const Model<G>& model_;
+  Mechanism mechanism_;                  ///< at the latest x
+  std::optional<Model<G>> parts_model_;  ///< where the motion was of another formalism
+  const Model<G>& model_;                ///< of the parts: beams of the Lie group formalism
   Space<G> space_;
   std::vector<Part> parts_;
   std::vector<Limit> limits_;
-  std::vector<StressRows> stress_of_strain_;  ///< S K_s by limit, at the latest x
   std::vector<RowRef> rows_;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;

@@ -90,6 +90,7 @@ LeastViolation least_violation(Problem& problem, const VectorXd& scale, const Ve
   const NlpResult r = solve_ipopt(relaxed, inner);
 
   LeastViolation out;
+  out.iterations = r.iterations;
   out.x = r.x.head(r.x.size() - 1);
   if (r.g.size()) {
     const double t = r.x[r.x.size() - 1];

@@ -44,7 +44,8 @@ struct LeastViolation {
   double violation = 0;  ///< t, scaled
   Eigen::VectorXd x;
   std::vector<NlpViolation> conflict;  ///< empty if t is within the feasibility tolerance
-  std::string reason;                  ///< sentence that names the conflict, or why it is unknown
+  int iterations = 0;
+  std::string reason;  ///< sentence that names the conflict, or why it is unknown
 };
 
 /// Solved by Ipopt from `start`, which has the scaled violation `start_violation`.

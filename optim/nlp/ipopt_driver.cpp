@@ -1,6 +1,5 @@
 #include "optim/nlp/ipopt_driver.hpp"
 
-#include <dlfcn.h>
 #include <fmt/format.h>
 
 #include <IpIpoptApplication.hpp>
@@ -9,8 +8,10 @@
 #include <algorithm>
 #include <cmath>
 #include <mutex>
+#include <optional>
 #include <stdexcept>
 
+#include "mbs/linalg/blas_threads.hpp"
 #include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/feasibility.hpp"
 
@@ -24,6 +25,8 @@ using Ipopt::Number;
 namespace {
 
 constexpr double kIpoptInfinity = 1e20;  ///< beyond nlp_upper_bound_inf = 1e19
+constexpr double kFar = 10;              ///< scaled violation of a start that may be hopeless
+constexpr double kHopeless = 1e-3;       ///< share of it that stays however the variables are
 
 /// Scaled problem as Ipopt asks for it; all the work is done by Evaluator.
 class Adapter : public Ipopt::TNLP {
@@ -183,12 +186,6 @@ void set_options(Ipopt::OptionsList& list, const NlpOptions& o, bool exact, bool
     number(push, o.warm_barrier);
 }
 
-/// More threads cost more than they give at these sizes, if the BLAS of this process is OpenBLAS.
-void one_blas_thread() {
-  if (void* symbol = dlsym(RTLD_DEFAULT, "openblas_set_num_threads"))
-    reinterpret_cast<void (*)(int)>(symbol)(1);
-}
-
 std::mutex ipopt_mutex;
 thread_local bool inside_ipopt = false;
 
@@ -303,6 +300,36 @@ NlpResult run_once(Evaluator& e, const NlpOptions& options, const NlpWarmStart* 
   return r;
 }
 
+/// Infeasible at the point of least violation `least`.
+void report_conflict(Evaluator& e, const LeastViolation& least, NlpResult& r) {
+  r.reason = least.reason;
+  r.conflict = least.conflict;
+  r.stationarity = 1;
+  r.status = least.solved ? NlpStatus::Infeasible : NlpStatus::Stopped;
+  if (least.solved && e.values(least.x.cwiseQuotient(e.scaling().x))) e.report(e.point(), r);
+  e.rethrow();
+}
+
+/// A start that misses its constraints by far: whether they can be met at all is asked first, in
+/// units of that violation. Ipopt by itself would use up its iterations on it.
+/// @returns the answer if they cannot; else `start` becomes a better one
+std::optional<NlpResult> hopeless(Evaluator& e, const NlpOptions& options,
+                                  std::optional<VectorXd>& start) {
+  const double violation = largest_violation(e.point().g, e.scaling().g);
+  if (!options.explain_infeasible || violation <= kFar) return {};
+  LeastViolation least =
+      least_violation(e.problem(), violation * e.scaling().g, e.point().x, 1, options);
+  if (!least.solved || least.violation <= kHopeless) {
+    start = least.x.cwiseQuotient(e.scaling().x);
+    return {};
+  }
+  for (auto& c : least.conflict) c.scaled *= violation;
+  NlpResult r;
+  r.iterations = least.iterations;
+  report_conflict(e, least, r);
+  return r;
+}
+
 /// The constraints in conflict, or a second run from a feasible point.
 NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
   const LeastViolation least =
@@ -314,12 +341,8 @@ NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
     if (again.status == NlpStatus::Infeasible) again.status = NlpStatus::Stopped;
     return again;
   }
-  r.reason = least.reason;
-  r.conflict = least.conflict;
-  r.stationarity = 1;
-  if (!least.solved) r.status = NlpStatus::Stopped;
-  if (least.solved && e.values(least.x.cwiseQuotient(e.scaling().x))) e.report(e.point(), r);
-  e.rethrow();
+  r.iterations += least.iterations;
+  report_conflict(e, least, r);
   return r;
 }
 
@@ -328,7 +351,9 @@ NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
 NlpResult solve_ipopt(Problem& problem, const NlpOptions& options, const NlpWarmStart* warm) {
   Evaluator e(problem, options);
   if (!e.usable()) return unusable(e);
-  NlpResult r = run_once(e, options, warm, nullptr);
+  std::optional<VectorXd> start;
+  if (auto early = hopeless(e, options, start)) return *early;
+  NlpResult r = run_once(e, options, warm, start ? &*start : nullptr);
   const bool infeasible = r.violation > options.feasibility;
   if (r.status == NlpStatus::Infeasible && !infeasible) {
     r.status = NlpStatus::Stopped;  // restoration failed near a feasible point

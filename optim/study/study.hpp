@@ -34,6 +34,14 @@ enum class Optimizer { Ipopt, Mma, Ccsaq, Slsqp };
 /// separable models of it.
 enum class NlpModel { Exact, Separable };
 
+/// Whether the end of a cycle is checked against the optimality conditions of the motion itself,
+/// which takes two simulations a variable.
+enum class OptimalityCheck {
+  Auto,  ///< up to 12 variables
+  Always,
+  Never
+};
+
 /// Where a part is held in its static problem; any statically determinate choice gives the same
 /// deformation. "start", "node3:xyz", "end:yz,rx", or "inertia_relief".
 using Support = std::vector<std::string>;
@@ -49,6 +57,7 @@ struct CycleOptions {
   int min_cases = 10;       ///< kept per constraint
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
+  OptimalityCheck optimality = OptimalityCheck::Auto;
 };
 
 /// Body whose deformation a response measures.

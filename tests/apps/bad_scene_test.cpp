@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <tuple>
 
 #include "apps/good_scene.hpp"
 #include "apps/scene/scene.hpp"
@@ -70,6 +72,7 @@ const BadScene kScenes[] = {
     {"NoTypeOfJoint", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ axis = [0, 0, 1] }", {"missing", "exactly one of", "revolute"}},
     {"OnePort", "pin = { revolute = [\"crank.end\", \"rod.start\"]", "pin = { revolute = @[\"crank.end\"]", {"1 entries", "two strings"}},
     {"NameWithDot", "round = {", "@\"a.b\" = { type = \"circle\", diameter = 0.1 }\nround = {", {"not a name", "without dots"}},
+    {"ManyElements", "elements = 4", "elements = @10001", {"out of range", "10000"}},
     // Names of nothing.
     {"NoSection", "section = \"round\"", "section = @\"ruond\"", {"no section 'ruond'", "did you mean 'round'"}},
     {"NoMaterial", "section = \"round\", material = \"steel\"", "section = \"round\", material = @\"Steal\"", {"no material 'Steal'", "'steel'"}},
@@ -121,6 +124,88 @@ const BadScene kScenes[] = {
     {"Syntax", "step = 1e-3", "step = @= 1e-3", {"not TOML"}},
 };
 // clang-format on
+
+TEST(LongText, NamesThatNoFileTakesAreRefused) {
+  const std::string name(256, 'n'), good(255, 'n');
+  const std::string entry = " = { type = \"circle\", diameter = 0.1 }\nround = {";
+  EXPECT_NO_THROW(read_scene(changed(kGoodScene, "round = {", good + entry), "scene.toml"));
+  try {
+    read_scene(changed(kGoodScene, "round = {", name + entry), "scene.toml");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems.size(), 1u);
+    EXPECT_EQ(error.problems[0].line, 8);
+    EXPECT_NE(error.problems[0].text().find("a name of 256 characters"), std::string::npos);
+  }
+  EXPECT_THROW(read_scene(changed(kGoodScene, "\"good\"", '"' + name + '"'), "scene.toml"),
+               InputError);
+}
+
+TEST(LongText, IsShortenedInMessages) {
+  const std::string endless(100000, '1');
+  const std::pair<const char*, std::string> faults[] = {
+      {"\"sin(2*pi*t)\"", "\"x+" + endless + "\""},
+      {"step = 1e-3", "a" + endless + " = 1"},
+      {"\"circle\"", "\"" + endless + "\""},
+  };
+  for (const auto& [from, to] : faults) try {
+      read_scene(changed(kGoodScene, from, to), "scene.toml");
+      ADD_FAILURE() << "not refused: " << from;
+    } catch (const InputError& error) {
+      for (const auto& problem : error.problems) {
+        EXPECT_LT(problem.text().size(), 1500u);
+        EXPECT_NE(problem.text().find("characters)"), std::string::npos) << problem.text();
+      }
+    }
+  try {
+    read_scene(kGoodScene, "scene.toml", {"simulation.stepp=" + endless});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 1500u);
+    EXPECT_NE(std::string(error.what()).find("did you mean 'step'?"), std::string::npos);
+  }
+  // Between UTF-8 characters only.
+  const InputProblem umlauts{"f",
+                             0,
+                             0,
+                             [] {
+                               std::string text;
+                               for (int i = 0; i < 1000; ++i) text += "\u00e4";
+                               return "x" + text;
+                             }(),
+                             "",
+                             ""};
+  const std::string text = umlauts.text().substr(3);
+  EXPECT_EQ(text[text.find("...") - 1], '\xa4');
+  EXPECT_EQ(text[text.rfind("...") + 3], '\xc3');
+}
+
+TEST(Units, ShippedScenesLookRight) {
+  EXPECT_TRUE(read_scene(kGoodScene, "scene.toml").warnings.empty());
+  for (const char* folder : {"scenes", "stability"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(LIESL_DATA_DIR) / folder))
+      if (entry.path().extension() == ".toml") {
+        EXPECT_TRUE(load_scene(entry.path()).warnings.empty()) << entry.path();
+      }
+}
+
+TEST(Units, LikelyMistakesAreNamed) {
+  const std::tuple<const char*, const char*, const char*> mistakes[] = {
+      {"E = 210e9", "E = 210", "210 GPa is 2.1e+11 Pa"},
+      {"E = 210e9", "E = 210e3", "210000 MPa is 2.1e+11 Pa"},
+      {"E = 210e9", "E = 210e12", "stiffer than diamond"},
+      {"rho = 7850", "rho = 7.85", "7.85 g/cm^3 is 7850 kg/m^3"},
+      {"rho = 7850", "rho = 7.85e6", "heavier than any solid"},
+      {"diameter = 0.02, shear", "diameter = 10, shear", "10 mm is 0.01 m"},
+      {"-9.81", "-9810", "9810 mm/s^2 is 9.81 m/s^2"},
+  };
+  for (const auto& [from, to, hint] : mistakes) {
+    const auto warnings = read_scene(changed(kGoodScene, from, to), "scene.toml").warnings;
+    ASSERT_EQ(warnings.size(), 1u) << to;
+    EXPECT_NE(warnings[0].find(hint), std::string::npos) << warnings[0];
+  }
+}
 
 INSTANTIATE_TEST_SUITE_P(Scene, Bad, testing::ValuesIn(kScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });

@@ -34,6 +34,14 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
   EXPECT_EQ(run({"optimise", "x"}).code, 2);
   EXPECT_EQ(run({"optimize", study("slider_crank_rod")}).code, 2) << "no -o";
   EXPECT_EQ(run({"--help"}).code, 0);
+  const Outcome misspelt = run({"runn", scene("pendulum"), "-o", results()});
+  EXPECT_EQ(misspelt.code, 2);
+  EXPECT_NE(misspelt.err.find("there is no command 'runn'; did you mean 'run'?"), std::string::npos)
+      << misspelt.err;
+  const Outcome strange = run({"zzzzzzzz"});
+  EXPECT_EQ(strange.code, 2);
+  EXPECT_NE(strange.err.find("known: check, run, esl, optimize, plot"), std::string::npos)
+      << strange.err;
 }
 
 TEST_F(Cli, RunAnswersWithFiguresAndNoProgressInAPipe) {
@@ -184,6 +192,32 @@ TEST_F(Cli, InterruptedRunEndsWithAReadableState) {
   EXPECT_EQ(run(words).code, 0);
 }
 
+TEST_F(Cli, ResumeOfNothingSaysWhatToDo) {
+  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--resume"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("there is no interrupted run in this folder"), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("run without --resume"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+TEST_F(Cli, LikelyMistakesInUnitsAreNoted) {
+  const Outcome check = run({"check", scene("slider_crank"), "--set", "materials.steel.E=210"});
+  EXPECT_EQ(check.code, 0);
+  EXPECT_NE(check.out.find("materials.steel.E = 210 Pa"), std::string::npos) << check.out;
+  ASSERT_EQ(run(short_run(results(), {"--set", "gravity=[0,-9810,0]"})).code, 0);
+  ASSERT_FALSE(summary()["warnings"].empty());
+  EXPECT_NE(summary()["warnings"][0].get<std::string>().find("9.81 m/s^2"), std::string::npos);
+}
+
+TEST_F(Cli, NonOptimalEndIsSaidWithItsResidual) {
+  const Outcome o =
+      run({"optimize", kData / "stability/studies/esl_non_optimal.toml", "-o", results()});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NEAR(summary()["kkt_residual"].get<double>(), 0.706, 0.02);
+  EXPECT_NE(o.out.find("the dynamic optimality conditions do not hold"), std::string::npos)
+      << o.out;
+}
+
 TEST_F(Cli, CheckpointOfAnotherStudyIsRefused) {
   const Words first = {"optimize",   study("slider_crank_rod"), "-o", results(), "--set",
                        "cycle.max=1"};
@@ -205,7 +239,7 @@ std::vector<fs::path> shipped(const char* folder, std::optional<liesl::FileKind>
 }
 
 TEST_F(Cli, ChecksEveryShippedFile) {
-  for (const char* folder : {"scenes", "studies"})
+  for (const char* folder : {"scenes", "studies", "stability", "stability/studies"})
     for (const auto& file : shipped(folder)) EXPECT_EQ(run({"check", file}).code, 0) << file;
 }
 

@@ -179,8 +179,18 @@ TEST(WriteFile, FullDiskIsNamed) {
     write_file("/dev/full", "text");
     FAIL() << "a full disk went unnoticed";
   } catch (const IoError& error) {
-    EXPECT_STREQ(error.what(), "cannot write '/dev/full': No space left on device");
+    EXPECT_STREQ(
+        error.what(),
+        "cannot write '/dev/full': the disk is full (No space left on device); make room or "
+        "choose another folder");
   }
+}
+
+TEST(IoError, FullDiskIsNamedWhicheverLibrarySaysIt) {
+  const IoError hdf5("write", "results.h5",
+                     "file write failed: errno = 28, error message = 'No space left on device'");
+  EXPECT_EQ(hdf5.reason().find("the disk is full ("), 0u) << hdf5.reason();
+  EXPECT_EQ(IoError("write", "file", "Permission denied").reason(), "Permission denied");
 }
 
 TEST(ReadFile, RefusesFoldersMissingAndHugeFiles) {

@@ -19,10 +19,11 @@ from pathlib import Path
 # are peers and do not see each other. A folder that is not listed is an error: add it here.
 LAYERS = [
     ("liegroup",),
+    ("mbs/levelset",),
     ("mbs/sections",),
     ("mbs/model",),
     ("mbs/linalg",),
-    ("mbs/bodies", "mbs/couplings"),
+    ("mbs/bodies", "mbs/couplings", "mbs/solids"),
     ("mbs/system",),
     ("mbs/solvers",),
     ("esl",),

@@ -132,6 +132,46 @@ TYPED_TEST(Part, GradientsHaveDifferencesOfSecondOrder) {
   EXPECT_LT(error(1e-4), 1e-7);
 }
 
+TYPED_TEST(Part, DirectAndAdjointGradientsAreTheSame) {
+  const Sample<TypeParam> sample;
+  const int n = sample.beam.size();
+  for (const auto& support : supports(sample.planar)) {
+    StaticPart<TypeParam> part(sample.beam, sample.held(support), random(n, 4, 3));
+    part.set_loads(random(n, 3, 4));
+    const auto K = sample.law();
+    const auto dK = random_change<TypeParam>(K, 5);
+    ASSERT_TRUE(part.solve(K));
+    Matrix adjoint = Matrix::Zero(4, 3), direct = adjoint;
+    for (int e = 0; e < sample.beam.elements(); ++e) part.add_gradient(e, dK[e], adjoint);
+    part.add_gradient_direct(dK, direct);
+    EXPECT_LT((direct - adjoint).norm(), 1e-10 * adjoint.norm()) << support[0];
+    EXPECT_GT(adjoint.norm(), 0);
+  }
+}
+
+TYPED_TEST(Part, ComplianceIsLoadTimesDisplacementWithDifferencesOfSecondOrder) {
+  const Sample<TypeParam> sample;
+  StaticPart<TypeParam> part(sample.beam, sample.held(supports(sample.planar)[2]),
+                             random(sample.beam.size(), 1, 3));
+  const Matrix f = random(sample.beam.size(), 3, 4);
+  part.set_loads(f);
+  const auto K = sample.law();
+  const auto dK = random_change<TypeParam>(K, 5);
+  ASSERT_TRUE(part.solve(K));
+  EXPECT_LT((part.compliance() - (f.transpose() * part.u()).diagonal().transpose()).norm(),
+            1e-12 * part.compliance().norm());
+  Eigen::RowVectorXd slope = Eigen::RowVectorXd::Zero(3);
+  for (int e = 0; e < sample.beam.elements(); ++e) slope += part.compliance_gradient(e, dK[e]);
+  const auto error = [&](double h) {
+    part.solve(sum<TypeParam>(K, h, dK));
+    const Eigen::RowVectorXd plus = part.compliance();
+    part.solve(sum<TypeParam>(K, -h, dK));
+    return ((plus - part.compliance()) / (2 * h) - slope).norm() / slope.norm();
+  };
+  EXPECT_NEAR(std::log10(error(0.1) / error(0.01)), 2, 0.1);
+  EXPECT_LT(error(1e-4), 1e-7);
+}
+
 TYPED_TEST(Part, SecondDerivativesAreThoseOfTheGradients) {
   using G = TypeParam;
   const Sample<G> sample;

@@ -67,7 +67,8 @@ class JointSystemTest : public ::testing::Test {
 
   /// [A + C^T k C, B^T; B, 0] with A of the bodies, C the rows of springs and dampers.
   void solve_dense(const std::function<BlockTridiagonal<width>(int)>& body, double gamma,
-                   bool compliant, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda) const {
+                   bool compliant, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda,
+                   double scaling = 1, double penalty = 0) const {
     const int n = model.size(), c = model.constraints();
     Eigen::MatrixXd S = Eigen::MatrixXd::Zero(n + c, n + c);
     for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -94,6 +95,13 @@ class JointSystemTest : public ::testing::Test {
     }
     Eigen::VectorXd rhs(n + c);
     rhs << -eq.r, -eq.phi;
+    // Thesis eq. 2.8: k lambda + p Phi in the place of lambda, k Phi in that of Phi.
+    const Eigen::MatrixXd B = S.bottomLeftCorner(c, n);
+    S.topLeftCorner(n, n) += penalty * B.transpose() * B;
+    rhs.head(n) -= penalty * B.transpose() * eq.phi;
+    S.topRightCorner(n, c) *= scaling;
+    S.bottomLeftCorner(c, n) *= scaling;
+    rhs.tail(c) *= scaling;
     // Rows and columns of the constraints in the size of A, for the sake of the pivots.
     Eigen::VectorXd d = Eigen::VectorXd::Ones(n + c);
     d.tail(c) *= S.diagonal().cwiseAbs().maxCoeff();
@@ -103,7 +111,7 @@ class JointSystemTest : public ::testing::Test {
                                                    .solve(d.asDiagonal() * rhs)
                                                    .eval();
     delta = x.head(n);
-    dlambda = x.tail(c);
+    dlambda = scaling * x.tail(c);
   }
 
   /// Multipliers to a relative 1e-9, positions likewise.
@@ -126,6 +134,23 @@ using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(JointSystemTest, Groups);
 
 constexpr TangentWeights kWeights{4e8, 2e4};
+
+/// The classical formalism's scaling and penalty of constraints make no other corrections.
+TYPED_TEST(JointSystemTest, ScalingAndPenaltyOfConstraintsLeaveTheCorrectionsAsTheyAre) {
+  JointSystem<TypeParam> system(this->model);
+  ASSERT_TRUE(system.factor(kWeights));
+  const auto body = [&](int b) {
+    BodyMatrix<TypeParam::dim> A(this->model.bodies[std::size_t(b)]->nodes());
+    const auto& part = *this->model.bodies[std::size_t(b)];
+    A.set_sum(kWeights.mass, part.mass(), 1 + kWeights.damping * part.damping(), part.stiffness());
+    return A;
+  };
+  Eigen::VectorXd delta, dlambda = this->s.lambda, x, y;
+  ASSERT_TRUE(system.solve(this->eq, delta, dlambda, true));
+  this->solve_dense(body, kWeights.damping, true, x, y, 1e7, 1e5);
+  EXPECT_LT((delta - x).norm(), 1e-8 * x.norm());
+  EXPECT_LT((dlambda - y).norm(), 1e-8 * y.norm());
+}
 
 TYPED_TEST(JointSystemTest, ConstantTangent) {
   JointSystem<TypeParam> system(this->model);

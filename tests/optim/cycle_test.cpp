@@ -45,7 +45,8 @@ double rod_mass(const Eigen::VectorXd& diameters) {
 
 void expect_finite(const CycleResult<SE2>& r) {
   EXPECT_TRUE(r.x.allFinite());
-  EXPECT_TRUE(std::isfinite(r.mass) && std::isfinite(r.worst) && std::isfinite(r.load_change));
+  EXPECT_TRUE(std::isfinite(r.mass) && std::isfinite(r.worst) &&
+              std::isfinite(r.load_change.value_or(0)));
   EXPECT_FALSE(r.reason.empty());
   for (const auto& c : r.history) {
     EXPECT_TRUE(c.x.allFinite() && c.next.allFinite());
@@ -151,6 +152,16 @@ TEST(CycleEnds, InfeasibleWithTheNameOfTheLimit) {
   expect_best(r, 1e-3);
 }
 
+TEST(CycleEnds, InfeasibleAtOnceWhereTheLimitIsHopeless) {
+  const auto r = cycle(rod({"constraints.bending.limit=1e-12"}));
+  EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
+  EXPECT_NE(r.reason.find("'bending' cannot be met"), std::string::npos) << r.reason;
+  int iterations = 0;
+  for (const auto& c : r.history) iterations += c.iterations;
+  EXPECT_LT(iterations, 60) << "Ipopt alone: 600 a cycle";
+  expect_finite(r);
+}
+
 TEST(CycleEnds, SimulationFailedWithTheReason) {
   const auto r = cycle(rod({"joints.motor.drive.rate=1e7"}));
   EXPECT_EQ(r.status, CycleStatus::SimulationFailed);
@@ -180,6 +191,86 @@ TEST(CycleEnds, WildMovesOfAFlexiblePartEndWithAStatusAndTheBestDesign) {
       EXPECT_LE(r.worst, 1e-3);
     }
   }
+}
+
+TEST(CycleEnds, OscillatingWhereEveryAnswerIsFurtherFromTheFixedPoint) {
+  const auto r = cycle(test::stability_study("esl_oscillates"));
+  ASSERT_EQ(r.status, CycleStatus::Oscillating) << r.reason;
+  expect_finite(r);
+  expect_best(r, 1e-3);
+  // The answer in closed form: x -> x u(x) / limit = x / (0.985 x - 1.5), x in mm.
+  int unlimited = 0;
+  for (const auto& c : r.history) {
+    if (c.answer.size() == 0) continue;
+    const double x = 1e3 * c.x[0], answer = x / std::abs(0.985 * x - 1.5);
+    if (std::abs(answer / x - 1) > 0.99 * c.move || answer > 10 || answer < 1) continue;
+    ++unlimited;
+    EXPECT_NEAR(1e3 * c.answer[0], answer, 0.01 * answer) << c.number;
+  }
+  EXPECT_GE(unlimited, 3);
+  const double fixed_point = 2.5e-3 / 0.985;
+  EXPECT_LE(r.worst, 1e-3) << "the best design meets the limit";
+  EXPECT_NEAR(r.x[0], fixed_point, 0.01 * fixed_point);
+}
+
+/// Cost of the two springs of Stolpe's example, x in mm.
+const Eigen::Vector2d kStolpesEnd(5 - 4 * 0.001, 0.001), kStolpesOptimum(0.001, 1.25 - 0.00025);
+
+TEST(Optimality, EndOfStolpesCycleIsNotCalledOptimal) {
+  const auto r = cycle(test::stability_study("esl_non_optimal"));
+  ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
+  expect_finite(r);
+  EXPECT_LT((1e3 * r.x - kStolpesEnd).norm(), 0.02) << 1e3 * r.x.transpose();
+  ASSERT_TRUE(r.optimality && r.optimality->residual);
+  EXPECT_FALSE(r.optimality->holds());
+  // As of the closed form (tests/optim/kkt_test.cpp).
+  EXPECT_NEAR(r.optimality->residual->stationarity, 1 - 0.2 / 0.68, 0.02);
+  EXPECT_EQ(r.optimality->residual->worst_variable, "x1");
+  EXPECT_GT(r.optimality->residual->worst_slope, 0);
+  EXPECT_NE(r.reason.find("the dynamic optimality conditions do not hold"), std::string::npos)
+      << r.reason;
+  EXPECT_FALSE(r.warnings.empty());
+}
+
+TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
+  const Study study = test::stability_study("esl_non_optimal");
+  const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
+                                       study.spec);
+  const auto check = [&](const Eigen::VectorXd& x) {
+    return check_optimality(simulator, simulator.run(x), x, 1e-2);
+  };
+  const DynamicOptimality right = check(1e-3 * kStolpesOptimum);
+  ASSERT_TRUE(right.residual) << right.reason;
+  EXPECT_TRUE(right.holds()) << right.brief();
+  EXPECT_LT(right.residual->stationarity, 0.01);
+  EXPECT_EQ(right.simulations, 3) << "one at the lower bound, two inside";
+  const DynamicOptimality between = check(1e-3 * Eigen::Vector2d(1, 1));  // on the limit
+  EXPECT_FALSE(between.holds()) << between.brief();
+  const DynamicOptimality slack = check(1e-3 * Eigen::Vector2d(5, 5));
+  // Nothing holds the mass up: its slope over a range, 9.999 mm, against that of 5 + 5 mm.
+  EXPECT_NEAR(slack.residual->stationarity, 0.9999, 1e-6);
+}
+
+TEST(Optimality, HoldsWithoutInertia) {
+  // Loads that do not follow the design: the static optimum is the optimum.
+  const auto r = cycle(test::shipped_study("svanberg_cantilever"));
+  ASSERT_TRUE(r.optimality && r.optimality->residual);
+  EXPECT_LT(r.optimality->residual->stationarity, 1e-3) << r.optimality->brief();
+  EXPECT_EQ(r.reason.find("do not hold"), std::string::npos);
+}
+
+TEST(Optimality, IsCheckedAsAsked) {
+  const char* quick = "simulation.duration=0.05";
+  EXPECT_FALSE(cycle(rod({quick, "cycle.optimality=never"})).optimality);
+  const char* many = "design.rod_diameters.groups=8";
+  const auto few_variables = cycle(rod({quick, many}));
+  ASSERT_TRUE(few_variables.optimality);
+  EXPECT_EQ(few_variables.optimality->simulations, 16);
+  EXPECT_FALSE(cycle(rod({quick, "scene.bodies.rod.beam.elements=16",
+                          "design.rod_diameters.groups=16", "cycle.max=1"}))
+                   .optimality)
+      << "too many";
 }
 
 /// Runs until `simulations` have been begun, then asks to stop.

@@ -154,5 +154,28 @@ TEST(Ipopt, ManyConstraintsInReasonableTime) {
   }
 }
 
+TEST(Ipopt, StartFarFromFeasibleStillFindsTheOptimum) {
+  // 1000 times too soft at the start: first the least violation, then the optimum.
+  SvanbergBeam beam;
+  const NlpResult near = solve_ipopt(beam);
+  struct Far final : SvanbergBeam {
+    const std::vector<NlpVariable>& variables() const override { return variables_; }
+    const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+    std::vector<NlpVariable> variables_ = SvanbergBeam::variables();
+    std::vector<NlpConstraint> constraints_ = {{7, "tip displacement", 1}};
+    Far() {
+      for (auto& v : variables_) v.start = v.lower = 0.5;
+    }
+  } far;
+  Eigen::VectorXd g(1);
+  double f = 0;
+  far.values(Eigen::VectorXd::Constant(5, 0.5), f, g);
+  ASSERT_GT(g[0], 100);
+  const NlpResult r = solve_ipopt(far);
+  ASSERT_EQ(r.status, NlpStatus::Converged) << r.brief();
+  EXPECT_NEAR(r.f, near.f, 1e-7 * near.f);
+  EXPECT_LT((r.x - near.x).norm(), 1e-5 * near.x.norm());
+}
+
 }  // namespace
 }  // namespace liesl

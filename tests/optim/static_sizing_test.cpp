@@ -7,9 +7,12 @@
 
 #include <map>
 
+#include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
+#include "optim/cycle/esl_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #include "reference/shipped.hpp"
+#include "reference/svanberg_beam.hpp"
 
 namespace liesl {
 namespace {
@@ -26,7 +29,9 @@ struct First {
   Eigen::VectorXd x;
 
   explicit First(const std::string& name, const Changes& changes = {})
-      : study(test::shipped_study(name, changes)),
+      : First(test::shipped_study(name, changes)) {}
+  explicit First(const Study& s)
+      : study(s),
         sizing(study.spec.design, study.scene.mechanism),
         motion(study.scene.mechanism, study.scene.simulation),
         analysis{study.scene.mechanism, &motion.model, &motion.trajectory(), {}},
@@ -51,7 +56,7 @@ class Derivatives : public testing::TestWithParam<Case> {};
 
 TEST_P(Derivatives, AreRight) {
   const Study study = test::shipped_study(GetParam().study);
-  const auto& [mechanism, simulation, responses, file, input] = study.scene;
+  const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
   const DerivativeReport report =
       GetParam().spatial ? check_study_derivatives<SE3>(mechanism, {}, simulation, study.spec)
                          : check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
@@ -129,6 +134,85 @@ TEST(StaticSizing, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   EXPECT_NEAR(answer.f, reference.f, 1e-7 * reference.f);
   EXPECT_LT((answer.x - reference.x).norm(), 1e-5 * reference.x.norm());
   EXPECT_EQ(all.add_violated(reference.x, 1e-6), 0);
+}
+
+/// Gradients of the rows by constraint id.
+template <FrameGroup G>
+std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, StaticSizing<G>& problem) {
+  const auto m = static_cast<int>(problem.constraints().size());
+  double f = 0;
+  Eigen::VectorXd g(m), df(first.x.size());
+  RowMatrix dg(m, first.x.size());
+  problem.values(first.x, f, g);
+  problem.gradients(first.x, df, dg);
+  std::map<ConstraintId, Eigen::VectorXd> rows;
+  for (int i = 0; i < m; ++i) rows[problem.constraints()[i].id] = dg.row(i);
+  return rows;
+}
+
+TEST(StaticSizing, DirectAndAdjointFormsGiveTheSameGradients) {
+  const First<SE2> few("slider_crank_both", {"cycle.screening=0", "cycle.min_cases=1"});
+  const First<SE2> many("slider_crank_both", {"cycle.screening=0.5", "cycle.min_cases=20"});
+  auto direct = few.problem(), adjoint = many.problem();
+  const int outputs = 3 * 8, variables = static_cast<int>(few.x.size());  // strains alone
+  EXPECT_LT(direct.load_cases() * variables, outputs) << "not the direct form";
+  EXPECT_GT(adjoint.load_cases() / 2 * variables, 2 * outputs) << "not the adjoint form";
+  const auto by_adjoint = gradients(many, adjoint);
+  const auto by_direct = gradients(few, direct);
+  EXPECT_GE(by_direct.size(), 3u);
+  for (const auto& [id, row] : by_direct) {
+    ASSERT_EQ(by_adjoint.count(id), 1u);
+    EXPECT_LT((row - by_adjoint.at(id)).norm(), 1e-9 * row.norm()) << id;
+  }
+}
+
+/// A shipped scene's beam, sized under a limit on its compliance alone.
+Study compliance_study(const std::string& scene, const std::string& design, const std::string& beam,
+                       const std::string& limit) {
+  return read_study("scene = \"" + scene + ".toml\"\n[design]\nx = { of = \"" + beam + "\", " +
+                        design + " }\n[objective]\nof = [\"" + beam +
+                        "\"]\n[constraints]\nenergy = { response = \"compliance\", of = \"" + beam +
+                        "\", limit = " + limit + " }\n",
+                    "compliance.toml", std::filesystem::path(LIESL_DATA_DIR) / "scenes");
+}
+
+const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.004, 0.020]";
+
+TEST(Compliance, DerivativesAreRight) {
+  const Study study = compliance_study("slider_crank", kFourDiameters, "rod", "1");
+  const Mechanism& mechanism = study.scene.mechanism;
+  const auto report = check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
+                                                   study.scene.simulation, study.spec);
+  EXPECT_GT(report.checks.size(), 10u);
+  EXPECT_TRUE(report.right) << report.text(5);
+}
+
+TEST(Compliance, IsTwiceTheElasticEnergyOfTheMotion) {
+  const First<SE2> first(compliance_study("slider_crank", kFourDiameters, "rod", "1"));
+  const ResponseValues<SE2> values(first.study.scene.mechanism, first.motion.model);
+  State<SE2> s = first.motion.model.initial_state();
+  for (int n = 0; n < first.motion.trajectory().size(); n += 50) {
+    first.motion.trajectory().read(n, s);
+    const BodyEnergy energy = first.motion.model.bodies[1]->energy(
+        first.motion.model.body_state(s, 1), first.motion.model.gravity);
+    EXPECT_DOUBLE_EQ(values(first.study.spec.constraints[0].response, s)[0], 2 * energy.elastic);
+  }
+}
+
+TEST(Compliance, AsALimitGivesThePublishedOptimumOfTheTipDeflection) {
+  // One load: compliance = 0.042 N times the tip deflection, at most 5 mm.
+  const Study study = compliance_study(
+      "svanberg_cantilever",
+      "property = [\"width\", \"height\"], groups = 5, bounds = [0.01, 0.10]", "beam", "2.1e-4");
+  const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
+                                study.scene.simulation, study.spec);
+  ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
+  EXPECT_LT(std::abs(r.worst), 1e-4) << "the limit is not used";
+  using reference::SvanbergBeam;
+  EXPECT_NEAR(r.mass, SvanbergBeam::optimum, 1e-4 * SvanbergBeam::optimum);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR((r.x[i] - 2e-5) / 0.01, SvanbergBeam::solution[i],
+                1e-3 * SvanbergBeam::solution[i]);
 }
 
 TEST(StaticSizing, BoundsAreThoseOfTheMoveLimit) {

@@ -21,6 +21,12 @@ inline Study shipped_study(const std::string& name, const Changes& changes = {})
   return load_study(std::filesystem::path(LIESL_DATA_DIR) / "studies" / (name + ".toml"), changes);
 }
 
+/// Of data/stability, where methods fail.
+inline Study stability_study(const std::string& name, const Changes& changes = {}) {
+  const auto folder = std::filesystem::path(LIESL_DATA_DIR) / "stability" / "studies";
+  return load_study(folder / (name + ".toml"), changes);
+}
+
 template <FrameGroup G>
 Space<G> space_of(const Mechanism& mechanism) {
   if constexpr (G::dim == 3)

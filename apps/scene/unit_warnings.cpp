@@ -1,0 +1,70 @@
+/// @file
+/// Values that are possible but look like another unit than SI.
+#include <fmt/format.h>
+
+#include "apps/scene/reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+// Bulk solids are between rubber and diamond, foam and (ten times) lead; nothing falls a hundred
+// times faster than here.
+constexpr double kSoftest = 5e5, kStiffest = 2e12;   // Pa
+constexpr double kLightest = 10, kHeaviest = 1.2e5;  // kg/m^3
+constexpr double kStrongestGravity = 1e3;            // m/s^2
+
+std::string modulus(const Material& m) {
+  const double E = m.E;
+  if (E >= kSoftest && E <= kStiffest) return "";
+  if (E > kStiffest)
+    return fmt::format("materials.{}.E = {:g} Pa is stiffer than diamond: steel has 2.1e11", m.name,
+                       E);
+  const bool giga = E < 2000;
+  return fmt::format("materials.{}.E = {:g} Pa is softer than rubber: {:g} {} is {:g} Pa", m.name,
+                     E, E, giga ? "GPa" : "MPa", E * (giga ? 1e9 : 1e6));
+}
+
+std::string density(const Material& m) {
+  if (m.rho == 0 || (m.rho >= kLightest && m.rho <= kHeaviest)) return "";
+  const bool light = m.rho < kLightest;
+  return fmt::format("materials.{}.rho = {:g} kg/m^3 is {}: {}", m.name, m.rho,
+                     light ? "lighter than foam" : "heavier than any solid",
+                     light && m.rho > 0.1
+                         ? fmt::format("{:g} g/cm^3 is {:g} kg/m^3", m.rho, 1e3 * m.rho)
+                         : "densities are in kg/m^3");
+}
+
+/// Largest dimension of a section against the size of the whole mechanism.
+std::string breadth(const Section& section, double size) {
+  for (const auto name : dimensions(section.shape)) {
+    const double d = dimension(section.shape, name);
+    if (d > size)
+      return fmt::format(
+          "sections.{}.{} = {:g} m is larger than the whole mechanism ({:.3g} m): "
+          "{:g} mm is {:g} m",
+          section.name, name, d, size, d, 1e-3 * d);
+  }
+  return "";
+}
+
+}  // namespace
+
+std::vector<std::string> unit_warnings(const Reader& reader) {
+  std::vector<std::string> warnings;
+  const auto add = [&warnings](std::string text) {
+    if (!text.empty()) warnings.push_back(std::move(text));
+  };
+  for (const auto& [name, material] : reader.materials) {
+    add(modulus(material));
+    add(density(material));
+  }
+  const double size = size_of(reader.scene.mechanism);
+  for (const auto& [name, section] : reader.sections)
+    if (size > 0) add(breadth(section, size));
+  if (const double g = reader.scene.mechanism.gravity.norm(); g > kStrongestGravity)
+    add(fmt::format("gravity = {:g} m/s^2: {:g} mm/s^2 is {:g} m/s^2", g, g, 1e-3 * g));
+  return warnings;
+}
+
+}  // namespace liesl

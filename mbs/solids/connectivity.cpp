@@ -1,0 +1,82 @@
+#include "mbs/solids/connectivity.hpp"
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <numeric>
+#include <vector>
+
+namespace liesl {
+namespace {
+
+using Side = std::array<int, 4>;
+
+/// Nodes of the sides of a cell, growing, so that both neighbours name a side alike; -1: unused.
+std::vector<Side> sides(const SolidMesh& mesh, int cell) {
+  static constexpr std::array<std::array<int, 4>, 6> faces = {
+      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  std::vector<Side> all;
+  for (int s = 0; s < (mesh.dim == 2 ? 4 : 6); ++s) {
+    Side side = {-1, -1, mesh.cells(s % 4, cell), mesh.cells((s + 1) % 4, cell)};
+    if (mesh.dim == 3)
+      for (int i = 0; i < 4; ++i) side[i] = mesh.cells(faces[s][i], cell);
+    std::sort(side.begin(), side.end());
+    all.push_back(side);
+  }
+  return all;
+}
+
+/// Disjoint sets of cells.
+struct Groups {
+  std::vector<int> parent;
+  explicit Groups(int n) : parent(n) { std::iota(parent.begin(), parent.end(), 0); }
+  int find(int i) {
+    while (parent[i] != i) i = parent[i] = parent[parent[i]];
+    return i;
+  }
+  void join(int i, int j) { parent[find(i)] = find(j); }
+};
+
+}  // namespace
+
+std::optional<ConnectivityProblem> cut_interface(const SolidModel& model, const Eigen::VectorXd& v,
+                                                 double threshold) {
+  const SolidMesh& mesh = model.mesh();
+  Groups groups(mesh.cell_count());
+  std::map<Side, int> open;
+  std::vector<std::vector<int>> at_node(mesh.node_count());
+  for (int e = 0; e < mesh.cell_count(); ++e) {
+    if (!(v[e] >= threshold)) continue;
+    for (const Side& side : sides(mesh, e)) {
+      const auto [it, fresh] = open.try_emplace(side, e);
+      if (!fresh) groups.join(e, it->second);
+    }
+    for (int c = 0; c < mesh.corners(); ++c) at_node[mesh.cells(c, e)].push_back(e);
+  }
+  std::vector<int> main;  // groups that the interfaces so far have in common
+  for (int k = 0; k < model.ports(); ++k) {
+    const Interface& f = model.interfaces()[k];
+    std::vector<int> own;
+    for (int node : f.nodes)
+      for (int e : at_node[node]) own.push_back(groups.find(e));
+    std::sort(own.begin(), own.end());
+    own.erase(std::unique(own.begin(), own.end()), own.end());
+    if (own.empty())
+      return ConnectivityProblem{f.name, "no material is left at interface '" + f.name + "'"};
+    if (k == 0) {
+      main = own;
+      continue;
+    }
+    std::vector<int> both;
+    std::set_intersection(main.begin(), main.end(), own.begin(), own.end(),
+                          std::back_inserter(both));
+    if (both.empty())
+      return ConnectivityProblem{f.name, "interface '" + f.name +
+                                             "' is cut off: no material joins it to interface '" +
+                                             model.interfaces()[0].name + "'"};
+    main = both;
+  }
+  return std::nullopt;
+}
+
+}  // namespace liesl

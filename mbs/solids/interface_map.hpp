@@ -1,0 +1,26 @@
+#pragma once
+/// @file
+/// The map from the coordinates of a meshed part to the displacements of its nodes.
+
+#include <Eigen/SparseCore>
+#include <vector>
+
+#include "mbs/solids/solid_model.hpp"
+
+namespace liesl {
+
+/// Displacement of a point by the rigid motions about `centre`: dim x 3 (plane) or 6.
+Eigen::MatrixXd rigid_displacement(int dim, const Eigen::Vector3d& x,
+                                   const Eigen::Vector3d& centre);
+
+struct InterfaceMap {
+  SolidModel::Sparse T;         ///< node freedoms x q
+  std::vector<int> coordinate;  ///< by freedom; -1: depends on others
+};
+
+/// Rigid: u_i = rigid_displacement(x_i) q_P. Averaged: with the rows C of the least-squares motion
+/// of the nodes, q_P = C u; the freedoms d that a pivoted QR of C picks are solved for,
+/// u_d = C_d^-1 (q_P - C_rest u_rest). @throws std::invalid_argument, see SolidModel
+InterfaceMap interface_map(const SolidMesh& mesh, const std::vector<Interface>& interfaces);
+
+}  // namespace liesl

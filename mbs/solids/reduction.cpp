@@ -1,0 +1,190 @@
+#include "mbs/solids/reduction.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+#include "mbs/linalg/sparse_cholesky.hpp"
+#include "mbs/linalg/symmetric_modes.hpp"
+#include "mbs/solids/solid_statics.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using Sparse = SolidModel::Sparse;
+
+VectorXd hertz(const VectorXd& lambda) {
+  return lambda.cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
+}
+
+struct Basis {
+  MatrixXd modes;
+  VectorXd frequencies;
+  bool converged = false;
+};
+
+/// [K_ii K_ib; K_bi K_bb] with b the ports: constraint modes -K_ii^-1 K_ib, modes of (K_ii, M_ii).
+Basis craig_bampton(const SolidModel& model, const Sparse& K, const Sparse& M, int internal) {
+  const int boundary = model.rigid_count() * model.ports(), inner = model.size() - boundary;
+  if (boundary == 0) throw std::invalid_argument("Craig-Bampton modes need an interface");
+  const Sparse K_ii = K.topLeftCorner(inner, inner), M_ii = M.topLeftCorner(inner, inner);
+  const Sparse K_bi = K.bottomLeftCorner(boundary, inner);  // the lower triangle holds it
+  Basis b;
+  SparseCholesky factor;
+  if (!factor.factor(K_ii)) return b;
+  const SymmetricModes fixed = symmetric_modes(K_ii, M_ii, internal);
+  if (!fixed.converged) return b;
+  b.modes = MatrixXd::Zero(model.size(), boundary + internal);
+  b.modes.topLeftCorner(inner, boundary) = -factor.solve(MatrixXd(K_bi.transpose()));
+  b.modes.block(inner, 0, boundary, boundary).setIdentity();
+  b.modes.topRightCorner(inner, internal) = fixed.phi;
+  b.frequencies = hertz(fixed.lambda);
+  b.converged = true;
+  return b;
+}
+
+/// Orthonormal with respect to M in this order; directions that add nothing are dropped.
+MatrixXd orthonormal(const MatrixXd& columns, const Sparse& M) {
+  MatrixXd kept(columns.rows(), 0);
+  for (Eigen::Index j = 0; j < columns.cols(); ++j) {
+    VectorXd c = columns.col(j);
+    const double before = std::sqrt(c.dot(M.selfadjointView<Eigen::Lower>() * c));
+    for (int pass = 0; pass < 2; ++pass)
+      c -= kept * (kept.transpose() * (M.selfadjointView<Eigen::Lower>() * c)).eval();
+    const double after = std::sqrt(c.dot(M.selfadjointView<Eigen::Lower>() * c));
+    if (!(after > 1e-8 * before)) continue;
+    kept.conservativeResize(Eigen::NoChange, kept.cols() + 1);
+    kept.col(kept.cols() - 1) = c / after;
+  }
+  return kept;
+}
+
+Basis free_interface(SolidModel& model, const VectorXd& v, int internal) {
+  const Sparse K = model.stiffness(v), M = model.mass(v);
+  const int rigid = model.rigid_count();
+  const SymmetricModes free = symmetric_modes(K, M, rigid + internal);
+  Basis b;
+  if (!free.converged) return b;
+  MatrixXd unit = MatrixXd::Zero(model.size(), rigid * model.ports());
+  unit.bottomRows(unit.cols()).setIdentity();
+  SolidStatics statics(model, SolidSupport::relief(), {});
+  statics.set_loads(unit);
+  if (statics.solve(v) != SolidStatus::Solved) return b;
+  MatrixXd all(model.size(), rigid + internal + unit.cols());
+  all << model.rigid_motions(), free.phi.rightCols(internal), statics.q();
+  b.modes = orthonormal(all, M);
+  b.frequencies = hertz(free.lambda.tail(internal));
+  b.converged = true;
+  return b;
+}
+
+/// Elastic free-free modes of the mesh: eigenvalues and shapes (q).
+SymmetricModes elastic_modes(SolidModel& model, const VectorXd& v, int count) {
+  const int rigid = model.rigid_count();
+  SymmetricModes modes = symmetric_modes(model.stiffness(v), model.mass(v), rigid + count);
+  if (modes.converged) {
+    modes.lambda = modes.lambda.tail(count).eval();
+    modes.phi = modes.phi.rightCols(count).eval();
+  }
+  return modes;
+}
+
+}  // namespace
+
+ReducedSolid reduce(SolidModel& model, const VectorXd& v, ReductionKind kind, int internal) {
+  const Sparse K = model.stiffness(v), M = model.mass(v);
+  const bool fixed = kind == ReductionKind::CraigBampton;
+  Basis b = fixed ? craig_bampton(model, K, M, internal) : free_interface(model, v, internal);
+  ReducedSolid r;
+  r.converged = b.converged;
+  if (!b.converged) return r;
+  r.basis = std::move(b.modes);
+  r.K = r.basis.transpose() * (K.selfadjointView<Eigen::Lower>() * r.basis);
+  r.M = r.basis.transpose() * (M.selfadjointView<Eigen::Lower>() * r.basis);
+  r.K = (0.5 * (r.K + r.K.transpose())).eval();
+  r.M = (0.5 * (r.M + r.M.transpose())).eval();
+  r.ports = fixed ? model.rigid_count() * model.ports() : 0;
+  r.frequencies = std::move(b.frequencies);
+  r.inertia = inertia_integrals(model, v, r.basis);
+  return r;
+}
+
+InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
+                                   const MatrixXd& modes) {
+  const SolidMesh& mesh = model.mesh();
+  const int dim = mesh.dim, corners = mesh.corners();
+  const auto k = modes.cols();
+  const MatrixXd u = (model.T() * modes).transpose();  // modes x freedoms
+  // Scalar fields by row, over the corners of a cell: 1, x, y, z, then phi_k components.
+  const Eigen::Index fields = 4 + 3 * k;
+  MatrixXd Z = MatrixXd::Zero(fields, corners), G = MatrixXd::Zero(fields, fields);
+  Z.row(0).setOnes();
+  for (int e = 0; e < mesh.cell_count(); ++e) {
+    if (v[e] == 0) continue;
+    for (int c = 0; c < corners; ++c) {
+      Z.col(c).segment<3>(1) = mesh.nodes.col(mesh.cells(c, e));
+      for (int a = 0; a < dim; ++a)
+        for (Eigen::Index j = 0; j < k; ++j) Z(4 + 3 * j + a, c) = u(j, model.freedom(e, c) + a);
+    }
+    G.noalias() += v[e] * Z * (model.cell(e).M * Z.transpose()).eval();
+  }
+  InertiaIntegrals I;
+  I.mass = G(0, 0);
+  I.first = G.block<3, 1>(1, 0);
+  I.second = G.block<3, 3>(1, 1);
+  I.mode.resize(3, k);
+  for (Eigen::Index j = 0; j < k; ++j) {
+    I.mode.col(j) = G.block<3, 1>(4 + 3 * j, 0);
+    I.cross.push_back(G.block<3, 3>(1, 4 + 3 * j));
+    for (Eigen::Index l = 0; l < k; ++l) I.product.push_back(G.block<3, 3>(4 + 3 * j, 4 + 3 * l));
+  }
+  return I;
+}
+
+VectorXd free_frequencies(SolidModel& model, const VectorXd& v, int count) {
+  const SymmetricModes modes = elastic_modes(model, v, count);
+  return modes.converged ? hertz(modes.lambda) : VectorXd();
+}
+
+VectorXd free_frequencies(const ReducedSolid& reduced, int rigid, int count) {
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(reduced.K, reduced.M,
+                                                                 Eigen::EigenvaluesOnly);
+  if (eigen.info() != Eigen::Success) return {};
+  const auto all = eigen.eigenvalues();
+  return hertz(all.segment(rigid, std::min<Eigen::Index>(count, all.size() - rigid)));
+}
+
+FrequencyGradient free_frequency_gradient(SolidModel& model, const VectorXd& v,
+                                          const FractionGradient& dv, int count) {
+  const SymmetricModes modes = elastic_modes(model, v, count);
+  FrequencyGradient f;
+  if (!modes.converged) return f;
+  f.frequency = hertz(modes.lambda);
+  f.gradient = MatrixXd::Zero(count, dv.cols());
+  const MatrixXd u = model.T() * modes.phi;
+  const int dim = model.mesh().dim, corners = model.mesh().corners();
+  MatrixXd phi(dim * corners, count), component(corners, count);
+  for (int e = 0; e < dv.rows(); ++e) {
+    FractionGradient::InnerIterator d(dv, e);
+    if (!d) continue;
+    for (int c = 0; c < corners; ++c)
+      phi.middleRows(dim * c, dim) = u.middleRows(model.freedom(e, c), dim);
+    VectorXd change = model.law().slope(v[e]) *
+                      phi.cwiseProduct(model.cell(e).K * phi).colwise().sum().transpose();
+    for (int a = 0; a < dim; ++a) {
+      for (int c = 0; c < corners; ++c) component.row(c) = phi.row(dim * c + a);
+      change -= modes.lambda.cwiseProduct(
+          component.cwiseProduct(model.cell(e).M * component).colwise().sum().transpose());
+    }
+    for (; d; ++d) f.gradient.col(d.col()) += d.value() * change;
+  }
+  // df = d lambda / (8 pi^2 f)
+  f.gradient = (8 * std::numbers::pi * std::numbers::pi * f.frequency).cwiseInverse().asDiagonal() *
+               f.gradient;
+  return f;
+}
+
+}  // namespace liesl

@@ -1,0 +1,108 @@
+#pragma once
+/// @file
+/// A meshed part with interfaces: stiffness and mass from the fractions of its cells.
+
+#include <Eigen/SparseCore>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "mbs/linalg/sparse_assembly.hpp"
+#include "mbs/sections/section.hpp"
+#include "mbs/solids/cell.hpp"
+#include "mbs/solids/ersatz.hpp"
+#include "mbs/solids/mesh.hpp"
+
+namespace liesl {
+
+enum class Tie {
+  Rigid,    ///< the nodes move as one rigid body with the port
+  Averaged  ///< the port moves as the nodes do on average (least squares, RBE3); a load on the
+            ///< port spreads over them and they stay free to deform
+};
+
+/// A set of nodes tied to a port: a frame at `point` with the axes of the mesh.
+struct Interface {
+  std::string name;
+  std::vector<int> nodes;  ///< at least 2 (3 in space, not in a line), of no other interface
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< m
+  Tie tie = Tie::Rigid;
+};
+
+/// Mesh, material and interfaces in coordinates q: the displacements of the free nodes, then for
+/// each interface the motion of its port, [u; w] (2 + 1 numbers in the plane, 3 + 3 in space).
+/// Displacements of all nodes are T q: a rigid interface moves with its port; of an averaged one
+/// three (six) nodal displacements are expressed by the port and the other nodes. Forces are f =
+/// T^T f_nodes.
+class SolidModel {
+ public:
+  using Sparse = Eigen::SparseMatrix<double>;
+
+  struct Options {
+    double thickness = 1;  ///< m, of planar meshes
+    ErsatzLaw law;
+  };
+
+  /// @throws std::invalid_argument that names the interface: too few nodes, nodes in a line, nodes
+  /// shared with another interface, unknown nodes; or a cell that is inverted
+  SolidModel(SolidMesh mesh, Material material, std::vector<Interface> interfaces,
+             const Options& options);
+
+  const SolidMesh& mesh() const { return mesh_; }
+  const std::vector<Interface>& interfaces() const { return interfaces_; }
+  const ErsatzLaw& law() const { return options_.law; }
+  const Material& material() const { return material_; }
+
+  int size() const { return static_cast<int>(T_.cols()); }           ///< of q
+  int node_freedoms() const { return static_cast<int>(T_.rows()); }  ///< dim * nodes
+  int rigid_count() const { return mesh_.dim == 2 ? 3 : 6; }         ///< also numbers of a port
+  const Sparse& T() const { return T_; }                             ///< node freedoms x q
+  /// First coordinate of a port; they are in the order of the interfaces, at the end of q.
+  int port(int interface) const { return size() - rigid_count() * (ports() - interface); }
+  int ports() const { return static_cast<int>(interfaces_.size()); }
+  /// @throws std::invalid_argument with the known names
+  int interface_named(const std::string& name) const;
+  /// Coordinate of a node's displacement, nothing if the interface took it.
+  std::optional<int> coordinate(int node, int component) const;
+
+  /// Lower triangles of the stiffness and mass matrices in q for fractions v [cells]. The
+  /// references stay valid until the next call; the pattern never changes.
+  const Sparse& stiffness(const Eigen::VectorXd& v);
+  const Sparse& mass(const Eigen::VectorXd& v);
+  /// kg; and its gradient with respect to the fractions.
+  double total_mass(const Eigen::VectorXd& v) const { return full_mass_.dot(v); }
+  const Eigen::VectorXd& cell_masses() const { return full_mass_; }
+
+  /// Motions of the undeformed part, q x rigid_count(): translations, then rotations about the
+  /// origin of the mesh.
+  const Eigen::MatrixXd& rigid_motions() const { return rigid_; }
+
+  /// Matrices of a full cell; cells of equal shape share them.
+  const CellMatrices& cell(int e) const { return shapes_[shape_of_[e]]; }
+  /// Its mass matrix for all freedoms, kg: that of one component for each.
+  const Eigen::MatrixXd& cell_mass(int e) const { return M_of_shape_[shape_of_[e]]; }
+  /// First freedom of a corner: freedoms are dim * node + component.
+  int freedom(int cell, int corner) const { return mesh_.dim * mesh_.cells(corner, cell); }
+
+ private:
+  void find_shapes();
+  void number_freedoms();
+  void assemble(SparseAssembly& assembly, const std::vector<Eigen::MatrixXd>& by_shape,
+                const Eigen::VectorXd& factor);
+
+  SolidMesh mesh_;
+  Material material_;
+  std::vector<Interface> interfaces_;
+  Options options_;
+  std::vector<CellMatrices> shapes_;
+  std::vector<Eigen::MatrixXd> K_of_shape_, M_of_shape_;
+  std::vector<int> shape_of_;
+  Eigen::VectorXd full_mass_;
+  std::vector<int> coordinate_;  ///< by freedom, -1: taken by an interface
+  Sparse T_;
+  Eigen::SparseMatrix<double, Eigen::RowMajor> T_rows_;
+  Eigen::MatrixXd rigid_;
+  SparseAssembly K_{0}, M_{0};
+};
+
+}  // namespace liesl

@@ -1,0 +1,93 @@
+#include "mbs/solids/stress_norm.hpp"
+
+#include <cmath>
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// sigma_vm^2 = sigma^T V sigma.
+MatrixXd von_mises_form(int dim) {
+  MatrixXd V;
+  if (dim == 2) {
+    V = MatrixXd::Identity(3, 3);
+    V(0, 1) = V(1, 0) = -0.5;
+    V(2, 2) = 3;
+  } else {
+    V = MatrixXd::Zero(6, 6);
+    V.topLeftCorner(3, 3).setConstant(-0.5);
+    V.diagonal().head(3).setOnes();
+    V.diagonal().tail(3).setConstant(3);
+  }
+  return V;
+}
+
+/// Displacements of a cell: freedoms x cases.
+MatrixXd of_cell(const SolidStatics& statics, int e) {
+  const SolidModel& model = statics.model();
+  const int dim = model.mesh().dim, corners = model.mesh().corners();
+  MatrixXd u(dim * corners, statics.cases());
+  for (int c = 0; c < corners; ++c)
+    u.middleRows(dim * c, dim) = statics.u().middleRows(model.freedom(e, c), dim);
+  return u;
+}
+
+}  // namespace
+
+MatrixXd von_mises(const SolidStatics& statics, double relaxation) {
+  const SolidModel& model = statics.model();
+  const MatrixXd V = von_mises_form(model.mesh().dim);
+  MatrixXd stress(model.mesh().cell_count(), statics.cases());
+  for (int e = 0; e < model.mesh().cell_count(); ++e) {
+    const MatrixXd sigma = model.cell(e).stress * of_cell(statics, e);
+    stress.row(e) = std::pow(statics.fractions()[e], relaxation) *
+                    sigma.cwiseProduct(V * sigma).colwise().sum().cwiseSqrt();
+  }
+  return stress;
+}
+
+StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
+                       const StressOptions& options) {
+  const double p = options.p, q = options.relaxation;
+  if (!(p >= 1 && q >= 0)) throw std::invalid_argument("stress norm: p >= 1 and relaxation >= 0");
+  const SolidModel& model = statics.model();
+  const int dim = model.mesh().dim, corners = model.mesh().corners(), n = statics.cases();
+  const MatrixXd V = von_mises_form(dim), stress = von_mises(statics, q);
+  const Eigen::RowVectorXd largest = stress.colwise().maxCoeff();
+  double total = 0;
+  for (int e = 0; e < stress.rows(); ++e) total += model.cell(e).volume;
+
+  // Against the largest stress, so that powers stay in range.
+  Eigen::RowVectorXd sum = Eigen::RowVectorXd::Zero(n);
+  const Eigen::RowVectorXd unit = largest.cwiseMax(1e-300).cwiseInverse();
+  for (int e = 0; e < stress.rows(); ++e)
+    sum += model.cell(e).volume / total * stress.row(e).cwiseProduct(unit).array().pow(p).matrix();
+  StressNorm S;
+  S.value = largest.cwiseProduct(sum.array().pow(1 / p).matrix()).transpose();
+
+  S.gradient = MatrixXd::Zero(n, dv.cols());
+  MatrixXd dS_du = MatrixXd::Zero(model.node_freedoms(), n);
+  for (int e = 0; e < stress.rows(); ++e) {
+    const double v = statics.fractions()[e], w = model.cell(e).volume / total;
+    // dS/d(relaxed stress of e) by case
+    Eigen::RowVectorXd d(n);
+    for (int k = 0; k < n; ++k)
+      d[k] = S.value[k] > 0 ? w * std::pow(stress(e, k) / S.value[k], p - 1) : 0;
+    if (v > 0)
+      for (FractionGradient::InnerIterator x(dv, e); x; ++x)
+        S.gradient.col(x.col()) += x.value() * q / v * d.cwiseProduct(stress.row(e)).transpose();
+    const MatrixXd sigma = model.cell(e).stress * of_cell(statics, e);
+    for (int k = 0; k < n; ++k)  // d(v^q sigma)/du = v^2q S^T V s / (v^q sigma)
+      d[k] = stress(e, k) > 0 ? d[k] * std::pow(v, 2 * q) / stress(e, k) : 0;
+    const MatrixXd g = model.cell(e).stress.transpose() * (V * sigma) * d.asDiagonal();
+    for (int c = 0; c < corners; ++c)
+      dS_du.middleRows(model.freedom(e, c), dim) += g.middleRows(dim * c, dim);
+  }
+  statics.add_adjoint_gradient(model.T().transpose() * dS_du, dv, S.gradient);
+  return S;
+}
+
+}  // namespace liesl

@@ -1,0 +1,31 @@
+#pragma once
+/// @file
+/// One stress number a load case: the p-norm of the von Mises stress over the cells.
+
+#include "mbs/solids/solid_statics.hpp"
+
+namespace liesl {
+
+struct StressOptions {
+  double p = 8;             ///< exponent of the norm, >= 1
+  double relaxation = 0.5;  ///< q of v^q, >= 0: takes the stress of cells that vanish to zero
+                            ///< (Bruggi 2008; Le, Norato, Bruns, Ha, Tortorelli 2010)
+};
+
+struct StressNorm {
+  Eigen::VectorXd value;     ///< Pa, by case
+  Eigen::MatrixXd gradient;  ///< Pa per parameter, cases x parameters
+};
+
+/// S_n = (sum_e w_e (v_e^q sigma_e)^p)^(1/p), w_e = V_e / sum V, with sigma_e the von Mises stress
+/// of the full material at the centre of cell e. Never above the largest relaxed stress, and nearer
+/// to it for larger p. The gradient takes one more solution a case.
+/// @pre the last solve of `statics` gave Solved
+/// @throws std::invalid_argument for options out of range
+StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
+                       const StressOptions& options = {});
+
+/// Von Mises stress of the full material at the centres, Pa: cells x cases; times v^relaxation.
+Eigen::MatrixXd von_mises(const SolidStatics& statics, double relaxation = 0);
+
+}  // namespace liesl

@@ -1,0 +1,112 @@
+#include "optim/cycle/cycle_rules.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+namespace {
+
+constexpr double kStuck = 1e-6;      // relative change of a design that counts as none
+constexpr double kFixedPoint = 0.1;  // change of a design, of the tolerance, that ends the cycle
+constexpr double kShrinks = 0.7;     // of a change of mass since the last but one
+
+}  // namespace
+
+const char* to_string(CycleStatus status) {
+  switch (status) {
+    case CycleStatus::Converged:
+      return "converged";
+    case CycleStatus::CycleLimit:
+      return "cycle limit";
+    case CycleStatus::Oscillating:
+      return "oscillating";
+    case CycleStatus::Infeasible:
+      return "infeasible";
+    case CycleStatus::SimulationFailed:
+      return "simulation failed";
+    case CycleStatus::Interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
+  if (h.size() < 2) return {};
+  const Cycle &now = h.back(), &before = h[h.size() - 2];
+  const double mass_change = std::abs(now.mass - before.mass);
+  if (!now.load_change || *now.load_change >= o.tolerance || now.worst > o.feasibility ||
+      mass_change > o.objective_tolerance * now.mass)
+    return {};
+  return CycleEnd{CycleStatus::Converged,
+                  fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}",
+                              *now.load_change, mass_change / before.mass, now.worst)};
+}
+
+std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
+  if (h.back().number <= o.max) return {};
+  std::string reason = fmt::format("{} cycles are used up", o.max);
+  if (const auto change = h.back().load_change)
+    reason += fmt::format("; loads still changed by {:.2g}", *change);
+  return CycleEnd{CycleStatus::CycleLimit, reason};
+}
+
+bool oscillates(const History& h, const CycleOptions& o) {
+  if (h.size() < 4) return false;
+  const auto change = [&](size_t back) {
+    return h[h.size() - back].mass - h[h.size() - back - 1].mass;
+  };
+  return change(1) * change(2) < 0 && change(2) * change(3) < 0 &&
+         std::abs(change(1)) > kShrinks * std::abs(change(3)) &&
+         std::abs(change(1)) > o.objective_tolerance * h.back().mass;
+}
+
+std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
+  if (cycle.worst > o.feasibility || cycle.answer.size() == 0) return {};
+  const double change = (cycle.answer - cycle.x).norm() / cycle.x.norm();
+  if (change > kFixedPoint * o.tolerance) return {};
+  return CycleEnd{CycleStatus::Converged,
+                  fmt::format("the static optimum under the loads is the design itself within "
+                              "{:.2g}, worst limit at {:+.2g}",
+                              change, cycle.worst)};
+}
+
+std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {
+  if (cycle.worst <= o.feasibility || cycle.next.size() == 0) return {};
+  if ((cycle.next - cycle.x).norm() > kStuck * cycle.x.norm()) return {};
+  const std::string stays = cycle.worst < 10 ? fmt::format("{:.3g} % above", 100 * cycle.worst)
+                                             : fmt::format("at {:.3g} times", 1 + cycle.worst);
+  return CycleEnd{CycleStatus::Infeasible,
+                  fmt::format("'{}' cannot be met within the bounds: it stays {} its limit at t = "
+                              "{:.6g} s; widen the bounds or the limit",
+                              cycle.worst_constraint, stays, cycle.worst_time)};
+}
+
+bool on_move_limit(const Cycle& cycle, const std::vector<NlpVariable>& variables) {
+  for (int i = 0; i < cycle.answer.size(); ++i) {
+    const double close = kStuck * cycle.x[i];
+    const double lower = cycle.x[i] * (1 - cycle.move), upper = cycle.x[i] * (1 + cycle.move);
+    if (lower > variables[i].lower && cycle.answer[i] < lower + close) return true;
+    if (upper < variables[i].upper && cycle.answer[i] > upper - close) return true;
+  }
+  return false;
+}
+
+Eigen::VectorXd next_design(const History& h, const std::vector<NlpVariable>& variables) {
+  const Cycle& now = h.back();
+  if (h.size() < 2 || on_move_limit(now, variables) || on_move_limit(h[h.size() - 2], variables))
+    return now.answer;
+  const Cycle& before = h[h.size() - 2];
+  const Eigen::VectorXd change = now.answer - now.x;
+  const Eigen::VectorXd difference = change - (before.answer - before.x);
+  const double size = difference.squaredNorm();
+  const double theta = size > 0 ? change.dot(difference) / size : 0;
+  Eigen::VectorXd next = now.answer;
+  if (theta > -2 && theta < 0.5) next -= theta * (now.answer - before.answer);
+  for (int i = 0; i < next.size(); ++i)
+    next[i] = std::clamp(next[i], variables[i].lower, variables[i].upper);
+  return next;
+}
+
+}  // namespace liesl

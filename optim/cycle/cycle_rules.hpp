@@ -1,0 +1,73 @@
+#pragma once
+/// @file
+/// By which rules a cycle goes on or ends, from its history alone.
+
+#include <Eigen/Core>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "optim/nlp/problem.hpp"
+#include "optim/study/study.hpp"
+
+namespace liesl {
+
+enum class CycleStatus {
+  Converged,         ///< loads, mass and limits agree with the design
+  CycleLimit,        ///< as many cycles as allowed
+  Oscillating,       ///< the designs go to and fro; the best one is returned
+  Infeasible,        ///< a limit cannot be met within the bounds; the reason says which
+  SimulationFailed,  ///< no simulation of a design succeeded
+  Interrupted        ///< the caller asked to stop
+};
+const char* to_string(CycleStatus status);
+
+/// One cycle: the design that was simulated and what followed.
+struct Cycle {
+  int number = 0;
+  Eigen::VectorXd x;  ///< simulated design, m
+  double mass = 0;    ///< kg
+  double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
+  std::string worst_constraint;
+  double worst_time = 0;  ///< s
+  std::optional<double>
+      load_change;     ///< against the cycle before, if its records have the same times
+  int load_cases = 0;  ///< retained by the screening
+  int iterations = 0;  ///< of the optimiser
+  double move = 0;     ///< move limit of the answer
+  double seconds = 0;
+  Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
+  Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
+};
+using History = std::vector<Cycle>;
+
+struct CycleEnd {
+  CycleStatus status = CycleStatus::Converged;
+  std::string reason;
+};
+
+// Ends that the latest simulation shows:
+
+/// Loads and mass changed little since the cycle before, and the limits are met.
+std::optional<CycleEnd> agreement(const History& history, const CycleOptions& options);
+/// More cycles than `options.max`.
+std::optional<CycleEnd> used_up(const History& history, const CycleOptions& options);
+/// The last three changes of mass alternate and do not shrink; below the tolerance they may.
+bool oscillates(const History& history, const CycleOptions& options);
+
+// Ends that the latest answer shows:
+
+/// The static optimum under the loads of a design is that design: nothing is left to agree on.
+std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& options);
+/// Nothing moves any more and a limit is still violated.
+std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& options);
+
+/// A variable went as far as it may in one cycle, and not to its own bound.
+bool on_move_limit(const Cycle& cycle, const std::vector<NlpVariable>& variables);
+
+/// The design to simulate next: a secant step on x -> G(x), the answer of the static problem
+/// (Anderson 1965, depth one), because loads that follow the mass make the plain cycle halve its
+/// error only. The plain answer where a move limit cut one off: it says nothing of G.
+Eigen::VectorXd next_design(const History& history, const std::vector<NlpVariable>& variables);
+
+}  // namespace liesl

@@ -1,0 +1,77 @@
+#include "optim/cycle/design_run.hpp"
+
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+std::vector<double> DesignRun<G>::times() const {
+  std::vector<double> t;
+  for (int n = 0; n < simulation.trajectory.size(); ++n) t.push_back(simulation.trajectory.time(n));
+  return t;
+}
+
+template <FrameGroup G>
+DesignSimulator<G>::DesignSimulator(const Mechanism& mechanism, const Space<G>& space,
+                                    const SimulationOptions& options, const StudySpec& study)
+    : mechanism_(mechanism),
+      space_(space),
+      options_(options),
+      study_(study),
+      sizing_(study.design, mechanism),
+      bodies_(limited_bodies(study)) {}
+
+template <FrameGroup G>
+Eigen::VectorXd DesignSimulator<G>::start() const {
+  Eigen::VectorXd x(sizing_.size());
+  for (int i = 0; i < x.size(); ++i) x[i] = sizing_.variables()[i].start;
+  return x;
+}
+
+template <FrameGroup G>
+DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& progress) const {
+  DesignRun<G> r;
+  r.mechanism = sizing_.apply(mechanism_, x);
+  r.model = std::make_shared<Model<G>>(Model<G>::build(r.mechanism, space_));
+  r.mass = mass_of(r.mechanism, study_.mass_of);
+  r.simulation = run_simulation(*r.model, options_, progress);
+  if (!r.good()) return r;
+  for (const int body : bodies_)
+    r.loads.push_back(extract_loads(*r.model, r.simulation.trajectory, body));
+  measure(r);
+  return r;
+}
+
+/// The true responses at every record.
+template <FrameGroup G>
+void DesignSimulator<G>::measure(DesignRun<G>& r) const {
+  const ResponseValues<G> values(r.mechanism, *r.model);
+  const auto& trajectory = r.simulation.trajectory;
+  State<G> s = r.model->initial_state();
+  for (const auto& c : study_.constraints) r.limits.push_back({c.response.name, c.limit, {}, 0, 0});
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    for (size_t i = 0; i < study_.constraints.size(); ++i) {
+      const double v = values(study_.constraints[i].response, s).norm();
+      LimitSeries& series = r.limits[i];
+      series.values.push_back(v);
+      if (v > series.largest) {
+        series.largest = v;
+        series.at_time = s.t;
+      }
+    }
+  }
+  for (const auto& series : r.limits)
+    if (const double g = series.largest / series.limit - 1; g > r.worst) {
+      r.worst = g;
+      r.worst_time = series.at_time;
+      r.worst_constraint = series.name;
+    }
+}
+
+template struct DesignRun<SE2>;
+template struct DesignRun<SE3>;
+template class DesignSimulator<SE2>;
+template class DesignSimulator<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,125 @@
+#include "optim/cycle/part_outputs.hpp"
+
+#include "esl/static_part.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr double kDifference = 1e-4;  // of the mechanism's length, or rad: step of the gradients
+
+/// Gradient of a response with respect to the increments of its body at the reference shape, by
+/// fourth-order differences.
+template <FrameGroup G>
+Eigen::MatrixXd gradient_at_rest(const ResponseSpec& r, const Mechanism& mechanism,
+                                 const Model<G>& model) {
+  constexpr int dim = G::dim;
+  const ResponseValues<G> values(mechanism, model);
+  State<G> s = model.initial_state();
+  const int body = limited_body(r);
+  const int first = model.first_node(body), nodes = model.bodies[body]->nodes();
+  Eigen::MatrixXd c(dim * nodes, components(r, G::space_dim == 2));
+  for (int k = 0; k < nodes; ++k)
+    for (int i = 0; i < dim; ++i) {
+      const double h = kDifference * (i < G::space_dim ? model.length : 1.0);
+      const G rest = s.H[first + k];
+      const auto moved = [&](double d) {
+        s.H[first + k] = rest * G::exp(d * G::Tangent::Unit(i));
+        return values(r, s);
+      };
+      c.row(dim * k + i) =
+          ((8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h)).transpose();
+      s.H[first + k] = rest;
+    }
+  return c;
+}
+
+/// A deflection `everywhere` is one at each inner node k.
+ResponseSpec at_node(ResponseSpec r, int k, int elements) {
+  r.everywhere = false;
+  r.s = static_cast<double>(k) / elements;
+  return r;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
+                            const Model<G>& model, int body) {
+  PartOutputs out;
+  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  out.C.resize(beam.size(), 0);
+  const auto append = [&out](const Eigen::MatrixXd& c) {
+    const auto first = out.C.cols();
+    out.C.conservativeResize(Eigen::NoChange, first + c.cols());
+    out.C.rightCols(c.cols()) = c;
+    return static_cast<int>(first);
+  };
+  const auto add = [&](int constraint, const ResponseSpec& r) {
+    const Eigen::MatrixXd c = gradient_at_rest(r, mechanism, model);
+    out.limits.push_back({constraint, 0, append(c), static_cast<int>(c.cols())});
+  };
+  int compliance = -1;
+  for (size_t i = 0; i < study.constraints.size(); ++i) {
+    const ResponseSpec& r = study.constraints[i].response;
+    const int index = static_cast<int>(i);
+    if (limited_body(r) != body) continue;
+    if (r.kind == ResponseKind::Stress) {
+      const auto& spec = std::get<BeamSpec>(mechanism.bodies[body].kind);
+      for (int e = 0; e < beam.elements(); ++e) {
+        const int first = append(StaticPart<G>::strain_output(beam, e));
+        const auto points = stress_points(spec.sections[e], spec.material.nu).size();
+        for (size_t p = 0; p < points; ++p)
+          out.limits.push_back({index, 0, first, G::dim, e, static_cast<int>(p)});
+      }
+    } else if (r.kind == ResponseKind::Compliance) {
+      compliance = index;
+    } else if (r.everywhere) {
+      for (int k = 1; k < beam.elements(); ++k) add(index, at_node(r, k, beam.elements()));
+    } else {
+      add(index, r);
+    }
+  }
+  out.compliance = compliance >= 0;
+  if (out.compliance) out.limits.push_back({compliance, 0, static_cast<int>(out.C.cols()), 1});
+  return out;
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& study,
+                                const Mechanism& mechanism, const Model<G>& model,
+                                const Trajectory<G>& trajectory, int body) {
+  const ResponseValues<G> values(mechanism, model);
+  const int elements = model.bodies[body]->elements();
+  Eigen::MatrixXd y(outputs.count(), trajectory.size());
+  State<G> s = model.initial_state();
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    int filled = -1;  // outputs that several limits share are read once
+    int node = 0;
+    for (const auto& limit : outputs.limits) {
+      if (limit.first <= filled) continue;
+      filled = limit.first;
+      auto out = y.col(n).segment(limit.first, limit.count);
+      const ResponseSpec& r = study.constraints[limit.constraint].response;
+      if (limit.element >= 0) {
+        out = model.bodies[body]->strain(model.body_state(s, body), limit.element);
+      } else if (r.everywhere) {
+        node = node + 1 < elements ? node + 1 : 1;
+        out = values(at_node(r, node, elements), s);
+      } else {
+        out = values(r, s);
+      }
+    }
+  }
+  return y;
+}
+
+template PartOutputs limited_outputs(const StudySpec&, const Mechanism&, const Model<SE2>&, int);
+template PartOutputs limited_outputs(const StudySpec&, const Mechanism&, const Model<SE3>&, int);
+template Eigen::MatrixXd dynamic_outputs(const PartOutputs&, const StudySpec&, const Mechanism&,
+                                         const Model<SE2>&, const Trajectory<SE2>&, int);
+template Eigen::MatrixXd dynamic_outputs(const PartOutputs&, const StudySpec&, const Mechanism&,
+                                         const Model<SE3>&, const Trajectory<SE3>&, int);
+
+}  // namespace liesl
