@@ -283,7 +283,7 @@ class Walk {
           fmt::format("{}{} {}", text.empty() ? "" : ", ", beam.name, percent(meshes.back().error));
     }
     const double others = static_cast<double>(from.beams.size() - which.size()) + 1;
-    const Plan plan = cheapest(step_counts(), from.steps, step_error, meshes, others, budget());
+    const Plan plan = cheapest(counts_, from.steps, step_error, meshes, others, budget());
     from.steps = plan.steps;
     for (std::size_t k = 0; k < which.size(); ++k) from.beams[which[k]].elements = plan.elements[k];
     decide({"estimate", text_of(from), plan.error, budget(),
@@ -292,16 +292,15 @@ class Walk {
   }
 
   /// One notch coarser or finer in the step (beam < 0) or one mesh; empty at the end of the scale.
-  std::optional<Setting> moved(Setting s, int beam, bool finer) {
+  std::optional<Setting> moved(Setting s, int beam, bool finer) const {
     if (beam >= 0) {
       BeamSetting& b = s.beams[static_cast<std::size_t>(beam)];
       const int most = r_.reference.beams[static_cast<std::size_t>(beam)].elements;
       b.elements += finer ? b.notch : -b.notch;
       return b.elements >= 1 && b.elements <= most ? std::optional(s) : std::nullopt;
     }
-    const auto counts = step_counts();
-    const auto here = std::lower_bound(counts.begin(), counts.end(), s.steps);
-    if (here == (finer ? counts.end() - 1 : counts.begin())) return {};
+    const auto here = std::lower_bound(counts_.begin(), counts_.end(), s.steps);
+    if (here == (finer ? counts_.end() - 1 : counts_.begin())) return {};
     s.steps = *(finer ? here + 1 : here - 1);
     return s;
   }
@@ -354,6 +353,7 @@ class Walk {
   }
 
   bool mesh_and_step() {
+    counts_ = step_counts();
     Setting s = planned();
     const bool found = refine(s);
     if (found) coarsen(s);
@@ -456,6 +456,7 @@ class Walk {
   const std::function<void(const Decision&)>& said_;
   LeanResult r_;
   Setting lean_;
+  std::vector<long> counts_;  ///< candidates for the number of steps
 };
 
 }  // namespace
