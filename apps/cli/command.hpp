@@ -5,11 +5,9 @@
 /// output::IoError (3).
 
 #include <string>
-#include <variant>
 #include <vector>
 
-#include "apps/scene/scene.hpp"
-#include "mbs/system/plane.hpp"
+#include "apps/scene/space.hpp"
 
 namespace liesl {
 
@@ -25,6 +23,8 @@ struct CommandOptions {
   int jobs = 0;                    ///< batch: processes at once, 0 = a processor each
   std::string shard;               ///< batch: "i/n", only every n-th case from the i-th on
   std::string x, y;                ///< plot: columns of a batch
+  std::string response;            ///< lean: name of a response of the scene
+  std::string tolerance;           ///< lean: "1%" or "0.01"
 };
 
 int check_command(const CommandOptions& options);
@@ -33,15 +33,7 @@ int esl_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
 int batch_command(const CommandOptions& options);
 int compare_command(const CommandOptions& options);
+int lean_command(const CommandOptions& options);
 int plot_command(const CommandOptions& options);
-
-/// Where a scene is computed, and why.
-struct ChosenSpace {
-  std::variant<Space<SE2>, Space<SE3>> space;
-  std::string name;  ///< "planar" or "spatial"
-  std::string reason;
-};
-/// @throws InputError if the scene asks for "planar" and leaves the plane
-ChosenSpace choose_space(const Scene& scene);
 
 }  // namespace liesl

@@ -46,6 +46,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::batch_command, true},
       {"compare", "COMPARISON", "Run a scene under many formalisms, meshes and steps",
        liesl::compare_command, true},
+      {"lean", "SCENE", "Find the cheapest model of a scene that is good enough",
+       liesl::lean_command, true},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
@@ -71,6 +73,12 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
           ->check(CLI::Range(0, 10000));
       command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
+    }
+    if (std::string(entry.name) == "lean") {
+      command->add_option("--response", o.response, "Response of the scene that has to be right")
+          ->required();
+      command->add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
+          ->default_val("1%");
     }
     if (std::string(entry.name) == "plot") {
       auto* x = command->add_option("--x", o.x, "Column of a batch's table, across");

@@ -33,7 +33,7 @@ LAYERS = [
     ("optim/cycle",),
     ("apps/scene", "apps/output"),
     ("apps/batch",),
-    ("apps/compare",),
+    ("apps/compare", "apps/lean"),
     ("apps/cli",),
     ("apps/bench",),
 ]

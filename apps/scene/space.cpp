@@ -1,7 +1,6 @@
-#include <fmt/format.h>
+#include "apps/scene/space.hpp"
 
-#include "apps/cli/command.hpp"
-#include "apps/scene/problem.hpp"
+#include <fmt/format.h>
 
 namespace liesl {
 

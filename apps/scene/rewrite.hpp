@@ -1,0 +1,17 @@
+#pragma once
+/// @file
+/// Changes to the text of a scene, where comments and layout stay as they are.
+
+#include <string>
+#include <vector>
+
+namespace liesl {
+
+/// A scene's text with changes "key.path=value" written into it: values that are there are
+/// replaced in their place, others are put behind the last value of their table. The result parses
+/// to the same tables as the text with `apply_overrides`; where that cannot be had in place, the
+/// whole file is written anew, without comments.
+/// @throws InputError if the text is not TOML or a change is none of the scene
+std::string rewrite_scene(const std::string& text, const std::vector<std::string>& changes);
+
+}  // namespace liesl
