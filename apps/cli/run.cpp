@@ -67,6 +67,7 @@ int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::Run
   }
   results = collect(scene, scene.mechanism, model, simulation.trajectory);
   describe_responses(summary, results);
+  describe_energy(summary, results);
   return exit_code(simulation.report.status);
 }
 

@@ -49,6 +49,22 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
     summary.responses.push_back(output::response_figure(r, results.times));
 }
 
+void describe_energy(output::RunSummary& summary, const output::Results& results) {
+  constexpr double kLost = 0.02;
+  constexpr double kNothing = 1e-20;  // J: at rest
+  const auto& e = results.energies;
+  if (e.dissipated.empty()) return;
+  double turned_over = 0;
+  for (size_t i = 0; i < e.dissipated.size(); ++i)
+    turned_over = std::max(turned_over, e.kinetic[i] + e.elastic[i]);
+  const double lost = e.dissipated.back();
+  if (std::abs(lost) > kLost * turned_over && turned_over > kNothing)
+    summary.warnings.push_back(fmt::format(
+        "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and "
+        "elastic energy: compare with a smaller simulation.step",
+        lost > 0 ? "lost" : "made", std::abs(lost), 100 * std::abs(lost) / turned_over));
+}
+
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
   if (quiet) return;
   fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,

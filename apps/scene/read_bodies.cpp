@@ -216,8 +216,8 @@ class BeamReader {
 std::string flaw(const Mat3& J) {
   if ((J - J.transpose()).norm() > 1e-9 * J.norm()) return "is not symmetric";
   const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues();
-  if (principal[0] <= 0)
-    return fmt::format("is not positive definite: principal values {:.4g}, {:.4g}, {:.4g}",
+  if (principal[0] < -1e-12 * J.norm())
+    return fmt::format("is not positive semi-definite: principal values {:.4g}, {:.4g}, {:.4g}",
                        principal[0], principal[1], principal[2]);
   if (principal[2] > (principal[0] + principal[1]) * (1 + 1e-9))
     return fmt::format("is of no body: {:.4g} is more than {:.4g} + {:.4g}", principal[2],
@@ -242,7 +242,7 @@ std::optional<RigidSpec> read_rigid(Reader& reader, const std::string& name, tom
   if (what.empty()) return rigid;
   reader.problems.add(
       *table.get("inertia"), fmt::format("the inertia of body '{}' {}", name, what),
-      "principal values > 0, each at most the sum of the others (kg m^2)",
+      "principal values >= 0, each at most the sum of the others (kg m^2)",
       fmt::format("a ball of radius r has 0.4 m r^2; for r = 0.01 m: {:.3g}", rigid.mass * 4e-5));
   return {};
 }

@@ -3,6 +3,7 @@
 /// What a body is to the model: nodes with frames, inertia and elasticity in local frames.
 
 #include <Eigen/Core>
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -45,6 +46,8 @@ struct ForceScale {
     force += f.template head<G::space_dim>().squaredNorm();
     moment += f.template tail<G::rotation_dim>().squaredNorm();
   }
+  /// Norm of all with moments divided by a length, N.
+  double norm(double length) const { return std::sqrt(force + moment / (length * length)); }
 };
 
 struct BodyEnergy {

@@ -73,10 +73,12 @@ void Rigid<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double*
                            ForceScale& scale) const {
   const Tangent v = Eigen::Map<const Tangent>(s.v);
   const auto& M = inertia_;
-  const Tangent f =
-      M * apparent_acceleration<G>(s, 0, gravity) + BeamElement<G>::minus_ad_transpose(v, M * v);
-  Eigen::Map<Tangent>{r} += f;
-  scale.add<G>(f);
+  const Tangent accelerated = M * apparent_acceleration<G>(s, 0, gravity),
+                gyroscopic = BeamElement<G>::minus_ad_transpose(v, M * v);
+  Eigen::Map<Tangent>{r} += accelerated + gyroscopic;
+  // One by one: in free flight their sum is the residual itself.
+  scale.add<G>(accelerated);
+  scale.add<G>(gyroscopic);
 }
 
 template <FrameGroup G>

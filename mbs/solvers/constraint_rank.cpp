@@ -3,14 +3,18 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <map>
 #include <set>
+
+#include "mbs/solvers/constraint_matrix.hpp"
 
 namespace liesl {
 namespace {
 
 constexpr double kDependent = 1e-7;  // what is left of a unit row that others span
 constexpr double kContradiction = 1e-6;
+constexpr int kDirections = 2;  // in which to look for configurations beside the start
 
 /// Rows one after the other against an orthonormal basis of those before.
 class Basis {
@@ -44,54 +48,84 @@ void scale_rotations(Eigen::Ref<Eigen::VectorXd> row, double length) {
     row.template segment<G::rotation_dim>(k + G::space_dim) /= length;
 }
 
+/// What the earlier rows make of one: nothing, or all of it.
+struct Dependency {
+  bool dependent = false;
+  std::vector<long> on;  ///< rows
+};
+
+std::vector<Dependency> dependencies(const Eigen::MatrixXd& J) {
+  Basis basis;
+  std::vector<long> row_of;  // of the basis
+  std::vector<Dependency> out(static_cast<size_t>(J.rows()));
+  Eigen::VectorXd used;
+  for (long i = 0; i < J.rows(); ++i) {
+    if (basis.add(J.row(i), used)) {
+      row_of.push_back(i);
+      continue;
+    }
+    out[i].dependent = true;
+    for (long j = 0; j < used.size(); ++j)
+      if (std::abs(used[j]) > 1e-4) out[i].on.push_back(row_of[j]);
+  }
+  return out;
+}
+
+/// Takes out of `rows` what is independent beside the start. @returns the couplings of those.
+template <FrameGroup G>
+std::set<int> singular_here_only(ConstraintMatrix<G>& matrix, const State<G>& s,
+                                 std::vector<Dependency>& rows) {
+  std::set<int> couplings;
+  for (int direction = 0; direction < kDirections; ++direction) {
+    const auto beside = matrix.beside(s, direction);
+    if (!beside) continue;
+    const auto there = dependencies(matrix.evaluate(*beside));
+    for (size_t i = 0; i < rows.size(); ++i) {
+      if (!rows[i].dependent || there[i].dependent) continue;
+      rows[i].dependent = false;
+      couplings.insert(matrix.rows()[i].coupling);
+    }
+  }
+  return couplings;
+}
+
 }  // namespace
 
 template <FrameGroup G>
-void remove_redundant_constraints(Model<G>& model, const State<G>& s,
-                                  std::vector<std::string>& out) {
-  Equations<G> eq(model);
-  State<G> at = s;
-  at.lambda.setZero(model.constraints());
-  eq.evaluate(at, s.q, {s.t, 1});
-  std::map<int, int> column;  // of a coupled node
-  for (const auto& c : model.couplings)
-    for (const auto* p : {&c.a, &c.b})
-      if (p->body >= 0) column.emplace(p->node, static_cast<int>(column.size()) * G::dim);
-  const int columns = G::dim * static_cast<int>(column.size());
-
-  Basis basis;
-  std::vector<std::string> owner;  // of each basis row
-  bool found = false;
-  for (size_t i = 0; i < model.couplings.size(); ++i) {
-    auto& c = model.couplings[i];
-    std::set<std::string> others;
-    int repeated = 0;
-    for (int k = 0; k < c.constraints; ++k) {
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(columns), used;
-      if (c.a.body >= 0)
-        row.segment<G::dim>(column[c.a.node]) +=
-            eq.couplings[i].B.row(k).template head<G::dim>().transpose();
-      if (c.b.body >= 0)
-        row.segment<G::dim>(column[c.b.node]) +=
-            eq.couplings[i].B.row(k).template tail<G::dim>().transpose();
-      scale_rotations<G>(row, model.length);
-      if (basis.add(row, used)) {
-        owner.push_back(c.name);
-        continue;
-      }
-      for (int j = 0; j < used.size(); ++j)
-        if (std::abs(used[j]) > 1e-4 && owner[j] != c.name) others.insert("'" + owner[j] + "'");
-      c.equations[k].role = Role::Redundant;
-      ++repeated;
-    }
-    if (repeated == 0) continue;
-    found = true;
-    out.push_back(
-        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out", c.name,
-                    others.empty() ? "itself" : fmt::format("{}", fmt::join(others, ", ")),
-                    repeated, c.constraints, repeated == 1 ? "is" : "are"));
+std::string remove_redundant_constraints(Model<G>& model, const State<G>& s,
+                                         std::vector<std::string>& out) {
+  ConstraintMatrix<G> matrix(model);
+  std::vector<Dependency> rows = dependencies(matrix.evaluate(s));
+  const auto any = [&] {
+    return std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.dependent; });
+  };
+  if (!any()) return {};
+  if (const auto dead = singular_here_only(matrix, s, rows); !dead.empty())
+    return fmt::format(
+        "joint '{}' depends on the others in the start position, but not beside it: a dead point, "
+        "where the mechanism may go on in more than one way; start it a little beside",
+        model.couplings[*dead.begin()].name);
+  std::map<int, std::set<std::string>> others;  // by coupling
+  std::map<int, int> repeated;
+  for (size_t i = 0; i < rows.size(); ++i) {
+    if (!rows[i].dependent) continue;
+    const auto& row = matrix.rows()[i];
+    for (const long j : rows[i].on)
+      if (const int other = matrix.rows()[j].coupling; other != row.coupling)
+        others[row.coupling].insert("'" + model.couplings[other].name + "'");
+    ++repeated[row.coupling];
+    model.couplings[row.coupling].equations[row.equation].role = Role::Redundant;
   }
-  if (found) model.finish();
+  for (const auto& [coupling, count] : repeated) {
+    const auto& c = model.couplings[coupling];
+    const auto& names = others[coupling];
+    out.push_back(fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out",
+                              c.name,
+                              names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")),
+                              count, c.constraints, count == 1 ? "is" : "are"));
+  }
+  model.finish();
+  return {};
 }
 
 template <FrameGroup G>
@@ -142,10 +176,10 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   return m;
 }
 
-template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
-                                           std::vector<std::string>&);
-template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
-                                           std::vector<std::string>&);
+template std::string remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
+                                                  std::vector<std::string>&);
+template std::string remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
+                                                  std::vector<std::string>&);
 template std::string contradiction(const Model<SE2>&, const State<SE2>&);
 template std::string contradiction(const Model<SE3>&, const State<SE3>&);
 template Mobility mobility(const Model<SE2>&, const State<SE2>&);

@@ -10,11 +10,13 @@
 namespace liesl {
 
 /// Finds constraint rows that depend on earlier ones at state `s` (Gram-Schmidt, rotations scaled
-/// by the size of the mechanism), makes them Role::Redundant and writes one sentence a coupling:
-/// "joint 'guide' repeats rows of 'wrist': 1 of its 2 rows is left out".
+/// by the size of the mechanism) and beside it, makes them Role::Redundant and writes one sentence
+/// a coupling: "joint 'guide' repeats rows of 'wrist': 1 of its 2 rows is left out".
+/// @returns empty, or which joint's rows depend on others at `s` alone: a dead point, nothing is
+/// taken out then
 template <FrameGroup G>
-void remove_redundant_constraints(Model<G>& model, const State<G>& s,
-                                  std::vector<std::string>& out);
+std::string remove_redundant_constraints(Model<G>& model, const State<G>& s,
+                                         std::vector<std::string>& out);
 
 /// Empty, or which redundant constraint does not hold at `s` and by how much.
 template <FrameGroup G>
@@ -29,10 +31,10 @@ struct Mobility {
 template <FrameGroup G>
 Mobility mobility(const Model<G>& model, const State<G>& s);
 
-extern template void remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
-                                                  std::vector<std::string>&);
-extern template void remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
-                                                  std::vector<std::string>&);
+extern template std::string remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
+                                                         std::vector<std::string>&);
+extern template std::string remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
+                                                         std::vector<std::string>&);
 extern template std::string contradiction(const Model<SE2>&, const State<SE2>&);
 extern template std::string contradiction(const Model<SE3>&, const State<SE3>&);
 extern template Mobility mobility(const Model<SE2>&, const State<SE2>&);

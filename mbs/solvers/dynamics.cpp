@@ -48,6 +48,44 @@ class StepGrid {
   long ticks_ = 0;
 };
 
+/// Do the multipliers change sign at every step? In index 3 they have an error (-rho_inf)^n; an
+/// alternating part of size a gives D_n = lambda_n - 2 lambda_{n-1} + lambda_{n-2} = +-4 a.
+class Ringing {
+ public:
+  void step(const Eigen::VectorXd& lambda, double h) {
+    known_ = h == h_ ? known_ + 1 : 1;
+    h_ = h;
+    ++steps_;
+    if (known_ > 2) difference_ = lambda - 2 * before_ + earlier_;
+    if (known_ > 3 && difference_.dot(last_) < -kOpposite * difference_.norm() * last_.norm() &&
+        difference_.norm() > 4 * kRings * lambda.norm()) {
+      ++rings_;
+      share_ += std::min(1.0, difference_.norm() / (4 * lambda.norm()));
+    }
+    last_ = difference_;
+    earlier_.swap(before_);
+    before_ = lambda;
+  }
+  /// At every second step or more?
+  bool lasts() const { return 2 * rings_ > steps_; }
+  /// Alternating part over the multipliers, mean.
+  double share() const { return share_ / static_cast<double>(rings_); }
+  /// The largest rho_inf, rounded down to a hundredth, with which a part that starts as large falls
+  /// below what is worth telling in half of the steps n: share (n/2) rho^(n/2) = kRings (the root
+  /// -rho_inf is a multiple one, hence the factor n/2).
+  double calm_rho() const {
+    const double half = 0.5 * static_cast<double>(steps_);
+    return std::floor(100 * std::pow(kRings / (share() * half), 1 / half)) / 100;
+  }
+
+ private:
+  static constexpr double kRings = 0.01;    // of the multipliers
+  static constexpr double kOpposite = 0.5;  // cosine
+  double h_ = 0, share_ = 0;
+  long known_ = 0, steps_ = 0, rings_ = 0;
+  Eigen::VectorXd before_, earlier_, difference_, last_;
+};
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -83,6 +121,8 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   State<G> s = model.initial_state();
   result.start = make_consistent(model, o, s);
   report.warnings = result.start.redundant;
+  report.warnings.insert(report.warnings.end(), result.start.warnings.begin(),
+                         result.start.warnings.end());
   if (result.start.status != SolveStatus::Converged) {
     report.status = result.start.status;
     report.reason = result.start.reason;
@@ -100,6 +140,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   GeneralizedAlpha<G> integrator(model, o);
   integrator.start(s);
   StepGrid grid(o);
+  Ringing ringing;
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
   const auto start = std::chrono::steady_clock::now();
@@ -126,6 +167,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     ++report.steps;
     grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
     s.t = grid.time();
+    ringing.step(s.lambda, h);
     report.max_constraint_residual =
         std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
     if (o.adaptive && step.error > error_limit && grid.halve())
@@ -147,6 +189,11 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
   add_warnings(report, o.step, options.step, integrator.tangent());
+  if (ringing.lasts())
+    report.warnings.push_back(
+        fmt::format("the joint forces ring: {:.2g} of their size changes sign at every step, for "
+                    "want of numerical damping; simulation.rho_inf = {:.2f} calms them",
+                    ringing.share(), ringing.calm_rho()));
   return result;
 }
 

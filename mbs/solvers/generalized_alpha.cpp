@@ -7,6 +7,7 @@ constexpr double kSlow = 0.5;         // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
+constexpr double kQuiet = 1e-8;       // forces on a body below this share of all count as none
 
 TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
   if (chosen != TangentStrategy::Auto) return chosen;
@@ -27,6 +28,7 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
       coordinates_(model, options.rescale),
       equations_(model) {
   factorizations_.assign(model.bodies.size(), 0);
+  scales_.assign(model.bodies.size(), 0);
   trial_ = model.initial_state();
   coordinates_.start(trial_);
   for (auto* x :
@@ -99,11 +101,17 @@ void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
   if (std::abs(c) < kSlow) delta /= 1 - c;
 }
 
+/// Largest residual of a body relative to the forces on it: a grain beside a ton has to be in
+/// balance, too.
 template <FrameGroup G>
-bool GeneralizedAlpha<G>::small_enough() const {
-  const double scale = std::max(equations_.scale(), kMemory * scale_);
-  return equations_.residual() <= options_.tolerance * scale + equations_.round_off() &&
-         equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length;
+double GeneralizedAlpha<G>::imbalance() const {
+  double worst = 0;
+  const double least = std::max(kQuiet * equations_.scale(), 1e-300);
+  for (int b = 0; b < static_cast<int>(scales_.size()); ++b) {
+    const double scale = std::max({equations_.scale(b), kMemory * scales_[b], least});
+    worst = std::max(worst, (equations_.residual(b) - equations_.round_off()) / scale);
+  }
+  return worst;
 }
 
 template <FrameGroup G>
@@ -115,13 +123,15 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   double before = 0;
   for (;;) {
     equations_.evaluate(trial_, s.q, {trial_.t, 1});
-    const double residual = equations_.residual();
-    result.residual = residual / std::max(equations_.scale(), 1e-300);
-    if (!std::isfinite(residual + equations_.constraint_residual())) {
+    const double residual = imbalance();
+    result.residual = residual;
+    if (!std::isfinite(equations_.residual() + equations_.constraint_residual())) {
       result.failure = "the iteration diverged";
       return result;
     }
-    if (small_enough()) break;
+    if (residual <= options_.tolerance &&
+        equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length)
+      break;
     if (result.iterations == options_.max_iterations) {
       result.failure = "the iteration did not converge";
       return result;
@@ -161,7 +171,8 @@ void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
   const bool moved = coordinates_.finish(trial_);
   older_udot_ = old_udot_;
   previous_h_ = moved ? 0 : h;
-  scale_ = std::max(scale_, equations_.scale());
+  for (int b = 0; b < static_cast<int>(scales_.size()); ++b)
+    scales_[b] = std::max(scales_[b], equations_.scale(b));
   std::swap(s, trial_);
 }
 

@@ -64,7 +64,7 @@ class GeneralizedAlpha {
   void correct(const State<G>& old, TangentWeights w);
   bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
-  bool small_enough() const;
+  double imbalance() const;
   void accept(State<G>& s, double h, StepResult& result);
 
   const Model<G>& model_;
@@ -80,7 +80,7 @@ class GeneralizedAlpha {
   Eigen::VectorXd old_u_, old_udot_, older_udot_;  ///< one and two steps before
   Eigen::VectorXd delta_, increment_, dlambda_, step_before_;
   double previous_h_ = 0;
-  double scale_ = 0;  ///< largest force scale so far
+  std::vector<double> scales_;  ///< by body: largest force scale so far
 };
 
 extern template class GeneralizedAlpha<SE2>;

@@ -9,6 +9,9 @@ namespace {
 
 constexpr int kMaxAssembly = 50;
 constexpr double kAssembled = 1e-12;  // of the mechanism's reach
+constexpr double kGivenVelocity = 1e-6;
+constexpr int kRefinements = 5;  // of the accelerations
+constexpr double kRefined = 1e-12;
 
 template <FrameGroup G>
 void move(const Model<G>& model, State<G>& s, const Eigen::VectorXd& delta) {
@@ -18,11 +21,13 @@ void move(const Model<G>& model, State<G>& s, const Eigen::VectorXd& delta) {
     s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }
 
-/// Each body's mass matrix must be regular: the joints act on it through its inverse.
+/// Each body must have mass, and a beam inertia in every direction: the joints act on it through
+/// the inverse of its mass matrix. (For point masses see JointSystem.)
 template <FrameGroup G>
 bool has_inertia(const Model<G>& model, InitialState& out) {
   for (const auto& body : model.bodies) {
-    if (BodyLU<G::dim>().factor(body->mass())) continue;
+    const bool point = body->elements() == 0 && body->total_mass() > 0;
+    if (point || BodyLU<G::dim>().factor(body->mass())) continue;
     out.status = SolveStatus::Singular;
     out.reason = fmt::format(
         "body '{}' has no inertia in some direction; give it a mass and moments of inertia",
@@ -73,6 +78,21 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
   return false;
 }
 
+/// eq.phi = B v - target, with the gradients of the last evaluation.
+template <FrameGroup G>
+void constraint_rates(Equations<G>& eq, const Eigen::VectorXd& v, const Eigen::VectorXd& target) {
+  for (size_t i = 0; i < eq.couplings.size(); ++i) {
+    const auto& c = eq.model.couplings[i];
+    auto rate = eq.phi.segment(c.first_constraint, c.constraints);
+    rate = -target.segment(c.first_constraint, c.constraints);
+    const auto B = eq.couplings[i].B.topRows(c.constraints);
+    if (c.a.body >= 0)
+      rate += B.template leftCols<G::dim>() * v.template segment<G::dim>(G::dim * c.a.node);
+    if (c.b.body >= 0)
+      rate += B.template rightCols<G::dim>() * v.template segment<G::dim>(G::dim * c.b.node);
+  }
+}
+
 template <FrameGroup G>
 bool project_velocities(const Model<G>& model, double time, State<G>& s, InitialState& out) {
   Equations<G> eq(model);
@@ -83,18 +103,7 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
   eq.evaluate(s, s.q, {s.t, 1});
   eq.velocity_target(s.t, target);
   for (int i = 0; i < 4; ++i) {  // once, and again for what round-off left
-    for (size_t c = 0; c < model.couplings.size(); ++c) {
-      const auto& coupling = model.couplings[c];
-      auto rate = eq.phi.segment(coupling.first_constraint, coupling.constraints);
-      rate = -target.segment(coupling.first_constraint, coupling.constraints);
-      const auto B = eq.couplings[c].B.topRows(coupling.constraints);
-      if (coupling.a.body >= 0)
-        rate +=
-            B.template leftCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.a.node);
-      if (coupling.b.body >= 0)
-        rate +=
-            B.template rightCols<G::dim>() * s.v.template segment<G::dim>(G::dim * coupling.b.node);
-    }
+    constraint_rates(eq, s.v, target);
     if (eq.constraint_residual() == 0) break;
     eq.r.setZero();
     if (!system.solve(eq, delta, dlambda, false)) {
@@ -107,6 +116,11 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
   for (int k = 0; k < model.nodes(); ++k)
     out.velocity_change = std::max(out.velocity_change,
                                    (s.v - start).template segment<G::space_dim>(G::dim * k).norm());
+  if (start.norm() > 0 && (s.v - start).norm() > kGivenVelocity * start.norm())
+    out.warnings.push_back(
+        fmt::format("the velocities given violate joints or drives: they were changed by up to "
+                    "{:.3g} m/s, as little as rigid bodies allow",
+                    out.velocity_change));
   return true;
 }
 
@@ -116,17 +130,22 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
   JointSystem<G> system(model);
   s.vdot.setZero();
   s.lambda.setZero();
-  Eigen::VectorXd target = s.lambda, dlambda = s.lambda;
-  eq.evaluate(s, s.q, {s.t, 1});
+  Eigen::VectorXd target = s.lambda, dlambda = s.lambda, delta = s.vdot;
   eq.acceleration_target(s, s.t, target);
-  eq.phi = -target;
-  if (!system.factor({1, 0}, 0) || !system.solve(eq, s.vdot, dlambda, false)) {
-    out.status = SolveStatus::Singular;
-    out.reason =
-        "the accelerations at the start are not determined: the joint equations are singular";
-    return false;
+  const bool regular = system.factor({1, 0}, 0);
+  for (int i = 0; i < kRefinements; ++i) {  // once, and again for what point masses leave
+    eq.evaluate(s, s.q, {s.t, 1});
+    constraint_rates(eq, s.vdot, target);
+    if (!regular || !system.solve(eq, delta, dlambda, false)) {
+      out.status = SolveStatus::Singular;
+      out.reason =
+          "the accelerations at the start are not determined: the joint equations are singular";
+      return false;
+    }
+    s.vdot += delta;
+    s.lambda += dlambda;
+    if (delta.norm() <= kRefined * s.vdot.norm()) break;
   }
-  s.lambda = dlambda;
   s.a = s.vdot;
   return true;
 }
@@ -140,7 +159,11 @@ InitialState assemble(Model<G>& model, double step, State<G>& s) {
     const Equations<G> eq(model);
     eq.observe(s, s.q, s.q);
   }
-  remove_redundant_constraints(model, s, out.redundant);
+  if (const auto dead = remove_redundant_constraints(model, s, out.redundant); !dead.empty()) {
+    out.status = SolveStatus::Singular;
+    out.reason = dead;
+    return out;
+  }
   s.lambda.setZero(model.constraints());
   if (!assemble_positions(model, step, s, out)) return out;
   const Equations<G> sorted(model);  // the rows may have been numbered again

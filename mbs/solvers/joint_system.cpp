@@ -1,6 +1,28 @@
 #include "mbs/solvers/joint_system.hpp"
 
+#include <Eigen/Eigenvalues>
+
 namespace liesl {
+namespace {
+
+constexpr double kPoint = 1e-15;        // of mass times length^2: no inertia at all
+constexpr double kPointInertia = 1e-8;  // what is put in its place in the iteration matrix
+
+/// 0, or for a rigid body without inertia about some axis a small one: what holds the body can act
+/// on it through the inverse of its matrix then. The residual has none of it, so that the solution
+/// is that of the point mass.
+template <FrameGroup G>
+double point_inertia(const Body<G>& body, double length) {
+  if (body.nodes() > 1 || body.elements() > 0) return 0;
+  typename G::Matrix M = body.mass().D[0];
+  M.template topRightCorner<G::dim, G::rotation_dim>() /= length;
+  M.template bottomLeftCorner<G::rotation_dim, G::dim>() /= length;
+  const auto values = Eigen::SelfAdjointEigenSolver<typename G::Matrix>(M).eigenvalues().eval();
+  const double mass = body.total_mass();
+  return values[0] > kPoint * mass ? 0 : kPointInertia * mass * length * length;
+}
+
+}  // namespace
 
 template <FrameGroup G>
 JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
@@ -10,6 +32,7 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   factorizations_.assign(n, 0);
   for (size_t b = 0; b < n; ++b) {
     scratch_.push_back(model.bodies[b]->mass());
+    point_inertia_.push_back(point_inertia(*model.bodies[b], model.length));
     const int columns = dim * static_cast<int>(model.coupled_nodes[b].size());
     bodies_[b].X.setZero(model.bodies[b]->size(), columns);
     bodies_[b].F.setZero(columns, columns);
@@ -57,8 +80,11 @@ bool JointSystem<G>::factor_exact(const State<G>& s, TangentWeights w) {
 }
 
 template <FrameGroup G>
-bool JointSystem<G>::factor_body(int body, const BodyMatrix<dim>& A) {
+bool JointSystem<G>::factor_body(int body, BodyMatrix<dim>& A) {
   BodyFactor& f = bodies_[body];
+  if (point_inertia_[body] > 0)
+    A.D[0].diagonal().template tail<G::rotation_dim>().array() +=
+        weights_.mass * point_inertia_[body];
   ++factorizations_[body];
   if (!f.lu.factor(A)) return false;
   const auto& nodes = model_.coupled_nodes[body];

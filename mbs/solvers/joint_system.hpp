@@ -46,7 +46,7 @@ class JointSystem {
     int coupling, column, slot;
   };
 
-  bool factor_body(int body, const BodyMatrix<dim>& A);
+  bool factor_body(int body, BodyMatrix<dim>& A);
   void assemble(const Equations<G>& eq, bool compliant);
 
   const Model<G>& model_;
@@ -54,6 +54,7 @@ class JointSystem {
   std::vector<std::vector<Side>> sides_;  ///< by body
   std::vector<int> first_;                ///< first row of each coupling in the joint system
   std::vector<int> factorizations_;
+  std::vector<double> point_inertia_;  ///< by body, see point_inertia
   std::vector<BodyMatrix<dim>> scratch_;
   TangentWeights weights_;
   bool symmetric_ = true;

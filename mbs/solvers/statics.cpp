@@ -82,7 +82,8 @@ class LoadPath {
               SolveStatus::NotConverged,
               fmt::format(
                   "{} between the load factors {:.6g} (reached) and {:.6g}, with the smallest "
-                  "load step {:.3g} (relative residual {:.2g})",
+                  "load step {:.3g} (relative residual {:.2g}); simulation.arc_length = true "
+                  "goes past a maximum of the load",
                   step.failure, s_.t, target, target - s_.t, step.residuals.back()));
         ++depth;
         done *= 2;
@@ -234,6 +235,12 @@ class LoadPath {
           "{} at the load factor {:.6g}: the tangent has {} negative eigenvalues before "
           "and {} after",
           c.limit_point ? "limit point" : "critical load", c.load, c.before, c.after));
+    const int last = result_.negative.back();
+    if (result_.critical.empty() && last > 0)
+      result_.report.warnings.push_back(
+          fmt::format("the equilibrium at the load factor {:.6g} is not stable: the tangent has {} "
+                      "negative eigenvalues; simulation.critical = true finds where that began",
+                      s_.t, last));
   }
 
   void stop(SolveStatus status, std::string reason) {

@@ -10,6 +10,7 @@ template <FrameGroup G>
 Equations<G>::Equations(const Model<G>& m) : model(m) {
   r.setZero(m.size());
   phi.setZero(m.constraints());
+  scales_.resize(m.bodies.size());
   for (const auto& c : m.couplings) {
     CouplingData data;
     data.B.setZero(c.acting, 2 * dim);
@@ -25,28 +26,33 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
 template <FrameGroup G>
 void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& near,
                             const LoadLevel& level) {
-  ForceScale scale;
+  for (auto& scale : scales_) scale = {};
   r.setZero();
-  add_bodies(s, level, scale);
-  add_loads(s, level, scale);
+  add_bodies(s, level);
+  add_loads(s, level);
   for (size_t c = 0; c < couplings.size(); ++c)
-    add_coupling(model.couplings[c], couplings[c], s, near, level, scale);
-  scale_ = std::sqrt(scale.force + scale.moment / (model.length * model.length));
+    add_coupling(model.couplings[c], couplings[c], s, near, level);
+  ForceScale sum;
+  for (const auto& scale : scales_) {
+    sum.force += scale.force;
+    sum.moment += scale.moment;
+  }
+  scale_ = sum.norm(model.length);
 }
 
 template <FrameGroup G>
-void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level, ForceScale& scale) {
+void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level) {
   const typename Model<G>::Vector gravity = level.factor * model.gravity;
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyState<G> state = model.body_state(s, static_cast<int>(b));
     double* out = r.data() + dim * model.first_node(static_cast<int>(b));
-    model.bodies[b]->add_internal(state, out, scale);
-    model.bodies[b]->add_inertia(state, gravity, out, scale);
+    model.bodies[b]->add_internal(state, out, scales_[b]);
+    model.bodies[b]->add_inertia(state, gravity, out, scales_[b]);
   }
 }
 
 template <FrameGroup G>
-void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceScale& scale) {
+void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level) {
   using Tangent = typename G::Tangent;
   const auto local = [](const Load<G>& load, const G& H) {
     Tangent f = load.wrench;
@@ -59,6 +65,7 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceSca
   for (const auto& load : model.loads) {
     const double factor = load_value(load.scale, level);
     if (load.port.body < 0 || factor == 0) continue;
+    ForceScale& scale = scales_[load.port.body];
     if (!load.spread) {
       const Tangent f = factor * local(load, load.port.frame(s.H));
       r.template segment<dim>(dim * load.port.node) -= load.port.J.transpose() * f;
@@ -91,8 +98,7 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level, ForceSca
 
 template <FrameGroup G>
 void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
-                                const Eigen::VectorXd& near, const LoadLevel& level,
-                                ForceScale& scale) {
+                                const Eigen::VectorXd& near, const LoadLevel& level) {
   using Segment = Eigen::Matrix<double, dim, 1>;
   const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
   Segment on_a = Segment::Zero(), on_b = Segment::Zero();
@@ -128,10 +134,13 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
     on_a += f * B.template head<dim>().transpose();
     on_b += f * B.template tail<dim>().transpose();
   }
-  if (c.a.body >= 0) r.template segment<dim>(dim * c.a.node) += on_a;
-  if (c.b.body >= 0) r.template segment<dim>(dim * c.b.node) += on_b;
-  scale.add<G>(on_a);
-  scale.add<G>(on_b);
+  const auto act = [&](const PortOf<G>& port, const Segment& f) {
+    if (port.body < 0) return;
+    r.template segment<dim>(dim * port.node) += f;
+    scales_[port.body].template add<G>(f);
+  };
+  act(c.a, on_a);
+  act(c.b, on_b);
 }
 
 template <FrameGroup G>
@@ -148,20 +157,26 @@ void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near,
 
 template <FrameGroup G>
 double Equations<G>::load_power(const State<G>& s) {
-  ForceScale scale;
   r.setZero();
-  add_loads(s, {s.t, 1}, scale);
+  add_loads(s, {s.t, 1});
   return -r.dot(s.v);
 }
 
 template <FrameGroup G>
 double Equations<G>::residual() const {
-  double force = 0, moment = 0;
-  for (int k = 0; k < model.nodes(); ++k) {
-    force += r.template segment<G::space_dim>(dim * k).squaredNorm();
-    moment += r.template segment<G::rotation_dim>(dim * k + G::space_dim).squaredNorm();
-  }
-  return std::sqrt(force + moment / (model.length * model.length));
+  return norm_of(0, model.nodes());
+}
+
+template <FrameGroup G>
+double Equations<G>::residual(int body) const {
+  return norm_of(model.first_node(body), model.bodies[body]->nodes());
+}
+
+template <FrameGroup G>
+double Equations<G>::norm_of(int first, int nodes) const {
+  ForceScale sum;
+  for (int k = first; k < first + nodes; ++k) sum.add<G>(r.template segment<dim>(dim * k));
+  return sum.norm(model.length);
 }
 
 template <FrameGroup G>

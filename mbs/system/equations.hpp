@@ -32,10 +32,12 @@ class Equations {
   /// Power of the loads at a state (dynamics), W. Overwrites r.
   double load_power(const State<G>& s);
 
-  /// Norm of r with moments divided by the size of the mechanism, N.
+  /// Norm of r with moments divided by the size of the mechanism, N; of one body's part of r.
   double residual() const;
+  double residual(int body) const;
   /// The same norm of the parts that r is the sum of, plus what round-off alone makes, N.
   double scale() const { return scale_; }
+  double scale(int body) const { return scales_[body].norm(model.length); }
   double round_off() const { return round_off_; }
   double constraint_residual() const {
     return phi.size() ? phi.template lpNorm<Eigen::Infinity>() : 0;
@@ -56,10 +58,12 @@ class Equations {
   void acceleration_target(const State<G>& s, double t, Eigen::VectorXd& rate) const;
 
  private:
-  void add_bodies(const State<G>& s, const LoadLevel& level, ForceScale& scale);
-  void add_loads(const State<G>& s, const LoadLevel& level, ForceScale& scale);
+  void add_bodies(const State<G>& s, const LoadLevel& level);
+  void add_loads(const State<G>& s, const LoadLevel& level);
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
-                    const Eigen::VectorXd& near, const LoadLevel& level, ForceScale& scale);
+                    const Eigen::VectorXd& near, const LoadLevel& level);
+  double norm_of(int first, int nodes) const;
+  std::vector<ForceScale> scales_;  ///< by body
   double scale_ = 0, round_off_ = 0;
 };
 

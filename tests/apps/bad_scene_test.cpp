@@ -90,7 +90,7 @@ const BadScene kScenes[] = {
     {"NoEnd", "crank = { beam = { from = [0, 0, 0], to = [0.2, 0, 0]", "crank = { beam = @{ from = [0, 0, 0]", {"no 'to'"}},
     {"NoMass", "mass = 0.2", "mass = @0", {"out of range: 0", "> 0 (kg)"}},
     {"NoDensity", "rho = 7850 }", "rho = @0.0 }", {"no mass", "rho = 0", "density > 0"}},
-    {"IndefiniteInertia", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, -1e-4]", {"not positive definite", "radius r"}},
+    {"IndefiniteInertia", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, -1e-4]", {"not positive semi-definite", "radius r"}},
     {"InertiaOfNoBody", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, 3e-4]", {"of no body", "0.0003"}},
     {"WallsMeet", "thickness = 0.002", "thickness = @0.02", {"section 'wall'"}},
     {"UpAlongAxis", "section = \"round\", material", "section = \"round\", up = @[1, 0, 0], material", {"'up' along its axis"}},

@@ -192,17 +192,71 @@ TEST(InitialState, BodyWithoutMassIsSingular) {
   EXPECT_EQ(r.trajectory().size(), 0);
 }
 
-/// Joints act on a body through the inverse of its mass matrix: a point mass is refused by name.
-TEST(InitialState, PointMassIsNamed) {
-  auto m = reference::pendulum(4);
-  RigidSpec payload;
-  payload.frame.x = {1, 0, 0};
-  payload.mass = 0.5;
-  m.bodies.push_back({"payload", payload});
-  m.joints.push_back({"grip", JointType::Fixed, {0, 4}, {1, 0}});
-  const auto r = testing::run_spatial(m, options(0.1, 1e-3));
-  EXPECT_EQ(r.report().status, SolveStatus::Singular);
-  EXPECT_NE(r.report().reason.find("'payload'"), std::string::npos) << r.report().reason;
+/// A point mass has no inertia of its own to be acted on through; it moves as the limit of a ball.
+TEST(InitialState, PointMassIsTheLimitOfASmallBall) {
+  const auto tip = [](double inertia) {
+    auto m = reference::pendulum(4);
+    m.bodies.push_back({"payload", reference::block({1, 0, 0}, 0.5, inertia)});
+    m.joints.push_back({"grip", JointType::Fixed, {0, 4}, {1, 0}});
+    const auto r = testing::run_spatial(m, options(0.2, 1e-3, 0.8, 1e-9));
+    EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    return std::pair(r.trajectory().frames(r.last())[4].x, r.trajectory().vdot(0).eval());
+  };
+  const auto [x, vdot] = tip(0);
+  const auto [small, small_vdot] = tip(1e-10);
+  EXPECT_LT((x - small).norm(), 1e-7);
+  EXPECT_LT((vdot - small_vdot).norm(), 1e-6 * vdot.norm());
+}
+
+/// At its dead point a parallelogram may go on in two ways: its rows depend on each other there
+/// alone, and none may be dropped.
+TEST(Redundancy, DeadPointIsNamedAndNothingIsLeftOut) {
+  Mechanism m;
+  RigidSpec crank = reference::block({0, 0, 0}, 1, 1e-2),
+            coupler = reference::block({0.2, 0, 0}, 1, 1e-2),
+            rocker = reference::block({0.5, 0, 0}, 1, 1e-2);
+  m.bodies = {{"crank", crank}, {"coupler", coupler}, {"rocker", rocker}};
+  const auto at = [](int body, double x) {
+    return Port{body, 0, SE3(Mat3::Identity(), {x, 0, 0})};
+  };
+  m.joints = {{"motor", JointType::Revolute, {}, {0, 0}},
+              {"pin", JointType::Revolute, at(0, 0.2), {1, 0}},
+              {"elbow", JointType::Revolute, at(1, 0.5), at(2, 0.2)},
+              {"pivot", JointType::Revolute, {}, {2, 0}}};
+  for (const bool driven : {false, true}) {
+    if (driven) m.drives = {{0, 0, TimeFunction::rate(6, 0)}};
+    const auto r = testing::run_planar(m, options(0.1, 1e-3));
+    EXPECT_EQ(r.report().status, SolveStatus::Singular);
+    EXPECT_NE(r.report().reason.find("dead point"), std::string::npos) << r.report().reason;
+    EXPECT_TRUE(r.result.start.redundant.empty());
+  }
+}
+
+/// Each body has to be in balance, not only the heaviest one.
+TEST(Dynamics, GrainBesideATonAtRestKeepsItsEnergy) {
+  Mechanism m;
+  m.gravity = {0, -9.81, 0};
+  m.bodies = {{"ton", reference::block({0, -1, 0}, 1e3, 10)},
+              {"grain", reference::block({0.25, 0, 0}, 1e-6, 6.25e-10)}};
+  m.joints = {{"heavy", JointType::Revolute, {}, {0, 0, SE3(Mat3::Identity(), {0, 1, 0})}},
+              {"light", JointType::Revolute, {}, {1, 0, SE3(Mat3::Identity(), {-0.25, 0, 0})}}};
+  const auto r = testing::run_planar(m, options(1, 1e-3, 0.9));
+  ASSERT_EQ(r.report().status, SolveStatus::Converged);
+  const double start = testing::total_energy(r, 0);
+  for (int i = 0; i < r.trajectory().size(); ++i)
+    EXPECT_NEAR(testing::total_energy(r, i), start, 2e-3 * 1e-6 * 9.81 * 0.25);
+}
+
+/// The forces on a free body add up to nothing: only their parts say what small is.
+TEST(Dynamics, FreeBodyTumbles) {
+  Mechanism m;
+  RigidSpec body = reference::block({0, 0, 0}, 1, 1);
+  body.inertia = Vec3(1, 2, 2.5).asDiagonal();
+  m.bodies = {{"body", body, {1, 2, 0}, {0.1, 2, 0.1}}};
+  const auto r = testing::run_spatial(m, options(5, 0.005, 0.9));
+  ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  EXPECT_EQ(r.report().rejected_steps, 0);
+  EXPECT_NEAR(testing::total_energy(r, r.last()), testing::total_energy(r, 0), 1e-3 * 6.5);
 }
 
 }  // namespace

@@ -1,0 +1,331 @@
+/// @file
+/// Scenes where methods fail (data/stability, docs/stability.md): the class of each outcome under
+/// each formalism, no NaN in any record, and the right answer wherever the program says "done".
+#include <cmath>
+
+#include "apps/program.hpp"
+
+namespace liesl::test {
+namespace {
+
+enum class Ending {
+  Converged,
+  Helped,  ///< converged after a new tangent or smaller steps, and says so
+  Stopped  ///< with a reason
+};
+
+std::ostream& operator<<(std::ostream& out, Ending e) {
+  return out << (e == Ending::Converged ? "converged" : e == Ending::Helped ? "helped" : "stopped");
+}
+
+const Words kAll{"se3", "r3so3", "classical", "floating", "rigid"};
+
+class Stability : public Program {
+ protected:
+  /// Runs data/stability/<name>.toml with `set`, checks that nothing that is not a number was
+  /// written and that exit code, status and reason fit.
+  Ending end_of(const std::string& name, const Words& set = {}) {
+    SCOPED_TRACE(name);
+    Words words{"run", kData / "stability" / (name + ".toml"), "-o", results(), "--force"};
+    for (const auto& s : set) words.insert(words.end(), {"--set", s});
+    const Outcome run = this->run(words);
+    summary_ = Json::parse(text_of(results() / "summary.json"));
+    const bool done = summary_["status"] == "done";
+    EXPECT_EQ(run.code, done ? 0 : 1) << run.err;
+    EXPECT_FALSE(summary_["reason"].get<std::string>().empty());
+    for (const char* file : {"responses.csv", "energies.csv", "joints.csv", "frames.csv"})
+      expect_finite(file);
+    if (!done) return Ending::Stopped;
+    const bool helped = summary_["rejected_steps"] > 0 || warns("was replaced");
+    if (helped) {
+      EXPECT_FALSE(summary_["warnings"].empty());
+    }
+    return helped ? Ending::Helped : Ending::Converged;
+  }
+  Ending end_under(const std::string& formalism, const std::string& name, Words set = {}) {
+    set.push_back("simulation.formalism=" + formalism);
+    return end_of(name, set);
+  }
+
+  bool warns(const std::string& words) const {
+    for (const auto& w : summary_["warnings"])
+      if (w.get<std::string>().find(words) != std::string::npos) return true;
+    return false;
+  }
+  std::string reason() const { return summary_["reason"]; }
+
+  /// Column of a table of the last run, by the start of its heading.
+  std::vector<double> column(const std::string& name, const char* file = "responses.csv") const {
+    std::istringstream table(text_of(results() / file));
+    std::string line, cell;
+    std::getline(table, line);
+    int wanted = -1;
+    std::istringstream heading(line);
+    for (int i = 0; std::getline(heading, cell, ','); ++i)
+      if (cell.rfind(name + " [", 0) == 0) wanted = i;
+    EXPECT_GE(wanted, 0) << name;
+    std::vector<double> values;
+    while (std::getline(table, line)) {
+      std::istringstream row(line);
+      for (int i = 0; i <= wanted; ++i) std::getline(row, cell, ',');
+      values.push_back(std::stod(cell));
+    }
+    EXPECT_FALSE(values.empty());
+    return values;
+  }
+  double last(const std::string& name) const { return column(name).back(); }
+  /// Largest change of a column from its first value.
+  double drift(const std::string& name, const char* file = "responses.csv") const {
+    const auto x = column(name, file);
+    double largest = 0;
+    for (const double value : x) largest = std::max(largest, std::abs(value - x.front()));
+    return largest;
+  }
+  /// Largest difference of a column from a function of time.
+  template <class Function>
+  double off(const std::string& name, Function&& exact) const {
+    const auto t = column("time"), x = column(name);
+    double largest = 0;
+    for (size_t i = 0; i < t.size(); ++i) largest = std::max(largest, std::abs(x[i] - exact(t[i])));
+    return largest;
+  }
+
+  Json summary_;
+
+ private:
+  void expect_finite(const char* file) const {
+    if (!fs::exists(results() / file)) return;
+    std::istringstream table(text_of(results() / file));
+    std::string line, cell;
+    std::getline(table, line);
+    while (std::getline(table, line)) {
+      std::istringstream row(line);
+      while (std::getline(row, cell, ','))
+        if (cell.find("nan") != std::string::npos || cell == "inf" || cell == "-inf")
+          FAIL() << file << ": " << line;
+    }
+  }
+};
+
+// 1.
+TEST_F(Stability, FullTurnsInEveryFormalismOnlyWithRescaling) {
+  EXPECT_EQ(end_under("se3", "full_turns"), Ending::Converged);
+  const double x = last("centre.x"), y = last("centre.y");
+  for (const char* formalism : {"r3so3", "classical"}) {
+    EXPECT_EQ(end_under(formalism, "full_turns"), Ending::Converged) << formalism;
+    EXPECT_LT(std::hypot(last("centre.x") - x, last("centre.y") - y), 0.03) << formalism;
+    EXPECT_FALSE(warns("energy"));
+  }
+  const Ending lost = end_under("classical", "full_turns", {"simulation.rescale=false"});
+  EXPECT_TRUE(lost == Ending::Stopped || warns("energy")) << lost;
+}
+
+// 2.
+TEST_F(Stability, AnElementThatTurnsByPiIsNamed) {
+  EXPECT_EQ(end_of("half_turn_element"), Ending::Stopped);
+  EXPECT_NE(reason().find("an element turns by pi: use more elements"), std::string::npos);
+  EXPECT_EQ(end_of("half_turn_element", {"bodies.beam.beam.elements=3"}), Ending::Converged);
+  EXPECT_LT(std::hypot(last("tip.x"), last("tip.y")), 1e-9);
+  EXPECT_EQ(
+      end_of("half_turn_element", {"loads.bending.moment=[0,0,110]", "simulation.load_steps=1"}),
+      Ending::Stopped);
+}
+
+// 3.
+TEST_F(Stability, RingingMultipliersAreToldWithWhatCalmsThem) {
+  EXPECT_EQ(end_of("ringing"), Ending::Converged);
+  ASSERT_TRUE(warns("the joint forces ring"));
+  std::string calm;
+  for (const auto& w : summary_["warnings"])
+    if (const auto at = w.get<std::string>().find("simulation.rho_inf = "); at != std::string::npos)
+      calm = w.get<std::string>().substr(at + 21, 4);
+  EXPECT_EQ(end_of("ringing", {"simulation.rho_inf=" + calm}), Ending::Converged);
+  EXPECT_FALSE(warns("ring")) << calm;
+}
+
+// 4.
+TEST_F(Stability, StepAgainstStiffness) {
+  for (const char* tangent : {"constant", "adaptive", "exact"})
+    for (const int ratio : {2, 4, 6, 8}) {
+      const double EA = 4 * std::pow(10, ratio);
+      std::ostringstream section;
+      section << "sections.strip.stiffness=[" << EA << "," << EA / 2 << "," << EA / 2 << ",4,4,4]";
+      const Ending end = end_of(
+          "stiff_pendulum", {section.str(), std::string("simulation.tangent=\"") + tangent + "\""});
+      EXPECT_NE(end, Ending::Stopped) << tangent << " 1e" << ratio << ": " << reason();
+      EXPECT_FALSE(warns("energy")) << tangent << " 1e" << ratio;
+    }
+}
+
+// 5.
+TEST_F(Stability, BucklingLinksTakeSmallerSteps) {
+  for (const char* formalism : {"se3", "r3so3", "classical"})
+    EXPECT_EQ(end_under(formalism, "buckling_links"), Ending::Helped) << formalism;
+  EXPECT_EQ(end_under("rigid", "buckling_links"), Ending::Converged);
+  // Linear in its frame: it stops, or converges to what no link can take; never silently.
+  if (end_under("floating", "buckling_links") != Ending::Stopped) {
+    EXPECT_FALSE(summary_["warnings"].empty());
+  }
+}
+
+// 6.
+TEST_F(Stability, DeadPointsArePassedButNotStartedFrom) {
+  const double w = 2 * M_PI;
+  constexpr double kDead =
+      1e-6;  // beside a dead point the joints hold to the root of their tolerance
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "equal_lengths"), Ending::Converged) << formalism;
+    EXPECT_LT(off("slider_x", [&](double t) { return 0.4 * std::cos(w * t); }), kDead) << formalism;
+    EXPECT_EQ(end_under(formalism, "parallelogram_up"), Ending::Converged) << formalism;
+    EXPECT_LT(off("rocker", [&](double t) { return w * t; }), kDead) << formalism;
+    EXPECT_EQ(end_under(formalism, "parallelogram"), Ending::Stopped) << formalism;
+    EXPECT_NE(reason().find("dead point"), std::string::npos) << reason();
+    EXPECT_FALSE(warns("left out"));
+  }
+}
+
+// 7.
+TEST_F(Stability, RedundantRowsOfAFourBarAreLeftOut) {
+  EXPECT_EQ(end_of("four_bar_space", {"simulation.space=\"planar\""}), Ending::Converged);
+  const auto plane = column("rocker_angle");
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "four_bar_space"), Ending::Converged) << formalism;
+    EXPECT_TRUE(warns("3 of its 5 rows are left out"));
+    const auto space = column("rocker_angle");
+    for (size_t i = 0; i < plane.size(); ++i) EXPECT_NEAR(space[i], plane[i], 2e-5);
+  }
+}
+
+TEST_F(Stability, BricardsLinkageMovesAsItsClosedFormSays) {
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "bricard"), Ending::Converged) << formalism;
+    EXPECT_TRUE(warns("1 of its 5 rows is left out"));
+    const auto a = column("a"), b = column("b"), c = column("c");
+    for (size_t i = 0; i < a.size(); ++i) {
+      // The joints stand at 90 degrees at the start.
+      const double x = std::cos(M_PI / 2 + a[i]), y = std::cos(M_PI / 2 + b[i]);
+      EXPECT_NEAR(std::abs(x + y) - std::abs(x * y), 0, 1e-6) << i;
+      EXPECT_NEAR(std::abs(c[i]), std::abs(a[i]), 1e-6);
+    }
+    EXPECT_LT(drift("total", "energies.csv"), 1e-3);
+  }
+}
+
+// 8.
+TEST_F(Stability, VelocitiesThatViolateJointsAreChangedAndTold) {
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "inconsistent_start"), Ending::Converged) << formalism;
+    EXPECT_TRUE(warns("velocities given violate joints"));
+    EXPECT_NEAR(summary_["start"]["velocity_change"].get<double>(), 3, 1e-9);
+    EXPECT_LT(drift("total", "energies.csv"), 1e-3);
+    EXPECT_NEAR(column("speed.x").front(), 0, 1e-12);
+  }
+}
+
+// 9. 2e4 steps; the million is in StabilitySlow.
+void expect_no_drift(double energy, double radius, double residual) {
+  EXPECT_LT(energy, 2e-3 * 9.81);
+  EXPECT_LT(radius, 1e-9);
+  EXPECT_LT(residual, 1e-9);
+}
+TEST_F(Stability, LongRunsDoNotDrift) {
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "long_run", {"simulation.duration=200"}), Ending::Converged);
+    const auto x = column("bob.x"), y = column("bob.y");
+    double radius = 0;
+    for (size_t i = 0; i < x.size(); ++i)
+      radius = std::max(radius, std::abs(std::hypot(x[i], y[i]) - 1));
+    expect_no_drift(drift("total", "energies.csv"), radius, summary_["max_constraint_residual"]);
+  }
+  EXPECT_EQ(end_under("r3so3", "long_run", {"simulation.duration=200", "simulation.rho_inf=1"}),
+            Ending::Stopped);
+  EXPECT_TRUE(warns("the joint forces ring") && warns("energy"));
+}
+
+// 10.
+TEST_F(Stability, AGrainBesideATonKeepsItsEnergy) {
+  for (const auto& formalism : kAll) {
+    EXPECT_EQ(end_under(formalism, "grain_beside_ton"), Ending::Converged) << formalism;
+    const auto angle = column("angle"), spin = column("spin");
+    const double arm = 0.25, inertia = arm * arm + 6.25e-4;  // per mass
+    for (size_t i = 0; i < angle.size(); ++i)
+      EXPECT_NEAR(0.5 * inertia * spin[i] * spin[i] + 9.81 * arm * std::sin(angle[i]), 0,
+                  2e-3 * 9.81 * arm);
+  }
+}
+
+TEST_F(Stability, AChainOfUnequalMassesIsNeverSilentlyWrong) {
+  for (const auto& formalism : kAll) {
+    const Ending end = end_under(formalism, "unequal_masses");
+    if (end != Ending::Stopped && !warns("energy")) {
+      EXPECT_LT(drift("total", "energies.csv"), 0.02 * 1000 * 9.81) << formalism;
+    }
+  }
+}
+
+TEST_F(Stability, APointMassIsTheLimitOfSmallInertia) {
+  for (const char* formalism : {"se3", "r3so3", "classical"}) {
+    EXPECT_NE(end_under(formalism, "point_mass"), Ending::Stopped) << reason();
+    const double x = last("tip.x"), y = last("tip.y");
+    EXPECT_NE(end_under(formalism, "point_mass", {"bodies.payload.rigid.inertia=[1e-9,1e-9,1e-9]"}),
+              Ending::Stopped);
+    EXPECT_LT(std::hypot(last("tip.x") - x, last("tip.y") - y), 1e-4) << formalism;
+  }
+}
+
+// 11.
+TEST_F(Stability, AFastTopIsTrueOrTheLossIsTold) {
+  for (const auto& formalism : kAll) {
+    EXPECT_NE(end_under(formalism, "fast_top"), Ending::Stopped) << formalism;
+    if (!warns("energy")) {
+      EXPECT_LT(drift("total", "energies.csv"), 0.02 * 84537) << formalism;
+    }
+  }
+  EXPECT_FALSE(warns("energy"));
+}
+
+TEST_F(Stability, FreeFlightKeepsItsCourse) {
+  for (const auto& formalism : kAll) {
+    EXPECT_NE(end_under(formalism, "free_flight"), Ending::Stopped) << formalism << reason();
+    const bool told = warns("energy");
+    if (!told) {
+      EXPECT_LT(drift("total", "energies.csv"), 0.02 * 6.5175);
+    }
+    if (formalism == "r3so3" || formalism == "classical") {
+      EXPECT_LT(off("centre.x", [](double t) { return t; }), 1e-3) << formalism;
+    }
+  }
+}
+
+// 13.
+TEST_F(Stability, SnapThroughStopsUnlessTheArcIsFollowed) {
+  EXPECT_EQ(end_of("snap_through", {"simulation.arc_length=false"}), Ending::Stopped);
+  EXPECT_NE(reason().find("simulation.arc_length = true"), std::string::npos) << reason();
+  EXPECT_NE(end_of("snap_through"), Ending::Stopped);
+  ASSERT_EQ(summary_["critical_loads"].size(), 2u);
+  EXPECT_NEAR(summary_["critical_loads"][0]["load"].get<double>(), 0.381087, 2e-5);
+  EXPECT_TRUE(summary_["critical_loads"][0]["limit_point"]);
+}
+
+TEST_F(Stability, AColumnPastItsBucklingLoadIsCalledUnstable) {
+  EXPECT_EQ(end_of("column"), Ending::Converged);
+  ASSERT_EQ(summary_["critical_loads"].size(), 1u);
+  EXPECT_NEAR(400 * summary_["critical_loads"][0]["load"].get<double>(), 246.74, 0.005 * 246.74);
+  EXPECT_EQ(end_of("column", {"simulation.critical=false"}), Ending::Converged);
+  EXPECT_TRUE(warns("is not stable"));
+}
+
+using StabilitySlow = Stability;
+
+TEST_F(StabilitySlow, AMillionStepsDoNotDrift) {
+  EXPECT_EQ(end_of("long_run"), Ending::Converged);
+  EXPECT_EQ(summary_["steps"], 1000000);
+  const auto x = column("bob.x"), y = column("bob.y");
+  double radius = 0;
+  for (size_t i = 0; i < x.size(); ++i)
+    radius = std::max(radius, std::abs(std::hypot(x[i], y[i]) - 1));
+  expect_no_drift(drift("total", "energies.csv"), radius, summary_["max_constraint_residual"]);
+}
+
+}  // namespace
+}  // namespace liesl::test
