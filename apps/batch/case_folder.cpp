@@ -131,6 +131,11 @@ void CaseFolder::mark(const CaseEnd& end) const {
                                        {"peak_memory_mb", end.peak_memory_mb}};
   output::replace_file(mark_path(),
                        json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+  remove_log();
+}
+
+void CaseFolder::remove_log() const {
+  std::error_code error;
   fs::remove(log_, error);
 }
 

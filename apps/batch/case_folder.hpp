@@ -43,6 +43,8 @@ class CaseFolder {
   CaseEnd judge(const WorkerEnd& end, const Worker::Limits& limits) const;
   /// Puts the log into the folder and writes the mark, in one step. @throws output::IoError
   void mark(const CaseEnd& end) const;
+  /// Removes the log that taking the lock has made; only who holds the lock may.
+  void remove_log() const;
 
  private:
   std::filesystem::path mark_path() const { return path_ / "done.json"; }

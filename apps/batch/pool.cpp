@@ -99,6 +99,7 @@ class Pool {
       return;
     }
     if (folder.end()) {  // another pool has done it in the meantime
+      folder.remove_log();
       ++report_.before;
       return;
     }

@@ -34,7 +34,7 @@ Measured measure_scene(const Comparison& comparison, const std::vector<std::stri
 
 /// What rows are compared with.
 struct Reference {
-  Series mean;
+  output::Series mean;
   double floor = 0;  ///< distance of its two sides
 };
 
@@ -54,8 +54,8 @@ class References {
     if (!fresh) return &reference;
     const fs::path path = folder_ / fmt::format("reference_{}.csv", known_.size());
     if (!fs::exists(path)) write_series(path, side(row, 0), side(row, 1));
-    const auto [a, b] = read_series(path);
-    reference.mean = combine({0.5, 0.5}, {a, b});
+    const auto [a, b] = output::read_series(path);
+    reference.mean = output::combine({0.5, 0.5}, {a, b});
     reference.floor = distance(a, b, comparison_.norm);
     summary_.references.push_back({physics, comparison_.reference->formalisms, reference.floor,
                                    size_of(reference.mean, comparison_.norm)});
@@ -71,9 +71,9 @@ class References {
  private:
   static constexpr double kTrusted = 1e-2;  ///< a difference of the sides that goes without saying
 
-  Series side(std::size_t row, int side) const {
+  output::Series side(std::size_t row, int side) const {
     std::vector<double> weights;
-    std::vector<Series> series;
+    std::vector<output::Series> series;
     for (const ReferenceRun& run : comparison_.reference_runs(row, side)) {
       Measured m =
           measure_scene(comparison_, run.changes, 0, std::numeric_limits<double>::infinity());

@@ -183,7 +183,8 @@ void check_references(Comparison& comparison, Problems& problems) {
       }
 }
 
-Norm norm_of(const std::string& name) {
+output::Norm norm_of(const std::string& name) {
+  using output::Norm;
   return name == "final" ? Norm::Final : name == "max" ? Norm::Max : Norm::Rms;
 }
 

@@ -6,7 +6,7 @@
 #include <optional>
 
 #include "apps/batch/batch.hpp"
-#include "apps/compare/series.hpp"
+#include "apps/output/series.hpp"
 
 namespace liesl {
 
@@ -30,7 +30,7 @@ struct ReferenceSpec {
 struct Comparison {
   Batch rows;  ///< its cases are the rows; `of` is the scene
   std::string response;
-  Norm norm = Norm::Final;
+  output::Norm norm = output::Norm::Final;
   int repeats = 3;
   double time_limit = 60;              ///< s, CPU time of one run
   std::vector<std::string> mesh_keys;  ///< keys of the numbers of elements

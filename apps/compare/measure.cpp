@@ -7,7 +7,6 @@
 #include <ctime>
 
 #include "apps/output/interrupt.hpp"
-#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
@@ -41,11 +40,10 @@ bool constant_tangent(const Scene& scene) {
 
 void judge(const Scene& scene, const Watch& watch, Measured& run) {
   const Report& report = run.report;
-  const auto finite = [](double x) { return std::isfinite(x); };
   if (report.status != SolveStatus::Converged) {
     run.ending = Ending::Stopped;
     run.reason = watch.over() ? "needed more CPU time than time_limit" : report.reason;
-  } else if (!std::all_of(run.series.values.begin(), run.series.values.end(), finite)) {
+  } else if (!run.series.values.allFinite()) {
     run.ending = Ending::Stopped;
     run.reason = "the response is not finite";
   } else {
@@ -56,21 +54,6 @@ void judge(const Scene& scene, const Watch& watch, Measured& run) {
     if (report.rejected_steps > 0)
       run.reason += fmt::format("{}{} steps halved", again > 0 ? ", " : "", report.rejected_steps);
   }
-}
-
-template <FrameGroup G>
-Series response_of(const Scene& scene, const Model<G>& model, const Trajectory<G>& trajectory,
-                   const ResponseSpec& response) {
-  const ResponseValues<G> values(scene.mechanism, model);
-  Series series{components(response, G::space_dim == 2), {}, {}};
-  State<G> s = model.initial_state();
-  for (int n = 0; n < trajectory.size(); ++n) {
-    trajectory.read(n, s);
-    const Eigen::VectorXd value = values(response, s);
-    series.t.push_back(s.t);
-    series.values.insert(series.values.end(), value.data(), value.data() + value.size());
-  }
-  return series;
 }
 
 }  // namespace
@@ -90,7 +73,7 @@ Measured measure(const Scene& scene, const Space<G>& space, const MeasureOptions
     const DynamicResult<G> result = simulate(model, scene.simulation, watch.progress());
     output::check_interrupt();
     run.report = result.report;
-    run.series = response_of(scene, model, result.trajectory, options.response);
+    run.series = output::record(options.response, scene.mechanism, model, result.trajectory);
     judge(scene, watch, run);
     if (options.repeats > 0 && run.ending != Ending::Stopped)
       run.drift = drift(scene.mechanism, model, result.trajectory);

@@ -3,7 +3,7 @@
 /// One run of a scene as figures: how it ended, what it cost, what it kept.
 
 #include "apps/compare/conserved.hpp"
-#include "apps/compare/series.hpp"
+#include "apps/output/series.hpp"
 #include "apps/scene/scene.hpp"
 #include "mbs/solvers/dynamics.hpp"
 
@@ -25,9 +25,9 @@ struct MeasureOptions {
 
 struct Measured {
   Ending ending = Ending::Converged;
-  std::string reason;  ///< why it stopped, or what it recovered by
-  Report report;       ///< of the first run
-  Series series;       ///< of the response
+  std::string reason;     ///< why it stopped, or what it recovered by
+  Report report;          ///< of the first run
+  output::Series series;  ///< of the response
   Drift drift;
   double cpu_s = 0;       ///< median of the stepping alone
   double cpu_spread = 0;  ///< (longest - shortest) / median

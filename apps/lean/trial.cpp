@@ -1,41 +1,18 @@
 #include "apps/lean/trial.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <ctime>
-#include <limits>
 #include <numeric>
 
 #include "apps/output/interrupt.hpp"
 #include "apps/scene/space.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr int kTimedRuns = 7;
-
-/// Value at t: the record there, or Lagrange's cubic through the two records on either side.
-Eigen::VectorXd value_at(const Series& s, double t, double same) {
-  const int n = static_cast<int>(s.t.size());
-  const auto next = std::lower_bound(s.t.begin(), s.t.end(), t - same);
-  const int i = std::min(static_cast<int>(next - s.t.begin()), n - 1);
-  if (std::abs(s.t[static_cast<std::size_t>(i)] - t) <= same) return s.values.col(i);
-  const int first = std::clamp(i - 2, 0, std::max(0, n - 4)), last = std::min(first + 4, n);
-  Eigen::VectorXd value = Eigen::VectorXd::Zero(s.values.rows());
-  for (int a = first; a < last; ++a) {
-    double weight = 1;
-    for (int b = first; b < last; ++b)
-      if (b != a)
-        weight *= (t - s.t[static_cast<std::size_t>(b)]) /
-                  (s.t[static_cast<std::size_t>(a)] - s.t[static_cast<std::size_t>(b)]);
-    value += weight * s.values.col(a);
-  }
-  return value;
-}
 
 template <FrameGroup G>
 void simulate_on(const Space<G>& space, const Scene& scene, const ResponseSpec& response,
@@ -52,48 +29,10 @@ void simulate_on(const Space<G>& space, const Scene& scene, const ResponseSpec& 
   trial.reason = run.report.reason;
   if (run.report.status == SolveStatus::Interrupted)
     throw output::Interrupted(output::interrupted());
-  const ResponseValues<G> values(scene.mechanism, model);
-  State<G> s = model.initial_state();
-  trial.series.values.resize(components(response, G::space_dim == 2), run.trajectory.size());
-  for (int n = 0; n < run.trajectory.size(); ++n) {
-    run.trajectory.read(n, s);
-    trial.series.t.push_back(s.t);
-    trial.series.values.col(n) = values(response, s);
-  }
+  trial.series = output::record(response, scene.mechanism, model, run.trajectory);
 }
 
 }  // namespace
-
-double size_of(const Series& series) {
-  return series.t.empty() ? 0 : series.values.colwise().norm().maxCoeff();
-}
-
-Series thinned(const Series& series, long k) {
-  Series thin;
-  const auto n = static_cast<long>(series.t.size());
-  thin.values.resize(series.values.rows(), (n - 1 + k - 1) / k + 1);
-  for (long i = 0; i < thin.values.cols(); ++i) {
-    const long from = std::min(i * k, n - 1);
-    thin.t.push_back(series.t[static_cast<std::size_t>(from)]);
-    thin.values.col(i) = series.values.col(from);
-  }
-  return thin;
-}
-
-double distance(const Series& series, const Series& reference) {
-  if (series.t.empty() || reference.t.empty()) return kInfinity;
-  const double same = 1e-9 * (reference.t.back() - reference.t.front());
-  if (series.t.back() < reference.t.back() - same) return kInfinity;
-  const auto rows = std::max(series.values.rows(), reference.values.rows());
-  double largest = 0;
-  for (std::size_t i = 0; i < reference.t.size(); ++i) {
-    Eigen::VectorXd difference = Eigen::VectorXd::Zero(rows);
-    difference.head(series.values.rows()) = value_at(series, reference.t[i], same);
-    difference.head(reference.values.rows()) -= reference.values.col(static_cast<long>(i));
-    largest = std::max(largest, difference.norm());
-  }
-  return largest / size_of(reference);
-}
 
 Trials::Trials(std::string text, std::string file, std::vector<std::string> overrides,
                std::string response, Progress progress)

@@ -6,29 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "apps/output/series.hpp"
 #include "apps/scene/scene.hpp"
 #include "mbs/solvers/dynamics.hpp"
 
 namespace liesl {
-
-/// A response over the records of a run.
-struct Series {
-  std::vector<double> t;   ///< s, or load factors
-  Eigen::MatrixXd values;  ///< a row a component, a column a record
-};
-
-/// Largest norm over the records.
-double size_of(const Series& series);
-
-/// Every k-th record, and the last.
-Series thinned(const Series& series, long k);
-
-/// max_t |series - reference| / max_t |reference| over the instants of the reference: at common
-/// instants the record itself, between two records the cubic through the four about it, so that a
-/// record too coarse to show the response is no good approximation of it. Components that one of
-/// the two lacks are zero (a deflection has one in a plane, two in space). Infinity if the series
-/// does not reach the end of the reference.
-double distance(const Series& series, const Series& reference);
 
 /// How one run went.
 struct Trial {
@@ -36,7 +18,7 @@ struct Trial {
   std::string reason;  ///< if not: why
   std::string space;   ///< "planar" or "spatial"
   std::string space_reason;
-  Series series;
+  output::Series series;
   double cpu_s = 0;  ///< processor time of the simulation alone
   long corrections = 0;
   long factorizations = 0;

@@ -80,7 +80,7 @@ class Walk {
   }
   double off(const Setting& s, const Setting& from) {
     const Trial &a = trial(s), &b = trial(from);
-    return a.ok && b.ok ? distance(a.series, b.series) : kInfinity;
+    return a.ok && b.ok ? relative_distance(a.series, b.series) : kInfinity;
   }
   double error(const Setting& s) { return off(s, r_.reference); }
   double budget() const { return tolerance_ - r_.reference_error; }
@@ -121,7 +121,7 @@ class Walk {
       r_.reason = "the scene as given does not reach its end: " + t.reason;
       return false;
     }
-    if (size_of(t.series) == 0)
+    if (size_of(t.series, output::Norm::Max) == 0)
       throw InputError({{"--response", 0, 0, "the response is zero throughout",
                          "a response that the tolerance can be relative to", ""}});
     keep_places();
@@ -253,11 +253,11 @@ class Walk {
   /// alone, the reference itself is within the budget.
   std::vector<long> step_counts() {
     if (r_.given.steps == 0) return {0};
-    const Series& series = trial(r_.reference).series;
+    const output::Series& series = trial(r_.reference).series;
     auto counts = divisors(r_.reference.steps);
     const auto records = static_cast<long>(series.t.size()) - 1;
     const auto shows = [&](long n) {
-      return n >= records || distance(thinned(series, records / n), series) <= budget();
+      return n >= records || relative_distance(thinned(series, records / n), series) <= budget();
     };
     counts.erase(counts.begin(), std::find_if(counts.begin(), counts.end(), shows));
     return counts;

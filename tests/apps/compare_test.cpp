@@ -117,12 +117,21 @@ TEST_F(Compare, ExtrapolationCancelsSecondOrders) {
 
 TEST(SeriesOfComparisons, CubicsAreExactBetweenInstants) {
   const auto f = [](double t) { return 1 - t + 2 * t * t - 3 * t * t * t; };
-  Series fine, coarse;
-  for (int k = 0; k <= 10; ++k) fine.t.push_back(0.1 * k), fine.values.push_back(f(0.1 * k));
-  for (int k = 0; k <= 7; ++k) coarse.t.push_back(k / 7.0), coarse.values.push_back(f(k / 7.0));
+  using output::Norm;
+  const auto sampled = [&](int n) {
+    output::Series s;
+    s.values.resize(1, n + 1);
+    for (int k = 0; k <= n; ++k) {
+      s.t.push_back(static_cast<double>(k) / n);
+      s.values(0, k) = f(s.t.back());
+    }
+    return s;
+  };
+  output::Series fine = sampled(10);
+  const output::Series coarse = sampled(7);
   for (const Norm norm : {Norm::Final, Norm::Max, Norm::Rms})
     EXPECT_LT(distance(coarse, fine, norm), 1e-14) << name_of(norm);
-  for (double& x : fine.values) x += 2;
+  fine.values.array() += 2;
   for (const Norm norm : {Norm::Final, Norm::Max, Norm::Rms})
     EXPECT_NEAR(distance(coarse, fine, norm), 2, 1e-14) << name_of(norm);
 }

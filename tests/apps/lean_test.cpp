@@ -90,8 +90,8 @@ TEST(Richardson, DivisorsAreAscendingAndComplete) {
 
 // --- distance ------------------------------------------------------------------------------------
 
-Series sampled(int n, double (*f)(double), int rows = 1) {
-  Series s;
+output::Series sampled(int n, double (*f)(double), int rows = 1) {
+  output::Series s;
   s.values.setZero(rows, n + 1);
   for (int i = 0; i <= n; ++i) {
     s.t.push_back(static_cast<double>(i) / n);
@@ -103,33 +103,33 @@ double wave(double t) { return std::sin(7 * t); }
 double cubic(double t) { return 1 + t * (2 - t * (3 - 5 * t)); }
 
 TEST(Distance, IsRelativeToTheLargestReference) {
-  Series reference = sampled(8, cubic), other = reference;
-  EXPECT_EQ(distance(other, reference), 0);
+  output::Series reference = sampled(8, cubic), other = reference;
+  EXPECT_EQ(relative_distance(other, reference), 0);
   other.values(0, 3) += 0.1;
-  EXPECT_NEAR(distance(other, reference), 0.1 / 5, 1e-12);  // cubic(1) = 5
-  Series in_space = sampled(8, cubic, 2);
-  EXPECT_EQ(distance(in_space, reference), 0) << "missing components are zero";
+  EXPECT_NEAR(relative_distance(other, reference), 0.1 / 5, 1e-12);  // cubic(1) = 5
+  output::Series in_space = sampled(8, cubic, 2);
+  EXPECT_EQ(relative_distance(in_space, reference), 0) << "missing components are zero";
   in_space.values(1, 2) = 0.5;
-  EXPECT_NEAR(distance(in_space, reference), 0.1, 1e-12);
+  EXPECT_NEAR(relative_distance(in_space, reference), 0.1, 1e-12);
 }
 
 TEST(Distance, BetweenRecordsIsThatOfACubic) {
-  EXPECT_LT(distance(sampled(5, cubic), sampled(60, cubic)), 1e-14);
-  const auto off = [](int n) { return distance(sampled(n, wave), sampled(960, wave)); };
+  EXPECT_LT(relative_distance(sampled(5, cubic), sampled(60, cubic)), 1e-14);
+  const auto off = [](int n) { return relative_distance(sampled(n, wave), sampled(960, wave)); };
   for (int n = 30; n <= 120; n *= 2) EXPECT_NEAR(std::log2(off(n) / off(2 * n)), 4, 0.3) << n;
   EXPECT_GT(off(4), 0.05) << "records that do not show the wave";
 }
 
 TEST(Distance, RunThatStopsEarlyIsNoApproximation) {
-  Series half = sampled(8, cubic);
+  output::Series half = sampled(8, cubic);
   half.t.resize(5);
   half.values.conservativeResize(1, 5);
-  EXPECT_TRUE(std::isinf(distance(half, sampled(8, cubic))));
-  EXPECT_TRUE(std::isinf(distance({}, sampled(8, cubic))));
+  EXPECT_TRUE(std::isinf(relative_distance(half, sampled(8, cubic))));
+  EXPECT_TRUE(std::isinf(relative_distance(output::Series{}, sampled(8, cubic))));
 }
 
 TEST(Distance, ThinnedKeepsTheEnds) {
-  const Series thin = thinned(sampled(10, cubic), 4);
+  const output::Series thin = thinned(sampled(10, cubic), 4);
   ASSERT_EQ(thin.t.size(), 4u);  // 0, 4, 8, 10
   EXPECT_DOUBLE_EQ(thin.t[2], 0.8);
   EXPECT_DOUBLE_EQ(thin.t[3], 1.0);
@@ -220,7 +220,7 @@ class Lean : public Program {
   static double off(const std::string& file, const std::string& response,
                     const std::vector<std::string>& a, const std::vector<std::string>& b) {
     Trials trials(text_of(file), file, {}, response, {});
-    return distance(trials.run(a).series, trials.run(b).series);
+    return relative_distance(trials.run(a).series, trials.run(b).series);
   }
 };
 
