@@ -660,10 +660,9 @@ def draw_orders(comparison, pictures, _arguments):
             ax.plot(*zip(*points), label=order.replace("-", "\u2212"), **comparison.looks[kind])
         show_floor(ax, comparison)
         log_axes(ax, "x", "y")
-        if axis == "elements":
-            ticks = sorted({float(row[axis]) for row in comparison.rows})
-            ax.set_xticks(ticks, [f"{n:g}" for n in ticks])
-            ax.set_xticks([], minor=True)
+        ticks = sorted({float(row[axis]) for row in comparison.rows})
+        ax.set_xticks(ticks, [f"{n:g}" for n in ticks])
+        ax.set_xticks([], minor=True)
         ax.set_xlabel(label(axis, "s" if axis == "step" else ""))
         ax.set_ylabel(label(comparison.quantity, comparison.unit))
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=3, title="fitted slope")

@@ -243,7 +243,9 @@ TEST_F(Cli, ChecksEveryShippedFile) {
     for (const auto& file : shipped(folder)) EXPECT_EQ(run({"check", file}).code, 0) << file;
 }
 
-TEST_F(Cli, SlowRunsEveryShippedScene) {
+using CliSlow = Cli;
+
+TEST_F(CliSlow, RunsEveryShippedScene) {
   for (const auto& file : shipped("scenes")) {
     const Outcome o = run({"run", file, "-o", results(), "-f", "-q"});
     EXPECT_EQ(o.code, 0) << file << "\n" << o.err;
@@ -251,7 +253,7 @@ TEST_F(Cli, SlowRunsEveryShippedScene) {
   }
 }
 
-TEST_F(Cli, SlowConvergesOnEveryShippedStudy) {
+TEST_F(CliSlow, ConvergesOnEveryShippedStudy) {
   for (const auto& file : shipped("studies", liesl::FileKind::Study)) {
     const Outcome o = run({"optimize", file, "-o", results(), "-f", "-q"});
     EXPECT_EQ(o.code, 0) << file << "\n" << o.err;

@@ -99,7 +99,7 @@ TEST(RodCycle, IsLighterThanTheBestUniformRod) {
   EXPECT_LT(r.mass, 0.99 * uniform) << "uniform " << thin;
 }
 
-TEST(RodCycle, EndsAtTheSameDesignFromOtherStarts) {
+TEST(RodCycleSlow, EndsAtTheSameDesignFromOtherStarts) {
   const auto r = cycle(rod());
   for (const char* start : {"0.006", "0.018", "[0.018, 0.006, 0.006, 0.018]"}) {
     const auto other = cycle(rod({std::string("design.rod_diameters.start=") + start}));
@@ -110,7 +110,7 @@ TEST(RodCycle, EndsAtTheSameDesignFromOtherStarts) {
   }
 }
 
-TEST(RodCycle, EndsAtTheSameDesignInThePlaneAndInSpace) {
+TEST(RodCycleSlow, EndsAtTheSameDesignInThePlaneAndInSpace) {
   const auto plane = cycle<SE2>(rod());
   const auto space = cycle<SE3>(rod());
   EXPECT_EQ(space.status, CycleStatus::Converged) << space.reason;
@@ -118,7 +118,7 @@ TEST(RodCycle, EndsAtTheSameDesignInThePlaneAndInSpace) {
   EXPECT_LT((space.x - plane.x).norm(), 1e-5 * plane.x.norm());
 }
 
-TEST(RodCycle, EndsAtTheSameDesignWithEveryOptimiser) {
+TEST(RodCycleSlow, EndsAtTheSameDesignWithEveryOptimiser) {
   const auto exact = cycle(rod());
   for (const char* choice : {"cycle.model=separable", "cycle.optimizer=mma",
                              "cycle.optimizer=ccsaq", "cycle.optimizer=slsqp"}) {
