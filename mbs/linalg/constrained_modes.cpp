@@ -1,12 +1,11 @@
 #include "mbs/linalg/constrained_modes.hpp"
 
-#include <Spectra/SymGEigsShiftSolver.h>
-
 #include <Eigen/Eigenvalues>
 #include <numeric>
 #include <vector>
 
 #include "mbs/linalg/inertia.hpp"
+#include "mbs/linalg/shift_invert_lanczos.hpp"
 #include "mbs/linalg/sparse_lu.hpp"
 
 namespace liesl {
@@ -76,25 +75,7 @@ class MassProduct {
 bool lanczos(const Pencil& p, int count, double sigma, double tolerance, ConstrainedModes& out) {
   ShiftInvert op(p);
   MassProduct mass(p.M);
-  const int basis = std::min(p.n - p.m, std::max(2 * count + 20, 3 * count));
-  Spectra::SymGEigsShiftSolver<ShiftInvert, MassProduct, Spectra::GEigsMode::ShiftInvert> solver(
-      op, mass, count, basis, sigma);
-  if (!op.regular()) return false;
-  Eigen::VectorXd start(p.n), image(p.n);  // in the null space of B
-  for (int i = 0; i < p.n; ++i) start[i] = std::sin(1.0 + 1.7 * i);
-  op.perform_op(Eigen::VectorXd(p.M * start).data(), image.data());
-  if (!image.allFinite() || image.norm() == 0) return false;
-  image /= image.cwiseAbs().maxCoeff();
-  try {
-    solver.init(image.data());
-    solver.compute(Spectra::SortRule::LargestMagn, 300, tolerance, Spectra::SortRule::SmallestAlge);
-  } catch (const std::exception&) {  // Spectra's way to say that the start is in too small a space
-    return false;
-  }
-  if (solver.info() != Spectra::CompInfo::Successful) return false;
-  out.lambda = solver.eigenvalues();
-  out.phi = solver.eigenvectors();
-  return out.lambda.allFinite() && out.phi.allFinite();
+  return shift_invert_lanczos(op, mass, count, p.n - p.m, sigma, tolerance, out.lambda, out.phi);
 }
 
 /// First with a shift next to zero, which finds the size of the lowest eigenvalues, then with one

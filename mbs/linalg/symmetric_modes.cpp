@@ -1,12 +1,12 @@
 #include "mbs/linalg/symmetric_modes.hpp"
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
-#include <Spectra/SymGEigsShiftSolver.h>
 
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/linalg/shift_invert_lanczos.hpp"
 #include "mbs/linalg/sparse_cholesky.hpp"
 
 namespace liesl {
@@ -46,26 +46,8 @@ class ShiftInverse {
 bool lanczos(ShiftInverse& op, const Sparse& M, int count, double shift, double tolerance,
              SymmetricModes& out) {
   Spectra::SparseSymMatProd<double, Eigen::Lower> mass(M);
-  const int n = static_cast<int>(M.rows());
-  const int basis = std::min(n, std::max(2 * count + 20, 3 * count));
-  Spectra::SymGEigsShiftSolver<ShiftInverse, decltype(mass), Spectra::GEigsMode::ShiftInvert>
-      solver(op, mass, count, basis, -shift);
-  if (!op.regular()) return false;
-  Eigen::VectorXd start(n), image(n);  // in the range of the operator: M may be singular
-  for (int i = 0; i < n; ++i) start[i] = std::sin(1.0 + 1.7 * i);
-  op.perform_op(Eigen::VectorXd(M.selfadjointView<Eigen::Lower>() * start).data(), image.data());
-  if (!image.allFinite() || image.norm() == 0) return false;
-  image /= image.cwiseAbs().maxCoeff();
-  try {
-    solver.init(image.data());
-    solver.compute(Spectra::SortRule::LargestMagn, 300, tolerance, Spectra::SortRule::SmallestAlge);
-  } catch (const std::exception&) {  // Spectra's way to say that the start is in too small a space
-    return false;
-  }
-  if (solver.info() != Spectra::CompInfo::Successful) return false;
-  out.lambda = solver.eigenvalues();
-  out.phi = solver.eigenvectors();
-  return out.lambda.allFinite() && out.phi.allFinite();
+  return shift_invert_lanczos(op, mass, count, static_cast<int>(M.rows()), -shift, tolerance,
+                              out.lambda, out.phi);
 }
 
 }  // namespace
