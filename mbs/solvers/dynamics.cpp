@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kGrowAfter = 4;    // good steps before the step doubles again
 constexpr double kSafety = 0.5;  // adaptive: double below kSafety^3 of the tolerance
+constexpr double kTurn = 0.05;   // rad a step that a user should know of
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
 class StepGrid {
@@ -49,6 +50,21 @@ class StepGrid {
   long ticks_ = 0;
 };
 
+/// The largest turn of a body in one step.
+struct FastestTurn {
+  double angle = 0;  ///< rad
+  int node = 0;
+
+  template <FrameGroup G>
+  void step(const Model<G>& model, const State<G>& s, double h) {
+    for (const int k : model.frames()) {
+      const double turned =
+          h * s.v.template segment<G::rotation_dim>(G::dim * k + G::space_dim).norm();
+      if (turned > angle) *this = {turned, k};
+    }
+  }
+};
+
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
@@ -75,6 +91,21 @@ void add_warnings(Report& report, double step, double asked, TangentStrategy tan
         fmt::format("the joint forces ring: {:.2g} of their size changes sign at every step, for "
                     "want of numerical damping; simulation.rho_inf = {:.2f} calms them",
                     ringing.share(), ringing.calm_rho()));
+}
+
+/// Second order in the turn of a step, and it adds up turn by turn: a top that turns by 0.15 rad a
+/// step is off by a fourth of its height after 100 turns (docs/stability.md).
+template <FrameGroup G>
+void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& turn) {
+  if (turn.angle <= kTurn) return;
+  size_t body = 0;
+  while (body + 1 < model.bodies.size() &&
+         model.first_node(static_cast<int>(body) + 1) <= turn.node)
+    ++body;
+  report.warnings.push_back(fmt::format(
+      "body '{}' turns by up to {:.2g} rad a step, which is much: compare with a smaller "
+      "simulation.step",
+      model.bodies[body]->name, turn.angle));
 }
 
 /// Why the smallest step `h`, to the time `t`, failed.
@@ -118,6 +149,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   integrator.start(s);
   StepGrid grid(o);
   Ringing ringing;
+  FastestTurn turn;
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
   const auto start = std::chrono::steady_clock::now();
@@ -141,6 +173,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
     s.t = grid.time();
     ringing.step(s.lambda, h);
+    turn.step(model, s, h);
     report.max_constraint_residual =
         std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
     if (o.adaptive && step.error > error_limit && grid.halve())
@@ -162,6 +195,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
   add_warnings(report, o.step, options.step, integrator.tangent(), ringing);
+  add_turn_warning(report, model, turn);
   return result;
 }
 

@@ -101,17 +101,18 @@ void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
   if (std::abs(c) < kSlow) delta /= 1 - c;
 }
 
-/// Largest residual of a body relative to the forces on it: a grain beside a ton has to be in
-/// balance, too.
+/// Residuals of the bodies, each relative to the forces on it, as a root mean square: a grain
+/// beside a ton has to be in balance, too.
 template <FrameGroup G>
 double GeneralizedAlpha<G>::imbalance() const {
-  double worst = 0;
   const double least = std::max(kQuiet * equations_.scale(), 1e-300);
+  double sum = 0;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b) {
     const double scale = std::max({equations_.scale(b), kMemory * scales_[b], least});
-    worst = std::max(worst, (equations_.residual(b) - equations_.round_off()) / scale);
+    const double body = std::max(equations_.residual(b) - equations_.round_off(), 0.) / scale;
+    sum += body * body;
   }
-  return worst;
+  return std::sqrt(sum / static_cast<double>(scales_.size()));
 }
 
 template <FrameGroup G>
