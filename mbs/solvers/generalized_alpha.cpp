@@ -9,7 +9,9 @@ constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance 
 constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;       // forces on a body below this share of all count as none
 
-TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
+}  // namespace
+
+TangentStrategy tangent_strategy(TangentStrategy chosen, Formalism formalism) {
   if (chosen != TangentStrategy::Auto) return chosen;
   if (formalism == Formalism::Classical) return TangentStrategy::Exact;
   if (formalism == Formalism::Decoupled || formalism == Formalism::Floating)
@@ -17,14 +19,12 @@ TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
   return TangentStrategy::Constant;
 }
 
-}  // namespace
-
 template <FrameGroup G>
 GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOptions& options)
     : model_(model),
       options_(options),
       weights_(options.rho_inf),
-      tangent_(strategy(options.tangent, model.formalism)),
+      tangent_(tangent_strategy(options.tangent, model.formalism)),
       coordinates_(model, options.rescale),
       equations_(model) {
   factorizations_.assign(model.bodies.size(), 0);
