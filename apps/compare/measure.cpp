@@ -7,7 +7,6 @@
 #include <ctime>
 
 #include "apps/output/interrupt.hpp"
-#include "mbs/solvers/generalized_alpha.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
