@@ -54,10 +54,11 @@ void describe_energy(output::RunSummary& summary, const output::Results& results
   constexpr double kNothing = 1e-20;  // J: at rest
   const auto& e = results.energies;
   if (e.dissipated.empty()) return;
-  double turned_over = 0;
-  for (size_t i = 0; i < e.dissipated.size(); ++i)
+  double turned_over = 0, lost = 0;
+  for (size_t i = 0; i < e.dissipated.size(); ++i) {
     turned_over = std::max(turned_over, e.kinetic[i] + e.elastic[i]);
-  const double lost = e.dissipated.back();
+    if (std::abs(e.dissipated[i]) > std::abs(lost)) lost = e.dissipated[i];
+  }
   if (std::abs(lost) > kLost * turned_over && turned_over > kNothing)
     summary.warnings.push_back(fmt::format(
         "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and "

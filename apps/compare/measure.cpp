@@ -32,10 +32,8 @@ class Watch {
 };
 
 bool constant_tangent(const Scene& scene) {
-  const TangentStrategy asked = scene.simulation.tangent;
-  const Formalism f = scene.mechanism.formalism;
-  return asked == TangentStrategy::Constant ||
-         (asked == TangentStrategy::Auto && f != Formalism::Classical && f != Formalism::Decoupled);
+  return tangent_strategy(scene.simulation.tangent, scene.mechanism.formalism) ==
+         TangentStrategy::Constant;
 }
 
 void judge(const Scene& scene, const Watch& watch, Measured& run) {

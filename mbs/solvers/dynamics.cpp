@@ -6,12 +6,14 @@
 #include <ctime>
 
 #include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/solvers/ringing.hpp"
 
 namespace liesl {
 namespace {
 
 constexpr int kGrowAfter = 4;    // good steps before the step doubles again
 constexpr double kSafety = 0.5;  // adaptive: double below kSafety^3 of the tolerance
+constexpr double kTurn = 0.05;   // rad a step that a user should know of
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
 class StepGrid {
@@ -48,42 +50,19 @@ class StepGrid {
   long ticks_ = 0;
 };
 
-/// Do the multipliers change sign at every step? In index 3 they have an error (-rho_inf)^n; an
-/// alternating part of size a gives D_n = lambda_n - 2 lambda_{n-1} + lambda_{n-2} = +-4 a.
-class Ringing {
- public:
-  void step(const Eigen::VectorXd& lambda, double h) {
-    known_ = h == h_ ? known_ + 1 : 1;
-    h_ = h;
-    ++steps_;
-    if (known_ > 2) difference_ = lambda - 2 * before_ + earlier_;
-    if (known_ > 3 && difference_.dot(last_) < -kOpposite * difference_.norm() * last_.norm() &&
-        difference_.norm() > 4 * kRings * lambda.norm()) {
-      ++rings_;
-      share_ += std::min(1.0, difference_.norm() / (4 * lambda.norm()));
-    }
-    last_ = difference_;
-    earlier_.swap(before_);
-    before_ = lambda;
-  }
-  /// At every second step or more?
-  bool lasts() const { return 2 * rings_ > steps_; }
-  /// Alternating part over the multipliers, mean.
-  double share() const { return share_ / static_cast<double>(rings_); }
-  /// The largest rho_inf, rounded down to a hundredth, with which a part that starts as large falls
-  /// below what is worth telling in half of the steps n: share (n/2) rho^(n/2) = kRings (the root
-  /// -rho_inf is a multiple one, hence the factor n/2).
-  double calm_rho() const {
-    const double half = 0.5 * static_cast<double>(steps_);
-    return std::floor(100 * std::pow(kRings / (share() * half), 1 / half)) / 100;
-  }
+/// The largest turn of a body in one step.
+struct FastestTurn {
+  double angle = 0;  ///< rad
+  int node = 0;
 
- private:
-  static constexpr double kRings = 0.01;    // of the multipliers
-  static constexpr double kOpposite = 0.5;  // cosine
-  double h_ = 0, share_ = 0;
-  long known_ = 0, steps_ = 0, rings_ = 0;
-  Eigen::VectorXd before_, earlier_, difference_, last_;
+  template <FrameGroup G>
+  void step(const Model<G>& model, const State<G>& s, double h) {
+    for (const int k : model.frames()) {
+      const double turned =
+          h * s.v.template segment<G::rotation_dim>(G::dim * k + G::space_dim).norm();
+      if (turned > angle) *this = {turned, k};
+    }
+  }
 };
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
@@ -91,8 +70,9 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
 }
 
 /// What a user should know of a run: another step than asked for, tangents taken again, halved
-/// steps.
-void add_warnings(Report& report, double step, double asked, TangentStrategy tangent) {
+/// steps, joint forces that ring.
+void add_warnings(Report& report, double step, double asked, TangentStrategy tangent,
+                  const Ringing& ringing) {
   if (std::abs(step - asked) > 1e-9 * asked)
     report.warnings.push_back(fmt::format(
         "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", step,
@@ -106,6 +86,34 @@ void add_warnings(Report& report, double step, double asked, TangentStrategy tan
     report.warnings.push_back(
         fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
                     report.rejected_steps, report.smallest_step));
+  if (ringing.lasts())
+    report.warnings.push_back(
+        fmt::format("the joint forces ring: {:.2g} of their size changes sign at every step, for "
+                    "want of numerical damping; simulation.rho_inf = {:.2f} calms them",
+                    ringing.share(), ringing.calm_rho()));
+}
+
+/// Second order in the turn of a step, and it adds up turn by turn: a top that turns by 0.15 rad a
+/// step is off by a fourth of its height after 100 turns (docs/stability.md).
+template <FrameGroup G>
+void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& turn) {
+  if (turn.angle <= kTurn) return;
+  size_t body = 0;
+  while (body + 1 < model.bodies.size() &&
+         model.first_node(static_cast<int>(body) + 1) <= turn.node)
+    ++body;
+  report.warnings.push_back(fmt::format(
+      "body '{}' turns by up to {:.2g} rad a step, which is much: compare with a smaller "
+      "simulation.step",
+      model.bodies[body]->name, turn.angle));
+}
+
+/// Why the smallest step `h`, to the time `t`, failed.
+std::string failure(const StepResult& step, double t, double h) {
+  const auto residual =
+      std::isfinite(step.residual) ? fmt::format("{:.2g}", step.residual) : "beyond all numbers";
+  return fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {})",
+                     step.failure, t, h, residual);
 }
 
 }  // namespace
@@ -141,6 +149,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   integrator.start(s);
   StepGrid grid(o);
   Ringing ringing;
+  FastestTurn turn;
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
   const auto start = std::chrono::steady_clock::now();
@@ -157,17 +166,14 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
         continue;
       }
       report.status = SolveStatus::NotConverged;
-      report.reason =
-          fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {})",
-                      step.failure, s.t + h, h,
-                      std::isfinite(step.residual) ? fmt::format("{:.2g}", step.residual)
-                                                   : "beyond all numbers");
+      report.reason = failure(step, s.t + h, h);
       break;
     }
     ++report.steps;
     grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
     s.t = grid.time();
     ringing.step(s.lambda, h);
+    turn.step(model, s, h);
     report.max_constraint_residual =
         std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
     if (o.adaptive && step.error > error_limit && grid.halve())
@@ -188,12 +194,8 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   report.stepping_s = seconds_since(start);
   report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
   report.factorizations = integrator.factorizations();
-  add_warnings(report, o.step, options.step, integrator.tangent());
-  if (ringing.lasts())
-    report.warnings.push_back(
-        fmt::format("the joint forces ring: {:.2g} of their size changes sign at every step, for "
-                    "want of numerical damping; simulation.rho_inf = {:.2f} calms them",
-                    ringing.share(), ringing.calm_rho()));
+  add_warnings(report, o.step, options.step, integrator.tangent(), ringing);
+  add_turn_warning(report, model, turn);
   return result;
 }
 

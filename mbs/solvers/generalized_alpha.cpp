@@ -9,7 +9,9 @@ constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance 
 constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;       // forces on a body below this share of all count as none
 
-TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
+}  // namespace
+
+TangentStrategy tangent_strategy(TangentStrategy chosen, Formalism formalism) {
   if (chosen != TangentStrategy::Auto) return chosen;
   if (formalism == Formalism::Classical) return TangentStrategy::Exact;
   if (formalism == Formalism::Decoupled || formalism == Formalism::Floating)
@@ -17,14 +19,12 @@ TangentStrategy strategy(TangentStrategy chosen, Formalism formalism) {
   return TangentStrategy::Constant;
 }
 
-}  // namespace
-
 template <FrameGroup G>
 GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOptions& options)
     : model_(model),
       options_(options),
       weights_(options.rho_inf),
-      tangent_(strategy(options.tangent, model.formalism)),
+      tangent_(tangent_strategy(options.tangent, model.formalism)),
       coordinates_(model, options.rescale),
       equations_(model) {
   factorizations_.assign(model.bodies.size(), 0);
@@ -101,17 +101,18 @@ void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
   if (std::abs(c) < kSlow) delta /= 1 - c;
 }
 
-/// Largest residual of a body relative to the forces on it: a grain beside a ton has to be in
-/// balance, too.
+/// Residuals of the bodies, each relative to the forces on it, as a root mean square: a grain
+/// beside a ton has to be in balance, too.
 template <FrameGroup G>
 double GeneralizedAlpha<G>::imbalance() const {
-  double worst = 0;
   const double least = std::max(kQuiet * equations_.scale(), 1e-300);
+  double sum = 0;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b) {
     const double scale = std::max({equations_.scale(b), kMemory * scales_[b], least});
-    worst = std::max(worst, (equations_.residual(b) - equations_.round_off()) / scale);
+    const double body = std::max(equations_.residual(b) - equations_.round_off(), 0.) / scale;
+    sum += body * body;
   }
-  return worst;
+  return std::sqrt(sum / static_cast<double>(scales_.size()));
 }
 
 template <FrameGroup G>

@@ -34,6 +34,9 @@ struct StepResult {
   const char* failure = "";  ///< why not
 };
 
+/// What `Auto` means to a formalism: the strategy it is known for. Others as chosen.
+TangentStrategy tangent_strategy(TangentStrategy chosen, Formalism formalism);
+
 template <FrameGroup G>
 class GeneralizedAlpha {
  public:

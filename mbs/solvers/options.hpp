@@ -12,7 +12,7 @@ enum class SpaceChoice { Auto, Planar, Spatial };
 
 /// When the matrix of the Newton iteration is factored.
 enum class TangentStrategy {
-  Auto,      ///< as the formalism is known for: constant, adaptive (r3so3), exact (classical)
+  Auto,      ///< the formalism's: constant, adaptive (r3so3, floating), exact (classical)
   Constant,  ///< once, at the reference shape; again only where the iteration would fail
   Adaptive,  ///< again at the current state whenever a correction gains less than a digit
   Exact      ///< in every iteration

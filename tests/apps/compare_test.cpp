@@ -234,6 +234,20 @@ TEST_F(Compare, RunsThatStopAreRows) {
   EXPECT_EQ(summary()["ended"]["stopped"], stopped);
 }
 
+/// A tangent taken again is a recovery where it should be constant, and the rule elsewhere.
+TEST_F(Compare, WhatIsARecoveryDependsOnTheTangentOfTheFormalism) {
+  EXPECT_EQ(compare(head("pendulum", "tip") +
+                    "[grid]\nformalism = [\"se3\", \"r3so3\", \"floating\"]\nstep = [5e-3]\n"
+                    "[vary]\nend = { key = \"simulation.duration\", values = [0.2] }\n")
+                .code,
+            0);
+  for (const Row& row : rows()) {
+    EXPECT_GT(number(row, "tangent_refreshes"), 0) << row.at("formalism");
+    EXPECT_EQ(number(row, "rejected_steps"), 0) << row.at("formalism");
+    EXPECT_EQ(row.at("status"), row.at("formalism") == "se3" ? "recovered" : "converged");
+  }
+}
+
 TEST_F(Compare, ComparisonsThatAreNoneAreRefused) {
   const std::string grid = "[grid]\nstep = [1e-3]\n";
   const std::pair<std::string, const char*> wrong[] = {
