@@ -12,6 +12,7 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +23,15 @@ struct Parameter {
   double value = 0;  ///< at construction
   std::string unit = "m";
   double above = -std::numeric_limits<double>::infinity();  ///< the shape needs value > above
+};
+
+class LevelSet;
+
+/// A feature inside a tree of Boolean operations.
+struct Part {
+  const LevelSet* shape = nullptr;
+  int first = 0;  ///< index of its first parameter in the tree
+  int sign = 1;   ///< 1: the tree is material where it is (the outer contour), -1: void (a hole)
 };
 
 class LevelSet {
@@ -47,6 +57,10 @@ class LevelSet {
   /// Why the parameters set do not make a shape ("hole2.radius is not above 0", an outline that
   /// crosses itself); empty if they do.
   virtual std::string flaw() const = 0;
+
+  /// The operand of this name at any depth, "hole2", or with its path, "frame.boss"; nothing if
+  /// there is none. Below a placement there is none: features there live in its axes.
+  virtual std::optional<Part> part(const std::string& /*path*/) const { return std::nullopt; }
 
  protected:
   LevelSet() = default;

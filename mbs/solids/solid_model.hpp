@@ -52,6 +52,7 @@ class SolidModel {
   const std::vector<Interface>& interfaces() const { return interfaces_; }
   const ErsatzLaw& law() const { return options_.law; }
   const Material& material() const { return material_; }
+  double thickness() const { return options_.thickness; }  ///< m, of planar meshes
 
   int size() const { return static_cast<int>(T_.cols()); }           ///< of q
   int node_freedoms() const { return static_cast<int>(T_.rows()); }  ///< dim * nodes

@@ -7,15 +7,11 @@
 #include <stdexcept>
 
 #include "optim/cycle/static_sizing.hpp"
-#include "optim/nlp/ipopt_driver.hpp"
-#include "optim/nlp/nlopt_driver.hpp"
-#include "optim/nlp/separable.hpp"
 
 namespace liesl {
 
 namespace {
 
-constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 constexpr double kSmallestMove = 1e-3;
 constexpr int kFewVariables = 12;     // the optimality check simulates twice for each
 constexpr double kNearActive = 1e-2;  // limits that may hold the mass up when the cycle ends
@@ -176,46 +172,16 @@ class EslCycle {
                           "one is returned"});
   }
 
-  NlpResult optimise(StaticSizing<G>& problem) const {
-    NlpOptions options;
-    options.progress = [this](const NlpProgress&) {
-      return !hooks_.keep_going || hooks_.keep_going();
-    };
-    options.tolerance = 1e-7;
-    options.feasibility = 1e-7;
-    switch (study_.cycle.optimizer) {
-      case Optimizer::Mma:
-        return solve_nlopt(problem, NloptMethod::Mma, options);
-      case Optimizer::Ccsaq:
-        return solve_nlopt(problem, NloptMethod::Ccsaq, options);
-      case Optimizer::Slsqp:
-        return solve_nlopt(problem, NloptMethod::Slsqp, options);
-      case Optimizer::Ipopt:
-        break;
-    }
-    if (study_.cycle.model == NlpModel::Separable) {
-      options.tolerance = 1e-6;
-      return solve_separable(problem, options);
-    }
-    return solve_ipopt(problem, options, warm_.multipliers.empty() ? nullptr : &warm_);
-  }
-
   /// The static optimum under the loads of this cycle, then a step towards the fixed point.
   Eigen::VectorXd size(const DesignRun<G>& trial, Cycle& cycle) {
     const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory,
                          trial.loads};
     StaticSizing<G> problem(at, simulator_.sizing(), study_, cycle.x, move_);
-    NlpResult answer;
-    for (int round = 0; round < kMaxRounds; ++round) {
-      answer = optimise(problem);
-      cycle.iterations += answer.iterations;
-      if (answer.status == NlpStatus::Infeasible) break;  // nor with more cases
-      if (problem.add_violated(answer.x, 1e-6) == 0) break;
-    }
-    warm_ = answer.warm_start();
+    const StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going);
+    cycle.iterations = answer.iterations;
     cycle.load_cases = problem.load_cases();
     cycle.move = move_;
-    cycle.answer = answer.x;
+    cycle.answer = answer.result.x;
     cycle.next = next_design(result_.history, simulator_.sizing().variables());
     return cycle.next;
   }
