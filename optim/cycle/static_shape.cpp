@@ -33,13 +33,19 @@ StaticShape::StaticShape(const SolidTask& task, const VectorXd& x0, double cells
     : task_(task), statics_(*task.model, task.support, task.outputs) {
   for (std::size_t i = 0; i < task_.limits.size(); ++i)
     if (by_case(task_.limits[i].response)) limit_of_.push_back(static_cast<int>(i));
+  const auto needs_all = [](SolidResponse r) {
+    return r == SolidResponse::Compliance || r == SolidResponse::Stress;
+  };
+  expanded_ = needs_all(task_.goal);
+  for (const SolidLimit& l : task_.limits) expanded_ |= needs_all(l.response);
+  if (task_.mix.size() == 0) task_.mix = MatrixXd::Identity(task_.loads.cols(), task_.loads.cols());
   variables_ = task_.design->variables();
-  correction_ = MatrixXd::Zero(statics_.outputs(), task_.loads.cols());
+  correction_ = MatrixXd::Zero(statics_.outputs(), task_.mix.cols());
   keep_all();
   const bool solved = solve(x0);
   narrow(x0, cells, share);
   if (!solved) return;
-  if (task_.measured.size() > 0) correction_ = task_.measured - statics_.y();
+  if (task_.measured.size() > 0) correction_ = task_.measured - corrected();
   if (task_.goal == SolidResponse::Mass) keep(near_largest(all_values(), screened(), task_.cycle));
 }
 
@@ -83,20 +89,26 @@ std::vector<ScreenedLimit> StaticShape::screened() const {
 }
 
 void StaticShape::keep_all() {
-  std::vector<int> all(static_cast<std::size_t>(task_.loads.cols()));
+  std::vector<int> all(static_cast<std::size_t>(task_.mix.cols()));
   std::iota(all.begin(), all.end(), 0);
   keep(CasesByLimit(limit_of_.size(), all));
   if (limit_of_.empty()) {  // the goal asks for them
     retained_.kept[0] = all;
-    statics_.set_loads(task_.loads);
+    take_loads();
   }
+}
+
+void StaticShape::take_loads() {
+  mix_ = kept_columns(task_.mix, retained_.kept[0]);
+  statics_.set_loads(expanded_ ? MatrixXd(task_.loads * mix_) : task_.loads);
+  if (expanded_) mix_.setIdentity(mix_.cols(), mix_.cols());
 }
 
 void StaticShape::keep(const CasesByLimit& cases) {
   std::vector<std::string> names;
   for (const auto& l : task_.limits) names.push_back(l.name);
   retained_ = retain(cases, screened(), names, {task_.cases});
-  statics_.set_loads(kept_columns(task_.loads, retained_.kept[0]));
+  take_loads();
   constraints_ = retained_.constraints;
   add_rows_without_cases();
 }
@@ -132,9 +144,15 @@ int StaticShape::add_violated(const VectorXd& x, double tolerance) {
   return added;
 }
 
+bool StaticShape::show_all(const VectorXd& x) {
+  expanded_ = true;
+  keep_all();
+  return solve(x);
+}
+
 /// y of the retained cases.
 MatrixXd StaticShape::corrected() const {
-  return statics_.y() + kept_columns(correction_, retained_.kept[0]);
+  return statics_.y() * mix_ + kept_columns(correction_, retained_.kept[0]);
 }
 
 const StressNorm& StaticShape::stress(bool with_gradient) {
@@ -188,7 +206,7 @@ MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
           const double size = y.col(n).norm();
           share[n] = size > 0 ? y(i, n) / size : 0;
         }
-        out += share.asDiagonal() * statics_.output_gradient(l.first + i, dv);
+        out += share.asDiagonal() * (mix_.transpose() * statics_.output_gradient(l.first + i, dv));
       }
       return out;
     }

@@ -35,7 +35,10 @@ struct SolidTask {
   SolidSupport support;
   Eigen::MatrixXd outputs;         ///< C, q x m
   std::vector<std::string> cases;  ///< what the load cases are called
-  Eigen::MatrixXd loads;           ///< q x cases
+  Eigen::MatrixXd loads;           ///< q x cases, or q x k, combined by `mix`
+  /// k x cases: the loads of the cases are loads * mix, so that outputs take k solutions, however
+  /// many cases there are. Empty: `loads` are the cases.
+  Eigen::MatrixXd mix;
   /// What the motion says of the outputs at the analysed design, m x cases; y is moved by the
   /// constant that makes it agree there, as in StaticSizing. Empty: y as it is.
   Eigen::MatrixXd measured;
@@ -85,11 +88,8 @@ class StaticShape final : public StaticProblem {
 
   /// The part at x in all load cases; nothing if there is none (see `obstacle`).
   std::optional<SolidCheck> check(const Eigen::VectorXd& x);
-  /// Solves all cases at x, for `statics`; false if there is no part there.
-  bool show_all(const Eigen::VectorXd& x) {
-    keep_all();
-    return solve(x);
-  }
+  /// Solves every case at x, for `statics`; false if there is no part there.
+  bool show_all(const Eigen::VectorXd& x);
   const SolidStatics& statics() const { return statics_; }  ///< at the latest x
 
  private:
@@ -99,6 +99,7 @@ class StaticShape final : public StaticProblem {
   ValuesByLimit all_values();
   void keep(const CasesByLimit& cases);
   void keep_all();
+  void take_loads();
   void add_rows_without_cases();
   /// Values of a limit by retained case.
   Eigen::VectorXd values_of(const SolidLimit& limit);
@@ -112,6 +113,8 @@ class StaticShape final : public StaticProblem {
   std::optional<LimitCheck> check_walls() const;
 
   SolidTask task_;
+  bool expanded_ = false;      ///< every case is solved: compliance or stress is asked for
+  Eigen::MatrixXd mix_;        ///< of the retained cases
   std::vector<int> limit_of_;  ///< of the task, by screened limit
   SolidStatics statics_;
   Fractions fractions_;  ///< derivative with respect to the variables
