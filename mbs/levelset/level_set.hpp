@@ -13,6 +13,7 @@
 #include <limits>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace liesl::levelset {
@@ -33,6 +34,8 @@ class LevelSet {
   int size() const { return static_cast<int>(parameters_.size()); }
   /// The values at construction.
   Eigen::VectorXd start() const;
+  /// Calls parameter i by another name.
+  void rename(int i, std::string name) { parameters_[i].name = std::move(name); }
 
   /// Takes parameters p [size()]. Not to be called while another thread evaluates.
   void set(const Eigen::VectorXd& p) { set(p.data()); }
