@@ -14,10 +14,17 @@ void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v
 output::BodyResult empty_body(const BodySpec& spec) {
   output::BodyResult body;
   body.name = spec.name;
-  const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-  body.kind = beam ? "beam" : "rigid";
-  body.nodes = beam ? static_cast<int>(beam->nodes.size()) : 1;
-  for (int e = 0; e + 1 < body.nodes; ++e) body.elements.push_back({e, e + 1});
+  body.kind = "rigid";
+  body.nodes = 1;
+  if (const auto* solid = std::get_if<SolidSpec>(&spec.kind)) {
+    body.kind = "solid";
+    body.nodes = static_cast<int>(solid->interfaces.size());
+  }
+  if (const auto* beam = std::get_if<BeamSpec>(&spec.kind)) {
+    body.kind = "beam";
+    body.nodes = static_cast<int>(beam->nodes.size());
+    for (int e = 0; e + 1 < body.nodes; ++e) body.elements.push_back({e, e + 1});
+  }
   return body;
 }
 

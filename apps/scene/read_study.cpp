@@ -43,7 +43,10 @@ void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& r
     return;
   }
   const int body = of_beam ? response.body : response.at.body;
-  if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
+  if (body < 0)
+    reader.scene.problems.add(*at, fmt::format("constraint '{}' is of two bodies", entry.name),
+                              "two ports of one body");
+  else if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
     reader.scene.problems.add(
         *at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
         "a beam");

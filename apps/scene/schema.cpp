@@ -91,7 +91,7 @@ std::string kind_of_value(const Key& key) {
     case Type::Number:
       return "a number";
     case Type::Vector:
-      return fmt::format("a list of {} numbers", n);
+      return n > 0 ? fmt::format("a list of {} numbers", n) : "a list of numbers";
     case Type::NumberOrList:
       return n > 0 ? fmt::format("a number or a list of {} numbers", n)
                    : "a number or a list of numbers";

@@ -17,7 +17,7 @@ enum class Type {
   Boolean,
   Integer,
   Number,
-  Vector,        ///< list of `size` numbers
+  Vector,        ///< list of `size` numbers (0 = one or more)
   NumberOrList,  ///< number, or list of `size` numbers (0 = one or more)
   Rows,          ///< two or more rows of `size` numbers
   Matrix,        ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
@@ -93,6 +93,7 @@ std::vector<Key> scene_keys();
 std::vector<Key> study_keys();
 std::vector<Key> batch_keys();
 std::vector<Key> compare_keys();
+std::vector<Key> solid_keys();
 std::vector<Key> response_keys(std::string_view parent);
 std::vector<Key> function_keys();
 

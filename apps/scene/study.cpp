@@ -65,10 +65,10 @@ Study read_document(Document document, const fs::path& folder,
   study.file = document.file;
   study.scene.file = inner->file;
   study.scene.input = inner->text;
-  study.input = document.text + inner->text;
-  for (const std::string& text : overrides) study.input += "\n--set " + text;
   Reader scene{inner->root, scene_broken, problems, study.scene, {}, {}};
   read_parts(scene);
+  study.input = document.text + study.scene.input;
+  for (const std::string& text : overrides) study.input += "\n--set " + text;
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
   problems.throw_if_any();

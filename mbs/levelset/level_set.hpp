@@ -14,6 +14,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace liesl::levelset {
@@ -43,6 +44,8 @@ class LevelSet {
   int size() const { return static_cast<int>(parameters_.size()); }
   /// The values at construction.
   Eigen::VectorXd start() const;
+  /// Calls parameter i by another name.
+  void rename(int i, std::string name) { parameters_[i].name = std::move(name); }
 
   /// Takes parameters p [size()]. Not to be called while another thread evaluates.
   void set(const Eigen::VectorXd& p) { set(p.data()); }
