@@ -32,6 +32,17 @@ SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& tra
   return set;
 }
 
+double load_change(const SolidLoadSet& f, const SolidLoadSet& before) {
+  double change = 0, size = 0;
+  for (int n = 0; n < f.e.cols(); ++n) {
+    const Eigen::VectorXd old = before.load(n);
+    change += (f.load(n) - old).norm();
+    size += old.norm();
+  }
+  if (size > 0) return change / size;
+  return change > 0 ? std::numeric_limits<double>::infinity() : 0;
+}
+
 Identity check_identity(const SolidSpec& solid, const SolidLoadSet& loads, int count) {
   Identity identity;
   const std::set<int> cases = spread_cases(loads.e, count);

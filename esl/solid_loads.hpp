@@ -28,6 +28,10 @@ struct SolidLoadSet {
 template <FrameGroup G>
 SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body);
 
+/// sum_n |f_n - f_n,before| / sum_n |f_n,before| (thesis eq. 3.25), norms over the coordinates q;
+/// 0 if both are zero, infinity if only those before are. @pre the same coordinates and times
+double load_change(const SolidLoadSet& f, const SolidLoadSet& before);
+
 /// Solves the full mesh, held at its first port, under `cases` of its loads spread over time, the
 /// largest among them, and compares displacements with the motion's: `linear` = `nonlinear` =
 /// largest difference over the largest displacement. NaN never: infinity if the mesh is not held.

@@ -22,6 +22,7 @@ struct Reader {
   Scene& scene;
   std::map<std::string, Section> sections;
   std::map<std::string, Material> materials;
+  bool fixed_loads = false;  ///< a study brings the loads; nothing has to move
 
   /// Names in a top-level table, in the order of the file.
   std::vector<std::string> names(std::string_view group) const;

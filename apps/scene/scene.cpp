@@ -46,7 +46,7 @@ void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
 void check_movers(Reader& reader) {
   const Mechanism& m = reader.scene.mechanism;
   const SimulationType type = reader.scene.simulation.type;
-  if (type == SimulationType::Modes) return;
+  if (type == SimulationType::Modes || reader.fixed_loads) return;
   for (const char* group : {"bodies", "joints", "simulation"})
     if (reader.broken.contains(group)) return;  // what is refused may be what moves it
   const bool dynamic = type == SimulationType::Dynamic;

@@ -37,7 +37,9 @@ void read_study_parts(StudyReader& reader) {
   read_objective(reader);
   read_constraints(reader);
   read_supports(reader);
+  read_parts_of_study(reader);
   read_cycle(reader);
+  check_shapes(reader);
 }
 
 Study read_document(Document document, const fs::path& folder,
@@ -66,6 +68,7 @@ Study read_document(Document document, const fs::path& folder,
   study.scene.file = inner->file;
   study.scene.input = inner->text;
   Reader scene{inner->root, scene_broken, problems, study.scene, {}, {}};
+  scene.fixed_loads = document.root.contains("loads");
   read_parts(scene);
   study.input = document.text + study.scene.input;
   for (const std::string& text : overrides) study.input += "\n--set " + text;

@@ -11,14 +11,6 @@
 
 namespace liesl {
 
-enum class SolidResponse {
-  Output,      ///< norm of some outputs y = C^T q: elongation, displacement, m
-  Compliance,  ///< f^T u, J
-  Stress,      ///< p-norm of the von Mises stress over the cells, Pa
-  Mass,        ///< kg
-  Frequency    ///< every one of the lowest `count` free-free frequencies is at least `limit`, Hz
-};
-
 struct SolidLimit {
   std::string name;
   SolidResponse response = SolidResponse::Output;

@@ -8,36 +8,9 @@
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "optim/nlp/problem.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
-
-/// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
-/// level set as it was made, and x_0 that of the first parameter. Mirrored features have -1.
-struct DrivenParameter {
-  std::string name;  ///< path in the tree, "hole2.a"
-  double factor = 1;
-};
-
-struct ShapeVariableSpec {
-  std::string name;
-  std::vector<DrivenParameter> drives;  ///< at least one; the first gives the unit and x_0
-  double lower = 0, upper = 0;          ///< of the first parameter
-  std::optional<double> start;          ///< default x_0
-};
-
-/// Material of at least this thickness is left between a feature and another one (or the nodes of
-/// an interface). See levelset::wall_between for what is measured.
-struct WallSpec {
-  std::string name;
-  std::string feature;
-  std::string to;    ///< feature or interface
-  double least = 0;  ///< m, > 0
-};
-
-struct ShapeDesignSpec {
-  std::vector<ShapeVariableSpec> variables;
-  std::vector<WallSpec> walls;
-};
 
 class ShapeDesign {
  public:

@@ -59,7 +59,6 @@ TEST(ShapeCycle, HoleInAPlateTakesTheAxesRatioOfTheLoads) {
     const ShapeResult r = optimise_shape(plate.task, {3, 0.5});
     EXPECT_EQ(r.status, CycleStatus::Converged) << r.reason;
     EXPECT_NEAR(r.x[0] / r.x[1] * ratio, 1, 0.03) << ratio;
-    std::printf("ratio %g: %g %zu\n", ratio, r.x[0] / r.x[1] * ratio, r.history.size());
     EXPECT_NEAR(std::numbers::pi / 4 * r.x[0] * r.x[1], std::numbers::pi / 4 * 0.01, 1e-4 * 0.01);
   }
 }
