@@ -206,7 +206,8 @@ TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
   const auto problem = problem_of(changed(kPlateScene, "b = 0.008", "b = 0.05"));
   EXPECT_NE(problem.what.find("'small_end' is cut off"), std::string::npos) << problem.text();
   EXPECT_EQ(problem.line, line_of(kPlateScene, "small_end"));
-  const auto bare = problem_of(changed(kPlateScene, "x = 0.06, a = 0.015", "x = 0, a = 0.02"));
+  const auto bare = problem_of(
+      changed(kPlateScene, "x = 0.06, a = 0.015, b = 0.008", "x = 0, a = 0.03, b = 0.0145"));
   EXPECT_NE(bare.what.find("no material is left at interface 'big_end'"), std::string::npos)
       << bare.text();
 }
