@@ -94,9 +94,6 @@ class SolidReader {
         return refuse(mesh, fmt::format("has a grid without '{}'", key), "'from', 'to' and 'cells'",
                       "as in mesh = { from = [0, 0], to = [0.2, 0.03], cells = [100, 15] }");
     const int dim = static_cast<int>(numbers(*mesh.get("from")).size());
-    if (dim != 2 && dim != 3)
-      return refuse(*mesh.get("from"), fmt::format("has {} numbers in 'from'", dim),
-                    "[x, y] or [x, y, z]");
     const auto from = point(mesh, "from", dim), to = point(mesh, "to", dim),
                cells = point(mesh, "cells", dim);
     if (!from || !to || !cells) return;
