@@ -299,7 +299,7 @@ class SolidReader {
     try {
       const SolidModel model = solid_model(solid_);
       if (const auto cut = cut_interface(model, solid_fractions(solid_).value))
-        refuse(key_of(table_of("interfaces"), cut->interface), "is cut: " + cut->text,
+        refuse(key_of(table_of("interfaces"), cut->interface), "does not hang together: " + cut->text,
                "material between all interfaces", "see the features of its outline");
     } catch (const std::invalid_argument& error) {
       refuse(table_, std::string("cannot be built: ") + error.what(), "a mesh with interfaces");
