@@ -298,9 +298,16 @@ class SolidReader {
   void connection() {
     try {
       const SolidModel model = solid_model(solid_);
+      const int inner = model.size() - model.rigid_count() * model.ports();
+      if (solid_.modes >= inner)
+        refuse(
+            *table_.get("modes"),
+            fmt::format("keeps {} modes, its mesh has {} free displacements", solid_.modes, inner),
+            fmt::format("at most {}", std::max(0, inner - 1)));
       if (const auto cut = cut_interface(model, solid_fractions(solid_).value))
-        refuse(key_of(table_of("interfaces"), cut->interface), "does not hang together: " + cut->text,
-               "material between all interfaces", "see the features of its outline");
+        refuse(key_of(table_of("interfaces"), cut->interface),
+               "does not hang together: " + cut->text, "material between all interfaces",
+               "see the features of its outline");
     } catch (const std::invalid_argument& error) {
       refuse(table_, std::string("cannot be built: ") + error.what(), "a mesh with interfaces");
     }

@@ -121,6 +121,7 @@ TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
   text = changed(text, "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = \"left\" }");
   text = changed(text, "{ box = { from = [0.19, -0.01], to = [0.21, 0.01] }, tie = \"averaged\" }",
                  "{ set = \"right\" }");
+  text = changed(text, "modes = 4", "modes = 2");
   text.erase(text.find("[bodies.rod.solid.outline]"),
              text.find("[joints]") - text.find("[bodies.rod.solid.outline]"));
   const Scene scene = read_scene(text, (folder / "scene.toml").string());
@@ -159,6 +160,7 @@ TEST_P(BadSolid, IsRefusedAtItsPlace) {
 
 // clang-format off
 const BadPart kParts[] = {
+    {"TooManyModes", "cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = 4", "cells = [12, 3] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = @150", {"150 modes", "free displacements", "at most"}},
     {"NoMaterial", "material = \"steel\"", "material = @\"steal\"", {"no material 'steal'", "'steel'"}},
     {"NoThickness", "[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02", "@[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"", {"without 'thickness'"}},
     {"HalfGrid", "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }", "@{ from = [-0.02, -0.015], cells = [48, 6] }", {"without 'to'", "as in"}},

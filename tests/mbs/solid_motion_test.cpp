@@ -12,8 +12,6 @@ namespace liesl {
 namespace {
 
 using testing::options;
-using testing::run_planar;
-using testing::run_spatial;
 
 /// Largest change of the energy over its first value, of a part that moves freely.
 template <class G>
@@ -63,18 +61,24 @@ TEST(SolidMotion, AFreeBodyKeepsItsEnergy) {
   EXPECT_GT(std::log2(coarse3 / fine3), 1.7);
 }
 
-/// Largest value of a response over a run in the plane.
-double largest(const Mechanism& m, const ResponseSpec& r, const SimulationOptions& o) {
-  auto run = run_planar(m, o);
+/// Largest value of a response over a run.
+template <class G = SE2>
+double largest(const Mechanism& m, const ResponseSpec& r, const SimulationOptions& o,
+               const Space<G>& space) {
+  auto run = testing::run<G>(m, space, o);
   EXPECT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
-  const ResponseValues<SE2> values(m, *run.model);
-  State<SE2> s = run.model->initial_state();
+  const ResponseValues<G> values(m, *run.model);
+  State<G> s = run.model->initial_state();
   double found = 0;
   for (int n = 0; n <= run.last(); ++n) {
     run.trajectory().read(n, s);
     found = std::max(found, values(r, s).cwiseAbs().maxCoeff());
   }
   return found;
+}
+
+double largest(const Mechanism& m, const ResponseSpec& r, const SimulationOptions& o) {
+  return largest<SE2>(m, r, o, find_plane(m).plane.value());
 }
 
 ResponseSpec bend(const Mechanism& m, const char* mid) {
@@ -95,6 +99,17 @@ TEST(SolidMotion, AMeshedRodBendsAsTheBeam) {
                by_beam = largest(beam, bend(beam, "rod.mid"), o);
   EXPECT_GT(by_beam, 1e-4);
   EXPECT_NEAR(by_mesh / by_beam, 1, 0.02);
+}
+
+/// Hexahedra on SE(3) against quadrilaterals in plane stress on SE(2): another element, another
+/// group, the same rod.
+TEST(SolidMotion, InSpaceItBendsAsInThePlane) {
+  const Mechanism plane = reference::slider_crank_with_mesh(30, 2, 4),
+                  space = reference::slider_crank_with_mesh(30, 2, 4, 1);
+  const auto o = options(0.05, 1e-4);
+  const double in_plane = largest(plane, bend(plane, "rod.mid"), o),
+               in_space = largest<SE3>(space, bend(space, "rod.mid"), o, {});
+  EXPECT_NEAR(in_space / in_plane, 1, 0.02);
 }
 
 TEST(SolidMotion, ElongationIsOfTwoPorts) {
