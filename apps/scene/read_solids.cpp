@@ -202,6 +202,10 @@ class SolidReader {
       refuse(*circle.get("inner"), "has an empty ring", "'inner' below 'radius'");
       return false;
     }
+    if (dim() == 2 && written(*circle.get("axis"))) {
+      refuse(*circle.get("axis"), "has an 'axis' of a circle in a planar mesh", "no 'axis'");
+      return false;
+    }
     const Vec3 axis = dim() == 2 ? Vec3(Vec3::UnitZ()) : direction(reader_, circle, "axis");
     interface.nodes = nodes_where(solid_.mesh, [&](const Vec3& x) {
       const double r = axis.cross(x - *centre).norm();

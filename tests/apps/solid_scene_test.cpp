@@ -174,6 +174,7 @@ const BadPart kParts[] = {
     {"NoSet", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = @\"xmin\" }", {"no set of nodes 'xmin'", "x_min"}},
     {"PointInSpace", "centre = [0, 0]", "centre = @[0, 0, 0]", {"3 numbers in 'centre'", "planar"}},
     {"NoRing", "radius = 0.009 }", "radius = 0.009, inner = @0.01 }", {"empty ring"}},
+    {"AxisInThePlane", "radius = 0.009 }", "radius = 0.009, axis = @[0, 0, 1] }", {"'axis'", "planar"}},
     {"TwoRegions", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ circle = { centre = [0, 0], radius = 0.009 }, set = @\"x_min\" }", {"both 'circle' and 'set'"}},
     {"NoFeature", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"]", "@holes = { type = \"union\", of = [\"hole1\", \"hole3\"]", {"'hole3'", "no feature"}},
     {"KeyOfOtherFeature", "xi = 3, eta = 4", "xi = 3, eta = 4, @radius = 1", {"unknown key", "hole1.radius"}},
