@@ -94,9 +94,6 @@ class SolidReader {
         return refuse(mesh, fmt::format("has a grid without '{}'", key), "'from', 'to' and 'cells'",
                       "as in mesh = { from = [0, 0], to = [0.2, 0.03], cells = [100, 15] }");
     const int dim = static_cast<int>(numbers(*mesh.get("from")).size());
-    if (dim != 2 && dim != 3)
-      return refuse(*mesh.get("from"), fmt::format("has {} numbers in 'from'", dim),
-                    "[x, y] or [x, y, z]");
     const auto from = point(mesh, "from", dim), to = point(mesh, "to", dim),
                cells = point(mesh, "cells", dim);
     if (!from || !to || !cells) return;
@@ -205,6 +202,10 @@ class SolidReader {
       refuse(*circle.get("inner"), "has an empty ring", "'inner' below 'radius'");
       return false;
     }
+    if (dim() == 2 && written(*circle.get("axis"))) {
+      refuse(*circle.get("axis"), "has an 'axis' of a circle in a planar mesh", "no 'axis'");
+      return false;
+    }
     const Vec3 axis = dim() == 2 ? Vec3(Vec3::UnitZ()) : direction(reader_, circle, "axis");
     interface.nodes = nodes_where(solid_.mesh, [&](const Vec3& x) {
       const double r = axis.cross(x - *centre).norm();
@@ -301,9 +302,16 @@ class SolidReader {
   void connection() {
     try {
       const SolidModel model = solid_model(solid_);
+      const int inner = model.size() - model.rigid_count() * model.ports();
+      if (solid_.modes >= inner)
+        refuse(
+            *table_.get("modes"),
+            fmt::format("keeps {} modes, its mesh has {} free displacements", solid_.modes, inner),
+            fmt::format("at most {}", std::max(0, inner - 1)));
       if (const auto cut = cut_interface(model, solid_fractions(solid_).value))
-        refuse(key_of(table_of("interfaces"), cut->interface), "is cut: " + cut->text,
-               "material between all interfaces", "see the features of its outline");
+        refuse(key_of(table_of("interfaces"), cut->interface),
+               "does not hang together: " + cut->text, "material between all interfaces",
+               "see the features of its outline");
     } catch (const std::invalid_argument& error) {
       refuse(table_, std::string("cannot be built: ") + error.what(), "a mesh with interfaces");
     }

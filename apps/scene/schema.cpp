@@ -91,7 +91,7 @@ std::string kind_of_value(const Key& key) {
     case Type::Number:
       return "a number";
     case Type::Vector:
-      return n > 0 ? fmt::format("a list of {} numbers", n) : "a list of numbers";
+      return fmt::format("a list of {} numbers", n);
     case Type::NumberOrList:
       return n > 0 ? fmt::format("a number or a list of {} numbers", n)
                    : "a number or a list of numbers";
@@ -116,6 +116,8 @@ std::string kind_of_value(const Key& key) {
       return "a list of values, one or more";
     case Type::Any:
       return "a value";
+    case Type::Point:
+      return "a list of 2 or 3 numbers";
   }
   return "a value";
 }

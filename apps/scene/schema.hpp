@@ -17,7 +17,7 @@ enum class Type {
   Boolean,
   Integer,
   Number,
-  Vector,        ///< list of `size` numbers (0 = one or more)
+  Vector,        ///< list of `size` numbers
   NumberOrList,  ///< number, or list of `size` numbers (0 = one or more)
   Rows,          ///< two or more rows of `size` numbers
   Matrix,        ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
@@ -28,7 +28,8 @@ enum class Type {
   TableOrList,   ///< table or list of tables
   Named,         ///< table whose keys are names that the user chooses
   List,          ///< list of one or more values, of whatever the keys it is for ask for
-  Any            ///< whatever the key named by the user asks for
+  Any,           ///< whatever the key named by the user asks for
+  Point          ///< list of 2 or 3 numbers: in the plane or in space
 };
 
 /// Interval of allowed numbers; an open end excludes its bound.

@@ -12,9 +12,9 @@ std::vector<Key> part_keys() {
   return {
     {"bodies.*.solid", Type::Table, "", kOneOf, kAny, "Meshed part, simulated with the motions of its interfaces and some modes. Ports: its interfaces."},
     {"bodies.*.solid.mesh", Type::Table, "", kRequired, kAny, "Cells: quadrilaterals (plane stress, in a planar scene) or hexahedra. Lengths and features are in the coordinates of the mesh."},
-    {"bodies.*.solid.mesh.from", Type::Vector, "m", kOneOf, kAny, "Grid: its first corner, [x, y] or [x, y, z]; needs `to` and `cells`. Its sides are the sets x_min, x_max, y_min, ..."},
-    {"bodies.*.solid.mesh.to", Type::Vector, "m", kOptional, kAny, "Grid: the opposite corner."},
-    {"bodies.*.solid.mesh.cells", Type::Vector, "", kOptional, {1, 100000}, "Grid: number of cells in each direction."},
+    {"bodies.*.solid.mesh.from", Type::Point, "m", kOneOf, kAny, "Grid: its first corner, [x, y] or [x, y, z]; needs `to` and `cells`. Its sides are the sets x_min, x_max, y_min, ..."},
+    {"bodies.*.solid.mesh.to", Type::Point, "m", kOptional, kAny, "Grid: the opposite corner."},
+    {"bodies.*.solid.mesh.cells", Type::Point, "-", kOptional, {1, 100000}, "Grid: number of cells in each direction."},
     {"bodies.*.solid.mesh.file", Type::Text, "", kOneOf, kAny, "Gmsh file (4.1, ASCII) with quadrilaterals in z = 0 or hexahedra; its physical groups are sets of nodes. Relative to the scene."},
     {"bodies.*.solid.material", Type::Text, "", kRequired, kAny, "Material."},
     {"bodies.*.solid.thickness", Type::Number, "m", kOptional, kPositive, "Of a planar mesh, which needs it; half to each side."},
@@ -29,15 +29,15 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.interfaces", Type::Named, "", kRequired, kAny, "Where the part is held, by name. The first one carries the floating frame."},
     {"bodies.*.solid.interfaces.*", Type::Table, "", kOptional, kAny, "Nodes that are tied to a frame with the axes of the mesh: exactly one of `circle`, `box` and `set`."},
     {"bodies.*.solid.interfaces.*.circle", Type::Table, "", kOneOf, kAny, "Nodes in a circle; in space, in the endless cylinder."},
-    {"bodies.*.solid.interfaces.*.circle.centre", Type::Vector, "m", kRequired, kAny, "Centre, [x, y] or [x, y, z]."},
+    {"bodies.*.solid.interfaces.*.circle.centre", Type::Point, "m", kRequired, kAny, "Centre, [x, y] or [x, y, z]."},
     {"bodies.*.solid.interfaces.*.circle.radius", Type::Number, "m", kRequired, kPositive, "Radius."},
     {"bodies.*.solid.interfaces.*.circle.inner", Type::Number, "m", "0", kNotNegative, "Nodes nearer to the centre than this are left out."},
     {"bodies.*.solid.interfaces.*.circle.axis", Type::Vector, "-", "[0, 0, 1]", kAny, "Of the cylinder in space.", 3},
     {"bodies.*.solid.interfaces.*.box", Type::Table, "", kOneOf, kAny, "Nodes in a rectangle or box."},
-    {"bodies.*.solid.interfaces.*.box.from", Type::Vector, "m", kRequired, kAny, "One corner."},
-    {"bodies.*.solid.interfaces.*.box.to", Type::Vector, "m", kRequired, kAny, "The opposite corner."},
+    {"bodies.*.solid.interfaces.*.box.from", Type::Point, "m", kRequired, kAny, "One corner."},
+    {"bodies.*.solid.interfaces.*.box.to", Type::Point, "m", kRequired, kAny, "The opposite corner."},
     {"bodies.*.solid.interfaces.*.set", Type::Text, "", kOneOf, kAny, "Nodes of a side of the grid (x_min, ...) or of a physical group."},
-    {"bodies.*.solid.interfaces.*.point", Type::Vector, "m", kOptional, kAny, "Origin of the frame. Default: centre of the circle or box, or the mean of the nodes."},
+    {"bodies.*.solid.interfaces.*.point", Type::Point, "m", kOptional, kAny, "Origin of the frame. Default: centre of the circle or box, or the mean of the nodes."},
     {"bodies.*.solid.interfaces.*.tie", Type::Choice, "", "\"rigid\"", kAny, "The nodes move as a rigid body, or the frame moves as they do on average.", 0, "rigid averaged"},
   };
 }
@@ -68,7 +68,7 @@ std::vector<Key> outline_keys() {
     {"bodies.*.solid.outline.*.n2", Type::Number, "-", "2", kPositive, "Exponent of the cosine.", 0, "", "type=superformula"},
     {"bodies.*.solid.outline.*.n3", Type::Number, "-", "2", kPositive, "Exponent of the sine.", 0, "", "type=superformula"},
     {"bodies.*.solid.outline.*.points", Type::Rows, "m", kRequired, kAny, "Rows [x, y] in order round the outline: its corners, points on the spline, or control points. At least 3 (polyline) or 4.", 2, "", "type=polyline spline nurbs"},
-    {"bodies.*.solid.outline.*.weights", Type::Vector, "-", kRequired, kPositive, "One a control point.", 0, "", "type=nurbs"},
+    {"bodies.*.solid.outline.*.weights", Type::NumberOrList, "-", kRequired, kPositive, "One a control point.", 0, "", "type=nurbs"},
   };
 }
 

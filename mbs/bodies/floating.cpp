@@ -80,7 +80,11 @@ Eigen::MatrixXd FloatingBody<G>::increments(const Motion& m) const {
 template <FrameGroup G>
 void FloatingBody<G>::measure(const BodyState<G>& s, bool rates, Motion& m) const {
   using Node = Eigen::Map<const Tangent>;
-  const Tangent v0 = Node(s.v), a0 = Node(s.vdot);
+  Tangent v0 = Tangent::Zero(), a0 = v0;
+  if (rates) {
+    v0 = Node(s.v);
+    a0 = Node(s.vdot);
+  }
   for (size_t i = 0; i < interfaces_.size(); ++i) {
     const int node = interfaces_[i], at = dim * static_cast<int>(i);
     m.Y[i] = s.H[0].inverse() * s.H[node];

@@ -65,6 +65,7 @@ class FloatingBody : public Body<G> {
   /// Mass matrix of [v_0; edot], (dim + n) x (dim + n); rows of padding are zero.
   virtual Eigen::MatrixXd inertia_matrix(const Motion& m) const = 0;
 
+  /// Without `rates` of H and w alone.
   void measure(const BodyState<G>& s, bool rates, Motion& m) const;
   /// The motion at reference, at rest.
   Motion at_reference() const;

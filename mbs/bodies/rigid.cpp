@@ -40,9 +40,10 @@ Rigid<G>::Rigid(std::string body_name, const Body<G>& flexible)
     W.multiply_add(turned.col(j).data(), WJ.col(j).data());
     W.multiply_add(same.col(j).data(), WF.col(j).data());
   }
-  if (M.is_dense())  // over the frames of a reduced body
-    for (size_t a = 0; a < M.nodes.size(); ++a)
-      for (size_t b = 0; b < M.nodes.size(); ++b)
+  const auto moves = [&](size_t a) { return flexible.kind(M.nodes[a]) == NodeKind::Frame; };
+  for (size_t a = 0; a < M.nodes.size(); ++a)  // of a reduced body: its frames
+    for (size_t b = 0; b < M.nodes.size(); ++b)
+      if (moves(a) && moves(b))
         MJ.middleRows<dim>(dim * M.nodes[a]) += M.dense.template block<dim, dim>(dim * a, dim * b) *
                                                 J.middleRows<dim>(dim * M.nodes[b]);
   inertia_ = J.transpose() * MJ;

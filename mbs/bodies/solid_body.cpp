@@ -1,6 +1,8 @@
 #include "mbs/bodies/solid_body.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
+#include <array>
 #include <numbers>
 #include <stdexcept>
 
@@ -180,7 +182,8 @@ MatrixXd SolidBody<G>::inertia_matrix(const Motion& m) const {
   full.bottomRightCorner(n, n) = M_e_;
   full.topRightCorner(6, n) = full.bottomLeftCorner(n, 6).transpose().eval();
   full.block<3, 3>(0, 3) = full.block<3, 3>(3, 0).transpose().eval();
-  std::vector<int> rows(kinds<G>().begin(), kinds<G>().end());
+  const auto own = kinds<G>();
+  std::vector<int> rows(own.begin(), own.end());
   for (int k = 0; k < n; ++k) rows.push_back(6 + k);
   return full(rows, rows);
 }
@@ -195,6 +198,16 @@ VectorXd SolidBody<G>::coordinates(const BodyState<G>& s) const {
   Motion m = this->at_reference();
   this->measure(s, false, m);
   return m.e.head(basis_.cols());
+}
+
+template <FrameGroup G>
+VectorXd SolidBody<G>::free_frequencies(int count) const {
+  const auto n = dim + basis_.cols();  // without padding
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(this->K_.dense.topLeftCorner(n, n),
+                                                                 this->M_.dense.topLeftCorner(n, n),
+                                                                 Eigen::EigenvaluesOnly);
+  const auto elastic = eigen.eigenvalues().segment(dim, std::min<Eigen::Index>(count, n - dim));
+  return elastic.cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
 }
 
 template <FrameGroup G>

@@ -83,6 +83,9 @@ class Search {
 
   PlaneSearch run() {
     Space<SE2> plane;
+    for (const auto& body : m_.bodies)
+      if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 3)
+        return {std::nullopt, fmt::format("'{}' is meshed in space", body.name)};
     if (!choose_plane(plane)) return {std::nullopt, reason_};
     plane_ = plane;
     for (const auto check : {&Search::bodies, &Search::joints, &Search::loads})
@@ -180,7 +183,6 @@ class Search {
           return fail(
               fmt::format("'{}' has no principal axis of inertia normal to the plane", body.name));
       } else if (const auto* solid = std::get_if<SolidSpec>(&body.kind)) {
-        if (solid->mesh.dim == 3) return fail(fmt::format("'{}' is meshed in space", body.name));
         if (!normal_to(solid->frame.R.col(2)))
           return fail(fmt::format("the mesh of '{}' leaves the plane of the others", body.name));
       }

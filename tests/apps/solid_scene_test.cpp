@@ -121,6 +121,7 @@ TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
   text = changed(text, "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = \"left\" }");
   text = changed(text, "{ box = { from = [0.19, -0.01], to = [0.21, 0.01] }, tie = \"averaged\" }",
                  "{ set = \"right\" }");
+  text = changed(text, "modes = 4", "modes = 2");
   text.erase(text.find("[bodies.rod.solid.outline]"),
              text.find("[joints]") - text.find("[bodies.rod.solid.outline]"));
   const Scene scene = read_scene(text, (folder / "scene.toml").string());
@@ -159,6 +160,7 @@ TEST_P(BadSolid, IsRefusedAtItsPlace) {
 
 // clang-format off
 const BadPart kParts[] = {
+    {"TooManyModes", "cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = 4", "cells = [12, 3] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = @150", {"150 modes", "free displacements", "at most"}},
     {"NoMaterial", "material = \"steel\"", "material = @\"steal\"", {"no material 'steal'", "'steel'"}},
     {"NoThickness", "[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02", "@[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"", {"without 'thickness'"}},
     {"HalfGrid", "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }", "@{ from = [-0.02, -0.015], cells = [48, 6] }", {"without 'to'", "as in"}},
@@ -172,6 +174,7 @@ const BadPart kParts[] = {
     {"NoSet", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = @\"xmin\" }", {"no set of nodes 'xmin'", "x_min"}},
     {"PointInSpace", "centre = [0, 0]", "centre = @[0, 0, 0]", {"3 numbers in 'centre'", "planar"}},
     {"NoRing", "radius = 0.009 }", "radius = 0.009, inner = @0.01 }", {"empty ring"}},
+    {"AxisInThePlane", "radius = 0.009 }", "radius = 0.009, axis = @[0, 0, 1] }", {"'axis'", "planar"}},
     {"TwoRegions", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ circle = { centre = [0, 0], radius = 0.009 }, set = @\"x_min\" }", {"both 'circle' and 'set'"}},
     {"NoFeature", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"]", "@holes = { type = \"union\", of = [\"hole1\", \"hole3\"]", {"'hole3'", "no feature"}},
     {"KeyOfOtherFeature", "xi = 3, eta = 4", "xi = 3, eta = 4, @radius = 1", {"unknown key", "hole1.radius"}},
@@ -206,7 +209,8 @@ TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
   const auto problem = problem_of(changed(kPlateScene, "b = 0.008", "b = 0.05"));
   EXPECT_NE(problem.what.find("'small_end' is cut off"), std::string::npos) << problem.text();
   EXPECT_EQ(problem.line, line_of(kPlateScene, "small_end"));
-  const auto bare = problem_of(changed(kPlateScene, "x = 0.06, a = 0.015", "x = 0, a = 0.02"));
+  const auto bare = problem_of(
+      changed(kPlateScene, "x = 0.06, a = 0.015, b = 0.008", "x = 0, a = 0.03, b = 0.0145"));
   EXPECT_NE(bare.what.find("no material is left at interface 'big_end'"), std::string::npos)
       << bare.text();
 }

@@ -9,10 +9,13 @@ namespace liesl::reference {
 inline constexpr double kRodLength = 0.3, kRodHeight = 0.014, kRodThickness = 0.01;
 
 /// The rod as a mesh from the pin of the crank to the slider; interfaces start, end, mid.
-inline SolidSpec meshed_rod(const Vec3& from, int nx, int ny, int modes) {
+/// @param nz layers of hexahedra through the thickness; 0: quadrilaterals
+inline SolidSpec meshed_rod(const Vec3& from, int nx, int ny, int modes, int nz = 0) {
   SolidSpec s;
   s.frame.x = from;
-  s.mesh = quad_grid({0, -kRodHeight / 2}, {kRodLength, kRodHeight / 2}, nx, ny);
+  const Vec3 half(0, kRodHeight / 2, kRodThickness / 2), end(kRodLength, 0, 0);
+  s.mesh = nz > 0 ? hex_grid(-half, end + half, nx, ny, nz)
+                  : quad_grid(-half.head<2>(), (end + half).head<2>(), nx, ny);
   s.material = steel();
   s.thickness = kRodThickness;
   const auto at = [&s](double x) {
@@ -42,8 +45,8 @@ Mechanism slider_crank_with(const Rod& rod, int last) {
   return m;
 }
 
-inline Mechanism slider_crank_with_mesh(int nx = 60, int ny = 4, int modes = 6) {
-  return slider_crank_with(meshed_rod({0.15, 0, 0}, nx, ny, modes), 1);
+inline Mechanism slider_crank_with_mesh(int nx = 60, int ny = 4, int modes = 6, int nz = 0) {
+  return slider_crank_with(meshed_rod({0.15, 0, 0}, nx, ny, modes, nz), 1);
 }
 
 inline Mechanism slider_crank_with_beam(int n = 16) {
