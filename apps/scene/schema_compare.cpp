@@ -1,5 +1,6 @@
 /// @file
-/// Table of the keys of a comparison. Rows: path, type, unit, preset, range, doc, size, options, when.
+/// Table of the keys of a comparison. Rows: path, type, unit, preset, range, doc, size, options,
+/// when.
 #include "apps/scene/schema.hpp"
 
 namespace liesl {
