@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <set>
 #include <stdexcept>
 
 #include "mbs/bodies/modal.hpp"
@@ -119,20 +118,18 @@ Strains<G> linear_strains(const Body<G>& body, const Eigen::VectorXd& u) {
   return strains<G>(body, H.data());
 }
 
-/// Up to `count` load cases spread over time, and the one with the largest load.
-std::set<int> chosen_cases(const LoadSet& loads, int count) {
-  const int n = static_cast<int>(loads.t.size());
+}  // namespace
+
+std::set<int> spread_cases(const Eigen::MatrixXd& loads, int count) {
+  const auto n = loads.cols();
   std::set<int> cases;
   if (n == 0) return cases;
   int largest = 0;
-  loads.f.colwise().squaredNorm().maxCoeff(&largest);
+  loads.colwise().squaredNorm().maxCoeff(&largest);
   cases.insert(largest);
-  for (int i = 1; i < count; ++i)
-    cases.insert(static_cast<int>(static_cast<long>(n - 1) * i / count));
+  for (int i = 1; i < count; ++i) cases.insert(static_cast<int>((n - 1) * i / count));
   return cases;
 }
-
-}  // namespace
 
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
@@ -188,7 +185,7 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
   lu.factor(K);
   Identity identity;
   double largest = 0;
-  for (const int n : chosen_cases(loads, cases)) {
+  for (const int n : spread_cases(loads.f, cases)) {
     const Strains<G> dynamic =
         strains<G>(body, trajectory.frames(n) + model.first_node(loads.body));
     const double size = dynamic.cwiseAbs().maxCoeff();

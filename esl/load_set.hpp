@@ -5,6 +5,8 @@
 /// classical: f = K_ref u with u in a corotational frame, here that of the first node (eq. 3.21);
 /// floating: f = K_ff q_f (eq. 3.20).
 
+#include <set>
+
 #include "mbs/bodies/beam.hpp"
 #include "mbs/solvers/trajectory.hpp"
 #include "mbs/system/model.hpp"
@@ -26,6 +28,9 @@ LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, in
 /// @throws std::invalid_argument if they do not
 double load_change(const std::vector<LoadSet>& f, const std::vector<LoadSet>& before, int dim,
                    int space_dim, double length);
+
+/// Up to `count` load cases (columns) spread over time, and the one with the largest load.
+std::set<int> spread_cases(const Eigen::MatrixXd& loads, int count);
 
 /// How well the static problem of a part gives back its dynamic deformation: largest difference of
 /// strain over the largest strain of all load cases tried. (Not of each case by itself: a rod that

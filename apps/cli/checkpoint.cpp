@@ -30,6 +30,9 @@ void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle
                   {"x", numbers(c.x)},
                   {"answer", numbers(c.answer)},
                   {"next", numbers(c.next)},
+                  {"lower", numbers(c.lower)},
+                  {"upper", numbers(c.upper)},
+                  {"unit", numbers(c.unit)},
                   {"mass", c.mass},
                   {"worst", c.worst},
                   {"worst_constraint", c.worst_constraint},
@@ -67,6 +70,9 @@ std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
       c.x = vector(j.at("x"));
       c.answer = vector(j.at("answer"));
       c.next = vector(j.at("next"));
+      c.lower = vector(j.at("lower"));
+      c.upper = vector(j.at("upper"));
+      c.unit = vector(j.at("unit"));
       c.mass = j.at("mass");
       c.worst = j.at("worst");
       c.worst_constraint = j.at("worst_constraint");

@@ -1,6 +1,9 @@
 #include "apps/cli/collect.hpp"
 
 #include "apps/scene/reader.hpp"
+#include "mbs/bodies/solid_body.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
@@ -14,10 +17,17 @@ void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v
 output::BodyResult empty_body(const BodySpec& spec) {
   output::BodyResult body;
   body.name = spec.name;
-  const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-  body.kind = beam ? "beam" : "rigid";
-  body.nodes = beam ? static_cast<int>(beam->nodes.size()) : 1;
-  for (int e = 0; e + 1 < body.nodes; ++e) body.elements.push_back({e, e + 1});
+  body.kind = "rigid";
+  body.nodes = 1;
+  if (const auto* solid = std::get_if<SolidSpec>(&spec.kind)) {
+    body.kind = "solid";
+    body.nodes = static_cast<int>(solid->interfaces.size());
+  }
+  if (const auto* beam = std::get_if<BeamSpec>(&spec.kind)) {
+    body.kind = "beam";
+    body.nodes = static_cast<int>(beam->nodes.size());
+    for (int e = 0; e + 1 < body.nodes; ++e) body.elements.push_back({e, e + 1});
+  }
   return body;
 }
 
@@ -38,6 +48,37 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
            view.local(model.bodies[b]->section_force(state, static_cast<int>(e)), b,
                       static_cast<int>(e)));
   }
+}
+
+/// Positions of the nodes of a meshed part, x_0 + R_0 (s + phi e), at the records that are shown.
+template <FrameGroup G>
+output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
+                           const Trajectory<G>& trajectory, int b) {
+  const auto& solid = std::get<SolidSpec>(mechanism.bodies[b].kind);
+  const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());  // null: rigid
+  output::MeshResult out;
+  out.name = mechanism.bodies[b].name;
+  out.corners = solid.mesh.corners();
+  out.cells.assign(solid.mesh.cells.data(), solid.mesh.cells.data() + solid.mesh.cells.size());
+  append(out.fractions, solid_fractions(solid).value);
+  out.records = output::spread_records(trajectory.size(), output::kShownRecords);
+  const SpatialView<G> view(mechanism, model);
+  Eigen::MatrixXd phi;
+  if (body) phi = solid_model(solid).T() * body->basis();
+  const int dim = solid.mesh.dim;
+  State<G> s = model.initial_state();
+  for (const int n : out.records) {
+    trajectory.read(n, s);
+    const SE3 H = view.node(s.H.data(), b, 0);
+    Eigen::Matrix3Xd x = solid.mesh.nodes.colwise() - solid.interfaces[0].point;
+    if (body) {
+      const Eigen::VectorXd u = phi * body->coordinates(model.body_state(s, b));
+      x.topRows(dim) += Eigen::Map<const Eigen::MatrixXd>(u.data(), dim, x.cols());
+    }
+    x = ((H.R * x).colwise() + H.x).eval();
+    append(out.positions, Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()));
+  }
+  return out;
 }
 
 template <FrameGroup G>
@@ -126,6 +167,10 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   for (const auto& body : mechanism.bodies) r.bodies.push_back(empty_body(body));
   for (const auto& j : mechanism.joints)
     r.joints.push_back({j.name, std::string(name_of(j.type)), {}, {}, {}});
+
+  for (size_t b = 0; b < mechanism.bodies.size(); ++b)
+    if (std::holds_alternative<SolidSpec>(mechanism.bodies[b].kind))
+      r.meshes.push_back(mesh_of(mechanism, model, trajectory, static_cast<int>(b)));
 
   const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();

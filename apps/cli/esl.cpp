@@ -22,7 +22,7 @@ int esl_command(const CommandOptions& options) {
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
 #include "apps/output/write_results.hpp"
-#include "esl/load_set.hpp"
+#include "esl/solid_loads.hpp"
 #include "mbs/system/spatial_view.hpp"
 
 namespace liesl {
@@ -57,6 +57,32 @@ std::string loads_csv(const Mechanism& mechanism, const std::vector<LoadSet>& se
       }
   }
   return text;
+}
+
+/// Loads of the meshed parts: what they are combined of, and the combinations by time.
+template <FrameGroup G>
+void write_solid_loads(const Mechanism& mechanism, const Model<G>& model,
+                       const Trajectory<G>& trajectory, output::Hdf5File& file,
+                       nlohmann::ordered_json& identity, bool quiet) {
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const auto* solid = std::get_if<SolidSpec>(&mechanism.bodies[b].kind);
+    if (!solid || model.bodies[b]->nodes() == 1 || model.formalism == Formalism::Rigid) continue;
+    const SolidLoadSet set = extract_solid_loads(model, trajectory, static_cast<int>(b));
+    const std::string& body = model.bodies[b]->name;
+    const auto write = [&](const std::string& name, const Eigen::MatrixXd& rows, const char* unit) {
+      file.write(name, std::vector<double>(rows.data(), rows.data() + rows.size()),
+                 {static_cast<hsize_t>(rows.cols()), static_cast<hsize_t>(rows.rows())});
+      file.attribute(name, "unit", unit);
+    };
+    file.group("/loads/" + body);
+    write("/loads/" + body + "/coordinates", set.e, "m, rad and amplitudes");
+    write("/loads/" + body + "/shapes", set.shapes, "N, N m a unit of the coordinates");
+    const Identity id = check_identity(*solid, set);
+    identity[body] = {{"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+    if (!quiet)
+      fmt::print("  {:<16} {} load cases of {} shapes; static = dynamic deformation: {:.1e}\n",
+                 body, set.t.size(), set.e.rows(), id.linear);
+  }
 }
 
 template <FrameGroup G>
@@ -97,7 +123,8 @@ int esl_on(const Scene& scene, const Space<G>& space, const CommandOptions& opti
           "  {:<16} {} load cases; static = dynamic deformation: nonlinear {:.1e}, linear {:.1e}\n",
           model.bodies[b]->name, sets.back().t.size(), id.nonlinear, id.linear);
   }
-  if (!sets.empty()) file.write("/time", sets.front().t, {sets.front().t.size()});
+  write_solid_loads(scene.mechanism, model, simulation.trajectory, file, identity, options.quiet);
+  if (!results.times.empty()) file.write("/time", results.times, {results.times.size()});
   file.close();
   output::write_file(folder.path() / "loads.csv", loads_csv(scene.mechanism, sets, values));
   return exit_code(simulation.report.status);

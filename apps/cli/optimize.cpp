@@ -19,6 +19,8 @@ int optimize_command(const CommandOptions& options) {
 #else
 
 #include "apps/cli/checkpoint.hpp"
+#include "apps/cli/optimize_part.hpp"
+#include "apps/cli/part_files.hpp"
 #include "apps/cli/run_summary.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/csv_writer.hpp"
@@ -127,6 +129,20 @@ void print_cycle(const Cycle& c, bool quiet) {
   std::fflush(stdout);
 }
 
+/// What is left of the part whose outline the study changed.
+template <FrameGroup G>
+void describe_part(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r,
+                   const std::filesystem::path& folder) {
+  const auto& [body, spec] = *study.spec.shapes.begin();
+  PartShape part(study.scene.mechanism, body, spec);
+  summary.design = design_figures(part.design, r.x);
+  std::vector<Eigen::VectorXd> history;
+  for (const auto& c : r.history) history.push_back(c.x);
+  if (history.back() != r.x) history.push_back(r.x);
+  write_part(folder, study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name, part,
+             history, fields_of_motion(study.spec, part, r.x, *r.model, r.simulation.trajectory));
+}
+
 template <FrameGroup G>
 int optimize_on(const Study& study, const Space<G>& space, const CommandOptions& options,
                 output::AtomicFolder& folder, output::OptimizeSummary& summary,
@@ -168,8 +184,11 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
                  series(r.initial, scene.mechanism, study.spec), scene);
     write_series(folder.path() / "responses_final.csv", r.times,
                  series(r.final, scene.mechanism, study.spec), scene);
-    output::write_design_csv(folder.path() / "design.csv",
-                             design_rows(sizing, scene.mechanism, r.x));
+    if (study.spec.shapes.empty())
+      output::write_design_csv(folder.path() / "design.csv",
+                               design_rows(sizing, scene.mechanism, r.x));
+    else
+      describe_part(summary, study, r, folder.path());
   }
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
@@ -206,7 +225,9 @@ int optimize_command(const CommandOptions& options) {
     throw InputError(
         {{study.scene.file, 0, 0, "simulation.type = \"modes\" has no loads to size a part for",
           "\"dynamic\" or \"static\"", ""}});
+  const bool fixed_loads = !study.spec.loads.empty();
   const ChosenSpace space = choose_space(study.scene);
+  if (options.check_derivatives && fixed_loads) return check_part_derivatives(study);
   if (options.check_derivatives)
     return std::visit([&](const auto& s) { return check_derivatives_of(study, s); }, space.space);
 
@@ -220,7 +241,11 @@ int optimize_command(const CommandOptions& options) {
   if (options.resume)
     resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
                              summary.input_sha256);
+  if (options.resume && fixed_loads)
+    throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
+                       "a study of a motion", "run without --resume"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
+  if (fixed_loads) return optimize_part(study, options, folder, summary, clock);
   const int code = std::visit(
       [&](const auto& s) { return optimize_on(study, s, options, folder, summary, resume, clock); },
       space.space);

@@ -53,6 +53,7 @@ int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::Run
     simulation = run_simulation(model, scene.simulation, watch(line));
   }
   describe(summary, simulation.report, simulation.start, scene.mechanism);
+  describe_parts(summary, scene.mechanism, model, scene.simulation.duration);
   State<G> start = model.initial_state();
   const Mobility m = mobility(model, start);
   summary.more["mobility"] = m.free;

@@ -65,11 +65,12 @@ typename G::Tangent momentum(const Model<G>& model, const State<G>& s) {
     double energy[2];
     for (const int side : {0, 1}) {
       const typename G::Tangent e = (side == 0 ? size : -size) * G::Tangent::Unit(i);
-      for (std::size_t k = 0; k < s.H.size(); ++k) {
-        const int at = G::dim * static_cast<int>(k);
-        shifted.v.template segment<G::dim>(at) =
-            s.v.template segment<G::dim>(at) + s.H[k].AdInv() * e;
-      }
+      for (std::size_t b = 0; b < model.bodies.size(); ++b)
+        for (int point = 0; point < model.bodies[b]->points(); ++point) {
+          const int k = model.first_node(static_cast<int>(b)) + point, at = G::dim * k;
+          shifted.v.template segment<G::dim>(at) =
+              s.v.template segment<G::dim>(at) + s.H[k].AdInv() * e;
+        }
       energy[side] = kinetic_energy(model, shifted);
     }
     p[i] = (energy[0] - energy[1]) / (2 * size);

@@ -35,6 +35,17 @@ void write_body(const Hdf5File& file, const BodyResult& body, hsize_t n) {
   if (E > 0) file.write(group + "/elements", elements, {E, 2});
 }
 
+void write_mesh(const Hdf5File& file, const MeshResult& mesh) {
+  const std::string group = "/meshes/" + hdf5_name(mesh.name);
+  const hsize_t C = static_cast<hsize_t>(mesh.corners), r = mesh.records.size();
+  file.group(group);
+  file.write(group + "/cells", mesh.cells, {mesh.cells.size() / C, C});
+  put(file, group + "/fraction", mesh.fractions, {mesh.fractions.size()}, "-");
+  file.write(group + "/record", mesh.records, {r});
+  if (r > 0)
+    put(file, group + "/position", mesh.positions, {r, mesh.positions.size() / r / 3, 3}, "m");
+}
+
 void write_joint(const Hdf5File& file, const JointResult& joint, hsize_t n) {
   const std::string group = "/joints/" + hdf5_name(joint.name);
   std::string units;
@@ -72,6 +83,8 @@ void write_hdf5(const std::filesystem::path& path, const Results& results) {
   put(file, "/time", results.times, {n}, results.abscissa_unit);
   file.group("/bodies");
   for (const auto& body : results.bodies) write_body(file, body, n);
+  if (!results.meshes.empty()) file.group("/meshes");
+  for (const auto& mesh : results.meshes) write_mesh(file, mesh);
   file.group("/joints");
   for (const auto& joint : results.joints) write_joint(file, joint, n);
   write_energies(file, results.energies, n);

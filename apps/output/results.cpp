@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace liesl::output {
@@ -31,11 +32,21 @@ void check_body(const BodyResult& body, std::size_t n) {
   }
 }
 
+void check_mesh(const MeshResult& mesh) {
+  const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
+  check_block(mesh.fractions, M, mesh.name + ".fractions");
+  int nodes = 0;
+  for (const int node : mesh.cells) nodes = std::max(nodes, node + 1);
+  check_block(mesh.positions, mesh.records.size() * static_cast<std::size_t>(nodes) * 3,
+              mesh.name + ".positions");
+}
+
 }  // namespace
 
 void check_shapes(const Results& results) {
   const std::size_t n = results.times.size();
   for (const auto& body : results.bodies) check_body(body, n);
+  for (const auto& mesh : results.meshes) check_mesh(mesh);
   for (const auto& joint : results.joints) {
     check_block(joint.coordinates, n * joint.units.size(), joint.name + ".coordinates");
     check_block(joint.forces, n * 6, joint.name + ".forces");

@@ -23,6 +23,16 @@ struct BodyResult {
   std::vector<double> section_forces;  ///< n x E x 6, [N, V_y, V_z, M_x, M_y, M_z], N, N m
 };
 
+/// A meshed part of N nodes and M cells, at r of the records.
+struct MeshResult {
+  std::string name;
+  int corners = 4;                ///< C of a cell: 4 or 8
+  std::vector<int> cells;         ///< M x C, in the order of VTK
+  std::vector<double> fractions;  ///< M, of material
+  std::vector<int> records;       ///< r, growing
+  std::vector<double> positions;  ///< r x N x 3, deformed, inertial, m
+};
+
 /// K coordinates.
 struct JointResult {
   std::string name;
@@ -54,6 +64,7 @@ struct Results {
   std::string abscissa_unit = "s";  ///< "-" for a number
   std::vector<double> times;        ///< n, the abscissa
   std::vector<BodyResult> bodies;
+  std::vector<MeshResult> meshes;
   std::vector<JointResult> joints;
   Energies energies;
   std::vector<double> constraint_residual;  ///< n, largest, m or rad
@@ -63,6 +74,9 @@ struct Results {
 /// Compares every block with its documented shape.
 /// @throws std::invalid_argument naming the block, what was expected and what was found
 void check_shapes(const Results& results);
+
+/// Records that pictures show: more make ParaView slow.
+inline constexpr int kShownRecords = 250;
 
 /// At most `count` record numbers, evenly spread over [0, n), first and last among them.
 std::vector<int> spread_records(int n, int count);

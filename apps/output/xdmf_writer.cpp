@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "apps/output/file.hpp"
@@ -101,6 +102,29 @@ std::string grid(const BodyResult& body, const std::string& file, int record, st
   return out + "    </Grid>\n";
 }
 
+/// The deformed mesh at a record that it has.
+std::string grid(const MeshResult& mesh, const std::string& file, int record) {
+  const auto at = std::find(mesh.records.begin(), mesh.records.end(), record);
+  if (at == mesh.records.end()) return "";
+  const std::string group = "/meshes/" + hdf5_name(mesh.name);
+  const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
+  const std::size_t r = mesh.records.size(), N = mesh.positions.size() / r / 3;
+  std::string out = fmt::format(
+      "    <Grid Name=\"{0}\">\n     <Topology TopologyType=\"{1}\" NumberOfElements=\"{2}\">"
+      "<DataItem Dimensions=\"{2} {3}\" NumberType=\"Int\" Precision=\"4\" Format=\"HDF\">"
+      "{4}:{5}/cells</DataItem></Topology>\n",
+      escaped(mesh.name + " mesh"), C == 4 ? "Quadrilateral" : "Hexahedron", M, C, escaped(file),
+      escaped(group));
+  const Block positions{file, group + "/position", r, N, 3};
+  out += "     <Geometry GeometryType=\"XYZ\">" +
+         slab(positions, static_cast<int>(at - mesh.records.begin()), 0, 3) + "</Geometry>\n";
+  const std::string fractions = fmt::format(
+      "<DataItem Dimensions=\"{}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">{}:{}"
+      "/fraction</DataItem>",
+      M, escaped(file), escaped(group));
+  return out + attribute("fraction", "Scalar", "Cell", fractions) + "    </Grid>\n";
+}
+
 }  // namespace
 
 void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
@@ -115,6 +139,7 @@ void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
     for (const auto& body : results.bodies) {
       if (!body.positions.empty()) out += grid(body, hdf5_name, record, n);
     }
+    for (const auto& mesh : results.meshes) out += grid(mesh, hdf5_name, record);
     out += "   </Grid>\n";
   }
   out += "  </Grid>\n </Domain>\n</Xdmf>\n";

@@ -13,9 +13,10 @@ namespace liesl::output {
 /// Writes `path` for `hdf5_name`, a file in the same folder that `write_hdf5` wrote of the same
 /// results. A temporal collection; each instant holds a grid per body: beams as line cells with
 /// strain and section force as cell fields, other bodies as points; rotation and velocity at the
-/// nodes. Six-vectors appear as two three-vectors. At most `max_instants` records are listed,
-/// evenly spread: ParaView reads the description as a whole. @throws IoError
+/// nodes. Meshed parts appear deformed, with the fraction of material in each cell. Six-vectors
+/// appear as two three-vectors. At most `max_instants` records are listed, evenly spread: ParaView
+/// reads the description as a whole. @throws IoError
 void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
-                const Results& results, int max_instants = 250);
+                const Results& results, int max_instants = kShownRecords);
 
 }  // namespace liesl::output

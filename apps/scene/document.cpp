@@ -18,31 +18,35 @@ namespace fs = std::filesystem;
 }
 
 /// @throws InputError unless the path is a regular file of a sensible size
-void check_file(const fs::path& path) {
-  const std::string file = path.string(), expected = "a scene or study in TOML";
+void check_file(const fs::path& path, const std::string& expected) {
+  const std::string file = path.string();
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) refuse(file, "there is no such file", expected);
   if (error) refuse(file, fmt::format("cannot be read: {}", error.message()), expected);
-  if (fs::is_directory(status)) refuse(file, "is a directory", expected, "name a .toml file in it");
+  if (fs::is_directory(status)) refuse(file, "is a directory", expected, "name a file in it");
   if (!fs::is_regular_file(status)) refuse(file, "is not a regular file", expected);
   const auto size = fs::file_size(path, error);
   if (error) refuse(file, fmt::format("cannot be read: {}", error.message()), expected);
   if (size > kLargestFile)
     refuse(file, fmt::format("is huge ({} MiB)", size >> 20),
-           fmt::format("at most {} MiB", kLargestFile >> 20), "is it a scene or study in TOML?");
+           fmt::format("at most {} MiB", kLargestFile >> 20), "is it " + expected + "?");
 }
 
 }  // namespace
 
-Document load_document(const fs::path& path) {
-  check_file(path);
+std::string load_text(const fs::path& path, const std::string& expected) {
+  check_file(path, expected);
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   if (stream.peek() != std::ifstream::traits_type::eof()) text << stream.rdbuf();
   if (!stream.is_open() || stream.bad())
     refuse(path.string(), "cannot be read", "a readable file", "check its permissions");
-  return parse_document(text.str(), path.string());
+  return text.str();
+}
+
+Document load_document(const fs::path& path) {
+  return parse_document(load_text(path, "a scene or study in TOML"), path.string());
 }
 
 namespace {

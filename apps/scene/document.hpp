@@ -25,6 +25,10 @@ struct Document {
 /// @throws InputError if it is missing, a directory, unreadable, huge, empty or not TOML
 Document load_document(const std::filesystem::path& path);
 
+/// The text of a file. @param expected what it should be, for messages
+/// @throws InputError if it is missing, a directory, unreadable or huge
+std::string load_text(const std::filesystem::path& path, const std::string& expected);
+
 /// Parses text. @throws InputError if it is empty or not TOML (the parser stops at the first
 /// error).
 Document parse_document(std::string text, std::string file);

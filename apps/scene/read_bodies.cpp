@@ -264,6 +264,10 @@ void read_bodies(Reader& reader) {
       auto spec = BeamReader(reader, entry.name, *beam).read();
       if (!spec) continue;
       body.kind = std::move(*spec);
+    } else if (toml::table* solid = (*entry.table)["solid"].as_table()) {
+      auto spec = read_solid(reader, entry.name, *solid);
+      if (!spec) continue;
+      body.kind = std::move(*spec);
     } else {
       auto spec = read_rigid(reader, entry.name, *(*entry.table)["rigid"].as_table());
       if (!spec) continue;

@@ -35,6 +35,11 @@ class DesignReader {
     const auto bounds = numbers(*table_.get("bounds"));
     design_.lower = bounds[0];
     design_.upper = bounds[1];
+    if (!(design_.lower > 0))
+      refuse("bounds", fmt::format("the least value of '{}' is {:g}", design_.name, bounds[0]),
+             "numbers > 0 (m)");
+    if (const toml::node* factors = table_.get("factors"))
+      problems_.add(*factors, "'factors' belongs to parameters of an outline", "no 'factors'");
     if (design_.lower >= design_.upper)
       refuse("bounds",
              fmt::format("the bounds of '{}' are [{:g}, {:g}]", design_.name, bounds[0], bounds[1]),
@@ -207,7 +212,9 @@ void check_walls(StudyReader& reader) {
 
 void read_design(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "design"))
-    if (auto design = DesignReader(reader, entry).read())
+    if (entry.table->contains("parameters"))
+      read_shape_variable(reader, entry);
+    else if (auto design = DesignReader(reader, entry).read())
       reader.spec.design.push_back(std::move(*design));
   check_walls(reader);
   const toml::node* table = reader.root.get("design");

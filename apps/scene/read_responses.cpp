@@ -52,6 +52,38 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
   return true;
 }
 
+/// The ends of a beam, or two ports.
+bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const toml::node *of = table.get("of"), *between = table.get("between");
+  if (!of == !between) {
+    reader.problems.add(table,
+                        fmt::format("response '{}' has {} 'of' {} 'between'", response.name,
+                                    of ? "both" : "neither", of ? "and" : "nor"),
+                        "a beam, or two ports", "of = \"rod\" or between = [\"rod.a\", \"rod.b\"]");
+    return false;
+  }
+  if (of) {
+    const auto beam = reader.beam(*of);
+    if (!beam) return false;
+    response.body = *beam;
+    const auto& bodies = reader.scene.mechanism.bodies;
+    const auto& spec = std::get<BeamSpec>(bodies[static_cast<std::size_t>(*beam)].kind);
+    response.at = {*beam, 0, SE3::identity()};
+    response.to = {*beam, static_cast<int>(spec.sections.size()), SE3::identity()};
+    return true;
+  }
+  const toml::array& pair = *between->as_array();
+  const auto a = reader.port(pair[0]), b = reader.port(pair[1]);
+  if (!a || !b) return false;
+  response.at = *a;
+  response.to = *b;
+  if (a->body == b->body) response.body = a->body;
+  if (a->body >= 0 || b->body >= 0) return true;
+  reader.problems.add(pair, fmt::format("response '{}' is of the ground", response.name),
+                      "a port of a body");
+  return false;
+}
+
 bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const auto beam = reader.beam(*table.get("of"));
   if (!beam) return false;
@@ -119,8 +151,10 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::Displacement:
       ok = read_port_response(reader, table, response);
       break;
-    case ResponseKind::Deflection:
     case ResponseKind::Elongation:
+      ok = read_elongation(reader, table, response);
+      break;
+    case ResponseKind::Deflection:
     case ResponseKind::SectionForce:
     case ResponseKind::Stress:
     case ResponseKind::Compliance:

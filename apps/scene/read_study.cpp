@@ -43,7 +43,13 @@ void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& r
     return;
   }
   const int body = of_beam ? response.body : response.at.body;
-  if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
+  const bool solid =
+      body >= 0 && std::holds_alternative<SolidSpec>(body_of(reader, body).kind) &&
+      (response.kind == ResponseKind::Elongation || response.kind == ResponseKind::Displacement);
+  if (body < 0)
+    reader.scene.problems.add(*at, fmt::format("constraint '{}' is of two bodies", entry.name),
+                              "two ports of one body");
+  else if (!solid && !std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
     reader.scene.problems.add(
         *at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
         "a beam");
@@ -104,9 +110,17 @@ void read_objective(StudyReader& reader) {
     counted.push_back(*body);
     for (const DesignSpec& design : reader.spec.design)
       varied = varied || std::count(design.bodies.begin(), design.bodies.end(), *body);
+    varied = varied || reader.spec.shapes.contains(*body);
   }
+  const std::string quantity = text(*table, "minimize");
+  reader.spec.goal = quantity == "compliance" ? SolidResponse::Compliance
+                     : quantity == "stress"   ? SolidResponse::Stress
+                                              : SolidResponse::Mass;
+
   const toml::table* design = reader.root["design"].as_table();
-  const bool read = design && design->size() == reader.spec.design.size();
+  std::size_t entries_read = reader.spec.design.size();
+  for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
+  const bool read = design && design->size() == entries_read;
   if (!varied && complete && read)
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
                               "a body of [design]");
@@ -119,9 +133,11 @@ void read_constraints(StudyReader& reader) {
     check_static(reader, entry, *response);
     reader.spec.constraints.push_back({std::move(*response), number(*entry.table, "limit")});
   }
+  for (const char* group : {"constraints", "part_limits", "walls"})
+    if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
   const toml::node* table = reader.root.get("constraints");
-  if (table && table->is_table() && table->as_table()->empty())
-    reader.scene.problems.add(*table, "the study has no constraints", "an entry in [constraints]");
+  reader.scene.problems.add(table ? *table : reader.root, "the study has no constraints",
+                            "an entry in [constraints], [part_limits] or [walls]");
 }
 
 void read_supports(StudyReader& reader) {
@@ -133,6 +149,11 @@ void read_supports(StudyReader& reader) {
     if (!reader.scene.known(value, "bodies", "body", name)) continue;
     const int body = reader.scene.scene.mechanism.body(name);
     if (body < 0) continue;
+    if (std::holds_alternative<SolidSpec>(body_of(reader, body).kind)) {
+      for (const toml::node* node : strings(*table, key.str()))
+        reader.spec.supports[body].push_back(node->value_or(std::string()));
+      continue;  // tried out by check_shapes
+    }
     if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind)) {
       reader.scene.problems.add(value, fmt::format("body '{}' is rigid and needs no support", name),
                                 "a beam");

@@ -23,13 +23,8 @@ bool earlier(const Entry& a, const Entry& b) {
 }
 
 std::vector<Entry> all_entries(toml::table& root, std::string_view group) {
-  std::vector<Entry> list;
   toml::table* table = root[group].as_table();
-  if (!table) return list;
-  for (auto&& [key, value] : *table)
-    list.push_back({std::string(key.str()), &key, value.as_table()});
-  std::stable_sort(list.begin(), list.end(), earlier);
-  return list;
+  return table ? entries_of(*table) : std::vector<Entry>{};
 }
 
 }  // namespace
@@ -62,7 +57,9 @@ std::optional<int> Reader::beam(const toml::node& node) {
   if (!index) return {};
   const BodySpec& spec = scene.mechanism.bodies[static_cast<std::size_t>(*index)];
   if (std::holds_alternative<BeamSpec>(spec.kind)) return index;
-  problems.add(node, fmt::format("body '{}' is rigid", spec.name), "a beam");
+  const bool rigid = std::holds_alternative<RigidSpec>(spec.kind);
+  problems.add(node, fmt::format("body '{}' is {}", spec.name, rigid ? "rigid" : "a meshed part"),
+               "a beam");
   return {};
 }
 
@@ -161,6 +158,14 @@ std::string_view name_of(JointType type) {
       return "planar";
   }
   return "";
+}
+
+std::vector<Entry> entries_of(toml::table& table) {
+  std::vector<Entry> list;
+  for (auto&& [key, value] : table)
+    list.push_back({std::string(key.str()), &key, value.as_table()});
+  std::stable_sort(list.begin(), list.end(), earlier);
+  return list;
 }
 
 std::vector<Entry> entries(toml::table& root, const Broken& broken, std::string_view group) {

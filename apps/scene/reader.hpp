@@ -22,6 +22,7 @@ struct Reader {
   Scene& scene;
   std::map<std::string, Section> sections;
   std::map<std::string, Material> materials;
+  bool fixed_loads = false;  ///< a study brings the loads; nothing has to move
 
   /// Names in a top-level table, in the order of the file.
   std::vector<std::string> names(std::string_view group) const;
@@ -54,6 +55,8 @@ struct Entry {
   const toml::key* key;
   toml::table* table;
 };
+/// All entries of a table.
+std::vector<Entry> entries_of(toml::table& table);
 /// Unbroken entries of a top-level table.
 std::vector<Entry> entries(toml::table& root, const Broken& broken, std::string_view group);
 std::vector<Entry> entries(const Reader& reader, std::string_view group);
@@ -84,6 +87,8 @@ void read_parts(Reader& reader);
 void read_simulation(Reader& reader);
 void read_matter(Reader& reader);
 void read_bodies(Reader& reader);
+/// A meshed part from its table; empty (and said) if something is wrong with it.
+std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, toml::table& table);
 void check_names(Reader& reader);
 void read_joints(Reader& reader);
 void read_forces(Reader& reader);
@@ -97,8 +102,8 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
 void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint);
 /// A simulation of something that nothing moves is refused.
 void check_movers(Reader& reader);
-/// Diagonal of the box around all nodes and points, m.
-double size_of(const Mechanism& mechanism);
+/// A planar mesh needs a planar scene.
+void check_plane(Reader& reader);
 /// What is possible but looks like another unit: E in GPa, a diameter in mm.
 std::vector<std::string> unit_warnings(const Reader& reader);
 

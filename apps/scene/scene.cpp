@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 #include "apps/scene/reader.hpp"
@@ -36,22 +35,9 @@ const toml::node& table_or_file(const Reader& reader, const char* name) {
 
 }  // namespace
 
-double size_of(const Mechanism& mechanism) {
-  Eigen::AlignedBox3d box;
-  for (const BodySpec& body : mechanism.bodies) {
-    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
-      for (const SE3& H : beam->nodes) box.extend(H.x);
-    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
-      box.extend(rigid->frame.x);
-      for (const auto& [name, point] : rigid->points) box.extend(point);
-    }
-  }
-  return box.isEmpty() ? 0 : box.diagonal().norm();
-}
-
 void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
   const double gap = gap_of(reader.scene.mechanism, joint).norm();
-  if (gap <= 1e-3 * size_of(reader.scene.mechanism)) return;
+  if (gap <= 1e-3 * reader.scene.mechanism.size()) return;
   reader.problems.add(at, fmt::format("the ends of joint '{}' are {:.4g} m apart", joint.name, gap),
                       "ports at the same place",
                       "check the positions of the bodies and the names of the ports");
@@ -60,7 +46,7 @@ void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
 void check_movers(Reader& reader) {
   const Mechanism& m = reader.scene.mechanism;
   const SimulationType type = reader.scene.simulation.type;
-  if (type == SimulationType::Modes) return;
+  if (type == SimulationType::Modes || reader.fixed_loads) return;
   for (const char* group : {"bodies", "joints", "simulation"})
     if (reader.broken.contains(group)) return;  // what is refused may be what moves it
   const bool dynamic = type == SimulationType::Dynamic;
@@ -100,6 +86,7 @@ void read_parts(Reader& reader) {
   read_loads(reader);
   read_responses(reader);
   check_movers(reader);
+  check_plane(reader);
   reader.scene.warnings = unit_warnings(reader);
 }
 

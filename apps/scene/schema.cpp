@@ -116,6 +116,8 @@ std::string kind_of_value(const Key& key) {
       return "a list of values, one or more";
     case Type::Any:
       return "a value";
+    case Type::Point:
+      return "a list of 2 or 3 numbers";
   }
   return "a value";
 }

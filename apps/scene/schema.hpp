@@ -28,7 +28,8 @@ enum class Type {
   TableOrList,   ///< table or list of tables
   Named,         ///< table whose keys are names that the user chooses
   List,          ///< list of one or more values, of whatever the keys it is for ask for
-  Any            ///< whatever the key named by the user asks for
+  Any,           ///< whatever the key named by the user asks for
+  Point          ///< list of 2 or 3 numbers: in the plane or in space
 };
 
 /// Interval of allowed numbers; an open end excludes its bound.
@@ -93,6 +94,7 @@ std::vector<Key> scene_keys();
 std::vector<Key> study_keys();
 std::vector<Key> batch_keys();
 std::vector<Key> compare_keys();
+std::vector<Key> solid_keys();
 std::vector<Key> response_keys(std::string_view parent);
 std::vector<Key> function_keys();
 

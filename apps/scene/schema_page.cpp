@@ -76,7 +76,8 @@ and are used once among bodies, joints, forces and loads. "One of": exactly one 
 in a table. Lists of numbers refuse `nan` and `inf`; whole numbers may be written for numbers.
 
 **Ports** are places on bodies: `ground`, and for a body `x` a beam's `x.start`, `x.end`, `x.mid`
-(even number of elements), `x.node3` (from 0), a rigid body's `x.origin` and `x.<point>`.
+(even number of elements), `x.node3` (from 0), a rigid body's `x.origin` and
+`x.<point>`, a meshed part's `x.<interface>`.
 
 **Changing keys from the command line:** `--set key.path=value`, as in `--set simulation.step=5e-5`,
 `--set bodies.rod.beam.elements=16`, `--set bodies.rod.beam.to.0=0.5` (entry of a list). The value is

@@ -41,8 +41,8 @@ std::vector<Key> matter_keys() {
 
 std::vector<Key> body_keys() {
   return {
-    {"bodies", Type::Named, "", kRequired, kAny, "Bodies by name: beams and rigid bodies. `ground` is the name of the inertial frame."},
-    {"bodies.*", Type::Table, "", kOptional, kAny, "A body: exactly one of `beam` and `rigid`."},
+    {"bodies", Type::Named, "", kRequired, kAny, "Bodies by name: beams, rigid bodies and meshed parts. `ground` is the name of the inertial frame."},
+    {"bodies.*", Type::Table, "", kOptional, kAny, "A body: exactly one of `beam`, `rigid` and `solid`."},
     {"bodies.*.velocity", Type::Vector, "m/s", "[0, 0, 0]", kAny, "At the start, of the first node or of the origin, inertial axes.", 3},
     {"bodies.*.angular_velocity", Type::Vector, "rad/s", "[0, 0, 0]", kAny, "At the start, inertial axes.", 3},
 
@@ -177,7 +177,9 @@ std::vector<Key> response_keys(std::string_view parent) {
     response_choice(parent, scene ? kRequired : kOneOf),
     {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body.", 0, "", "response=position velocity angular_velocity displacement"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam: start, mid, nodeK, end, or `max` for the largest over all nodes.", 0, "", "response=deflection"},
-    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection elongation section_force stress compliance"},
+    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
+    {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
+    {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
     {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, 2}, "Which coordinate of the joint.", 0, "", "response=coordinate"},
@@ -201,6 +203,7 @@ std::vector<Key> function_keys() {
 std::vector<Key> scene_keys() {
   std::vector<Key> keys = matter_keys();
   append(keys, body_keys());
+  append(keys, solid_keys());
   append(keys, joint_keys());
   append(keys, force_keys());
   append(keys, simulation_keys());

@@ -37,7 +37,9 @@ void read_study_parts(StudyReader& reader) {
   read_objective(reader);
   read_constraints(reader);
   read_supports(reader);
+  read_parts_of_study(reader);
   read_cycle(reader);
+  check_shapes(reader);
 }
 
 Study read_document(Document document, const fs::path& folder,
@@ -65,10 +67,11 @@ Study read_document(Document document, const fs::path& folder,
   study.file = document.file;
   study.scene.file = inner->file;
   study.scene.input = inner->text;
-  study.input = document.text + inner->text;
-  for (const std::string& text : overrides) study.input += "\n--set " + text;
   Reader scene{inner->root, scene_broken, problems, study.scene, {}, {}};
+  scene.fixed_loads = document.root.contains("loads");
   read_parts(scene);
+  study.input = document.text + study.scene.input;
+  for (const std::string& text : overrides) study.input += "\n--set " + text;
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
   problems.throw_if_any();

@@ -16,6 +16,12 @@ struct StudyReader {
 };
 
 void read_design(StudyReader& reader);
+/// An entry of [design] that moves parameters of an outline.
+void read_shape_variable(StudyReader& reader, const Entry& entry);
+/// Walls, limits, fixed loads and stress norm of meshed parts.
+void read_parts_of_study(StudyReader& reader);
+/// What only shows when the parts are made: bounds that leave no shape, unknown features.
+void check_shapes(StudyReader& reader);
 void read_objective(StudyReader& reader);
 void read_constraints(StudyReader& reader);
 void read_supports(StudyReader& reader);

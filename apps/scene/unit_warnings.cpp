@@ -59,7 +59,7 @@ std::vector<std::string> unit_warnings(const Reader& reader) {
     add(modulus(material));
     add(density(material));
   }
-  const double size = size_of(reader.scene.mechanism);
+  const double size = reader.scene.mechanism.size();
   for (const auto& [name, section] : reader.sections)
     if (size > 0) add(breadth(section, size));
   if (const double g = reader.scene.mechanism.gravity.norm(); g > kStrongestGravity)

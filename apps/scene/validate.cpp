@@ -163,6 +163,8 @@ class Validator {
         return number(key, value, path);
       case Type::Vector:
         return numbers(key, value, path, {key.size});
+      case Type::Point:
+        return numbers(key, value, path, {2, 3});
       case Type::NumberOrList:
         return value.is_array() ? numbers(key, value, path, {key.size}) : number(key, value, path);
       case Type::Rows:

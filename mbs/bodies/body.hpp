@@ -73,6 +73,8 @@ class Body {
   int nodes() const { return static_cast<int>(reference.size()); }
   int size() const { return dim * nodes(); }
   virtual NodeKind kind(int /*node*/) const { return NodeKind::Frame; }
+  /// Nodes that are points of the body: the first ones. Further ones only hold amplitudes.
+  virtual int points() const { return nodes(); }
   /// Frames, velocities and their rates of every node from the unknowns; nothing to do where all
   /// nodes are frames.
   virtual void complete(G* /*H*/, double* /*v*/, double* /*vdot*/, const double* /*w*/) const {}

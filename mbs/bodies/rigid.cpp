@@ -34,12 +34,18 @@ Rigid<G>::Rigid(std::string body_name, const Body<G>& flexible)
       turn.template bottomRightCorner<3, 3>() = X_[k].R.transpose();
     same.middleRows<dim>(dim * k).setIdentity();
   }
-  const Matrices W = flexible.load_distribution();
+  const Matrices W = flexible.load_distribution(), &M = flexible.mass();
   for (int j = 0; j < dim; ++j) {
-    flexible.mass().multiply_add(J.col(j).data(), MJ.col(j).data());
+    if (!M.is_dense()) M.multiply_add(J.col(j).data(), MJ.col(j).data());
     W.multiply_add(turned.col(j).data(), WJ.col(j).data());
     W.multiply_add(same.col(j).data(), WF.col(j).data());
   }
+  const auto moves = [&](size_t a) { return flexible.kind(M.nodes[a]) == NodeKind::Frame; };
+  for (size_t a = 0; a < M.nodes.size(); ++a)  // of a reduced body: its frames
+    for (size_t b = 0; b < M.nodes.size(); ++b)
+      if (moves(a) && moves(b))
+        MJ.middleRows<dim>(dim * M.nodes[a]) += M.dense.template block<dim, dim>(dim * a, dim * b) *
+                                                J.middleRows<dim>(dim * M.nodes[b]);
   inertia_ = J.transpose() * MJ;
   dead_share_ = Eigen::MatrixXd::Zero(dim * n, dim);
   follower_share_ = dead_share_;

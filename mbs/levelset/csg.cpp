@@ -90,6 +90,19 @@ class Csg final : public LevelSet {
     return {};
   }
 
+  std::optional<Part> part(const std::string& path) const override {
+    int first = 0;
+    for (std::size_t i = 0; i < shapes_.size(); first += shapes_[i++]->size()) {
+      const int sign = static_cast<int>(outer_ * sign_[i]);
+      if (path == names_[i] && !path.empty()) return Part{shapes_[i].get(), first, sign};
+      const std::string prefix = names_[i] + ".";
+      auto inner = shapes_[i]->part(path);
+      if (!inner && path.starts_with(prefix)) inner = shapes_[i]->part(path.substr(prefix.size()));
+      if (inner) return Part{inner->shape, first + inner->first, sign * inner->sign};
+    }
+    return std::nullopt;
+  }
+
  private:
   /// From the last step of the fold to the first; only operands with a weight are differentiated.
   void back_propagate(const Vector3d& x, const Blend* step, Vector3d& dx, double* dp) const {

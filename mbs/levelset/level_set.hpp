@@ -12,7 +12,9 @@
 #include <Eigen/Core>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace liesl::levelset {
@@ -24,6 +26,15 @@ struct Parameter {
   double above = -std::numeric_limits<double>::infinity();  ///< the shape needs value > above
 };
 
+class LevelSet;
+
+/// A feature inside a tree of Boolean operations.
+struct Part {
+  const LevelSet* shape = nullptr;
+  int first = 0;  ///< index of its first parameter in the tree
+  int sign = 1;   ///< 1: the tree is material where it is (the outer contour), -1: void (a hole)
+};
+
 class LevelSet {
  public:
   virtual ~LevelSet() = default;
@@ -33,6 +44,8 @@ class LevelSet {
   int size() const { return static_cast<int>(parameters_.size()); }
   /// The values at construction.
   Eigen::VectorXd start() const;
+  /// Calls parameter i by another name.
+  void rename(int i, std::string name) { parameters_[i].name = std::move(name); }
 
   /// Takes parameters p [size()]. Not to be called while another thread evaluates.
   void set(const Eigen::VectorXd& p) { set(p.data()); }
@@ -47,6 +60,10 @@ class LevelSet {
   /// Why the parameters set do not make a shape ("hole2.radius is not above 0", an outline that
   /// crosses itself); empty if they do.
   virtual std::string flaw() const = 0;
+
+  /// The operand of this name at any depth, "hole2", or with its path, "frame.boss"; nothing if
+  /// there is none. Below a placement there is none: features there live in its axes.
+  virtual std::optional<Part> part(const std::string& /*path*/) const { return std::nullopt; }
 
  protected:
   LevelSet() = default;

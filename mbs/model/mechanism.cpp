@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <stdexcept>
 
 namespace liesl {
@@ -34,6 +35,12 @@ std::optional<Port> port_of(int body, const RigidSpec& rigid, std::string_view n
   return {};
 }
 
+std::optional<Port> port_of(int body, const SolidSpec& solid, std::string_view name) {
+  for (std::size_t k = 0; k < solid.interfaces.size(); ++k)
+    if (solid.interfaces[k].name == name) return Port{body, int(k)};
+  return {};
+}
+
 std::vector<std::string> names_of(const BeamSpec& beam) {
   const int n = elements(beam);
   if (n < 0) return {};
@@ -47,6 +54,12 @@ std::vector<std::string> names_of(const RigidSpec& rigid) {
   std::vector<std::string> names = {"origin"};
   for (const auto& [point, p] : rigid.points)
     if (point != "origin") names.push_back(point);
+  return names;
+}
+
+std::vector<std::string> names_of(const SolidSpec& solid) {
+  std::vector<std::string> names;
+  for (const Interface& interface : solid.interfaces) names.push_back(interface.name);
   return names;
 }
 
@@ -104,10 +117,30 @@ SE3 Mechanism::frame(const Port& port) const {
     no_such("body", port.body, bodies.size());
   const auto& kind = bodies[std::size_t(port.body)].kind;
   if (const auto* rigid = std::get_if<RigidSpec>(&kind)) return rigid->frame * port.offset;
+  if (const auto* solid = std::get_if<SolidSpec>(&kind)) {
+    const bool interface = port.node >= 0 && std::size_t(port.node) < solid->interfaces.size();
+    return solid->port(interface ? port.node : 0) * port.offset;
+  }
   const auto& nodes = std::get<BeamSpec>(kind).nodes;
   if (port.node < 0 || std::size_t(port.node) >= nodes.size())
     no_such("node", port.node, nodes.size());
   return nodes[std::size_t(port.node)] * port.offset;
+}
+
+double Mechanism::size() const {
+  Eigen::AlignedBox3d box;
+  for (const BodySpec& body : bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+      for (const SE3& H : beam->nodes) box.extend(H.x);
+    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
+      box.extend(rigid->frame.x);
+      for (const auto& [label, point] : rigid->points) box.extend(point);
+    }
+    if (const auto* solid = std::get_if<SolidSpec>(&body.kind))
+      for (int i = 0; i < solid->mesh.node_count(); ++i)
+        box.extend((solid->frame * SE3(Mat3::Identity(), solid->mesh.nodes.col(i))).x);
+  }
+  return box.isEmpty() ? 0 : box.diagonal().norm();
 }
 
 }  // namespace liesl

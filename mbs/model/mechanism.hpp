@@ -15,6 +15,7 @@
 #include "liegroup/se3.hpp"
 #include "mbs/model/time_function.hpp"
 #include "mbs/sections/section.hpp"
+#include "mbs/solids/solid_spec.hpp"
 
 namespace liesl {
 
@@ -45,7 +46,7 @@ struct RigidSpec {
 
 struct BodySpec {
   std::string name;
-  std::variant<BeamSpec, RigidSpec> kind;
+  std::variant<BeamSpec, RigidSpec, SolidSpec> kind;
   Vec3 velocity = Vec3::Zero();          ///< of its first frame, inertial, m/s, at the start
   Vec3 angular_velocity = Vec3::Zero();  ///< inertial, rad/s, at the start
 };
@@ -133,15 +134,19 @@ struct Mechanism {
   /// Index of a body by name, -1 if there is none.
   int body(std::string_view name) const;
   /// Port by text: "ground", "rod.start", "rod.end", "rod.mid" (even number of elements),
-  /// "rod.node3", "slider.origin", "top.tip" (named point: its frame has the body's orientation).
+  /// "rod.node3", "slider.origin", "top.tip" (named point: its frame has the body's orientation),
+  /// "rod.big_end" (interface of a meshed part).
   /// Empty if there is no such port.
   std::optional<Port> port(std::string_view text) const;
   /// Every port of a body by its full name ("rod.start"), for hints; body = -1: {"ground"}.
   /// @throws std::invalid_argument for a body that does not exist
   std::vector<std::string> port_names(int body) const;
-  /// Frame of a port in the scene as given: H_node * offset; of the ground: the offset.
+  /// Frame of a port in the scene as given: H_node * offset; of the ground: the offset. The nodes
+  /// of a meshed part are its interfaces; further ones (amplitudes of modes) are at the first.
   /// @throws std::invalid_argument for a body or node that does not exist
   SE3 frame(const Port& port) const;
+  /// Diagonal of the box around all nodes and named points, m.
+  double size() const;
 };
 
 }  // namespace liesl

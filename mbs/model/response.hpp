@@ -18,7 +18,7 @@ enum class ResponseKind {
                     ///< local axes of node 0; along `axis` (in those axes) if given
   Deflection,       ///< offset of a beam's point from the chord start-end, minus its undeformed
                     ///< value, m; signed in a planar scene, two components (y, z) in space
-  Elongation,       ///< change of the distance start-end of a beam, m
+  Elongation,       ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
   Coordinate,       ///< of a joint, m or rad
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
@@ -30,8 +30,10 @@ enum class ResponseKind {
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
-  Port at;         ///< Position, Velocity, AngularVelocity, Displacement
-  int body = -1;   ///< Deflection, Elongation, SectionForce, Stress, Compliance
+  Port at;         ///< Position, Velocity, AngularVelocity, Displacement, Elongation
+  Port to;         ///< Elongation
+  int body = -1;   ///< Deflection, SectionForce, Stress, Compliance; Elongation: of both ports, -1
+                   ///< if they are of two bodies
   double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
                    ///< `everywhere` = largest over the nodes
   bool everywhere = false;

@@ -11,21 +11,6 @@ namespace {
 
 using Side = std::array<int, 4>;
 
-/// Nodes of the sides of a cell, growing, so that both neighbours name a side alike; -1: unused.
-std::vector<Side> sides(const SolidMesh& mesh, int cell) {
-  static constexpr std::array<std::array<int, 4>, 6> faces = {
-      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  std::vector<Side> all;
-  for (int s = 0; s < (mesh.dim == 2 ? 4 : 6); ++s) {
-    Side side = {-1, -1, mesh.cells(s % 4, cell), mesh.cells((s + 1) % 4, cell)};
-    if (mesh.dim == 3)
-      for (int i = 0; i < 4; ++i) side[i] = mesh.cells(faces[s][i], cell);
-    std::sort(side.begin(), side.end());
-    all.push_back(side);
-  }
-  return all;
-}
-
 /// Disjoint sets of cells.
 struct Groups {
   std::vector<int> parent;
@@ -47,7 +32,8 @@ std::optional<ConnectivityProblem> cut_interface(const SolidModel& model, const 
   std::vector<std::vector<int>> at_node(mesh.node_count());
   for (int e = 0; e < mesh.cell_count(); ++e) {
     if (!(v[e] >= threshold)) continue;
-    for (const Side& side : sides(mesh, e)) {
+    for (Side side : side_nodes(mesh, e)) {
+      std::sort(side.begin(), side.end());  // both neighbours name it alike
       const auto [it, fresh] = open.try_emplace(side, e);
       if (!fresh) groups.join(e, it->second);
     }

@@ -111,4 +111,17 @@ double smallest_jacobian(int dim, const Eigen::Matrix3Xd& corners) {
   return least;
 }
 
+std::vector<std::array<int, 4>> side_nodes(const SolidMesh& mesh, int cell) {
+  static constexpr std::array<std::array<int, 4>, 6> faces = {
+      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
+  std::vector<std::array<int, 4>> sides;
+  for (int s = 0; s < (mesh.dim == 2 ? 4 : 6); ++s) {
+    std::array<int, 4> side = {mesh.cells(s % 4, cell), mesh.cells((s + 1) % 4, cell), -1, -1};
+    if (mesh.dim == 3)
+      for (int i = 0; i < 4; ++i) side[i] = mesh.cells(faces[s][i], cell);
+    sides.push_back(side);
+  }
+  return sides;
+}
+
 }  // namespace liesl

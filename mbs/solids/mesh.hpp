@@ -3,6 +3,7 @@
 /// Meshes of quadrilaterals (planar) and hexahedra, with named sets of nodes.
 
 #include <Eigen/Core>
+#include <array>
 #include <functional>
 #include <map>
 #include <string>
@@ -35,6 +36,10 @@ SolidMesh hex_grid(const Eigen::Vector3d& from, const Eigen::Vector3d& to, int n
 /// Nodes whose position satisfies a condition, growing.
 std::vector<int> nodes_where(const SolidMesh& mesh,
                              const std::function<bool(const Eigen::Vector3d&)>& condition);
+
+/// Nodes of the sides of a cell in their order round the side: 4 sides of 2 (then -1, -1), or 6
+/// of 4.
+std::vector<std::array<int, 4>> side_nodes(const SolidMesh& mesh, int cell);
 
 /// Values and gradients of the (bi-, tri-)linear functions of the corners at reference coordinates
 /// xi in [-1, 1]^dim: N [corners], dN [dim x corners].

@@ -1,4 +1,8 @@
 // Supports and linear outputs of a meshed part, as coordinates and vectors in q.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
+#include <map>
 #include <stdexcept>
 
 #include "mbs/solids/interface_map.hpp"
@@ -7,6 +11,29 @@
 namespace liesl {
 
 using Eigen::VectorXd;
+
+namespace {
+
+/// int N dA of the nodes of a side, m^2; plane: length times thickness.
+Eigen::Vector4d side_shares(const SolidModel& model, const std::array<int, 4>& side) {
+  const Eigen::Matrix3Xd& x = model.mesh().nodes;
+  if (model.mesh().dim == 2) {
+    const double half = (x.col(side[1]) - x.col(side[0])).norm() * model.thickness() / 2;
+    return {half, half, 0, 0};
+  }
+  Eigen::Matrix<double, 3, 4> corners;
+  for (int i = 0; i < 4; ++i) corners.col(i) = x.col(side[i]);
+  Eigen::Vector4d shares = Eigen::Vector4d::Zero();
+  for (int point = 0; point < 4; ++point) {
+    const double g = 1 / std::sqrt(3.0);
+    const CornerFunctions f = corner_functions(2, {point & 1 ? g : -g, point & 2 ? g : -g, 0});
+    const Eigen::Matrix<double, 3, 2> J = corners * f.dN.transpose();
+    shares += J.col(0).cross(J.col(1)).norm() * f.N;
+  }
+  return shares;
+}
+
+}  // namespace
 
 void fix_port(SolidSupport& support, const SolidModel& model, int interface,
               const std::string& letters) {
@@ -69,6 +96,34 @@ VectorXd node_output(const SolidModel& model, int node, int component) {
   VectorXd freedom = VectorXd::Zero(model.node_freedoms());
   freedom[model.mesh().dim * node + component] = 1;
   return model.T().transpose() * freedom;
+}
+
+VectorXd traction_load(const SolidModel& model, const std::vector<int>& nodes,
+                       const Eigen::Vector3d& traction) {
+  const SolidMesh& mesh = model.mesh();
+  std::vector<char> in_set(mesh.node_count(), 0);
+  for (const int node : nodes) in_set[node] = 1;
+  std::map<std::array<int, 4>, std::pair<int, std::array<int, 4>>> sides;  // by sorted nodes
+  for (int e = 0; e < mesh.cell_count(); ++e)
+    for (const auto& side : side_nodes(mesh, e)) {
+      if (!std::all_of(side.begin(), side.end(), [&](int n) { return n < 0 || in_set[n]; }))
+        continue;
+      auto sorted = side;
+      std::sort(sorted.begin(), sorted.end());
+      auto& [count, own] = sides[sorted];
+      ++count;
+      own = side;
+    }
+  std::erase_if(sides, [](const auto& s) { return s.second.first > 1; });  // between two cells
+  if (sides.empty())
+    throw std::invalid_argument("traction: no side of a cell has all its nodes in the set");
+  VectorXd f = VectorXd::Zero(model.node_freedoms());
+  for (const auto& [sorted, counted] : sides) {
+    const Eigen::Vector4d shares = side_shares(model, counted.second);
+    for (int i = 0; i < 4 && counted.second[i] >= 0; ++i)
+      f.segment(mesh.dim * counted.second[i], mesh.dim) += shares[i] * traction.head(mesh.dim);
+  }
+  return model.T().transpose() * f;
 }
 
 }  // namespace liesl

@@ -35,7 +35,8 @@ Basis craig_bampton(const SolidModel& model, const Sparse& K, const Sparse& M, i
   Basis b;
   SparseCholesky factor;
   if (!factor.factor(K_ii)) return b;
-  const SymmetricModes fixed = symmetric_modes(K_ii, M_ii, internal);
+  SymmetricModes fixed{true, VectorXd(0), MatrixXd(inner, 0)};
+  if (internal > 0) fixed = symmetric_modes(K_ii, M_ii, internal);
   if (!fixed.converged) return b;
   b.modes = MatrixXd::Zero(model.size(), boundary + internal);
   b.modes.topLeftCorner(inner, boundary) = -factor.solve(MatrixXd(K_bi.transpose()));

@@ -11,23 +11,10 @@
 #include "mbs/sections/section.hpp"
 #include "mbs/solids/cell.hpp"
 #include "mbs/solids/ersatz.hpp"
+#include "mbs/solids/interface.hpp"
 #include "mbs/solids/mesh.hpp"
 
 namespace liesl {
-
-enum class Tie {
-  Rigid,    ///< the nodes move as one rigid body with the port
-  Averaged  ///< the port moves as the nodes do on average (least squares, RBE3); a load on the
-            ///< port spreads over them and they stay free to deform
-};
-
-/// A set of nodes tied to a port: a frame at `point` with the axes of the mesh.
-struct Interface {
-  std::string name;
-  std::vector<int> nodes;  ///< at least 2 (3 in space, not in a line), of no other interface
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();  ///< m
-  Tie tie = Tie::Rigid;
-};
 
 /// Mesh, material and interfaces in coordinates q: the displacements of the free nodes, then for
 /// each interface the motion of its port, [u; w] (2 + 1 numbers in the plane, 3 + 3 in space).
@@ -52,6 +39,7 @@ class SolidModel {
   const std::vector<Interface>& interfaces() const { return interfaces_; }
   const ErsatzLaw& law() const { return options_.law; }
   const Material& material() const { return material_; }
+  double thickness() const { return options_.thickness; }  ///< m, of planar meshes
 
   int size() const { return static_cast<int>(T_.cols()); }           ///< of q
   int node_freedoms() const { return static_cast<int>(T_.rows()); }  ///< dim * nodes

@@ -40,6 +40,12 @@ Eigen::VectorXd relative_output(const SolidModel& model, int interface_a, int in
 /// Displacement of a node along an axis, also of one that an interface took.
 Eigen::VectorXd node_output(const SolidModel& model, int node, int component);
 
+/// Load of a constant traction (Pa; force per area of plane cells' sides times the thickness, in
+/// the axes of the mesh) on the sides of cells all of whose nodes are in a set, in q: exact for
+/// the displacements of the cells. @throws std::invalid_argument if no side is
+Eigen::VectorXd traction_load(const SolidModel& model, const std::vector<int>& nodes,
+                              const Eigen::Vector3d& traction);
+
 enum class SolidStatus { Solved, Unsupported, NotFinite };
 std::string reason(SolidStatus status);
 

@@ -16,6 +16,7 @@ class Trajectory {
     t_.reserve(records);
     v_.resize(s.v.size(), records);
     vdot_.resize(s.v.size(), records);
+    w_.resize(s.w.size(), records);
     lambda_.resize(s.lambda.size(), records);
     q_.resize(s.q.size(), records);
   }
@@ -27,6 +28,7 @@ class Trajectory {
     H_.insert(H_.end(), s.H.begin(), s.H.end());
     v_.col(n) = s.v;
     vdot_.col(n) = s.vdot;
+    w_.col(n) = s.w;
     lambda_.col(n) = s.lambda;
     q_.col(n) = s.q;
   }
@@ -36,6 +38,7 @@ class Trajectory {
   const G* frames(int n) const { return H_.data() + static_cast<size_t>(nodes_) * n; }
   auto v(int n) const { return v_.col(n); }
   auto vdot(int n) const { return vdot_.col(n); }
+  auto w(int n) const { return w_.col(n); }
   auto lambda(int n) const { return lambda_.col(n); }
   auto q(int n) const { return q_.col(n); }
 
@@ -45,6 +48,7 @@ class Trajectory {
     s.H.assign(frames(n), frames(n) + nodes_);
     s.v = v_.col(n);
     s.vdot = vdot_.col(n);
+    s.w = w_.col(n);
     s.lambda = lambda_.col(n);
     s.q = q_.col(n);
   }
@@ -54,6 +58,7 @@ class Trajectory {
     const int records = std::max(16, 2 * size());
     v_.conservativeResize(s.v.size(), records);
     vdot_.conservativeResize(s.v.size(), records);
+    w_.conservativeResize(s.w.size(), records);
     lambda_.conservativeResize(s.lambda.size(), records);
     q_.conservativeResize(s.q.size(), records);
     nodes_ = static_cast<int>(s.H.size());
@@ -62,7 +67,7 @@ class Trajectory {
   int nodes_ = 0;
   std::vector<double> t_;
   Frames<G> H_;
-  Eigen::MatrixXd v_, vdot_, lambda_, q_;
+  Eigen::MatrixXd v_, vdot_, w_, lambda_, q_;
 };
 
 }  // namespace liesl

@@ -1,8 +1,10 @@
 #include <Eigen/Geometry>
 #include <set>
+#include <stdexcept>
 
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
+#include "mbs/bodies/solid_body.hpp"
 #include "mbs/system/model.hpp"
 
 namespace liesl {
@@ -50,6 +52,24 @@ std::unique_ptr<Body<G>> make_body(const std::string& name, const RigidSpec& rig
   return std::make_unique<Rigid<G>>(name, space.reduce(rigid.frame, align),
                                     space.reduce_law(generalized_inertia(rigid), align),
                                     centre.template head<G::space_dim>());
+}
+
+template <class G>
+std::unique_ptr<Body<G>> make_body(const std::string& name, const SolidSpec& solid,
+                                   const Space<G>& space, Formalism formalism,
+                                   const std::vector<int>&) {
+  if (solid.mesh.dim != G::space_dim)
+    throw std::invalid_argument("the mesh of '" + name + "' has " + std::to_string(solid.mesh.dim) +
+                                " dimensions, its mechanism " + std::to_string(G::space_dim));
+  const SE3 align = space.alignment(solid.frame);
+  std::vector<G> ports;
+  for (size_t k = 0; k < solid.interfaces.size(); ++k)
+    ports.push_back(space.reduce(solid.port(static_cast<int>(k)), align));
+  if (formalism != Formalism::Rigid && (solid.modes > 0 || ports.size() > 1))
+    return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);
+  SolidSpec plain = solid;
+  plain.modes = 0;
+  return std::make_unique<Rigid<G>>(name, SolidBody<G>(name, plain, std::move(ports), align.R));
 }
 
 /// Three unit axes, the first one given, the second one as given or any; in a plane each of them
@@ -274,21 +294,6 @@ std::vector<std::vector<int>> held_nodes(const Mechanism& m) {
   return out;
 }
 
-/// Diagonal of the box around all nodes, m.
-double size_of(const Mechanism& m) {
-  Eigen::AlignedBox3d box;
-  for (const auto& body : m.bodies) {
-    if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
-      for (const auto& H : beam->nodes) box.extend(H.x);
-    if (const auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
-      box.extend(rigid->frame.x);
-      for (const auto& [name, p] : rigid->points) box.extend(p);
-    }
-  }
-  const double size = box.isEmpty() ? 0 : box.diagonal().norm();
-  return size > 0 ? size : 1;
-}
-
 }  // namespace
 
 template <class G>
@@ -297,7 +302,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   model.formalism = mechanism.formalism;
   model.space = space;
   model.gravity = space.reduce_vector(mechanism.gravity);
-  model.length = size_of(mechanism);
+  model.length = mechanism.size() > 0 ? mechanism.size() : 1;
   const auto held = held_nodes(mechanism);
   for (const auto& spec : mechanism.bodies) {
     const auto& at = held[model.bodies.size()];
@@ -330,12 +335,13 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   model.initial_velocity_.setZero(model.size());
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto& spec = mechanism.bodies[b];
-    const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-    const auto* rigid = std::get_if<RigidSpec>(&spec.kind);
+    const auto at = [&](int k) {
+      return mechanism.frame({static_cast<int>(b), k, SE3::identity()});
+    };
+    const SE3 first = at(0);
     for (int k = 0; k < model.bodies[b]->nodes(); ++k) {
       if (model.bodies[b]->kind(k) != NodeKind::Frame) continue;
-      const SE3& first = beam ? beam->nodes[0] : rigid->frame;
-      const SE3& H = beam ? beam->nodes[k] : rigid->frame;
+      const SE3 H = at(k);
       SE3::Tangent v;
       v << H.R.transpose() * (spec.velocity + spec.angular_velocity.cross(H.x - first.x)),
           H.R.transpose() * spec.angular_velocity;

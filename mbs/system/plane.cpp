@@ -83,6 +83,9 @@ class Search {
 
   PlaneSearch run() {
     Space<SE2> plane;
+    for (const auto& body : m_.bodies)
+      if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 3)
+        return {std::nullopt, fmt::format("'{}' is meshed in space", body.name)};
     if (!choose_plane(plane)) return {std::nullopt, reason_};
     plane_ = plane;
     for (const auto check : {&Search::bodies, &Search::joints, &Search::loads})
@@ -103,6 +106,9 @@ class Search {
         points_.push_back(rigid->frame.x);
         points_.push_back(rigid->frame.x + rigid->frame.R * rigid->centre);
       }
+      if (const auto* solid = std::get_if<SolidSpec>(&body.kind))
+        for (std::size_t k = 0; k < solid->interfaces.size(); ++k)
+          points_.push_back(solid->port(static_cast<int>(k)).x);
     }
     for (const auto& j : m_.joints)
       for (const auto* port : {&j.a, &j.b})
@@ -127,6 +133,10 @@ class Search {
       normal.normalize();
     else
       normal.setZero();
+    for (const auto& body : m_.bodies)
+      if (const auto* solid = std::get_if<SolidSpec>(&body.kind);
+          solid && solid->mesh.dim == 2 && normal.norm() == 0)
+        normal = solid->frame.R.col(2);
     std::vector<Vec3> in_plane{m_.gravity};
     for (const auto& l : m_.loads)
       if (!l.follower) in_plane.push_back(l.force);
@@ -172,6 +182,9 @@ class Search {
         if (!n.cross(rigid->inertia * n).isZero(kTolerance * rigid->inertia.norm()))
           return fail(
               fmt::format("'{}' has no principal axis of inertia normal to the plane", body.name));
+      } else if (const auto* solid = std::get_if<SolidSpec>(&body.kind)) {
+        if (!normal_to(solid->frame.R.col(2)))
+          return fail(fmt::format("the mesh of '{}' leaves the plane of the others", body.name));
       }
     }
     return along(m_.gravity) || fail("gravity leaves the plane");

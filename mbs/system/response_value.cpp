@@ -113,9 +113,9 @@ Eigen::Vector2d ResponseValues<G>::deflection(int body, const std::vector<SE3>& 
 
 template <FrameGroup G>
 double ResponseValues<G>::elongation(const ResponseSpec& r, const State<G>& s) const {
-  const auto& rest = std::get<BeamSpec>(mechanism_.bodies[r.body].kind).nodes;
-  const int first = model_.first_node(r.body), n = model_.bodies[r.body]->nodes() - 1;
-  return (s.H[first + n].x - s.H[first].x).norm() - (rest.back().x - rest.front().x).norm();
+  const G* H = s.H.data();
+  return (view_.frame(H, r.to).x - view_.frame(H, r.at).x).norm() -
+         (mechanism_.frame(r.to).x - mechanism_.frame(r.at).x).norm();
 }
 
 template <FrameGroup G>

@@ -32,6 +32,11 @@ const char* to_string(CycleStatus status) {
   return "";
 }
 
+double step_size(const Cycle& c, const Eigen::VectorXd& y) {
+  if (c.unit.size() > 0) return (y - c.x).cwiseQuotient(c.unit).norm();
+  return (y - c.x).norm() / c.x.norm();
+}
+
 std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
   if (h.size() < 2) return {};
   const Cycle &now = h.back(), &before = h[h.size() - 2];
@@ -64,7 +69,7 @@ bool oscillates(const History& h, const CycleOptions& o) {
 
 std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
   if (cycle.worst > o.feasibility || cycle.answer.size() == 0) return {};
-  const double change = (cycle.answer - cycle.x).norm() / cycle.x.norm();
+  const double change = step_size(cycle, cycle.answer);
   if (change > kFixedPoint * o.tolerance) return {};
   return CycleEnd{CycleStatus::Converged,
                   fmt::format("the static optimum under the loads is the design itself within "
@@ -74,7 +79,7 @@ std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
 
 std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {
   if (cycle.worst <= o.feasibility || cycle.next.size() == 0) return {};
-  if ((cycle.next - cycle.x).norm() > kStuck * cycle.x.norm()) return {};
+  if (step_size(cycle, cycle.next) > kStuck) return {};
   const std::string stays = cycle.worst < 10 ? fmt::format("{:.3g} % above", 100 * cycle.worst)
                                              : fmt::format("at {:.3g} times", 1 + cycle.worst);
   return CycleEnd{CycleStatus::Infeasible,
@@ -85,10 +90,10 @@ std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {
 
 bool on_move_limit(const Cycle& cycle, const std::vector<NlpVariable>& variables) {
   for (int i = 0; i < cycle.answer.size(); ++i) {
-    const double close = kStuck * cycle.x[i];
-    const double lower = cycle.x[i] * (1 - cycle.move), upper = cycle.x[i] * (1 + cycle.move);
-    if (lower > variables[i].lower && cycle.answer[i] < lower + close) return true;
-    if (upper < variables[i].upper && cycle.answer[i] > upper - close) return true;
+    const double unit = cycle.unit.size() > 0 ? cycle.unit[i] : cycle.x[i];
+    const double lower = cycle.lower[i], upper = cycle.upper[i];
+    if (lower > variables[i].lower && cycle.answer[i] < lower + kStuck * unit) return true;
+    if (upper < variables[i].upper && cycle.answer[i] > upper - kStuck * unit) return true;
   }
   return false;
 }
@@ -98,8 +103,11 @@ Eigen::VectorXd next_design(const History& h, const std::vector<NlpVariable>& va
   if (h.size() < 2 || on_move_limit(now, variables) || on_move_limit(h[h.size() - 2], variables))
     return now.answer;
   const Cycle& before = h[h.size() - 2];
-  const Eigen::VectorXd change = now.answer - now.x;
-  const Eigen::VectorXd difference = change - (before.answer - before.x);
+  const auto in_units = [&now](const Eigen::VectorXd& d) -> Eigen::VectorXd {
+    return now.unit.size() > 0 ? Eigen::VectorXd(d.cwiseQuotient(now.unit)) : d;
+  };
+  const Eigen::VectorXd change = in_units(now.answer - now.x);
+  const Eigen::VectorXd difference = change - in_units(before.answer - before.x);
   const double size = difference.squaredNorm();
   const double theta = size > 0 ? change.dot(difference) / size : 0;
   Eigen::VectorXd next = now.answer;

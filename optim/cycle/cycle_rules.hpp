@@ -25,20 +25,25 @@ const char* to_string(CycleStatus status);
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
   int number = 0;
-  Eigen::VectorXd x;  ///< simulated design, m
+  Eigen::VectorXd x;  ///< simulated design
   double mass = 0;    ///< kg
   double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
   std::string worst_constraint;
   double worst_time = 0;  ///< s
   std::optional<double>
-      load_change;     ///< against the cycle before, if its records have the same times
-  int load_cases = 0;  ///< retained by the screening
-  int iterations = 0;  ///< of the optimiser
-  double move = 0;     ///< move limit of the answer
+      load_change;               ///< against the cycle before, if its records have the same times
+  int load_cases = 0;            ///< retained by the screening
+  int iterations = 0;            ///< of the optimiser
+  double move = 0;               ///< move limit of the answer
+  Eigen::VectorXd lower, upper;  ///< bounds of the answer, from the move limit and the study
+  /// What a change of each variable is measured by; empty: all by the size of the design.
+  Eigen::VectorXd unit;
   double seconds = 0;
   Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
 };
+/// Size of the step from the simulated design to y: |y - x| / |x|, or |(y - x) / unit|.
+double step_size(const Cycle& cycle, const Eigen::VectorXd& y);
 using History = std::vector<Cycle>;
 
 struct CycleEnd {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "optim/cycle/design_run.hpp"
+#include "optim/cycle/motion_task.hpp"
 #include "optim/cycle/static_sizing.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
@@ -22,10 +23,15 @@ DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space
   if (!run.good())
     throw std::runtime_error("the start design cannot be simulated: " +
                              run.simulation.report.reason);
-  const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, run.loads};
-  StaticSizing<G> problem(at, simulator.sizing(), study, x, study.cycle.move_limit);
   DerivativeCheckOptions options;
   options.every_variable = true;
+  if (simulator.part()) {
+    const SolidTask task = motion_task(study, simulator, run);
+    StaticShape problem(task, x, study.cycle.move_cells, study.cycle.move_limit);
+    return check_derivatives(problem, x, options);
+  }
+  const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, run.loads};
+  StaticSizing<G> problem(at, simulator.sizing(), study, x, study.cycle.move_limit);
   return check_derivatives(problem, x, options);
 }
 

@@ -3,6 +3,15 @@
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
+namespace {
+
+std::unique_ptr<PartShape> shaped_part(const StudySpec& study, const Mechanism& mechanism) {
+  if (study.shapes.empty()) return nullptr;
+  const auto& [body, spec] = *study.shapes.begin();
+  return std::make_unique<PartShape>(mechanism, body, spec);
+}
+
+}  // namespace
 
 template <FrameGroup G>
 std::vector<double> DesignRun<G>::times() const {
@@ -19,27 +28,52 @@ DesignSimulator<G>::DesignSimulator(const Mechanism& mechanism, const Space<G>& 
       options_(options),
       study_(study),
       sizing_(study.design, mechanism),
+      part_(shaped_part(study, mechanism)),
       bodies_(limited_bodies(study)) {}
 
 template <FrameGroup G>
 Eigen::VectorXd DesignSimulator<G>::start() const {
-  Eigen::VectorXd x(sizing_.size());
-  for (int i = 0; i < x.size(); ++i) x[i] = sizing_.variables()[i].start;
+  Eigen::VectorXd x(static_cast<Eigen::Index>(variables().size()));
+  for (int i = 0; i < x.size(); ++i) x[i] = variables()[i].start;
   return x;
 }
 
 template <FrameGroup G>
 DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& progress) const {
   DesignRun<G> r;
-  r.mechanism = sizing_.apply(mechanism_, x);
+  r.mechanism = part_ ? mechanism_ : sizing_.apply(mechanism_, x);
+  if (part_) part_->apply(x, r.mechanism);
   r.model = std::make_shared<Model<G>>(Model<G>::build(r.mechanism, space_));
   r.mass = mass_of(r.mechanism, study_.mass_of);
   r.simulation = run_simulation(*r.model, options_, progress);
   if (!r.good()) return r;
-  for (const int body : bodies_)
-    r.loads.push_back(extract_loads(*r.model, r.simulation.trajectory, body));
+  extract(r);
   measure(r);
+  if (part_) measure_walls(r, x);
   return r;
+}
+
+template <FrameGroup G>
+void DesignSimulator<G>::extract(DesignRun<G>& r) const {
+  const auto& motion = r.simulation.trajectory;
+  for (const int body : bodies_)
+    if (std::holds_alternative<SolidSpec>(r.mechanism.bodies[body].kind))
+      r.solid_loads.push_back(extract_solid_loads(*r.model, motion, body));
+    else
+      r.loads.push_back(extract_loads(*r.model, motion, body));
+}
+
+/// A wall that is too thin counts as a limit that is violated all the time.
+template <FrameGroup G>
+void DesignSimulator<G>::measure_walls(DesignRun<G>& r, const Eigen::VectorXd& x) const {
+  part_->shape->set(part_->design.parameters(x));
+  const Eigen::VectorXd walls = part_->design.walls();
+  for (int i = 0; i < walls.size(); ++i)
+    if (walls[i] > r.worst) {
+      r.worst = walls[i];
+      r.worst_time = 0;
+      r.worst_constraint = part_->design.wall_names()[static_cast<std::size_t>(i)];
+    }
 }
 
 /// The true responses at every record.

@@ -7,7 +7,9 @@
 #include <vector>
 
 #include "esl/load_set.hpp"
+#include "esl/solid_loads.hpp"
 #include "mbs/solvers/simulation.hpp"
+#include "optim/design/part_shape.hpp"
 #include "optim/design/sizing.hpp"
 #include "optim/study/study.hpp"
 
@@ -28,10 +30,11 @@ struct DesignRun {
   std::shared_ptr<Model<G>> model;  ///< of `mechanism`
   double mass = 0;                  ///< of the bodies in the objective, kg
   Simulation<G> simulation;
-  std::vector<LoadSet> loads;       ///< one for each limited body
-  std::vector<LimitSeries> limits;  ///< one for each constraint
-  double worst = -1;                ///< largest |r|/limit - 1 over all records and limits
-  double worst_time = 0;            ///< s
+  std::vector<LoadSet> loads;             ///< one for each limited beam
+  std::vector<SolidLoadSet> solid_loads;  ///< one for each limited meshed part
+  std::vector<LimitSeries> limits;        ///< one for each constraint
+  double worst = -1;                      ///< largest |r|/limit - 1 over all records and limits
+  double worst_time = 0;                  ///< s
   std::string worst_constraint;
 
   bool good() const { return simulation.report.status == SolveStatus::Converged; }
@@ -47,17 +50,25 @@ class DesignSimulator {
                   const SimulationOptions& options, const StudySpec& study);
 
   const Sizing& sizing() const { return sizing_; }
-  Eigen::VectorXd start() const;  ///< of the variables, m
+  /// The part whose outline the study changes, null if it sizes beams.
+  PartShape* part() const { return part_.get(); }
+  const std::vector<NlpVariable>& variables() const {
+    return part_ ? part_->design.variables() : sizing_.variables();
+  }
+  Eigen::VectorXd start() const;  ///< of the variables
   DesignRun<G> run(const Eigen::VectorXd& x, const Progress& progress = {}) const;
 
  private:
+  void extract(DesignRun<G>& run) const;
   void measure(DesignRun<G>& run) const;
+  void measure_walls(DesignRun<G>& run, const Eigen::VectorXd& x) const;
 
   const Mechanism& mechanism_;
   const Space<G>& space_;
   const SimulationOptions& options_;
   const StudySpec& study_;
   const Sizing sizing_;
+  const std::unique_ptr<PartShape> part_;
   const std::vector<int> bodies_;  ///< that carry limits
 };
 

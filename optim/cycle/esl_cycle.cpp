@@ -6,19 +6,16 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "optim/cycle/motion_task.hpp"
 #include "optim/cycle/static_sizing.hpp"
-#include "optim/nlp/ipopt_driver.hpp"
-#include "optim/nlp/nlopt_driver.hpp"
-#include "optim/nlp/separable.hpp"
 
 namespace liesl {
 
 namespace {
 
-constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 constexpr double kSmallestMove = 1e-3;
-constexpr int kFewVariables = 12;     // the optimality check simulates twice for each
-constexpr double kNearActive = 1e-2;  // limits that may hold the mass up when the cycle ends
+constexpr std::size_t kFewVariables = 12;  // the optimality check simulates twice for each
+constexpr double kNearActive = 1e-2;       // limits that may hold the mass up when the cycle ends
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -132,7 +129,14 @@ class EslCycle {
     c.move = move_;
     if (last_ && last_->good() && last_->times() == trial.times())
       c.load_change =
-          load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length);
+          trial.solid_loads.empty()
+              ? load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length)
+              : load_change(trial.solid_loads.front(), last_->solid_loads.front());
+    if (simulator_.part()) {
+      c.unit.resize(x.size());
+      for (int i = 0; i < x.size(); ++i)
+        c.unit[i] = simulator_.variables()[i].upper - simulator_.variables()[i].lower;
+    }
     if (result_.history.empty()) keep_initial(trial);
     result_.history.push_back(c);
     keep_best(trial, x);
@@ -176,48 +180,36 @@ class EslCycle {
                           "one is returned"});
   }
 
-  NlpResult optimise(StaticSizing<G>& problem) const {
-    NlpOptions options;
-    options.progress = [this](const NlpProgress&) {
-      return !hooks_.keep_going || hooks_.keep_going();
-    };
-    options.tolerance = 1e-7;
-    options.feasibility = 1e-7;
-    switch (study_.cycle.optimizer) {
-      case Optimizer::Mma:
-        return solve_nlopt(problem, NloptMethod::Mma, options);
-      case Optimizer::Ccsaq:
-        return solve_nlopt(problem, NloptMethod::Ccsaq, options);
-      case Optimizer::Slsqp:
-        return solve_nlopt(problem, NloptMethod::Slsqp, options);
-      case Optimizer::Ipopt:
-        break;
-    }
-    if (study_.cycle.model == NlpModel::Separable) {
-      options.tolerance = 1e-6;
-      return solve_separable(problem, options);
-    }
-    return solve_ipopt(problem, options, warm_.multipliers.empty() ? nullptr : &warm_);
-  }
-
   /// The static optimum under the loads of this cycle, then a step towards the fixed point.
   Eigen::VectorXd size(const DesignRun<G>& trial, Cycle& cycle) {
-    const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory,
-                         trial.loads};
-    StaticSizing<G> problem(at, simulator_.sizing(), study_, cycle.x, move_);
-    NlpResult answer;
-    for (int round = 0; round < kMaxRounds; ++round) {
-      answer = optimise(problem);
-      cycle.iterations += answer.iterations;
-      if (answer.status == NlpStatus::Infeasible) break;  // nor with more cases
-      if (problem.add_violated(answer.x, 1e-6) == 0) break;
+    if (simulator_.part()) {
+      const SolidTask task = motion_task(study_, simulator_, trial);
+      StaticShape problem(task, cycle.x, study_.cycle.move_cells * move_ / study_.cycle.move_limit,
+                          move_);
+      take_answer(problem, cycle);
+    } else {
+      const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory,
+                           trial.loads};
+      StaticSizing<G> problem(at, simulator_.sizing(), study_, cycle.x, move_);
+      take_answer(problem, cycle);
     }
-    warm_ = answer.warm_start();
+    cycle.next = next_design(result_.history, simulator_.variables());
+    return cycle.next;
+  }
+
+  void take_answer(StaticProblem& problem, Cycle& cycle) {
+    const auto& variables = problem.variables();
+    cycle.lower.resize(cycle.x.size());
+    cycle.upper.resize(cycle.x.size());
+    for (int i = 0; i < cycle.x.size(); ++i) {
+      cycle.lower[i] = variables[i].lower;
+      cycle.upper[i] = variables[i].upper;
+    }
+    const StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going);
+    cycle.iterations = answer.iterations;
     cycle.load_cases = problem.load_cases();
     cycle.move = move_;
-    cycle.answer = answer.x;
-    cycle.next = next_design(result_.history, simulator_.sizing().variables());
-    return cycle.next;
+    cycle.answer = answer.result.x;
   }
 
   /// Only of a design the cycle stands by, and if it costs no more than some cycles do.
@@ -228,7 +220,7 @@ class EslCycle {
     const auto choice = study_.cycle.optimality;
     return best_ && stands &&
            (choice == OptimalityCheck::Always ||
-            (choice == OptimalityCheck::Auto && simulator_.sizing().size() <= kFewVariables));
+            (choice == OptimalityCheck::Auto && simulator_.variables().size() <= kFewVariables));
   }
 
   void report_optimality() {
@@ -257,6 +249,10 @@ class EslCycle {
     for (const auto& loads : best_->loads)
       result_.identity.emplace_back(
           loads.body, check_identity(*best_->model, best_->simulation.trajectory, loads));
+    for (const auto& loads : best_->solid_loads)
+      result_.identity.emplace_back(
+          loads.body,
+          check_identity(std::get<SolidSpec>(best_->mechanism.bodies[loads.body].kind), loads));
     result_.times = best_->times();
     if (!result_.history.empty()) result_.load_change = result_.history.back().load_change;
     for (const auto& w : best_->simulation.report.warnings) result_.warnings.push_back(w);

@@ -72,14 +72,15 @@ void StaticSizing<G>::gradients(const Eigen::VectorXd&, Eigen::VectorXd& df, Row
       if (in_mass(at.body)) df[i] += mass_slope(sizing_.derivative(mechanism_, i, at), at);
   output_gradients();
   const StressChanges changes = stress_changes();
-  for (size_t r = 0; r < rows_.size(); ++r) {
-    const Limit& limit = limits_[rows_[r].limit];
+  for (size_t r = 0; r < retained_.rows.size(); ++r) {
+    const Limit& limit = limits_[retained_.rows[r].limit];
     const Part& part = parts_[limit.part];
-    const Eigen::VectorXd y = outputs_of(limit, rows_[r].kept);
+    const Eigen::VectorXd y = outputs_of(limit, retained_.rows[r].kept);
     Eigen::VectorXd slope;
     limit_value(limit, y, &slope);
     for (int i = 0; i < sizing_.size(); ++i) {
-      double d = slope.dot(dy_[limit.part][i].col(rows_[r].kept).segment(limit.first, limit.count));
+      double d = slope.dot(
+          dy_[limit.part][i].col(retained_.rows[r].kept).segment(limit.first, limit.count));
       if (const auto c = changes.find({limit.part, limit.element, i}); c != changes.end())
         d += part.stress[limit.element].explicit_slope(limit.point, y, c->second);
       dg(static_cast<int>(r), i) = d / limit_of(limit);
@@ -110,11 +111,11 @@ Eigen::MatrixXd StaticSizing<G>::output_weights(int p, const Eigen::VectorXd& la
   const Part& part = parts_[p];
   const int n = sizing_.size();
   Eigen::MatrixXd w = Eigen::MatrixXd::Zero(part.outputs.count(), part.problem.cases());
-  for (size_t r = 0; r < rows_.size(); ++r) {
-    const Limit& limit = limits_[rows_[r].limit];
+  for (size_t r = 0; r < retained_.rows.size(); ++r) {
+    const Limit& limit = limits_[retained_.rows[r].limit];
     const double weight = lambda[static_cast<int>(r)] / limit_of(limit);
     if (limit.part != p || weight == 0) continue;
-    const int kept = rows_[r].kept;
+    const int kept = retained_.rows[r].kept;
     const Eigen::VectorXd y = outputs_of(limit, kept);
     const double v = y.norm();
     if (v == 0) continue;

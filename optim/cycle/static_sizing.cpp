@@ -47,7 +47,7 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
     part.correction =
         dynamic_outputs(part.outputs, study, at.mechanism, model_, *at.trajectory, part.body) -
         part.y;
-  screen();
+  keep(near_largest(all_values(), screened(), study.cycle));
 }
 
 template <FrameGroup G>
@@ -145,10 +145,12 @@ template <FrameGroup G>
 void StaticSizing<G>::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
   const bool solved = solve(x);
   f = mass_of(mechanism_, study_.mass_of);
-  for (size_t i = 0; i < rows_.size(); ++i) {
-    const Limit& limit = limits_[rows_[i].limit];
+  for (size_t i = 0; i < retained_.rows.size(); ++i) {
+    const Limit& limit = limits_[retained_.rows[i].limit];
     g[static_cast<int>(i)] =
-        solved ? limit_value(limit, outputs_of(limit, rows_[i].kept), nullptr) / limit_of(limit) - 1
+        solved ? limit_value(limit, outputs_of(limit, retained_.rows[i].kept), nullptr) /
+                         limit_of(limit) -
+                     1
                : std::numeric_limits<double>::quiet_NaN();
   }
 }

@@ -9,10 +9,11 @@
 
 #include "esl/load_set.hpp"
 #include "esl/static_part.hpp"
+#include "optim/cycle/case_screen.hpp"
 #include "optim/cycle/element_stress.hpp"
 #include "optim/cycle/part_outputs.hpp"
+#include "optim/cycle/static_problem.hpp"
 #include "optim/design/sizing.hpp"
-#include "optim/nlp/problem.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {
@@ -31,19 +32,17 @@ struct Analysis {
 ///   y_n(x) = C^T K(x)^-1 f_n + (y_n^dynamic - C^T K(x0)^-1 f_n),
 /// so that a fixed point of the cycle satisfies the limits of the motion itself.
 template <FrameGroup G>
-class StaticSizing final : public Problem {
+class StaticSizing final : public StaticProblem {
  public:
   /// @param x0 the analysed design; bounds are narrowed to x0 (1 -+ move)
   StaticSizing(const Analysis<G>& at, const Sizing& sizing, const StudySpec& study,
                const Eigen::VectorXd& x0, double move);
 
-  /// Checks all load cases at x and adds those that violate a limit by more than `tolerance`.
-  /// @returns how many were added
-  int add_violated(const Eigen::VectorXd& x, double tolerance);
-  int load_cases() const;
+  int add_violated(const Eigen::VectorXd& x, double tolerance) override;
+  int load_cases() const override;
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
-  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  const std::vector<NlpConstraint>& constraints() const override { return retained_.constraints; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
   HessianShape hessian_shape() const override {
@@ -66,17 +65,15 @@ class StaticSizing final : public Problem {
     std::vector<ElementStress<G>> stress;  ///< by element, at the latest x; if stress is limited
     std::vector<int> kept;                 ///< numbers of the retained cases
   };
-  struct RowRef {
-    int limit = 0, kept = 0;  ///< which limit in which retained case
-  };
 
   ResponseKind kind_of(const Limit& limit) const {
     return study_.constraints[limit.constraint].response.kind;
   }
   void make_parts(const Analysis<G>& at);
   void retain_all(Part& part) const;
-  void screen();
-  void retain(const std::vector<std::vector<int>>& cases);
+  std::vector<ScreenedLimit> screened() const;
+  ValuesByLimit all_values() const;
+  void keep(const CasesByLimit& cases);
   bool solve(const Eigen::VectorXd& x);
   bool solve_parts();
   Law stiffness(const Part& part) const;
@@ -105,9 +102,8 @@ class StaticSizing final : public Problem {
   Space<G> space_;
   std::vector<Part> parts_;
   std::vector<Limit> limits_;
-  std::vector<RowRef> rows_;
+  RetainedCases retained_;
   std::vector<NlpVariable> variables_;
-  std::vector<NlpConstraint> constraints_;
   std::vector<std::vector<Eigen::MatrixXd>> dy_;  ///< [part][variable]: outputs x retained cases
   bool second_derivatives_ = true;                ///< not of stresses and compliances
 };

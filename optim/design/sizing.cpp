@@ -5,6 +5,9 @@
 
 #include <stdexcept>
 
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+
 namespace liesl {
 namespace {
 
@@ -104,6 +107,10 @@ double mass_of(const Mechanism& mechanism, const std::vector<int>& bodies) {
   for (const int b : bodies) {
     if (const auto* rigid = std::get_if<RigidSpec>(&mechanism.bodies[b].kind)) {
       mass += rigid->mass;
+      continue;
+    }
+    if (const auto* solid = std::get_if<SolidSpec>(&mechanism.bodies[b].kind)) {
+      mass += solid_model(*solid).total_mass(solid_fractions(*solid).value);
       continue;
     }
     const auto& beam = std::get<BeamSpec>(mechanism.bodies[b].kind);

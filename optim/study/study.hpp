@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,62 @@ struct DesignSpec {
 struct ConstraintSpec {
   ResponseSpec response;  ///< its name is the constraint's name
   double limit = 0;       ///< |response| <= limit at every time step
+};
+
+/// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
+/// level set as it was made, and x_0 that of the first parameter. Mirrored features have -1.
+struct DrivenParameter {
+  std::string name;  ///< path in the tree, "hole2.a"
+  double factor = 1;
+};
+
+struct ShapeVariableSpec {
+  std::string name;
+  std::vector<DrivenParameter> drives;  ///< at least one; the first gives the unit and x_0
+  double lower = 0, upper = 0;          ///< of the first parameter
+  std::optional<double> start;          ///< default x_0
+};
+
+/// Material of at least this thickness is left between a feature and another one (or the nodes of
+/// an interface). See levelset::wall_between for what is measured.
+struct WallSpec {
+  std::string name;
+  std::string feature;
+  std::string to;    ///< feature or interface
+  double least = 0;  ///< m, > 0
+};
+
+/// What may change of the outline of one meshed part.
+struct ShapeDesignSpec {
+  std::vector<ShapeVariableSpec> variables;
+  std::vector<WallSpec> walls;
+};
+
+enum class SolidResponse {
+  Output,      ///< norm of some outputs y = C^T q: elongation, displacement, m
+  Compliance,  ///< f^T u, J
+  Stress,      ///< p-norm of the von Mises stress over the cells, Pa
+  Mass,        ///< kg
+  Frequency    ///< every one of the lowest `count` free-free frequencies is at least `limit`, Hz
+};
+
+/// A limit of a meshed part that is no response of the motion.
+struct PartLimitSpec {
+  std::string name;
+  int body = 0;
+  SolidResponse quantity = SolidResponse::Mass;  ///< not Output
+  double limit = 0;                              ///< > 0
+  int count = 1;                                 ///< Frequency: how many
+};
+
+/// A load of a meshed part that stays, whatever the design. Loads of one case add up.
+struct FixedLoad {
+  std::string load_case;
+  int body = 0;
+  int interface = -1;      ///< [force; moment] on its port, axes of the mesh
+  std::vector<int> nodes;  ///< or a traction on the sides between these nodes
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m
+  Vec3 traction = Vec3::Zero();                      ///< Pa
 };
 
 enum class Optimizer { Ipopt, Mma, Ccsaq, Slsqp };
@@ -58,6 +115,13 @@ struct CycleOptions {
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
   OptimalityCheck optimality = OptimalityCheck::Auto;
+  double move_cells =
+      2;  ///< the outline of a meshed part moves by so many cells in a cycle, at most
+};
+
+/// Exponent and relaxation of the stress norm, see StressOptions.
+struct StressSpec {
+  double p = 8, relaxation = 0.5;
 };
 
 /// Body whose deformation a response measures.
@@ -70,6 +134,12 @@ struct StudySpec {
   std::vector<DesignSpec> design;
   std::vector<int> mass_of;  ///< objective: mass of these bodies
   std::vector<ConstraintSpec> constraints;
+  std::map<int, ShapeDesignSpec> shapes;  ///< by body
+  /// Objective of a study of meshed parts: Mass, Compliance or Stress.
+  SolidResponse goal = SolidResponse::Mass;
+  std::vector<PartLimitSpec> part_limits;
+  std::vector<FixedLoad> loads;  ///< if there are any, nothing is simulated
+  StressSpec stress;
   std::map<int, Support> supports;  ///< by body; default "start"
   CycleOptions cycle;
 };

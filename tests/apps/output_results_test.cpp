@@ -62,6 +62,10 @@ TEST(Hdf5, EveryBlockComesBack) {
   expect("/bodies/rod/section_force", {5, 2, 6}, r.bodies[0].section_forces);
   expect("/bodies/rod/elements", {2, 2}, {0, 1, 1, 2});
   expect("/bodies/top_left/position", {5, 1, 3}, r.bodies[1].positions);
+  expect("/meshes/plate/cells", {2, 4}, {0, 1, 4, 3, 1, 2, 5, 4});
+  expect("/meshes/plate/fraction", {2}, r.meshes[0].fractions);
+  expect("/meshes/plate/record", {3}, {0, 2, 4});
+  expect("/meshes/plate/position", {3, 6, 3}, r.meshes[0].positions);
   expect("/joints/pin/coordinate", {5, 2}, r.joints[0].coordinates);
   expect("/joints/pin/force", {5, 6}, r.joints[0].forces);
   expect("/energies/dissipated", {5}, r.energies.dissipated);
@@ -81,6 +85,9 @@ TEST(Hdf5, WrongShapesAreRefused) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "results: rod.strains has 59 numbers, expected 60");
   }
+  r = sample_results();
+  r.meshes[0].positions.pop_back();
+  EXPECT_THROW(check_shapes(r), std::invalid_argument);
   r = sample_results();
   r.bodies[0].elements[1] = {1, 3};
   EXPECT_THROW(check_shapes(r), std::invalid_argument);
@@ -152,8 +159,9 @@ TEST(Xdmf, RefersToWhatIsThere) {
     EXPECT_EQ(std::stoul(m[3]), set.shape[1]);
     EXPECT_LE(std::stoul(m[2]) + std::stoul(m[4]), set.shape[2]);
   }
-  // 5 instants x (rod: topology, geometry, rotation, 2 x 3 halves; rigid: geometry, rotation, 2).
-  EXPECT_EQ(count, 5 * (9 + 4));
+  // 5 instants x (rod: topology, geometry, rotation, 2 x 3 halves; rigid: geometry, rotation, 2),
+  // 3 of them with a mesh: topology, geometry, fraction.
+  EXPECT_EQ(count, 5 * (9 + 4) + 3 * 3);
 }
 
 TEST(Xdmf, ListsSoManyInstantsAndNoMore) {

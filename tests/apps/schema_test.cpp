@@ -42,7 +42,8 @@ TEST(Schema, EveryKeyIsExplained) {
       EXPECT_GT(key.size, 1) << key.path;
     }
     const bool physical = key.type == Type::Number || key.type == Type::Vector ||
-                          key.type == Type::Matrix || key.type == Type::Rows;
+                          key.type == Type::Point || key.type == Type::Matrix ||
+                          key.type == Type::Rows;
     if (physical) {
       EXPECT_FALSE(key.unit.empty()) << key.path;
     }

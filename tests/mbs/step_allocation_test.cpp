@@ -5,6 +5,7 @@
 #include <cstdlib>
 
 #include "mbs/run.hpp"
+#include "reference/meshed_rod.hpp"
 
 #if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
 #define LIESL_COUNTS_MALLOC
@@ -90,7 +91,8 @@ TEST(StepAllocations, CounterSeesEigen) {
 }
 
 TEST(StepAllocations, NoneInThePlane) {
-  for (const auto& m : {reference::slider_crank(), busy(), reference::four_bar(4)}) {
+  for (const auto& m : {reference::slider_crank(), busy(), reference::four_bar(4),
+                        reference::slider_crank_with_mesh(20, 2, 4)}) {
     const auto search = find_plane(m);
     ASSERT_TRUE(search.plane) << search.reason;
     EXPECT_EQ(mallocs_of_steps<SE2>(m, *search.plane, testing::options(0.12, 1e-4), 50), 0);

@@ -16,6 +16,8 @@ Cycle cycle(double x, double answer, double move = 0.5) {
   c.answer = Eigen::VectorXd::Constant(1, answer);
   c.next = c.answer;
   c.move = move;
+  c.lower = c.x * (1 - move);
+  c.upper = c.x * (1 + move);
   return c;
 }
 

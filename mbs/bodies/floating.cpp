@@ -1,0 +1,158 @@
+#include "mbs/bodies/floating.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+FloatingBody<G>::FloatingBody(std::string body_name, std::vector<G> nodes_at_rest)
+    : Body<G>(std::move(body_name), std::move(nodes_at_rest)) {
+  for (const G& H : this->reference) X_.push_back(this->reference[0].inverse() * H);
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::reduce_to(std::vector<NodeKind> kind, const Eigen::MatrixXd& K_e,
+                                Eigen::VectorXd omega2) {
+  kind_ = std::move(kind);
+  omega2_ = std::move(omega2);
+  for (int k = 1; k < this->nodes(); ++k) {
+    if (kind_[k] == NodeKind::Frame) interfaces_.push_back(k);
+    if (kind_[k] == NodeKind::Amplitudes) slots_.push_back(k);
+  }
+  const int n = interface_size() + dim * static_cast<int>(slots_.size());
+  unused_ = n - static_cast<int>(K_e.cols());
+  K_e_ = Eigen::MatrixXd::Zero(n, n);
+  K_e_.topLeftCorner(K_e.rows(), K_e.cols()) = K_e;
+  q_.setZero(n);
+  motion_ = at_reference();
+  std::vector<int> nodes{0};
+  nodes.insert(nodes.end(), interfaces_.begin(), interfaces_.end());
+  nodes.insert(nodes.end(), slots_.begin(), slots_.end());
+  for (auto* A : {&this->M_, &this->K_})
+    A->set_dense(nodes, Eigen::MatrixXd::Zero(dim + n, dim + n));
+}
+
+template <FrameGroup G>
+auto FloatingBody<G>::at_reference() const -> Motion {
+  Motion m;
+  for (auto* x : {&m.e, &m.rate, &m.acceleration}) x->setZero(reduced_size());
+  for (const int k : interfaces_) m.Y.push_back(X_[k]);
+  return m;
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::set_constant_matrices() {
+  const Motion rest = at_reference();
+  set_matrix(rest, 1, 0, this->M_);
+  set_matrix(rest, 0, 1, this->K_);
+}
+
+/// A = mass L^T M(e) L + stiffness E^T K_e E with [h_0; de] = L [h_0; h_i; deta], L = [I 0; E].
+template <FrameGroup G>
+void FloatingBody<G>::set_matrix(const Motion& m, double mass, double stiffness,
+                                 Matrices& A) const {
+  const Eigen::MatrixXd E = increments(m);
+  A.dense.noalias() = stiffness * E.transpose() * K_e_ * E;
+  if (mass > 0) {
+    Eigen::MatrixXd L(dim + E.rows(), E.cols());
+    L.topRows(dim).setIdentity();
+    L.bottomRows(E.rows()) = E;
+    A.dense.noalias() += mass * L.transpose() * inertia_matrix(m) * L;
+  }
+  for (int j = static_cast<int>(E.cols()) - unused_; j < E.cols(); ++j)
+    A.dense(j, j) = mass + stiffness;
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd FloatingBody<G>::increments(const Motion& m) const {
+  const int n = reduced_size(), ni = interface_size();
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(n, dim + n);
+  E.bottomRightCorner(n - ni, n - ni).setIdentity();
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const typename G::Matrix Ti = G::Tinv(Tangent(m.e.template segment<dim>(at)));
+    E.template block<dim, dim>(at, dim + at) = Ti;
+    E.template block<dim, dim>(at, 0) = -Ti * m.Y[i].AdInv();
+  }
+  return E;
+}
+
+/// e and, from y = v_i - Ad(Y^-1) v_0:  edot = T^-1(u) y,
+/// eddot = T^-1(u) (vdot_i - Ad(Y^-1) vdot_0 + ad(y) Ad(Y^-1) v_0) + D_u[T^-1(u) y] edot.
+template <FrameGroup G>
+void FloatingBody<G>::measure(const BodyState<G>& s, bool rates, Motion& m) const {
+  using Node = Eigen::Map<const Tangent>;
+  Tangent v0 = Tangent::Zero(), a0 = v0;
+  if (rates) {
+    v0 = Node(s.v);
+    a0 = Node(s.vdot);
+  }
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int node = interfaces_[i], at = dim * static_cast<int>(i);
+    m.Y[i] = s.H[0].inverse() * s.H[node];
+    const Tangent u = G::log(X_[node].inverse() * m.Y[i]);
+    m.e.template segment<dim>(at) = u;
+    if (!rates) continue;
+    const typename G::Matrix back = m.Y[i].AdInv(), Ti = G::Tinv(u);
+    const Tangent carried = back * v0, y = Node(s.v + dim * node) - carried, rate = Ti * y;
+    m.rate.template segment<dim>(at) = rate;
+    m.acceleration.template segment<dim>(at) =
+        Ti * (Node(s.vdot + dim * node) - back * a0 + G::ad(y) * carried) + G::dTinv(u, y) * rate;
+  }
+  for (size_t i = 0; i < slots_.size(); ++i) {
+    const int at = interface_size() + dim * static_cast<int>(i), node = dim * slots_[i];
+    m.e.template segment<dim>(at) = Node(s.w + node);
+    if (!rates) continue;
+    m.rate.template segment<dim>(at) = Node(s.v + node);
+    m.acceleration.template segment<dim>(at) = Node(s.vdot + node);
+  }
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::add_conjugate(const Motion& m, const Eigen::VectorXd& q, double* r,
+                                    ForceScale& scale) const {
+  using Node = Eigen::Map<Tangent>;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const Tangent u = m.e.template segment<dim>(at);
+    const Tangent f = G::Tinv(u).transpose() * q.template segment<dim>(at);
+    Node(r + dim * interfaces_[i]) += f;
+    Node{r} -= m.Y[i].AdInv().transpose() * f;
+    scale.add<G>(f);
+  }
+  for (size_t i = 0; i < slots_.size(); ++i)
+    Node(r + dim * slots_[i]) +=
+        q.template segment<dim>(interface_size() + dim * static_cast<int>(i));
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
+  const double c = this->damping();
+  measure(s, c > 0, motion_);
+  if (c > 0) motion_.e += c * motion_.rate;
+  q_.noalias() = K_e_ * motion_.e;
+  if (c > 0) motion_.e -= c * motion_.rate;
+  add_conjugate(motion_, q_, r, scale);
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                                  ForceScale& scale) const {
+  measure(s, true, motion_);
+  const Tangent v0 = Eigen::Map<const Tangent>(s.v);
+  Tangent f0 = Tangent::Zero();
+  q_.setZero();
+  inertia_force(motion_, v0, apparent_acceleration<G>(s, 0, gravity), f0, q_, scale);
+  Eigen::Map<Tangent>{r} += f0;
+  add_conjugate(motion_, q_, r, scale);
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector&, TangentWeights w,
+                                    const Tangent*, Matrices& A) const {
+  measure(s, false, motion_);
+  set_matrix(motion_, w.mass, 1 + this->damping() * w.damping, A);
+}
+
+template class FloatingBody<SE2>;
+template class FloatingBody<SE3>;
+
+}  // namespace liesl

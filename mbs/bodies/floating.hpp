@@ -1,0 +1,96 @@
+#pragma once
+/// @file
+/// Floating frame of reference: a flexible body that is linear in a frame that moves with it,
+/// reduced to the frames it is held at and to modes (Craig, Bampton 1968; Shabana 2013,
+/// "Dynamics of Multibody Systems", chapter 5).
+///
+/// The floating frame is the body's first node, H_0. The further interface frames H_i are unknowns
+/// of their own, so that couplings hold on to them as to any node:
+///   u_i = log(X_i^-1 H_0^-1 H_i),  X_k = H_0^-1 H_k at reference,  e = [u_i; eta],  u = Psi e,
+/// Psi = [static shapes of unit u_i, modes with all interfaces held], V = e^T K_e e / 2 with K_e
+/// constant. What moves with [v_0; edot] and how heavy it is, is up to the kind of body:
+/// `ModalBody` over the nodes of a beam, `SolidBody` over a mesh.
+
+#include <memory>
+
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
+#include "mbs/bodies/body.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+class FloatingBody : public Body<G> {
+ public:
+  using Body<G>::dim;
+  using typename Body<G>::Tangent;
+  using typename Body<G>::Vector;
+  using typename Body<G>::Matrices;
+
+  NodeKind kind(int node) const override { return kind_[node]; }
+  int modes() const { return static_cast<int>(omega2_.size()); }
+  /// Squares of the circular frequencies of the internal modes, 1/s^2.
+  const Eigen::VectorXd& omega2() const { return omega2_; }
+  /// Constant stiffness of e.
+  const Eigen::MatrixXd& reduced_stiffness() const { return K_e_; }
+
+  void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                   ForceScale& scale) const override;
+  void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
+  /// With the mass at this state, and K_e. The mass matters where the frame is held by a hinge: a
+  /// turn of the frame is then nearly a motion of the modes, and the mass at reference nearly
+  /// singular.
+  void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                     const Tangent* stress, Matrices& A) const override;
+
+ protected:
+  /// Coordinates of the reduced body and their rates at one state.
+  struct Motion {
+    Eigen::VectorXd e, rate, acceleration;          ///< [u_i; eta]
+    std::vector<G, Eigen::aligned_allocator<G>> Y;  ///< H_0^-1 H_i
+  };
+
+  /// Nodes without a kind yet: `reduce_to` says.
+  FloatingBody(std::string body_name, std::vector<G> nodes_at_rest);
+  /// Fixes the unknowns: kinds of the nodes, of which the first is a frame; K_e and the squares of
+  /// the frequencies. e is padded with amplitudes that never move up to whole nodes.
+  void reduce_to(std::vector<NodeKind> kind, const Eigen::MatrixXd& K_e, Eigen::VectorXd omega2);
+  /// Constant matrices, from `inertia_matrix`: the last thing a constructor does.
+  void set_constant_matrices();
+
+  /// Inertia force conjugate to [v_0; edot]: f_0 on the frame, q on e. a_0 is the rate of v_0 less
+  /// gravity in the axes of the frame.
+  virtual void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
+                             Eigen::VectorXd& q, ForceScale& scale) const = 0;
+  /// Mass matrix of [v_0; edot], (dim + n) x (dim + n); rows of padding are zero.
+  virtual Eigen::MatrixXd inertia_matrix(const Motion& m) const = 0;
+
+  /// Without `rates` of H and w alone.
+  void measure(const BodyState<G>& s, bool rates, Motion& m) const;
+  /// The motion at reference, at rest.
+  Motion at_reference() const;
+  /// E: de = E [h_0; h_i; deta].
+  Eigen::MatrixXd increments(const Motion& m) const;
+  int interface_size() const { return dim * static_cast<int>(interfaces_.size()); }
+  int reduced_size() const { return static_cast<int>(K_e_.cols()); }  ///< n of e, with padding
+
+  std::vector<G, Eigen::aligned_allocator<G>> X_;
+  std::vector<int> interfaces_, slots_;  ///< nodes: without node 0; that hold amplitudes
+
+ private:
+  void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
+  /// r += forces q conjugate to e, on the interfaces, the frame and the amplitudes.
+  void add_conjugate(const Motion& m, const Eigen::VectorXd& q, double* r, ForceScale& scale) const;
+
+  std::vector<NodeKind> kind_;
+  Eigen::MatrixXd K_e_;
+  int unused_ = 0;  ///< amplitudes of the last slot
+  Eigen::VectorXd omega2_;
+  mutable Motion motion_;  ///< workspace, so that a step allocates nothing
+  mutable Eigen::VectorXd q_;
+};
+
+extern template class FloatingBody<SE2>;
+extern template class FloatingBody<SE3>;
+
+}  // namespace liesl

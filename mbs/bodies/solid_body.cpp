@@ -1,0 +1,240 @@
+#include "mbs/bodies/solid_body.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
+#include <array>
+#include <numbers>
+#include <stdexcept>
+
+#include "liegroup/rotation.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+using Map9 = Eigen::Map<const Eigen::Matrix<double, 9, 1>>;
+
+/// Components of [u; w] in space that a tangent of G has.
+template <class G>
+constexpr auto kinds() {
+  if constexpr (G::space_dim == 3)
+    return std::array{0, 1, 2, 3, 4, 5};
+  else
+    return std::array{0, 1, 5};
+}
+template <class G>
+Eigen::Matrix<double, 6, 1> in_space(const typename G::Tangent& h) {
+  Eigen::Matrix<double, 6, 1> full = Eigen::Matrix<double, 6, 1>::Zero();
+  for (int i = 0; i < G::dim; ++i) full[kinds<G>()[i]] = h[i];
+  return full;
+}
+template <class G>
+typename G::Tangent from_space(const Vector3d& u, const Vector3d& w) {
+  typename G::Tangent h;
+  for (int i = 0; i < G::dim; ++i)
+    h[i] = kinds<G>()[i] < 3 ? u[kinds<G>()[i]] : w[kinds<G>()[i] - 3];
+  return h;
+}
+
+/// int r x y of int r y^T.
+Vector3d axial(const Matrix3d& A) {
+  return {A(1, 2) - A(2, 1), A(2, 0) - A(0, 2), A(0, 1) - A(1, 0)};
+}
+
+Matrix3d as_matrix(const VectorXd& nine) { return Eigen::Map<const Matrix3d>(nine.data()); }
+
+/// Turn of the port coordinates [u; w] of SE(2) or SE(3) from the axes of the mesh.
+template <class G>
+typename G::Matrix port_turn(const Matrix3d& turn) {
+  Eigen::Matrix<double, 6, 6> full = Eigen::Matrix<double, 6, 6>::Zero();
+  full.topLeftCorner<3, 3>() = full.bottomRightCorner<3, 3>() = turn;
+  typename G::Matrix part;
+  for (int i = 0; i < G::dim; ++i)
+    for (int j = 0; j < G::dim; ++j) part(i, j) = full(kinds<G>()[i], kinds<G>()[j]);
+  return part;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vector<G> ports,
+                        const Matrix3d& turn)
+    : FloatingBody<G>(std::move(body_name),
+                      [&] {  // amplitudes are kept dim a node, at the first interface
+                        auto nodes = ports;
+                        nodes.insert(nodes.end(), (spec.modes + dim - 1) / dim, ports.at(0));
+                        return nodes;
+                      }()),
+      ports_(static_cast<int>(ports.size())),
+      damping_(spec.damping) {
+  SolidModel model = solid_model(spec);
+  const VectorXd v = solid_fractions(spec).value;
+  const ReducedSolid reduced = reduce(model, v, ReductionKind::CraigBampton, spec.modes);
+  if (!reduced.converged) throw std::runtime_error("modes of '" + this->name + "' not found");
+  const int ni = dim * (ports_ - 1), n = ni + spec.modes;
+  basis_ = reduced.basis.rightCols(n);  // the first port is held
+  for (int i = 0; i + 1 < ports_; ++i)  // e has the axes of the ports
+    basis_.middleCols(dim * i, dim) *= port_turn<G>(turn).transpose();
+  loads_ = model.stiffness(v).template selfadjointView<Eigen::Lower>() * basis_;
+  const MatrixXd K_e = basis_.transpose() * loads_;
+  std::vector<NodeKind> kind(this->nodes(), NodeKind::Amplitudes);
+  std::fill_n(kind.begin(), ports_, NodeKind::Frame);
+  this->reduce_to(std::move(kind), 0.5 * (K_e + K_e.transpose()),
+                  (2 * std::numbers::pi * reduced.frequencies).cwiseAbs2());
+  set_integrals(inertia_integrals(model, v, basis_), spec.interfaces[0].point, turn);
+  this->set_constant_matrices();
+}
+
+/// About the first interface, in its axes, padded to the size of e.
+template <FrameGroup G>
+void SolidBody<G>::set_integrals(const InertiaIntegrals& mesh, const Vector3d& origin,
+                                 const Matrix3d& turn) {
+  const int n = static_cast<int>(mesh.mode.cols()), padded = this->reduced_size();
+  InertiaIntegrals& I = integrals_;
+  I.mass = mesh.mass;
+  I.first = turn * (mesh.first - I.mass * origin);
+  const Matrix3d moved = mesh.second - mesh.first * origin.transpose() -
+                         origin * mesh.first.transpose() + I.mass * origin * origin.transpose();
+  I.second = turn * moved * turn.transpose();
+  I.mode.setZero(3, padded);
+  I.mode.leftCols(n) = turn * mesh.mode;
+  cross_.setZero(9, padded);
+  product_.setZero(9 * padded, padded);
+  M_e_.setZero(padded, padded);
+  const auto put = [&](const Matrix3d& A, auto&& nine) {
+    const Matrix3d turned = turn * A * turn.transpose();
+    nine = Map9(turned.data());
+  };
+  for (int k = 0; k < n; ++k) {
+    put(mesh.cross[k] - origin * mesh.mode.col(k).transpose(), cross_.col(k));
+    for (int l = 0; l < n; ++l) {
+      put(mesh.product[l * n + k], product_.template block<9, 1>(9 * k, l));
+      M_e_(k, l) = mesh.product[l * n + k].trace();
+    }
+  }
+  C_.setZero(9, padded);
+  D_.setZero(9, padded);
+}
+
+template <FrameGroup G>
+MatrixXd SolidBody<G>::moments(const VectorXd& e) const {
+  MatrixXd C = cross_;
+  Eigen::Map<VectorXd>(C.data(), C.size()).noalias() += product_ * e;
+  return C;
+}
+
+template <FrameGroup G>
+void SolidBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0,
+                                 Tangent& f_0, VectorXd& q, ForceScale& scale) const {
+  const auto velocity = in_space<G>(v_0), rate = in_space<G>(a_0);
+  const Vector3d omega = velocity.template tail<3>();
+  const Matrix3d turning = hat(omega), alpha = hat(Vector3d(rate.template tail<3>()));
+  const InertiaIntegrals& I = integrals_;
+  C_ = cross_;
+  Eigen::Map<VectorXd>(C_.data(), C_.size()).noalias() += product_ * m.e;
+  Eigen::Map<VectorXd>(D_.data(), D_.size()).noalias() = product_ * m.rate;
+  const Vector3d S = I.first + I.mode * m.e;
+  const Eigen::Matrix<double, 9, 1> own = cross_ * m.e, all = C_ * m.e, slow = C_ * m.rate,
+                                    fast = C_ * m.acceleration;
+  const auto matrix = [](const auto& nine) { return Eigen::Map<const Matrix3d>(nine.data()); };
+  const Matrix3d J = I.second + matrix(own).transpose() + matrix(all);
+  // What is left at rest, and what turning adds; both drive the modes.
+  const Vector3d uniform = rate.template head<3>(),
+                 carried = omega.cross(velocity.template head<3>());
+  const Matrix3d centripetal = turning * turning;
+  const Tangent accelerated =
+      from_space<G>(I.mass * uniform + alpha * S + I.mode * m.acceleration,
+                    S.cross(uniform) + axial(J * alpha.transpose() + matrix(fast)));
+  const Tangent gyroscopic = from_space<G>(
+      I.mass * carried + centripetal * S + 2 * turning * (I.mode * m.rate),
+      S.cross(carried) +
+          axial(J * centripetal.transpose() + 2 * matrix(slow) * turning.transpose()));
+  f_0 += accelerated + gyroscopic;
+  scale.add<G>(accelerated);
+  scale.add<G>(gyroscopic);
+  const Matrix3d field = (alpha + centripetal).transpose(), coriolis = 2 * turning.transpose();
+  q.noalias() += I.mode.transpose() * (uniform + carried);
+  q.noalias() += C_.transpose() * Map9(field.data());
+  q.noalias() += D_.transpose() * Map9(coriolis.data());
+  q.noalias() += M_e_ * m.acceleration;
+}
+
+/// [m, -S~, N; S~, tr(J) - J, int rho r x phi; N^T, ..., M_e].
+template <FrameGroup G>
+MatrixXd SolidBody<G>::inertia_matrix(const Motion& m) const {
+  const InertiaIntegrals& I = integrals_;
+  const int n = this->reduced_size();
+  const MatrixXd C = moments(m.e);
+  const Matrix3d J = I.second + as_matrix(cross_ * m.e).transpose() + as_matrix(C * m.e);
+  const Vector3d S = I.first + I.mode * m.e;
+  MatrixXd full(6 + n, 6 + n);
+  full.topLeftCorner<3, 3>() = I.mass * Matrix3d::Identity();
+  full.block<3, 3>(3, 0) = hat(S);
+  full.block<3, 3>(3, 3) = J.trace() * Matrix3d::Identity() - J;
+  full.bottomLeftCorner(n, 3) = I.mode.transpose();
+  for (int k = 0; k < n; ++k) full.block<1, 3>(6 + k, 3) = axial(as_matrix(C.col(k))).transpose();
+  full.bottomRightCorner(n, n) = M_e_;
+  full.topRightCorner(6, n) = full.bottomLeftCorner(n, 6).transpose().eval();
+  full.block<3, 3>(0, 3) = full.block<3, 3>(3, 0).transpose().eval();
+  const auto own = kinds<G>();
+  std::vector<int> rows(own.begin(), own.end());
+  for (int k = 0; k < n; ++k) rows.push_back(6 + k);
+  return full(rows, rows);
+}
+
+template <FrameGroup G>
+void SolidBody<G>::complete(G* H, double*, double*, const double*) const {
+  for (int k = ports_; k < this->nodes(); ++k) H[k] = H[0];
+}
+
+template <FrameGroup G>
+VectorXd SolidBody<G>::coordinates(const BodyState<G>& s) const {
+  Motion m = this->at_reference();
+  this->measure(s, false, m);
+  return m.e.head(basis_.cols());
+}
+
+template <FrameGroup G>
+VectorXd SolidBody<G>::free_frequencies(int count) const {
+  const auto n = dim + basis_.cols();  // without padding
+  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(this->K_.dense.topLeftCorner(n, n),
+                                                                 this->M_.dense.topLeftCorner(n, n),
+                                                                 Eigen::EigenvaluesOnly);
+  const auto elastic = eigen.eigenvalues().segment(dim, std::min<Eigen::Index>(count, n - dim));
+  return elastic.cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
+}
+
+template <FrameGroup G>
+BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) const {
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  VectorXd rate(dim + m.rate.size());
+  rate << Eigen::Map<const Tangent>(s.v), m.rate;
+  const Vector3d S = integrals_.first + integrals_.mode * m.e;
+  BodyEnergy energy;
+  energy.kinetic = 0.5 * rate.dot(inertia_matrix(m) * rate);
+  energy.elastic = 0.5 * m.e.dot(this->reduced_stiffness() * m.e);
+  energy.potential =
+      -gravity.dot(integrals_.mass * s.H[0].x + s.H[0].R * S.template head<G::space_dim>());
+  return energy;
+}
+
+template <FrameGroup G>
+double SolidBody<G>::axial_stiffness() const {
+  double largest = 0;
+  for (int i = 0; i + 1 < ports_; ++i)
+    largest = std::max(
+        largest, this->reduced_stiffness().diagonal().segment(dim * i, G::space_dim).maxCoeff());
+  return largest;
+}
+
+template class SolidBody<SE2>;
+template class SolidBody<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,77 @@
+#pragma once
+/// @file
+/// A meshed part in a floating frame: interfaces and modes of the mesh, inertia by integrals.
+
+#include "mbs/bodies/floating.hpp"
+#include "mbs/solids/reduction.hpp"
+#include "mbs/solids/solid_spec.hpp"
+
+namespace liesl {
+
+/// The frame H_0 is that of the first interface, which the mesh is held at, so that its own
+/// displacement is zero. Material points are at x_0 + R_0 r, r = s + phi e; with the velocity
+/// w = v + omega x r + phi edot in the axes of the frame, T = int rho |w|^2 / 2 is integrated
+/// exactly (Shabana 2013, ch. 5; the integrals are those of `InertiaIntegrals`):
+///   a = v' + omega x v - g + (alpha~ + omega~ omega~) r + 2 omega~ phi edot + phi eddot,
+///   f_v = int rho a,  f_omega = int rho r x a,  q = int rho phi^T a,
+/// centrifugal and Coriolis forces and the weight of the modes among them. Elasticity is linear:
+/// K_e has no stiffening by stress.
+///
+/// Nodes: the interfaces, then `slots` of amplitudes, which are at the first interface.
+template <FrameGroup G>
+class SolidBody final : public FloatingBody<G> {
+ public:
+  using Body<G>::dim;
+  using typename Body<G>::Tangent;
+  using typename Body<G>::Vector;
+
+  /// @param ports frames of the interfaces  @param turn components in their axes from components
+  /// in the axes of the mesh
+  /// @throws std::invalid_argument for a part that cannot be built, std::runtime_error if its
+  /// modes are not found
+  SolidBody(std::string body_name, const SolidSpec& spec, std::vector<G> ports,
+            const Eigen::Matrix3d& turn);
+
+  int points() const override { return ports_; }
+  void complete(G* H, double* v, double* vdot, const double* w) const override;
+  double damping() const override { return damping_; }
+  BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  double total_mass() const override { return integrals_.mass; }
+  double axial_stiffness() const override;
+
+  /// e = [u_i; eta] at a state, without padding: the displacements of the mesh are basis() * e.
+  Eigen::VectorXd coordinates(const BodyState<G>& s) const;
+  /// Psi, in the coordinates q of SolidModel and the axes of the mesh, seen from the frame.
+  const Eigen::MatrixXd& basis() const { return basis_; }
+  /// Lowest elastic frequencies of the free body with these unknowns, Hz; all of them if it has
+  /// fewer than `count`.
+  Eigen::VectorXd free_frequencies(int count) const;
+  /// K(v) Psi: the loads f = K Psi e in q whose static answer is the displacement Psi e.
+  const Eigen::MatrixXd& loads() const { return loads_; }
+
+ private:
+  using typename FloatingBody<G>::Motion;
+
+  void set_integrals(const InertiaIntegrals& mesh, const Eigen::Vector3d& origin,
+                     const Eigen::Matrix3d& turn);
+  /// int rho r phi_k^T at e, a column each (3 x 3 by columns).
+  Eigen::MatrixXd moments(const Eigen::VectorXd& e) const;
+  void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
+                     Eigen::VectorXd& q, ForceScale& scale) const override;
+  Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
+
+  int ports_;
+  double damping_;
+  Eigen::MatrixXd basis_, loads_;
+  Eigen::MatrixXd M_e_;  ///< of edot, padded as e
+  /// About the first interface, in its axes; mode is 3 x n, padded.
+  InertiaIntegrals integrals_;
+  Eigen::MatrixXd cross_;          ///< 9 x n: int rho s phi_k^T
+  Eigen::MatrixXd product_;        ///< 9 n x n: int rho phi_l phi_k^T at rows 9 k, column l
+  mutable Eigen::MatrixXd C_, D_;  ///< 9 x n, workspace
+};
+
+extern template class SolidBody<SE2>;
+extern template class SolidBody<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,37 @@
+#pragma once
+/// @file
+/// The static problem of a cycle, whatever its parts are made of, and its solution.
+
+#include <functional>
+#include <string>
+
+#include "optim/nlp/problem.hpp"
+#include "optim/nlp/result.hpp"
+#include "optim/study/study.hpp"
+
+namespace liesl {
+
+/// Minimise a quantity of the parts subject to limits in retained load cases.
+class StaticProblem : public Problem {
+ public:
+  /// Checks all load cases at x and adds those that violate a limit by more than `tolerance`.
+  /// @returns how many were added
+  virtual int add_violated(const Eigen::VectorXd& x, double tolerance) = 0;
+  virtual int load_cases() const = 0;
+  /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
+  virtual std::string obstacle() const { return {}; }
+};
+
+/// The answer of an optimiser with all load cases met that the problem knows.
+struct StaticAnswer {
+  NlpResult result;    ///< of the last round
+  int iterations = 0;  ///< of all rounds
+};
+
+/// Optimises with the retained cases, looks at all of them, adds those that are violated, again.
+/// @param warm multipliers to start from (Ipopt only) and those at the end
+/// @param keep_going asked at every iteration; null: yes
+StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, NlpWarmStart& warm,
+                          const std::function<bool()>& keep_going);
+
+}  // namespace liesl

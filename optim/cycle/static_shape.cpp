@@ -1,0 +1,338 @@
+#include "optim/cycle/static_shape.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+#include "mbs/solids/connectivity.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// Rows that have no load case: limits of the part itself, and walls.
+ConstraintId own_id(std::size_t limit, int index) {
+  return (ConstraintId{1} << 63) | (static_cast<ConstraintId>(limit) << 32) |
+         static_cast<ConstraintId>(index);
+}
+
+bool by_case(SolidResponse r) {
+  return r == SolidResponse::Output || r == SolidResponse::Compliance || r == SolidResponse::Stress;
+}
+
+}  // namespace
+
+StaticShape::StaticShape(const SolidTask& task, const VectorXd& x0, double cells, double share)
+    : task_(task), statics_(*task.model, task.support, task.outputs) {
+  for (std::size_t i = 0; i < task_.limits.size(); ++i)
+    if (by_case(task_.limits[i].response)) limit_of_.push_back(static_cast<int>(i));
+  const auto needs_all = [](SolidResponse r) {
+    return r == SolidResponse::Compliance || r == SolidResponse::Stress;
+  };
+  expanded_ = needs_all(task_.goal);
+  for (const SolidLimit& l : task_.limits) expanded_ |= needs_all(l.response);
+  if (task_.mix.size() == 0) task_.mix = MatrixXd::Identity(task_.loads.cols(), task_.loads.cols());
+  variables_ = task_.design->variables();
+  correction_ = MatrixXd::Zero(statics_.outputs(), task_.mix.cols());
+  keep_all();
+  const bool solved = solve(x0);
+  narrow(x0, cells, share);
+  if (!solved) return;
+  if (task_.measured.size() > 0) correction_ = task_.measured - corrected();
+  if (task_.goal == SolidResponse::Mass) keep(near_largest(all_values(), screened(), task_.cycle));
+}
+
+void StaticShape::narrow(const VectorXd& x0, double cells, double share) {
+  VectorXd reach = VectorXd::Constant(x0.size(), std::numeric_limits<double>::infinity());
+  if (obstacle_.empty()) {
+    const Fractions f = volume_fractions(task_.model->mesh(), *task_.shape);
+    reach = task_.design->reach(f.derivative, cells);
+  }
+  for (int j = 0; j < x0.size(); ++j) {
+    NlpVariable& v = variables_[j];
+    const double most = std::min(reach[j], share * (v.upper - v.lower));
+    v.start = x0[j];
+    v.lower = std::max(v.lower, x0[j] - most);
+    v.upper = std::min(v.upper, x0[j] + most);
+  }
+}
+
+/// Fractions and displacements at x; false: there are none, and `obstacle_` says why.
+bool StaticShape::solve(const VectorXd& x) {
+  stress_.reset();
+  frequencies_.reset();
+  const VectorXd p = task_.design->parameters(x);
+  task_.shape->set(p);
+  obstacle_ = task_.shape->flaw();
+  if (!obstacle_.empty()) return false;
+  fractions_ = volume_fractions(task_.model->mesh(), *task_.shape);
+  fractions_.derivative = FractionGradient(fractions_.derivative * task_.design->jacobian());
+  if (const auto cut = cut_interface(*task_.model, fractions_.value))
+    obstacle_ = cut->text;
+  else if (const SolidStatus status = statics_.solve(fractions_.value);
+           status != SolidStatus::Solved)
+    obstacle_ = reason(status);
+  return obstacle_.empty();
+}
+
+std::vector<ScreenedLimit> StaticShape::screened() const {
+  std::vector<ScreenedLimit> out;
+  for (const int i : limit_of_) out.push_back({i, 0, false, task_.limits[i].limit});
+  return out;
+}
+
+void StaticShape::keep_all() {
+  std::vector<int> all(static_cast<std::size_t>(task_.mix.cols()));
+  std::iota(all.begin(), all.end(), 0);
+  keep(CasesByLimit(limit_of_.size(), all));
+  if (limit_of_.empty()) {  // the goal asks for them
+    retained_.kept[0] = all;
+    take_loads();
+  }
+}
+
+void StaticShape::take_loads() {
+  mix_ = kept_columns(task_.mix, retained_.kept[0]);
+  statics_.set_loads(expanded_ ? MatrixXd(task_.loads * mix_) : task_.loads);
+  if (expanded_) mix_.setIdentity(mix_.cols(), mix_.cols());
+}
+
+void StaticShape::keep(const CasesByLimit& cases) {
+  std::vector<std::string> names;
+  for (const auto& l : task_.limits) names.push_back(l.name);
+  retained_ = retain(cases, screened(), names, {task_.cases});
+  take_loads();
+  constraints_ = retained_.constraints;
+  add_rows_without_cases();
+}
+
+void StaticShape::add_rows_without_cases() {
+  for (std::size_t i = 0; i < task_.limits.size(); ++i) {
+    const SolidLimit& l = task_.limits[i];
+    if (l.response == SolidResponse::Mass) constraints_.push_back({own_id(i, 0), l.name, 1});
+    for (int k = 0; l.response == SolidResponse::Frequency && k < l.count; ++k)
+      constraints_.push_back({own_id(i, k), fmt::format("{}[{}]", l.name, k), 1});
+  }
+  const auto& walls = task_.design->wall_names();
+  for (std::size_t w = 0; w < walls.size(); ++w)
+    constraints_.push_back({own_id(task_.limits.size(), static_cast<int>(w)), walls[w], 1});
+}
+
+/// @pre all cases are retained and solved
+ValuesByLimit StaticShape::all_values() {
+  ValuesByLimit out;
+  for (const int i : limit_of_) {
+    const VectorXd v = values_of(task_.limits[i]);
+    out.emplace_back(v.data(), v.data() + v.size());
+  }
+  return out;
+}
+
+int StaticShape::add_violated(const VectorXd& x, double tolerance) {
+  if (task_.goal != SolidResponse::Mass || limit_of_.empty()) return 0;  // all are kept
+  CasesByLimit cases = retained_.cases(screened());
+  keep_all();
+  const int added = solve(x) ? liesl::add_violated(all_values(), screened(), tolerance, cases) : 0;
+  keep(cases);
+  return added;
+}
+
+bool StaticShape::show_all(const VectorXd& x) {
+  expanded_ = true;
+  keep_all();
+  return solve(x);
+}
+
+/// y of the retained cases.
+MatrixXd StaticShape::corrected() const {
+  return statics_.y() * mix_ + kept_columns(correction_, retained_.kept[0]);
+}
+
+const StressNorm& StaticShape::stress(bool with_gradient) {
+  if (!stress_ || (with_gradient && !stress_gradient_))
+    stress_ = stress_norm(
+        statics_,
+        with_gradient ? fractions_.derivative : FractionGradient(fractions_.value.size(), 0),
+        task_.stress);
+  stress_gradient_ = with_gradient;
+  return *stress_;
+}
+
+/// As many as any limit asks for.
+const FrequencyGradient& StaticShape::frequencies() {
+  int count = 0;
+  for (const SolidLimit& l : task_.limits)
+    if (l.response == SolidResponse::Frequency) count = std::max(count, l.count);
+  if (!frequencies_)
+    frequencies_ =
+        free_frequency_gradient(*task_.model, fractions_.value, fractions_.derivative, count);
+  return *frequencies_;
+}
+
+VectorXd StaticShape::values_of(const SolidLimit& l) {
+  switch (l.response) {
+    case SolidResponse::Output:
+      return corrected().middleRows(l.first, l.count).colwise().norm();
+    case SolidResponse::Compliance:
+      return statics_.compliance();
+    case SolidResponse::Stress:
+      return stress(false).value;
+    case SolidResponse::Mass:
+      return VectorXd::Constant(1, task_.model->total_mass(fractions_.value));
+    case SolidResponse::Frequency:
+      return frequencies().frequency.size() >= l.count
+                 ? VectorXd(frequencies().frequency.head(l.count))
+                 : VectorXd::Constant(l.count, kNone);
+  }
+  return {};
+}
+
+MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
+  const FractionGradient& dv = fractions_.derivative;
+  switch (l.response) {
+    case SolidResponse::Output: {
+      const MatrixXd y = corrected().middleRows(l.first, l.count);
+      MatrixXd out = MatrixXd::Zero(y.cols(), dv.cols());
+      for (int i = 0; i < l.count; ++i) {
+        VectorXd share(y.cols());  // d|y|/dy_i
+        for (int n = 0; n < y.cols(); ++n) {
+          const double size = y.col(n).norm();
+          share[n] = size > 0 ? y(i, n) / size : 0;
+        }
+        out += share.asDiagonal() * (mix_.transpose() * statics_.output_gradient(l.first + i, dv));
+      }
+      return out;
+    }
+    case SolidResponse::Compliance:
+      return statics_.compliance_gradient(dv);
+    case SolidResponse::Stress:
+      return stress(true).gradient;
+    case SolidResponse::Mass:
+      return (dv.transpose() * task_.model->cell_masses()).transpose();
+    case SolidResponse::Frequency:
+      return frequencies().gradient.topRows(l.count);
+  }
+  return {};
+}
+
+double StaticShape::goal() {
+  switch (task_.goal) {
+    case SolidResponse::Compliance:
+      return statics_.compliance().mean();
+    case SolidResponse::Stress: {
+      const VectorXd& s = stress(false).value;
+      const double most = s.maxCoeff(), p = task_.stress.p;
+      return most > 0 ? most * std::pow((s / most).array().pow(p).mean(), 1 / p) : 0;
+    }
+    default:
+      return task_.model->total_mass(fractions_.value);
+  }
+}
+
+LimitCheck StaticShape::check_limit(const SolidLimit& l) {
+  const VectorXd v = values_of(l);
+  LimitCheck c{l.name, l.limit, 0, 0, {}};
+  if (l.response == SolidResponse::Frequency) {
+    c.value = v.minCoeff();
+    c.excess = 1 - c.value / l.limit;
+    return c;
+  }
+  Eigen::Index n = 0;
+  c.value = v.size() > 0 ? v.maxCoeff(&n) : 0;
+  c.excess = c.value / l.limit - 1;
+  if (by_case(l.response) && v.size() > 0) c.at = task_.cases[static_cast<std::size_t>(n)];
+  return c;
+}
+
+std::optional<LimitCheck> StaticShape::check_walls() const {
+  const VectorXd g = task_.design->walls();  // 1 - thickness/least
+  if (g.size() == 0) return std::nullopt;
+  Eigen::Index w = 0;
+  const double worst = g.maxCoeff(&w);
+  return LimitCheck{
+      task_.design->wall_names()[static_cast<std::size_t>(w)], 1, 1 + worst, worst, {}};
+}
+
+std::optional<SolidCheck> StaticShape::check(const VectorXd& x) {
+  const CasesByLimit cases = retained_.cases(screened());
+  keep_all();
+  std::optional<SolidCheck> out;
+  if (solve(x)) {
+    out.emplace();
+    out->goal = goal();
+    out->mass = task_.model->total_mass(fractions_.value);
+    for (const SolidLimit& l : task_.limits) out->limits.push_back(check_limit(l));
+    if (auto walls = check_walls()) out->limits.push_back(*walls);
+    for (const LimitCheck& l : out->limits) {
+      if (!(l.excess > out->worst)) continue;
+      out->worst = l.excess;
+      out->worst_limit = l.name;
+    }
+  }
+  if (task_.goal == SolidResponse::Mass && !limit_of_.empty()) keep(cases);
+  return out;
+}
+
+void StaticShape::values(const VectorXd& x, double& f, VectorXd& g) {
+  if (!solve(x)) {
+    f = kNone;
+    g.setConstant(kNone);
+    return;
+  }
+  f = goal();
+  std::vector<VectorXd> by_limit;
+  for (const int i : limit_of_) by_limit.push_back(values_of(task_.limits[i]));
+  int row = 0;
+  for (const auto& r : retained_.rows)
+    g[row++] = by_limit[r.limit][r.kept] / task_.limits[limit_of_[r.limit]].limit - 1;
+  for (const SolidLimit& l : task_.limits) {
+    if (by_case(l.response)) continue;
+    const VectorXd v = values_of(l);
+    for (int k = 0; k < v.size(); ++k)
+      g[row++] = l.response == SolidResponse::Mass ? v[k] / l.limit - 1 : 1 - v[k] / l.limit;
+  }
+  const VectorXd walls = task_.design->walls();
+  g.tail(walls.size()) = walls;
+}
+
+void StaticShape::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
+  switch (task_.goal) {
+    case SolidResponse::Compliance:
+      df = statics_.compliance_gradient(fractions_.derivative).colwise().mean();
+      break;
+    case SolidResponse::Stress: {
+      const double f = goal(), p = task_.stress.p;
+      const StressNorm& s = stress(true);
+      df.setZero();
+      if (f > 0)
+        df = s.gradient.transpose() *
+             ((s.value / f).array().pow(p - 1) / static_cast<double>(s.value.size())).matrix();
+      break;
+    }
+    default:
+      df = fractions_.derivative.transpose() * task_.model->cell_masses();
+  }
+  std::vector<MatrixXd> by_limit;
+  for (const int i : limit_of_) by_limit.push_back(gradients_of(task_.limits[i]));
+  int row = 0;
+  for (const auto& r : retained_.rows)
+    dg.row(row++) = by_limit[r.limit].row(r.kept) / task_.limits[limit_of_[r.limit]].limit;
+  for (const SolidLimit& l : task_.limits) {
+    if (by_case(l.response)) continue;
+    const MatrixXd d = gradients_of(l);
+    const double sign = l.response == SolidResponse::Mass ? 1 : -1;
+    for (int k = 0; k < d.rows(); ++k) dg.row(row++) = sign * d.row(k) / l.limit;
+  }
+  RowMatrix walls(static_cast<Eigen::Index>(task_.design->wall_names().size()), dg.cols());
+  task_.design->walls(&walls);
+  dg.bottomRows(walls.rows()) = walls;
+}
+
+}  // namespace liesl

@@ -1,0 +1,28 @@
+#include "optim/design/part_shape.hpp"
+
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+const SolidSpec& outlined(const Mechanism& mechanism, int body) {
+  const auto* solid = std::get_if<SolidSpec>(&mechanism.bodies.at(body).kind);
+  if (!solid || solid->outline.features.empty())
+    throw std::invalid_argument("design: '" + mechanism.bodies[body].name +
+                                "' has no outline; expected a meshed part with features");
+  return *solid;
+}
+
+}  // namespace
+
+PartShape::PartShape(const Mechanism& mechanism, int body_index, const ShapeDesignSpec& spec)
+    : body(body_index),
+      shape(make_shape(outlined(mechanism, body_index).outline)),
+      model(solid_model(outlined(mechanism, body_index))),
+      design(spec, *shape, model) {}
+
+void PartShape::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
+  set_values(std::get<SolidSpec>(mechanism.bodies[body].kind).outline, design.parameters(x));
+}
+
+}  // namespace liesl

@@ -1,0 +1,27 @@
+#pragma once
+/// @file
+/// A meshed part of a study: its matrices, its outline and what may change of it.
+
+#include "mbs/model/mechanism.hpp"
+#include "optim/design/shape.hpp"
+
+namespace liesl {
+
+/// Neither copied nor moved: the design refers to the shape and the model.
+struct PartShape {
+  int body = 0;
+  levelset::LevelSetPtr shape;
+  SolidModel model;
+  ShapeDesign design;
+
+  /// @throws std::invalid_argument for a body that is no meshed part with an outline, and as
+  /// ShapeDesign does
+  PartShape(const Mechanism& mechanism, int body_index, const ShapeDesignSpec& spec);
+  PartShape(const PartShape&) = delete;
+  PartShape& operator=(const PartShape&) = delete;
+
+  /// Writes the parameters of the outline at x into the part of the mechanism.
+  void apply(const Eigen::VectorXd& x, Mechanism& mechanism) const;
+};
+
+}  // namespace liesl

@@ -1,0 +1,82 @@
+/// @file
+/// The program on a scene with a meshed part: figures, files, load sets.
+#include <cmath>
+
+#include "apps/hdf5_set.hpp"
+#include "apps/program.hpp"
+
+namespace {
+
+using namespace liesl::test;
+
+class SolidRun : public Program {
+ protected:
+  /// A short run of the shipped scene on a coarser mesh.
+  Outcome command(const char* name, const Words& more = {}) const {
+    Words words = {
+        name,    scene("meshed_slider_crank"),           "-o",    results(),
+        "--set", "bodies.rod.solid.mesh.cells=[75, 15]", "--set", "simulation.duration=0.005"};
+    words.insert(words.end(), more.begin(), more.end());
+    return run(words);
+  }
+};
+
+TEST_F(SolidRun, SaysHowFarTheModesReach) {
+  const Outcome o = command("run");
+  ASSERT_EQ(o.code, 0) << o.err;
+  const Json rod = summary()["parts"]["rod"];
+  EXPECT_EQ(rod["cells"], 1125);
+  EXPECT_EQ(rod["unknowns"], 3 + 8);
+  const double reach = rod["right_up_to_hz"], drive = rod["drive_hz"];
+  EXPECT_GT(reach, 2 * drive);
+  EXPECT_GT(reach, 1e4);
+  ASSERT_EQ(rod["free_hz"].size(), rod["reduced_hz"].size());
+  for (std::size_t i = 0; i < rod["free_hz"].size(); ++i) {
+    const double full = rod["free_hz"][i], reduced = rod["reduced_hz"][i];
+    EXPECT_GT(reduced, full * (1 - 1e-6)) << "a reduced part is stiffer";
+    if (full < reach) {
+      EXPECT_LT(reduced, 1.01 * full);
+    }
+  }
+}
+
+TEST_F(SolidRun, WarnsOfTooFewModes) {
+  const Outcome o =
+      command("run", {"--set", "bodies.rod.solid.modes=0", "--set", "joints.motor.drive.rate=60000",
+                      "--set", "simulation.duration=1e-6", "--set", "simulation.step=1e-7", "--set",
+                      "joints.motor.drive.ramp=0"});
+  EXPECT_NE(o.out.find("more bodies.rod.solid.modes"), std::string::npos) << o.out << o.err;
+}
+
+TEST_F(SolidRun, KeepsTheDeformedMesh) {
+  ASSERT_EQ(command("run").code, 0);
+  const auto cells = read_set(results() / "results.h5", "/meshes/rod/cells");
+  EXPECT_EQ(cells.shape, (std::vector<hsize_t>{1125, 4}));
+  const auto position = read_set(results() / "results.h5", "/meshes/rod/position");
+  ASSERT_EQ(position.shape, (std::vector<hsize_t>{101, 76 * 16, 3}));
+  // At the start it lies where the scene puts it: its corners.
+  EXPECT_NEAR(position.values[0], 0.06 - 0.025, 1e-12);
+  EXPECT_NEAR(position.values[1], -0.025, 1e-12);
+  const std::string xdmf = text_of(results() / "results.xdmf");
+  EXPECT_NE(xdmf.find("rod mesh"), std::string::npos);
+  EXPECT_NE(xdmf.find("Quadrilateral"), std::string::npos);
+}
+
+TEST_F(SolidRun, LoadSetsGiveBackTheDeformation) {
+  const Outcome o = command("esl");
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_LT(summary()["identity"]["rod"]["linear"], 1e-8);
+  const auto e = read_set(results() / "loads.h5", "/loads/rod/coordinates");
+  EXPECT_EQ(e.shape, (std::vector<hsize_t>{101, 11}));
+  const auto shapes = read_set(results() / "loads.h5", "/loads/rod/shapes");
+  EXPECT_EQ(shapes.shape[0], 11u);
+}
+
+TEST_F(SolidRun, BadPartsAreRefused) {
+  const Outcome cut = command("run", {"--set", "bodies.rod.solid.outline.shank.width=0.1"});
+  EXPECT_EQ(cut.code, 2);
+  EXPECT_NE(cut.err.find("'small_end' is cut off"), std::string::npos) << cut.err;
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+}  // namespace

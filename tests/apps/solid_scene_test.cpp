@@ -1,0 +1,237 @@
+/// @file
+/// Meshed parts in scenes: the right part, and faults in it at their places.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <numbers>
+
+#include "apps/good_scene.hpp"
+#include "apps/scene/scene.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+
+namespace liesl {
+namespace {
+
+using test::changed;
+
+const std::string kPlateScene = R"toml(name = "plate"
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+
+[bodies.rod.solid]
+mesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }
+material = "steel"
+thickness = 0.02
+at = [0.06, 0, 0]
+modes = 4
+
+[bodies.rod.solid.interfaces]
+big_end = { circle = { centre = [0, 0], radius = 0.009 } }
+small_end = { box = { from = [0.19, -0.01], to = [0.21, 0.01] }, tie = "averaged" }
+
+[bodies.rod.solid.outline]
+plate = { type = "rectangle", x = 0.1, width = 0.24, height = 0.03, fillet = 0.01 }
+hole1 = { type = "super_ellipse", x = 0.06, a = 0.015, b = 0.008, xi = 3, eta = 4 }
+hole2 = { type = "spline", x = 0.14, points = [[0.01, 0], [0, 0.006], [-0.01, 0], [0, -0.006]] }
+holes = { type = "union", of = ["hole1", "hole2"] }
+shape = { type = "difference", of = ["plate", "holes"], radius = 0.001 }
+
+[joints]
+motor = { revolute = ["ground", "rod.big_end"], drive = { rate = 10, ramp = 0.1 } }
+
+[simulation]
+duration = 0.1
+step = 1e-3
+)toml";
+
+const SolidSpec& rod_of(const Scene& scene) {
+  return std::get<SolidSpec>(scene.mechanism.bodies[0].kind);
+}
+
+TEST(SolidScene, HasTheNumbersOfTheFile) {
+  const Scene scene = read_scene(kPlateScene, "scene.toml");
+  const SolidSpec& rod = rod_of(scene);
+  EXPECT_EQ(rod.mesh.cell_count(), 288);
+  EXPECT_EQ(rod.thickness, 0.02);
+  EXPECT_EQ(rod.modes, 4);
+  EXPECT_EQ(rod.law.exponent, ErsatzLaw().exponent);
+  ASSERT_EQ(rod.interfaces.size(), 2u);
+  EXPECT_EQ(rod.interfaces[0].tie, Tie::Rigid);
+  EXPECT_EQ(rod.interfaces[1].tie, Tie::Averaged);
+  EXPECT_NEAR((rod.interfaces[1].point - Vec3(0.2, 0, 0)).norm(), 0, 1e-15);
+  for (const int node : rod.interfaces[0].nodes) {
+    EXPECT_LE(rod.mesh.nodes.col(node).norm(), 0.009 + 1e-9);
+  }
+  const auto port = scene.mechanism.port("rod.small_end");
+  ASSERT_TRUE(port);
+  EXPECT_NEAR((scene.mechanism.frame(*port).x - Vec3(0.26, 0, 0)).norm(), 0, 1e-15);
+}
+
+TEST(SolidScene, NumbersOfTheOutlineAreParametersByName) {
+  SolidSpec rod = rod_of(read_scene(kPlateScene, "scene.toml"));
+  const auto shape = make_shape(rod.outline);
+  std::map<std::string, double> values;
+  for (const auto& p : shape->parameters()) EXPECT_TRUE(values.emplace(p.name, p.value).second);
+  EXPECT_EQ(values.at("hole1.a"), 0.015);
+  EXPECT_EQ(values.at("hole1.eta"), 4);
+  EXPECT_EQ(values.at("plate.x"), 0.1);
+  EXPECT_EQ(values.at("plate.angle"), 0);
+  EXPECT_EQ(values.at("hole2.p1.y"), 0.006);
+  EXPECT_EQ(values.at("shape.radius"), 0.001);
+  // A round trip through the values, and a change of one.
+  Eigen::VectorXd p = shape->start();
+  set_values(rod.outline, p);
+  EXPECT_EQ(make_shape(rod.outline)->start(), p);
+  for (int i = 0; i < shape->size(); ++i)
+    if (shape->parameters()[i].name == "hole1.b") p[i] = 0.004;
+  set_values(rod.outline, p);
+  EXPECT_EQ(rod.outline.features[1].values, (std::vector<double>{0.06, 0, 0, 0.015, 0.004, 3, 4}));
+}
+
+TEST(SolidScene, HasTheMassOfItsOutline) {
+  std::string text = changed(kPlateScene, "cells = [48, 6]", "cells = [192, 24]");
+  text = changed(text, "type = \"super_ellipse\", x = 0.06, a = 0.015, b = 0.008, xi = 3, eta = 4",
+                 "type = \"circle\", x = 0.06, radius = 0.008");
+  text = changed(text, "of = [\"hole1\", \"hole2\"]", "of = [\"hole1\"]");
+  text = changed(text, "hole2 = {", "# hole2 = {");
+  const SolidSpec rod = rod_of(read_scene(text, "scene.toml"));
+  const double pi = std::numbers::pi;
+  const double area = 0.24 * 0.03 - (4 - pi) * 1e-4 - pi * 0.008 * 0.008;
+  EXPECT_NEAR(solid_model(rod).total_mass(solid_fractions(rod).value) / (7850 * 0.02 * area), 1,
+              1e-3);
+}
+
+TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
+  const auto folder = std::filesystem::temp_directory_path() / "liesl_solid_scene_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "two.msh")
+      << "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PhysicalNames\n2\n1 1 \"left\"\n1 2 \"right\"\n"
+         "$EndPhysicalNames\n$Entities\n0 2 1 0\n1 0 0 0 0 1 0 1 1 0\n2 2 0 0 2 1 0 1 2 0\n"
+         "1 0 0 0 2 1 0 0 0\n$EndEntities\n$Nodes\n1 6 1 6\n2 1 0 6\n1\n2\n3\n4\n5\n6\n"
+         "0 0 0\n1 0 0\n2 0 0\n0 1 0\n1 1 0\n2 1 0\n$EndNodes\n"
+         "$Elements\n3 4 1 4\n1 1 1 1\n1 1 4\n1 2 1 1\n2 3 6\n2 1 3 2\n3 1 2 5 4\n4 2 3 6 5\n"
+         "$EndElements\n";
+  std::string text =
+      changed(kPlateScene, "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }",
+              "{ file = \"two.msh\" }");
+  text = changed(text, "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = \"left\" }");
+  text = changed(text, "{ box = { from = [0.19, -0.01], to = [0.21, 0.01] }, tie = \"averaged\" }",
+                 "{ set = \"right\" }");
+  text = changed(text, "modes = 4", "modes = 2");
+  text.erase(text.find("[bodies.rod.solid.outline]"),
+             text.find("[joints]") - text.find("[bodies.rod.solid.outline]"));
+  const Scene scene = read_scene(text, (folder / "scene.toml").string());
+  EXPECT_EQ(rod_of(scene).mesh.cell_count(), 2);
+  EXPECT_NEAR((rod_of(scene).interfaces[1].point - Vec3(2, 0.5, 0)).norm(), 0, 1e-15);
+  EXPECT_NE(scene.input.find("$MeshFormat"), std::string::npos);  // part of the hash
+  std::filesystem::remove_all(folder);
+}
+
+/// `to` replaces `from`; '@' in it marks where the problem is expected and is taken out.
+struct BadPart {
+  const char *name, *from, *to;
+  std::vector<const char*> words;
+};
+void PrintTo(const BadPart& part, std::ostream* out) { *out << part.name; }
+class BadSolid : public testing::TestWithParam<BadPart> {};
+
+TEST_P(BadSolid, IsRefusedAtItsPlace) {
+  const BadPart& c = GetParam();
+  std::string text = changed(kPlateScene, c.from, c.to);
+  const auto mark = text.find('@');
+  ASSERT_NE(mark, std::string::npos);
+  text.erase(mark, 1);
+  try {
+    read_scene(text, "scene.toml");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    const InputProblem& problem = error.problems.front();
+    EXPECT_EQ(problem.line, 1 + std::count(text.begin(), text.begin() + long(mark), '\n'))
+        << error.what();
+    EXPECT_EQ(problem.column, long(mark - text.rfind('\n', mark - 1))) << error.what();
+    for (const char* word : c.words)
+      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
+  }
+}
+
+// clang-format off
+const BadPart kParts[] = {
+    {"TooManyModes", "cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = 4", "cells = [12, 3] }\nmaterial = \"steel\"\nthickness = 0.02\nat = [0.06, 0, 0]\nmodes = @150", {"150 modes", "free displacements", "at most"}},
+    {"NoMaterial", "material = \"steel\"", "material = @\"steal\"", {"no material 'steal'", "'steel'"}},
+    {"NoThickness", "[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"\nthickness = 0.02", "@[bodies.rod.solid]\nmesh = { from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }\nmaterial = \"steel\"", {"without 'thickness'"}},
+    {"HalfGrid", "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }", "@{ from = [-0.02, -0.015], cells = [48, 6] }", {"without 'to'", "as in"}},
+    {"MixedGrid", "cells = [48, 6]", "cells = @[48, 6, 2]", {"3 numbers in 'cells'", "planar"}},
+    {"EmptyGrid", "to = [0.22, 0.015]", "to = @[0.22, -0.015]", {"empty grid"}},
+    {"BrokenCells", "cells = [48, 6]", "cells = @[48, 6.5]", {"not whole"}},
+    {"HugeGrid", "cells = [48, 6]", "cells = @[48000, 600]", {"2.88e+07 cells", "at most 1e+06"}},
+    {"NoFile", "{ from = [-0.02, -0.015], to = [0.22, 0.015], cells = [48, 6] }", "{ file = @\"none.msh\" }", {"none.msh", "no such file", "relative to the scene"}},
+    {"FewNodes", "{ centre = [0, 0], radius = 0.009 }", "@{ centre = [0, 0], radius = 0.001 }", {"'big_end'", "1 nodes", "0.005 m wide"}},
+    {"SharedNodes", "{ from = [0.19, -0.01], to = [0.21, 0.01] }", "@{ from = [0, -0.01], to = [0.21, 0.01] }", {"'small_end'", "another interface"}},
+    {"NoSet", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ set = @\"xmin\" }", {"no set of nodes 'xmin'", "x_min"}},
+    {"PointInSpace", "centre = [0, 0]", "centre = @[0, 0, 0]", {"3 numbers in 'centre'", "planar"}},
+    {"NoRing", "radius = 0.009 }", "radius = 0.009, inner = @0.01 }", {"empty ring"}},
+    {"AxisInThePlane", "radius = 0.009 }", "radius = 0.009, axis = @[0, 0, 1] }", {"'axis'", "planar"}},
+    {"TwoRegions", "{ circle = { centre = [0, 0], radius = 0.009 } }", "{ circle = { centre = [0, 0], radius = 0.009 }, set = @\"x_min\" }", {"both 'circle' and 'set'"}},
+    {"NoFeature", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"]", "@holes = { type = \"union\", of = [\"hole1\", \"hole3\"]", {"'hole3'", "no feature"}},
+    {"KeyOfOtherFeature", "xi = 3, eta = 4", "xi = 3, eta = 4, @radius = 1", {"unknown key", "hole1.radius"}},
+    {"RotatedOutOfPlane", "xi = 3, eta = 4", "xi = 3, eta = 4, rx = @1", {"'rx'", "x, y and angle"}},
+    {"FarAway", "hole1 = { type = \"super_ellipse\", x = 0.06", "@hole1 = { type = \"super_ellipse\", x = 60", {"wholly outside"}},
+    {"CrossesItself", "hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006], [-0.01, 0], [0, -0.006]] }", "@hole2 = { type = \"polyline\", x = 0.14, points = [[0.01, 0.006], [-0.01, -0.006], [-0.01, 0.006], [0.01, -0.006]] }", {"crosses itself"}},
+    {"FewPoints", "hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006], [-0.01, 0], [0, -0.006]] }", "@hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006]] }", {"makes no shape"}},
+    {"InsideOut", "plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.01 }", "@plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.02 }", {"fillet"}},
+    {"OfNothing", "radius = 0.001 }", "radius = 0.001 }\n@spare = { type = \"circle\", x = 0.1, radius = 0.01 }", {"'spare'", "parts of nothing"}},
+    {"InACircle", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"] }", "@holes = { type = \"union\", of = [\"hole1\", \"hole2\", \"holes\"] }", {"itself"}},
+};
+// clang-format on
+
+/// The one problem of a changed scene.
+InputProblem problem_of(const std::string& text, const std::vector<std::string>& set = {}) {
+  try {
+    read_scene(text, "scene.toml", set);
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems.size(), 1u) << error.what();
+    return error.problems.front();
+  }
+  ADD_FAILURE() << "not refused";
+  return {};
+}
+
+/// Line of the first occurrence of a text.
+int line_of(const std::string& text, const std::string& what) {
+  return 1 + static_cast<int>(std::count(text.begin(), text.begin() + long(text.find(what)), '\n'));
+}
+
+TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
+  const auto problem = problem_of(changed(kPlateScene, "b = 0.008", "b = 0.05"));
+  EXPECT_NE(problem.what.find("'small_end' is cut off"), std::string::npos) << problem.text();
+  EXPECT_EQ(problem.line, line_of(kPlateScene, "small_end"));
+  const auto bare = problem_of(
+      changed(kPlateScene, "x = 0.06, a = 0.015, b = 0.008", "x = 0, a = 0.03, b = 0.0145"));
+  EXPECT_NE(bare.what.find("no material is left at interface 'big_end'"), std::string::npos)
+      << bare.text();
+}
+
+TEST(SolidScene, NeedsAMotion) {
+  EXPECT_NE(problem_of(kPlateScene, {"simulation.type=static", "gravity=[0, -1, 0]"})
+                .what.find("is for motions only"),
+            std::string::npos);
+}
+
+TEST(SolidScene, PlanarMeshesNeedAPlanarScene) {
+  const auto tilted =
+      problem_of(changed(kPlateScene, "drive = { rate", "axis = [1, 0, 0], drive = { rate"));
+  EXPECT_EQ(tilted.line, line_of(kPlateScene, "mesh = "));
+  EXPECT_NE(tilted.what.find("the scene is not planar"), std::string::npos) << tilted.text();
+  EXPECT_NE(problem_of(kPlateScene, {"simulation.space=spatial"}).what.find("\"spatial\""),
+            std::string::npos);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, BadSolid, testing::ValuesIn(kParts),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace liesl

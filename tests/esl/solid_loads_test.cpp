@@ -1,0 +1,79 @@
+/// @file
+/// Load sets of a meshed part: the static answer of the full mesh is the dynamic deformation.
+#include "esl/solid_loads.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "mbs/solids/solid_statics.hpp"
+#include "mbs/solvers/dynamics.hpp"
+#include "reference/meshed_rod.hpp"
+
+namespace liesl {
+namespace {
+
+struct Moved {
+  Mechanism mechanism = reference::slider_crank_with_mesh(30, 3, 5);
+  Model<SE2> model = Model<SE2>::build(mechanism, *find_plane(mechanism).plane);
+  DynamicResult<SE2> result;
+  SolidLoadSet loads;
+  Moved() {
+    SimulationOptions o;
+    o.duration = 0.05;
+    o.step = 2e-4;
+    result = simulate(model, o);
+    loads = extract_solid_loads(model, result.trajectory, 1);
+  }
+  const SolidSpec& rod() const { return std::get<SolidSpec>(mechanism.bodies[1].kind); }
+};
+
+const Moved& moved() {
+  static const Moved m;
+  return m;
+}
+
+TEST(SolidLoads, GiveBackTheDynamicDeformation) {
+  ASSERT_EQ(moved().result.report.status, SolveStatus::Converged);
+  const Identity id = check_identity(moved().rod(), moved().loads, 20);
+  EXPECT_GE(id.cases, 10);
+  EXPECT_LT(id.linear, 1e-8);
+  EXPECT_LT(id.nonlinear, 1e-8);
+}
+
+TEST(SolidLoads, AreInEquilibrium) {
+  const SolidModel model = solid_model(moved().rod());
+  const auto& loads = moved().loads;
+  for (int n = 10; n < static_cast<int>(loads.t.size()); n += 40) {
+    const Eigen::VectorXd f = loads.load(n);
+    const Eigen::VectorXd sum = model.rigid_motions().transpose() * f;
+    EXPECT_LT(sum.norm(), 1e-9 * f.norm()) << n;
+  }
+}
+
+/// With inertia relief the same deformation but for a rigid motion: the stretch between the ports.
+TEST(SolidLoads, DeformTheSameWithoutASupport) {
+  SolidModel model = solid_model(moved().rod());
+  const auto& loads = moved().loads;
+  SolidStatics statics(model, SolidSupport::relief(), elongation_output(model, 0, 1));
+  statics.set_loads(loads.shapes * loads.e);
+  ASSERT_EQ(statics.solve(Eigen::VectorXd::Ones(model.mesh().cell_count())), SolidStatus::Solved);
+  const Eigen::VectorXd dynamic =
+      (elongation_output(model, 0, 1).transpose() * (loads.basis * loads.e)).transpose();
+  EXPECT_LT((statics.y().transpose() - dynamic).cwiseAbs().maxCoeff(),
+            1e-8 * dynamic.cwiseAbs().maxCoeff());
+}
+
+TEST(SolidLoads, OfOtherBodiesAreRefused) {
+  EXPECT_THROW(extract_solid_loads(moved().model, moved().result.trajectory, 0),
+               std::invalid_argument);
+}
+
+TEST(SolidLoads, OfAPartAtRestAreNone) {
+  SolidLoadSet still = moved().loads;
+  still.e.setZero();
+  EXPECT_EQ(check_identity(moved().rod(), still).linear, 0);
+}
+
+}  // namespace
+}  // namespace liesl
