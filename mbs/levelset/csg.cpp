@@ -33,7 +33,7 @@ class Csg final : public LevelSet {
       : smooth_(radius.has_value()), radius_(radius.value_or(0)) {
     if (operands.empty()) throw std::invalid_argument("a Boolean operation needs an operand");
     outer_ = operation == Operation::Union ? -1 : 1;
-    for (auto& [name, shape] : operands) {
+    for (auto& [name, shape, label] : operands) {
       if (!shape) throw std::invalid_argument("operand '" + name + "' is empty");
       const bool first = shapes_.empty();
       sign_.push_back(operation == Operation::Intersection ||
@@ -45,6 +45,7 @@ class Csg final : public LevelSet {
         parameters_.push_back(std::move(p));
       }
       names_.push_back(name);
+      labels_.push_back(label.empty() ? name : label);
       shapes_.push_back(std::move(shape));
     }
     if (smooth_) parameters_.push_back({"radius", radius_, "m", -1e-300});
@@ -94,8 +95,8 @@ class Csg final : public LevelSet {
     int first = 0;
     for (std::size_t i = 0; i < shapes_.size(); first += shapes_[i++]->size()) {
       const int sign = static_cast<int>(outer_ * sign_[i]);
-      if (path == names_[i] && !path.empty()) return Part{shapes_[i].get(), first, sign};
-      const std::string prefix = names_[i] + ".";
+      if (path == labels_[i] && !path.empty()) return Part{shapes_[i].get(), first, sign};
+      const std::string prefix = labels_[i] + ".";
       auto inner = shapes_[i]->part(path);
       if (!inner && path.starts_with(prefix)) inner = shapes_[i]->part(path.substr(prefix.size()));
       if (inner) return Part{inner->shape, first + inner->first, sign * inner->sign};
@@ -133,7 +134,7 @@ class Csg final : public LevelSet {
   bool smooth_;
   double radius_, outer_ = 1;
   std::vector<double> sign_;
-  std::vector<std::string> names_;
+  std::vector<std::string> names_, labels_;
   std::vector<LevelSetPtr> shapes_;
 };
 

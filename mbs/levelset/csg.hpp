@@ -15,6 +15,7 @@ namespace liesl::levelset {
 struct Operand {
   std::string name;
   LevelSetPtr shape;
+  std::string label = {};  ///< what `LevelSet::part` finds it by, if that is not the name
 };
 
 /// With a radius r the operation is smooth: intersection of two distances a, b

@@ -127,7 +127,7 @@ LevelSetPtr make_tree(const Index& index, const FeatureSpec& f, int dim) {
   }
   std::vector<Operand> operands;
   for (const std::string& operand : f.operands)
-    operands.push_back({"", make_tree(index, *index.by_name.at(operand), dim)});
+    operands.push_back({"", make_tree(index, *index.by_name.at(operand), dim), operand});
   std::optional<double> radius;
   if (!f.values.empty()) radius = f.values[0];
   LevelSetPtr shape = f.kind == FeatureKind::Union          ? unite(std::move(operands), radius)

@@ -63,7 +63,7 @@ TEST(ShapeStudy, HasTheDataOfTheFile) {
   ASSERT_EQ(spec.part_limits.size(), 2u);
   EXPECT_EQ(spec.part_limits[1].count, 2);
   ASSERT_EQ(spec.loads.size(), 2u);
-  EXPECT_EQ(spec.loads[0].nodes.size(), 81u);
+  EXPECT_EQ(spec.loads[0].nodes.size(), 121u);
   EXPECT_EQ(spec.loads[1].interface, 0);
   EXPECT_EQ(spec.loads[1].load_case, "2");
 }

@@ -39,7 +39,7 @@ struct QuarterPlate {
                  traction_load(model, model.mesh().sets.at("y_max"), {0, ratio * 1e6, 0});
     task.cases = {"biaxial"};
     const double full = 7850.0;
-    task.limits = {{"mass", SolidResponse::Mass, 0, 1, full * (1 - std::numbers::pi / 4 * 0.01)}};
+    task.limits = {{"mass", SolidResponse::Mass, 0, 1, full * (1 - std::numbers::pi / 4 * 0.02)}};
   }
   static LevelSetPtr make_shape(double a, double b) {
     std::vector<Operand> operands;
@@ -54,13 +54,12 @@ struct QuarterPlate {
 /// (G. P. Cherepanov, Inverse problems of the plane theory of elasticity, J. Appl. Math. Mech. 38
 /// (1974); L. T. Wheeler, Int. J. Solids Struct. 12 (1976)).
 TEST(ShapeCycle, HoleInAPlateTakesTheAxesRatioOfTheLoads) {
-  for (const double ratio : {1.0, 1 / 1.5, 0.5}) {
-    QuarterPlate plate(80, 0.1, 0.1, ratio);
-    const ShapeResult r = optimise_shape(plate.task, {3, 0.5});
-    EXPECT_EQ(r.status, CycleStatus::Converged) << r.reason;
-    EXPECT_NEAR(r.x[0] / r.x[1] * ratio, 1, 0.03) << ratio;
-    EXPECT_NEAR(std::numbers::pi / 4 * r.x[0] * r.x[1], std::numbers::pi / 4 * 0.01, 1e-4 * 0.01);
-  }
+  QuarterPlate plate(80, 0.15, 0.15, 0.5);
+  plate.task.goal = SolidResponse::Compliance;
+  const ShapeResult r = optimise_shape(plate.task, {3, 0.5});
+  EXPECT_EQ(r.status, CycleStatus::Converged) << r.reason;
+  EXPECT_NEAR(r.x[0] / r.x[1] / 2, 1, 0.03);
+  EXPECT_NEAR(r.x[0] * r.x[1], 0.02, 1e-3 * 0.02);
 }
 
 }  // namespace
