@@ -17,7 +17,7 @@ std::vector<Key> study_keys() {
     {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; or a meshed part."},
     {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value."},
     {"design.*.parameters", Type::Texts, "", kOneOf, kAny, "Parameter of the outline, as \"hole1.a\", or several: the others change with the first."},
-    {"design.*.factors", Type::Vector, "-", kOptional, kAny, "Change of each parameter over that of the variable, -1 of a mirror image. Default: 1 each."},
+    {"design.*.factors", Type::NumberOrList, "-", kOptional, kAny, "Change of each parameter over that of the variable, -1 of a mirror image. Default: 1 each."},
     {"design.*.groups", Type::Integer, "", "1", {.lower = 1}, "Runs of neighbouring elements with a value each, as even as possible."},
     {"design.*.bounds", Type::Vector, "of the value", kRequired, kAny, "Least and largest value; above 0 for dimensions of sections.", 2},
     {"design.*.start", Type::NumberOrList, "of the value", kOptional, kAny, "First value, or one a group. Default: as in the scene."},
