@@ -35,11 +35,13 @@ class DesignReader {
     const auto bounds = numbers(*table_.get("bounds"));
     design_.lower = bounds[0];
     design_.upper = bounds[1];
-    if (!(design_.lower > 0))
+    if (!(design_.lower > 0)) {
       problems_.add(
           *table_.get("bounds")->as_array()->get(0),
           fmt::format("the least value of '{}' is out of range: {:g}", design_.name, bounds[0]),
           "numbers > 0 (m)");
+      ok_ = false;
+    }
     if (const toml::node* factors = table_.get("factors"))
       problems_.add(*factors, "'factors' belongs to parameters of an outline", "no 'factors'");
     if (design_.lower >= design_.upper)
