@@ -67,19 +67,19 @@ void expect_same(const Mechanism& m, const SimulationOptions& o) {
 }
 
 TEST(PlanarSpatial, SliderCrank) {
-  expect_same(reference::slider_crank(), testing::options(0.12, 1e-4, 0.8, 1e-9));
+  expect_same(reference::slider_crank(), testing::options(0.12, 1e-4, 0.8, 1e-10));
 }
 TEST(PlanarSpatial, Pendulum) {
-  expect_same(reference::pendulum(16), testing::options(1, 1e-3, 0.8, 1e-9));
+  expect_same(reference::pendulum(16), testing::options(1, 1e-3, 0.8, 1e-10));
 }
 TEST(PlanarSpatial, FourBar) {
-  expect_same(reference::four_bar(4), testing::options(0.3, 2e-4, 0.8, 1e-9));
+  expect_same(reference::four_bar(4), testing::options(0.3, 2e-4, 0.8, 1e-10));
 }
 TEST(PlanarSpatial, TiltedPlanes) {
   const SE3 H = reference::oblique();
-  expect_same(moved(reference::slider_crank(), H), testing::options(0.06, 1e-4, 0.8, 1e-9));
-  expect_same(moved(reference::pendulum(8), H), testing::options(0.5, 1e-3, 0.8, 1e-9));
-  expect_same(moved(reference::four_bar(4), H), testing::options(0.1, 2e-4, 0.8, 1e-9));
+  expect_same(moved(reference::slider_crank(), H), testing::options(0.06, 1e-4, 0.8, 1e-10));
+  expect_same(moved(reference::pendulum(8), H), testing::options(0.5, 1e-3, 0.8, 1e-10));
+  expect_same(moved(reference::four_bar(4), H), testing::options(0.1, 2e-4, 0.8, 1e-10));
 }
 
 void expect_invariant(const Mechanism& m, const SimulationOptions& o) {
