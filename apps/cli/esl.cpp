@@ -9,8 +9,8 @@
 namespace liesl {
 
 int esl_command(const CommandOptions& options) {
-  throw output::IoError(options.file,
-                        "this build has no load extraction: configure with -DLIESL_OPTIM=ON");
+  throw output::IoError("extract loads of", options.file,
+                        "this build has no load extraction; configure with -DLIESL_OPTIM=ON");
 }
 
 }  // namespace liesl

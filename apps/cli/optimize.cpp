@@ -10,8 +10,8 @@ namespace liesl {
 
 int optimize_command(const CommandOptions& options) {
   throw output::IoError(
-      options.file,
-      "this build has no optimisation: configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+      "optimise", options.file,
+      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
 }
 
 }  // namespace liesl

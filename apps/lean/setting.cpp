@@ -26,6 +26,8 @@ std::string text_of(SpaceChoice space) {
                                          : "auto";
 }
 
+}  // namespace
+
 std::string text_of(TangentStrategy tangent) {
   switch (tangent) {
     case TangentStrategy::Auto:
@@ -39,8 +41,6 @@ std::string text_of(TangentStrategy tangent) {
   }
   return "";
 }
-
-}  // namespace
 
 std::vector<double> places(const Scene& scene, int body) {
   const Mechanism& m = scene.mechanism;

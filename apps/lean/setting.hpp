@@ -41,6 +41,9 @@ Setting setting_of(const Scene& scene);
 /// changes. A mesh that moves one of them is of another mechanism.
 std::vector<double> places(const Scene& scene, int body);
 
+/// As `simulation.tangent` names it.
+std::string text_of(TangentStrategy tangent);
+
 /// Key changes "key.path=value" that make a setting of the scene as given.
 std::vector<std::string> changes(const Setting& wanted, const Setting& given);
 

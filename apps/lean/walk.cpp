@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "apps/lean/richardson.hpp"
+#include "mbs/solvers/generalized_alpha.hpp"
 
 namespace liesl {
 
@@ -313,10 +314,16 @@ class Walk {
     return list;
   }
 
-  /// Finer, by the choice that helps most, until the error is within the budget.
+  /// Finer, by the choice that helps most, until the error is within the budget. Against steps that
+  /// have to be halved, only smaller steps help.
   bool refine(Setting& s) {
     while (!good(s)) {
       std::optional<Setting> best;
+      if (s.steps > 0 && !whole_steps(s)) best = moved(s, -1, true);
+      if (best) {
+        s = *best;
+        continue;
+      }
       for (const int knob : knobs(s))
         if (const auto next = moved(s, knob, true); next && (!best || error(*next) < error(*best)))
           best = next;
@@ -412,15 +419,14 @@ class Walk {
 
   void tangent() {
     if (r_.given.steps == 0) return;
-    const Formalism formalism = trials_.scene({}).mechanism.formalism;
-    const std::string automatic = formalism == Formalism::Decoupled   ? "adaptive"
-                                  : formalism == Formalism::Classical ? "exact"
-                                                                      : "constant";
+    const std::string given = lean_.tangent == "auto"
+                                  ? text_of(tangent_strategy(TangentStrategy::Auto,
+                                                             trials_.scene({}).mechanism.formalism))
+                                  : lean_.tangent;
     for (const char* strategy : {"constant", "adaptive", "exact"}) {
       Setting s = lean_;
       s.tangent = strategy;
-      const bool same = lean_.tangent == "auto" ? automatic == strategy : lean_.tangent == strategy;
-      if (!same) faster(s, "tangent", strategy);
+      if (given != strategy) faster(s, "tangent", strategy);
     }
   }
 

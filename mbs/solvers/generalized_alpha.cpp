@@ -93,7 +93,7 @@ bool GeneralizedAlpha<G>::wants_tangent(const StepResult& result, double residua
 }
 
 /// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the
-/// same direction; the rest of that geometric series is known.
+/// same direction; the rest of that geometric series is known. A new tangent begins a new series.
 template <FrameGroup G>
 void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
   const double size = step_before_.squaredNorm();
@@ -137,7 +137,8 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the iteration did not converge";
       return result;
     }
-    if (wants_tangent(result, residual, before)) {
+    const bool refresh = wants_tangent(result, residual, before);
+    if (refresh) {
       if (!system.factor_exact(trial_, w)) {
         result.failure = "the tangent is singular";
         return result;
@@ -150,7 +151,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the joint equations are singular";
       return result;
     }
-    if (result.iterations > 0 && tangent_ != TangentStrategy::Exact) extrapolate(delta_);
+    if (result.iterations > 0 && !refresh) extrapolate(delta_);
     step_before_ = delta_;
     ++result.iterations;
     correct(s, w);

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "apps/lean/richardson.hpp"
 #include "apps/lean/setting.hpp"
@@ -296,6 +297,27 @@ TEST_F(Lean, TighterToleranceCostsMore) {
   const long loose = size("10%"), middle = size("1%"), tight = size("0.002");
   EXPECT_LT(loose, middle);
   EXPECT_LT(middle, tight);
+}
+
+/// What `auto` stands for is a matter of the formalism, and not tried against itself.
+TEST_F(Lean, TriesTheTangentsThatTheFormalismDoesNotTake) {
+  for (const auto& [formalism, own] : {std::pair("se3", "constant"),
+                                       {"r3so3", "adaptive"},
+                                       {"classical", "exact"},
+                                       {"floating", "adaptive"}}) {
+    ASSERT_EQ(
+        lean(scene("pendulum"), "tip",
+             {"--tolerance", "10%", "--set", std::string("simulation.formalism=") + formalism})
+            .code,
+        0);
+    std::set<std::string> tried;
+    const Json s = summary();
+    for (const auto& d : s["decisions"])
+      if (d["about"] == "tangent") tried.insert(d["choice"].get<std::string>().substr(0, 5));
+    std::set<std::string> others = {"const", "adapt", "exact"};
+    others.erase(std::string(own).substr(0, 5));
+    EXPECT_EQ(tried, others) << formalism;
+  }
 }
 
 TEST_F(Lean, StaticSceneKeepsItsStepsAndFindsItsMesh) {

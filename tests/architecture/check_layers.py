@@ -66,12 +66,12 @@ def folder_of(path):
     return "/".join(path.split("/")[:-1])
 
 
-def source_files(root, tops):
+def source_files(root, tops, kinds=(".hpp", ".cpp")):
     return sorted(
         p.relative_to(root).as_posix()
         for top in tops
         for p in (root / top).rglob("*")
-        if p.suffix in {".hpp", ".cpp"}
+        if p.suffix in kinds
     )
 
 
@@ -193,6 +193,12 @@ def check_sizes(texts):
     return errors
 
 
+def check_scripts(texts):
+    """Sizes of Python files."""
+    return [f"{path}: {len(text.splitlines())} lines, the limit is {MAX_FILE}"
+            for path, text in texts.items() if len(text.splitlines()) > MAX_FILE]
+
+
 def check_drawers(texts):
     folders = {part for path in texts for part in path.split("/")[:-1]}
     return [f"folder '{name}' says nothing of what is in it" for name in sorted(folders & DRAWERS)]
@@ -233,13 +239,15 @@ def print_statistics(sources, tests):
 
 def check(root):
     """Everything that is wrong in the tree at `root`, as texts."""
-    read = lambda tops: {p: (root / p).read_text(encoding="utf-8") for p in source_files(root, tops)}
-    sources, tests = read(TOPS), read(["tests"])
+    read = lambda *which: {p: (root / p).read_text(encoding="utf-8")
+                           for p in source_files(root, *which)}
+    sources, tests, scripts = read(TOPS), read(["tests"]), read([*TOPS, "tests"], (".py",))
     errors, edges = check_includes(sources)
     cycle = find_cycle(edges)
     if cycle:
         errors.append("folder cycle: " + " -> ".join(cycle))
-    errors += check_sizes({**sources, **tests}) + check_drawers({**sources, **tests})
+    errors += check_sizes({**sources, **tests}) + check_scripts(scripts)
+    errors += check_drawers({**sources, **tests})
     print_statistics(sources, tests)
     if not sources:
         errors.append(f"no sources under {root}")

@@ -62,6 +62,7 @@ class CheckLayers(unittest.TestCase):
 
     def test_long_file(self):
         self.refuses({"tests/mbs/a_test.cpp": "// line\n" * 701}, "701 lines")
+        self.refuses({"apps/plot/a.py": "x = 1\n" * 701}, "701 lines")
 
     def test_long_function(self):
         body = "template <class T>\nT f(T x) {\n" + "  x += 1;\n" * 90 + "  return x;\n}\n"

@@ -1,0 +1,71 @@
+"""Pictures of meshed parts: outlines over the steps, fractions and stresses of the cells."""
+
+import matplotlib.pyplot as plt
+from matplotlib.collections import PolyCollection
+
+from style import label, legend, scale_of, scaled
+from tables import table
+
+
+def closed_lines(outlines):
+    """{step: [([x ...], [y ...]), ...]}, each line back at its first point."""
+    lines = {}
+    for step, line, x, y in zip(outlines.numbers("step"), outlines.text("line"),
+                                outlines.numbers("x"), outlines.numbers("y")):
+        xs, ys = lines.setdefault(int(step), {}).setdefault(line, ([], []))
+        xs.append(x)
+        ys.append(y)
+    return {step: [(xs + xs[:1], ys + ys[:1]) for xs, ys in found.values()]
+            for step, found in lines.items()}
+
+
+def part_axes(ax):
+    ax.set_aspect("equal")
+    ax.grid(False)
+    ax.set_xlabel(label("x", "m"))
+    ax.set_ylabel(label("y", "m"))
+
+
+def draw_outlines(folder, pictures, _summary):
+    """The outline of a planar part over the steps, the last one dark."""
+    for path in sorted(folder.glob("*_outlines.csv")):
+        found = table(folder, path.name)
+        if not found:
+            continue
+        steps = closed_lines(found)
+        figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.2))
+        shades = plt.get_cmap("viridis_r")
+        last = max(steps)
+        for step, lines in sorted(steps.items()):
+            for i, (xs, ys) in enumerate(lines):
+                share = (step - 1) / max(1, last - 1)
+                ax.plot(xs, ys, color="black" if step == last else shades(0.15 + 0.6 * share),
+                        linewidth=1.6 if step == last else 0.8,
+                        label=f"step {step}" if i == 0 and step in (1, last) else None)
+        part_axes(ax)
+        legend(ax)
+        part = path.name[:-len("_outlines.csv")]
+        pictures.save(figure, f"{part}_outlines", f"outline of '{part}'")
+
+
+def draw_cells(folder, pictures, _summary):
+    """Fraction of the cells, and stress in the load case of the largest."""
+    for path in sorted(folder.glob("*_cells.csv")):
+        found = table(folder, path.name)
+        if not found:
+            continue
+        corners = [list(zip(found.numbers(f"x{c}"), found.numbers(f"y{c}"))) for c in range(4)]
+        cells = list(zip(*corners))
+        part = path.name[:-len("_cells.csv")]
+        for name, heading, colours in (("fraction", "fraction of the cells", "Greys"),
+                                       ("stress", "von Mises stress, worst load case", "viridis")):
+            values = found.numbers(name)
+            factor, unit = scale_of(values, found.unit(name))
+            figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.2))
+            drawn = PolyCollection(cells, array=scaled(values, factor), cmap=colours,
+                                   edgecolors="face", linewidths=0.1)
+            ax.add_collection(drawn)
+            ax.autoscale_view()
+            part_axes(ax)
+            figure.colorbar(drawn, ax=ax, shrink=0.8, label=label(name, unit))
+            pictures.save(figure, f"{part}_{name}", f"{heading} of '{part}'")

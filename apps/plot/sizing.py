@@ -1,0 +1,125 @@
+"""Pictures of an optimisation: history of the cycle, the design, and all in one."""
+
+import math
+import re
+
+import matplotlib.pyplot as plt
+from matplotlib.ticker import MaxNLocator
+
+from motion import before_after, grouped_columns, mechanism, read_frames, shown_axes
+from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
+from tables import table
+
+
+def draw_history(_folder, pictures, summary):
+    history = summary.get("history") or []
+    if not history:
+        return
+    cycles = [h["cycle"] for h in history]
+    column = lambda key: [math.nan if h.get(key) is None else h[key] for h in history]
+    figure, (mass, worst, change) = stacked(3, 2.0)
+
+    factor, unit = scale_of(column("mass"), "kg")
+    mass.plot(cycles, scaled(column("mass"), factor), "o-", color=BLUE)
+    mass.set_ylabel(label("mass", unit))
+
+    values = scaled(column("worst_constraint"), 100)
+    worst.axhline(0, label="limit", **LIMIT)
+    worst.plot(cycles, values, "o-", color=RED)
+    finite = [v for v in values if math.isfinite(v)]
+    if finite and max(map(abs, finite)) > 20:
+        worst.set_yscale("symlog", linthresh=1)
+        worst.yaxis.set_major_formatter(lambda v, _: f"{v:g}".replace("-", "−"))
+    worst.set_ylabel("worst constraint\nabove its limit [%]")
+    legend(worst)
+
+    values = column("load_change")
+    if any(v > 0 for v in values):
+        change.set_yscale("log")
+        values = [v if v > 0 else math.nan for v in values]
+    change.plot(cycles, values, "o-", color=GREEN)
+    change.set_ylabel("relative change\nof the loads")
+    change.set_xlabel("cycle")
+    change.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    change.set_xlim(min(cycles) - 0.3, max(cycles) + 0.3)
+    figure.align_ylabels()
+    status = summary.get("status", "")
+    pictures.save(figure, "cycle_history", f"cycle history ({status})" if status else
+                  "cycle history")
+
+
+def draw_design(folder, pictures, _summary):
+    design = table(folder, "design.csv")
+    if design is None:
+        return
+    panels = design_panels(design)
+    figure, axes = plt.subplots(len(panels), 1, squeeze=False, layout="constrained",
+                                figsize=(8.2, 0.9 + 2.7 * len(panels)))
+    for (ax,), ((variable, body), rows) in zip(axes, panels.items()):
+        draw_steps(ax, sorted(rows), variable, body)
+        legend(ax)
+    pictures.save(figure, "design", "design along the beam")
+
+
+def design_panels(design):
+    """{(variable without its number, body): rows along the beam}."""
+    panels = {}
+    for row in design.rows:
+        cell = dict(zip(design.names, row))
+        key = (re.sub(r"\[\d+\]$", "", cell["variable"]), cell["body"])
+        panels.setdefault(key, []).append(
+            [float(cell[k]) for k in ("s0", "s1", "initial", "final", "lower", "upper")]
+            + [cell["unit"]])
+    return panels
+
+
+def draw_steps(ax, rows, variable, body):
+    """Initial and final value over the length, as steps, with the bounds."""
+    edges = [row[0] for row in rows] + [rows[-1][1]]
+    factor, unit = scale_of([row[k] for row in rows for k in (2, 3)], rows[0][6])
+    column = lambda k: scaled([row[k] for row in rows], factor)
+    lower, upper = column(4), column(5)
+    ax.stairs(column(3), edges, baseline=0, fill=True, color=BLUE, alpha=0.15)
+    ax.stairs(column(2), edges, baseline=None, color=ORANGE, linewidth=1.8, label="initial")
+    ax.stairs(column(3), edges, baseline=None, color=BLUE, linewidth=2.2, label="final")
+    ax.stairs(lower, edges, baseline=None, label="bounds", **LIMIT)
+    top = max(column(2) + column(3))
+    if max(upper) < 2 * top:  # else it would squeeze the rest
+        ax.stairs(upper, edges, baseline=None, **LIMIT)
+        top = max(top, max(upper))
+    else:
+        ax.text(0.995, 0.985, f"upper bound {max(upper):g} {unit}", transform=ax.transAxes,
+                ha="right", va="top", fontsize=8, color=GREY)
+    ax.set_ylim(0, 1.12 * top)
+    ax.set_ylabel(label(variable, unit))
+    ax.set_xlabel(f"along {body} [m]")
+
+
+def draw_overview(folder, pictures, summary):
+    """Of an optimisation, in one picture: the mechanism, the first limit, the first design."""
+    before, after = table(folder, "responses_initial.csv"), table(folder, "responses_final.csv")
+    design = table(folder, "design.csv")
+    if before is None or after is None or design is None or not (folder / "frames.csv").exists():
+        return
+    instants, time_label = read_frames(folder / "frames.csv")
+    groups, constraints = grouped_columns(after), summary.get("constraints", {})
+    stems = [stem for stem in groups if stem in constraints]
+    if not instants or not stems or len(shown_axes(instants)) == 3:
+        return
+    figure = plt.figure(figsize=(11, 4.6), layout="constrained")
+    grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1))
+    ax = figure.add_subplot(grid[:, 0])
+    mechanism(ax, instants, shown_axes(instants), time_label)
+    ax = figure.add_subplot(grid[0, 1])
+    before_after(ax, before, after, stems[0], groups[stems[0]], constraints[stems[0]].get("limit"))
+    ax.set_xlabel(label(after.names[0], after.units[0]))
+    ax.margins(x=0.01)
+    ax.legend(loc="lower center", bbox_to_anchor=(0.5, 0.98), ncols=3)
+    (variable, body), rows = next(iter(design_panels(design).items()))
+    draw_steps(figure.add_subplot(grid[1, 1]), sorted(rows), variable, body)
+    masses = [summary.get(key) for key in ("mass_initial", "mass_final")]
+    heading = f"{summary.get('status', '')} after {summary.get('cycles', '?')} cycles"
+    if None not in masses:
+        factor, unit = scale_of(masses, "kg")
+        heading += f", {masses[0] * factor:.4g} {unit} → {masses[1] * factor:.4g} {unit}"
+    pictures.save(figure, "overview", heading)

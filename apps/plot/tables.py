@@ -1,0 +1,49 @@
+"""CSV tables of a results folder, by columns."""
+
+import csv
+import math
+import re
+
+
+class NothingToDraw(Exception):
+    """The folder does not hold what a picture needs; the text says what."""
+
+
+class Table:
+    """A CSV file by columns: `names` and `units` from headings like `bend [m]`."""
+
+    def __init__(self, path):
+        with open(path, newline="", encoding="utf-8", errors="replace") as file:
+            rows = [row for row in csv.reader(file) if row]
+        if not rows:
+            raise NothingToDraw(f"{path} is empty")
+        parts = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", heading) for heading in rows[0]]
+        self.names = [part.group(1) for part in parts]
+        self.units = [part.group(2) or "" for part in parts]
+        self.rows = rows[1:]
+
+    def text(self, name):
+        i = self.names.index(name)
+        return [row[i] for row in self.rows]
+
+    def numbers(self, name):
+        return [float(value) for value in self.text(name)]
+
+    def unit(self, name):
+        return self.units[self.names.index(name)]
+
+
+def table(folder, name):
+    """The table, or None if there is no such file or no row in it."""
+    path = folder / name
+    if not path.exists():
+        return None
+    found = Table(path)
+    return found if found.rows else None
+
+
+def is_number(text):
+    try:
+        return math.isfinite(float(text))
+    except ValueError:
+        return False
