@@ -2,6 +2,7 @@
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -15,44 +16,93 @@ namespace {
 using Sparse = Eigen::SparseMatrix<double>;
 
 constexpr double kFirstShift = 1e-11;  // of trace K / trace M
+constexpr double kTolerance = 1e-12;
 
-/// y = (K - sigma M)^-1 x.
+/// M-normal columns Z, taken out of vectors (y -= Z Z^T M y) and of loads (x -= M Z Z^T x).
+struct Deflation {
+  Eigen::MatrixXd Z, MZ;
+  Deflation(const Sparse& M, const Eigen::MatrixXd& free) : Z(M.rows(), free.cols()) {
+    MZ = M.selfadjointView<Eigen::Lower>() * free;
+    const Eigen::LLT<Eigen::MatrixXd> gram(free.transpose() * MZ);
+    Z = gram.matrixU().solve<Eigen::OnTheRight>(free);
+    MZ = gram.matrixU().solve<Eigen::OnTheRight>(MZ);
+  }
+};
+
+/// y = (K - sigma M)^-1 x on what the deflation leaves.
 class ShiftInverse {
  public:
   using Scalar = double;
-  ShiftInverse(const Sparse& K, const Sparse& M) : K_(K), M_(M) {}
+  ShiftInverse(const Sparse& K, const Sparse& M, const Eigen::MatrixXd& free)
+      : K_(K), M_(M), d_(M, free), load_(M.rows()) {}
+  void deflate(const Eigen::MatrixXd& columns) { d_ = Deflation(M_, columns); }
   Eigen::Index rows() const { return K_.rows(); }
   Eigen::Index cols() const { return K_.cols(); }
   void set_shift(double sigma) {
+    if (regular_ && sigma == sigma_) return;
     Sparse A = K_ - sigma * M_;
     A.makeCompressed();
     regular_ = factor_.factor(A);
+    sigma_ = sigma;
   }
   void perform_op(const double* x, double* y) const {
     Eigen::Map<Eigen::VectorXd> out(y, rows());
-    if (regular_)
-      out = factor_.solve(Eigen::Map<const Eigen::VectorXd>(x, rows()));
-    else
+    if (!regular_) {
       out.setZero();
+      return;
+    }
+    load_ = Eigen::Map<const Eigen::VectorXd>(x, rows());
+    if (d_.Z.cols() > 0) load_ -= d_.MZ * (d_.Z.transpose() * load_);
+    out = factor_.solve(load_);
+    if (d_.Z.cols() > 0) out -= d_.Z * (d_.MZ.transpose() * out);
   }
   bool regular() const { return regular_; }
+  int deflated() const { return static_cast<int>(d_.Z.cols()); }
 
  private:
   const Sparse &K_, &M_;
+  Deflation d_;
   SparseCholesky factor_;
+  mutable Eigen::VectorXd load_;
   bool regular_ = false;
+  double sigma_ = 0;
 };
 
 bool lanczos(ShiftInverse& op, const Sparse& M, int count, double shift, double tolerance,
              SymmetricModes& out) {
   Spectra::SparseSymMatProd<double, Eigen::Lower> mass(M);
-  return shift_invert_lanczos(op, mass, count, static_cast<int>(M.rows()), -shift, tolerance,
-                              out.lambda, out.phi);
+  return shift_invert_lanczos(op, mass, count, static_cast<int>(M.rows()) - op.deflated(), -shift,
+                              tolerance, out.lambda, out.phi);
+}
+
+/// A Krylov space may miss modes of an eigenvalue that occurs several times: as long as what the
+/// modes found leave has a lower one than the highest of them, that one takes its place.
+bool complete(ShiftInverse& op, const Sparse& M, const Eigen::MatrixXd& free, double shift,
+              SymmetricModes& out) {
+  const auto count = out.lambda.size();
+  for (;;) {
+    if (free.cols() + count + 1 >= M.rows()) return true;
+    Eigen::MatrixXd known(M.rows(), free.cols() + count);
+    known << free, out.phi;
+    op.deflate(known);
+    SymmetricModes next;
+    if (!lanczos(op, M, 1, shift, kTolerance, next)) return false;
+    if (next.lambda[0] >= out.lambda[count - 1] * (1 - 1e-9)) return true;
+    const auto place =
+        std::upper_bound(out.lambda.begin(), out.lambda.end(), next.lambda[0]) - out.lambda.begin();
+    for (auto i = count - 1; i > place; --i) {
+      out.lambda[i] = out.lambda[i - 1];
+      out.phi.col(i) = out.phi.col(i - 1);
+    }
+    out.lambda[place] = next.lambda[0];
+    out.phi.col(place) = next.phi;
+  }
 }
 
 }  // namespace
 
-SymmetricModes symmetric_modes(const Sparse& K, const Sparse& M, int count) {
+SymmetricModes symmetric_modes(const Sparse& K, const Sparse& M, int count,
+                               const Eigen::MatrixXd& free) {
   SymmetricModes out;
   const int n = static_cast<int>(K.rows());
   if (count <= 0) {
@@ -60,13 +110,16 @@ SymmetricModes symmetric_modes(const Sparse& K, const Sparse& M, int count) {
     out.phi.resize(n, 0);
     return out;
   }
-  if (count >= n) throw std::invalid_argument("more modes asked for than a part has coordinates");
+  if (count + free.cols() >= n)
+    throw std::invalid_argument("more modes asked for than a part has coordinates");
   const double size = K.diagonal().sum() / M.diagonal().sum();
   if (!(size > 0 && std::isfinite(size))) return out;
-  ShiftInverse op(K, M);
+  const Eigen::MatrixXd none(n, 0), &known = free.size() > 0 ? free : none;
+  ShiftInverse op(K, M, known);
   if (!lanczos(op, M, count, kFirstShift * size, 1e-4, out)) return out;
   const double wanted = std::max(out.lambda.cwiseAbs().maxCoeff(), kFirstShift * size);
-  out.converged = lanczos(op, M, count, 0.1 * wanted, 1e-12, out);
+  out.converged = lanczos(op, M, count, 0.1 * wanted, kTolerance, out) &&
+                  complete(op, M, known, 0.1 * wanted, out);
   return out;
 }
 

@@ -66,7 +66,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const Sparse& M) {
 Basis free_interface(SolidModel& model, const VectorXd& v, int internal) {
   const Sparse K = model.stiffness(v), M = model.mass(v);
   const int rigid = model.rigid_count();
-  const SymmetricModes free = symmetric_modes(K, M, rigid + internal);
+  const SymmetricModes free = symmetric_modes(K, M, internal, model.rigid_motions());
   Basis b;
   if (!free.converged) return b;
   MatrixXd unit = MatrixXd::Zero(model.size(), rigid * model.ports());
@@ -75,22 +75,16 @@ Basis free_interface(SolidModel& model, const VectorXd& v, int internal) {
   statics.set_loads(unit);
   if (statics.solve(v) != SolidStatus::Solved) return b;
   MatrixXd all(model.size(), rigid + internal + unit.cols());
-  all << model.rigid_motions(), free.phi.rightCols(internal), statics.q();
+  all << model.rigid_motions(), free.phi, statics.q();
   b.modes = orthonormal(all, M);
-  b.frequencies = hertz(free.lambda.tail(internal));
+  b.frequencies = hertz(free.lambda);
   b.converged = true;
   return b;
 }
 
 /// Elastic free-free modes of the mesh: eigenvalues and shapes (q).
 SymmetricModes elastic_modes(SolidModel& model, const VectorXd& v, int count) {
-  const int rigid = model.rigid_count();
-  SymmetricModes modes = symmetric_modes(model.stiffness(v), model.mass(v), rigid + count);
-  if (modes.converged) {
-    modes.lambda = modes.lambda.tail(count).eval();
-    modes.phi = modes.phi.rightCols(count).eval();
-  }
-  return modes;
+  return symmetric_modes(model.stiffness(v), model.mass(v), count, model.rigid_motions());
 }
 
 }  // namespace

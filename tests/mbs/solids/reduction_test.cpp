@@ -30,6 +30,27 @@ TEST(SymmetricModes, AgreeWithTheDenseSolver) {
   EXPECT_LT((modes.phi.transpose() * Md * modes.phi - MatrixXd::Identity(8, 8)).norm(), 1e-8);
 }
 
+/// Eigenvalues that occur several times: the six free motions, and the tones of a square bar.
+TEST(SymmetricModes, FreeMotionsAreTakenOutAndEqualTonesAreBothFound) {
+  const SolidMesh mesh = hex_grid({0, 0, 0}, {1, 0.1, 0.1}, 12, 2, 2);
+  SolidModel model(mesh, {"steel", 210e9, 0.3, 7850}, {}, {});
+  const VectorXd v = VectorXd::Ones(mesh.cell_count());
+  const auto K = model.stiffness(v);
+  const auto M = model.mass(v);
+  const MatrixXd Kd = MatrixXd(K).selfadjointView<Eigen::Lower>();
+  const MatrixXd Md = MatrixXd(M).selfadjointView<Eigen::Lower>();
+  const VectorXd dense =
+      Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd>(Kd, Md).eigenvalues().segment(6, 12);
+  for (const int count : {1, 2, 4, 12}) {
+    const SymmetricModes modes = symmetric_modes(K, M, count, model.rigid_motions());
+    ASSERT_TRUE(modes.converged) << count;
+    ASSERT_EQ(modes.lambda.size(), count);
+    for (int i = 0; i < count; ++i) EXPECT_NEAR(modes.lambda[i] / dense[i], 1, 1e-7) << count;
+    EXPECT_LT((modes.phi.transpose() * Md * model.rigid_motions()).norm(),
+              1e-8 * (Md * model.rigid_motions()).norm());
+  }
+}
+
 /// Euler-Bernoulli free-free bar: f_1 = 4.73004^2/(2 pi L^2) sqrt(EI/(rho A)).
 TEST(FreeFrequencies, OfASlenderBarAreThoseOfABeam) {
   const double L = 1, h = 0.01;
