@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "esl/corotational.hpp"
 #include "mbs/bodies/modal.hpp"
 
 namespace liesl {
@@ -78,20 +79,6 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
   return false;
 }
 
-/// Displacements in the frame that moves with node 0, each in its node's axes: [u; rotation
-/// vector].
-template <FrameGroup G>
-Eigen::VectorXd corotational(const Body<G>& body, const G* H) {
-  constexpr int dim = G::dim;
-  Eigen::VectorXd u(body.size());
-  for (int k = 0; k < body.nodes(); ++k) {
-    const G X = body.reference[0].inverse() * body.reference[k], Y = H[0].inverse() * H[k];
-    u.segment<dim>(dim * k) << X.R.transpose() * (Y.x - X.x),
-        RotationOf<G>::log(X.R.transpose() * Y.R);
-  }
-  return u;
-}
-
 /// Stiffness of the part as a free linear structure.
 template <FrameGroup G>
 const BlockTridiagonal<G::dim>& linear_stiffness(const Body<G>& body) {
@@ -135,6 +122,9 @@ template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
   const Body<G>& body = *model.bodies[index];
   const auto* modal = dynamic_cast<const ModalBody<G>*>(&body);
+  const auto* classical = model.formalism == Formalism::Classical
+                              ? dynamic_cast<const ReissnerBeam<G>*>(&body)
+                              : nullptr;
   if (body.elements() == 0)
     throw std::invalid_argument(
         fmt::format("'{}' is rigid: only a beam has internal forces", body.name));
@@ -147,9 +137,10 @@ LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, in
     set.t.push_back(trajectory.time(n));
     const G* H = trajectory.frames(n) + model.first_node(index);
     double* f = set.f.col(n).data();
-    if (modal || model.formalism == Formalism::Classical) {
-      const Eigen::VectorXd u = modal ? modal->displacements(H) : corotational<G>(body, H);
-      linear_stiffness(body).multiply_add(u.data(), f);
+    if (modal) {
+      linear_stiffness(body).multiply_add(modal->displacements(H).data(), f);
+    } else if (classical) {
+      add_corotational_force(*classical, H, f);
     } else {
       body.add_internal({H, rest.data(), rest.data()}, f, scale);
     }

@@ -2,7 +2,7 @@
 /// @file
 /// Equivalent static loads of a part at every instant of the motion, in the nodal local frames. By
 /// formalism: Lie group and R^3 x SO(3): the internal force, f = g_int(H) (thesis eq. 3.22);
-/// classical: f = K_ref u with u in a corotational frame, here that of the first node (eq. 3.21);
+/// classical: f = K_ref u with u in the corotational frame of each element (eq. 3.21);
 /// floating: f = K_ff q_f (eq. 3.20).
 
 #include <set>

@@ -1,6 +1,7 @@
 /// @file
 /// Load sets and sized designs of the formalisms beside each other.
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -16,6 +17,11 @@ using test::Changes;
 
 Changes with(Changes changes, Formalism f) {
   changes.push_back(std::string("simulation.formalism=\"") + to_string(f) + "\"");
+  return changes;
+}
+
+Changes with_no_check(Changes changes) {
+  changes.push_back("cycle.optimality=\"never\"");
   return changes;
 }
 
@@ -75,31 +81,43 @@ Off slider_crank(Formalism f, int elements) {
   return off("slider_crank", "rod", mesh({"crank", "rod"}, elements, 5e-5), f);
 }
 
-TEST(FormalismLoads, OfBothBeamsAgreeWithTheMesh) {
-  for (const auto& scene : {robot, slider_crank}) {
-    const Off coarse = scene(Formalism::Decoupled, 8), fine = scene(Formalism::Decoupled, 16);
-    EXPECT_LT(coarse.loads, 0.01);
-    EXPECT_GT(std::log2(coarse.loads / fine.loads), 1);
-    EXPECT_GT(std::log2(coarse.deformation / fine.deformation), 1.7);
-  }
+/// Figures of docs/accuracy_and_speed.md, by --gtest_output=xml.
+void record(const char* scene, Formalism f, int elements, const Off& off) {
+  const std::string name = fmt::format("{}_{}_{}", scene, to_string(f), elements);
+  testing::Test::RecordProperty(name + "_loads", fmt::format("{:.3g}", off.loads));
+  testing::Test::RecordProperty(name + "_deformation", fmt::format("{:.3g}", off.deformation));
 }
 
-TEST(FormalismLoads, CauseTheSameDeformation) {
-  for (const auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating})
-    EXPECT_LT(robot(f, 8).deformation, 2e-3) << to_string(f);
+TEST(FormalismLoads, OfTheBeamsAgreeWithTheMesh) {
+  for (const auto f : {Formalism::Decoupled, Formalism::Classical})
+    for (const auto& [name, scene] :
+         {std::pair{"two_link_robot", &robot}, std::pair{"slider_crank", &slider_crank}}) {
+      SCOPED_TRACE(std::string(name) + " " + to_string(f));
+      const Off coarse = scene(f, 8), fine = scene(f, 16);
+      record(name, f, 8, coarse);
+      record(name, f, 16, fine);
+      EXPECT_LT(coarse.loads, 0.01);
+      EXPECT_GT(std::log2(coarse.loads / fine.loads), 1);
+      EXPECT_GT(std::log2(coarse.deformation / fine.deformation), 1.7);
+    }
 }
 
-/// Loads by a reference stiffness know the deformation to first order only: classical ones hold
-/// the axial force EA w'^2 / 2 that the bent axis, not shortened, would need.
-TEST(FormalismLoads, ByAReferenceStiffnessAgreeToFirstOrderInTheFlexibility) {
-  for (const auto f : {Formalism::Classical, Formalism::Floating}) {
-    const auto at = [&](const char* modulus) {
-      Changes c = mesh({"crank", "rod"}, 8, 1e-4);
-      c.push_back(std::string("materials.steel.E=") + modulus);
-      return off("slider_crank", "rod", c, f).loads;
-    };
-    EXPECT_NEAR(std::log2(at("8.4e11") / at("3.36e12")) / 2, 1, 0.1) << to_string(f);
+/// A linear part knows the deformation to first order only: what is left between its loads and the
+/// others does not fall with the mesh, but with the flexibility.
+TEST(FormalismLoads, OfTheFloatingFrameAgreeToFirstOrderInTheFlexibility) {
+  for (const auto& [name, scene] :
+       {std::pair{"two_link_robot", &robot}, std::pair{"slider_crank", &slider_crank}}) {
+    const Off off = scene(Formalism::Floating, 8);
+    record(name, Formalism::Floating, 8, off);
+    EXPECT_LT(off.loads, 0.02) << name;
+    EXPECT_LT(off.deformation, 0.06) << name;
   }
+  const auto at = [&](const char* modulus) {
+    Changes c = mesh({"crank", "rod"}, 8, 1e-4);
+    c.push_back(std::string("materials.steel.E=") + modulus);
+    return off("slider_crank", "rod", c, Formalism::Floating).loads;
+  };
+  EXPECT_NEAR(std::log2(at("8.4e11") / at("3.36e12")) / 2, 1, 0.1);
 }
 
 TEST(FormalismLoads, OfARigidBodyAreRefusedByName) {
@@ -109,17 +127,42 @@ TEST(FormalismLoads, OfARigidBodyAreRefusedByName) {
   EXPECT_THROW(extract_loads(motion.model, motion.trajectory(), 1), std::invalid_argument);
 }
 
-TEST(FormalismLoads, SizeTheSameRod) {
-  std::vector<double> masses;
-  for (const auto f : {Formalism::Lie, Formalism::Decoupled, Formalism::Classical}) {
-    const Study study =
-        test::shipped_study("slider_crank_rod", with({"cycle.optimality=\"never\""}, f));
-    const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
-                                  study.scene.simulation, study.spec, {}, {});
-    EXPECT_EQ(r.status, CycleStatus::Converged) << to_string(f) << ": " << r.reason;
-    masses.push_back(r.mass);
+double sized_mass(Formalism f, const Changes& changes) {
+  const Study study = test::shipped_study("slider_crank_rod", with(with_no_check(changes), f));
+  const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
+                                study.scene.simulation, study.spec, {}, {});
+  EXPECT_EQ(r.status, CycleStatus::Converged) << to_string(f) << ": " << r.reason;
+  return r.mass;
+}
+
+/// How far the rod sized by a formalism is from the one of the Lie group formalism.
+double off_in_mass(Formalism f, const char* name, const Changes& changes) {
+  const double lie = sized_mass(Formalism::Lie, changes);
+  const double off = std::abs(sized_mass(f, changes) / lie - 1);
+  testing::Test::RecordProperty(fmt::format("mass_{}_{}", to_string(f), name),
+                                fmt::format("{:.3g}", off));
+  return off;
+}
+
+TEST(FormalismLoads, SizeTheSameRodAsTheMeshRefines) {
+  for (const auto f : {Formalism::Decoupled, Formalism::Classical}) {
+    const auto off = [&](const char* n) {
+      return off_in_mass(f, n,
+                         {std::string("bodies.rod.beam.elements=") + n,
+                          std::string("bodies.crank.beam.elements=") + n});
+    };
+    const double coarse = off("8"), fine = off("16");
+    EXPECT_LT(coarse, 0.02) << to_string(f);
+    EXPECT_GT(std::log2(coarse / fine), 1.7) << to_string(f);
   }
-  for (const double m : masses) EXPECT_NEAR(m, masses[0], 0.02 * masses[0]);
+}
+
+TEST(FormalismLoads, OfTheFloatingFrameSizeTheSameRodAsItStiffens) {
+  const double soft = off_in_mass(Formalism::Floating, "E", {});
+  const double stiff = off_in_mass(
+      Formalism::Floating, "4E", {"materials.steel.E=8.4e11", "constraints.bending.limit=0.25e-3"});
+  EXPECT_LT(soft, 0.06);
+  EXPECT_NEAR(std::log2(soft / stiff) / 2, 1, 0.1);
 }
 
 }  // namespace
