@@ -4,7 +4,7 @@
 #include "apps/cli/command.hpp"
 #include "apps/cli/run_summary.hpp"
 #include "apps/compare/comparison.hpp"
-#include "apps/compare/row_table.hpp"
+#include "apps/compare/ratios.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
@@ -184,6 +184,7 @@ class Run {
     summary_.reason = fmt::format("{} of {} rows", summary_.done, summary_.rows);
     for (const auto& [ending, count] : endings)
       summary_.reason += fmt::format(", {} {}", count, ending);
+    summary_.ratios = formalism_ratios(comparison_.rows.cases, table_);
     summary_.wall_s = clock_.seconds();
     table_.write(folder_ / "rows.csv");
     output::replace_file(
@@ -200,8 +201,17 @@ class Run {
                  r.changes.empty() ? "" : fmt::format(" ({})", fmt::join(r.changes, ", ")),
                  r.formalisms[0], r.formalisms[1], r.floor, summary_.unit,
                  r.size > 0 ? r.floor / r.size : 0.0);
+    for (const auto& r : summary_.ratios) print(r);
     for (const auto& w : summary_.warnings) fmt::print("  note: {}\n", w);
     fmt::print("results in {}; next: liesl plot {}\n", options_.out, options_.out);
+  }
+
+  static void print(const output::FormalismRatio& r) {
+    const auto times = [](const std::optional<double>& x) {
+      return x ? fmt::format("{:.2g} x", *x) : "-";
+    };
+    fmt::print("  {} against {}, medians of {} pairs of rows: error {}, time {}\n", r.formalism,
+               r.to, r.pairs, times(r.error), times(r.time));
   }
 
   const Stopwatch clock_;

@@ -232,12 +232,7 @@ std::vector<ReferenceRun> Comparison::reference_runs(std::size_t row, int side) 
 Comparison load_comparison(const fs::path& path, const std::vector<std::string>& changes) {
   Document document = load_document(path);
   Problems problems(document.file);
-  if (const FileKind kind = kind_of(document.root); kind != FileKind::Comparison) {
-    problems.add(document.root, fmt::format("this is a {}, not a comparison", name_of(kind)),
-                 "a comparison, with [quantity] and [grid]",
-                 "as in [quantity] response = \"tip\" and [grid] formalism = [\"se3\", \"r3so3\"]");
-    problems.throw_if_any();
-  }
+  expect_kind(document.root, FileKind::Comparison, problems);
   Comparison comparison;
   Batch& rows = comparison.rows;
   std::vector<std::string> own, of_scene;

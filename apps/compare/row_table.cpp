@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <numeric>
 
 #include "apps/batch/case_table.hpp"
@@ -37,14 +38,13 @@ constexpr std::size_t kStatus = 0;
 
 std::string cell(const std::optional<double>& x) { return x ? fmt::format("{}", *x) : ""; }
 
-/// A value of a row without the quotes of TOML.
+}  // namespace
+
 std::string plain(const std::string& text) {
   const bool quoted =
       text.size() >= 2 && text.front() == text.back() && (text[0] == '\'' || text[0] == '"');
   return quoted ? text.substr(1, text.size() - 2) : text;
 }
-
-}  // namespace
 
 bool is_figure(const std::string& column) {
   return column == "run" || std::any_of(std::begin(kFigures), std::end(kFigures),
@@ -74,6 +74,15 @@ void RowTable::add(const CaseList::Row& run, const Measured& m, std::optional<do
       m.reason};
 }
 
+std::optional<double> RowTable::figure(const std::string& run, const std::string& column) const {
+  const auto row = rows_.find(run);
+  const auto at = std::find_if(std::begin(kFigures), std::end(kFigures),
+                               [&](const Figure& f) { return column == f.name; });
+  if (row == rows_.end()) return std::nullopt;
+  const std::string& text = row->second[static_cast<std::size_t>(at - std::begin(kFigures))];
+  return text.empty() ? std::nullopt : std::optional(std::strtod(text.c_str(), nullptr));
+}
+
 std::map<std::string, int> RowTable::endings() const {
   std::map<std::string, int> counts;
   for (const auto& [name, cells] : rows_) ++counts[cells[kStatus]];
@@ -94,7 +103,9 @@ void RowTable::read(const std::filesystem::path& path) {
 
 void RowTable::write(const std::filesystem::path& path) const {
   std::vector<output::TextColumn> columns{{"run", "", {}}};
-  for (const CaseColumn& column : runs_.columns) columns.push_back({column.name, "", {}});
+  for (const CaseColumn& column : runs_.columns)
+    columns.push_back(
+        {column.name, std::string(unit_at(FileKind::Scene, column.keys.front())), {}});
   for (const Figure& figure : kFigures)
     columns.push_back({figure.name, figure.unit[0] == '*' ? unit_ : figure.unit, {}});
   for (const CaseList::Row& run : runs_.rows) {

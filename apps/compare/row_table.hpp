@@ -14,6 +14,9 @@ namespace liesl {
 /// Is this a column that every table has?
 bool is_figure(const std::string& column);
 
+/// A value of a row without the quotes of TOML.
+std::string plain(const std::string& text);
+
 /// Rows by the name of the run. Cells are texts, so that rows read again stay as they were written.
 class RowTable {
  public:
@@ -25,6 +28,8 @@ class RowTable {
   /// @param error,floor of the row and its reference; empty without a reference or an end
   void add(const CaseList::Row& run, const Measured& measured, std::optional<double> error,
            std::optional<double> floor);
+  /// A number of a row; empty if the row is not there or has none. @pre is_figure(column)
+  std::optional<double> figure(const std::string& run, const std::string& column) const;
   /// How many rows ended how.
   std::map<std::string, int> endings() const;
 

@@ -162,6 +162,14 @@ Json to_json(const CompareSummary& s) {
                                   {"formalisms", r.formalisms},
                                   {"floor", r.floor},
                                   {"size", r.size}});
+  json["ratios"] = Json::array();
+  const auto number = [](const std::optional<double>& x) { return x ? Json(*x) : Json(nullptr); };
+  for (const FormalismRatio& r : s.ratios)
+    json["ratios"].push_back({{"formalism", r.formalism},
+                              {"to", r.to},
+                              {"pairs", r.pairs},
+                              {"error", number(r.error)},
+                              {"time", number(r.time)}});
   json["wall_s"] = s.wall_s;
   add_tail(json, s.warnings, s.overrides, s.input_sha256);
   return json;

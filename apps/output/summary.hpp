@@ -107,6 +107,13 @@ struct ReferenceFigure {
   double size = 0;   ///< norm of their mean
 };
 
+/// A formalism against the first of a comparison.
+struct FormalismRatio {
+  std::string formalism, to;
+  int pairs = 0;                      ///< of rows alike in all else
+  std::optional<double> error, time;  ///< medians of the pairs; empty without figures
+};
+
 struct CompareSummary {
   std::string name;
   std::string status, reason;
@@ -114,6 +121,7 @@ struct CompareSummary {
   int rows = 0, done = 0;                          ///< of the grid; of those that have ended
   std::vector<std::pair<std::string, int>> ended;  ///< status -> rows
   std::vector<ReferenceFigure> references;
+  std::vector<FormalismRatio> ratios;
   double wall_s = 0;
   std::vector<std::string> warnings, overrides;
   std::string input_sha256;

@@ -167,6 +167,18 @@ TEST_F(Compare, OrdersAreTwo) {
   }
   EXPECT_EQ(summary()["status"], "done");
   EXPECT_EQ(summary()["references"].size(), 1u);
+  std::vector<double> ratios;
+  for (std::size_t i = 0; i < 3; ++i)
+    ratios.push_back(number(all[3 + i], "error") / number(all[i], "error"));
+  std::sort(ratios.begin(), ratios.end());
+  const auto ratio = summary()["ratios"][0];
+  EXPECT_EQ(summary()["ratios"].size(), 1u);
+  EXPECT_EQ(ratio["formalism"], "r3so3");
+  EXPECT_EQ(ratio["to"], "se3");
+  EXPECT_EQ(ratio["pairs"], 3);
+  EXPECT_DOUBLE_EQ(ratio["error"], ratios[1]);
+  EXPECT_GT(ratio["time"], 0);
+  EXPECT_NE(o.out.find("r3so3 against se3, medians of 3 pairs of rows: error"), std::string::npos);
   EXPECT_EQ(keys(summary()), documented("### `compare`\n").always);
 }
 
