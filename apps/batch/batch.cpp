@@ -145,12 +145,7 @@ void check_cases(Batch& batch, Problems& problems) {
 Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) {
   Document document = load_document(path);
   Problems problems(document.file);
-  if (const FileKind kind = kind_of(document.root); kind != FileKind::Batch) {
-    problems.add(document.root, fmt::format("this is a {}, not a batch", name_of(kind)),
-                 "a batch, with [grid] or 'table'",
-                 "as in study = \"slider_crank_rod.toml\" and a [grid]");
-    problems.throw_if_any();
-  }
+  expect_kind(document.root, FileKind::Batch, problems);
   Batch batch;
   std::vector<std::string> own;
   for (const std::string& change : changes)

@@ -49,8 +49,8 @@ class Pool {
         folder_(folder),
         options_(options),
         limits_{batch.time, batch.memory},
-        todo_(cases_to_run()),
-        line_("cases", static_cast<double>(todo_.size()), "cases", options.quiet) {
+        waiting_(cases_to_run()),
+        line_("cases", static_cast<double>(waiting_.size()), "cases", options.quiet) {
     // A process a core: the linear algebra of each keeps to its threads.
     for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"})
       ::setenv(name, std::to_string(options.threads).c_str(), 0);
@@ -58,14 +58,14 @@ class Pool {
 
   PoolReport run() {
     const ChildSignal children;
-    for (std::size_t next = 0; next < todo_.size() || !running_.empty();) {
+    for (std::size_t next = 0; next < waiting_.size() || !running_.empty();) {
       stop_if_asked();
       if (report_.interrupted && running_.empty()) break;
-      while (!report_.interrupted && next < todo_.size() && free()) start(todo_[next++]);
+      while (!report_.interrupted && next < waiting_.size() && free()) start(waiting_[next++]);
       collect();
       line_.update(report_.ran, report_.failed ? fmt::format("{} failed", report_.failed) : "");
       constexpr double kTick = 0.1;  // s, for time limits and the live line
-      if (!free() || (next >= todo_.size() && !running_.empty())) children.wait(kTick);
+      if (!free() || (next >= waiting_.size() && !running_.empty())) children.wait(kTick);
     }
     return report_;
   }
@@ -138,7 +138,7 @@ class Pool {
   PoolOptions options_;
   Worker::Limits limits_;
   PoolReport report_;
-  std::vector<std::size_t> todo_;
+  std::vector<std::size_t> waiting_;
   output::Progress line_;
   std::list<Running> running_;
 };

@@ -20,6 +20,7 @@ class Comparison:
         inputs = series.names[1:series.names.index("status")]
         self.varied = [n for n in inputs if len({row[n] for row in self.rows}) > 1]
         self.unit = series.unit("error")
+        self.label = {name: label(name, series.unit(name)) for name in inputs}
         self.quantity = f"{summary.get('norm', '')} error of {summary.get('response', '')}"
         words = [n for n in self.varied if not all(is_number(row[n]) for row in self.rows)]
         self.numbers = [n for n in self.varied if n not in words]
@@ -140,7 +141,7 @@ def draw_orders(comparison, pictures, _arguments):
         ticks = sorted({float(row[axis]) for row in comparison.rows})
         ax.set_xticks(ticks, [f"{n:g}" for n in ticks])
         ax.set_xticks([], minor=True)
-        ax.set_xlabel(label(axis, "s" if axis == "step" else ""))
+        ax.set_xlabel(comparison.label[axis])
         ax.set_ylabel(label(comparison.quantity, comparison.unit))
         ax.legend(loc="upper center", bbox_to_anchor=(0.5, -0.14), ncols=3, title="fitted slope")
     pictures.save(figure, "orders", "order, at the finest mesh or step otherwise")
@@ -166,7 +167,7 @@ def draw_effort(comparison, pictures, _arguments):
             scale_axis(ax, "x", [float(row[axis]) for row in comparison.rows])
         panels[0].set_ylim(bottom=0)
         log_axes(panels[1], "y")
-        panels[-1].set_xlabel(label(axis, ""))
+        panels[-1].set_xlabel(comparison.label[axis])
         pictures.save(figure, f"effort_over_{axis}", f"effort over {label(axis, '')}")
 
 
@@ -212,8 +213,8 @@ def draw_stability(comparison, pictures, arguments):
         ax.margins(0.12)
     for ax in axes.flat[len(comparison.kinds):]:
         ax.set_axis_off()
-    figure.supxlabel(label(pair[0], "s" if pair[0] == "step" else ""), fontsize=10)
-    figure.supylabel(label(pair[1], ""), fontsize=10)
+    figure.supxlabel(comparison.label[pair[0]], fontsize=10)
+    figure.supylabel(comparison.label[pair[1]], fontsize=10)
     legend(axes[0][columns - 1], handles=axes[0][0].get_legend_handles_labels()[0])
     name = re.sub(r"[^\w.+-]+", "_", f"stability_{pair[0]}_{pair[1]}")
     pictures.save(figure, name, "how runs end (the worst over what else is varied)")
@@ -226,3 +227,6 @@ def draw_comparison(series, pictures, summary, arguments):
         return
     for draw in (draw_work_precision, draw_orders, draw_effort, draw_stability):
         draw(comparison, pictures, arguments)
+    if not pictures.paths:
+        raise NothingToDraw("rows.csv has no errors and varies no number of the mechanism; it varies "
+                            + (", ".join(comparison.varied) or "nothing"))

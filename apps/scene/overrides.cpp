@@ -41,14 +41,6 @@ struct Cursor {
   std::string pattern;
 };
 
-/// Says why a step of the path leads nowhere, or returns an empty string.
-std::string pattern_below(const Cursor& at, FileKind kind, const std::string& part) {
-  const std::string prefix = at.pattern.empty() ? "" : at.pattern + ".";
-  if (find_key(kind, prefix + part)) return prefix + part;
-  if (find_key(kind, prefix + "*")) return prefix + "*";
-  return "";
-}
-
 /// Index of a list, -1 if the text is not one.
 int index_of(const std::string& text, std::size_t size) {
   int index = -1;
@@ -116,13 +108,12 @@ class Setter {
 
   /// Pattern of the schema for a step down a table; complains if there is none.
   std::string resolve(const Cursor& at, const std::string& part, const toml::node& value) {
-    Cursor from = at;
     const Key* key = find_key(kind_, at.pattern);
-    if (key && key->type == Type::Function) from.pattern = "(function)";
-    std::string below = pattern_below(from, kind_, part);
+    const std::string from = key && key->type == Type::Function ? "(function)" : at.pattern;
+    std::string below = pattern_below(kind_, from, part);
     if (below.empty())
       complain(value, fmt::format("unknown key '{}'", path_),
-               suggestion(part, leaves(kind_, from.pattern)));
+               suggestion(part, leaves(kind_, from)));
     return below;
   }
 

@@ -74,6 +74,17 @@ FileKind kind_of(const toml::table& root) {
   return FileKind::Scene;
 }
 
+void expect_kind(const toml::table& root, FileKind wanted, Problems& problems) {
+  const FileKind kind = kind_of(root);
+  if (kind == wanted || (kind == FileKind::Scene && !root.contains("bodies"))) return;
+  constexpr std::string_view kKeys[] = {"[bodies]", "'scene' and [design]", "[grid] or 'table'",
+                                        "[quantity] and [grid]"};
+  problems.add(root, fmt::format("this is a {}, not a {}", name_of(kind), name_of(wanted)),
+               fmt::format("a {}, with {}", name_of(wanted), kKeys[static_cast<int>(wanted)]),
+               fmt::format("give a {}, or use a command for a {}", name_of(wanted), name_of(kind)));
+  problems.throw_if_any();
+}
+
 void read_parts(Reader& reader) {
   reader.scene.mechanism.name = text(reader.root, "name");
   reader.scene.mechanism.gravity = vec3(reader.root, "gravity");
@@ -94,12 +105,7 @@ namespace {
 
 Scene read_document(Document document, const std::vector<std::string>& overrides) {
   Problems problems(document.file);
-  if (const FileKind kind = kind_of(document.root); kind != FileKind::Scene) {
-    const std::string name(name_of(kind));
-    problems.add(document.root, "this is a " + name + ", not a scene", "a scene, with [bodies]",
-                 "give its scene, or use a command for a " + name);
-    problems.throw_if_any();
-  }
+  expect_kind(document.root, FileKind::Scene, problems);
   apply_overrides(document.root, FileKind::Scene, overrides, problems);
   const Broken broken = validate(document.root, FileKind::Scene, problems);
   Scene scene;

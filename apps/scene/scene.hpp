@@ -39,4 +39,9 @@ Scene read_scene(const std::string& text, const std::string& file,
 /// study, unless it has `bodies`.
 FileKind kind_of(const toml::table& root);
 
+/// A file of another kind than a command reads has no key that it could be told of.
+/// @throws InputError with the problems so far and "this is a batch, not a study". A file that has
+/// no key of any kind passes: it is told what it lacks.
+void expect_kind(const toml::table& root, FileKind wanted, Problems& problems);
+
 }  // namespace liesl

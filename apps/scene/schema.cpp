@@ -68,6 +68,23 @@ const Key* find_key(FileKind kind, std::string_view pattern) {
   return nullptr;
 }
 
+std::string pattern_below(FileKind kind, const std::string& pattern, const std::string& part) {
+  const std::string prefix = pattern.empty() ? "" : pattern + ".";
+  if (find_key(kind, prefix + part)) return prefix + part;
+  if (find_key(kind, prefix + "*")) return prefix + "*";
+  return "";
+}
+
+std::string_view unit_at(FileKind kind, const std::string& path) {
+  std::istringstream parts(path);
+  std::string pattern;
+  for (std::string part; std::getline(parts, part, '.');) {
+    pattern = pattern_below(kind, pattern, part);
+    if (pattern.empty()) return {};
+  }
+  return find_key(kind, pattern)->unit;
+}
+
 std::vector<std::string> words(std::string_view text) {
   std::istringstream stream{std::string(text)};
   std::vector<std::string> list;

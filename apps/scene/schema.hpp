@@ -79,6 +79,10 @@ const std::vector<Key>& schema(FileKind kind);
 std::vector<const Key*> children(FileKind kind, std::string_view parent);
 /// The key of a pattern, nullptr if there is none.
 const Key* find_key(FileKind kind, std::string_view pattern);
+/// Pattern of the key `part` in a table; empty if there is none.
+std::string pattern_below(FileKind kind, const std::string& pattern, const std::string& part);
+/// Unit of the value at a path, "sections.rod.diameter"; empty if there is no such key.
+std::string_view unit_at(FileKind kind, const std::string& path);
 
 /// Words of a blank-separated list.
 std::vector<std::string> words(std::string_view text);

@@ -45,14 +45,7 @@ void read_study_parts(StudyReader& reader) {
 Study read_document(Document document, const fs::path& folder,
                     const std::vector<std::string>& overrides) {
   Problems problems(document.file);
-  const FileKind kind = kind_of(document.root);
-  if (kind == FileKind::Batch || kind == FileKind::Comparison || document.root.contains("bodies")) {
-    const std::string name(name_of(kind));
-    problems.add(document.root, "this is a " + name + ", not a study",
-                 "a study, with 'scene' and [design]",
-                 "give a study, or use a command for a " + name);
-    problems.throw_if_any();
-  }
+  expect_kind(document.root, FileKind::Study, problems);
   const SplitOverrides parts = split_overrides(overrides);
   apply_overrides(document.root, FileKind::Study, parts.study, problems);
   const Broken broken = validate(document.root, FileKind::Study, problems);

@@ -1,9 +1,8 @@
 #pragma once
 /// @file
 /// Do the joint forces change sign at every step? In index 3 the error of the multipliers has a
-/// part
-/// (-rho_inf)^n, which rho_inf = 1 never calms (A. Cardona, M. Geradin, Comput. Struct. 33 (1989)
-/// 801-820). An alternating part of size a stands alone in the second difference,
+/// part (-rho_inf)^n, which rho_inf = 1 never calms (A. Cardona, M. Geradin, Comput. Struct. 33
+/// (1989) 801-820). An alternating part of size a stands alone in the second difference,
 ///   D_n = lambda_n - 2 lambda_{n-1} + lambda_{n-2} = +-4 a,
 /// where forces that follow the motion leave O(h^2).
 

@@ -29,7 +29,8 @@ class Equations {
   /// Values of all coupling rows at a state, into q.
   void observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const;
 
-  /// Power of the loads at a state (dynamics), W. Overwrites r.
+  /// Power of the loads at a state (dynamics), W. Overwrites r, and adds the loads to the
+  /// scales: evaluate() comes next.
   double load_power(const State<G>& s);
 
   /// Norm of r with moments divided by the size of the mechanism, N; of one body's part of r.

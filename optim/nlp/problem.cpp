@@ -9,7 +9,7 @@
 namespace liesl {
 
 void Problem::hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&, Eigen::MatrixXd&) {
-  throw std::logic_error("Problem::hessian: announced by hessian_shape() but not implemented");
+  throw std::logic_error("Problem::hessian: hessian_shape() announces one; override this, too");
 }
 
 namespace {

@@ -129,7 +129,7 @@ def write_comparison(folder):
                                  3 * steps if kind == "classical" else 1, "", "", "", 1e-12,
                                  1e-5, "did not converge, at 0.1 s" if stopped else ""])
     write_csv(folder / "rows.csv",
-              ["run", "formalism", "elements", "step", "stiffness", "status", "error [m]",
+              ["run", "formalism", "elements", "step [s]", "stiffness [N/m]", "status", "error [m]",
                "cpu_s [s]", "cpu_spread [-]", "steps", "newton_iterations", "tangent_refreshes",
                "rejected_steps", "factorizations", "energy_drift [J]", "momentum_drift [N s]",
                "angular_momentum_drift [N m s]", "constraint_residual [m or rad]", "floor [m]",
@@ -209,6 +209,15 @@ class Plot(unittest.TestCase):
     def test_stability_map_of_two_axes(self):
         self.draws(write_comparison, ["stability_elements_step"], "--x=elements", "--y=step")
         self.refuses("varies no number 'formalism'", options=["--x=formalism", "--y=step"])
+
+    def test_comparison_of_what_is_no_number(self):
+        write_comparison(self.folder)
+        path = self.folder / "rows.csv"
+        lines = [line.split(",") for line in path.read_text().splitlines()]
+        for line in lines[1:]:
+            line[3], line[4], line[6] = "0.001", f"[1; {line[4]}]", ""
+        path.write_text("\n".join(",".join(line) for line in lines) + "\n")
+        self.refuses("varies no number", "stiffness")
 
     def test_no_result(self):
         self.refuses("no summary.json")
