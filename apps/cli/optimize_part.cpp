@@ -43,11 +43,15 @@ void print_step(const ShapeStep& s, SolidResponse goal, bool quiet) {
   std::fflush(stdout);
 }
 
-void describe_steps(output::OptimizeSummary& summary, const std::vector<ShapeStep>& history) {
+void describe_steps(output::OptimizeSummary& summary, SolidResponse goal,
+                    const std::vector<ShapeStep>& history) {
   summary.history.clear();
-  for (const auto& s : history)
+  for (const auto& s : history) {
+    const bool mass = goal == SolidResponse::Mass;
     summary.history.push_back({s.number, s.check.mass, s.check.worst, std::nullopt, s.load_cases,
-                               s.iterations, 0, s.seconds});
+                               s.iterations, 0, s.seconds,
+                               mass ? std::nullopt : std::optional(s.check.goal)});
+  }
   summary.mass_initial = history.front().check.mass;
   summary.mass_final = history.back().check.mass;
   summary.worst_constraint = history.back().check.worst;
@@ -69,7 +73,7 @@ void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
   summary.status = to_string(r.status);
   summary.reason = r.reason;
   if (r.history.empty()) return;
-  describe_steps(summary, r.history);
+  describe_steps(summary, task.goal, r.history);
   describe_limits(summary, task, r);
   summary.design = design_figures(*task.design, r.x);
   auto& more = summary.more;
@@ -126,7 +130,7 @@ int optimize_part(const Study& study, const CommandOptions& options, output::Ato
   hooks.on_step = [&](const std::vector<ShapeStep>& history) {
     print_step(history.back(), task.goal, options.quiet);
     output::OptimizeSummary so_far = summary;
-    describe_steps(so_far, history);
+    describe_steps(so_far, task.goal, history);
     so_far.status = "running";
     so_far.reason = fmt::format("{} steps so far", history.size());
     so_far.wall_s = clock.seconds();

@@ -88,6 +88,7 @@ Json history_json(const std::vector<CycleRecord>& history) {
                     {"optimizer_iterations", h.optimizer_iterations},
                     {"move_limit", h.move_limit},
                     {"wall_s", h.wall_s}});
+    if (h.objective) json.back()["objective"] = *h.objective;
   }
   return json;
 }

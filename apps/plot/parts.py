@@ -1,5 +1,7 @@
 """Pictures of meshed parts: outlines over the steps, fractions and stresses of the cells."""
 
+import math
+
 import matplotlib.pyplot as plt
 from matplotlib.collections import PolyCollection
 
@@ -57,9 +59,12 @@ def draw_cells(folder, pictures, _summary):
         corners = [list(zip(found.numbers(f"x{c}"), found.numbers(f"y{c}"))) for c in range(4)]
         cells = list(zip(*corners))
         part = path.name[:-len("_cells.csv")]
+        fractions = found.numbers("fraction")
         for name, heading, colours in (("fraction", "fraction of the cells", "Greys"),
                                        ("stress", "von Mises stress, worst load case", "viridis")):
             values = found.numbers(name)
+            if name == "stress":  # where there is material
+                values = [v if f > 0 else math.nan for v, f in zip(values, fractions)]
             factor, unit = scale_of(values, found.unit(name))
             figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.2))
             drawn = PolyCollection(cells, array=scaled(values, factor), cmap=colours,

@@ -17,11 +17,17 @@ def draw_history(_folder, pictures, summary):
         return
     cycles = [h["cycle"] for h in history]
     column = lambda key: [math.nan if h.get(key) is None else h[key] for h in history]
-    figure, (mass, worst, change) = stacked(3, 2.0)
+    changes = column("load_change")
+    loads_change = any(map(math.isfinite, changes))
+    figure, panels = stacked(3 if loads_change else 2, 2.0)
+    goal, worst = panels[:2]
 
-    factor, unit = scale_of(column("mass"), "kg")
-    mass.plot(cycles, scaled(column("mass"), factor), "o-", color=BLUE)
-    mass.set_ylabel(label("mass", unit))
+    objective = summary.get("objective") if "objective" in history[0] else None
+    name, unit = (objective["quantity"], objective["unit"]) if objective else ("mass", "kg")
+    values = column("objective" if objective else "mass")
+    factor, unit = scale_of(values, unit)
+    goal.plot(cycles, scaled(values, factor), "o-", color=BLUE)
+    goal.set_ylabel(label(name, unit))
 
     values = scaled(column("worst_constraint"), 100)
     worst.axhline(0, label="limit", **LIMIT)
@@ -33,19 +39,23 @@ def draw_history(_folder, pictures, summary):
     worst.set_ylabel("worst constraint\nabove its limit [%]")
     legend(worst)
 
-    values = column("load_change")
-    if any(v > 0 for v in values):
-        change.set_yscale("log")
-        values = [v if v > 0 else math.nan for v in values]
-    change.plot(cycles, values, "o-", color=GREEN)
-    change.set_ylabel("relative change\nof the loads")
-    change.set_xlabel("cycle")
-    change.xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
-    change.set_xlim(min(cycles) - 0.3, max(cycles) + 0.3)
+    if loads_change:
+        draw_load_change(panels[2], cycles, changes)
+    panels[-1].set_xlabel("step" if "objective" in summary else "cycle")
+    panels[-1].xaxis.set_major_locator(MaxNLocator(integer=True, min_n_ticks=1))
+    panels[-1].set_xlim(min(cycles) - 0.3, max(cycles) + 0.3)
     figure.align_ylabels()
     status = summary.get("status", "")
     pictures.save(figure, "cycle_history", f"cycle history ({status})" if status else
                   "cycle history")
+
+
+def draw_load_change(ax, cycles, changes):
+    if any(v > 0 for v in changes):
+        ax.set_yscale("log")
+        changes = [v if v > 0 else math.nan for v in changes]
+    ax.plot(cycles, changes, "o-", color=GREEN)
+    ax.set_ylabel("relative change\nof the loads")
 
 
 def draw_design(folder, pictures, _summary):
