@@ -39,15 +39,8 @@ namespace {
 void describe_cycles(output::OptimizeSummary& summary, const std::vector<Cycle>& history) {
   summary.history.clear();
   for (const auto& c : history)
-    summary.history.push_back({c.number,
-                               c.mass,
-                               c.worst,
-                               c.load_change,
-                               c.load_cases,
-                               c.iterations,
-                               c.move,
-                               c.seconds,
-                               {}});
+    summary.history.push_back(
+        {c.number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds});
 }
 
 std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits,

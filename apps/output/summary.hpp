@@ -68,7 +68,7 @@ struct CycleRecord {
   int optimizer_iterations = 0;
   double move_limit = 0;
   double wall_s = 0;
-  std::optional<double> objective;  ///< where it is not the mass
+  std::optional<double> objective = {};  ///< where it is not the mass
 };
 
 struct OptimizeSummary : RunSummary {
