@@ -24,8 +24,6 @@ class Void {
  public:
   Void(const Part& part, double spacing) : part_(part), tolerance_(1e-13 * spacing) {}
 
-  double raw(const Vector3d& x) const { return -part_.sign * part_.shape->value(x); }
-
   struct Value {
     double d = 0;      ///< positive in the void
     Vector3d n;        ///< grad d
@@ -141,18 +139,25 @@ bool newton(const Void& a, const Void& b, double spacing, Saddle& s) {
 
 }  // namespace
 
+VectorXd void_at(const Part& part, const Eigen::Matrix3Xd& samples) {
+  VectorXd out(samples.cols());
+  for (Eigen::Index i = 0; i < samples.cols(); ++i)
+    out[i] = -part.sign * part.shape->value(samples.col(i));
+  return out;
+}
+
 Wall wall_between(const Part& a, const Part& b, const Eigen::Matrix3Xd& samples, int size) {
+  return wall_between(a, b, void_at(a, samples), void_at(b, samples), samples, size);
+}
+
+Wall wall_between(const Part& a, const Part& b, const VectorXd& in_a, const VectorXd& in_b,
+                  const Eigen::Matrix3Xd& samples, int size) {
   const double extent = (samples.rowwise().maxCoeff() - samples.rowwise().minCoeff()).maxCoeff();
   const double spacing = extent / std::max(1.0, std::sqrt(static_cast<double>(samples.cols())));
   const Void void_a(a, spacing), void_b(b, spacing);
-  double best = -std::numeric_limits<double>::infinity();
-  Saddle s;
-  for (Eigen::Index i = 0; i < samples.cols(); ++i) {
-    const double v = std::min(void_a.raw(samples.col(i)), void_b.raw(samples.col(i)));
-    if (!(v > best)) continue;
-    best = v;
-    s.x = samples.col(i);
-  }
+  Eigen::Index best = 0;
+  in_a.cwiseMin(in_b).maxCoeff(&best);
+  Saddle s{samples.col(best)};
   Saddle refined = s;
   const bool found =
       newton(void_a, void_b, spacing, refined) && (refined.x - s.x).norm() <= kFarthest * spacing;

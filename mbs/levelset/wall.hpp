@@ -25,4 +25,10 @@ struct Wall {
 /// @param size of p
 Wall wall_between(const Part& a, const Part& b, const Eigen::Matrix3Xd& samples, int size);
 
+/// The two halves of it, for many walls of few features: -sign phi of a part at the samples,
+/// positive in its void, and what Newton's method makes of the best of them.
+Eigen::VectorXd void_at(const Part& part, const Eigen::Matrix3Xd& samples);
+Wall wall_between(const Part& a, const Part& b, const Eigen::VectorXd& void_a,
+                  const Eigen::VectorXd& void_b, const Eigen::Matrix3Xd& samples, int size);
+
 }  // namespace liesl::levelset

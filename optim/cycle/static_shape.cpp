@@ -298,8 +298,8 @@ void StaticShape::values(const VectorXd& x, double& f, VectorXd& g) {
     for (int k = 0; k < v.size(); ++k)
       g[row++] = l.response == SolidResponse::Mass ? v[k] / l.limit - 1 : 1 - v[k] / l.limit;
   }
-  const VectorXd walls = task_.design->walls();
-  g.tail(walls.size()) = walls;
+  wall_gradient_.resize(static_cast<Eigen::Index>(task_.design->wall_names().size()), x.size());
+  g.tail(wall_gradient_.rows()) = task_.design->walls(&wall_gradient_);
 }
 
 void StaticShape::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
@@ -330,9 +330,7 @@ void StaticShape::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
     const double sign = l.response == SolidResponse::Mass ? 1 : -1;
     for (int k = 0; k < d.rows(); ++k) dg.row(row++) = sign * d.row(k) / l.limit;
   }
-  RowMatrix walls(static_cast<Eigen::Index>(task_.design->wall_names().size()), dg.cols());
-  task_.design->walls(&walls);
-  dg.bottomRows(walls.rows()) = walls;
+  dg.bottomRows(wall_gradient_.rows()) = wall_gradient_;
 }
 
 }  // namespace liesl

@@ -117,6 +117,7 @@ class StaticShape final : public StaticProblem {
   std::string obstacle_;
   std::optional<StressNorm> stress_;  ///< at the latest x
   bool stress_gradient_ = false;
+  RowMatrix wall_gradient_;  ///< found together with the walls
   std::optional<FrequencyGradient> frequencies_;
 };
 

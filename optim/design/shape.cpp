@@ -1,6 +1,7 @@
 #include "optim/design/shape.hpp"
 
 #include <fmt/format.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -118,7 +119,7 @@ void ShapeDesign::add_wall(const WallSpec& w, std::vector<std::string>& errors) 
     errors.push_back("wall '" + w.name + "': the shape has no feature '" + w.feature + "'" +
                      known(feature_names(shape_)));
   if (a && b) {
-    walls_.push_back({*a, *b, -1, w.least});
+    walls_.push_back({*a, *b, -1, w.least, sampled(*a), sampled(*b)});
     wall_names_.push_back(w.name);
     return;
   }
@@ -136,6 +137,15 @@ void ShapeDesign::add_wall(const WallSpec& w, std::vector<std::string>& errors) 
       wall_names_.push_back(fmt::format("{} at node {}", w.name, node));
     }
   }
+}
+
+/// Index of a feature among those that are sampled for walls.
+int ShapeDesign::sampled(const levelset::Part& part) {
+  const auto at = std::find_if(sampled_.begin(), sampled_.end(), [&](const levelset::Part& p) {
+    return p.shape == part.shape && p.sign == part.sign;
+  });
+  if (at == sampled_.end()) return sampled_.push_back(part), static_cast<int>(sampled_.size()) - 1;
+  return static_cast<int>(at - sampled_.begin());
 }
 
 VectorXd ShapeDesign::start() const {
@@ -166,15 +176,18 @@ VectorXd ShapeDesign::reach(const FractionGradient& dv, double cells) const {
 }
 
 VectorXd ShapeDesign::walls(RowMatrix* dg) const {
+  std::vector<VectorXd> voids(sampled_.size());
+  tbb::parallel_for(std::size_t{0}, voids.size(), [&](std::size_t i) {
+    voids[i] = levelset::void_at(sampled_[i], model_.mesh().nodes);
+  });
   VectorXd g(static_cast<Eigen::Index>(walls_.size()));
-  VectorXd slope(shape_.size());
-  for (std::size_t i = 0; i < walls_.size(); ++i) {
+  tbb::parallel_for(std::size_t{0}, walls_.size(), [&](std::size_t i) {
     const WallRow& w = walls_[i];
     double thickness = 0;
-    slope.setZero();
+    VectorXd slope = VectorXd::Zero(shape_.size());
     if (w.b.shape) {
-      const levelset::Wall wall =
-          levelset::wall_between(w.a, w.b, model_.mesh().nodes, shape_.size());
+      const levelset::Wall wall = levelset::wall_between(w.a, w.b, voids[w.void_a], voids[w.void_b],
+                                                         model_.mesh().nodes, shape_.size());
       thickness = wall.thickness;
       slope = wall.derivative;
     } else {
@@ -186,7 +199,7 @@ VectorXd ShapeDesign::walls(RowMatrix* dg) const {
     const auto row = static_cast<Eigen::Index>(i);
     g[row] = 1 - thickness / w.least;
     if (dg) dg->row(row) = -(jacobian_.transpose() * slope).transpose() / w.least;
-  }
+  });
   return g;
 }
 

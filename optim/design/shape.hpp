@@ -45,7 +45,9 @@ class ShapeDesign {
     levelset::Part a, b;  ///< b.shape is null: distance to `node`
     int node = -1;
     double least = 0;
+    int void_a = -1, void_b = -1;  ///< among the sampled features
   };
+  int sampled(const levelset::Part& part);
   void add_variable(const ShapeVariableSpec& v, std::vector<std::string>& errors);
   void check_bounds(const ShapeVariableSpec& v, int j, std::vector<std::string>& errors);
   void add_wall(const WallSpec& w, std::vector<std::string>& errors);
@@ -60,6 +62,7 @@ class ShapeDesign {
   std::vector<Eigen::Triplet<double>> entries_;
   Eigen::SparseMatrix<double> jacobian_;
   std::vector<WallRow> walls_;
+  std::vector<levelset::Part> sampled_;
   std::vector<std::string> wall_names_;
 };
 
