@@ -15,7 +15,10 @@ namespace {
 
 constexpr double kSmallestMove = 1e-3;
 constexpr std::size_t kFewVariables = 12;  // the optimality check simulates twice for each
-constexpr double kNearActive = 1e-2;       // limits that may hold the mass up when the cycle ends
+// Iterations without second derivatives while the loads still change: in the first cycle of the
+// connecting rod 280 more of them lower the mass by 0.6 %, for 20 times the evaluations.
+constexpr int kFewIterations = 20;
+constexpr double kNearActive = 1e-2;  // limits that may hold the mass up when the cycle ends
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -45,8 +48,8 @@ class EslCycle {
         continue;
       }
       Cycle& cycle = record(trial, x, number);
-      const bool done = ended(agreement(result_.history, study_.cycle)) || oscillates_for_good() ||
-                        ended(used_up(result_.history, study_.cycle));
+      const bool done = ended(settled(agreement(result_.history, study_.cycle))) ||
+                        oscillates_for_good() || ended(used_up(result_.history, study_.cycle));
       if (!done) x = size(trial, cycle);
       cycle.seconds = seconds_since(begin);
       last_ = std::move(trial);
@@ -170,6 +173,14 @@ class EslCycle {
     return true;
   }
 
+  /// An end that says the design stands, unless it does because the optimiser was stopped before it
+  /// found a better one: then the next has all its iterations.
+  std::optional<CycleEnd> settled(std::optional<CycleEnd> end) {
+    if (!end || !cut_) return end;
+    few_ = false;
+    return {};
+  }
+
   /// Halves the move limit of a cycle that oscillates; true if that does not help any more.
   bool oscillates_for_good() {
     if (!oscillates(result_.history, study_.cycle)) return false;
@@ -205,7 +216,11 @@ class EslCycle {
       cycle.lower[i] = variables[i].lower;
       cycle.upper[i] = variables[i].upper;
     }
-    const StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going);
+    const int all = NlpOptions().max_iterations;
+    const int most = problem.has_hessian() || !few_ ? all : kFewIterations;
+    const StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going, most);
+    const bool cut = most < all && answer.result.status == NlpStatus::IterationLimit;
+    cut_ = cut && step_size(cycle, answer.result.x) <= study_.cycle.tolerance;
     cycle.iterations = answer.iterations;
     cycle.load_cases = problem.load_cases();
     cycle.move = move_;
@@ -268,6 +283,7 @@ class EslCycle {
   std::optional<DesignRun<G>> last_, best_;
   Eigen::VectorXd best_x_;
   NlpWarmStart warm_;
+  bool few_ = true, cut_ = false;  ///< iterations: only few are allowed; they led nowhere
   CycleResult<G> result_;
 };
 

@@ -10,8 +10,9 @@ namespace {
 constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 
 NlpResult optimise(StaticProblem& problem, const CycleOptions& cycle, const NlpWarmStart& warm,
-                   const std::function<bool()>& keep_going) {
+                   const std::function<bool()>& keep_going, int max_iterations) {
   NlpOptions options;
+  options.max_iterations = max_iterations;
   options.progress = [&](const NlpProgress&) { return !keep_going || keep_going(); };
   options.tolerance = 1e-7;
   options.feasibility = 1e-7;
@@ -35,10 +36,10 @@ NlpResult optimise(StaticProblem& problem, const CycleOptions& cycle, const NlpW
 }  // namespace
 
 StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, NlpWarmStart& warm,
-                          const std::function<bool()>& keep_going) {
+                          const std::function<bool()>& keep_going, int max_iterations) {
   StaticAnswer answer;
   for (int round = 0; round < kMaxRounds; ++round) {
-    answer.result = optimise(problem, options, warm, keep_going);
+    answer.result = optimise(problem, options, warm, keep_going, max_iterations);
     answer.iterations += answer.result.iterations;
     if (answer.result.status == NlpStatus::Infeasible) break;  // nor with more cases
     if (problem.add_violated(answer.result.x, 1e-6) == 0) break;

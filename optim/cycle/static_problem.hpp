@@ -31,7 +31,9 @@ struct StaticAnswer {
 /// Optimises with the retained cases, looks at all of them, adds those that are violated, again.
 /// @param warm multipliers to start from (Ipopt only) and those at the end
 /// @param keep_going asked at every iteration; null: yes
+/// @param max_iterations of the optimiser in a round; the best point found is the answer
 StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, NlpWarmStart& warm,
-                          const std::function<bool()>& keep_going);
+                          const std::function<bool()>& keep_going,
+                          int max_iterations = NlpOptions().max_iterations);
 
 }  // namespace liesl
