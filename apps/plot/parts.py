@@ -5,7 +5,7 @@ import math
 import matplotlib.pyplot as plt
 from matplotlib.collections import PolyCollection
 
-from style import label, legend, scale_of, scaled
+from style import height_of, label, legend, scale_of, scaled
 from tables import table
 
 
@@ -21,11 +21,15 @@ def closed_lines(outlines):
             for step, found in lines.items()}
 
 
-def part_axes(ax):
+def part_axes(points):
+    """A figure for a part with these points, one scale for both directions."""
+    wide, high = (max(p[k] for p in points) - min(p[k] for p in points) for k in range(2))
+    figure, ax = plt.subplots(layout="constrained", figsize=(8.2, height_of(wide, high)))
     ax.set_aspect("equal")
     ax.grid(False)
     ax.set_xlabel(label("x", "m"))
     ax.set_ylabel(label("y", "m"))
+    return figure, ax
 
 
 def draw_outlines(folder, pictures, _summary):
@@ -35,7 +39,8 @@ def draw_outlines(folder, pictures, _summary):
         if not found:
             continue
         steps = closed_lines(found)
-        figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.2))
+        points = [point for lines in steps.values() for xs, ys in lines for point in zip(xs, ys)]
+        figure, ax = part_axes(points)
         shades = plt.get_cmap("viridis_r")
         last = max(steps)
         for step, lines in sorted(steps.items()):
@@ -44,7 +49,6 @@ def draw_outlines(folder, pictures, _summary):
                 ax.plot(xs, ys, color="black" if step == last else shades(0.15 + 0.6 * share),
                         linewidth=1.6 if step == last else 0.8,
                         label=f"step {step}" if i == 0 and step in (1, last) else None)
-        part_axes(ax)
         legend(ax)
         part = path.name[:-len("_outlines.csv")]
         pictures.save(figure, f"{part}_outlines", f"outline of '{part}'")
@@ -66,11 +70,10 @@ def draw_cells(folder, pictures, _summary):
             if name == "stress":  # where there is material
                 values = [v if f > 0 else math.nan for v, f in zip(values, fractions)]
             factor, unit = scale_of(values, found.unit(name))
-            figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.2))
+            figure, ax = part_axes([corner for cell in cells for corner in cell])
             drawn = PolyCollection(cells, array=scaled(values, factor), cmap=colours,
                                    edgecolors="face", linewidths=0.1)
             ax.add_collection(drawn)
             ax.autoscale_view()
-            part_axes(ax)
             figure.colorbar(drawn, ax=ax, shrink=0.8, label=label(name, unit))
             pictures.save(figure, f"{part}_{name}", f"{heading} of '{part}'")

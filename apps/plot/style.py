@@ -66,6 +66,11 @@ def stacked(count, height=2.3, width=8.2):
     return figure, [row[0] for row in axes]
 
 
+def height_of(wide, high):
+    """Height of a figure, 8.2 inches wide, whose axes have one scale; `wide` times `high` is shown."""
+    return min(max(6.2 * high / max(wide, 1e-300), 0.8), 5.5) + 1.3
+
+
 class Pictures:
     """Writes each figure as PNG and SVG, whole or not at all."""
 
