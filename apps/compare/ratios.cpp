@@ -41,8 +41,8 @@ std::vector<output::FormalismRatio> formalism_ratios(const CaseList& runs, const
     if (!std::count(formalisms.begin(), formalisms.end(), name)) formalisms.push_back(name);
   }
   std::vector<output::FormalismRatio> ratios;
+  const auto first = rows_of(runs, column, formalisms[0]);
   for (std::size_t f = 1; f < formalisms.size(); ++f) {
-    const auto first = rows_of(runs, column, formalisms[0]);
     std::vector<double> error, time;
     for (const auto& [others, row] : rows_of(runs, column, formalisms[f])) {
       const auto same = first.find(others);

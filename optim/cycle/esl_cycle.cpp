@@ -15,8 +15,8 @@ namespace {
 
 constexpr double kSmallestMove = 1e-3;
 constexpr std::size_t kFewVariables = 12;  // the optimality check simulates twice for each
-// Iterations without second derivatives while the loads still change: in the first cycle of the
-// connecting rod 280 more of them lower the mass by 0.6 %, for 20 times the evaluations.
+// Iterations without second derivatives while the loads still change: they converge slowly, and to
+// an answer that the next loads move.
 constexpr int kFewIterations = 20;
 constexpr double kNearActive = 1e-2;  // limits that may hold the mass up when the cycle ends
 

@@ -144,8 +144,9 @@ int ShapeDesign::sampled(const levelset::Part& part) {
   const auto at = std::find_if(sampled_.begin(), sampled_.end(), [&](const levelset::Part& p) {
     return p.shape == part.shape && p.sign == part.sign;
   });
-  if (at == sampled_.end()) return sampled_.push_back(part), static_cast<int>(sampled_.size()) - 1;
-  return static_cast<int>(at - sampled_.begin());
+  const auto index = static_cast<int>(at - sampled_.begin());
+  if (at == sampled_.end()) sampled_.push_back(part);
+  return index;
 }
 
 VectorXd ShapeDesign::start() const {

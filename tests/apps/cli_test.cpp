@@ -193,7 +193,7 @@ TEST_F(Cli, InterruptedRunEndsWithAReadableState) {
   EXPECT_EQ(run(words).code, 0);
 }
 
-TEST_F(Cli, ResumeOfNothingSaysWhatToDo) {
+TEST_F(Cli, ResumeOfNothingSaysWhatIsNext) {
   const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--resume"});
   EXPECT_EQ(o.code, 2);
   EXPECT_NE(o.err.find("there is no interrupted run in this folder"), std::string::npos) << o.err;

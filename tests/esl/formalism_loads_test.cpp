@@ -102,6 +102,11 @@ TEST(FormalismLoads, OfTheBeamsAgreeWithTheMesh) {
     }
 }
 
+TEST(FormalismLoads, CauseTheSameDeformation) {
+  for (const auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating})
+    EXPECT_LT(robot(f, 8).deformation, 2e-3) << to_string(f);
+}
+
 /// A linear part knows the deformation to first order only: what is left between its loads and the
 /// others does not fall with the mesh, but with the flexibility.
 TEST(FormalismLoads, OfTheFloatingFrameAgreeToFirstOrderInTheFlexibility) {
