@@ -112,12 +112,13 @@ void static_sizing(benchmark::State& state) {
   const Space<SE2> plane = *find_plane(study.scene.mechanism).plane;
   const DesignSimulator<SE2> simulator(study.scene.mechanism, plane, study.scene.simulation,
                                        study.spec);
-  const Eigen::VectorXd x = simulator.start();
+  const Eigen::VectorXd x = simulator.design().start();
   const DesignRun<SE2> run = simulator.run(x);
-  const Analysis<SE2> at{run.mechanism, run.model.get(), &run.simulation.trajectory, run.loads};
+  const Analysis<SE2> at{run.mechanism, run.model.get(), &run.simulation.trajectory, &run.loads};
   int iterations = 0, kept = 0;
   for (auto _ : state) {
-    StaticSizing<SE2> problem(at, simulator.sizing(), study.spec, x, study.spec.cycle.move_limit);
+    StaticSizing<SE2> problem(at, simulator.design().sizing(), study.spec, x,
+                              study.spec.cycle.move_limit);
     for (int round = 0; round < 8; ++round) {
       const NlpResult answer = solve_ipopt(problem);
       iterations += answer.iterations;

@@ -80,7 +80,7 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
 }
 
 template <FrameGroup G>
-void describe_result(output::OptimizeSummary& summary, const Study& study, const Sizing& sizing,
+void describe_result(output::OptimizeSummary& summary, const Study& study, const Design& design,
                      const CycleResult<G>& r) {
   describe_cycles(summary, r.history);
   summary.status = to_string(r.status);
@@ -95,10 +95,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   const auto& bodies = study.scene.mechanism.bodies;
   for (size_t b = 0; b < r.factorizations.size(); ++b)
     summary.factorizations.emplace_back(bodies[b].name, r.factorizations[b]);
-  for (int i = 0; i < sizing.size() && r.x.size() > 0; ++i) {
-    const auto& v = sizing.variables()[i];
-    summary.design.push_back({v.name, v.start, r.x[i], v.lower, v.upper, "m"});
-  }
+  summary.design = design_figures(design.variables(), design.units(), r.x);
   for (size_t i = 0; i < r.final.size(); ++i) {
     const auto& spec = study.spec.constraints[i].response;
     summary.constraints.push_back(
@@ -129,18 +126,18 @@ void print_cycle(const Cycle& c, bool quiet) {
   std::fflush(stdout);
 }
 
-/// What is left of the part whose outline the study changed.
+/// What is left of part k, whose outline the study changed.
 template <FrameGroup G>
-void describe_part(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r,
+void write_part_of(const Design& design, int k, const Study& study, const CycleResult<G>& r,
                    const std::filesystem::path& folder) {
-  const auto& [body, spec] = *study.spec.shapes.begin();
-  PartShape part(study.scene.mechanism, body, spec);
-  summary.design = design_figures(part.design, r.x);
+  PartShape& part = design.part(k);
   std::vector<Eigen::VectorXd> history;
-  for (const auto& c : r.history) history.push_back(c.x);
-  if (history.back() != r.x) history.push_back(r.x);
-  write_part(folder, study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name, part,
-             history, fields_of_motion(study.spec, part, r.x, *r.model, r.simulation.trajectory));
+  for (const auto& c : r.history) history.push_back(design.of_part(k, c.x));
+  if (r.history.back().x != r.x) history.push_back(design.of_part(k, r.x));
+  write_part(folder, study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)].name, part,
+             history,
+             fields_of_motion(study.spec, part, design.of_part(k, r.x), *r.model,
+                              r.simulation.trajectory));
 }
 
 template <FrameGroup G>
@@ -148,7 +145,7 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
                 output::AtomicFolder& folder, output::OptimizeSummary& summary,
                 const std::vector<Cycle>& resume, const Stopwatch& clock) {
   const Scene& scene = study.scene;
-  const Sizing sizing(study.spec.design, scene.mechanism);
+  const Design design(study.spec, scene.mechanism);
   CycleHooks hooks;
   output::Progress line(
       "simulating",
@@ -175,7 +172,7 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
   };
   const CycleResult<G> r =
       run_cycle<G>(scene.mechanism, space, scene.simulation, study.spec, hooks, resume);
-  describe_result(summary, study, sizing, r);
+  describe_result(summary, study, design, r);
   if (r.model) {
     output::Results results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
     output::write_results(folder.path(), results);
@@ -184,11 +181,10 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
                  series(r.initial, scene.mechanism, study.spec), scene);
     write_series(folder.path() / "responses_final.csv", r.times,
                  series(r.final, scene.mechanism, study.spec), scene);
-    if (study.spec.shapes.empty())
+    if (design.sizing().size() > 0)
       output::write_design_csv(folder.path() / "design.csv",
-                               design_rows(sizing, scene.mechanism, r.x));
-    else
-      describe_part(summary, study, r, folder.path());
+                               design_rows(design.sizing(), scene.mechanism, r.x));
+    for (int k = 0; k < design.parts(); ++k) write_part_of(design, k, study, r, folder.path());
   }
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));

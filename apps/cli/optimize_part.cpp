@@ -75,7 +75,7 @@ void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
   if (r.history.empty()) return;
   describe_steps(summary, task.goal, r.history);
   describe_limits(summary, task, r);
-  summary.design = design_figures(*task.design, r.x);
+  summary.design = design_figures(task.design->variables(), task.design->units(), r.x);
   auto& more = summary.more;
   more["objective"] = {{"quantity", quantity(task.goal).name},
                        {"unit", quantity(task.goal).unit},
@@ -110,12 +110,13 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
 
 }  // namespace
 
-std::vector<output::DesignFigure> design_figures(const ShapeDesign& design,
+std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>& variables,
+                                                 const std::vector<std::string>& units,
                                                  const Eigen::VectorXd& x) {
   std::vector<output::DesignFigure> out;
-  for (int j = 0; j < design.size() && x.size() > 0; ++j) {
-    const auto& v = design.variables()[j];
-    out.push_back({v.name, v.start, x[j], v.lower, v.upper, design.units()[j]});
+  for (int j = 0; j < x.size(); ++j) {
+    const auto& v = variables[static_cast<std::size_t>(j)];
+    out.push_back({v.name, v.start, x[j], v.lower, v.upper, units[static_cast<std::size_t>(j)]});
   }
   return out;
 }

@@ -10,8 +10,9 @@
 
 namespace liesl {
 
-/// The variables of a shape, from the start to x (empty: none).
-std::vector<output::DesignFigure> design_figures(const ShapeDesign& design,
+/// The variables of a design, from the start to x (empty: none).
+std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>& variables,
+                                                 const std::vector<std::string>& units,
                                                  const Eigen::VectorXd& x);
 
 /// Optimises, writes the folder and fills in the summary. @returns the exit code

@@ -114,22 +114,29 @@ void read_fixed_load(StudyReader& reader, const Entry& entry) {
     reader.spec.loads.push_back(std::move(load));
 }
 
-/// What a study of a motion cannot do to an outline yet.
+bool changes(const StudySpec& spec, int body) {
+  return spec.shapes.contains(body) ||
+         std::any_of(spec.design.begin(), spec.design.end(), [body](const DesignSpec& design) {
+           return std::count(design.bodies.begin(), design.bodies.end(), body) > 0;
+         });
+}
+
+/// What a study of a motion cannot do with a meshed part.
 void check_motion(StudyReader& reader) {
   const StudySpec& spec = reader.spec;
   Problems& problems = reader.scene.problems;
-  if (spec.shapes.size() > 1)
-    problems.add(*reader.root.get("design"), "the study varies the outlines of several parts",
-                 "shape variables of one part");
   if (!spec.part_limits.empty())
     problems.add(*reader.root.get("part_limits"), "limits of a part itself are for fixed [loads]",
                  "constraints on responses of the motion");
-  for (const ConstraintSpec& c : spec.constraints)
-    if (limited_body(c.response) != spec.shapes.begin()->first)
-      problems.add(
-          *reader.root["constraints"][c.response.name].node(),
-          fmt::format("constraint '{}' is of another body than the outline", c.response.name),
-          "a response of the part whose outline changes");
+  for (const ConstraintSpec& c : spec.constraints) {
+    const int body = limited_body(c.response);
+    if (changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body))) continue;
+    problems.add(
+        *reader.root["constraints"][c.response.name].node(),
+        fmt::format("constraint '{}' is of '{}', which no variable changes", c.response.name,
+                    reader.scene.scene.mechanism.bodies[std::size_t(body)].name),
+        "a response of a body in [design]");
+  }
 }
 
 }  // namespace
@@ -185,13 +192,11 @@ void check_shapes(StudyReader& reader) {
   if (problems.count() > 0) return;
   const StudySpec& spec = reader.spec;
   const toml::node& design = *reader.root.get("design");
-  if (!spec.shapes.empty() && !spec.design.empty())
-    problems.add(design, "the study varies sections of beams and outlines of parts",
-                 "one or the other", "mixed studies are not there yet");
-  if (!spec.loads.empty() && spec.shapes.size() != 1)
+  if (!spec.loads.empty() && (spec.shapes.size() != 1 || !spec.design.empty()))
     problems.add(*reader.root.get("loads"), "fixed loads are for the outline of one meshed part",
-                 "shape variables of one part");
-  if (!spec.shapes.empty() && spec.loads.empty()) check_motion(reader);
+                 "shape variables of one part",
+                 "loads that stay do not couple parts: a study for each");
+  if (spec.loads.empty()) check_motion(reader);
   if (spec.loads.empty() && spec.goal != SolidResponse::Mass)
     problems.add(*reader.root.get("objective"),
                  "compliance and stress are minimised under loads "

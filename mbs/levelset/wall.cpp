@@ -16,8 +16,9 @@ constexpr int kIterations = 40, kFootIterations = 60;
 constexpr double kDifference = 1e-4;  // of the spacing of the samples: step of second derivatives
 constexpr double kLongestStep = 2;    // of the spacing, in one iteration
 constexpr double kConverged = 1e-11;  // residual, slopes being 1 and lengths in spacings
-constexpr double kFarthest = 8;       // spacings from the best sample
-constexpr double kFlat = 1e-6;        // curvature times spacing that counts as none
+constexpr double kStands = 1e-8;  // residual that may be left where it no longer falls: flat sides
+constexpr double kFarthest = 8;   // spacings from the best sample
+constexpr double kFlat = 1e-8;    // curvature times spacing that counts as none
 
 /// The void of a feature: signed distance by the nearest point of the outline, or nu = -sign phi.
 class Void {
@@ -106,7 +107,7 @@ double best_share(const Vector3d& a, const Vector3d& b) {
 /// Newton's method on (x, t, w): w a' + (1 - w) b' = 0, a = t, b = t. Directions without curvature
 /// (extruded shapes, parallel sides) are left alone by the least-norm step.
 bool newton(const Void& a, const Void& b, double spacing, Saddle& s) {
-  double t = 0;
+  double t = 0, before = std::numeric_limits<double>::infinity();
   for (int k = 0; k < kIterations; ++k) {
     const Void::Value va = a.at(s.x), vb = b.at(s.x);
     if (!va.exact || !vb.exact) return false;
@@ -125,7 +126,10 @@ bool newton(const Void& a, const Void& b, double spacing, Saddle& s) {
     Eigen::Matrix<double, 5, 1> r;
     r << s.w * va.n + (1 - s.w) * vb.n, (va.d - t) / spacing, (vb.d - t) / spacing;
     if (!J.allFinite() || !r.allFinite()) return false;
-    if (r.norm() <= kConverged) return s.w > 0 && s.w < 1;
+    const double residual = r.norm();
+    if (residual <= kConverged || (residual <= kStands && residual >= 0.9 * before))
+      return s.w > 0 && s.w < 1;
+    before = residual;
     Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 5, 5>> solver;
     solver.setThreshold(kFlat);
     const Eigen::Matrix<double, 5, 1> step = -solver.compute(J).solve(r);

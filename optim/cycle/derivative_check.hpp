@@ -5,8 +5,7 @@
 #include <stdexcept>
 
 #include "optim/cycle/design_run.hpp"
-#include "optim/cycle/motion_task.hpp"
-#include "optim/cycle/static_sizing.hpp"
+#include "optim/cycle/motion_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
 namespace liesl {
@@ -18,21 +17,15 @@ DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space
                                          const SimulationOptions& simulation,
                                          const StudySpec& study) {
   const DesignSimulator<G> simulator(mechanism, space, simulation, study);
-  const Eigen::VectorXd x = simulator.start();
+  const Eigen::VectorXd x = simulator.design().start();
   const DesignRun<G> run = simulator.run(x);
   if (!run.good())
     throw std::runtime_error("the start design cannot be simulated: " +
                              run.simulation.report.reason);
   DerivativeCheckOptions options;
   options.every_variable = true;
-  if (simulator.part()) {
-    const SolidTask task = motion_task(study, simulator, run);
-    StaticShape problem(task, x, study.cycle.move_cells, study.cycle.move_limit);
-    return check_derivatives(problem, x, options);
-  }
-  const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, run.loads};
-  StaticSizing<G> problem(at, simulator.sizing(), study, x, study.cycle.move_limit);
-  return check_derivatives(problem, x, options);
+  const auto problem = motion_problem(study, simulator, run, x, study.cycle.move_limit);
+  return check_derivatives(*problem, x, options);
 }
 
 }  // namespace liesl

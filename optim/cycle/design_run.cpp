@@ -1,14 +1,19 @@
 #include "optim/cycle/design_run.hpp"
 
+#include <algorithm>
+
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
 namespace {
 
-std::unique_ptr<PartShape> shaped_part(const StudySpec& study, const Mechanism& mechanism) {
-  if (study.shapes.empty()) return nullptr;
-  const auto& [body, spec] = *study.shapes.begin();
-  return std::make_unique<PartShape>(mechanism, body, spec);
+/// Beams that carry limits, and meshed parts whose outline changes.
+std::vector<int> loaded_bodies(const StudySpec& study, const Mechanism& mechanism) {
+  std::vector<int> bodies;
+  for (const int b : limited_bodies(study))
+    if (std::holds_alternative<BeamSpec>(mechanism.bodies[b].kind)) bodies.push_back(b);
+  for (const auto& [body, spec] : study.shapes) bodies.push_back(body);
+  return bodies;
 }
 
 }  // namespace
@@ -27,29 +32,20 @@ DesignSimulator<G>::DesignSimulator(const Mechanism& mechanism, const Space<G>& 
       space_(space),
       options_(options),
       study_(study),
-      sizing_(study.design, mechanism),
-      part_(shaped_part(study, mechanism)),
-      bodies_(limited_bodies(study)) {}
-
-template <FrameGroup G>
-Eigen::VectorXd DesignSimulator<G>::start() const {
-  Eigen::VectorXd x(static_cast<Eigen::Index>(variables().size()));
-  for (int i = 0; i < x.size(); ++i) x[i] = variables()[i].start;
-  return x;
-}
+      design_(study, mechanism),
+      bodies_(loaded_bodies(study, mechanism)) {}
 
 template <FrameGroup G>
 DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& progress) const {
   DesignRun<G> r;
-  r.mechanism = part_ ? mechanism_ : sizing_.apply(mechanism_, x);
-  if (part_) part_->apply(x, r.mechanism);
+  r.mechanism = design_.apply(mechanism_, x);
   r.model = std::make_shared<Model<G>>(Model<G>::build(r.mechanism, space_));
   r.mass = mass_of(r.mechanism, study_.mass_of);
   r.simulation = run_simulation(*r.model, options_, progress);
   if (!r.good()) return r;
   extract(r);
   measure(r);
-  if (part_) measure_walls(r, x);
+  measure_walls(r, x);
   return r;
 }
 
@@ -66,14 +62,17 @@ void DesignSimulator<G>::extract(DesignRun<G>& r) const {
 /// A wall that is too thin counts as a limit that is violated all the time.
 template <FrameGroup G>
 void DesignSimulator<G>::measure_walls(DesignRun<G>& r, const Eigen::VectorXd& x) const {
-  part_->shape->set(part_->design.parameters(x));
-  const Eigen::VectorXd walls = part_->design.walls();
-  for (int i = 0; i < walls.size(); ++i)
-    if (walls[i] > r.worst) {
-      r.worst = walls[i];
-      r.worst_time = 0;
-      r.worst_constraint = part_->design.wall_names()[static_cast<std::size_t>(i)];
-    }
+  for (int k = 0; k < design_.parts(); ++k) {
+    PartShape& part = design_.part(k);
+    part.shape->set(part.design.parameters(design_.of_part(k, x)));
+    const Eigen::VectorXd walls = part.design.walls();
+    for (int i = 0; i < walls.size(); ++i)
+      if (walls[i] > r.worst) {
+        r.worst = walls[i];
+        r.worst_time = 0;
+        r.worst_constraint = part.design.wall_names()[static_cast<std::size_t>(i)];
+      }
+  }
 }
 
 /// The true responses at every record.
@@ -103,6 +102,18 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
     }
 }
 
+template <FrameGroup G>
+double load_change(const DesignRun<G>& run, const DesignRun<G>& before) {
+  double change = 0;
+  if (!run.loads.empty())
+    change = load_change(run.loads, before.loads, G::dim, G::space_dim, run.model->length);
+  for (std::size_t k = 0; k < run.solid_loads.size(); ++k)
+    change = std::max(change, load_change(run.solid_loads[k], before.solid_loads[k]));
+  return change;
+}
+
+template double load_change(const DesignRun<SE2>&, const DesignRun<SE2>&);
+template double load_change(const DesignRun<SE3>&, const DesignRun<SE3>&);
 template struct DesignRun<SE2>;
 template struct DesignRun<SE3>;
 template class DesignSimulator<SE2>;

@@ -9,8 +9,7 @@
 #include "esl/load_set.hpp"
 #include "esl/solid_loads.hpp"
 #include "mbs/solvers/simulation.hpp"
-#include "optim/design/part_shape.hpp"
-#include "optim/design/sizing.hpp"
+#include "optim/design/design.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {
@@ -31,7 +30,7 @@ struct DesignRun {
   double mass = 0;                  ///< of the bodies in the objective, kg
   Simulation<G> simulation;
   std::vector<LoadSet> loads;             ///< one for each limited beam
-  std::vector<SolidLoadSet> solid_loads;  ///< one for each limited meshed part
+  std::vector<SolidLoadSet> solid_loads;  ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;        ///< one for each constraint
   double worst = -1;                      ///< largest |r|/limit - 1 over all records and limits
   double worst_time = 0;                  ///< s
@@ -49,13 +48,7 @@ class DesignSimulator {
   DesignSimulator(const Mechanism& mechanism, const Space<G>& space,
                   const SimulationOptions& options, const StudySpec& study);
 
-  const Sizing& sizing() const { return sizing_; }
-  /// The part whose outline the study changes, null if it sizes beams.
-  PartShape* part() const { return part_.get(); }
-  const std::vector<NlpVariable>& variables() const {
-    return part_ ? part_->design.variables() : sizing_.variables();
-  }
-  Eigen::VectorXd start() const;  ///< of the variables
+  const Design& design() const { return design_; }
   DesignRun<G> run(const Eigen::VectorXd& x, const Progress& progress = {}) const;
 
  private:
@@ -67,11 +60,17 @@ class DesignSimulator {
   const Space<G>& space_;
   const SimulationOptions& options_;
   const StudySpec& study_;
-  const Sizing sizing_;
-  const std::unique_ptr<PartShape> part_;
-  const std::vector<int> bodies_;  ///< that carry limits
+  const Design design_;
+  const std::vector<int> bodies_;  ///< whose loads are wanted
 };
 
+/// Relative change of the loads, that of the part where it is largest (thesis eq. 3.25). @pre both
+/// converged, at the same times
+template <FrameGroup G>
+double load_change(const DesignRun<G>& run, const DesignRun<G>& before);
+
+extern template double load_change(const DesignRun<SE2>&, const DesignRun<SE2>&);
+extern template double load_change(const DesignRun<SE3>&, const DesignRun<SE3>&);
 extern template struct DesignRun<SE2>;
 extern template struct DesignRun<SE3>;
 extern template class DesignSimulator<SE2>;

@@ -88,12 +88,13 @@ DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const De
   DynamicOptimality out;
   const std::vector<double> times = at.times();
   const std::vector<Peak> peaks = near_active_peaks(at.limits, active);
-  const std::vector<NlpVariable>& variables = simulator.variables();
+  const std::vector<NlpVariable>& variables = simulator.design().variables();
   const auto n = static_cast<int>(x.size()), m = static_cast<int>(peaks.size());
   NlpPoint point{
       x, at.mass, peak_values(at, peaks), true, Eigen::VectorXd::Zero(n), RowMatrix::Zero(m, n)};
+  const Eigen::VectorXd unit = simulator.design().unit(x);
   for (int j = 0; j < n; ++j) {
-    const double step = kStep * (simulator.part() ? variables[j].upper - variables[j].lower : x[j]);
+    const double step = kStep * (unit.size() > 0 ? unit[j] : x[j]);
     double mass[2] = {at.mass, at.mass}, place[2] = {x[j], x[j]};  // below, above
     Eigen::VectorXd g[2] = {point.g, point.g};
     for (const int side : {0, 1}) {

@@ -6,8 +6,7 @@
 #include <chrono>
 #include <stdexcept>
 
-#include "optim/cycle/motion_task.hpp"
-#include "optim/cycle/static_sizing.hpp"
+#include "optim/cycle/motion_problem.hpp"
 
 namespace liesl {
 
@@ -48,8 +47,8 @@ class EslCycle {
         continue;
       }
       Cycle& cycle = record(trial, x, number);
-      const bool done = ended(settled(agreement(result_.history, study_.cycle))) ||
-                        oscillates_for_good() || ended(used_up(result_.history, study_.cycle));
+      const bool done = ended(agreement(result_.history, study_.cycle)) || oscillates_for_good() ||
+                        ended(used_up(result_.history, study_.cycle));
       if (!done) x = size(trial, cycle);
       cycle.seconds = seconds_since(begin);
       last_ = std::move(trial);
@@ -70,7 +69,7 @@ class EslCycle {
 
  private:
   Eigen::VectorXd start_of(const std::vector<Cycle>& resume) {
-    const Eigen::VectorXd x = simulator_.start();
+    const Eigen::VectorXd x = simulator_.design().start();
     if (resume.empty()) return x;
     for (const auto& cycle : resume) {
       if (cycle.x.size() != x.size())
@@ -131,15 +130,8 @@ class EslCycle {
     c.worst_time = trial.worst_time;
     c.move = move_;
     if (last_ && last_->good() && last_->times() == trial.times())
-      c.load_change =
-          trial.solid_loads.empty()
-              ? load_change(trial.loads, last_->loads, G::dim, G::space_dim, trial.model->length)
-              : load_change(trial.solid_loads.front(), last_->solid_loads.front());
-    if (simulator_.part()) {
-      c.unit.resize(x.size());
-      for (int i = 0; i < x.size(); ++i)
-        c.unit[i] = simulator_.variables()[i].upper - simulator_.variables()[i].lower;
-    }
+      c.load_change = load_change(trial, *last_);
+    c.unit = simulator_.design().unit(x);
     if (result_.history.empty()) keep_initial(trial);
     result_.history.push_back(c);
     keep_best(trial, x);
@@ -173,14 +165,6 @@ class EslCycle {
     return true;
   }
 
-  /// An end that says the design stands, unless it does because the optimiser was stopped before it
-  /// found a better one: then the next has all its iterations.
-  std::optional<CycleEnd> settled(std::optional<CycleEnd> end) {
-    if (!end || !cut_) return end;
-    few_ = false;
-    return {};
-  }
-
   /// Halves the move limit of a cycle that oscillates; true if that does not help any more.
   bool oscillates_for_good() {
     if (!oscillates(result_.history, study_.cycle)) return false;
@@ -193,18 +177,8 @@ class EslCycle {
 
   /// The static optimum under the loads of this cycle, then a step towards the fixed point.
   Eigen::VectorXd size(const DesignRun<G>& trial, Cycle& cycle) {
-    if (simulator_.part()) {
-      const SolidTask task = motion_task(study_, simulator_, trial);
-      StaticShape problem(task, cycle.x, study_.cycle.move_cells * move_ / study_.cycle.move_limit,
-                          move_);
-      take_answer(problem, cycle);
-    } else {
-      const Analysis<G> at{trial.mechanism, trial.model.get(), &trial.simulation.trajectory,
-                           trial.loads};
-      StaticSizing<G> problem(at, simulator_.sizing(), study_, cycle.x, move_);
-      take_answer(problem, cycle);
-    }
-    cycle.next = next_design(result_.history, simulator_.variables());
+    take_answer(*motion_problem(study_, simulator_, trial, cycle.x, move_), cycle);
+    cycle.next = next_design(result_.history, simulator_.design().variables());
     return cycle.next;
   }
 
@@ -216,12 +190,14 @@ class EslCycle {
       cycle.lower[i] = variables[i].lower;
       cycle.upper[i] = variables[i].upper;
     }
-    const int all = NlpOptions().max_iterations;
-    const int most = problem.has_hessian() || !few_ ? all : kFewIterations;
-    const StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going, most);
-    const bool cut = most < all && answer.result.status == NlpStatus::IterationLimit;
-    cut_ = cut && step_size(cycle, answer.result.x) <= study_.cycle.tolerance;
+    const int all = NlpOptions().max_iterations, few = problem.has_hessian() ? all : kFewIterations;
+    StaticAnswer answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going, few);
     cycle.iterations = answer.iterations;
+    if (few < all && answer.result.status == NlpStatus::IterationLimit &&
+        step_size(cycle, answer.result.x) <= study_.cycle.tolerance) {  // few led nowhere
+      answer = solve_static(problem, study_.cycle, warm_, hooks_.keep_going, all);
+      cycle.iterations += answer.iterations;
+    }
     cycle.load_cases = problem.load_cases();
     cycle.move = move_;
     cycle.answer = answer.result.x;
@@ -235,7 +211,8 @@ class EslCycle {
     const auto choice = study_.cycle.optimality;
     return best_ && stands &&
            (choice == OptimalityCheck::Always ||
-            (choice == OptimalityCheck::Auto && simulator_.variables().size() <= kFewVariables));
+            (choice == OptimalityCheck::Auto &&
+             simulator_.design().variables().size() <= kFewVariables));
   }
 
   void report_optimality() {
@@ -283,7 +260,6 @@ class EslCycle {
   std::optional<DesignRun<G>> last_, best_;
   Eigen::VectorXd best_x_;
   NlpWarmStart warm_;
-  bool few_ = true, cut_ = false;  ///< iterations: only few are allowed; they led nowhere
   CycleResult<G> result_;
 };
 

@@ -7,6 +7,13 @@ namespace liesl {
 
 namespace {
 
+std::vector<int> beams_among(const std::vector<int>& bodies, const Mechanism& mechanism) {
+  std::vector<int> beams;
+  for (const int b : bodies)
+    if (std::holds_alternative<BeamSpec>(mechanism.bodies[b].kind)) beams.push_back(b);
+  return beams;
+}
+
 /// The static problem of a part is the same whatever the motion was simulated with: at reference
 /// the straight beams of all formalisms have one stiffness. Empty if the model will do.
 template <FrameGroup G>
@@ -30,6 +37,7 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
                               const Eigen::VectorXd& x0, double move)
     : sizing_(sizing),
       study_(study),
+      counted_(beams_among(study.mass_of, at.mechanism)),
       mechanism_(at.mechanism),
       parts_model_(beams_of(at)),
       model_(parts_model_ ? *parts_model_ : *at.model),
@@ -52,7 +60,7 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
 
 template <FrameGroup G>
 void StaticSizing<G>::make_parts(const Analysis<G>& at) {
-  for (const auto& loads : at.loads) {
+  for (const auto& loads : *at.loads) {
     const auto& beam = dynamic_cast<const Beam<G>&>(*model_.bodies[loads.body]);
     PartOutputs outputs = limited_outputs(study_, at.mechanism, model_, loads.body);
     for (auto limit : outputs.limits) {
@@ -130,7 +138,7 @@ Eigen::VectorXd StaticSizing<G>::outputs_of(const Limit& limit, int kept) const 
 
 template <FrameGroup G>
 bool StaticSizing<G>::in_mass(int body) const {
-  return std::find(study_.mass_of.begin(), study_.mass_of.end(), body) != study_.mass_of.end();
+  return std::find(counted_.begin(), counted_.end(), body) != counted_.end();
 }
 
 /// What a derivative of an element's section law adds to that of the objective.
@@ -144,7 +152,7 @@ double StaticSizing<G>::mass_slope(const SectionLaw& derivative, SizedElement at
 template <FrameGroup G>
 void StaticSizing<G>::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
   const bool solved = solve(x);
-  f = mass_of(mechanism_, study_.mass_of);
+  f = mass_of(mechanism_, counted_);
   for (size_t i = 0; i < retained_.rows.size(); ++i) {
     const Limit& limit = limits_[retained_.rows[i].limit];
     g[static_cast<int>(i)] =

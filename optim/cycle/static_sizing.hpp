@@ -19,16 +19,18 @@
 namespace liesl {
 
 /// What the last simulation says of one design: the loads of the parts and the true responses.
+/// What it points to outlives the problem.
 template <FrameGroup G>
 struct Analysis {
   Mechanism mechanism;  ///< with the design that was simulated
   const Model<G>* model = nullptr;
   const Trajectory<G>* trajectory = nullptr;
-  std::vector<LoadSet> loads;  ///< one for each constrained part
+  const std::vector<LoadSet>* loads = nullptr;  ///< one for each constrained beam
 };
 
-/// minimise mass(x) subject to |r_c,n(x)|/limit_c - 1 <= 0. Responses are those of the linear
-/// static problem plus the constant that makes them exact at the analysed design,
+/// minimise mass(x) of the beams in the objective subject to |r_c,n(x)|/limit_c - 1 <= 0. Responses
+/// are those of the linear static problem plus the constant that makes them exact at the analysed
+/// design,
 ///   y_n(x) = C^T K(x)^-1 f_n + (y_n^dynamic - C^T K(x0)^-1 f_n),
 /// so that a fixed point of the cycle satisfies the limits of the motion itself.
 template <FrameGroup G>
@@ -96,6 +98,7 @@ class StaticSizing final : public StaticProblem {
 
   const Sizing& sizing_;
   const StudySpec& study_;
+  std::vector<int> counted_;             ///< beams of the objective
   Mechanism mechanism_;                  ///< at the latest x
   std::optional<Model<G>> parts_model_;  ///< where the motion was of another formalism
   const Model<G>& model_;                ///< of the parts: beams of the Lie group formalism

@@ -87,6 +87,38 @@ TEST(ShapeStudy, RefusesWithPlaceAndHint) {
        "no body 'plat'");
 }
 
+TEST(ShapeStudy, RefusesLimitsOfWhatDoesNotChange) {
+  const std::string study = R"(scene = "../scenes/four_bar_plates.toml"
+[design]
+height = { of = "rocker", parameters = "plate.height", bounds = [0.025, 0.031] }
+[objective]
+of = "rocker"
+[constraints]
+bend = { use = "coupler_bend", limit = 1.0e-5 }
+)";
+  EXPECT_NE(refusal(study).find("constraint 'bend' is of 'coupler', which no variable changes"),
+            std::string::npos)
+      << refusal(study);
+  EXPECT_EQ(refusal(changed(study, "coupler_bend", "rocker_bend")), "");
+}
+
+TEST(ShapeStudy, LoadsThatStayAreOfOnePart) {
+  const std::string study = R"(scene = "../scenes/four_bar_plates.toml"
+[design]
+rocker  = { of = "rocker", parameters = "plate.height", bounds = [0.025, 0.031] }
+coupler = { of = "coupler", parameters = "plate.height", bounds = [0.025, 0.031] }
+[objective]
+of = ["rocker", "coupler"]
+[part_limits]
+soft = { of = "rocker", quantity = "compliance", limit = 1 }
+[loads]
+pull = { at = "rocker.C", force = [1, 0, 0] }
+)";
+  EXPECT_NE(refusal(study).find("fixed loads are for the outline of one meshed part"),
+            std::string::npos)
+      << refusal(study);
+}
+
 TEST(ShapeStudy, SectionsHaveBoundsAboveZero) {
   const std::string study = R"(scene = "../scenes/slider_crank.toml"
 [design]

@@ -25,6 +25,7 @@ struct First {
   Study study;
   Sizing sizing;
   test::Motion<G> motion;
+  std::vector<LoadSet> loads;
   Analysis<G> analysis;
   Eigen::VectorXd x;
 
@@ -34,10 +35,10 @@ struct First {
       : study(s),
         sizing(study.spec.design, study.scene.mechanism),
         motion(study.scene.mechanism, study.scene.simulation),
-        analysis{study.scene.mechanism, &motion.model, &motion.trajectory(), {}},
+        analysis{study.scene.mechanism, &motion.model, &motion.trajectory(), &loads},
         x(sizing.size()) {
     for (const int body : limited_bodies(study.spec))
-      analysis.loads.push_back(extract_loads(motion.model, motion.trajectory(), body));
+      loads.push_back(extract_loads(motion.model, motion.trajectory(), body));
     for (int i = 0; i < x.size(); ++i) x[i] = sizing.variables()[i].start;
   }
   StaticSizing<G> problem(double move = 0.5) const {

@@ -52,6 +52,40 @@ TEST(Wall, ToTheOutlineIsTheDistanceToTheNearestSide) {
   EXPECT_NEAR(wall(*shape, "two", "plate").thickness, 0.1 - 0.06 - 0.02, 1e-12);
 }
 
+/// A long slot along a side: the best sample is far from where it is nearest.
+TEST(Wall, BetweenAFlatSideAndAnEdge) {
+  for (const double b : {0.0076, 0.0099911759}) {
+    const LevelSetPtr shape =
+        plate(placed_in_plane(0.013, 0.041 - b, 0, super_ellipse(0.0349576473, b, 4, 4)),
+              hole(-0.06, 0, 0.01));
+    const Wall w = wall(*shape, "one", "plate");
+    EXPECT_NEAR(w.thickness, 0.009, 1e-9) << b;
+    for (int k = 0; k < shape->size(); ++k) {
+      if (shape->parameters()[k].name == "one.b") {
+        EXPECT_NEAR(w.derivative[k], -1, 1e-8);
+      }
+    }
+  }
+}
+
+/// Ends of super-ellipses are flat to the third order: no curvature where they are nearest.
+TEST(Wall, BetweenFlatEnds) {
+  const LevelSetPtr shape = plate(placed_in_plane(-0.043, 0, 0, super_ellipse(0.025, 0.006, 4, 4)),
+                                  placed_in_plane(0.031, 0, 0, super_ellipse(0.03, 0.007, 4, 4)));
+  EXPECT_NEAR(wall(*shape, "one", "two").thickness, 0.019, 1e-10);
+  EXPECT_NEAR(wall(*shape, "one", "plate").thickness, 0.032, 1e-10);
+  EXPECT_NEAR(wall(*shape, "two", "plate").thickness, 0.039, 1e-10);
+  const VectorXd gap = wall(*shape, "one", "two").derivative;
+  for (int k = 0; k < shape->size(); ++k) {
+    const std::string& name = shape->parameters()[k].name;
+    const double of_gap = name == "one.a" || name == "two.a" || name == "one.x" ? -1
+                          : name == "two.x"                                     ? 1
+                                                                                : 0;
+    const bool turns = shape->parameters()[k].unit == "rad";  // the place is found to micrometres
+    EXPECT_NEAR(gap[k], of_gap, turns ? 1e-5 : 1e-8) << name;
+  }
+}
+
 TEST(Wall, DerivativePassesTheStepSweep) {
   const LevelSetPtr shape =
       plate(placed_in_plane(-0.03, 0.002, 0.3, super_ellipse(0.02, 0.015, 2.5, 3)),

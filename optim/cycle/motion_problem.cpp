@@ -1,0 +1,85 @@
+#include "optim/cycle/motion_problem.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "mbs/system/response_value.hpp"
+#include "optim/cycle/joint_problem.hpp"
+#include "optim/cycle/static_sizing.hpp"
+
+namespace liesl {
+namespace {
+
+const SolidLoadSet& loads_of(const std::vector<SolidLoadSet>& sets, int body) {
+  return *std::find_if(sets.begin(), sets.end(),
+                       [body](const SolidLoadSet& set) { return set.body == body; });
+}
+
+}  // namespace
+
+template <FrameGroup G>
+SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulator, int k,
+                      const DesignRun<G>& run) {
+  PartShape& part = simulator.design().part(k);
+  SolidTask task = solid_task(study, part);
+  const SolidLoadSet& loads = loads_of(run.solid_loads, part.body);
+  task.loads = loads.shapes;
+  task.mix = loads.e;
+  for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
+
+  const ResponseValues<G> values(run.mechanism, *run.model);
+  State<G> s = run.model->initial_state();
+  task.measured.resize(task.outputs.cols(), loads.e.cols());
+  for (int n = 0; n < loads.e.cols(); ++n) {
+    run.simulation.trajectory.read(n, s);
+    int first = 0;
+    for (const ConstraintSpec& c : study.constraints) {
+      if (limited_body(c.response) != part.body) continue;
+      const Eigen::VectorXd v = values(c.response, s);
+      task.measured.col(n).segment(first, v.size()) = v;
+      first += static_cast<int>(v.size());
+    }
+  }
+  return task;
+}
+
+template <FrameGroup G>
+std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
+                                              const DesignSimulator<G>& simulator,
+                                              const DesignRun<G>& run, const Eigen::VectorXd& x,
+                                              double move) {
+  const Design& design = simulator.design();
+  std::vector<JointProblem::Member> members;
+  if (design.sizing().size() > 0) {
+    const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, &run.loads};
+    members.push_back({std::make_unique<StaticSizing<G>>(at, design.sizing(), study,
+                                                         x.head(design.sizing().size()), move),
+                       1});
+  }
+  const double cells = study.cycle.move_cells * move / study.cycle.move_limit;
+  for (int k = 0; k < design.parts(); ++k) {
+    const auto counted =
+        std::count(study.mass_of.begin(), study.mass_of.end(), design.part(k).body);
+    members.push_back({std::make_unique<StaticShape>(motion_task(study, simulator, k, run),
+                                                     design.of_part(k, x), cells, move),
+                       counted > 0 ? 1.0 : 0.0});
+  }
+  if (members.size() == 1) return std::move(members.front().problem);
+  return std::make_unique<JointProblem>(std::move(members));
+}
+
+template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE2>&, int,
+                               const DesignRun<SE2>&);
+template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, int,
+                               const DesignRun<SE3>&);
+template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
+                                                       const DesignSimulator<SE2>&,
+                                                       const DesignRun<SE2>&,
+                                                       const Eigen::VectorXd&, double);
+template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
+                                                       const DesignSimulator<SE3>&,
+                                                       const DesignRun<SE3>&,
+                                                       const Eigen::VectorXd&, double);
+
+}  // namespace liesl

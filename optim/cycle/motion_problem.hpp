@@ -1,0 +1,39 @@
+#pragma once
+/// @file
+/// The static problem of a design under the loads of its motion, whatever its parts are made of.
+
+#include "optim/cycle/design_run.hpp"
+#include "optim/cycle/solid_task.hpp"
+
+namespace liesl {
+
+/// The task of part k of the simulator's design with the loads of `run` as its cases, and the
+/// outputs as the motion has them. @pre the simulator outlives the task
+template <FrameGroup G>
+SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulator, int k,
+                      const DesignRun<G>& run);
+
+/// Minimum mass under the loads of `run` within move limits about its design x: sections within
+/// x (1 -+ move); outlines within `move` of the range of a variable, and within
+/// study.cycle.move_cells cells at the first move limit, study.cycle.move_limit, less as `move`
+/// shrinks. @pre everything outlives the problem
+template <FrameGroup G>
+std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
+                                              const DesignSimulator<G>& simulator,
+                                              const DesignRun<G>& run, const Eigen::VectorXd& x,
+                                              double move);
+
+extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE2>&, int,
+                                      const DesignRun<SE2>&);
+extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, int,
+                                      const DesignRun<SE3>&);
+extern template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
+                                                              const DesignSimulator<SE2>&,
+                                                              const DesignRun<SE2>&,
+                                                              const Eigen::VectorXd&, double);
+extern template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
+                                                              const DesignSimulator<SE3>&,
+                                                              const DesignRun<SE3>&,
+                                                              const Eigen::VectorXd&, double);
+
+}  // namespace liesl

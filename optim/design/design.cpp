@@ -1,0 +1,38 @@
+#include "optim/design/design.hpp"
+
+namespace liesl {
+
+Design::Design(const StudySpec& study, const Mechanism& mechanism)
+    : sizing_(study.design, mechanism), variables_(sizing_.variables()) {
+  units_.assign(variables_.size(), "m");
+  for (const auto& [body, spec] : study.shapes) {
+    const auto& added = parts_.emplace_back(std::make_unique<PartShape>(mechanism, body, spec));
+    const auto& variables = added->design.variables();
+    const auto& units = added->design.units();
+    first_.push_back(static_cast<int>(variables_.size()));
+    variables_.insert(variables_.end(), variables.begin(), variables.end());
+    units_.insert(units_.end(), units.begin(), units.end());
+  }
+}
+
+Eigen::VectorXd Design::start() const {
+  Eigen::VectorXd x(static_cast<Eigen::Index>(variables_.size()));
+  for (int i = 0; i < x.size(); ++i) x[i] = variables_[i].start;
+  return x;
+}
+
+Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
+  if (parts_.empty()) return {};
+  Eigen::VectorXd unit = x;
+  for (int i = sizing_.size(); i < x.size(); ++i)
+    unit[i] = variables_[i].upper - variables_[i].lower;
+  return unit;
+}
+
+Mechanism Design::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
+  Mechanism designed = sizing_.apply(mechanism, x);
+  for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), designed);
+  return designed;
+}
+
+}  // namespace liesl

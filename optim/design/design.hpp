@@ -1,0 +1,47 @@
+#pragma once
+/// @file
+/// All that a study may change: sections of beams and outlines of meshed parts.
+
+#include <memory>
+
+#include "optim/design/part_shape.hpp"
+#include "optim/design/sizing.hpp"
+
+namespace liesl {
+
+/// Variables x: those of the sizing, then those of each part in the order of the bodies. Neither
+/// copied nor moved, as its parts.
+class Design {
+ public:
+  /// @throws std::invalid_argument as Sizing and PartShape do
+  Design(const StudySpec& study, const Mechanism& mechanism);
+
+  const Sizing& sizing() const { return sizing_; }
+  int parts() const { return static_cast<int>(parts_.size()); }
+  PartShape& part(int k) const { return *parts_[static_cast<std::size_t>(k)]; }
+  /// First of the variables of a part.
+  int first(int k) const { return first_[static_cast<std::size_t>(k)]; }
+  /// Its share of x.
+  Eigen::VectorXd of_part(int k, const Eigen::VectorXd& x) const {
+    return x.segment(first(k), part(k).design.size());
+  }
+
+  const std::vector<NlpVariable>& variables() const { return variables_; }
+  const std::vector<std::string>& units() const { return units_; }
+  Eigen::VectorXd start() const;
+  /// What a change of each variable is measured by if there are parts: sections by themselves at x,
+  /// outlines by the range of the variable. Empty if there are none: all by the size of x.
+  Eigen::VectorXd unit(const Eigen::VectorXd& x) const;
+
+  /// The mechanism with this design.
+  Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const;
+
+ private:
+  Sizing sizing_;
+  std::vector<std::unique_ptr<PartShape>> parts_;
+  std::vector<int> first_;
+  std::vector<NlpVariable> variables_;
+  std::vector<std::string> units_;
+};
+
+}  // namespace liesl
