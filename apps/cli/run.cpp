@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "apps/cli/part_summary.hpp"
 #include "apps/cli/run_summary.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/write_results.hpp"
@@ -53,7 +54,8 @@ int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::Run
     simulation = run_simulation(model, scene.simulation, watch(line));
   }
   describe(summary, simulation.report, simulation.start, scene.mechanism);
-  describe_parts(summary, scene.mechanism, model, scene.simulation.duration);
+  describe_parts(summary, scene.mechanism, model, simulation.trajectory,
+                 scene.simulation.type == SimulationType::Dynamic);
   State<G> start = model.initial_state();
   const Mobility m = mobility(model, start);
   summary.more["mobility"] = m.free;
