@@ -184,6 +184,7 @@ const BadPart kParts[] = {
     {"FewPoints", "hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006], [-0.01, 0], [0, -0.006]] }", "@hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006]] }", {"makes no shape"}},
     {"InsideOut", "plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.01 }", "@plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.02 }", {"fillet"}},
     {"OfNothing", "radius = 0.001 }", "radius = 0.001 }\n@spare = { type = \"circle\", x = 0.1, radius = 0.01 }", {"'spare'", "parts of nothing"}},
+    {"MirrorOfTwo", "{ type = \"union\", of = [\"hole1\", \"hole2\"] }", "{ type = \"mirror\", of = [\"hole1\", \"hole2\"] }\n# @", {"mirrors more than one", "unite them first"}},
     {"InACircle", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"] }", "@holes = { type = \"union\", of = [\"hole1\", \"hole2\", \"holes\"] }", {"itself"}},
 };
 // clang-format on
@@ -215,10 +216,14 @@ TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
       << bare.text();
 }
 
-TEST(SolidScene, NeedsAMotion) {
-  EXPECT_NE(problem_of(kPlateScene, {"simulation.type=static", "gravity=[0, -1, 0]"})
-                .what.find("is for motions only"),
-            std::string::npos);
+TEST(SolidScene, SaysInStaticsThatAPartDoesNotBuckleByItself) {
+  EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=static"}).warnings.empty());
+  EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=modes"}).warnings.empty());
+  for (const char* key : {"simulation.critical=true", "simulation.arc_length=true"}) {
+    const Scene scene = read_scene(kPlateScene, "scene.toml", {"simulation.type=static", key});
+    ASSERT_EQ(scene.warnings.size(), 1u) << key;
+    EXPECT_NE(scene.warnings[0].find("part 'rod'"), std::string::npos) << scene.warnings[0];
+  }
 }
 
 TEST(SolidScene, PlanarMeshesNeedAPlanarScene) {

@@ -43,9 +43,9 @@ TEST_P(Tone, GivesItsFrequency) {
 
 INSTANTIATE_TEST_SUITE_P(Frequencies, Tone, ::testing::Values(10., 33.3, 71.7, 200., 431.));
 
-/// The second tone has (a_2/a_1)^2 of the energy: kept if that is more than the share.
+/// The second tone has (a_2/a_1)^2 of the energy: 4e-4, or 1.1e-3 and more than the share.
 TEST(Bandwidth, LeavesOutTheShareAndNoMore) {
-  const Record weak(2000, 1, {{1, 20}, {0.03, 200}}), strong(2000, 1, {{1, 20}, {0.033, 200}});
+  const Record weak(2000, 1, {{1, 20}, {0.02, 200}}), strong(2000, 1, {{1, 20}, {0.033, 200}});
   EXPECT_NEAR(bandwidth(weak.t, weak.signals, kShare), 20, 2);
   EXPECT_NEAR(bandwidth(strong.t, strong.signals, kShare), 200, 2);
 }
