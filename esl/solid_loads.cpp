@@ -1,34 +1,22 @@
 #include "esl/solid_loads.hpp"
 
-#include <fmt/format.h>
-
 #include <limits>
-#include <stdexcept>
 
-#include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_statics.hpp"
+#include "mbs/solvers/part_motion.hpp"
 
 namespace liesl {
 
 template <FrameGroup G>
 SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& trajectory,
                                  int index) {
-  const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies.at(index).get());
-  if (!body)
-    throw std::invalid_argument(
-        fmt::format("'{}' is no flexible meshed part", model.bodies[index]->name));
   SolidLoadSet set;
   set.body = index;
-  set.shapes = body->loads();
-  set.basis = body->basis();
-  set.e.resize(set.basis.cols(), trajectory.size());
-  const int first = model.first_node(index);
-  for (int n = 0; n < trajectory.size(); ++n) {
-    set.t.push_back(trajectory.time(n));
-    const Eigen::VectorXd w = trajectory.w(n);
-    set.e.col(n) = body->coordinates(
-        {trajectory.frames(n) + first, nullptr, nullptr, w.data() + G::dim * first});
-  }
+  set.e = part_coordinates(model, trajectory, index);
+  const auto& body = dynamic_cast<const SolidBody<G>&>(*model.bodies[index]);
+  set.shapes = body.loads();
+  set.basis = body.basis();
+  for (int n = 0; n < trajectory.size(); ++n) set.t.push_back(trajectory.time(n));
   return set;
 }
 

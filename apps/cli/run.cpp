@@ -1,8 +1,10 @@
 #include <fmt/format.h>
 
+#include "apps/cli/part_summary.hpp"
 #include "apps/cli/run_summary.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/write_results.hpp"
+#include "mbs/bodies/solid_body.hpp"
 #include "mbs/solvers/constraint_rank.hpp"
 #include "mbs/solvers/modes.hpp"
 
@@ -11,6 +13,53 @@ namespace {
 
 double end_of(const SimulationOptions& o) {
   return o.type == SimulationType::Dynamic ? o.duration : o.max_load;
+}
+
+/// The state moved by so much of a shape: frames in their axes, amplitudes.
+template <FrameGroup G>
+void move(const Model<G>& model, const Eigen::VectorXd& shape, double size, State<G>& s) {
+  for (size_t b = 0; b < model.bodies.size(); ++b)
+    for (int i = 0; i < model.bodies[b]->nodes(); ++i) {
+      const int k = model.first_node(static_cast<int>(b)) + i;
+      const typename G::Tangent d = size * shape.segment<G::dim>(G::dim * k);
+      if (model.bodies[b]->kind(i) == NodeKind::Frame)
+        s.H[k] = s.H[k] * G::exp(d);
+      else
+        s.w.template segment<G::dim>(G::dim * k) += d;
+    }
+  model.complete(s);
+}
+
+/// The largest component of the displacements and turns of nodes, those of meshes among them.
+template <FrameGroup G>
+double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
+  double largest = 0;
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const int first = model.first_node(static_cast<int>(b));
+    const auto frames = shape.segment(G::dim * first, G::dim * model.bodies[b]->points());
+    largest = std::max(largest, frames.cwiseAbs().maxCoeff());
+    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
+    if (!body) continue;
+    constexpr double kLittle = 1e-6;  // of the shape: its derivative at rest
+    State<G> s = model.initial_state();
+    move(model, shape, kLittle / std::max(shape.cwiseAbs().maxCoeff(), 1e-300), s);
+    const Eigen::VectorXd e =
+        body->coordinates({s.H.data() + first, nullptr, nullptr, s.w.data() + G::dim * first});
+    largest = std::max(
+        largest, (body->basis() * e).cwiseAbs().maxCoeff() * shape.cwiseAbs().maxCoeff() / kLittle);
+  }
+  return largest;
+}
+
+/// Are the modes of the scene within reach of those of its meshed parts?
+void warn_beyond_parts(output::RunSummary& summary, double highest) {
+  if (summary.more.contains("parts"))
+    for (const auto& [name, part] : summary.more["parts"].items())
+      if (const double reach = part["right_up_to_hz"]; reach < highest)
+        summary.warnings.push_back(
+            fmt::format("the modes of '{}' are right up to {:.4g} Hz only, below the highest "
+                        "frequency asked for: more bodies.{}.solid.modes",
+                        name, reach, name));
 }
 
 /// Frequencies and shapes: the shapes become records, abscissa = frequency.
@@ -23,13 +72,13 @@ int run_modes(const Scene& scene, const Space<G>& space, output::RunSummary& sum
   summary.more["frequencies_hz"] = modes.frequency;
   summary.more["eigenvalues"] = modes.eigenvalue;
   if (modes.report.status != SolveStatus::Converged) return 1;
+  describe_parts(summary, scene.mechanism, model, Trajectory<G>(), false);
+  warn_beyond_parts(summary, modes.frequency.empty() ? 0 : modes.frequency.back());
   Trajectory<G> shapes;
   for (size_t m = 0; m < modes.frequency.size(); ++m) {
     State<G> s = modes.equilibrium;
     const Eigen::VectorXd shape = modes.shapes.col(static_cast<int>(m));
-    const double size = 0.1 * model.length / std::max(shape.cwiseAbs().maxCoeff(), 1e-300);
-    for (int k = 0; k < model.nodes(); ++k)
-      s.H[k] = s.H[k] * G::exp(size * shape.segment<G::dim>(G::dim * k));
+    move(model, shape, 0.1 * model.length / std::max(largest_move(model, shape), 1e-300), s);
     s.t = modes.frequency[m];
     s.lambda.setZero();
     shapes.record(s);
@@ -53,7 +102,8 @@ int run_scene(const Scene& scene, const Space<G>& space, bool quiet, output::Run
     simulation = run_simulation(model, scene.simulation, watch(line));
   }
   describe(summary, simulation.report, simulation.start, scene.mechanism);
-  describe_parts(summary, scene.mechanism, model, scene.simulation.duration);
+  describe_parts(summary, scene.mechanism, model, simulation.trajectory,
+                 scene.simulation.type == SimulationType::Dynamic);
   State<G> start = model.initial_state();
   const Mobility m = mobility(model, start);
   summary.more["mobility"] = m.free;

@@ -3,13 +3,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include <numbers>
-
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
-#include "mbs/bodies/solid_body.hpp"
-#include "mbs/solids/solid_model.hpp"
-#include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
 
@@ -48,62 +43,6 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
   summary.more["max_constraint_residual"] = report.max_constraint_residual;
   summary.more["start"] = {{"moved", start.moved}, {"velocity_change", start.velocity_change}};
 }
-
-namespace {
-
-constexpr int kCompared = 12;  // frequencies at most
-constexpr double kNearEnough = 0.01;
-constexpr int kInstants = 200;  // at which the rate of a drive is looked at
-
-/// Turns a second of the fastest drive of an angle.
-double drive_frequency(const Mechanism& m, double duration) {
-  double fastest = 0;
-  for (const DriveSpec& d : m.drives)
-    if (m.joints[static_cast<size_t>(d.joint)].type == JointType::Revolute)
-      for (int i = 0; i <= kInstants; ++i)
-        fastest = std::max(fastest, std::abs(d.motion.rate(duration * i / kInstants)));
-  return fastest / (2 * std::numbers::pi);
-}
-
-/// The lowest frequency that is off, or the highest compared: what all are right below.
-double right_up_to(const Eigen::VectorXd& full, const Eigen::VectorXd& reduced) {
-  for (Eigen::Index i = 0; i < full.size(); ++i)
-    if (i >= reduced.size() || std::abs(reduced[i] / full[i] - 1) > kNearEnough) return full[i];
-  return full.size() > 0 ? full[full.size() - 1] : 0;
-}
-
-}  // namespace
-
-template <FrameGroup G>
-void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, const Model<G>& model,
-                    double duration) {
-  for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
-    if (!body) continue;
-    const auto& spec = std::get<SolidSpec>(mechanism.bodies[b].kind);
-    SolidModel solid = solid_model(spec);
-    const Eigen::VectorXd reduced = body->free_frequencies(kCompared),
-                          full = free_frequencies(solid, solid_fractions(spec).value,
-                                                  static_cast<int>(reduced.size()));
-    const double reach = right_up_to(full, reduced), drive = drive_frequency(mechanism, duration);
-    summary.more["parts"][body->name] = {
-        {"cells", spec.mesh.cell_count()},
-        {"unknowns", body->basis().cols()},
-        {"mass", body->total_mass()},
-        {"free_hz", std::vector<double>(full.begin(), full.end())},
-        {"reduced_hz", std::vector<double>(reduced.begin(), reduced.end())},
-        {"right_up_to_hz", reach},
-        {"drive_hz", drive}};
-    if (reach < 2 * drive)
-      summary.warnings.push_back(
-          fmt::format("the modes of '{}' are right up to {:.4g} Hz only, twice the drive's "
-                      "frequency is {:.4g} Hz: more bodies.{}.solid.modes",
-                      body->name, reach, 2 * drive, body->name));
-  }
-}
-
-template void describe_parts(output::RunSummary&, const Mechanism&, const Model<SE2>&, double);
-template void describe_parts(output::RunSummary&, const Mechanism&, const Model<SE3>&, double);
 
 void describe_responses(output::RunSummary& summary, const output::Results& results) {
   for (const auto& r : results.responses)

@@ -30,12 +30,6 @@ Progress watch(output::Progress& line);
 void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace& space);
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
               const Mechanism& mechanism);
-/// How far the modes of meshed parts reach: free-free frequencies with these unknowns beside those
-/// of the full mesh, and a warning where they are off by more than 1 % below twice the frequency of
-/// the fastest turning drive.
-template <FrameGroup G>
-void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, const Model<G>& model,
-                    double duration);
 void describe_responses(output::RunSummary& summary, const output::Results& results);
 /// A warning if the integrator lost or made more energy than a few per cent.
 void describe_energy(output::RunSummary& summary, const output::Results& results);

@@ -41,8 +41,12 @@ class SolidReader {
     solid_.damping = number(table_, "damping");
     if (const toml::table* ersatz = table_["ersatz"].as_table())
       solid_.law = {number(*ersatz, "exponent"), number(*ersatz, "ratio")};
-    if (reader_.scene.simulation.type != SimulationType::Dynamic)
-      refuse(table_, "is for motions only", "simulation.type = \"dynamic\"");
+    const SimulationOptions& o = reader_.scene.simulation;
+    if (o.type == SimulationType::Static && (o.critical || o.arc_length))
+      reader_.scene.warnings.push_back(fmt::format(
+          "part '{}' is linear in its frame: it does not buckle by itself; use several parts in a "
+          "row, or beams",
+          name_));
     material();
     mesh();
     if (!ok_) return {};
@@ -244,7 +248,8 @@ class SolidReader {
     for (const auto& flaw : flaws(solid_.outline))
       refuse(key_of(all, flaw.feature),
              fmt::format("has an outline whose feature '{}' {}", flaw.feature, flaw.text),
-             "one tree of features and operations");
+             flaw.text.starts_with("makes no shape") ? "numbers that make a shape"
+                                                     : "one tree of features and operations");
     if (!ok_) return;
     for (const FeatureSpec& f : solid_.outline.features)
       if (!is_operation(f.kind) &&
@@ -271,7 +276,7 @@ class SolidReader {
       for (const toml::node* node : strings(table, "of"))
         f.operands.push_back(node->value_or(std::string()));
       if (table.contains("radius")) f.values.push_back(number(table, "radius"));
-      return f;
+      if (f.kind != FeatureKind::Mirror) return f;
     }
     for (const char* key : {"z", "rx", "ry", "rz", "angle"})
       if (const toml::node* node = table.get(key);

@@ -98,7 +98,8 @@ void read_parts(Reader& reader) {
   read_responses(reader);
   check_movers(reader);
   check_plane(reader);
-  reader.scene.warnings = unit_warnings(reader);
+  const auto units = unit_warnings(reader);
+  reader.scene.warnings.insert(reader.scene.warnings.end(), units.begin(), units.end());
 }
 
 namespace {

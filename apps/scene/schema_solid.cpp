@@ -46,9 +46,9 @@ std::vector<Key> outline_keys() {
   return {
     {"bodies.*.solid.outline", Type::Named, "", kOptional, kAny, "Where the mesh is material: features and operations by name. The shape is the one entry that no operation works on. Without it all of the mesh is material."},
     {"bodies.*.solid.outline.*", Type::Table, "", kOptional, kAny, "A feature, or an operation on others. Its numbers are parameters of the part."},
-    {"bodies.*.solid.outline.*.type", Type::Choice, "", kRequired, kAny, "Planar shapes (endless along their z in space), shapes in space (sphere to slab), operations. half_space is material where x < 0, slab where |z| < height/2.", 0,
-     "half_space circle rectangle ellipse super_ellipse superformula polyline spline nurbs sphere box ellipsoid slab union intersection difference"},
-    {"bodies.*.solid.outline.*.of", Type::Texts, "", kRequired, kAny, "Operation: the features that it works on; difference takes all others from the first.", 0, "", "type=union intersection difference"},
+    {"bodies.*.solid.outline.*.type", Type::Choice, "", kRequired, kAny, "Planar shapes (endless along their z in space), shapes in space (sphere to slab), operations. half_space is material where x < 0, slab where |z| < height/2. mirror: a shape and its image about the line through x, y at `angle`, in space about the plane y = 0 of its turned axes.", 0,
+     "half_space circle rectangle ellipse super_ellipse superformula polyline spline nurbs sphere box ellipsoid slab union intersection difference mirror"},
+    {"bodies.*.solid.outline.*.of", Type::Texts, "", kRequired, kAny, "Operation: the features that it works on; difference takes all others from the first, mirror has one.", 0, "", "type=union intersection difference mirror"},
     {"bodies.*.solid.outline.*.radius", Type::Number, "m", kRequired, kPositive, "Radius.", 0, "", "type=circle sphere"},
     {"bodies.*.solid.outline.*.radius", Type::Number, "m", kOptional, kNotNegative, "Operation: rounds the edges it makes. Default: sharp.", 0, "", "type=union intersection difference"},
     {"bodies.*.solid.outline.*.width", Type::Number, "m", kRequired, kPositive, "Side along x.", 0, "", "type=rectangle box"},
@@ -72,9 +72,9 @@ std::vector<Key> outline_keys() {
   };
 }
 
-/// Position and rotation: of every feature, of no operation.
+/// Position and rotation: of every feature and of the mirror, of no other operation.
 std::vector<Key> placement_keys() {
-  const std::string_view features = "type=half_space circle rectangle ellipse super_ellipse superformula polyline spline nurbs sphere box ellipsoid slab";
+  const std::string_view features = "type=half_space circle rectangle ellipse super_ellipse superformula polyline spline nurbs sphere box ellipsoid slab mirror";
   const std::string p = "bodies.*.solid.outline.*.";
   return {
     {p + "x", Type::Number, "m", kOptional, kAny, "Position; 0 if not given, as the other placements.", 0, "", features},

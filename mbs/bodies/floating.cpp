@@ -145,11 +145,50 @@ void FloatingBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, 
   add_conjugate(motion_, q_, r, scale);
 }
 
+/// At rest the inertia force is M(e) [a; 0] with a = -R_0^T gravity: a turns with H_0, the centre
+/// of mass moves with e. Of f = T^-T(u) q on node i and -Ad(Y^-1)^T f on the frame, with y = h_i -
+/// Ad(Y^-1) h_0: df = D_u[T^-T(u) q] T^-1(u) y, d(Ad(Y^-1)^T f) = -Ad(Y^-1)^T ad(y)^T f.
 template <FrameGroup G>
-void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector&, TangentWeights w,
+void FloatingBody<G>::add_turning(const Motion& m, const G& H_0, const Vector& gravity,
+                                  Matrices& A) const {
+  constexpr int sd = G::space_dim;
+  const int n = reduced_size();
+  const Eigen::MatrixXd M = inertia_matrix(m), E = increments(m);
+  Tangent a = Tangent::Zero();
+  a.template head<sd>() = -H_0.R.transpose() * gravity;
+  const Eigen::MatrixXd falls = M.leftCols(dim) * weight_tangent<G>(H_0, gravity);
+  A.dense.topLeftCorner(dim, dim) += falls.topRows(dim);
+  A.dense.leftCols(dim) += E.transpose() * falls.bottomRows(n);
+  // The moment S x a = -ad(a)^T [m a; ...] of a mass that moves: dS = N de.
+  const Eigen::MatrixXd N = M.block(0, dim, sd, n) * E;
+  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(dim, N.cols());
+  moved.topRows(sd) = N;
+  for (Eigen::Index k = 0; k < N.cols(); ++k)
+    A.dense.col(k).template segment<G::rotation_dim>(sd) -=
+        (G::ad(Tangent(moved.col(k))).transpose() * a).template tail<G::rotation_dim>();
+  const Eigen::VectorXd q = K_e_ * m.e + M.bottomLeftCorner(n, dim) * a;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const Tangent u = m.e.template segment<dim>(at), q_i = q.template segment<dim>(at);
+    const typename G::Matrix Ti = G::Tinv(u), back = m.Y[i].AdInv();
+    const typename G::Matrix bends = G::dTinvT(u, q_i) * Ti;  // df = bends y
+    const Tangent f = Ti.transpose() * q_i;
+    typename G::Matrix turns = -bends;  // d(force on the frame) = Ad(Y^-1)^T turns y
+    for (int j = 0; j < dim; ++j) turns.col(j) += G::ad(Tangent::Unit(j)).transpose() * f;
+    const typename G::Matrix on_frame = back.transpose() * turns;
+    A.dense.template block<dim, dim>(dim + at, dim + at) += bends;
+    A.dense.template block<dim, dim>(dim + at, 0) -= bends * back;
+    A.dense.template block<dim, dim>(0, dim + at) += on_frame;
+    A.dense.template block<dim, dim>(0, 0) -= on_frame * back;
+  }
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                                     const Tangent*, Matrices& A) const {
   measure(s, false, motion_);
   set_matrix(motion_, w.mass, 1 + this->damping() * w.damping, A);
+  if (w.mass == 0) add_turning(motion_, s.H[0], gravity, A);
 }
 
 template class FloatingBody<SE2>;

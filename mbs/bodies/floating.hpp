@@ -33,13 +33,16 @@ class FloatingBody : public Body<G> {
   const Eigen::VectorXd& omega2() const { return omega2_; }
   /// Constant stiffness of e.
   const Eigen::MatrixXd& reduced_stiffness() const { return K_e_; }
+  /// Components at the end of the last node that pad it and never move.
+  int padding() const { return unused_; }
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override;
   void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
   /// With the mass at this state, and K_e. The mass matters where the frame is held by a hinge: a
   /// turn of the frame is then nearly a motion of the modes, and the mass at reference nearly
-  /// singular.
+  /// singular. In statics (w.mass = 0) it is the derivative of internal force and weight, with the
+  /// turning of both.
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
 
@@ -79,6 +82,9 @@ class FloatingBody : public Body<G> {
 
  private:
   void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
+  /// A += derivative of the weight, and of [h_i; h_0]'s shares of all static forces q at constant
+  /// q.
+  void add_turning(const Motion& m, const G& H_0, const Vector& gravity, Matrices& A) const;
   /// r += forces q conjugate to e, on the interfaces, the frame and the amplitudes.
   void add_conjugate(const Motion& m, const Eigen::VectorXd& q, double* r, ForceScale& scale) const;
 

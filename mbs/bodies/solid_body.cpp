@@ -201,8 +201,8 @@ VectorXd SolidBody<G>::coordinates(const BodyState<G>& s) const {
 }
 
 template <FrameGroup G>
-VectorXd SolidBody<G>::free_frequencies(int count) const {
-  const auto n = dim + basis_.cols();  // without padding
+VectorXd SolidBody<G>::free_frequencies(int count, int kept) const {
+  const Eigen::Index n = dim * ports_ + kept;
   const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(this->K_.dense.topLeftCorner(n, n),
                                                                  this->M_.dense.topLeftCorner(n, n),
                                                                  Eigen::EigenvaluesOnly);

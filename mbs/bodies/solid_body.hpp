@@ -43,9 +43,9 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::VectorXd coordinates(const BodyState<G>& s) const;
   /// Psi, in the coordinates q of SolidModel and the axes of the mesh, seen from the frame.
   const Eigen::MatrixXd& basis() const { return basis_; }
-  /// Lowest elastic frequencies of the free body with these unknowns, Hz; all of them if it has
-  /// fewer than `count`.
-  Eigen::VectorXd free_frequencies(int count) const;
+  /// Lowest elastic frequencies of the free body, Hz, with the motions of its ports and the first
+  /// `kept` of its internal modes as unknowns; all of them if it has fewer than `count`.
+  Eigen::VectorXd free_frequencies(int count, int kept) const;
   /// K(v) Psi: the loads f = K Psi e in q whose static answer is the displacement Psi e.
   const Eigen::MatrixXd& loads() const { return loads_; }
 

@@ -31,4 +31,10 @@ LevelSetPtr subtract(std::vector<Operand> operands, std::optional<double> radius
 /// A planar shape between z = -height/2 and height/2; parameters "height", then the shape's.
 LevelSetPtr extrude(double height, LevelSetPtr shape);
 
+/// Union of a shape and its mirror image about the line through (x, y) at `angle`; parameters of
+/// the shape, then x, y, angle. `part` finds features as they are written, not their images.
+LevelSetPtr mirrored_in_plane(double x, double y, double angle, Operand shape);
+/// ... about the plane through a position, y = 0 of the turned axes; x, y, z, rx, ry, rz.
+LevelSetPtr mirrored(const Pose& plane, Operand shape);
+
 }  // namespace liesl::levelset

@@ -1,13 +1,10 @@
-#include <algorithm>
-#include <utility>
+#include "mbs/levelset/placement.hpp"
 
-#include "liegroup/so3.hpp"
-#include "mbs/levelset/level_set.hpp"
+#include <utility>
 
 namespace liesl::levelset {
 namespace {
 
-using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
 /// X = R^T (x - c): d phi/dx = R g, d phi/dc = -R g, and with delta X = X x (T delta w)
@@ -15,7 +12,7 @@ using Eigen::Vector3d;
 class Placed final : public LevelSet {
  public:
   Placed(std::vector<Parameter> own, LevelSetPtr shape)
-      : own_(static_cast<int>(own.size())), shape_(std::move(shape)) {
+      : at_{static_cast<int>(own.size()), {}}, shape_(std::move(shape)) {
     parameters_ = std::move(own);
     for (const Parameter& p : shape_->parameters()) parameters_.push_back(p);
     set(start().data());
@@ -23,45 +20,26 @@ class Placed final : public LevelSet {
 
   using LevelSet::set;
   void set(const double* p) override {
-    if (own_ == 3) {
-      c_ = {p[0], p[1], 0};
-      w_ = {0, 0, p[2]};
-    } else {
-      c_ = {p[0], p[1], p[2]};
-      w_ = {p[3], p[4], p[5]};
-    }
-    R_ = SO3::exp(w_).R;
-    T_ = SO3::T(w_);
-    shape_->set(p + own_);
+    at_.set(p);
+    shape_->set(p + at_.count);
   }
 
-  double value(const Vector3d& x) const override {
-    return shape_->value(R_.transpose() * (x - c_));
-  }
+  double value(const Vector3d& x) const override { return shape_->value(at_.to_local(x)); }
 
   double evaluate(const Vector3d& x, Vector3d& dx, double* dp) const override {
-    const Vector3d X = R_.transpose() * (x - c_);
+    const Vector3d X = at_.to_local(x);
     Vector3d g;
-    const double phi = shape_->evaluate(X, g, dp ? dp + own_ : nullptr);
-    dx = R_ * g;
-    if (!dp) return phi;
-    const Vector3d turn = T_.transpose() * g.cross(X);
-    for (int i = 0; i < own_ / 3 + 1; ++i) dp[i] = -dx[i];  // 2 in the plane, 3 in space
-    if (own_ == 3) {
-      dp[2] = turn[2];
-    } else {
-      std::copy_n(turn.data(), 3, dp + 3);
-    }
+    const double phi = shape_->evaluate(X, g, dp ? dp + at_.count : nullptr);
+    dx = at_.R * g;
+    if (dp) at_.put(-dx, g.cross(X), dp);
     return phi;
   }
 
   std::string flaw() const override { return shape_->flaw(); }
 
  private:
-  int own_;
+  Placement at_;
   LevelSetPtr shape_;
-  Vector3d c_, w_;
-  Matrix3d R_, T_;
 };
 
 }  // namespace
@@ -73,19 +51,11 @@ Eigen::VectorXd LevelSet::start() const {
 }
 
 LevelSetPtr placed_in_plane(double x, double y, double angle, LevelSetPtr shape) {
-  return std::make_unique<Placed>(
-      std::vector<Parameter>{{"x", x}, {"y", y}, {"angle", angle, "rad"}}, std::move(shape));
+  return std::make_unique<Placed>(Placement::in_plane(x, y, angle), std::move(shape));
 }
 
 LevelSetPtr placed(const Pose& pose, LevelSetPtr shape) {
-  const Vector3d &c = pose.position, &w = pose.rotation;
-  return std::make_unique<Placed>(std::vector<Parameter>{{"x", c[0]},
-                                                         {"y", c[1]},
-                                                         {"z", c[2]},
-                                                         {"rx", w[0], "rad"},
-                                                         {"ry", w[1], "rad"},
-                                                         {"rz", w[2], "rad"}},
-                                  std::move(shape));
+  return std::make_unique<Placed>(Placement::in_space(pose), std::move(shape));
 }
 
 }  // namespace liesl::levelset

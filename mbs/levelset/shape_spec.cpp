@@ -80,7 +80,12 @@ void collect(const Index& index, const FeatureSpec& f, std::set<std::string>& fo
 
 void operand_flaws(const Index& index, const FeatureSpec& f, std::vector<ShapeFlaw>& found) {
   if (f.operands.empty()) found.push_back({f.name, "has no features to work on"});
-  if (!f.values.empty() && !(f.values[0] >= 0)) found.push_back({f.name, "has a negative radius"});
+  if (f.kind == FeatureKind::Mirror) {
+    if (f.operands.size() > 1)
+      found.push_back({f.name, "mirrors more than one feature: unite them first"});
+  } else if (!f.values.empty() && !(f.values[0] >= 0)) {
+    found.push_back({f.name, "has a negative radius"});
+  }
   std::set<std::string> own;
   for (const std::string& operand : f.operands) {
     if (!index.by_name.count(operand))
@@ -118,6 +123,18 @@ void traverse(const Index& index, Features& features, const std::string& name, c
   visit(features[static_cast<std::size_t>(at)]);
 }
 
+LevelSetPtr make_mirror(const FeatureSpec& f, int dim, Operand shape) {
+  const double* v = f.values.data();
+  if (static_cast<int>(f.values.size()) != placement(dim))
+    throw std::invalid_argument("mirror '" + f.name + "' has no placement that fits");
+  LevelSetPtr both = dim == 2
+                         ? mirrored_in_plane(v[0], v[1], v[2], std::move(shape))
+                         : mirrored(Pose{{v[0], v[1], v[2]}, {v[3], v[4], v[5]}}, std::move(shape));
+  for (int i = both->size() - placement(dim); i < both->size(); ++i)
+    both->rename(i, f.name + "." + both->parameters()[i].name);
+  return both;
+}
+
 LevelSetPtr make_tree(const Index& index, const FeatureSpec& f, int dim) {
   if (!is_operation(f.kind)) {
     LevelSetPtr shape = make_feature(f, dim);
@@ -125,6 +142,9 @@ LevelSetPtr make_tree(const Index& index, const FeatureSpec& f, int dim) {
       shape->rename(i, f.name + "." + shape->parameters()[i].name);
     return shape;
   }
+  if (f.kind == FeatureKind::Mirror)
+    return make_mirror(
+        f, dim, {"", make_tree(index, *index.by_name.at(f.operands.at(0)), dim), f.operands[0]});
   std::vector<Operand> operands;
   for (const std::string& operand : f.operands)
     operands.push_back({"", make_tree(index, *index.by_name.at(operand), dim), operand});
@@ -140,7 +160,8 @@ LevelSetPtr make_tree(const Index& index, const FeatureSpec& f, int dim) {
 }  // namespace
 
 std::vector<Parameter> feature_parameters(FeatureKind kind, int dim) {
-  if (is_curve(kind)) kind = FeatureKind::HalfSpace;  // has a placement only
+  if (is_curve(kind) || kind == FeatureKind::Mirror)
+    kind = FeatureKind::HalfSpace;  // has a placement only
   const int count = placement(dim) + kOwn[static_cast<int>(kind)];
   return make_feature({"", kind, std::vector<double>(count, 1.0), {}}, dim)->parameters();
 }

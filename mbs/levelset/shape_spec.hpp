@@ -26,7 +26,8 @@ enum class FeatureKind {
   Slab,
   Union,  // operations
   Intersection,
-  Difference
+  Difference,
+  Mirror  // of one shape: its union with its mirror image
 };
 
 inline bool is_operation(FeatureKind kind) { return kind >= FeatureKind::Union; }
@@ -42,7 +43,8 @@ struct FeatureSpec {
   std::string name;
   FeatureKind kind = FeatureKind::Circle;
   /// Of a feature: as `feature_parameters` names them; then the points of a curve, x0, y0, x1, ...,
-  /// and its weights. Of an operation: nothing (sharp), or its radius.
+  /// and its weights. Of an operation: nothing (sharp), or its radius; of a mirror: its
+  /// placement.
   std::vector<double> values;
   std::vector<std::string> operands;  ///< of an operation, in order
 };
@@ -53,8 +55,8 @@ struct ShapeSpec {
   std::vector<FeatureSpec> features;
 };
 
-/// The parameters of a feature of this kind but for the points and weights of curves: x, y, angle
-/// or x, y, z, rx, ry, rz, then its own.
+/// The parameters of a feature or mirror of this kind but for the points and weights of curves: x,
+/// y, angle or x, y, z, rx, ry, rz, then its own.
 std::vector<Parameter> feature_parameters(FeatureKind kind, int dim);
 
 /// What is wrong with one feature, in words.

@@ -137,7 +137,7 @@ std::string describe_free_motion(const Model<G>& model, const State<G>& s,
       body = b;
     }
   }
-  const int first = model.first_node(static_cast<int>(body)), nodes = model.bodies[body]->nodes();
+  const int first = model.first_node(static_cast<int>(body)), nodes = model.bodies[body]->points();
   int node = 0;  // the one that moves least: the axis is near
   for (int k = 1; k < nodes; ++k) {
     const auto shift = [&](int i) {

@@ -1,5 +1,7 @@
 #include "mbs/solvers/modes.hpp"
 
+#include "mbs/bodies/assemble_body.hpp"
+#include "mbs/bodies/floating.hpp"
 #include "mbs/linalg/constrained_modes.hpp"
 #include "mbs/solvers/static_newton.hpp"
 
@@ -13,18 +15,25 @@ template <FrameGroup G>
 Eigen::SparseMatrix<double> mass_matrix(const Model<G>& model) {
   SparseAssembly assembly(model.size());
   assembly.begin();
-  for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const auto& M = model.bodies[b]->mass();
-    const int first = G::dim * model.first_node(static_cast<int>(b));
-    for (int k = 0; k < M.blocks(); ++k) {
-      const int at = first + G::dim * k;
-      assembly.add_block(at, at, M.D[k]);
-      if (k + 1 == M.blocks()) continue;
-      assembly.add_block(at, at + G::dim, M.U[k]);
-      assembly.add_block(at + G::dim, at, M.L[k]);
-    }
-  }
+  for (size_t b = 0; b < model.bodies.size(); ++b)
+    add_body(model.bodies[b]->mass(), G::dim * model.first_node(static_cast<int>(b)), assembly);
   return assembly.finish();
+}
+
+/// Columns of the identity of the nodes' components, and of the constraints, that are unknowns:
+/// those that pad the amplitudes of a body would be modes of their own.
+template <FrameGroup G>
+Eigen::SparseMatrix<double> unknowns(const Model<G>& model, int rows) {
+  std::vector<bool> real(rows, true);
+  for (size_t b = 0; b < model.bodies.size(); ++b)
+    if (const auto* body = dynamic_cast<const FloatingBody<G>*>(model.bodies[b].get())) {
+      const int end = G::dim * (model.first_node(static_cast<int>(b)) + body->nodes());
+      std::fill(real.begin() + end - body->padding(), real.begin() + end, false);
+    }
+  Eigen::SparseMatrix<double> chosen(rows, std::count(real.begin(), real.end(), true));
+  for (int i = 0, column = 0; i < rows; ++i)
+    if (real[i]) chosen.insert(i, column++) = 1;
+  return chosen;
 }
 
 /// The scene as given if it is an equilibrium, else the static one. @returns false if there is
@@ -67,7 +76,10 @@ ModesResult<G> solve_modes(Model<G>& model, const SimulationOptions& options) {
     out.report.warnings.push_back(
         "loads that follow the motion make the tangent unsymmetric: modes are of its symmetric "
         "part");
-  const ConstrainedModes modes = constrained_modes(A, mass_matrix(model), options.modes);
+  const Eigen::SparseMatrix<double> P = unknowns(model, static_cast<int>(A.rows())),
+                                    N = unknowns(model, model.size());
+  const ConstrainedModes modes = constrained_modes(
+      P.transpose() * A * P, N.transpose() * mass_matrix(model) * N, options.modes);
   if (!modes.converged) {
     out.report.status = SolveStatus::Singular;
     out.report.reason =
@@ -75,7 +87,7 @@ ModesResult<G> solve_modes(Model<G>& model, const SimulationOptions& options) {
         "can turn a moment of inertia";
     return out;
   }
-  out.shapes = modes.phi;
+  out.shapes = N * modes.phi;
   out.residuals = modes.residuals;
   for (int j = 0; j < modes.lambda.size(); ++j) {
     out.eigenvalue.push_back(modes.lambda[j]);

@@ -16,6 +16,8 @@ StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& op
   rhs_.setZero(system_.size() + system_.constraints(), 2);
   predictor_.setZero(model.size());
   delta_.setZero(model.size());
+  for (const auto& body : model.bodies)
+    for (int k = 0; k < body->nodes(); ++k) is_frame_.push_back(body->kind(k) == NodeKind::Frame);
 }
 
 template <FrameGroup G>
@@ -69,13 +71,14 @@ bool StaticNewton<G>::solve_both(const State<G>& s, double load) {
   return rhs_.allFinite();
 }
 
-/// sum over nodes of u_a . u_b + length^2 w_a . w_b
+/// sum over frames of u_a . u_b + length^2 w_a . w_b
 template <FrameGroup G>
 double StaticNewton<G>::product(const Eigen::VectorXd& a,
                                 Eigen::Ref<const Eigen::VectorXd> b) const {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   double sum = 0, turn = 0;
   for (int k = 0; k < model_.size(); k += dim) {
+    if (!is_frame_[k / dim]) continue;
     sum += a.template segment<sd>(k).dot(b.template segment<sd>(k));
     turn += a.template segment<rd>(k + sd).dot(b.template segment<rd>(k + sd));
   }
@@ -89,7 +92,10 @@ void StaticNewton<G>::correct(Eigen::Ref<const Eigen::VectorXd> step) {
   system_.extrapolate_prestress(equations_, trial_, delta_);
   moved_ = std::sqrt(product(delta_, delta_) / model_.nodes()) / model_.length;
   for (int k = 0; k < model_.nodes(); ++k)
-    trial_.H[k] = trial_.H[k] * G::exp(delta_.template segment<dim>(dim * k));
+    if (is_frame_[k])
+      trial_.H[k] = trial_.H[k] * G::exp(delta_.template segment<dim>(dim * k));
+    else
+      trial_.w.template segment<dim>(dim * k) += delta_.template segment<dim>(dim * k);
   trial_.lambda += step.tail(system_.constraints());
 }
 
@@ -132,6 +138,7 @@ void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
     return;
   }
   for (auto& H : trial_.H) H.orthonormalize();
+  model_.complete(trial_);
   trial_.t = load;
   equations_.observe(trial_, s.q, trial_.q);
   std::swap(s, trial_);

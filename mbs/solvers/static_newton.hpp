@@ -33,7 +33,8 @@ class StaticNewton {
 
   /// Equilibrium at distance `ds` from s on the side of `direction` (increments of the nodes, in
   /// local frames, as `last_direction` gives them; zero: growing load), by linearised arc length:
-  /// delta = predictor + corrections normal to it, |delta|^2 = sum |u|^2 + (length |w|)^2.
+  /// delta = predictor + corrections normal to it, |delta|^2 = sum |u|^2 + (length |w|)^2 over
+  /// the frames.
   NewtonResult follow(State<G>& s, double ds, const Eigen::VectorXd& direction);
 
   /// Size of d(state)/d(load factor) at the equilibrium s, in the norm of `follow`; 0 if singular.
@@ -66,7 +67,8 @@ class StaticNewton {
   Equations<G> equations_;
   StaticSystem<G> system_;
   State<G> trial_;
-  Eigen::MatrixXd rhs_;  ///< columns: correction at constant load, d(state)/d(load)
+  std::vector<bool> is_frame_;  ///< by node; else amplitudes
+  Eigen::MatrixXd rhs_;         ///< columns: correction at constant load, d(state)/d(load)
   Eigen::VectorXd predictor_, delta_;
   double moved_ = 0;  ///< root mean square of the last correction, of the model's length
 };

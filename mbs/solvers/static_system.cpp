@@ -1,5 +1,6 @@
 #include "mbs/solvers/static_system.hpp"
 
+#include "mbs/bodies/assemble_body.hpp"
 #include "mbs/bodies/beam.hpp"
 
 namespace liesl {
@@ -23,6 +24,8 @@ StaticSystem<G>::StaticSystem(const Model<G>& model)
     : model_(model), assembly_(model.size() + model.constraints()) {
   for (const auto& body : model.bodies) {
     K_.emplace_back(body->nodes());
+    const auto& K = body->stiffness();
+    if (K.is_dense()) K_.back().set_dense(K.nodes, K.dense);
     prestress_.section.emplace_back(body->elements(), G::Tangent::Zero());
   }
   for (const auto& c : model.couplings) prestress_.force.push_back(Eigen::VectorXd::Zero(c.acting));
@@ -64,7 +67,8 @@ const typename StaticSystem<G>::Matrix& StaticSystem<G>::assemble(const Equation
   assembly_.begin();
   add_bodies(s, level);
   add_loads(s, level);
-  push_bodies();
+  for (size_t b = 0; b < K_.size(); ++b)
+    add_body(K_[b], dim * model_.first_node(static_cast<int>(b)), assembly_);
   for (size_t c = 0; c < model_.couplings.size(); ++c) add_coupling(static_cast<int>(c), eq, s);
   matrix_ = &assembly_.finish();
   return *matrix_;
@@ -84,14 +88,14 @@ void StaticSystem<G>::add_loads(const State<G>& s, const LoadLevel& level) {
   for (const auto& load : model_.loads) {
     if (load.port.body < 0 || load.follower) continue;
     const typename G::Tangent wrench = load_value(load.scale, level) * load.wrench;
-    auto& K = K_[load.port.body];
-    const int first = model_.first_node(load.port.body);
     if (!load.spread) {
       const auto& J = load.port.J;
-      K.D[load.port.node - first] +=
-          J.transpose() * dead_load_tangent<G>(load.port.frame(s.H), wrench) * J;
+      assembly_.add_block(dim * load.port.node, dim * load.port.node,
+                          J.transpose() * dead_load_tangent<G>(load.port.frame(s.H), wrench) * J);
       continue;
     }
+    auto& K = K_[load.port.body];
+    const int first = model_.first_node(load.port.body);
     if (const auto* beam = dynamic_cast<const Beam<G>*>(model_.bodies[load.port.body].get()))
       for (int e = 0; e < beam->elements(); ++e)
         K.add_element(
@@ -103,21 +107,6 @@ void StaticSystem<G>::add_loads(const State<G>& s, const LoadLevel& level) {
       K.D[k] += W.D[k] * D;
       if (k > 0) K.U[k - 1] += W.U[k - 1] * D;
       if (k + 1 < K.blocks()) K.L[k] += W.L[k] * D;
-    }
-  }
-}
-
-template <FrameGroup G>
-void StaticSystem<G>::push_bodies() {
-  for (size_t b = 0; b < K_.size(); ++b) {
-    const auto& K = K_[b];
-    const int first = dim * model_.first_node(static_cast<int>(b));
-    for (int k = 0; k < K.blocks(); ++k) {
-      const int at = first + dim * k;
-      assembly_.add_block(at, at, K.D[k]);
-      if (k + 1 == K.blocks()) continue;
-      assembly_.add_block(at, at + dim, K.U[k]);
-      assembly_.add_block(at + dim, at, K.L[k]);
     }
   }
 }

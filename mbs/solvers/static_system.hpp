@@ -54,7 +54,6 @@ class StaticSystem {
  private:
   void add_bodies(const State<G>& s, const LoadLevel& level);
   void add_loads(const State<G>& s, const LoadLevel& level);
-  void push_bodies();
   void add_coupling(int index, const Equations<G>& eq, const State<G>& s);
 
   const Model<G>& model_;

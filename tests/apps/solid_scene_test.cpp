@@ -92,6 +92,19 @@ TEST(SolidScene, NumbersOfTheOutlineAreParametersByName) {
   EXPECT_EQ(rod.outline.features[1].values, (std::vector<double>{0.06, 0, 0, 0.015, 0.004, 3, 4}));
 }
 
+TEST(SolidScene, MirrorsHaveAPlaceInTheCoordinatesOfTheMesh) {
+  std::string text = changed(kPlateScene, "{ type = \"union\", of = [\"hole1\", \"hole2\"] }",
+                             "{ type = \"mirror\", of = [\"hole1\"], y = 0.002 }");
+  text = changed(text, "hole2 = {", "# hole2 = {");
+  const SolidSpec rod = rod_of(read_scene(text, "scene.toml"));
+  ASSERT_EQ(rod.outline.features[2].kind, levelset::FeatureKind::Mirror);
+  EXPECT_EQ(rod.outline.features[2].values, (std::vector<double>{0, 0.002, 0}));
+  const auto shape = make_shape(rod.outline);
+  for (const double x : {0.04, 0.06, 0.075})
+    for (const double y : {0.0, 0.003, 0.007})
+      EXPECT_NEAR(shape->value({x, 0.002 + y, 0}), shape->value({x, 0.002 - y, 0}), 1e-15);
+}
+
 TEST(SolidScene, HasTheMassOfItsOutline) {
   std::string text = changed(kPlateScene, "cells = [48, 6]", "cells = [192, 24]");
   text = changed(text, "type = \"super_ellipse\", x = 0.06, a = 0.015, b = 0.008, xi = 3, eta = 4",
@@ -184,6 +197,8 @@ const BadPart kParts[] = {
     {"FewPoints", "hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006], [-0.01, 0], [0, -0.006]] }", "@hole2 = { type = \"spline\", x = 0.14, points = [[0.01, 0], [0, 0.006]] }", {"makes no shape"}},
     {"InsideOut", "plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.01 }", "@plate = { type = \"rectangle\", x = 0.1, width = 0.24, height = 0.03, fillet = 0.02 }", {"fillet"}},
     {"OfNothing", "radius = 0.001 }", "radius = 0.001 }\n@spare = { type = \"circle\", x = 0.1, radius = 0.01 }", {"'spare'", "parts of nothing"}},
+    {"MirrorOfTwo", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"] }", "@holes = { type = \"mirror\", of = [\"hole1\", \"hole2\"] }", {"mirrors more than one", "unite them first"}},
+    {"MirrorInSpace", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"] }", "holes = { type = \"mirror\", of = [\"hole1\"], rz = @1 }", {"'rz'", "x, y and angle"}},
     {"InACircle", "holes = { type = \"union\", of = [\"hole1\", \"hole2\"] }", "@holes = { type = \"union\", of = [\"hole1\", \"hole2\", \"holes\"] }", {"itself"}},
 };
 // clang-format on
@@ -215,10 +230,14 @@ TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
       << bare.text();
 }
 
-TEST(SolidScene, NeedsAMotion) {
-  EXPECT_NE(problem_of(kPlateScene, {"simulation.type=static", "gravity=[0, -1, 0]"})
-                .what.find("is for motions only"),
-            std::string::npos);
+TEST(SolidScene, SaysInStaticsThatAPartDoesNotBuckleByItself) {
+  EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=static"}).warnings.empty());
+  EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=modes"}).warnings.empty());
+  for (const char* key : {"simulation.critical=true", "simulation.arc_length=true"}) {
+    const Scene scene = read_scene(kPlateScene, "scene.toml", {"simulation.type=static", key});
+    ASSERT_EQ(scene.warnings.size(), 1u) << key;
+    EXPECT_NE(scene.warnings[0].find("part 'rod'"), std::string::npos) << scene.warnings[0];
+  }
 }
 
 TEST(SolidScene, PlanarMeshesNeedAPlanarScene) {

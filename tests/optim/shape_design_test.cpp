@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/plate.hpp"
 #include "optim/design/shape.hpp"
 
@@ -69,6 +70,62 @@ TEST(ShapeDesign, LinksParametersWithTheirFactors) {
                             : name == "two.radius" ? 0.017 - 0.0131
                                                    : 0;
     EXPECT_NEAR(change[k], expected, 1e-15) << name;
+  }
+}
+
+/// A plate with two holes at both sides of y = 0, linked with factors 1 and -1 or mirrored: at
+/// every design it is symmetric, and both are the same part with the same derivatives.
+TEST(ShapeDesign, ASymmetricPartStaysSymmetric) {
+  using namespace levelset;
+  const ShapeSpec linked{
+      2,
+      {{"upper", FeatureKind::SuperEllipse, {0.1, 0.04, 0.3, 0.03, 0.01, 3, 4}, {}},
+       {"lower", FeatureKind::SuperEllipse, {0.1, -0.04, -0.3, 0.03, 0.01, 3, 4}, {}},
+       {"plate", FeatureKind::Rectangle, {0.1, 0, 0, 0.19, 0.13, 0.02}, {}},
+       {"part", FeatureKind::Difference, {}, {"plate", "upper", "lower"}}}};
+  const ShapeSpec mirror{
+      2,
+      {{"upper", FeatureKind::SuperEllipse, {0.1, 0.04, 0.3, 0.03, 0.01, 3, 4}, {}},
+       {"both", FeatureKind::Mirror, {0, 0, 0}, {"upper"}},
+       {"plate", FeatureKind::Rectangle, {0.1, 0, 0, 0.19, 0.13, 0.02}, {}},
+       {"part", FeatureKind::Difference, {}, {"plate", "both"}}}};
+  const auto links = [](const char* what, double factor) {
+    return std::vector<DrivenParameter>{{std::string("upper.") + what, 1},
+                                        {std::string("lower.") + what, factor}};
+  };
+  const ShapeDesignSpec by_links{{{"x", links("x", 1), 0.05, 0.15, {}},
+                                  {"y", links("y", -1), 0.02, 0.06, {}},
+                                  {"turn", links("angle", -1), -1, 1, {}},
+                                  {"b", links("b", 1), 0.005, 0.02, {}}},
+                                 {}},
+      by_mirror{{{"x", {{"upper.x", 1}}, 0.05, 0.15, {}},
+                 {"y", {{"upper.y", 1}}, 0.02, 0.06, {}},
+                 {"turn", {{"upper.angle", 1}}, -1, 1, {}},
+                 {"b", {{"upper.b", 1}}, 0.005, 0.02, {}}},
+                {}};
+  const int nx = 20, ny = 14;
+  const SolidModel model(quad_grid({0, -0.07}, {0.2, 0.07}, nx, ny), {"steel", 210e9, 0.3, 7850},
+                         {}, {});
+  const auto shape_a = make_shape(linked), shape_b = make_shape(mirror);
+  const ShapeDesign a(by_links, *shape_a, model), b(by_mirror, *shape_b, model);
+  for (const double step : {0.0, 0.3, 0.8}) {
+    const VectorXd x = a.start() + step * VectorXd(Eigen::Vector4d(0.04, -0.015, -0.9, 0.008));
+    shape_a->set(a.parameters(x));
+    shape_b->set(b.parameters(x));
+    const Fractions f = volume_fractions(model.mesh(), *shape_a),
+                    g = volume_fractions(model.mesh(), *shape_b);
+    const Eigen::MatrixXd df = f.derivative * a.jacobian(), dg = g.derivative * b.jacobian();
+    for (int i = 0; i < model.mesh().node_count(); ++i) {
+      const Eigen::Vector3d up = model.mesh().nodes.col(i), down(up[0], -up[1], 0);
+      EXPECT_NEAR(shape_a->value(up), shape_a->value(down), 1e-15);
+      EXPECT_NEAR(shape_b->value(up), shape_b->value(down), 1e-15);
+    }
+    // The cells are cut into triangles that are not symmetric.
+    const VectorXd& v = g.value;
+    EXPECT_NEAR(v.head(nx * ny / 2).sum() / v.tail(nx * ny / 2).sum(), 1, 1e-3);
+    EXPECT_LT((f.value - g.value).cwiseAbs().maxCoeff(), 1e-12) << step;
+    EXPECT_LT((df - dg).cwiseAbs().maxCoeff(), 1e-9 * df.cwiseAbs().maxCoeff()) << step;
+    EXPECT_GT(df.cwiseAbs().colwise().sum().minCoeff(), 0);
   }
 }
 

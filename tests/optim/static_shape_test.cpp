@@ -20,14 +20,16 @@ using Eigen::VectorXd;
 
 bool spatial(const std::string& feature) {
   return feature == "half-space" || feature == "sphere" || feature == "box with fillet" ||
-         feature == "ellipsoid" || feature == "extrusion";
+         feature == "ellipsoid" || feature == "extrusion" || feature == "slab" ||
+         feature == "mirror in space";
 }
 
-/// The feature as a hole; half-planes take a corner off.
+/// The feature as a hole; half-planes take a corner off, a slab a layer near one side.
 LevelSetPtr void_of(const NamedShape& s) {
   constexpr double turn = 1.25 * std::numbers::pi;
   if (s.name == "half-plane") return placed_in_plane(1.0, 1.05, turn, half_space());
   if (s.name == "half-space") return placed({{1.0, 1.05, 0}, {0.1, 0.05, turn}}, half_space());
+  if (s.name == "slab") return placed({{0, 0, 0.45}, {0.05, 0.04, 0.1}}, slab(0.2));
   return s.make();
 }
 
@@ -57,25 +59,30 @@ struct Block {
     task.model = &model;
     fix_port(task.support, model, 0, model.mesh().dim == 2 ? "xyr" : "xyzr");
     const int b = model.port(1), r = model.rigid_count();
-    task.outputs.resize(model.size(), 3);
+    task.outputs.resize(model.size(), 4);
     task.outputs << elongation_output(model, 0, 1), relative_output(model, 0, 1, 0),
-        relative_output(model, 0, 1, 1);
+        relative_output(model, 0, 1, 1), point_output(model);
     task.loads = MatrixXd::Zero(model.size(), 3);
     task.loads(b, 0) = 1e6;
     task.loads(b + 1, 1) = 3e5;
     task.loads(b + r - 1, 2) = 2e5;
     task.loads(b, 2) = -4e5;
     task.cases = {"pull", "shear", "bend"};
-    task.limits = {{"long", SolidResponse::Output, 0, 1, 1e-5},
-                   {"far", SolidResponse::Output, 1, 2, 1e-5},
-                   {"work", SolidResponse::Compliance, 0, 1, 10},
-                   {"stress", SolidResponse::Stress, 0, 1, 1e6},
-                   {"mass", SolidResponse::Mass, 0, 1, 1000},
-                   {"tone", SolidResponse::Frequency, 0, 1, 100}};
+    task.limits = {
+        {"long", SolidResponse::Output, 0, 1, 1e-5},  {"far", SolidResponse::Output, 1, 2, 1e-5},
+        {"point", SolidResponse::Output, 3, 1, 1e-5}, {"work", SolidResponse::Compliance, 0, 1, 10},
+        {"stress", SolidResponse::Stress, 0, 1, 1e6}, {"mass", SolidResponse::Mass, 0, 1, 1000},
+        {"tone", SolidResponse::Frequency, 0, 1, 100}};
     task.cycle.min_cases = 3;
   }
 
  private:
+  /// Displacement along y of a node far from the ports.
+  static VectorXd point_output(const SolidModel& model) {
+    Eigen::Index node;
+    (model.mesh().nodes.colwise() - Eigen::Vector3d(-0.9, 1.2, 0)).colwise().norm().minCoeff(&node);
+    return VectorXd::Unit(model.size(), model.coordinate(static_cast<int>(node), 1).value());
+  }
   static LevelSetPtr make_shape(LevelSetPtr feature) {
     std::vector<Operand> operands;
     operands.push_back({"block", box(9, 9, 9)});
@@ -107,7 +114,7 @@ DerivativeReport gradients_of(const Block& block, double largest_step) {
 void expect_right(const Block& block, const std::string& name) {
   const DerivativeReport report = gradients_of(block, 2e-3);
   EXPECT_EQ(report.failed_evaluations, 0) << name;
-  EXPECT_EQ(report.checks.size(), 1 + 4 * 3 + 1 + 1 + 1) << name;
+  EXPECT_EQ(report.checks.size(), 1 + 5 * 3 + 1 + 1 + 1) << name;
   for (const auto& check : report.checks)
     EXPECT_LE(check.best_error, 1e-6) << name << ": " << check.function << '\n' << report.text();
 }
@@ -194,6 +201,23 @@ TEST(StaticShape, SaysWhichInterfaceIsCutAndGivesNoValue) {
   problem.values(design.start(), f, g);
   EXPECT_TRUE(std::isfinite(f));
   EXPECT_EQ(problem.obstacle(), "");
+}
+
+/// Each bound alone leaves a shape, both together fold the outline over itself.
+TEST(StaticShape, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
+  Block block(all_shapes()[11]);
+  ShapeDesignSpec spec;
+  spec.variables = {{"right", {{"hole.p0.x", 1}}, -0.3, 0.7, {}},
+                    {"left", {{"hole.p3.x", 1}, {"hole.p4.x", 1}}, -0.7, 0.05, {}}};
+  const ShapeDesign design(spec, *block.shape, block.model);
+  block.task.design = &design;
+  block.task.limits.clear();
+  StaticShape problem(block.task, design.start(), 1000);
+  double f = 0;
+  VectorXd g(problem.constraints().size());
+  problem.values(Eigen::Vector2d(-0.3, 0.05), f, g);
+  EXPECT_TRUE(std::isnan(f));
+  EXPECT_NE(problem.obstacle().find("crosses itself"), std::string::npos) << problem.obstacle();
 }
 
 }  // namespace

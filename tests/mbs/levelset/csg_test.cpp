@@ -2,6 +2,7 @@
 
 #include <random>
 
+#include "liegroup/so3.hpp"
 #include "mbs/levelset/shapes.hpp"
 
 namespace liesl::testing {
@@ -70,6 +71,45 @@ TEST(Csg, EdgeBetweenTwoPlanesIsRoundedWithTheRadius) {
       intersect(pair(half_space(), placed_in_plane(0, 0, std::numbers::pi / 2, half_space())), r);
   for (double t = 0.05; t < std::numbers::pi / 2; t += 0.1) {
     EXPECT_NEAR(edge->value({r * (std::cos(t) - 1), r * (std::sin(t) - 1), 0}), 0, 1e-15);
+  }
+}
+
+/// About the line through (0.1, -0.05) at 0.4: phi is the same at both sides, and that of the
+/// union of the shape and of what its mirror image was made as.
+TEST(Csg, AMirrorIsTheUnionWithTheImage) {
+  const double x0 = 0.1, y0 = -0.05, line = 0.4, x = 0.25, y = 0.35, angle = 0.2;
+  const LevelSetPtr both = mirrored_in_plane(
+      x0, y0, line, {"one", placed_in_plane(x, y, angle, superformula({0.3, 1, 1, 3, 4, 6, 6}))});
+  const double c = std::cos(2 * line), s = std::sin(2 * line);
+  const auto image = [&](const Vector3d& p) {
+    const double u = p[0] - x0, v = p[1] - y0;
+    return Vector3d(x0 + c * u + s * v, y0 + s * u - c * v, p[2]);
+  };
+  // The superformula is symmetric to its own axis: its image is itself, placed elsewhere.
+  const Vector3d there = image({x, y, 0});
+  const LevelSetPtr united =
+      unite(pair(placed_in_plane(x, y, angle, superformula({0.3, 1, 1, 3, 4, 6, 6})),
+                 placed_in_plane(there[0], there[1], 2 * line - angle,
+                                 superformula({0.3, 1, 1, 3, 4, 6, 6}))));
+  for (const Vector3d& p : points()) {
+    EXPECT_NEAR(both->value(p), both->value(image(p)), 1e-14);
+    EXPECT_NEAR(both->value(p), united->value(p), 1e-14);
+  }
+  EXPECT_EQ(both->parameters()[0].name, "one.x");
+  EXPECT_EQ(both->parameters().back().name, "angle");
+  ASSERT_TRUE(both->part("one"));
+  EXPECT_EQ(both->part("one")->sign, 1);
+  EXPECT_FALSE(both->part("two"));
+}
+
+TEST(Csg, AMirrorInSpaceIsSymmetricToItsPlane) {
+  const Pose plane{{0.1, -0.05, 0.15}, {0.3, -0.5, 0.7}};
+  const LevelSetPtr both =
+      mirrored(plane, {"one", placed({{0.2, 0.4, 0.1}, {0.2, 0.1, 0}}, box(0.5, 0.3, 0.2))});
+  const Vector3d normal = SO3::exp(plane.rotation).R.col(1);
+  for (const Vector3d& p : points()) {
+    const Vector3d image = p - 2 * normal.dot(p - plane.position) * normal;
+    EXPECT_NEAR(both->value(p), both->value(image), 1e-14);
   }
 }
 

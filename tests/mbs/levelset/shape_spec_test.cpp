@@ -79,6 +79,35 @@ TEST(ShapeSpec, NamesEveryFlaw) {
   EXPECT_TRUE(has(flaws_with([](auto& f) { f[2].name = "left"; }), "twice"));
 }
 
+/// A mirror has one operand and a placement; its numbers come after those of the operand.
+TEST(ShapeSpec, MirrorsOneFeatureAtAPlacement) {
+  ShapeSpec spec = plate_with_holes();
+  spec.features[3] = {"pair", FeatureKind::Mirror, {0.1, 0, 1.5}, {"left"}};
+  spec.features[4].operands = {"plate", "pair", "right"};
+  ASSERT_TRUE(flaws(spec).empty());
+  const auto shape = make_shape(spec);
+  EXPECT_EQ(shape->parameters()[9].name, "left.radius");
+  EXPECT_EQ(shape->parameters()[12].name, "pair.angle");
+  EXPECT_EQ(shape->start()[12], 1.5);
+  Eigen::VectorXd p = shape->start();
+  p[10] = 0.2;
+  set_values(spec, p);
+  EXPECT_EQ(spec.features[3].values, (std::vector<double>{0.2, 0, 1.5}));
+  ASSERT_TRUE(shape->part("left"));
+  EXPECT_EQ(shape->part("left")->first, 6);
+  EXPECT_EQ(shape->part("left")->sign, -1);
+  EXPECT_EQ(feature_parameters(FeatureKind::Mirror, 2).size(), 3u);
+  EXPECT_EQ(feature_parameters(FeatureKind::Mirror, 3).size(), 6u);
+  spec.features[3].operands = {"left", "right"};
+  spec.features[4].operands = {"plate", "pair"};
+  ASSERT_EQ(flaws(spec).size(), 1u);
+  EXPECT_EQ(flaws(spec)[0].text, "mirrors more than one feature: unite them first");
+  spec.features[3].operands = {"left"};
+  spec.features[4].operands.push_back("right");
+  spec.features[3].values.pop_back();
+  EXPECT_THROW(make_shape(spec), std::invalid_argument);
+}
+
 TEST(ShapeSpec, EveryKindMakesAShapeOfItsParameters) {
   for (int dim : {2, 3})
     for (int k = 0; k < static_cast<int>(FeatureKind::Union); ++k) {

@@ -77,6 +77,18 @@ inline std::vector<NamedShape> all_shapes() {
        },
        true},
       {"extrusion", [] { return tilted(extrude(0.9, turned(ellipse(0.7, 0.4)))); }},
+      {"slab", [] { return tilted(slab(0.9)); }, true},
+      {"mirror",
+       [] {
+         return mirrored_in_plane(0.1, -0.05, 0.4,
+                                  {"one", placed_in_plane(0.25, 0.35, 0.2, ellipse(0.6, 0.25))});
+       }},
+      {"mirror in space",
+       [] {
+         return mirrored(
+             {{0.1, -0.05, 0.15}, {0.3, -0.5, 0.7}},
+             {"one", placed({{0.2, 0.45, 0.1}, {0.2, 0.1, 0}}, ellipsoid(0.4, 0.3, 0.3))});
+       }},
       {"union", [] { return two_circles_united({}); }},
       {"smooth union", [] { return two_circles_united(0.2); }},
       {"smooth intersection",
