@@ -50,7 +50,8 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
 }
 
-/// Positions of the nodes of a meshed part, x_0 + R_0 (s + phi e), at the records that are shown.
+/// Positions of the nodes of a meshed part, x_0 + R_0 (s + u), and of that R_0 u with u = phi e, at
+/// the records that are shown.
 template <FrameGroup G>
 output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
                            const Trajectory<G>& trajectory, int b) {
@@ -71,12 +72,15 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
     trajectory.read(n, s);
     const SE3 H = view.node(s.H.data(), b, 0);
     Eigen::Matrix3Xd x = solid.mesh.nodes.colwise() - solid.interfaces[0].point;
+    Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, x.cols());
     if (body) {
-      const Eigen::VectorXd u = phi * body->coordinates(model.body_state(s, b));
-      x.topRows(dim) += Eigen::Map<const Eigen::MatrixXd>(u.data(), dim, x.cols());
+      const Eigen::VectorXd q = phi * body->coordinates(model.body_state(s, b));
+      u.topRows(dim) = Eigen::Map<const Eigen::MatrixXd>(q.data(), dim, x.cols());
     }
-    x = ((H.R * x).colwise() + H.x).eval();
+    x = ((H.R * (x + u)).colwise() + H.x).eval();
+    u = (H.R * u).eval();
     append(out.positions, Eigen::Map<const Eigen::VectorXd>(x.data(), x.size()));
+    append(out.displacements, Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()));
   }
   return out;
 }

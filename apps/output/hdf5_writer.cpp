@@ -42,8 +42,10 @@ void write_mesh(const Hdf5File& file, const MeshResult& mesh) {
   file.write(group + "/cells", mesh.cells, {mesh.cells.size() / C, C});
   put(file, group + "/fraction", mesh.fractions, {mesh.fractions.size()}, "-");
   file.write(group + "/record", mesh.records, {r});
-  if (r > 0)
-    put(file, group + "/position", mesh.positions, {r, mesh.positions.size() / r / 3, 3}, "m");
+  if (r == 0) return;
+  const Hdf5File::Shape shape = {r, mesh.positions.size() / r / 3, 3};
+  put(file, group + "/position", mesh.positions, shape, "m");
+  put(file, group + "/displacement", mesh.displacements, shape, "m");
 }
 
 void write_joint(const Hdf5File& file, const JointResult& joint, hsize_t n) {

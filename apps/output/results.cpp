@@ -37,8 +37,9 @@ void check_mesh(const MeshResult& mesh) {
   check_block(mesh.fractions, M, mesh.name + ".fractions");
   int nodes = 0;
   for (const int node : mesh.cells) nodes = std::max(nodes, node + 1);
-  check_block(mesh.positions, mesh.records.size() * static_cast<std::size_t>(nodes) * 3,
-              mesh.name + ".positions");
+  const std::size_t vectors = mesh.records.size() * static_cast<std::size_t>(nodes) * 3;
+  check_block(mesh.positions, vectors, mesh.name + ".positions");
+  check_block(mesh.displacements, vectors, mesh.name + ".displacements");
 }
 
 }  // namespace

@@ -31,6 +31,8 @@ struct MeshResult {
   std::vector<double> fractions;  ///< M, of material
   std::vector<int> records;       ///< r, growing
   std::vector<double> positions;  ///< r x N x 3, deformed, inertial, m
+  /// r x N x 3, what of it is deformation, seen from the first interface; inertial axes, m.
+  std::vector<double> displacements;
 };
 
 /// K coordinates.

@@ -21,8 +21,7 @@ void put(std::string& text, fmt::format_string<Args...> format, Args&&... args) 
   fmt::format_to(std::back_inserter(text), format, std::forward<Args>(args)...);
 }
 
-void append_float(std::string& bytes, double x) {
-  const auto value = static_cast<float>(x);
+void append_float(std::string& bytes, float value) {
   char raw[sizeof value];
   std::memcpy(raw, &value, sizeof value);
   bytes.append(raw, sizeof raw);
@@ -97,21 +96,22 @@ void write_dxf(const std::filesystem::path& path, const std::vector<levelset::Po
 }
 
 void write_stl(const std::filesystem::path& path, const levelset::Surface& surface) {
-  std::string bytes(80, ' ');  // a header of 80 bytes, a count, 50 bytes a triangle
-  bytes.replace(0, 16, "liesl, unit: mm ");
-  const auto count = static_cast<std::uint32_t>(surface.triangles.size());
-  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(count >> shift & 0xff);
+  const Eigen::Matrix3Xf points = (kMillimetres * surface.points).cast<float>();
+  std::string triangles;  // 50 bytes each
   for (const auto& t : surface.triangles) {
-    const Eigen::Vector3d a = surface.points.col(t[0]), b = surface.points.col(t[1]),
-                          c = surface.points.col(t[2]);
-    const Eigen::Vector3d n = (b - a).cross(c - a).normalized();
-    for (const Eigen::Vector3d& x :
-         {n, Eigen::Vector3d(kMillimetres * a), Eigen::Vector3d(kMillimetres * b),
-          Eigen::Vector3d(kMillimetres * c)})
-      for (double xi : x) append_float(bytes, xi);
-    bytes.append(2, '\0');
+    const Eigen::Vector3f a = points.col(t[0]), b = points.col(t[1]), c = points.col(t[2]);
+    if (a == b || b == c || c == a) continue;  // its two sides cancel: the surface stays closed
+    const Eigen::Vector3d from = surface.points.col(t[0]), to = surface.points.col(t[1]);
+    const Eigen::Vector3d n = (to - from).cross(surface.points.col(t[2]) - from).normalized();
+    for (const Eigen::Vector3f& x : {Eigen::Vector3f(n.cast<float>()), a, b, c})
+      for (float xi : x) append_float(triangles, xi);
+    triangles.append(2, '\0');
   }
-  write_file(path, bytes);
+  std::string bytes(80, ' ');  // a header of 80 bytes, a count, the triangles
+  bytes.replace(0, 16, "liesl, unit: mm ");
+  const auto count = static_cast<std::uint32_t>(triangles.size() / 50);
+  for (int shift = 0; shift < 32; shift += 8) bytes += static_cast<char>(count >> shift & 0xff);
+  write_file(path, bytes + triangles);
 }
 
 void write_vtu(const std::filesystem::path& path, const SolidMesh& mesh,

@@ -20,7 +20,8 @@ void write_svg(const std::filesystem::path& path, const std::vector<levelset::Po
 /// programs import it. @throws IoError
 void write_dxf(const std::filesystem::path& path, const std::vector<levelset::Polyline>& lines);
 
-/// Binary STL in mm, normals outward. @throws IoError
+/// Binary STL in mm, normals outward, without the triangles that are empty in its single precision;
+/// as closed as the surface. @throws IoError
 void write_stl(const std::filesystem::path& path, const levelset::Surface& surface);
 
 /// Cell and node fields of a mesh, 1 or 3 numbers each, by columns.

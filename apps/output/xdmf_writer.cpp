@@ -115,9 +115,11 @@ std::string grid(const MeshResult& mesh, const std::string& file, int record) {
       "{4}:{5}/cells</DataItem></Topology>\n",
       escaped(mesh.name + " mesh"), C == 4 ? "Quadrilateral" : "Hexahedron", M, C, escaped(file),
       escaped(group));
-  const Block positions{file, group + "/position", r, N, 3};
-  out += "     <Geometry GeometryType=\"XYZ\">" +
-         slab(positions, static_cast<int>(at - mesh.records.begin()), 0, 3) + "</Geometry>\n";
+  const auto vectors = [&](const char* name) {
+    return slab({file, group + name, r, N, 3}, static_cast<int>(at - mesh.records.begin()), 0, 3);
+  };
+  out += "     <Geometry GeometryType=\"XYZ\">" + vectors("/position") + "</Geometry>\n";
+  out += attribute("displacement", "Vector", "Node", vectors("/displacement"));
   const std::string fractions = fmt::format(
       "<DataItem Dimensions=\"{}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">{}:{}"
       "/fraction</DataItem>",

@@ -66,6 +66,7 @@ TEST(Hdf5, EveryBlockComesBack) {
   expect("/meshes/plate/fraction", {2}, r.meshes[0].fractions);
   expect("/meshes/plate/record", {3}, {0, 2, 4});
   expect("/meshes/plate/position", {3, 6, 3}, r.meshes[0].positions);
+  expect("/meshes/plate/displacement", {3, 6, 3}, r.meshes[0].displacements);
   expect("/joints/pin/coordinate", {5, 2}, r.joints[0].coordinates);
   expect("/joints/pin/force", {5, 6}, r.joints[0].forces);
   expect("/energies/dissipated", {5}, r.energies.dissipated);
@@ -160,8 +161,8 @@ TEST(Xdmf, RefersToWhatIsThere) {
     EXPECT_LE(std::stoul(m[2]) + std::stoul(m[4]), set.shape[2]);
   }
   // 5 instants x (rod: topology, geometry, rotation, 2 x 3 halves; rigid: geometry, rotation, 2),
-  // 3 of them with a mesh: topology, geometry, fraction.
-  EXPECT_EQ(count, 5 * (9 + 4) + 3 * 3);
+  // 3 of them with a mesh: topology, geometry, displacement, fraction.
+  EXPECT_EQ(count, 5 * (9 + 4) + 3 * 4);
 }
 
 TEST(Xdmf, ListsSoManyInstantsAndNoMore) {

@@ -36,8 +36,13 @@ inline Results sample_results() {
                       counting(n * 12, 5000)});
   r.bodies.push_back(
       {"top/left", "rigid", 1, {}, counting(n * 3), counting(n * 9), counting(n * 6), {}, {}});
-  r.meshes.push_back(
-      {"plate", 4, {0, 1, 4, 3, 1, 2, 5, 4}, {0.5, 1}, {0, 2, 4}, counting(3 * 6 * 3)});
+  r.meshes.push_back({"plate",
+                      4,
+                      {0, 1, 4, 3, 1, 2, 5, 4},
+                      {0.5, 1},
+                      {0, 2, 4},
+                      counting(3 * 6 * 3),
+                      counting(3 * 6 * 3, 700)});
   r.joints.push_back({"pin", "cylindrical", {"m", "rad"}, counting(n * 2), counting(n * 6)});
   r.energies = {counting(n), counting(n, 1), counting(n, 2), counting(n, 3), counting(n, 4)};
   r.constraint_residual = std::vector<double>(n, 1e-12);

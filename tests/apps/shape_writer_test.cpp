@@ -5,7 +5,10 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
+#include <cstdint>
 #include <cstring>
+#include <map>
 #include <sstream>
 
 #include "apps/output/file.hpp"
@@ -76,25 +79,54 @@ TEST_F(ShapeFile, SvgHasOnePathWithAHole) {
   EXPECT_EQ(read_file(folder / "empty.svg").find("nan"), std::string::npos);
 }
 
+using Point = std::array<float, 3>;
+
+/// Normal and corners of the triangles of a binary STL.
+std::vector<std::array<Point, 4>> triangles_in(const fs::path& path) {
+  const std::string bytes = read_file(path);
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + 80, sizeof count);
+  EXPECT_EQ(bytes.size(), 84 + 50 * std::size_t(count));
+  std::vector<std::array<Point, 4>> triangles(count);
+  for (std::uint32_t t = 0; t < count; ++t)
+    std::memcpy(triangles[t].data(), bytes.data() + 84 + 50 * t, sizeof triangles[t]);
+  return triangles;
+}
+
 TEST_F(ShapeFile, StlHasTheVolumeInCubicMillimetres) {
   const LevelSetPtr ball = sphere(0.01);
   const Surface s = surface(*ball, {{-0.015, -0.015, -0.015}, {0.015, 0.015, 0.015}}, 30, 30, 30);
   write_stl(folder / "ball.stl", s);
-  const std::string bytes = read_file(folder / "ball.stl");
-  ASSERT_EQ(bytes.size(), 84 + 50 * s.triangles.size());
+  const auto vector = [](const Point& p) { return Eigen::Vector3d(p[0], p[1], p[2]); };
   double volume = 0, outward = 0;
-  for (std::size_t t = 0; t < s.triangles.size(); ++t) {
-    float f[12];
-    std::memcpy(f, bytes.data() + 84 + 50 * t, sizeof f);
-    const Eigen::Vector3d a(f[3], f[4], f[5]), b(f[6], f[7], f[8]), c(f[9], f[10], f[11]);
+  for (const auto& t : triangles_in(folder / "ball.stl")) {
+    const Eigen::Vector3d a = vector(t[1]), b = vector(t[2]), c = vector(t[3]);
     volume += a.dot(b.cross(c)) / 6;
     const Eigen::Vector3d n = (b - a).cross(c - a);
-    EXPECT_NEAR((n.norm() * Eigen::Vector3d(f[0], f[1], f[2]) - n).norm(), 0, 1e-3);
+    EXPECT_NEAR((n.norm() * vector(t[0]) - n).norm(), 0, 1e-3);
     outward += n.dot(a);
   }
   EXPECT_NEAR(volume, enclosed_volume(s) * 1e9, 1e-3);
   EXPECT_NEAR(volume, 4188.79, 30);
   EXPECT_NEAR(outward, 6 * volume, 1);
+}
+
+/// A part whose faces lie on the grid, so that many points of its surface coincide.
+TEST_F(ShapeFile, StlIsClosedAndHasNoEmptyTriangles) {
+  const Surface s =
+      surface(*plate_with_hole(), {{-0.05, -0.03, -0.01}, {0.05, 0.03, 0.01}}, 40, 24, 8);
+  write_stl(folder / "plate.stl", s);
+  const auto triangles = triangles_in(folder / "plate.stl");
+  EXPECT_LT(triangles.size(), s.triangles.size());
+  std::map<std::pair<Point, Point>, int> edges;  // + one way, - the other
+  for (const auto& t : triangles)
+    for (int i = 0; i < 3; ++i) {
+      const Point &a = t[1 + i], &b = t[1 + (i + 1) % 3];
+      EXPECT_NE(a, b);
+      edges[std::minmax(a, b)] += a < b ? 1 : -1;
+    }
+  EXPECT_FALSE(edges.empty());
+  for (const auto& [edge, balance] : edges) EXPECT_EQ(balance, 0);
 }
 
 TEST_F(ShapeFile, VtuHoldsCellsAndFields) {

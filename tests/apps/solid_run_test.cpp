@@ -117,6 +117,19 @@ TEST_F(SolidRun, KeepsTheDeformedMesh) {
   // At the start it lies where the scene puts it: its corners.
   EXPECT_NEAR(position.values[0], 0.06 - 0.025, 1e-12);
   EXPECT_NEAR(position.values[1], -0.025, 1e-12);
+  // Without its deformation it is the rod at rest, moved: two corners keep their distance.
+  const auto displacement = read_set(results() / "results.h5", "/meshes/rod/displacement");
+  ASSERT_EQ(displacement.shape, position.shape);
+  const std::size_t last = 100 * 76 * 16 * 3, other = last + 75 * 3;
+  double rigid = 0, deformed = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double x = position.values[other + i] - position.values[last + i];
+    const double u = displacement.values[other + i] - displacement.values[last + i];
+    rigid += (x - u) * (x - u);
+    deformed += x * x;
+  }
+  EXPECT_NEAR(std::sqrt(rigid), 0.245, 1e-12);
+  EXPECT_GT(std::abs(std::sqrt(deformed) - 0.245), 1e-9);
   const std::string xdmf = text_of(results() / "results.xdmf");
   EXPECT_NE(xdmf.find("rod mesh"), std::string::npos);
   EXPECT_NE(xdmf.find("Quadrilateral"), std::string::npos);

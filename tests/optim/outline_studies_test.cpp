@@ -1,0 +1,81 @@
+/// @file
+/// Outlines under the loads of the motion that they have a part in: the shipped studies.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optim/cycle/esl_cycle.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl {
+namespace {
+
+/// The study's part without its openings, named "hole...", "pocket..." or "opening...": its motion
+/// and mass.
+template <FrameGroup G>
+DesignRun<G> full_part(const Study& study) {
+  Mechanism mechanism = study.scene.mechanism;
+  const int body = study.spec.shapes.begin()->first;
+  auto& features = std::get<SolidSpec>(mechanism.bodies[body].kind).outline.features;
+  const auto is_opening = [](const std::string& name) {
+    return name.starts_with("hole") || name.starts_with("pocket") || name.starts_with("opening");
+  };
+  std::erase_if(features, [&](const auto& feature) { return is_opening(feature.name); });
+  for (auto& feature : features) std::erase_if(feature.operands, is_opening);
+  StudySpec spec = study.spec;
+  spec.shapes.clear();
+  return DesignSimulator<G>(mechanism, test::space_of<G>(mechanism), study.scene.simulation, spec)
+      .run(Eigen::VectorXd());
+}
+
+template <FrameGroup G>
+CycleResult<G> cycle(const Study& study) {
+  const Mechanism& mechanism = study.scene.mechanism;
+  return run_cycle<G>(mechanism, test::space_of<G>(mechanism), study.scene.simulation, study.spec);
+}
+
+/// The cycle closes, and the true motion reaches the limit and keeps to it.
+template <FrameGroup G>
+void expect_closed(const CycleResult<G>& r) {
+  EXPECT_EQ(r.status, CycleStatus::Converged) << r.reason;
+  EXPECT_LE(r.worst, 1e-3);
+  EXPECT_NEAR(r.final[0].largest / r.final[0].limit, 1, 1e-3) << "the limit is reached";
+}
+
+TEST(ConnectingRodSlow, IsAQuarterLighterThanTheSolidRod) {
+  const Study study = test::shipped_study("connecting_rod");
+  const auto solid = full_part<SE2>(study);
+  ASSERT_TRUE(solid.good());
+  EXPECT_NEAR(1.5 * solid.limits[0].largest / solid.limits[0].limit, 1, 1e-3);
+  const auto r = cycle<SE2>(study);
+  expect_closed(r);
+  EXPECT_LE(r.history.size(), 12u);
+  EXPECT_LE(r.mass, 0.75 * solid.mass);
+}
+
+/// On an eighth of the cells; the study itself takes minutes (data/studies/README.md). The limit is
+/// 1.5 times what the solid rod on that grid needs.
+TEST(ConnectingRodSlow, InSpaceWithPocketsIsAQuarterLighterThanTheSolidRod) {
+  const std::string coarse = R"(set={"bodies.rod.solid.mesh.cells"=[30,8,4]})";
+  Study study = test::shipped_study("connecting_rod_3d", {coarse});
+  const auto solid = full_part<SE3>(study);
+  ASSERT_TRUE(solid.good());
+  study.spec.constraints[0].limit = 1.5 * solid.limits[0].largest;
+  const auto r = cycle<SE3>(study);
+  expect_closed(r);
+  EXPECT_LE(r.history.size(), 12u);
+  EXPECT_LE(r.mass, 0.75 * solid.mass);
+}
+
+TEST(RobotArmLatticeSlow, IsAQuarterLighterThanTheFullArm) {
+  const Study study = test::shipped_study("robot_arm_lattice");
+  const auto full = full_part<SE2>(study);
+  ASSERT_TRUE(full.good());
+  EXPECT_LT(full.limits[0].largest, full.limits[0].limit);
+  const auto r = cycle<SE2>(study);
+  expect_closed(r);
+  EXPECT_LE(r.mass, 0.75 * full.mass);
+}
+
+}  // namespace
+}  // namespace liesl
