@@ -139,8 +139,10 @@ void describe_part(output::OptimizeSummary& summary, const Study& study, const C
   std::vector<Eigen::VectorXd> history;
   for (const auto& c : r.history) history.push_back(c.x);
   if (history.back() != r.x) history.push_back(r.x);
-  write_part(folder, study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name, part,
-             history, fields_of_motion(study.spec, part, r.x, *r.model, r.simulation.trajectory));
+  const BodySpec& final = r.mechanism.bodies[static_cast<std::size_t>(body)];
+  write_part(folder, final.name, part, history,
+             fields_of_motion(study.spec, part, r.x, *r.model, r.simulation.trajectory));
+  write_outline(folder, final.name, std::get<SolidSpec>(final.kind).outline);
 }
 
 template <FrameGroup G>
@@ -244,6 +246,9 @@ int optimize_command(const CommandOptions& options) {
   if (options.resume && fixed_loads)
     throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
                        "a study of a motion", "run without --resume"}});
+  if (options.nucleate > 0 && !fixed_loads)
+    throw InputError({{study.file, 0, 0, "--nucleate: holes are inserted under loads that stay",
+                       "a study with [loads]", "run without --nucleate"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   if (fixed_loads) return optimize_part(study, options, folder, summary, clock);
   const int code = std::visit(
