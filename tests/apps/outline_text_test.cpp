@@ -23,12 +23,12 @@ ShapeSpec read_back(const ShapeSpec& outline) {
   const std::string corner = outline.dim == 2 ? "[0.5, 0.5]" : "[0.5, 0.5, 2]";
   const std::string scene =
       "[materials]\nsteel = { E = 210e9, nu = 0.3, rho = 7850 }\n"
-      "[bodies.\"the rod\".solid]\nmaterial = \"steel\"\nmesh = { " +
+      "[bodies.\"gestänge\".solid]\nmaterial = \"steel\"\nmesh = { " +
       mesh + " }\n" + (outline.dim == 2 ? "thickness = 0.1\n" : "") +
-      "[bodies.\"the rod\".solid.interfaces]\npin = { box = { from = " +
+      "[bodies.\"gestänge\".solid.interfaces]\npin = { box = { from = " +
       (outline.dim == 2 ? "[0, 0]" : "[0, 0, 0]") + ", to = " + corner + " } }\n" +
-      outline_text("the rod", outline) +
-      "[joints]\nmotor = { revolute = [\"ground\", \"the rod.pin\"], drive = { rate = 1 } }\n"
+      outline_text("gestänge", outline) +
+      "[joints]\nmotor = { revolute = [\"ground\", \"gestänge.pin\"], drive = { rate = 1 } }\n"
       "[simulation]\nduration = 1\nstep = 0.1\n";
   try {
     const Scene read = read_scene(scene, "scene.toml");
@@ -57,7 +57,7 @@ TEST(OutlineText, OfAPlanarPartIsReadBack) {
   expect_same(
       {2,
        {{"plate", FeatureKind::Rectangle, {4, 2, 0, 9, 5, 0.1}, {}},
-        {"cut \"off\"", FeatureKind::HalfSpace, {7.5, 0, 3.0 + third}, {}},
+        {"gekürzt", FeatureKind::HalfSpace, {7.5, 0, 3.0 + third}, {}},
         {"round", FeatureKind::Circle, {1 + third, 3, 0, 0.3}, {}},
         {"flat", FeatureKind::Ellipse, {2.5, 3, 0.1, 0.4, 0.2}, {}},
         {"square", FeatureKind::SuperEllipse, {3.5, 3, 0, 0.3, 0.2, 3, 4.5}, {}},
@@ -73,7 +73,7 @@ TEST(OutlineText, OfAPlanarPartIsReadBack) {
         {"all",
          FeatureKind::Difference,
          {0},
-         {"plate", "cut \"off\"", "both", "within", "star", "corners", "smooth", "free"}}}});
+         {"plate", "gekürzt", "both", "within", "star", "corners", "smooth", "free"}}}});
 }
 
 TEST(OutlineText, OfASpatialPartIsReadBack) {
