@@ -18,6 +18,7 @@ struct CommandOptions {
   bool quiet = false;
   bool resume = false;             ///< optimize: go on with an interrupted run
   bool check_derivatives = false;  ///< optimize: sweep the gradients of the first static problem
+  int nucleate = 0;                ///< optimize: new holes to insert at most
   int threads = 0;                 ///< 0 = as many as there are processors
   std::vector<std::string> set;    ///< key.path=value
   int jobs = 0;                    ///< batch: processes at once, 0 = a processor each

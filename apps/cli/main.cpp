@@ -67,6 +67,10 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_flag("--resume", o.resume, "Go on with an interrupted run in the same folder");
       command->add_flag("--check-derivatives", o.check_derivatives,
                         "Compare the gradients with finite differences and stop");
+      command
+          ->add_flag("--nucleate{10}", o.nucleate,
+                     "Insert new holes where they pay, --nucleate=N at most N (experimental)")
+          ->check(CLI::Range(1, 100));
       command->get_option("--output")->required(false);
     }
     if (std::string(entry.name) == "batch") {

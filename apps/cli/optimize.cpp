@@ -134,10 +134,11 @@ void write_part_of(const Design& design, int k, const Study& study, const CycleR
   std::vector<Eigen::VectorXd> history;
   for (const auto& c : r.history) history.push_back(design.of_part(k, c.x));
   if (r.history.back().x != r.x) history.push_back(design.of_part(k, r.x));
-  write_part(folder, study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)].name, part,
-             history,
+  const BodySpec& final = r.mechanism.bodies[static_cast<std::size_t>(part.body)];
+  write_part(folder, final.name, part, history,
              fields_of_motion(study.spec, part, design.of_part(k, r.x), *r.model,
                               r.simulation.trajectory));
+  write_outline(folder, final.name, std::get<SolidSpec>(final.kind).outline);
 }
 
 template <FrameGroup G>
@@ -240,6 +241,9 @@ int optimize_command(const CommandOptions& options) {
   if (options.resume && fixed_loads)
     throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
                        "a study of a motion", "run without --resume"}});
+  if (options.nucleate > 0 && !fixed_loads)
+    throw InputError({{study.file, 0, 0, "--nucleate: holes are inserted under loads that stay",
+                       "a study with [loads]", "run without --nucleate"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   if (fixed_loads) return optimize_part(study, options, folder, summary, clock);
   const int code = std::visit(

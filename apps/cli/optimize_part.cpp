@@ -6,12 +6,14 @@
 
 #include "apps/cli/part_files.hpp"
 #include "apps/output/interrupt.hpp"
-#include "optim/cycle/shape_cycle.hpp"
 #include "optim/cycle/solid_task.hpp"
+#include "optim/cycle/topology_cycle.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
 namespace liesl {
 namespace {
+
+using Json = nlohmann::ordered_json;
 
 struct Quantity {
   const char *name, *unit;
@@ -68,6 +70,27 @@ void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
   }
 }
 
+Json of_nucleus(const Nucleus& n) {
+  return {{"place", {n.place[0], n.place[1], n.place[2]}}, {"radius", n.radius}, {"gain", n.gain}};
+}
+
+/// The key `nucleation`: the next hole that would pay, and those that were tried.
+void describe_holes(output::OptimizeSummary& summary, const TopologyResult& r,
+                    const std::string& gain_unit) {
+  Json tried = Json::array();
+  for (const HoleRound& h : r.holes) {
+    Json hole = {{"feature", h.feature}, {"kept", h.pays},   {"objective_before", h.before},
+                 {"objective", h.after}, {"steps", h.steps}, {"reason", h.reason}};
+    hole.update(of_nucleus(h.nucleus));
+    tried.push_back(hole);
+  }
+  const HoleProposal& next = r.proposal;
+  summary.more["nucleation"] = {{"next", next.nucleus ? of_nucleus(*next.nucleus) : Json(nullptr)},
+                                {"reason", next.reason},
+                                {"gain_unit", gain_unit},
+                                {"tried", tried}};
+}
+
 void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
                      const ShapeResult& r) {
   summary.status = to_string(r.status);
@@ -76,6 +99,9 @@ void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
   describe_steps(summary, task.goal, r.history);
   describe_limits(summary, task, r);
   summary.design = design_figures(task.design->variables(), task.design->units(), r.x);
+  for (auto step = r.history.rbegin(); step != r.history.rend(); ++step)  // new holes come later
+    for (Eigen::Index j = 0; j < step->x.size(); ++j)
+      summary.design[static_cast<std::size_t>(j)].initial = step->x[j];
   auto& more = summary.more;
   more["objective"] = {{"quantity", quantity(task.goal).name},
                        {"unit", quantity(task.goal).unit},
@@ -85,10 +111,25 @@ void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
   more["load_cases"] = task.cases;
 }
 
-std::vector<Eigen::VectorXd> designs(const ShapeResult& r) {
+/// Since the last hole that was kept.
+std::vector<Eigen::VectorXd> designs(const TopologyResult& r) {
   std::vector<Eigen::VectorXd> x;
-  for (const auto& s : r.history) x.push_back(s.x);
+  for (std::size_t i = r.round; i < r.shape.history.size(); ++i) x.push_back(r.shape.history[i].x);
   return x;
+}
+
+void print_holes(const TopologyResult& r, const std::string& unit, int most) {
+  for (const HoleRound& h : r.holes)
+    fmt::print("  {}: {:.6g} {} -> {:.6g} {}, {}\n", h.feature, h.before, unit, h.after, unit,
+               h.pays ? "kept" : "taken out again (" + h.reason + ")");
+  if (const auto& n = r.proposal.nucleus)
+    fmt::print(
+        "  a hole would pay at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} {} per m^3 at first "
+        "(experimental): {}\n",
+        n->place[0], n->place[1], n->place[2], n->gain, unit,
+        most > 0 ? "--nucleate with a larger number" : "--nucleate inserts it");
+  else if (!r.proposal.reason.empty())
+    fmt::print("  no hole is proposed: {}\n", r.proposal.reason);
 }
 
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
@@ -123,32 +164,43 @@ std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>&
 
 int optimize_part(const Study& study, const CommandOptions& options, output::AtomicFolder& folder,
                   output::OptimizeSummary& summary, const Stopwatch& clock) {
-  const auto& [body, spec] = *study.spec.shapes.begin();
-  PartShape part(study.scene.mechanism, body, spec);
-  const SolidTask task = solid_task(study.spec, part);
-  ShapeHooks hooks;
+  const int body = study.spec.shapes.begin()->first;
+  const SolidResponse goal = study.spec.goal;
+  TopologyHooks hooks;
   hooks.keep_going = [] { return output::interrupted() == 0; };
   hooks.on_step = [&](const std::vector<ShapeStep>& history) {
-    print_step(history.back(), task.goal, options.quiet);
+    print_step(history.back(), goal, options.quiet);
     output::OptimizeSummary so_far = summary;
-    describe_steps(so_far, task.goal, history);
+    describe_steps(so_far, goal, history);
     so_far.status = "running";
     so_far.reason = fmt::format("{} steps so far", history.size());
     so_far.wall_s = clock.seconds();
     output::write_summary(folder.path() / "summary.json", output::to_json(so_far));
     folder.commit();
   };
-  const ShapeResult r =
-      optimise_shape(task, {study.spec.cycle.move_cells, study.spec.cycle.move_limit}, hooks);
-  describe_result(summary, task, r);
-  if (r.x.size() > 0)
-    write_part(folder.path(), study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name,
-               part, designs(r), {r.fractions, r.displacements, r.von_mises});
+  hooks.on_hole = [&](const std::string& feature, const Nucleus& n) {
+    if (!options.quiet)
+      fmt::print("      {} at ({:.4g}, {:.4g}, {:.4g}) m\n", feature, n.place[0], n.place[1],
+                 n.place[2]);
+  };
+  const TopologyResult r =
+      optimise_topology(study.spec, study.scene.mechanism, body, options.nucleate, hooks);
+  const std::string unit = quantity(goal).unit, gain_unit = unit + "/m^3";
+  describe_result(summary, solid_task(study.spec, *r.part), r.shape);
+  describe_holes(summary, r, gain_unit);
+  if (r.shape.x.size() > 0) {
+    const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+    write_part(
+        folder.path(), name, *r.part, designs(r),
+        {r.shape.fractions, r.shape.displacements, r.shape.von_mises, r.proposal.gain, gain_unit});
+    write_outline(folder.path(), name, r.outline);
+  }
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
   folder.commit();
   print_result(summary, options.out, options.quiet);
-  return r.status == CycleStatus::Converged ? 0 : 1;
+  if (!options.quiet) print_holes(r, unit, options.nucleate);
+  return r.shape.status == CycleStatus::Converged ? 0 : 1;
 }
 
 int check_part_derivatives(const Study& study) {

@@ -8,6 +8,7 @@
 
 #include "apps/output/file.hpp"
 #include "apps/output/shape_writer.hpp"
+#include "apps/scene/outline_text.hpp"
 #include "esl/solid_loads.hpp"
 #include "optim/cycle/solid_task.hpp"
 
@@ -55,17 +56,20 @@ Eigen::Index worst_case(const Eigen::MatrixXd& von_mises) {
   return load_case;
 }
 
-void write_cells(const std::filesystem::path& path, const SolidMesh& mesh,
-                 const Eigen::VectorXd& fractions, const Eigen::VectorXd& stress) {
+void write_cells(const std::filesystem::path& path, const SolidMesh& mesh, const PartFields& fields,
+                 const Eigen::VectorXd& stress) {
+  const bool gain = fields.hole_gain.size() > 0;
   std::string text;
   for (int c = 0; c < mesh.corners(); ++c) text += fmt::format("x{} [m],y{} [m],", c, c);
-  text += "fraction,stress [Pa]\n";
+  text += "fraction,stress [Pa]";
+  text += gain ? fmt::format(",hole_gain [{}]\n", fields.gain_unit) : "\n";
   for (int e = 0; e < mesh.cell_count(); ++e) {
     for (int c = 0; c < mesh.corners(); ++c) {
       const auto x = mesh.nodes.col(mesh.cells(c, e));
       text += fmt::format("{:.9g},{:.9g},", x[0], x[1]);
     }
-    text += fmt::format("{:.6g},{:.6g}\n", fractions[e], stress[e]);
+    text += fmt::format("{:.6g},{:.6g}", fields.fractions[e], stress[e]);
+    text += gain ? fmt::format(",{:.6g}\n", fields.hole_gain[e]) : "\n";
   }
   output::write_file(path, text);
 }
@@ -89,9 +93,10 @@ void write_part(const std::filesystem::path& folder, const std::string& name, Pa
                                         : Eigen::VectorXd::Zero(mesh.cell_count());
   std::vector<output::MeshField> nodes;
   if (solved) nodes.emplace_back("displacement", in_space(mesh, fields.displacements.col(worst)));
-  output::write_vtu(folder / (name + ".vtu"), mesh,
-                    {{"fraction", fields.fractions.transpose()}, {"von_mises", stress.transpose()}},
-                    nodes);
+  std::vector<output::MeshField> cells{{"fraction", fields.fractions.transpose()},
+                                       {"von_mises", stress.transpose()}};
+  if (fields.hole_gain.size() > 0) cells.emplace_back("hole_gain", fields.hole_gain.transpose());
+  output::write_vtu(folder / (name + ".vtu"), mesh, cells, nodes);
   if (mesh.dim == 3) {
     part.shape->set(part.design.parameters(history.back()));
     const Eigen::Vector3i n = resolution(mesh);
@@ -103,7 +108,14 @@ void write_part(const std::filesystem::path& folder, const std::string& name, Pa
   output::write_svg(folder / (name + ".svg"), lines);
   output::write_dxf(folder / (name + ".dxf"), lines);
   write_outlines(folder / (name + "_outlines.csv"), part, history);
-  write_cells(folder / (name + "_cells.csv"), mesh, fields.fractions, stress);
+  write_cells(folder / (name + "_cells.csv"), mesh, fields, stress);
+}
+
+void write_outline(const std::filesystem::path& folder, const std::string& name,
+                   const levelset::ShapeSpec& outline) {
+  output::write_file(folder / (name + "_outline.toml"),
+                     "# The final outline, to take the place of the scene's own. SI units.\n" +
+                         outline_text(name, outline));
 }
 
 template <FrameGroup G>

@@ -17,13 +17,20 @@ struct PartFields {
   Eigen::VectorXd fractions;      ///< by cell
   Eigen::MatrixXd displacements;  ///< node freedoms x load cases, m
   Eigen::MatrixXd von_mises;      ///< cells x load cases, Pa, relaxed
+  /// HoleProposal::gain, and its unit; empty if it is not known.
+  Eigen::VectorXd hole_gain = {};
+  std::string gain_unit = {};
 };
 
 /// NAME.vtu, the outline as NAME.svg and NAME.dxf or NAME.stl, and for pictures of planar parts
-/// NAME_outlines.csv (of the designs `history`) and NAME_cells.csv (fraction, and the stress in the
-/// load case of the largest). @throws output::IoError
+/// NAME_outlines.csv (of the designs `history`) and NAME_cells.csv (fraction, the stress in the
+/// load case of the largest, and what a hole would gain). @throws output::IoError
 void write_part(const std::filesystem::path& folder, const std::string& name, PartShape& part,
                 const std::vector<Eigen::VectorXd>& history, const PartFields& fields);
+
+/// NAME_outline.toml: the tree of features, for a scene. @throws output::IoError
+void write_outline(const std::filesystem::path& folder, const std::string& name,
+                   const levelset::ShapeSpec& outline);
 
 /// The part at the design x under up to eight of the loads of a motion, the largest among them.
 template <FrameGroup G>

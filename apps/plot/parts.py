@@ -1,9 +1,10 @@
-"""Pictures of meshed parts: outlines over the steps, fractions and stresses of the cells."""
+"""Pictures of meshed parts: outlines over the steps; fractions, stresses, gains of the cells."""
 
 import math
 
 import matplotlib.pyplot as plt
 from matplotlib.collections import PolyCollection
+from matplotlib.patches import Circle
 
 from style import height_of, label, legend, scale_of, scaled
 from tables import table
@@ -54,8 +55,20 @@ def draw_outlines(folder, pictures, _summary):
         pictures.save(figure, f"{part}_outlines", f"outline of '{part}'")
 
 
-def draw_cells(folder, pictures, _summary):
-    """Fraction of the cells, and stress in the load case of the largest."""
+def cell_picture(cells, values, colours, text, limit=None):
+    """A field over the cells; with a limit from -limit to limit."""
+    figure, ax = part_axes([corner for cell in cells for corner in cell])
+    drawn = PolyCollection(cells, array=values, cmap=colours, edgecolors="face", linewidths=0.1)
+    if limit:
+        drawn.set_clim(-limit, limit)
+    ax.add_collection(drawn)
+    ax.autoscale_view()
+    figure.colorbar(drawn, ax=ax, shrink=0.8, label=text, extend="min" if limit else "neither")
+    return figure, ax
+
+
+def draw_cells(folder, pictures, summary):
+    """Fraction of the cells, stress in the load case of the largest, what new holes would gain."""
     for path in sorted(folder.glob("*_cells.csv")):
         found = table(folder, path.name)
         if not found:
@@ -70,10 +83,24 @@ def draw_cells(folder, pictures, _summary):
             if name == "stress":  # where there is material
                 values = [v if f > 0 else math.nan for v, f in zip(values, fractions)]
             factor, unit = scale_of(values, found.unit(name))
-            figure, ax = part_axes([corner for cell in cells for corner in cell])
-            drawn = PolyCollection(cells, array=scaled(values, factor), cmap=colours,
-                                   edgecolors="face", linewidths=0.1)
-            ax.add_collection(drawn)
-            ax.autoscale_view()
-            figure.colorbar(drawn, ax=ax, shrink=0.8, label=label(name, unit))
+            figure, _ = cell_picture(cells, scaled(values, factor), colours, label(name, unit))
             pictures.save(figure, f"{part}_{name}", f"{heading} of '{part}'")
+        if "hole_gain" in found.names:
+            draw_gain(found, cells, part, pictures, summary)
+
+
+def draw_gain(found, cells, part, pictures, summary):
+    """What the objective would fall by in full cells, and the hole that is proposed."""
+    values = [v if f >= 1 else math.nan
+              for v, f in zip(found.numbers("hole_gain"), found.numbers("fraction"))]
+    finite = [v for v in values if math.isfinite(v)]
+    best = max(finite, default=0) or max(map(abs, finite), default=0)
+    if best == 0:
+        return
+    figure, ax = cell_picture(cells, values, "RdBu", label("gain", found.unit("hole_gain")),
+                              limit=abs(best))
+    hole = (summary.get("nucleation") or {}).get("next")
+    if hole:
+        ax.add_patch(Circle(hole["place"][:2], hole["radius"], fill=False, color="black",
+                            linewidth=1.6))
+    pictures.save(figure, f"{part}_hole_gain", f"gain of a new hole in '{part}'")

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "apps/scene/gmsh_mesh.hpp"
+#include "apps/scene/outline_text.hpp"
 #include "apps/scene/reader.hpp"
 #include "mbs/solids/connectivity.hpp"
 #include "mbs/solids/interface_map.hpp"
@@ -263,8 +264,7 @@ class SolidReader {
 
   /// In the order of FeatureKind.
   static FeatureKind kind_of_feature(const toml::table& table) {
-    static const auto kinds =
-        words(find_key(FileKind::Scene, "bodies.*.solid.outline.*.type")->options);
+    const auto& kinds = feature_words();
     const auto found = std::find(kinds.begin(), kinds.end(), text(table, "type"));
     return static_cast<FeatureKind>(found - kinds.begin());
   }

@@ -2,10 +2,10 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <map>
 #include <stdexcept>
 
 #include "mbs/solids/interface_map.hpp"
+#include "mbs/solids/mesh_surface.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
 namespace liesl {
@@ -103,25 +103,17 @@ VectorXd traction_load(const SolidModel& model, const std::vector<int>& nodes,
   const SolidMesh& mesh = model.mesh();
   std::vector<char> in_set(mesh.node_count(), 0);
   for (const int node : nodes) in_set[node] = 1;
-  std::map<std::array<int, 4>, std::pair<int, std::array<int, 4>>> sides;  // by sorted nodes
-  for (int e = 0; e < mesh.cell_count(); ++e)
-    for (const auto& side : side_nodes(mesh, e)) {
-      if (!std::all_of(side.begin(), side.end(), [&](int n) { return n < 0 || in_set[n]; }))
-        continue;
-      auto sorted = side;
-      std::sort(sorted.begin(), sorted.end());
-      auto& [count, own] = sides[sorted];
-      ++count;
-      own = side;
-    }
-  std::erase_if(sides, [](const auto& s) { return s.second.first > 1; });  // between two cells
+  std::vector<std::array<int, 4>> sides = outer_sides(mesh);
+  std::erase_if(sides, [&](const auto& side) {
+    return !std::all_of(side.begin(), side.end(), [&](int n) { return n < 0 || in_set[n]; });
+  });
   if (sides.empty())
     throw std::invalid_argument("traction: no side of a cell has all its nodes in the set");
   VectorXd f = VectorXd::Zero(model.node_freedoms());
-  for (const auto& [sorted, counted] : sides) {
-    const Eigen::Vector4d shares = side_shares(model, counted.second);
-    for (int i = 0; i < 4 && counted.second[i] >= 0; ++i)
-      f.segment(mesh.dim * counted.second[i], mesh.dim) += shares[i] * traction.head(mesh.dim);
+  for (const auto& side : sides) {
+    const Eigen::Vector4d shares = side_shares(model, side);
+    for (int i = 0; i < 4 && side[i] >= 0; ++i)
+      f.segment(mesh.dim * side[i], mesh.dim) += shares[i] * traction.head(mesh.dim);
   }
   return model.T().transpose() * f;
 }

@@ -100,6 +100,13 @@ std::optional<int> SolidModel::coordinate(int node, int component) const {
   return c >= 0 ? std::optional<int>(c) : std::nullopt;
 }
 
+MatrixXd SolidModel::at_cell(int cell, const Eigen::Ref<const MatrixXd>& u) const {
+  MatrixXd out(mesh_.dim * mesh_.corners(), u.cols());
+  for (int c = 0; c < mesh_.corners(); ++c)
+    out.middleRows(mesh_.dim * c, mesh_.dim) = u.middleRows(freedom(cell, c), mesh_.dim);
+  return out;
+}
+
 const SolidModel::Sparse& SolidModel::stiffness(const VectorXd& v) {
   const VectorXd factor = v.unaryExpr([this](double x) { return options_.law.stiffness(x); });
   assemble(K_, K_of_shape_, factor);

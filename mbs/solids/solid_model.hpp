@@ -71,6 +71,8 @@ class SolidModel {
   const Eigen::MatrixXd& cell_mass(int e) const { return M_of_shape_[shape_of_[e]]; }
   /// First freedom of a corner: freedoms are dim * node + component.
   int freedom(int cell, int corner) const { return mesh_.dim * mesh_.cells(corner, cell); }
+  /// What u [node freedoms x columns] is at the corners of a cell: dim * corners x columns.
+  Eigen::MatrixXd at_cell(int cell, const Eigen::Ref<const Eigen::MatrixXd>& u) const;
 
  private:
   void find_shapes();

@@ -69,6 +69,12 @@ class SolidStatics {
   auto u() const { return all_.u.leftCols(cases()); }  ///< node freedoms x cases
   const Eigen::MatrixXd& y() const { return y_; }      ///< outputs x cases
   Eigen::VectorXd compliance() const;                  ///< f^T u by case, J
+  bool inertia_relief() const { return support_.inertia_relief; }
+  /// Displacements of the nodes under the load C of an output: node freedoms.
+  auto adjoint(int output) const { return all_.u.col(cases() + output); }
+  /// Rigid accelerations that balance the cases, then the outputs, at the nodes: node freedoms x
+  /// (cases + outputs), zero without inertia relief.
+  Eigen::MatrixXd acceleration() const { return TR_ * all_.acceleration; }
 
   /// d y(output, case)/d p for all cases [cases x parameters], from d v/d p [cells x parameters]:
   /// -s'(v) mu_e^T K_e u_e summed over cells; with inertia relief also

@@ -25,16 +25,6 @@ MatrixXd von_mises_form(int dim) {
   return V;
 }
 
-/// Displacements of a cell: freedoms x cases.
-MatrixXd of_cell(const SolidStatics& statics, int e) {
-  const SolidModel& model = statics.model();
-  const int dim = model.mesh().dim, corners = model.mesh().corners();
-  MatrixXd u(dim * corners, statics.cases());
-  for (int c = 0; c < corners; ++c)
-    u.middleRows(dim * c, dim) = statics.u().middleRows(model.freedom(e, c), dim);
-  return u;
-}
-
 }  // namespace
 
 MatrixXd von_mises(const SolidStatics& statics, double relaxation) {
@@ -42,7 +32,7 @@ MatrixXd von_mises(const SolidStatics& statics, double relaxation) {
   const MatrixXd V = von_mises_form(model.mesh().dim);
   MatrixXd stress(model.mesh().cell_count(), statics.cases());
   for (int e = 0; e < model.mesh().cell_count(); ++e) {
-    const MatrixXd sigma = model.cell(e).stress * of_cell(statics, e);
+    const MatrixXd sigma = model.cell(e).stress * model.at_cell(e, statics.u());
     stress.row(e) = std::pow(statics.fractions()[e], relaxation) *
                     sigma.cwiseProduct(V * sigma).colwise().sum().cwiseSqrt();
   }
@@ -79,7 +69,7 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
     if (v > 0)
       for (FractionGradient::InnerIterator x(dv, e); x; ++x)
         S.gradient.col(x.col()) += x.value() * q / v * d.cwiseProduct(stress.row(e)).transpose();
-    const MatrixXd sigma = model.cell(e).stress * of_cell(statics, e);
+    const MatrixXd sigma = model.cell(e).stress * model.at_cell(e, statics.u());
     for (int k = 0; k < n; ++k)  // d(v^q sigma)/du = v^2q S^T V s / (v^q sigma)
       d[k] = stress(e, k) > 0 ? d[k] * std::pow(v, 2 * q) / stress(e, k) : 0;
     const MatrixXd g = model.cell(e).stress.transpose() * (V * sigma) * d.asDiagonal();

@@ -194,20 +194,22 @@ VectorXd StaticShape::values_of(const SolidLimit& l) {
   return {};
 }
 
+MatrixXd StaticShape::shares(const SolidLimit& l) const {
+  MatrixXd share = corrected().middleRows(l.first, l.count).transpose();
+  for (int n = 0; n < share.rows(); ++n)
+    if (const double size = share.row(n).norm(); size > 0) share.row(n) /= size;
+  return share;
+}
+
 MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
   const FractionGradient& dv = fractions_.derivative;
   switch (l.response) {
     case SolidResponse::Output: {
-      const MatrixXd y = corrected().middleRows(l.first, l.count);
-      MatrixXd out = MatrixXd::Zero(y.cols(), dv.cols());
-      for (int i = 0; i < l.count; ++i) {
-        VectorXd share(y.cols());  // d|y|/dy_i
-        for (int n = 0; n < y.cols(); ++n) {
-          const double size = y.col(n).norm();
-          share[n] = size > 0 ? y(i, n) / size : 0;
-        }
-        out += share.asDiagonal() * (mix_.transpose() * statics_.output_gradient(l.first + i, dv));
-      }
+      const MatrixXd share = shares(l);
+      MatrixXd out = MatrixXd::Zero(share.rows(), dv.cols());
+      for (int i = 0; i < l.count; ++i)
+        out += share.col(i).asDiagonal() *
+               (mix_.transpose() * statics_.output_gradient(l.first + i, dv));
       return out;
     }
     case SolidResponse::Compliance:

@@ -58,6 +58,12 @@ struct SolidCheck {
   std::string worst_limit;
 };
 
+/// What a small round hole does to the Lagrangian.
+struct HoleDerivative {
+  Eigen::VectorXd value;  ///< at the centres of the cells, unit of the goal / m^3; of full cells
+  std::string missing;    ///< what counts and has no such derivative: stress, frequencies
+};
+
 /// minimise goal(x) subject to value/limit - 1 <= 0 in the retained cases (all cases if the goal
 /// depends on them), mass and frequency limits, and the walls of the design. Gradients by adjoints;
 /// no second derivatives. At an x that leaves no part (a cut interface, a flaw of the shape) there
@@ -83,6 +89,10 @@ class StaticShape final : public StaticProblem {
   /// Solves every case at x, for `statics`; false if there is no part there.
   bool show_all(const Eigen::VectorXd& x);
   const SolidStatics& statics() const { return statics_; }  ///< at the latest x
+  /// d(goal + sum lambda_i g_i)/dV of holes with a free edge
+  /// (mbs/solids/topological_derivative.hpp) at the latest x, for multipliers lambda, unit goal /
+  /// g. Walls do not see new holes.
+  HoleDerivative hole_derivative(const std::map<ConstraintId, double>& multipliers) const;
 
  private:
   void narrow(const Eigen::VectorXd& x0, double cells, double share);
@@ -95,6 +105,8 @@ class StaticShape final : public StaticProblem {
   void add_rows_without_cases();
   /// Values of a limit by retained case.
   Eigen::VectorXd values_of(const SolidLimit& limit);
+  /// d|y|/dy_i of an output limit, cases x outputs.
+  Eigen::MatrixXd shares(const SolidLimit& limit) const;
   /// And their gradients, cases x variables.
   Eigen::MatrixXd gradients_of(const SolidLimit& limit);
   Eigen::MatrixXd corrected() const;

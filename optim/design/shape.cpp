@@ -9,6 +9,7 @@
 #include <set>
 
 #include "mbs/levelset/wall.hpp"
+#include "mbs/solids/mesh_surface.hpp"
 
 namespace liesl {
 namespace {
@@ -160,16 +161,13 @@ VectorXd ShapeDesign::parameters(const VectorXd& x) const { return p0_ + jacobia
 VectorXd ShapeDesign::reach(const FractionGradient& dv, double cells) const {
   const SolidMesh& mesh = model_.mesh();
   VectorXd speed = VectorXd::Zero(size()), dp(shape_.size());
-  double volume = 0;
   for (int e = 0; e < mesh.cell_count(); ++e) {
-    volume += model_.cell(e).volume;
     if (!FractionGradient::InnerIterator(dv, e)) continue;
     Eigen::Vector3d dx;
     shape_.evaluate(mesh.corners_of(e).rowwise().mean(), dx, dp.data());
     if (dx.norm() > 0) speed = speed.cwiseMax((jacobian_.transpose() * dp).cwiseAbs() / dx.norm());
   }
-  if (mesh.dim == 2) volume /= model_.thickness();
-  const double h = std::pow(volume / mesh.cell_count(), 1.0 / mesh.dim);
+  const double h = mean_cell_length(mesh);
   VectorXd out(size());
   for (int j = 0; j < size(); ++j)
     out[j] = speed[j] > 0 ? cells * h / speed[j] : std::numeric_limits<double>::infinity();

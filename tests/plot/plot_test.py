@@ -138,6 +138,27 @@ def write_comparison(folder):
         {"command": "compare", "name": "three formalisms", "response": "tip", "norm": "rms"}))
 
 
+def write_part(folder, gain=True):
+    """A plate of 20 x 10 cells with a slot in it, over two steps."""
+    rows = []
+    for i in range(20):
+        for j in range(10):
+            corners = [c for x, y in ((i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1))
+                       for c in (0.01 * x, 0.01 * y)]
+            full = not (5 <= i < 9 and 4 <= j < 6)
+            rows.append([*corners, float(full), 1e6 * i * full,
+                         *([(7850 - 200 * i * j) * full] if gain else [])])
+    write_csv(folder / "plate_cells.csv",
+              [f"{axis}{c} [m]" for c in range(4) for axis in "xy"]
+              + ["fraction", "stress [Pa]"] + ["hole_gain [kg/m^3]"] * gain, rows)
+    write_csv(folder / "plate_outlines.csv", ["step", "line", "x [m]", "y [m]"],
+              [[step, 0, x, y] for step in (1, 2)
+               for x, y in ((0, 0), (0.2, 0), (0.2, 0.09 + 0.005 * step), (0, 0.1))])
+    nucleus = {"place": [0.15, 0.03, 0], "radius": 0.02, "gain": 6000}
+    (folder / "summary.json").write_text(json.dumps(
+        {"name": "plate", "status": "converged", "nucleation": {"next": nucleus if gain else None}}))
+
+
 def plot(folder, *more):
     return subprocess.run([sys.executable, PLOT, folder, *more], capture_output=True, text=True,
                           check=False)
@@ -180,6 +201,14 @@ class Plot(unittest.TestCase):
     def test_optimize(self):
         self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",
                                     "responses", "energies", "mechanism"])
+
+    def test_part(self):
+        self.draws(write_part, ["plate_outlines", "plate_fraction", "plate_stress",
+                                "plate_hole_gain"])
+
+    def test_part_without_gains(self):
+        self.draws(lambda folder: write_part(folder, gain=False),
+                   ["plate_outlines", "plate_fraction", "plate_stress"])
 
     def test_spatial_statics(self):
         self.draws(write_spatial, ["responses", "mechanism"])
