@@ -19,6 +19,7 @@ int optimize_command(const CommandOptions& options) {
 #else
 
 #include "apps/cli/checkpoint.hpp"
+#include "apps/cli/describe_holes.hpp"
 #include "apps/cli/optimize_part.hpp"
 #include "apps/cli/part_files.hpp"
 #include "apps/cli/run_summary.hpp"
@@ -31,7 +32,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/scene/study.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_topology.hpp"
 
 namespace liesl {
 namespace {
@@ -126,6 +127,23 @@ void print_cycle(const Cycle& c, bool quiet) {
   std::fflush(stdout);
 }
 
+/// New holes of a study, which is `study` with those that stayed.
+template <FrameGroup G>
+Holes holes_of(const MotionTopology<G>& rounds, const Study& study) {
+  Holes holes{rounds.holes, {}, "", "", "kg"};
+  if (rounds.next) {
+    holes.next = rounds.next->hole.nucleus;
+    holes.part = study.scene.mechanism.bodies[static_cast<std::size_t>(rounds.next->body)].name;
+  } else if (!rounds.holes.empty() && !rounds.holes.back().pays) {
+    holes.reason = "'" + rounds.holes.back().feature + "', the last one tried, does not pay";
+  } else if (rounds.cycle.proposals.empty()) {
+    holes.reason = "there is no converged cycle to start from";
+  } else {
+    holes.reason = rounds.cycle.proposals.front().hole.reason;
+  }
+  return holes;
+}
+
 /// What is left of part k, whose outline the study changed.
 template <FrameGroup G>
 void write_part_of(const Design& design, int k, const Study& study, const CycleResult<G>& r,
@@ -135,18 +153,42 @@ void write_part_of(const Design& design, int k, const Study& study, const CycleR
   for (const auto& c : r.history) history.push_back(design.of_part(k, c.x));
   if (r.history.back().x != r.x) history.push_back(design.of_part(k, r.x));
   const BodySpec& final = r.mechanism.bodies[static_cast<std::size_t>(part.body)];
-  write_part(folder, final.name, part, history,
-             fields_of_motion(study.spec, part, design.of_part(k, r.x), *r.model,
-                              r.simulation.trajectory));
+  PartFields fields =
+      fields_of_motion(study.spec, part, design.of_part(k, r.x), *r.model, r.simulation.trajectory);
+  for (const PartProposal& p : r.proposals)
+    if (p.body == part.body) {
+      fields.hole_gain = p.hole.gain;
+      fields.gain_unit = "kg/m^3";
+    }
+  write_part(folder, final.name, part, history, fields);
   write_outline(folder, final.name, std::get<SolidSpec>(final.kind).outline);
 }
 
+/// All that a study of a motion leaves behind.
 template <FrameGroup G>
-int optimize_on(const Study& study, const Space<G>& space, const CommandOptions& options,
-                output::AtomicFolder& folder, output::OptimizeSummary& summary,
-                const std::vector<Cycle>& resume, const Stopwatch& clock) {
+void write_end(const Study& study, const Design& design, const CycleResult<G>& r,
+               const std::filesystem::path& folder, output::OptimizeSummary& summary) {
   const Scene& scene = study.scene;
-  const Design design(study.spec, scene.mechanism);
+  output::Results results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
+  output::write_results(folder, results);
+  describe_responses(summary, results);
+  write_series(folder / "responses_initial.csv", r.times_initial,
+               series(r.initial, scene.mechanism, study.spec), scene);
+  write_series(folder / "responses_final.csv", r.times,
+               series(r.final, scene.mechanism, study.spec), scene);
+  if (design.sizing().size() > 0)
+    output::write_design_csv(folder / "design.csv",
+                             design_rows(design.sizing(), scene.mechanism, r.x));
+  for (int k = 0; k < design.parts(); ++k) write_part_of(design, k, study, r, folder);
+}
+
+template <FrameGroup G>
+int optimize_on(const Study& given, const Space<G>& space, const CommandOptions& options,
+                output::AtomicFolder& folder, output::OptimizeSummary& summary,
+                const std::vector<Cycle>& resume, Holes& holes, const Stopwatch& clock) {
+  const Scene& scene = given.scene;
+  const auto variables = Design(given.spec, scene.mechanism).variables();
+  bool with_holes = false;
   CycleHooks hooks;
   output::Progress line(
       "simulating",
@@ -167,30 +209,34 @@ int optimize_on(const Study& study, const Space<G>& space, const CommandOptions&
     so_far.mass_final = history.back().mass;
     so_far.worst_constraint = history.back().worst;
     so_far.wall_s = clock.seconds();
-    write_checkpoint(folder.path() / "checkpoint.json", history, summary.input_sha256);
+    if (!with_holes)  // a checkpoint does not tell of them
+      write_checkpoint(folder.path() / "checkpoint.json", history, summary.input_sha256);
     output::write_summary(folder.path() / "summary.json", output::to_json(so_far));
     folder.commit();
   };
-  const CycleResult<G> r =
-      run_cycle<G>(scene.mechanism, space, scene.simulation, study.spec, hooks, resume);
-  describe_result(summary, study, design, r);
-  if (r.model) {
-    output::Results results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
-    output::write_results(folder.path(), results);
-    describe_responses(summary, results);
-    write_series(folder.path() / "responses_initial.csv", r.times_initial,
-                 series(r.initial, scene.mechanism, study.spec), scene);
-    write_series(folder.path() / "responses_final.csv", r.times,
-                 series(r.final, scene.mechanism, study.spec), scene);
-    if (design.sizing().size() > 0)
-      output::write_design_csv(folder.path() / "design.csv",
-                               design_rows(design.sizing(), scene.mechanism, r.x));
-    for (int k = 0; k < design.parts(); ++k) write_part_of(design, k, study, r, folder.path());
-  }
+  const auto on_hole = [&](const std::string& feature, const Nucleus& n) {
+    with_holes = true;
+    if (!options.quiet)
+      fmt::print("      {} at ({:.4g}, {:.4g}, {:.4g}) m\n", feature, n.place[0], n.place[1],
+                 n.place[2]);
+  };
+  const MotionTopology<G> rounds =
+      optimise_motion_topology<G>(scene.mechanism, space, scene.simulation, given.spec,
+                                  options.nucleate, hooks, on_hole, resume);
+  Study study = given;  // with the holes that stayed
+  study.spec = rounds.study;
+  study.scene.mechanism = rounds.mechanism;
+  const Design design(study.spec, study.scene.mechanism);
+  describe_result(summary, study, design, rounds.cycle);
+  for (auto& figure : summary.design)
+    for (const NlpVariable& v : variables)
+      if (v.name == figure.name) figure.initial = v.start;
+  if (design.parts() > 0) describe_holes(summary, holes = holes_of(rounds, study));
+  if (rounds.cycle.model) write_end(study, design, rounds.cycle, folder.path(), summary);
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
   folder.commit();
-  return r.status == CycleStatus::Converged ? 0 : 1;
+  return rounds.cycle.status == CycleStatus::Converged ? 0 : 1;
 }
 
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
@@ -241,15 +287,22 @@ int optimize_command(const CommandOptions& options) {
   if (options.resume && fixed_loads)
     throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
                        "a study of a motion", "run without --resume"}});
-  if (options.nucleate > 0 && !fixed_loads)
-    throw InputError({{study.file, 0, 0, "--nucleate: holes are inserted under loads that stay",
-                       "a study with [loads]", "run without --nucleate"}});
+  if (options.nucleate > 0 && study.spec.shapes.empty())
+    throw InputError({{study.file, 0, 0, "--nucleate: the study changes no outline",
+                       "a study with variables of a meshed part", "run without --nucleate"}});
+  if (options.nucleate > 0 && options.resume)
+    throw InputError({{study.file, 0, 0, "--nucleate: rounds with new holes are not resumed",
+                       "--resume or --nucleate", "run without --resume"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   if (fixed_loads) return optimize_part(study, options, folder, summary, clock);
+  Holes holes;
   const int code = std::visit(
-      [&](const auto& s) { return optimize_on(study, s, options, folder, summary, resume, clock); },
+      [&](const auto& s) {
+        return optimize_on(study, s, options, folder, summary, resume, holes, clock);
+      },
       space.space);
   print_result(summary, options.out, options.quiet);
+  if (!options.quiet) print_holes(holes, options.nucleate);
   return code;
 }
 

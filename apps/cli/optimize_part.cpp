@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/cli/describe_holes.hpp"
 #include "apps/cli/part_files.hpp"
 #include "apps/output/interrupt.hpp"
 #include "optim/cycle/solid_task.hpp"
@@ -12,8 +13,6 @@
 
 namespace liesl {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 struct Quantity {
   const char *name, *unit;
@@ -70,27 +69,6 @@ void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
   }
 }
 
-Json of_nucleus(const Nucleus& n) {
-  return {{"place", {n.place[0], n.place[1], n.place[2]}}, {"radius", n.radius}, {"gain", n.gain}};
-}
-
-/// The key `nucleation`: the next hole that would pay, and those that were tried.
-void describe_holes(output::OptimizeSummary& summary, const TopologyResult& r,
-                    const std::string& gain_unit) {
-  Json tried = Json::array();
-  for (const HoleRound& h : r.holes) {
-    Json hole = {{"feature", h.feature}, {"kept", h.pays},   {"objective_before", h.before},
-                 {"objective", h.after}, {"steps", h.steps}, {"reason", h.reason}};
-    hole.update(of_nucleus(h.nucleus));
-    tried.push_back(hole);
-  }
-  const HoleProposal& next = r.proposal;
-  summary.more["nucleation"] = {{"next", next.nucleus ? of_nucleus(*next.nucleus) : Json(nullptr)},
-                                {"reason", next.reason},
-                                {"gain_unit", gain_unit},
-                                {"tried", tried}};
-}
-
 void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
                      const ShapeResult& r) {
   summary.status = to_string(r.status);
@@ -116,20 +94,6 @@ std::vector<Eigen::VectorXd> designs(const TopologyResult& r) {
   std::vector<Eigen::VectorXd> x;
   for (std::size_t i = r.round; i < r.shape.history.size(); ++i) x.push_back(r.shape.history[i].x);
   return x;
-}
-
-void print_holes(const TopologyResult& r, const std::string& unit, int most) {
-  for (const HoleRound& h : r.holes)
-    fmt::print("  {}: {:.6g} {} -> {:.6g} {}, {}\n", h.feature, h.before, unit, h.after, unit,
-               h.pays ? "kept" : "taken out again (" + h.reason + ")");
-  if (const auto& n = r.proposal.nucleus)
-    fmt::print(
-        "  a hole would pay at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} {} per m^3 at first "
-        "(experimental): {}\n",
-        n->place[0], n->place[1], n->place[2], n->gain, unit,
-        most > 0 ? "--nucleate with a larger number" : "--nucleate inserts it");
-  else if (!r.proposal.reason.empty())
-    fmt::print("  no hole is proposed: {}\n", r.proposal.reason);
 }
 
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
@@ -185,21 +149,21 @@ int optimize_part(const Study& study, const CommandOptions& options, output::Ato
   };
   const TopologyResult r =
       optimise_topology(study.spec, study.scene.mechanism, body, options.nucleate, hooks);
-  const std::string unit = quantity(goal).unit, gain_unit = unit + "/m^3";
+  const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  const Holes holes{r.holes, r.proposal.nucleus, name, r.proposal.reason, quantity(goal).unit};
   describe_result(summary, solid_task(study.spec, *r.part), r.shape);
-  describe_holes(summary, r, gain_unit);
+  describe_holes(summary, holes);
   if (r.shape.x.size() > 0) {
-    const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
-    write_part(
-        folder.path(), name, *r.part, designs(r),
-        {r.shape.fractions, r.shape.displacements, r.shape.von_mises, r.proposal.gain, gain_unit});
+    write_part(folder.path(), name, *r.part, designs(r),
+               {r.shape.fractions, r.shape.displacements, r.shape.von_mises, r.proposal.gain,
+                holes.unit + "/m^3"});
     write_outline(folder.path(), name, r.outline);
   }
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
   folder.commit();
   print_result(summary, options.out, options.quiet);
-  if (!options.quiet) print_holes(r, unit, options.nucleate);
+  if (!options.quiet) print_holes(holes, options.nucleate);
   return r.shape.status == CycleStatus::Converged ? 0 : 1;
 }
 

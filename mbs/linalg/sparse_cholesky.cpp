@@ -1,17 +1,63 @@
 #include "mbs/linalg/sparse_cholesky.hpp"
 
 #include <cholmod.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <atomic>
 #include <stdexcept>
 
 #include "mbs/linalg/blas_threads.hpp"
 
 namespace liesl {
+namespace {
+
+constexpr Eigen::Index kBlock = 64;  // columns solved together
+
+/// What a thread needs to solve, kept between solutions.
+struct Lane {
+  cholmod_common common;
+  cholmod_dense *X = nullptr, *Y = nullptr, *E = nullptr;
+
+  Lane() {
+    cholmod_start(&common);
+    common.print = 0;
+  }
+  ~Lane() {
+    for (cholmod_dense** d : {&X, &Y, &E}) cholmod_free_dense(d, &common);
+    cholmod_finish(&common);
+  }
+  Lane(const Lane&) = delete;
+  Lane& operator=(const Lane&) = delete;
+
+  /// x = A^-1 b; false: out of memory.
+  bool solve(cholmod_factor* L, const Eigen::Ref<const Eigen::MatrixXd>& b,
+             Eigen::Ref<Eigen::MatrixXd> x) {
+    one_blas_thread();
+    cholmod_dense view{};
+    view.nrow = static_cast<std::size_t>(b.rows());
+    view.ncol = static_cast<std::size_t>(b.cols());
+    view.d = static_cast<std::size_t>(b.outerStride());
+    view.nzmax = view.d * view.ncol;
+    // CHOLMOD takes pointers to non-const and does not write through them.
+    view.x = const_cast<double*>(b.data());
+    view.xtype = CHOLMOD_REAL;
+    view.dtype = CHOLMOD_DOUBLE;
+    if (!cholmod_solve2(CHOLMOD_A, L, &view, nullptr, &X, nullptr, &Y, &E, &common)) return false;
+    x = Eigen::Map<const Eigen::MatrixXd>(static_cast<const double*>(X->x), b.rows(), b.cols());
+    return true;
+  }
+};
+
+}  // namespace
+
 struct SparseCholesky::Factors {
   mutable cholmod_common common;
   cholmod_factor* L = nullptr;
   bool valid = false;
-  mutable cholmod_dense *X = nullptr, *Y = nullptr, *E = nullptr;  // kept between solutions
+  mutable tbb::enumerable_thread_specific<Lane> lanes;
+  mutable Eigen::MatrixXd x;
 
   Factors() {
     cholmod_start(&common);
@@ -22,7 +68,6 @@ struct SparseCholesky::Factors {
     common.postorder = 1;
   }
   ~Factors() {
-    for (cholmod_dense** d : {&X, &Y, &E}) cholmod_free_dense(d, &common);
     cholmod_free_factor(&L, &common);
     cholmod_finish(&common);
   }
@@ -64,18 +109,19 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
     const Eigen::Ref<const Eigen::MatrixXd>& b) const {
   if (b.size() == 0) return {b.data(), b.rows(), b.cols()};
   const Factors& f = *f_;
-  one_blas_thread();
-  cholmod_dense view{};
-  view.nrow = static_cast<std::size_t>(b.rows());
-  view.ncol = static_cast<std::size_t>(b.cols());
-  view.d = static_cast<std::size_t>(b.outerStride());
-  view.nzmax = view.d * view.ncol;
-  view.x = const_cast<double*>(b.data());
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  if (!cholmod_solve2(CHOLMOD_A, f.L, &view, nullptr, &f.X, nullptr, &f.Y, &f.E, &f.common))
-    throw std::runtime_error("CHOLMOD could not solve: out of memory");
-  return {static_cast<const double*>(f.X->x), b.rows(), b.cols()};
+  f.x.resize(b.rows(), b.cols());
+  std::atomic<bool> solved = true;
+  const auto solve_block = [&](Eigen::Index k) {
+    const Eigen::Index first = k * kBlock, count = std::min(kBlock, b.cols() - first);
+    if (!f.lanes.local().solve(f.L, b.middleCols(first, count), f.x.middleCols(first, count)))
+      solved = false;
+  };
+  if (b.cols() <= kBlock)
+    solve_block(0);
+  else
+    tbb::parallel_for(Eigen::Index{0}, (b.cols() + kBlock - 1) / kBlock, solve_block);
+  if (!solved) throw std::runtime_error("CHOLMOD could not solve: out of memory");
+  return {f.x.data(), b.rows(), b.cols()};
 }
 
 double SparseCholesky::nonzeros() const { return f_->valid ? f_->common.lnz : 0; }

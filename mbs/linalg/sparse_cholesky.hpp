@@ -23,7 +23,8 @@ class SparseCholesky {
   /// @returns false if A is not positive definite or not finite: there are no factors then.
   bool factor(const Matrix& A);
 
-  /// A^-1 b, all columns together; the view holds until the next call. Not for several threads.
+  /// A^-1 b, by blocks of columns on the threads of the process: the result is the same whatever
+  /// their number. The view holds until the next call. Not to be called from several threads.
   /// @pre the last `factor` returned true
   Eigen::Map<const Eigen::MatrixXd> solve(const Eigen::Ref<const Eigen::MatrixXd>& b) const;
 

@@ -63,6 +63,7 @@ class EslCycle {
         break;
     }
     if (asks_for_optimality()) report_optimality();
+    if (result_.status == CycleStatus::Converged) propose_holes();
     finish();
     return std::move(result_);
   }
@@ -230,6 +231,19 @@ class EslCycle {
         "not optimal for the motion itself: the cycle does not see how the loads follow the "
         "design, and a lighter one may be near (" +
         o.brief() + ")");
+  }
+
+  /// @pre the cycle converged, and `best_` still has its motion
+  void propose_holes() {
+    const Design& design = simulator_.design();
+    for (int k = 0; k < design.parts(); ++k) {
+      const int body = design.part(k).body;
+      const auto& counted = study_.mass_of;
+      if (std::find(counted.begin(), counted.end(), body) == counted.end()) continue;
+      result_.proposals.push_back(
+          {body, propose_hole(motion_task(study_, simulator_, k, *best_),
+                              study_.shapes.at(body).walls, design.of_part(k, best_x_))});
+    }
   }
 
   void finish() {

@@ -9,8 +9,15 @@
 #include "optim/cycle/cycle_rules.hpp"
 #include "optim/cycle/design_run.hpp"
 #include "optim/cycle/dynamic_optimality.hpp"
+#include "optim/cycle/nucleation.hpp"
 
 namespace liesl {
+
+/// Where a new hole would pay in a meshed part under the loads of its final motion.
+struct PartProposal {
+  int body = 0;
+  HoleProposal hole;
+};
 
 template <FrameGroup G>
 struct CycleResult {
@@ -34,6 +41,8 @@ struct CycleResult {
   std::vector<std::string> warnings;
   /// Of the final design; none if it was not asked for or the cycle found no design to ask it of.
   std::optional<DynamicOptimality> optimality;
+  /// Of a converged cycle, one for each meshed part in the objective whose outline changes.
+  std::vector<PartProposal> proposals;
 };
 
 struct CycleHooks {

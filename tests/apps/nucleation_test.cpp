@@ -73,9 +73,13 @@ TEST_F(Nucleation, RefusesWhatItCannotDo) {
   const Outcome motion =
       run({"optimize", study("slider_crank_rod"), "-o", results(), "--nucleate"});
   EXPECT_EQ(motion.code, 2);
-  EXPECT_NE(motion.err.find("holes are inserted under loads that stay"), std::string::npos)
+  EXPECT_NE(motion.err.find("the study changes no outline"), std::string::npos)
       << motion.err;
   EXPECT_FALSE(fs::exists(results()));
+  const Outcome resumed =
+      run({"optimize", study("connecting_rod"), "-o", results(), "--nucleate", "--resume"});
+  EXPECT_EQ(resumed.code, 2);
+  EXPECT_NE(resumed.err.find("not resumed"), std::string::npos) << resumed.err;
 }
 
 }  // namespace

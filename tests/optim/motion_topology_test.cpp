@@ -1,0 +1,47 @@
+/// @file
+/// New holes under the loads of a motion: the arm of a robot, without its openings.
+#include "optim/cycle/motion_topology.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/shipped.hpp"
+
+namespace liesl {
+namespace {
+
+/// A plate whose height is the only variable.
+Study plain_arm() {
+  Study study = test::shipped_study("robot_arm_lattice");
+  const int body = study.spec.shapes.begin()->first;
+  auto& features = std::get<SolidSpec>(study.scene.mechanism.bodies[body].kind).outline.features;
+  std::erase_if(features, [](const auto& feature) { return feature.name != "plate"; });
+  study.spec.shapes.at(body) = {{{"height", {{"plate.height", 1}}, 0.07, 0.0885, {}}}, {}};
+  study.spec.cycle.objective_tolerance = 1e-3;
+  study.spec.cycle.optimality = OptimalityCheck::Never;
+  return study;
+}
+
+TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
+  const Study study = plain_arm();
+  const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
+  const Space<SE2> space = test::space_of<SE2>(mechanism);
+  const auto proposed =
+      optimise_motion_topology<SE2>(mechanism, space, simulation, study.spec, 0);
+  ASSERT_EQ(proposed.cycle.status, CycleStatus::Converged) << proposed.cycle.reason;
+  EXPECT_TRUE(proposed.holes.empty());
+  ASSERT_TRUE(proposed.next) << proposed.cycle.proposals.at(0).hole.reason;
+  EXPECT_GT(proposed.next->hole.nucleus->gain, 0);
+  EXPECT_LE(proposed.next->hole.nucleus->gain, 2700 * (1 + 1e-12)) << "more than the density";
+
+  const auto holed = optimise_motion_topology<SE2>(mechanism, space, simulation, study.spec, 1);
+  ASSERT_EQ(holed.holes.size(), 1u);
+  EXPECT_TRUE(holed.holes[0].pays) << holed.holes[0].reason;
+  EXPECT_EQ(holed.holes[0].before, proposed.cycle.mass);
+  EXPECT_LT(holed.cycle.mass, (1 - 1e-3) * proposed.cycle.mass);
+  EXPECT_LE(holed.cycle.worst, 1e-3);
+  EXPECT_EQ(holed.cycle.mass_initial, proposed.cycle.mass_initial);
+  EXPECT_EQ(holed.cycle.x.size(), 5);
+}
+
+}  // namespace
+}  // namespace liesl
