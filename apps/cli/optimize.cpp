@@ -22,6 +22,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/cli/describe_holes.hpp"
 #include "apps/cli/optimize_part.hpp"
 #include "apps/cli/part_files.hpp"
+#include "apps/cli/part_summary.hpp"
 #include "apps/cli/run_summary.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/csv_writer.hpp"
@@ -130,16 +131,21 @@ void print_cycle(const Cycle& c, bool quiet) {
 /// New holes of a study, which is `study` with those that stayed.
 template <FrameGroup G>
 Holes holes_of(const MotionTopology<G>& rounds, const Study& study) {
-  Holes holes{rounds.holes, {}, "", "", "kg"};
+  const CycleResult<G>& end = rounds.cycle;
+  Holes holes{body_names(study.scene.mechanism), rounds.holes, {}, 0, "", "kg"};
   if (rounds.next) {
     holes.next = rounds.next->hole.nucleus;
-    holes.part = study.scene.mechanism.bodies[static_cast<std::size_t>(rounds.next->body)].name;
+    holes.body = rounds.next->body;
+  } else if (end.status == CycleStatus::Interrupted) {
+    holes.reason = end.reason;
   } else if (!rounds.holes.empty() && !rounds.holes.back().pays) {
     holes.reason = "'" + rounds.holes.back().feature + "', the last one tried, does not pay";
-  } else if (rounds.cycle.proposals.empty()) {
+  } else if (end.status != CycleStatus::Converged) {
     holes.reason = "there is no converged cycle to start from";
+  } else if (end.proposals.empty()) {
+    holes.reason = "no part whose outline changes counts in the objective";
   } else {
-    holes.reason = rounds.cycle.proposals.front().hole.reason;
+    holes.reason = end.proposals.front().hole.reason;
   }
   return holes;
 }
@@ -164,21 +170,23 @@ void write_part_of(const Design& design, int k, const Study& study, const CycleR
   write_outline(folder, final.name, std::get<SolidSpec>(final.kind).outline);
 }
 
-/// All that a study of a motion leaves behind.
+/// All that a study of a motion leaves behind. `sizing` is that of the start.
 template <FrameGroup G>
-void write_end(const Study& study, const Design& design, const CycleResult<G>& r,
-               const std::filesystem::path& folder, output::OptimizeSummary& summary) {
+void write_end(const Study& study, const Sizing& sizing, const Design& design,
+               const CycleResult<G>& r, const std::filesystem::path& folder,
+               output::OptimizeSummary& summary) {
   const Scene& scene = study.scene;
   output::Results results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   output::write_results(folder, results);
   describe_responses(summary, results);
+  describe_parts(summary, r.mechanism, *r.model, r.simulation.trajectory,
+                 scene.simulation.type == SimulationType::Dynamic);
   write_series(folder / "responses_initial.csv", r.times_initial,
                series(r.initial, scene.mechanism, study.spec), scene);
   write_series(folder / "responses_final.csv", r.times,
                series(r.final, scene.mechanism, study.spec), scene);
-  if (design.sizing().size() > 0)
-    output::write_design_csv(folder / "design.csv",
-                             design_rows(design.sizing(), scene.mechanism, r.x));
+  if (sizing.size() > 0)
+    output::write_design_csv(folder / "design.csv", design_rows(sizing, scene.mechanism, r.x));
   for (int k = 0; k < design.parts(); ++k) write_part_of(design, k, study, r, folder);
 }
 
@@ -187,7 +195,7 @@ int optimize_on(const Study& given, const Space<G>& space, const CommandOptions&
                 output::AtomicFolder& folder, output::OptimizeSummary& summary,
                 const std::vector<Cycle>& resume, Holes& holes, const Stopwatch& clock) {
   const Scene& scene = given.scene;
-  const auto variables = Design(given.spec, scene.mechanism).variables();
+  const Design first(given.spec, scene.mechanism);
   bool with_holes = false;
   CycleHooks hooks;
   output::Progress line(
@@ -216,9 +224,7 @@ int optimize_on(const Study& given, const Space<G>& space, const CommandOptions&
   };
   const auto on_hole = [&](const std::string& feature, const Nucleus& n) {
     with_holes = true;
-    if (!options.quiet)
-      fmt::print("      {} at ({:.4g}, {:.4g}, {:.4g}) m\n", feature, n.place[0], n.place[1],
-                 n.place[2]);
+    print_hole(feature, n, options.quiet);
   };
   const MotionTopology<G> rounds =
       optimise_motion_topology<G>(scene.mechanism, space, scene.simulation, given.spec,
@@ -229,10 +235,11 @@ int optimize_on(const Study& given, const Space<G>& space, const CommandOptions&
   const Design design(study.spec, study.scene.mechanism);
   describe_result(summary, study, design, rounds.cycle);
   for (auto& figure : summary.design)
-    for (const NlpVariable& v : variables)
+    for (const NlpVariable& v : first.variables())
       if (v.name == figure.name) figure.initial = v.start;
   if (design.parts() > 0) describe_holes(summary, holes = holes_of(rounds, study));
-  if (rounds.cycle.model) write_end(study, design, rounds.cycle, folder.path(), summary);
+  if (rounds.cycle.model)
+    write_end(study, first.sizing(), design, rounds.cycle, folder.path(), summary);
   summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(summary));
   folder.commit();
@@ -274,6 +281,13 @@ int optimize_command(const CommandOptions& options) {
   if (options.check_derivatives)
     return std::visit([&](const auto& s) { return check_derivatives_of(study, s); }, space.space);
 
+  if (options.nucleate > 0 && study.spec.shapes.empty())
+    throw InputError({{study.file, 0, 0, "--nucleate: the study changes no outline",
+                       "a study with variables of a meshed part", "run without --nucleate"}});
+  if (options.nucleate > 0 && options.resume)
+    throw InputError({{study.file, 0, 0, "--nucleate: rounds with new holes are not resumed",
+                       "--resume or --nucleate", "run without --resume"}});
+
   output::OptimizeSummary summary;
   summary.command = "optimize";
   summary.overrides = options.set;
@@ -287,12 +301,6 @@ int optimize_command(const CommandOptions& options) {
   if (options.resume && fixed_loads)
     throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
                        "a study of a motion", "run without --resume"}});
-  if (options.nucleate > 0 && study.spec.shapes.empty())
-    throw InputError({{study.file, 0, 0, "--nucleate: the study changes no outline",
-                       "a study with variables of a meshed part", "run without --nucleate"}});
-  if (options.nucleate > 0 && options.resume)
-    throw InputError({{study.file, 0, 0, "--nucleate: rounds with new holes are not resumed",
-                       "--resume or --nucleate", "run without --resume"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   if (fixed_loads) return optimize_part(study, options, folder, summary, clock);
   Holes holes;

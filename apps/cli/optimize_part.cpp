@@ -78,7 +78,7 @@ void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
   describe_limits(summary, task, r);
   summary.design = design_figures(task.design->variables(), task.design->units(), r.x);
   for (auto step = r.history.rbegin(); step != r.history.rend(); ++step)  // new holes come later
-    for (Eigen::Index j = 0; j < step->x.size(); ++j)
+    for (Eigen::Index j = 0; j < std::min(step->x.size(), r.x.size()); ++j)
       summary.design[static_cast<std::size_t>(j)].initial = step->x[j];
   auto& more = summary.more;
   more["objective"] = {{"quantity", quantity(task.goal).name},
@@ -143,14 +143,17 @@ int optimize_part(const Study& study, const CommandOptions& options, output::Ato
     folder.commit();
   };
   hooks.on_hole = [&](const std::string& feature, const Nucleus& n) {
-    if (!options.quiet)
-      fmt::print("      {} at ({:.4g}, {:.4g}, {:.4g}) m\n", feature, n.place[0], n.place[1],
-                 n.place[2]);
+    print_hole(feature, n, options.quiet);
   };
   const TopologyResult r =
       optimise_topology(study.spec, study.scene.mechanism, body, options.nucleate, hooks);
   const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
-  const Holes holes{r.holes, r.proposal.nucleus, name, r.proposal.reason, quantity(goal).unit};
+  const Holes holes{body_names(study.scene.mechanism),
+                    r.holes,
+                    r.proposal.nucleus,
+                    body,
+                    r.proposal.reason,
+                    quantity(goal).unit};
   describe_result(summary, solid_task(study.spec, *r.part), r.shape);
   describe_holes(summary, holes);
   if (r.shape.x.size() > 0) {

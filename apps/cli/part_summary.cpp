@@ -115,7 +115,7 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
           "loads is {:.4g} Hz: {}",
           body->name, reach, 2 * harmonic,
           needed ? fmt::format("bodies.{}.solid.modes = {} would do", body->name, *needed)
-                 : fmt::format("more than {} modes would be needed", kMostModes)));
+                 : "the modes that were tried do not do, the mesh may be too coarse"));
   }
 }
 

@@ -63,8 +63,10 @@ std::string feature_text(const FeatureSpec& f, int dim) {
       fmt::format("{{ type = \"{}\"", feature_words()[static_cast<std::size_t>(f.kind)]);
   if (is_operation(f.kind)) {
     text += ", of = " + operands_text(f);
-    if (!f.values.empty()) text += ", radius = " + number_text(f.values[0]);
-    return text + " }";
+    if (f.kind != FeatureKind::Mirror) {  // which has a placement, as features do
+      if (!f.values.empty()) text += ", radius = " + number_text(f.values[0]);
+      return text + " }";
+    }
   }
   const auto parameters = levelset::feature_parameters(f.kind, dim);
   const std::size_t placement = dim == 2 ? 3 : 6;

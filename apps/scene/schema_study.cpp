@@ -25,7 +25,7 @@ std::vector<Key> study_keys() {
     {"walls", Type::Named, "", kOptional, kAny, "Material that is left between features of a meshed part, by name."},
     {"walls.*", Type::Table, "", kOptional, kAny, "Shortest distance of two outlines."},
     {"walls.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
-    {"walls.*.feature", Type::Text, "", kRequired, kAny, "Feature of its outline."},
+    {"walls.*.feature", Type::Text, "", kRequired, kAny, "Feature of its outline. The name of a mirror means the feature and its image, that of the feature the original only."},
     {"walls.*.to", Type::Text, "", kRequired, kAny, "Another feature, or an interface: the distance to its nodes."},
     {"walls.*.least", Type::Number, "m", kRequired, kPositive, "Least thickness."},
 

@@ -14,9 +14,8 @@ std::optional<PartProposal> best_proposal(const std::vector<PartProposal>& propo
 /// The study as it starts from the end of a cycle.
 template <FrameGroup G>
 StudySpec from_end(StudySpec study, const CycleResult<G>& end) {
-  const Design design(study, end.mechanism);
+  int j = Sizing(study.design, end.mechanism).size();
   for (DesignSpec& d : study.design) d.start.clear();  // as in the mechanism
-  int j = design.sizing().size();
   for (auto& [body, shape] : study.shapes)
     for (ShapeVariableSpec& v : shape.variables) v.start = end.x[j++];
   return study;
@@ -28,6 +27,16 @@ void keep_initial(const CycleResult<G>& first, CycleResult<G>& next) {
   next.mass_initial = first.mass_initial;
   next.initial = first.initial;
   next.times_initial = first.times_initial;
+}
+
+/// The effort of another round counts, too.
+template <FrameGroup G>
+void add_effort(const CycleResult<G>& round, CycleResult<G>& total) {
+  total.steps += round.steps;
+  total.newton_iterations += round.newton_iterations;
+  total.stepping_s += round.stepping_s;
+  for (std::size_t b = 0; b < round.factorizations.size(); ++b)
+    total.factorizations[b] += round.factorizations[b];
 }
 
 }  // namespace
@@ -47,19 +56,21 @@ MotionTopology<G> optimise_motion_topology(
     MotionTopology<G> next{
         from_end(best.study, best.cycle), best.cycle.mechanism, {}, best.holes, {}};
     SolidSpec& solid = std::get<SolidSpec>(next.mechanism.bodies[std::size_t(body)].kind);
-    HoleRound hole{insert_hole(nucleus, solid.mesh, solid.outline, next.study.shapes.at(body)),
-                   nucleus,
-                   best.cycle.mass,
-                   0,
-                   0,
-                   false,
-                   {}};
+    HoleRound hole{
+        body,    insert_hole(nucleus, solid.mesh, solid.outline, next.study.shapes.at(body)),
+        nucleus, best.cycle.mass,
+        0,       0,
+        false,   {}};
     if (next.study.shapes.size() > 1)  // names of variables are those of the whole study
       for (ShapeVariableSpec& v : next.study.shapes.at(body).variables)
         if (v.name.starts_with(hole.feature + "."))
           v.name = next.mechanism.bodies[std::size_t(body)].name + "." + v.name;
     if (on_hole) on_hole(hole.feature, nucleus);
-    next.cycle = run_cycle<G>(next.mechanism, space, simulation, next.study, hooks);
+    try {
+      next.cycle = run_cycle<G>(next.mechanism, space, simulation, next.study, hooks);
+    } catch (const std::invalid_argument& error) {  // bounds that were right before the hole moved
+      next.cycle.reason = error.what();
+    }
     hole.after = next.cycle.mass;
     hole.steps = static_cast<int>(next.cycle.history.size());
     hole.reason = next.cycle.reason;
@@ -68,6 +79,7 @@ MotionTopology<G> optimise_motion_topology(
     best.holes.push_back(hole);
     if (!hole.pays) {
       best.next.reset();
+      add_effort(next.cycle, best.cycle);
       if (next.cycle.status == CycleStatus::Interrupted) {
         best.cycle.status = next.cycle.status;
         best.cycle.reason =
@@ -76,6 +88,7 @@ MotionTopology<G> optimise_motion_topology(
       break;
     }
     keep_initial(best.cycle, next.cycle);
+    add_effort(best.cycle, next.cycle);
     next.holes = best.holes;
     next.next = best_proposal(next.cycle.proposals);
     best = std::move(next);

@@ -1,5 +1,7 @@
 #include "optim/cycle/topology_cycle.hpp"
 
+#include <stdexcept>
+
 #include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
@@ -83,17 +85,19 @@ class TopologyCycle {
     const Nucleus nucleus = *best.proposal.nucleus;
     SolidSpec& solid =
         std::get<SolidSpec>(next.mechanism.bodies[static_cast<std::size_t>(body_)].kind);
-    HoleRound hole{insert_hole(nucleus, solid.mesh, solid.outline, next.study.shapes.at(body_)),
-                   nucleus,
-                   best.last().goal,
-                   0,
-                   0,
-                   false,
-                   {}};
+    HoleRound hole{
+        body_,   insert_hole(nucleus, solid.mesh, solid.outline, next.study.shapes.at(body_)),
+        nucleus, best.last().goal,
+        0,       0,
+        false,   {}};
     if (hooks_.on_hole) hooks_.on_hole(hole.feature, nucleus);
     const std::size_t earlier = before_.size();
     before_.insert(before_.end(), best.shape.history.begin(), best.shape.history.end());
-    optimise(next);
+    try {
+      optimise(next);
+    } catch (const std::invalid_argument& error) {  // bounds that were right before the hole moved
+      next.shape.reason = error.what();
+    }
     if (!next.shape.history.empty()) {
       hole.after = next.last().goal;
       hole.steps = static_cast<int>(next.shape.history.size());

@@ -14,6 +14,7 @@ namespace liesl {
 
 /// A hole that was tried.
 struct HoleRound {
+  int body = 0;
   std::string feature;  ///< "new_hole1"
   Nucleus nucleus;
   double before = 0, after = 0;  ///< objective

@@ -377,9 +377,11 @@ TEST_F(LeanSlow, MeetsItsToleranceInEveryShippedScene) {
                                                         {"connecting_rod", "elongation"},
                                                         {"flying_beam", "A"},
                                                         {"four_bar", "bend"},
+                                                        {"four_bar_plates", "coupler_bend"},
                                                         {"heavy_top", "centre"},
                                                         {"meshed_slider_crank", "elongation"},
                                                         {"pendulum", "tip"},
+                                                        {"robot_arm_lattice", "arm_tip"},
                                                         {"roll_up", "tip"},
                                                         {"slider_crank", "bend"},
                                                         {"spin_up", "lag"},
@@ -387,6 +389,7 @@ TEST_F(LeanSlow, MeetsItsToleranceInEveryShippedScene) {
                                                         {"two_link_robot", "tip"}};
   for (const auto& entry : fs::directory_iterator(kData / "scenes")) {
     if (entry.path().extension() != ".toml") continue;
+    if (entry.path().stem() == "connecting_rod_3d") continue;  // connecting_rod, for minutes
     const auto response = responses.find(entry.path().stem());
     ASSERT_NE(response, responses.end()) << "no response named for " << entry.path();
     const Outcome o = lean(entry.path(), response->second, {"-q"});

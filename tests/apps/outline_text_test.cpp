@@ -70,10 +70,11 @@ TEST(OutlineText, OfAPlanarPartIsReadBack) {
          {}},
         {"both", FeatureKind::Union, {0.05}, {"round", "flat"}},
         {"within", FeatureKind::Intersection, {}, {"square"}},
+        {"pair", FeatureKind::Mirror, {5, 0.1, 1.5 + third}, {"corners"}},
         {"all",
          FeatureKind::Difference,
          {0},
-         {"plate", "gekürzt", "both", "within", "star", "corners", "smooth", "free"}}}});
+         {"plate", "gekürzt", "both", "within", "star", "pair", "smooth", "free"}}}});
 }
 
 TEST(OutlineText, OfASpatialPartIsReadBack) {
@@ -84,7 +85,8 @@ TEST(OutlineText, OfASpatialPartIsReadBack) {
                 {"egg", FeatureKind::Ellipsoid, {4, 2, 1, 0.1, 0.2, 0.3, 0.7, 0.6, 0.5}, {}},
                 {"bore", FeatureKind::Circle, {6, 2, 1, 0, 0.3, 0, 0.5}, {}},
                 {"body", FeatureKind::Intersection, {}, {"block", "layer"}},
-                {"all", FeatureKind::Difference, {}, {"body", "ball", "egg", "bore"}}}});
+                {"pair", FeatureKind::Mirror, {4, 0.1, 0, 0, 0.2, 0.3}, {"ball"}},
+                {"all", FeatureKind::Difference, {}, {"body", "pair", "egg", "bore"}}}});
 }
 
 }  // namespace

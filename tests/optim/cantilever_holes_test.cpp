@@ -57,7 +57,7 @@ TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {
   const double theirs = reference::cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 0,
                                                          v.cwiseMax(OpenLsto::void_stiffness));
   EXPECT_LE(theirs, OpenLsto::compliance);
-  EXPECT_NEAR(theirs / OpenLsto::compliance, 1, 0.05);
+  EXPECT_GE(theirs / OpenLsto::compliance, 0.9) << "too good: is the comparison sound?";
   RecordProperty("compliance", std::to_string(theirs));
 }
 
