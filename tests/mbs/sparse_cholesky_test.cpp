@@ -38,6 +38,18 @@ TEST(SparseCholesky, SolvesManyColumnsAndFactorsAgain) {
   }
 }
 
+/// Blocks are the same whatever the number of threads: neighbours do not change a column's block.
+TEST(SparseCholesky, BlocksOfColumnsOnSeveralThreads) {
+  SparseCholesky factor;
+  const Sparse A = laplacian(30, 0.1);
+  ASSERT_TRUE(factor.factor(A));
+  const MatrixXd b = MatrixXd::Random(900, 201);
+  const MatrixXd x = factor.solve(b);
+  EXPECT_LT((A.selfadjointView<Eigen::Lower>() * x - b).norm(), 1e-12 * b.norm());
+  EXPECT_EQ(x, MatrixXd(factor.solve(b)));
+  EXPECT_EQ(x.leftCols(64), MatrixXd(factor.solve(b.leftCols(64))));
+}
+
 TEST(SparseCholesky, WhatIsNotPositiveDefiniteIsSaidSo) {
   SparseCholesky factor;
   EXPECT_FALSE(factor.factor(laplacian(10, -4.5)));
