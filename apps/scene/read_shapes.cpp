@@ -191,7 +191,6 @@ void check_shapes(StudyReader& reader) {
   Problems& problems = reader.scene.problems;
   if (problems.count() > 0) return;
   const StudySpec& spec = reader.spec;
-  const toml::node& design = *reader.root.get("design");
   if (!spec.loads.empty() && (spec.shapes.size() != 1 || !spec.design.empty()))
     problems.add(*reader.root.get("loads"), "fixed loads are for the outline of one meshed part",
                  "shape variables of one part",
@@ -207,7 +206,8 @@ void check_shapes(StudyReader& reader) {
       PartShape made(reader.scene.scene.mechanism, body, shape);
       solid_task(spec, made);
     } catch (const std::invalid_argument& error) {
-      problems.add(design, error.what(), "variables, walls, supports and loads that fit the part");
+      problems.add(*reader.root.get("design"), error.what(),
+                   "variables, walls, supports and loads that fit the part");
     }
 #endif
 }
