@@ -4,6 +4,7 @@
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
+#include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
@@ -87,43 +88,11 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
 
 template <FrameGroup G>
 void add_energies(const Model<G>& model, const State<G>& s, output::Energies& out) {
-  BodyEnergy sum;
-  for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyEnergy e =
-        model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity);
-    sum.kinetic += e.kinetic;
-    sum.elastic += e.elastic;
-    sum.potential += e.potential;
-  }
-  for (const auto& c : model.couplings)
-    for (size_t i = 0; i < c.equations.size(); ++i)
-      if (c.equations[i].role == Role::Compliant) {
-        const double stretch = s.q[c.first_row + static_cast<int>(i)] - c.equations[i].law.rest;
-        sum.elastic += 0.5 * c.equations[i].law.stiffness * stretch * stretch;
-      }
-  out.kinetic.push_back(sum.kinetic);
-  out.elastic.push_back(sum.elastic);
-  out.potential.push_back(sum.potential);
-  out.total.push_back(sum.kinetic + sum.elastic + sum.potential);
-}
-
-/// Power that drives, loads, actuators and dampers put into the mechanism, W.
-template <FrameGroup G>
-double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
-  double p = 0;
-  for (const auto& c : model.couplings)
-    for (int i = 0; i < c.constraints; ++i)
-      p -= s.lambda[c.first_constraint + i] * c.equations[i].target.rate(s.t);
-  eq.evaluate(s, s.q, {s.t, 1});
-  for (size_t k = 0; k < model.couplings.size(); ++k) {
-    const auto& c = model.couplings[k];
-    for (int i = c.constraints; i < c.acting; ++i) {
-      const ForceLaw& law = c.equations[i].law;
-      const double rate = eq.couplings[k].rate[i];
-      p += (law.force(s.t) - law.damping * rate) * rate;
-    }
-  }
-  return p + eq.load_power(s);
+  const BodyEnergy e = mechanical_energy(model, s);
+  out.kinetic.push_back(e.kinetic);
+  out.elastic.push_back(e.elastic);
+  out.potential.push_back(e.potential);
+  out.total.push_back(total(e));
 }
 
 template <FrameGroup G>

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "mbs/system/response_value.hpp"
+#include "mbs/system/energy.hpp"
 
 namespace liesl {
 
@@ -45,38 +45,7 @@ int free_from(const Mechanism& m, const Trajectory<G>& trajectory) {
   return n;
 }
 
-template <FrameGroup G>
-double kinetic_energy(const Model<G>& model, const State<G>& s) {
-  double sum = 0;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    sum += model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity).kinetic;
-  return sum;
-}
-
 }  // namespace
-
-template <FrameGroup G>
-typename G::Tangent momentum(const Model<G>& model, const State<G>& s) {
-  // A rigid velocity e of the whole, seen from a node: Ad(H^-1) e.
-  typename G::Tangent p;
-  const double size = std::max(1e-3, s.v.cwiseAbs().maxCoeff());
-  State<G> shifted = s;
-  for (int i = 0; i < G::dim; ++i) {
-    double energy[2];
-    for (const int side : {0, 1}) {
-      const typename G::Tangent e = (side == 0 ? size : -size) * G::Tangent::Unit(i);
-      for (std::size_t b = 0; b < model.bodies.size(); ++b)
-        for (int point = 0; point < model.bodies[b]->points(); ++point) {
-          const int k = model.first_node(static_cast<int>(b)) + point, at = G::dim * k;
-          shifted.v.template segment<G::dim>(at) =
-              s.v.template segment<G::dim>(at) + s.H[k].AdInv() * e;
-        }
-      energy[side] = kinetic_energy(model, shifted);
-    }
-    p[i] = (energy[0] - energy[1]) / (2 * size);
-  }
-  return p;
-}
 
 template <FrameGroup G>
 Drift drift(const Mechanism& mechanism, const Model<G>& model, const Trajectory<G>& trajectory) {
@@ -85,15 +54,12 @@ Drift drift(const Mechanism& mechanism, const Model<G>& model, const Trajectory<
   Drift drift;
   if (trajectory.size() - first < 2 || !keeps_energy(mechanism)) return drift;
   const bool free = keeps_momentum(mechanism);
-  ResponseSpec energy;
-  energy.kind = ResponseKind::Energy;
-  const ResponseValues<G> values(mechanism, model);
   State<G> s = model.initial_state();
   double E0 = 0, dE = 0, du = 0, dw = 0;
   typename G::Tangent p0 = G::Tangent::Zero();
   for (int n = first; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
-    const double E = values(energy, s)[0];
+    const double E = total(mechanical_energy(model, s));
     if (n == first) E0 = E;
     dE = std::max(dE, std::abs(E - E0));
     if (!free) continue;
@@ -110,8 +76,6 @@ Drift drift(const Mechanism& mechanism, const Model<G>& model, const Trajectory<
   return drift;
 }
 
-template SE2::Tangent momentum(const Model<SE2>&, const State<SE2>&);
-template SE3::Tangent momentum(const Model<SE3>&, const State<SE3>&);
 template Drift drift(const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
 template Drift drift(const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&);
 

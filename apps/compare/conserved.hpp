@@ -17,19 +17,10 @@ struct Drift {
   std::optional<double> angular_momentum;  ///< N m s, about the origin
 };
 
-/// Momentum of a state about the origin, [linear; angular] in the axes of the model. It is the
-/// derivative of the kinetic energy by rigid velocities of the whole mechanism; the energy is
-/// quadratic in the velocities, so that its central difference is exact.
-/// @param s completed (Model::complete)
-template <FrameGroup G>
-typename G::Tangent momentum(const Model<G>& model, const State<G>& s);
-
 /// Drifts over the records from when on no load acts; of fewer than two records there is none.
 template <FrameGroup G>
 Drift drift(const Mechanism& mechanism, const Model<G>& model, const Trajectory<G>& trajectory);
 
-extern template SE2::Tangent momentum(const Model<SE2>&, const State<SE2>&);
-extern template SE3::Tangent momentum(const Model<SE3>&, const State<SE3>&);
 extern template Drift drift(const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
 extern template Drift drift(const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&);
 

@@ -23,7 +23,7 @@ enum class ResponseKind {
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
   Stress,        ///< largest von Mises stress over the elements of a beam, Pa
-  Energy,        ///< kinetic + elastic + potential, J
+  Energy,        ///< kinetic + elastic (springs, too) + potential, J
   Compliance     ///< twice the elastic energy of a beam: load times displacement, J
 };
 

@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "mbs/system/equations.hpp"
+#include "mbs/system/energy.hpp"
 
 namespace liesl {
 
@@ -195,15 +195,8 @@ Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State
     case ResponseKind::Compliance:
       return scalar(
           2 * model_.bodies[r.body]->energy(model_.body_state(s, r.body), model_.gravity).elastic);
-    case ResponseKind::Energy: {
-      double sum = 0;
-      for (size_t b = 0; b < model_.bodies.size(); ++b) {
-        const BodyEnergy e =
-            model_.bodies[b]->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity);
-        sum += e.kinetic + e.elastic + e.potential;
-      }
-      return scalar(sum);
-    }
+    case ResponseKind::Energy:
+      return scalar(total(mechanical_energy(model_, s)));
   }
   return scalar(0);
 }

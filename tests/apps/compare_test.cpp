@@ -9,6 +9,8 @@
 #include "apps/compare/conserved.hpp"
 #include "apps/program.hpp"
 #include "apps/scene/scene.hpp"
+#include "mbs/solvers/dynamics.hpp"
+#include "mbs/system/energy.hpp"
 
 namespace liesl::test {
 namespace {
@@ -145,6 +147,32 @@ TEST(MomentumOfModels, IsThatOfTheRigidBody) {
   const Vec3 L = Vec3(0.234375, 0.46875, 0.234375).cwiseProduct(w) + 15 * x.cross(v);
   EXPECT_LT((p.head<3>() - 15 * v).norm(), 1e-9);
   EXPECT_LT((p.tail<3>() - L).norm(), 1e-9);
+}
+
+/// What a comparison calls the drift of the energy has the springs in it.
+TEST(DriftOfModels, IsNothingForAMassOnASpring) {
+  Mechanism m;
+  RigidSpec mass;
+  mass.mass = 2;
+  mass.inertia.setIdentity();
+  m.bodies = {{"mass", mass}};
+  m.joints = {{"slide", JointType::Prismatic, {}, {0, 0}, Vec3::UnitX()}};
+  ForceSpec spring;
+  spring.joint = 0;
+  spring.stiffness = 50;
+  spring.rest = -0.1;
+  m.forces = {spring};
+  Model<SE3> model = Model<SE3>::build(m, {});
+  SimulationOptions options;
+  options.duration = 2;
+  options.step = 1e-3;
+  options.rho_inf = 1;
+  options.tolerance = 1e-10;
+  const auto result = simulate(model, options);
+  ASSERT_EQ(result.report.status, SolveStatus::Converged) << result.report.reason;
+  const Drift found = drift(m, model, result.trajectory);
+  ASSERT_TRUE(found.energy);
+  EXPECT_LT(*found.energy, 1e-9 * 0.25) << "of 0.25 J";
 }
 
 TEST_F(Compare, OrdersAreTwo) {

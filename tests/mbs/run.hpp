@@ -9,6 +9,7 @@
 #include <random>
 
 #include "mbs/solvers/dynamics.hpp"
+#include "mbs/system/energy.hpp"
 #include "mbs/system/plane.hpp"
 #include "reference/mechanisms.hpp"
 
@@ -76,24 +77,12 @@ typename G::Tangent joint_wrench(const Model<G>& model, const G* H, const Eigen:
   return wrench;
 }
 
-/// Kinetic + elastic + potential energy of a state, J.
-template <class G>
-BodyEnergy energy(const Model<G>& model, const State<G>& s) {
-  BodyEnergy sum;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyEnergy e = model.bodies[b]->energy(model.body_state(s, int(b)), model.gravity);
-    sum.kinetic += e.kinetic;
-    sum.elastic += e.elastic;
-    sum.potential += e.potential;
-  }
-  return sum;
-}
+/// Kinetic + elastic + potential energy of a record, J.
 template <class G>
 double total_energy(const Run<G>& r, int record) {
   State<G> s = r.model->initial_state();
   r.trajectory().read(record, s);
-  const BodyEnergy e = energy(*r.model, s);
-  return e.kinetic + e.elastic + e.potential;
+  return total(mechanical_energy(*r.model, s));
 }
 
 /// Largest offset of the middle node from the chord of a chain of nodes first .. first + n.
