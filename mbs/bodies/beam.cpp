@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace liesl {
 
@@ -118,6 +119,16 @@ double ChainBeam<G, E>::axial_stiffness() const {
   double k = 0;
   for (const auto& e : elements_) k = std::max(k, e.section_stiffness()(0, 0) / e.length());
   return k;
+}
+
+template <FrameGroup G, class E>
+std::unique_ptr<Body<G>> ChainBeam<G, E>::derivative(const LawDerivative<G>& law) const {
+  const auto* sections = std::get_if<std::vector<ElementSection<G>>>(&law);
+  if (!sections || static_cast<int>(sections->size()) != elements())
+    throw std::invalid_argument("derivative of beam '" + this->name +
+                                "': expected d(K, M_s)/dp of " + std::to_string(elements()) +
+                                " elements");
+  return std::make_unique<ChainBeam>(this->name, this->reference, *sections, damping_);
 }
 
 template class ChainBeam<SE2, BeamElement<SE2>>;

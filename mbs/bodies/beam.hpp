@@ -8,13 +8,6 @@
 
 namespace liesl {
 
-/// Section data of one element in the local axes of G: SE(3) [eps_x, gamma_y, gamma_z, kappa_x,
-/// kappa_y, kappa_z], SE(2) [eps_x, gamma_y, kappa_z].
-template <FrameGroup G>
-struct ElementSection {
-  typename G::Matrix K, M;
-};
-
 /// @tparam E the element: BeamElement or ReissnerElement
 template <FrameGroup G, class E>
 class ChainBeam final : public Body<G> {
@@ -49,6 +42,7 @@ class ChainBeam final : public Body<G> {
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double total_mass() const override;
   double axial_stiffness() const override;
+  std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
 
  private:
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;

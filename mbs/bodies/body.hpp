@@ -4,11 +4,13 @@
 
 #include <Eigen/Core>
 #include <cmath>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "liegroup/concepts.hpp"
 #include "mbs/bodies/body_matrix.hpp"
+#include "mbs/bodies/law_derivative.hpp"
 
 namespace liesl {
 
@@ -116,6 +118,18 @@ class Body {
   /// in positions times this is the smallest force that means anything.
   virtual double total_mass() const = 0;
   virtual double axial_stiffness() const { return 0; }
+
+  /// d(body)/dp for a parameter p of its law, geometry fixed. Forces, matrices, section forces and
+  /// energies are linear in K, M_s, the inertia, and in the matrices of a mesh; so their
+  /// derivatives at any state are those of the same body with the derivative of the law for its
+  /// law: `add_inertia` and `add_internal` of what is returned give
+  ///   dr/dp = d(M vdot + g_gyr + g_int - weight)/dp,
+  /// `mass`, `stiffness` and `exact_tangent` those of the matrices, `energy` and `section_force`
+  /// likewise. Strains have none, so `strain` is that of this body. It has the unknowns of this
+  /// body. Modes of a reduced body are kept: with all of them that is a choice of coordinates; with
+  /// fewer the derivative is that of the motion in the space of these modes.
+  /// @throws std::invalid_argument if the law is of another kind of body or not of its size
+  virtual std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const = 0;
 
  protected:
   Matrices M_, K_;

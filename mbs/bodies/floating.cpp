@@ -45,6 +45,13 @@ void FloatingBody<G>::set_constant_matrices() {
   set_matrix(rest, 0, 1, this->K_);
 }
 
+template <FrameGroup G>
+void FloatingBody<G>::become_derivative(const Eigen::MatrixXd& dK_e) {
+  K_e_.setZero();
+  K_e_.topLeftCorner(dK_e.rows(), dK_e.cols()) = 0.5 * (dK_e + dK_e.transpose());
+  unused_weight_ = 0;
+}
+
 /// A = mass L^T M(e) L + stiffness E^T K_e E with [h_0; de] = L [h_0; h_i; deta], L = [I 0; E].
 template <FrameGroup G>
 void FloatingBody<G>::set_matrix(const Motion& m, double mass, double stiffness,
@@ -58,7 +65,7 @@ void FloatingBody<G>::set_matrix(const Motion& m, double mass, double stiffness,
     A.dense.noalias() += mass * L.transpose() * inertia_matrix(m) * L;
   }
   for (int j = static_cast<int>(E.cols()) - unused_; j < E.cols(); ++j)
-    A.dense(j, j) = mass + stiffness;
+    A.dense(j, j) = unused_weight_ * (mass + stiffness);
 }
 
 template <FrameGroup G>

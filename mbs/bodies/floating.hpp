@@ -60,6 +60,9 @@ class FloatingBody : public Body<G> {
   void reduce_to(std::vector<NodeKind> kind, const Eigen::MatrixXd& K_e, Eigen::VectorXd omega2);
   /// Constant matrices, from `inertia_matrix`: the last thing a constructor does.
   void set_constant_matrices();
+  /// Makes this copy of a body the derivative of it: K_e is replaced by dK_e/dp [padded or not],
+  /// and padding has no stiffness or mass. `set_constant_matrices` comes next.
+  void become_derivative(const Eigen::MatrixXd& dK_e);
 
   /// Inertia force conjugate to [v_0; edot]: f_0 on the frame, q on e. a_0 is the rate of v_0 less
   /// gravity in the axes of the frame.
@@ -90,7 +93,8 @@ class FloatingBody : public Body<G> {
 
   std::vector<NodeKind> kind_;
   Eigen::MatrixXd K_e_;
-  int unused_ = 0;  ///< amplitudes of the last slot
+  int unused_ = 0;            ///< amplitudes of the last slot
+  double unused_weight_ = 1;  ///< their mass and stiffness
   Eigen::VectorXd omega2_;
   mutable Motion motion_;  ///< workspace, so that a step allocates nothing
   mutable Eigen::VectorXd q_;

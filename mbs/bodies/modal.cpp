@@ -39,6 +39,29 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
   this->set_constant_matrices();
 }
 
+template <FrameGroup G>
+ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
+    : FloatingBody<G>(body),
+      beam_(std::move(beam)),
+      A_(body.A_),
+      Psi_(body.Psi_),
+      u_(body.u_),
+      du_(body.du_),
+      ddu_(body.ddu_),
+      full_(body.full_),
+      vel_(body.vel_),
+      acc_(body.acc_) {
+  this->become_derivative(Psi_.transpose() * dense<dim>(beam_->stiffness()) * Psi_);
+  this->set_constant_matrices();
+}
+
+template <FrameGroup G>
+std::unique_ptr<Body<G>> ModalBody<G>::derivative(const LawDerivative<G>& law) const {
+  std::unique_ptr<Body<G>> beam = beam_->derivative(law);
+  return std::unique_ptr<Body<G>>(
+      new ModalBody(*this, std::unique_ptr<Beam<G>>(static_cast<Beam<G>*>(beam.release()))));
+}
+
 /// Psi and K_e.
 template <FrameGroup G>
 void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {

@@ -37,8 +37,13 @@ class ModalBody final : public FloatingBody<G> {
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double total_mass() const override { return beam_->total_mass(); }
   double axial_stiffness() const override { return beam_->axial_stiffness(); }
+  std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  /// Psi: displacements of all nodes from e, [u_k; w_k] in their own axes.
+  const Eigen::MatrixXd& basis() const { return Psi_; }
 
  private:
+  /// The derivative of a body with the derivative of its beam: the same Psi.
+  ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam);
   using typename FloatingBody<G>::Motion;
   using FloatingBody<G>::X_;
 

@@ -1,12 +1,19 @@
 #include "mbs/bodies/rigid.hpp"
 
+#include <stdexcept>
+
 #include "mbs/bodies/beam_element.hpp"
 
 namespace liesl {
 
-/// Dense over node 0 where other nodes follow, else a chain of one.
+/// Dense over node 0 where other nodes follow, else a chain of one. The first moment S is the force
+/// that an angular acceleration takes, wdot x S.
 template <FrameGroup G>
 void Rigid<G>::set_matrices() {
+  if constexpr (G::space_dim == 3)
+    first_moment_ = vee(inertia_.template block<3, 3>(3, 0).eval());
+  else
+    first_moment_ = Vector(inertia_(1, 2), -inertia_(0, 2));
   if (this->nodes() > 1) {
     this->M_.set_dense({0}, inertia_);
     this->K_.set_dense({0}, Matrix::Zero());
@@ -18,8 +25,9 @@ void Rigid<G>::set_matrices() {
 }
 
 template <FrameGroup G>
-Rigid<G>::Rigid(std::string body_name, const Body<G>& flexible)
-    : Body<G>(std::move(body_name), flexible.reference) {
+Rigid<G>::Rigid(std::string body_name, std::shared_ptr<const Body<G>> made_of)
+    : Body<G>(std::move(body_name), made_of->reference), flexible_(std::move(made_of)) {
+  const Body<G>& flexible = *flexible_;
   const int n = this->nodes();
   Eigen::MatrixXd J(dim * n, dim), turned = Eigen::MatrixXd::Zero(dim * n, dim);
   Eigen::MatrixXd MJ = Eigen::MatrixXd::Zero(dim * n, dim), WJ = MJ, WF = MJ, same = MJ;
@@ -51,11 +59,6 @@ Rigid<G>::Rigid(std::string body_name, const Body<G>& flexible)
   follower_share_ = dead_share_;
   dead_share_.topRows<dim>() = J.transpose() * WJ;
   follower_share_.topRows<dim>() = J.transpose() * WF;
-  // First moment m c: the force that an angular acceleration takes, m (wdot x c).
-  if constexpr (G::space_dim == 3)
-    centre_ = vee(inertia_.template block<3, 3>(3, 0).eval()) / inertia_(0, 0);
-  else
-    centre_ = Vector(inertia_(1, 2), -inertia_(0, 2)) / inertia_(0, 0);
   set_matrices();
 }
 
@@ -106,7 +109,19 @@ template <FrameGroup G>
 BodyEnergy Rigid<G>::energy(const BodyState<G>& s, const Vector& gravity) const {
   const Eigen::Map<const Tangent> v(s.v);
   const auto& M = inertia_;
-  return {0.5 * v.dot(M * v), 0, -total_mass() * gravity.dot(s.H[0].x + s.H[0].R * centre_)};
+  return {0.5 * v.dot(M * v), 0, -gravity.dot(total_mass() * s.H[0].x + s.H[0].R * first_moment_)};
+}
+
+template <FrameGroup G>
+std::unique_ptr<Body<G>> Rigid<G>::derivative(const LawDerivative<G>& law) const {
+  if (flexible_)
+    return std::make_unique<Rigid>(this->name,
+                                   std::shared_ptr<const Body<G>>(flexible_->derivative(law)));
+  const auto* inertia = std::get_if<Matrix>(&law);
+  if (!inertia)
+    throw std::invalid_argument("derivative of rigid body '" + this->name +
+                                "': expected that of its inertia");
+  return std::make_unique<Rigid>(this->name, this->reference[0], *inertia);
 }
 
 template class Rigid<SE2>;

@@ -17,17 +17,16 @@ class Rigid final : public Body<G> {
   using typename Body<G>::Vector;
   using typename Body<G>::Matrices;
 
-  /// @param inertia generalized inertia about the origin of the frame, conjugate to [u; w]
-  /// @param centre of mass in the body frame
-  Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia,
-        const Vector& centre)
-      : Body<G>(std::move(body_name), {frame}), inertia_(inertia), centre_(centre) {
+  /// @param inertia generalized inertia about the origin of the frame, conjugate to [u; w]; it
+  /// holds the centre of mass, too
+  Rigid(std::string body_name, const G& frame, const typename G::Matrix& inertia)
+      : Body<G>(std::move(body_name), {frame}), inertia_(inertia) {
     set_matrices();
   }
 
   /// A flexible body made rigid: H_k = H_0 X_k with X_k as at reference, J_k = Ad(X_k^-1),
   /// M = sum_kl J_k^T M_kl J_l, loads per length likewise.
-  Rigid(std::string body_name, const Body<G>& flexible);
+  Rigid(std::string body_name, std::shared_ptr<const Body<G>> flexible);
 
   NodeKind kind(int node) const override {
     return node == 0 ? NodeKind::Frame : NodeKind::Follower;
@@ -42,13 +41,15 @@ class Rigid final : public Body<G> {
                      Matrices& A) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double total_mass() const override { return inertia_(0, 0); }
+  std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
 
  private:
   using Matrix = typename G::Matrix;
   void set_matrices();
 
-  Matrix inertia_;  ///< about node 0
-  Vector centre_ = Vector::Zero();
+  Matrix inertia_;                                 ///< about node 0
+  Vector first_moment_ = Vector::Zero();           ///< int rho x from node 0, kg m, in its axes
+  std::shared_ptr<const Body<G>> flexible_;        ///< what it was made of, null = nothing
   std::vector<G, Eigen::aligned_allocator<G>> X_;  ///< H_0^-1 H_k
   Eigen::MatrixXd dead_share_, follower_share_;
 };

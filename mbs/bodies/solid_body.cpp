@@ -72,7 +72,9 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
                         return nodes;
                       }()),
       ports_(static_cast<int>(ports.size())),
-      damping_(spec.damping) {
+      damping_(spec.damping),
+      origin_(spec.interfaces[0].point),
+      turn_(turn) {
   SolidModel model = solid_model(spec);
   const VectorXd v = solid_fractions(spec).value;
   const ReducedSolid reduced = reduce(model, v, ReductionKind::CraigBampton, spec.modes);
@@ -87,14 +89,44 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
   std::fill_n(kind.begin(), ports_, NodeKind::Frame);
   this->reduce_to(std::move(kind), 0.5 * (K_e + K_e.transpose()),
                   (2 * std::numbers::pi * reduced.frequencies).cwiseAbs2());
-  set_integrals(inertia_integrals(model, v, basis_), spec.interfaces[0].point, turn);
+  set_integrals(inertia_integrals(model, v, basis_));
   this->set_constant_matrices();
+}
+
+/// Stiffness has the slope s'(v) of the ersatz law, integrals are linear in the fractions.
+template <FrameGroup G>
+SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
+    : FloatingBody<G>(body),
+      ports_(body.ports_),
+      damping_(body.damping_),
+      origin_(body.origin_),
+      turn_(body.turn_),
+      basis_(body.basis_) {
+  loads_ = law.model->stiffness_derivative(law.fractions, law.derivative)
+               .template selfadjointView<Eigen::Lower>() *
+           basis_;
+  this->become_derivative(basis_.transpose() * loads_);
+  set_integrals(inertia_integrals(*law.model, law.derivative, basis_));
+  this->set_constant_matrices();
+}
+
+template <FrameGroup G>
+std::unique_ptr<Body<G>> SolidBody<G>::derivative(const LawDerivative<G>& law) const {
+  const auto* cells = std::get_if<FractionDerivative>(&law);
+  const bool fits = cells && cells->model && cells->model->size() == basis_.rows() &&
+                    cells->fractions.size() == cells->model->mesh().cell_count() &&
+                    cells->derivative.size() == cells->fractions.size();
+  if (!fits)
+    throw std::invalid_argument("derivative of meshed part '" + this->name +
+                                "': expected that of the fractions of its cells");
+  return std::unique_ptr<Body<G>>(new SolidBody(*this, *cells));
 }
 
 /// About the first interface, in its axes, padded to the size of e.
 template <FrameGroup G>
-void SolidBody<G>::set_integrals(const InertiaIntegrals& mesh, const Vector3d& origin,
-                                 const Matrix3d& turn) {
+void SolidBody<G>::set_integrals(const InertiaIntegrals& mesh) {
+  const Vector3d& origin = origin_;
+  const Matrix3d& turn = turn_;
   const int n = static_cast<int>(mesh.mode.cols()), padded = this->reduced_size();
   InertiaIntegrals& I = integrals_;
   I.mass = mesh.mass;

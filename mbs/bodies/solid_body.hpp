@@ -38,6 +38,7 @@ class SolidBody final : public FloatingBody<G> {
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double total_mass() const override { return integrals_.mass; }
   double axial_stiffness() const override;
+  std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
 
   /// e = [u_i; eta] at a state, without padding: the displacements of the mesh are basis() * e.
   Eigen::VectorXd coordinates(const BodyState<G>& s) const;
@@ -52,8 +53,9 @@ class SolidBody final : public FloatingBody<G> {
  private:
   using typename FloatingBody<G>::Motion;
 
-  void set_integrals(const InertiaIntegrals& mesh, const Eigen::Vector3d& origin,
-                     const Eigen::Matrix3d& turn);
+  /// The derivative of a body by fractions of cells: the same Psi.
+  SolidBody(const SolidBody& body, const FractionDerivative& law);
+  void set_integrals(const InertiaIntegrals& mesh);
   /// int rho r phi_k^T at e, a column each (3 x 3 by columns).
   Eigen::MatrixXd moments(const Eigen::VectorXd& e) const;
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
@@ -62,6 +64,8 @@ class SolidBody final : public FloatingBody<G> {
 
   int ports_;
   double damping_;
+  Eigen::Vector3d origin_;  ///< first interface, in the axes of the mesh
+  Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
   Eigen::MatrixXd basis_, loads_;
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
   /// About the first interface, in its axes; mode is 3 x n, padded.

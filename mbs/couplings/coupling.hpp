@@ -63,6 +63,8 @@ struct Equation {
   TimeFunction target;  ///< constraint: row = target(t)
   ForceLaw law;         ///< force
   int coordinate = -1;  ///< number of the joint coordinate that this row is, -1 = none
+  int force = -1;       ///< number in Mechanism::forces of its law, -1 = none
+  int drive = -1;       ///< number in Mechanism::drives of its target, -1 = none
 };
 
 /// A joint or a force element: the rows between port a and port b.

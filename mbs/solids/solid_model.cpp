@@ -113,6 +113,12 @@ const SolidModel::Sparse& SolidModel::stiffness(const VectorXd& v) {
   return K_.finish();
 }
 
+const SolidModel::Sparse& SolidModel::stiffness_derivative(const VectorXd& v, const VectorXd& dv) {
+  const VectorXd slope = v.unaryExpr([this](double x) { return options_.law.slope(x); });
+  assemble(K_, K_of_shape_, slope.cwiseProduct(dv));
+  return K_.finish();
+}
+
 const SolidModel::Sparse& SolidModel::mass(const VectorXd& v) {
   assemble(M_, M_of_shape_, v);
   return M_.finish();

@@ -57,6 +57,8 @@ class SolidModel {
   /// references stay valid until the next call; the pattern never changes.
   const Sparse& stiffness(const Eigen::VectorXd& v);
   const Sparse& mass(const Eigen::VectorXd& v);
+  /// Lower triangle of dK/dp for fractions v with dv/dp = dv; takes the place of the stiffness.
+  const Sparse& stiffness_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv);
   /// kg; and its gradient with respect to the fractions.
   double total_mass(const Eigen::VectorXd& v) const { return full_mass_.dot(v); }
   const Eigen::VectorXd& cell_masses() const { return full_mass_; }

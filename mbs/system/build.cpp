@@ -5,17 +5,12 @@
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/bodies/solid_body.hpp"
+#include "mbs/model/parameter.hpp"
+#include "mbs/system/body_law.hpp"
 #include "mbs/system/model.hpp"
 
 namespace liesl {
 namespace {
-
-SE3::Matrix generalized_inertia(const RigidSpec& r) {
-  const Mat3 c = hat(r.centre);
-  SE3::Matrix M;
-  M << r.mass * Mat3::Identity(), -r.mass * c, r.mass * c, r.inertia - r.mass * c * c;
-  return M;
-}
 
 template <class G>
 std::unique_ptr<Body<G>> make_body(const std::string& name, const BeamSpec& beam,
@@ -23,19 +18,16 @@ std::unique_ptr<Body<G>> make_body(const std::string& name, const BeamSpec& beam
                                    const std::vector<int>& held) {
   std::vector<G> nodes;
   for (const SE3& H : beam.nodes) nodes.push_back(space.reduce(H, space.alignment(H)));
-  std::vector<ElementSection<G>> sections;
-  for (size_t e = 0; e < beam.sections.size(); ++e) {
-    const SectionLaw law = section_law(beam.sections[e], beam.material);
-    const SE3 align = space.alignment(beam.nodes[e]);
-    sections.push_back({space.reduce_law(law.K, align), space.reduce_law(law.M, align)});
-  }
+  std::vector<SectionLaw> laws;
+  for (const Section& section : beam.sections) laws.push_back(section_law(section, beam.material));
+  const std::vector<ElementSection<G>> sections = reduce_laws(beam, laws, space);
   const bool rigid = beam.as == BeamModel::Rigid ||
                      (beam.as == BeamModel::AsFormalism && formalism == Formalism::Rigid);
   const bool modal = beam.as == BeamModel::Modal ||
                      (beam.as == BeamModel::AsFormalism && formalism == Formalism::Floating);
   if (rigid || modal) {
     auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
-    if (rigid) return std::make_unique<Rigid<G>>(name, *linear);
+    if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
     return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
   }
   if (formalism == Formalism::Decoupled || formalism == Formalism::Classical)
@@ -47,11 +39,8 @@ template <class G>
 std::unique_ptr<Body<G>> make_body(const std::string& name, const RigidSpec& rigid,
                                    const Space<G>& space, Formalism, const std::vector<int>&) {
   const SE3 align = space.alignment(rigid.frame);
-  const typename G::Tangent centre =
-      space.reduce_local((SE3::Tangent() << rigid.centre, Vec3::Zero()).finished(), align);
   return std::make_unique<Rigid<G>>(name, space.reduce(rigid.frame, align),
-                                    space.reduce_law(generalized_inertia(rigid), align),
-                                    centre.template head<G::space_dim>());
+                                    space.reduce_law(generalized_inertia(rigid), align));
 }
 
 template <class G>
@@ -69,7 +58,8 @@ std::unique_ptr<Body<G>> make_body(const std::string& name, const SolidSpec& sol
     return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);
   SolidSpec plain = solid;
   plain.modes = 0;
-  return std::make_unique<Rigid<G>>(name, SolidBody<G>(name, plain, std::move(ports), align.R));
+  return std::make_unique<Rigid<G>>(
+      name, std::make_shared<SolidBody<G>>(name, plain, std::move(ports), align.R));
 }
 
 /// Three unit axes, the first one given, the second one as given or any; in a plane each of them
@@ -196,16 +186,19 @@ class Builder {
     c.a = port_at(j.a, at_a);
     c.b = port_at(j.b, at_b);
     add_joint_rows(j, space_, JointRows<G>(space_, c.equations));
-    for (const auto& d : m_.drives)
-      if (d.joint == index)
-        if (Equation<G>* e = coordinate(c, d.coordinate)) {
+    for (size_t d = 0; d < m_.drives.size(); ++d)
+      if (m_.drives[d].joint == index)
+        if (Equation<G>* e = coordinate(c, m_.drives[d].coordinate)) {
           e->role = Role::Constraint;
-          e->target = d.motion;
+          e->target = m_.drives[d].motion;
+          e->drive = static_cast<int>(d);
         }
-    for (const auto& f : m_.forces)
-      if (f.joint == index)
+    for (size_t i = 0; i < m_.forces.size(); ++i)
+      if (const ForceSpec& f = m_.forces[i]; f.joint == index)
         if (const Equation<G>* e = coordinate(c, f.coordinate)) {
           Equation<G> force = *e;
+          force.force = static_cast<int>(i);
+          force.drive = -1;
           force.law = {f.stiffness, f.damping, f.rest, f.force};
           force.role = role_of(force.law);
           force.coordinate = -1;
@@ -214,14 +207,15 @@ class Builder {
     return c;
   }
 
-  Coupling<G> force(const ForceSpec& f) const {
+  Coupling<G> force(int index) const {
+    const ForceSpec& f = m_.forces[index];
     Coupling<G> c;
     c.name = f.name;
     c.is_joint = false;
     c.a = port_of(f.a);
     c.b = port_of(f.b);
     const ForceLaw law{f.stiffness, f.damping, f.rest, f.force};
-    c.equations.push_back({Row<G>::distance(), role_of(law), TimeFunction(), law, 0});
+    c.equations.push_back({Row<G>::distance(), role_of(law), TimeFunction(), law, 0, index});
     return c;
   }
 
@@ -322,8 +316,9 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   const Builder<G> builder(mechanism, space, model);
   for (size_t j = 0; j < mechanism.joints.size(); ++j)
     model.couplings.push_back(builder.joint(static_cast<int>(j)));
-  for (const auto& f : mechanism.forces)
-    if (f.joint < 0) model.couplings.push_back(builder.force(f));
+  for (size_t f = 0; f < mechanism.forces.size(); ++f)
+    if (mechanism.forces[f].joint < 0)
+      model.couplings.push_back(builder.force(static_cast<int>(f)));
   for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l));
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
   model.finish();

@@ -53,8 +53,19 @@ void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level) {
 
 template <FrameGroup G>
 void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level) {
+  for (const auto& load : model.loads) {
+    const double factor = load_value(load.scale, level);
+    if (load.port.body >= 0 && factor != 0)
+      add_load(model, load, factor, s, r, scales_[load.port.body]);
+  }
+}
+
+template <FrameGroup G>
+void Equations<G>::add_load(const Model<G>& model, const Load<G>& load, double factor,
+                            const State<G>& s, Eigen::VectorXd& out, ForceScale& scale) {
   using Tangent = typename G::Tangent;
-  const auto local = [](const Load<G>& load, const G& H) {
+  if (load.port.body < 0) return;
+  const auto local = [&load](const G& H) {
     Tangent f = load.wrench;
     if (load.follower) return f;
     f.template head<G::space_dim>() = H.R.transpose() * load.wrench.template head<G::space_dim>();
@@ -62,37 +73,32 @@ void Equations<G>::add_loads(const State<G>& s, const LoadLevel& level) {
       f.template tail<3>() = H.R.transpose() * load.wrench.template tail<3>();
     return f;
   };
-  for (const auto& load : model.loads) {
-    const double factor = load_value(load.scale, level);
-    if (load.port.body < 0 || factor == 0) continue;
-    ForceScale& scale = scales_[load.port.body];
-    if (!load.spread) {
-      const Tangent f = factor * local(load, load.port.frame(s.H));
-      r.template segment<dim>(dim * load.port.node) -= load.port.J.transpose() * f;
-      scale.add<G>(f);
-      continue;
-    }
-    const int first = model.first_node(load.port.body), n = model.bodies[load.port.body]->nodes();
-    if (load.share.size() > 0) {
-      r.segment(dim * first, dim * n).noalias() -= load.share * (factor * local(load, s.H[first]));
-      scale.add<G>(Tangent(factor * load.wrench * load.share.template topRows<1>().norm()));
-      continue;
-    }
-    if (const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[load.port.body].get());
-        beam && !load.follower)
-      for (int e = 0; e < beam->elements(); ++e)
-        r.template segment<2 * dim>(dim * (first + e)) += beam->element(e).spread_curvature(
-            s.H[first + e], s.H[first + e + 1], factor * load.wrench.template head<G::space_dim>());
-    for (int k = 0; k < n; ++k) {
-      const Tangent y = factor * local(load, s.H[first + k]);
-      const auto& W = load.distribution;
-      auto at = [&](int i) { return r.template segment<dim>(dim * (first + i)); };
-      const Tangent f = W.D[k] * y;
-      at(k) -= f;
-      if (k > 0) at(k - 1) -= W.U[k - 1] * y;
-      if (k + 1 < n) at(k + 1) -= W.L[k] * y;
-      scale.add<G>(f);
-    }
+  if (!load.spread) {
+    const Tangent f = factor * local(load.port.frame(s.H));
+    out.template segment<dim>(dim * load.port.node) -= load.port.J.transpose() * f;
+    scale.add<G>(f);
+    return;
+  }
+  const int first = model.first_node(load.port.body), n = model.bodies[load.port.body]->nodes();
+  if (load.share.size() > 0) {
+    out.segment(dim * first, dim * n).noalias() -= load.share * (factor * local(s.H[first]));
+    scale.add<G>(Tangent(factor * load.wrench * load.share.template topRows<1>().norm()));
+    return;
+  }
+  if (const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[load.port.body].get());
+      beam && !load.follower)
+    for (int e = 0; e < beam->elements(); ++e)
+      out.template segment<2 * dim>(dim * (first + e)) += beam->element(e).spread_curvature(
+          s.H[first + e], s.H[first + e + 1], factor * load.wrench.template head<G::space_dim>());
+  for (int k = 0; k < n; ++k) {
+    const Tangent y = factor * local(s.H[first + k]);
+    const auto& W = load.distribution;
+    auto at = [&](int i) { return out.template segment<dim>(dim * (first + i)); };
+    const Tangent f = W.D[k] * y;
+    at(k) -= f;
+    if (k > 0) at(k - 1) -= W.U[k - 1] * y;
+    if (k + 1 < n) at(k + 1) -= W.L[k] * y;
+    scale.add<G>(f);
   }
 }
 

@@ -33,6 +33,10 @@ class Equations {
   /// scales: evaluate() comes next.
   double load_power(const State<G>& s);
 
+  /// out -= factor times the wrench of a load, in the nodal local frames.
+  static void add_load(const Model<G>& model, const Load<G>& load, double factor, const State<G>& s,
+                       Eigen::VectorXd& out, ForceScale& scale);
+
   /// Norm of r with moments divided by the size of the mechanism, N; of one body's part of r.
   double residual() const;
   double residual(int body) const;

@@ -1,0 +1,37 @@
+#pragma once
+/// @file
+/// What a body is made of, as far as a parameter can change it, and its derivative d/dp.
+
+#include <Eigen/Core>
+#include <variant>
+#include <vector>
+
+#include "liegroup/concepts.hpp"
+
+namespace liesl {
+
+class SolidModel;
+
+/// Section data of one element in the local axes of G: SE(3) [eps_x, gamma_y, gamma_z, kappa_x,
+/// kappa_y, kappa_z], SE(2) [eps_x, gamma_y, kappa_z]; or their derivatives by a parameter.
+template <FrameGroup G>
+struct ElementSection {
+  typename G::Matrix K, M;
+};
+
+/// d(fractions)/dp of the cells of a meshed part.
+struct FractionDerivative {
+  SolidModel* model = nullptr;  ///< of the part; its matrices are overwritten
+  Eigen::VectorXd fractions;    ///< by cell, those that the body was made with
+  Eigen::VectorXd derivative;   ///< by cell
+};
+
+/// d/dp of what a body is made of, by its kind:
+/// - a beam, whatever it moves as: d(K, M_s)/dp of each element;
+/// - a rigid body: d(inertia)/dp, the generalized inertia about its frame, conjugate to [u; w];
+/// - a meshed part, whatever it moves as: d(fractions)/dp.
+template <FrameGroup G>
+using LawDerivative =
+    std::variant<std::vector<ElementSection<G>>, typename G::Matrix, FractionDerivative>;
+
+}  // namespace liesl

@@ -1,0 +1,88 @@
+#include "mbs/model/parameter.hpp"
+
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+const BeamSpec& beam_of(const Mechanism& mechanism, int body) {
+  const bool known = body >= 0 && body < static_cast<int>(mechanism.bodies.size());
+  const auto* beam = known ? std::get_if<BeamSpec>(&mechanism.bodies[body].kind) : nullptr;
+  if (!beam)
+    throw std::invalid_argument("parameter of body " + std::to_string(body) +
+                                ": expected the number of a beam");
+  return *beam;
+}
+
+BeamDerivative zero(const BeamSpec& beam, int body) {
+  const SectionLaw none{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
+  return {body, std::vector<SectionLaw>(beam.sections.size(), none), {}};
+}
+
+/// Laws of sections that are made of the beam's material.
+std::vector<SectionLaw> material_laws(const BeamSpec& beam, const std::string& name) {
+  std::vector<SectionLaw> laws;
+  for (const Section& section : beam.sections) {
+    if (std::holds_alternative<FullSection>(section.shape))
+      throw std::invalid_argument("beam '" + name + "': section '" + section.name +
+                                  "' is given by matrices and does not depend on the material");
+    laws.push_back(section_law(section, beam.material));
+  }
+  return laws;
+}
+
+}  // namespace
+
+BeamDerivative by_dimension(const Mechanism& mechanism, int body, const std::vector<int>& elements,
+                            std::string_view dimension) {
+  const BeamSpec& beam = beam_of(mechanism, body);
+  BeamDerivative d = zero(beam, body);
+  const int n = static_cast<int>(beam.sections.size());
+  std::vector<int> chosen = elements;
+  for (int e = 0; elements.empty() && e < n; ++e) chosen.push_back(e);
+  for (const Section& section : beam.sections) {
+    const auto points = stress_points(section, beam.material.nu).size();
+    d.stress.emplace_back(points, Eigen::Matrix<double, 3, 6>::Zero());
+  }
+  for (const int e : chosen) {
+    if (e < 0 || e >= n)
+      throw std::invalid_argument("beam '" + mechanism.bodies[body].name + "' has no element " +
+                                  std::to_string(e) + ", expected 0 .. " + std::to_string(n - 1));
+    d.laws[e] = section_law_derivative(beam.sections[e], beam.material, dimension);
+    d.stress[e] = stress_points_derivative(beam.sections[e], beam.material.nu, dimension);
+  }
+  return d;
+}
+
+BeamDerivative by_youngs_modulus(const Mechanism& mechanism, int body) {
+  const BeamSpec& beam = beam_of(mechanism, body);
+  BeamDerivative d = zero(beam, body);
+  const auto laws = material_laws(beam, mechanism.bodies[body].name);
+  for (size_t e = 0; e < laws.size(); ++e) d.laws[e].K = laws[e].K / beam.material.E;
+  return d;
+}
+
+BeamDerivative by_density(const Mechanism& mechanism, int body) {
+  const BeamSpec& beam = beam_of(mechanism, body);
+  BeamDerivative d = zero(beam, body);
+  const auto laws = material_laws(beam, mechanism.bodies[body].name);
+  for (size_t e = 0; e < laws.size(); ++e) d.laws[e].M = laws[e].M / beam.material.rho;
+  return d;
+}
+
+SE3::Matrix generalized_inertia(const RigidSpec& r) {
+  const Mat3 c = hat(r.centre);
+  SE3::Matrix M;
+  M << r.mass * Mat3::Identity(), -r.mass * c, r.mass * c, r.inertia - r.mass * c * c;
+  return M;
+}
+
+SE3::Matrix generalized_inertia_derivative(const RigidSpec& r, const RigidDerivative& by) {
+  const Mat3 c = hat(r.centre), dc = hat(by.centre), dS = by.mass * c + r.mass * dc;
+  SE3::Matrix M;
+  M << by.mass * Mat3::Identity(), -dS, dS,
+      by.inertia - by.mass * c * c - r.mass * (dc * c + c * dc);
+  return M;
+}
+
+}  // namespace liesl

@@ -1,0 +1,75 @@
+#pragma once
+/// @file
+/// A scalar parameter p of a mechanism as data: the derivatives d/dp of what depends on it. What is
+/// not named does not depend on p; geometry (frames, lengths, axes) never does.
+
+#include <string>
+#include <string_view>
+#include <variant>
+#include <vector>
+
+#include "mbs/model/mechanism.hpp"
+
+namespace liesl {
+
+/// Section laws of a beam.
+struct BeamDerivative {
+  int body = -1;
+  std::vector<SectionLaw> laws;  ///< d(K, M_s)/dp by element, section axes in space
+  /// dS/dp of the stress points by element, see `stress_points`; empty = they do not depend on p.
+  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> stress;
+};
+
+/// Mass, centre of mass and inertia about it of a rigid body.
+struct RigidDerivative {
+  int body = -1;
+  double mass = 0;             ///< kg per unit of p
+  Vec3 centre = Vec3::Zero();  ///< body axes
+  Mat3 inertia = Mat3::Zero();
+};
+
+/// Fractions of the cells of a meshed part.
+struct SolidDerivative {
+  int body = -1;
+  Eigen::VectorXd fractions;  ///< by cell
+};
+
+/// Spring, damper and rest value of a force law, and a factor on its F(t).
+struct ForceDerivative {
+  int force = -1;  ///< number in Mechanism::forces
+  double stiffness = 0, damping = 0, rest = 0, factor = 0;
+};
+
+/// A factor on the scale of a load; on the motion of a drive.
+struct LoadDerivative {
+  int load = -1;
+  double factor = 1;
+};
+struct DriveDerivative {
+  int drive = -1;
+  double factor = 1;
+};
+
+struct Parameter {
+  std::string name;
+  std::vector<std::variant<BeamDerivative, RigidDerivative, SolidDerivative, ForceDerivative,
+                           LoadDerivative, DriveDerivative>>
+      parts;
+};
+
+/// By a dimension of the sections of some elements (none given: of all).
+/// @throws std::invalid_argument for a body that is no beam, an element or a dimension that does
+/// not exist
+BeamDerivative by_dimension(const Mechanism& mechanism, int body, const std::vector<int>& elements,
+                            std::string_view dimension);
+/// By Young's modulus (Poisson's ratio fixed): dK/dE = K/E; by the density: dM_s/drho = M_s/rho.
+/// @throws std::invalid_argument for a body that is no beam, or with sections given by matrices
+BeamDerivative by_youngs_modulus(const Mechanism& mechanism, int body);
+BeamDerivative by_density(const Mechanism& mechanism, int body);
+
+/// Generalized inertia of a rigid body about its frame, conjugate to [u; w], c the centre of mass:
+///   M = [m 1, -m c~; m c~, J - m c~ c~], and its derivative.
+SE3::Matrix generalized_inertia(const RigidSpec& rigid);
+SE3::Matrix generalized_inertia_derivative(const RigidSpec& rigid, const RigidDerivative& by);
+
+}  // namespace liesl

@@ -1,0 +1,173 @@
+#include "mbs/system/parameter_residual.hpp"
+
+#include <stdexcept>
+
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+#include "mbs/system/body_law.hpp"
+
+namespace liesl {
+namespace {
+
+/// Data of body `body` if it is of this kind, else null.
+template <class Kind>
+const Kind* kind_of(const Mechanism& mechanism, int body) {
+  const bool known = body >= 0 && body < static_cast<int>(mechanism.bodies.size());
+  return known ? std::get_if<Kind>(&mechanism.bodies[body].kind) : nullptr;
+}
+
+std::string expected(const char* what, int number) {
+  return "expected the number of a " + std::string(what) + ", got " + std::to_string(number);
+}
+
+}  // namespace
+
+template <FrameGroup G>
+ParameterResidual<G>::ParameterResidual(const Mechanism& mechanism, const Model<G>& model,
+                                        const Parameter& parameter)
+    : model_(model), parameter_(parameter), bodies_(model.bodies.size()) {
+  std::string problems;
+  for (const auto& part : parameter.parts) {
+    const std::string problem =
+        std::visit([&](const auto& p) { return add_part(mechanism, p); }, part);
+    if (!problem.empty()) problems += (problems.empty() ? "" : "; ") + problem;
+  }
+  if (!problems.empty())
+    throw std::invalid_argument("parameter '" + parameter.name + "': " + problems);
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::set_body(int body, const LawDerivative<G>& law) {
+  if (bodies_[body])
+    return "body '" + model_.bodies[body]->name + "' is named twice, expected one sum of both";
+  bodies_[body] = model_.bodies[body]->derivative(law);
+  return "";
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const BeamDerivative& part) {
+  const auto* beam = kind_of<BeamSpec>(mechanism, part.body);
+  if (!beam) return expected("beam", part.body);
+  if (part.laws.size() != beam->sections.size())
+    return "expected section laws of " + std::to_string(beam->sections.size()) +
+           " elements of beam '" + mechanism.bodies[part.body].name + "', got " +
+           std::to_string(part.laws.size());
+  return set_body(part.body, reduce_laws(*beam, part.laws, model_.space));
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
+                                           const RigidDerivative& part) {
+  const auto* rigid = kind_of<RigidSpec>(mechanism, part.body);
+  if (!rigid) return expected("rigid body", part.body);
+  const SE3 align = model_.space.alignment(rigid->frame);
+  return set_body(part.body, typename G::Matrix(model_.space.reduce_law(
+                                 generalized_inertia_derivative(*rigid, part), align)));
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
+                                           const SolidDerivative& part) {
+  const auto* solid = kind_of<SolidSpec>(mechanism, part.body);
+  if (!solid) return expected("meshed part", part.body);
+  if (part.fractions.size() != solid->mesh.cell_count())
+    return "expected fractions of " + std::to_string(solid->mesh.cell_count()) +
+           " cells of part '" + mechanism.bodies[part.body].name + "', got " +
+           std::to_string(part.fractions.size());
+  SolidModel model = solid_model(*solid);
+  return set_body(part.body,
+                  FractionDerivative{&model, solid_fractions(*solid).value, part.fractions});
+}
+
+template <FrameGroup G>
+template <class Matches>
+void ParameterResidual<G>::add_rows(RowDerivative part, Matches matches) {
+  for (const auto& c : model_.couplings)
+    for (size_t i = 0; i < c.equations.size(); ++i)
+      if (matches(c.equations[i])) {
+        part.coupling = &c;
+        part.equation = &c.equations[i];
+        part.row = static_cast<int>(i);
+        rows_.push_back(part);
+      }
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
+                                           const ForceDerivative& part) {
+  if (part.force < 0 || part.force >= static_cast<int>(mechanism.forces.size()))
+    return expected("force", part.force);
+  add_rows({nullptr, nullptr, 0, part, 0},
+           [&](const Equation<G>& e) { return e.force == part.force; });
+  return "";
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
+                                           const DriveDerivative& part) {
+  if (part.drive < 0 || part.drive >= static_cast<int>(mechanism.drives.size()))
+    return expected("drive", part.drive);
+  add_rows({nullptr, nullptr, 0, {}, part.factor}, [&](const Equation<G>& e) {
+    return e.drive == part.drive && e.role == Role::Constraint;
+  });
+  return "";
+}
+
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism&, const LoadDerivative& part) {
+  if (part.load < 0 || part.load >= static_cast<int>(model_.loads.size()))
+    return expected("load", part.load);
+  loads_.push_back({&model_.loads[part.load], part.factor});
+  return "";
+}
+
+template <FrameGroup G>
+void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& near,
+                               const LoadLevel& level, Eigen::VectorXd& r_p,
+                               Eigen::VectorXd& phi_p) const {
+  const typename Model<G>::Vector gravity = level.factor * model_.gravity;
+  ForceScale unused;
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    if (!bodies_[b]) continue;
+    const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
+    double* out = r_p.data() + dim * model_.first_node(static_cast<int>(b));
+    bodies_[b]->add_internal(state, out, unused);
+    bodies_[b]->add_inertia(state, gravity, out, unused);
+  }
+  for (const LoadFactor& l : loads_)
+    Equations<G>::add_load(model_, *l.load, l.factor * load_value(l.load->scale, level), s, r_p,
+                           unused);
+  for (const RowDerivative& row : rows_) {
+    if (row.equation->role == Role::Constraint)
+      phi_p[row.coupling->first_constraint + row.row] -= row.target * row.equation->target(level.t);
+    else
+      add_force(row, s, near, level, r_p);
+  }
+}
+
+template <FrameGroup G>
+void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s,
+                                     const Eigen::VectorXd& near, const LoadLevel& level,
+                                     Eigen::VectorXd& r_p) const {
+  using Tangent = typename G::Tangent;
+  const Coupling<G>& c = *row.coupling;
+  const ForceLaw& law = row.equation->law;
+  const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
+  typename Row<G>::Gradient g;
+  row.equation->row.gradient(motion, g);
+  const Tangent B_a = c.a.J.transpose() * g.template head<dim>(),
+                B_b = c.b.J.transpose() * g.template tail<dim>();
+  double rate = 0;
+  if (c.a.body >= 0) rate += B_a.dot(s.v.template segment<dim>(dim * c.a.node));
+  if (c.b.body >= 0) rate += B_b.dot(s.v.template segment<dim>(dim * c.b.node));
+  const double q = row.equation->row.value(motion, near[c.first_row + row.row]);
+  const double f = row.law.stiffness * (q - law.rest) + row.law.damping * rate -
+                   law.stiffness * row.law.rest - row.law.factor * load_value(law.force, level);
+  if (c.a.body >= 0) r_p.template segment<dim>(dim * c.a.node) += f * B_a;
+  if (c.b.body >= 0) r_p.template segment<dim>(dim * c.b.node) += f * B_b;
+}
+
+template class ParameterResidual<SE2>;
+template class ParameterResidual<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,73 @@
+#pragma once
+/// @file
+/// Derivative of the equations of motion by a parameter, at constant state:
+///   r_p = dr/dp,  Phi_p = dPhi/dp  of  r = M vdot + g_gyr + g_int - g_ext + B^T lambda,
+///   Phi = row(H) - target(t).
+
+#include "mbs/model/parameter.hpp"
+#include "mbs/system/equations.hpp"
+
+namespace liesl {
+
+/// One parameter on a model: what its derivative needs, made once; `add` allocates nothing.
+///
+/// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
+/// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
+/// df/dq_0 = -k, and -F(t) for its factor. A load gives the load itself, a drive -target(t).
+template <FrameGroup G>
+class ParameterResidual {
+ public:
+  static constexpr int dim = G::dim;
+
+  /// @param mechanism that the model is of, needed here only  @param model outlives this
+  /// @throws std::invalid_argument with all that is wrong with the parameter
+  ParameterResidual(const Mechanism& mechanism, const Model<G>& model, const Parameter& parameter);
+
+  /// r_p += dr/dp [size of the model, N and N m per unit of p, nodal local frames] and
+  /// phi_p += dPhi/dp [constraints] at a state. `near`: coupling rows at the last accepted state,
+  /// as in Equations::evaluate.
+  void add(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level,
+           Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+
+  /// d(body)/dp, null if the body does not depend on p: its `mass`, `energy`, `section_force` are
+  /// the derivatives of those of the body.
+  const Body<G>* body(int body) const { return bodies_[body].get(); }
+  const Parameter& parameter() const { return parameter_; }
+
+ private:
+  /// A row of a coupling whose law or target depends on p.
+  struct RowDerivative {
+    const Coupling<G>* coupling;
+    const Equation<G>* equation;
+    int row;              ///< in the coupling
+    ForceDerivative law;  ///< of a force
+    double target = 0;    ///< factor of a drive
+  };
+  struct LoadFactor {
+    const Load<G>* load;
+    double factor;
+  };
+
+  std::string add_part(const Mechanism& mechanism, const BeamDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const RigidDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const SolidDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const ForceDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);
+  std::string set_body(int body, const LawDerivative<G>& law);
+  template <class Matches>
+  void add_rows(RowDerivative part, Matches matches);
+  void add_force(const RowDerivative& row, const State<G>& s, const Eigen::VectorXd& near,
+                 const LoadLevel& level, Eigen::VectorXd& r_p) const;
+
+  const Model<G>& model_;
+  Parameter parameter_;
+  std::vector<std::unique_ptr<Body<G>>> bodies_;
+  std::vector<RowDerivative> rows_;
+  std::vector<LoadFactor> loads_;
+};
+
+extern template class ParameterResidual<SE2>;
+extern template class ParameterResidual<SE3>;
+
+}  // namespace liesl
