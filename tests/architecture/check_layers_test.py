@@ -51,6 +51,33 @@ class CheckLayers(unittest.TestCase):
         self.refuses({"liegroup/se3.hpp": '#include "mbs/model/model.hpp"\n'},
                      "folder cycle: liegroup -> mbs/model -> liegroup")
 
+    def test_cycle_of_modules_through_a_source(self):
+        self.refuses({"mbs/model/a.hpp": "", "mbs/model/a.cpp": '#include "mbs/model/b.hpp"\n',
+                      "mbs/model/b.hpp": '#include "mbs/model/a.hpp"\n'},
+                     "module cycle: mbs/model/a -> mbs/model/b -> mbs/model/a")
+
+    def test_source_and_its_header_are_no_cycle(self):
+        self.assertEqual(errors_of({"mbs/model/a.hpp": "", "mbs/model/b.hpp": "",
+                                    "mbs/model/a.cpp": '#include "mbs/model/a.hpp"\n'
+                                                       '#include "mbs/model/b.hpp"\n'}), [])
+
+    def test_long_class(self):
+        lines = "  int f() const { return 1; }\n" * 125
+        body = lines + " private:\n  struct Inner {\n    int x = 0;\n  };\n" + lines
+        text = "namespace liesl {\ntemplate <class T, class U = std::vector<T>>\nclass A : B<T> {\n" \
+               + body + "};\n}  // namespace\n"
+        self.refuses({"mbs/model/a.hpp": text}, "mbs/model/a.hpp:3: class A of 256 lines")
+        short = text.replace(lines, "", 1)
+        self.assertEqual(errors_of({"mbs/model/a.hpp": short}), [])
+
+    def test_known_flaws_that_are_mended(self):
+        texts = {"mbs/model/a.hpp": '#include "mbs/model/b.hpp"\n', "mbs/model/b.hpp": ""}
+        known = {("mbs/model/a", "mbs/model/b")}
+        self.assertIn("take it out", check_layers.check_modules(texts, known)[0])
+        texts["mbs/model/b.hpp"] = '#include "mbs/model/a.hpp"\n'
+        self.assertEqual(check_layers.check_modules(texts, known), [])
+        self.assertIn("take it out", check_layers.check_classes({}, {("mbs/a.hpp", "A")})[0])
+
     def test_unknown_folder(self):
         self.refuses({"mbs/stuff/a.hpp": ""}, "'mbs/stuff' is not in LAYERS")
 
