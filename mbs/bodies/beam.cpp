@@ -122,6 +122,32 @@ double ChainBeam<G, E>::axial_stiffness() const {
 }
 
 template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+                                                 double* h) const {
+  const Element& element = elements_[e];
+  const Tangent on_strain = element.section_stiffness().transpose() * f / element.length();
+  Eigen::Map<Pair>(h + dim * e) +=
+      Element::P(Element::relative(s.H[e], s.H[e + 1])).transpose() * on_strain;
+}
+
+/// dT/dv = M v, dV/dh = P^T K eps.
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
+                                          const BodyEnergy& weight, double* h, double* v) const {
+  for (int e = 0; e < elements(); ++e) {
+    const Element& element = elements_[e];
+    const G &A = s.H[e], &B = s.H[e + 1];
+    const Eigen::Map<const Pair> V(s.v + dim * e);
+    Eigen::Map<Pair> on_h(h + dim * e), on_v(v + dim * e);
+    on_v += weight.kinetic * (element.mass(A, B) * V);
+    on_h += weight.kinetic * element.kinetic_gradient(A, B, s.v + dim * e);
+    on_h += weight.potential * element.weight_gradient(A, B, gravity);
+    on_h +=
+        weight.elastic * (Element::P(Element::relative(A, B)).transpose() * section_force(s, e));
+  }
+}
+
+template <FrameGroup G, class E>
 std::unique_ptr<Body<G>> ChainBeam<G, E>::derivative(const LawDerivative<G>& law) const {
   const auto* sections = std::get_if<std::vector<ElementSection<G>>>(&law);
   if (!sections || static_cast<int>(sections->size()) != elements())

@@ -43,6 +43,10 @@ class ChainBeam final : public Body<G> {
   double total_mass() const override;
   double axial_stiffness() const override;
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  void add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+                                  double* h) const override;
+  void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
+                           double* h, double* v) const override;
 
  private:
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;

@@ -112,6 +112,17 @@ double BeamElement<G>::weight_potential(const G& A, const G& B, const Vector& a)
   return energy;
 }
 template <FrameGroup G>
+auto BeamElement<G>::weight_gradient(const G& A, const G& B, const Vector& a) const -> Pair {
+  const Tangent d = G::log(A.inverse() * B);
+  Pair g = Pair::Zero();
+  for (double s : {0.5 - 0.5 / std::sqrt(3.0), 0.5 + 0.5 / std::sqrt(3.0)}) {
+    const G H = A * G::exp(s * d);
+    g -= 0.5 * L_ * M_s_(0, 0) * Q(d, s).template topRows<G::space_dim>().transpose() *
+         (H.R.transpose() * a);
+  }
+  return g;
+}
+template <FrameGroup G>
 auto BeamElement<G>::spread_curvature(const G& A, const G& B, const Vector& q) const -> Pair {
   return curvature(spread_bubble_, A, B, q);
 }

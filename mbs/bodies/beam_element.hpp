@@ -84,6 +84,10 @@ class BeamElement {
   PairMatrix weight_tangent(const G& A, const G& B, const Vector& a) const;
   /// Potential of gravity, J: two-point Gauss along the element.
   double weight_potential(const G& A, const G& B, const Vector& a) const;
+  /// Its gradient by [h_A; h_B]; and that of the kinetic energy at given velocities: none, the mass
+  /// is constant.
+  Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
+  Pair kinetic_gradient(const G&, const G&, const double*) const { return Pair::Zero(); }
 
   /// -ad(v)^T p for a momentum p: the force that turns momentum with the frame.
   /// [w x p_u; u x p_u + w x p_w] in space.

@@ -131,6 +131,20 @@ class Body {
   /// @throws std::invalid_argument if the law is of another kind of body or not of its size
   virtual std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const = 0;
 
+  /// h += (dn_e/dh)^T f: gradient of f . n_e, n_e the section force of element e, with respect to
+  /// the increments of the nodal frames of a completed state.
+  virtual void add_section_force_gradient(const BodyState<G>&, int /*e*/, const Tangent& /*f*/,
+                                          double* /*h*/) const {}
+  /// Gradient of weight.kinetic T + weight.elastic V + weight.potential U with respect to the
+  /// unknowns: h by increments of frames and amplitudes, v by velocities and rates of amplitudes.
+  /// @param s as the solvers have it, not completed
+  virtual void add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
+                                   const BodyEnergy& weight, double* h, double* v) const = 0;
+  /// Takes what h and v say of nodes that follow to the nodes they follow: gradients with respect
+  /// to all frames and velocities become those with respect to the unknowns, in place.
+  /// @param s as the solvers have it, not completed
+  virtual void to_unknowns(const BodyState<G>& /*s*/, double* /*h*/, double* /*v*/) const {}
+
  protected:
   Matrices M_, K_;
 };

@@ -130,6 +130,34 @@ void FloatingBody<G>::add_conjugate(const Motion& m, const Eigen::VectorXd& q, d
         q.template segment<dim>(interface_size() + dim * static_cast<int>(i));
 }
 
+/// With z = h_i - Ad(Y^-1) h_0 and c = Ad(Y^-1) v_0: du = T^-1(u) z, and
+/// d(udot) = T^-1(u) (dv_i - Ad(Y^-1) dv_0) + (D_u[T^-1(u) y] T^-1(u) - T^-1(u) ad(c)) z.
+template <FrameGroup G>
+void FloatingBody<G>::add_unknowns(const Motion& m, const BodyState<G>& s,
+                                   const Eigen::VectorXd& c_e, const Eigen::VectorXd& c_rate,
+                                   double* h, double* v) const {
+  using Node = Eigen::Map<Tangent>;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int node = dim * interfaces_[i], at = dim * static_cast<int>(i);
+    const Tangent u = m.e.template segment<dim>(at), q = c_e.template segment<dim>(at),
+                  p = c_rate.template segment<dim>(at);
+    const typename G::Matrix Ti = G::Tinv(u), back = m.Y[i].AdInv();
+    const Tangent c = back * Eigen::Map<const Tangent>(s.v),
+                  y = Eigen::Map<const Tangent>(s.v + node) - c;
+    const typename G::Matrix turns = G::dTinv(u, y) * Ti - Ti * G::ad(c);
+    const Tangent on_z = Ti.transpose() * q + turns.transpose() * p, on_v = Ti.transpose() * p;
+    Node(h + node) += on_z;
+    Node{h} -= back.transpose() * on_z;
+    Node(v + node) += on_v;
+    Node{v} -= back.transpose() * on_v;
+  }
+  for (size_t i = 0; i < slots_.size(); ++i) {
+    const int at = interface_size() + dim * static_cast<int>(i), node = dim * slots_[i];
+    Node(h + node) += c_e.template segment<dim>(at);
+    Node(v + node) += c_rate.template segment<dim>(at);
+  }
+}
+
 template <FrameGroup G>
 void FloatingBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
   const double c = this->damping();

@@ -77,6 +77,9 @@ class FloatingBody : public Body<G> {
   Motion at_reference() const;
   /// E: de = E [h_0; h_i; deta].
   Eigen::MatrixXd increments(const Motion& m) const;
+  /// Gradient c_e, c_rate with respect to e and edot added to that with respect to the unknowns.
+  void add_unknowns(const Motion& m, const BodyState<G>& s, const Eigen::VectorXd& c_e,
+                    const Eigen::VectorXd& c_rate, double* h, double* v) const;
   int interface_size() const { return dim * static_cast<int>(interfaces_.size()); }
   int reduced_size() const { return static_cast<int>(K_e_.cols()); }  ///< n of e, with padding
 

@@ -230,6 +230,74 @@ auto ModalBody<G>::section_force(const BodyState<G>& s, int e) const -> Tangent 
   return beam_->element(e).section_stiffness() * strain(s, e);
 }
 
+/// u_k = log(X_k^-1 H_0^-1 H_k): du = T^-1(u) (h_k - Ad((H_0^-1 H_k)^-1) h_0).
+template <FrameGroup G>
+void ModalBody<G>::add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+                                              double* h) const {
+  using Node = Eigen::Map<Tangent>;
+  const auto& element = beam_->element(e);
+  const typename Beam<G>::Pair on_u = BeamElement<G>::P(element.d0()).transpose() *
+                                      (element.section_stiffness().transpose() * f) /
+                                      element.length();
+  for (int i = 0; i < 2; ++i) {
+    const int k = e + i;
+    const G Y = s.H[0].inverse() * s.H[k];
+    const Tangent on_node =
+        G::Tinv(G::log(X_[k].inverse() * Y)).transpose() * on_u.template segment<dim>(dim * i);
+    Node(h + dim * k) += on_node;
+    Node{h} -= Y.AdInv().transpose() * on_node;
+  }
+}
+
+/// That of the nodes of the beam, and of the linear strains.
+template <FrameGroup G>
+void ModalBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
+                                       const BodyEnergy& weight, double* h, double* v) const {
+  const int n = this->nodes(), size = this->size();
+  std::vector<G, Eigen::aligned_allocator<G>> H(s.H, s.H + n);
+  Eigen::VectorXd all_v = Eigen::Map<const Eigen::VectorXd>(s.v, size), rates = all_v;
+  complete(H.data(), all_v.data(), rates.data(), s.w);
+  const BodyState<G> completed{H.data(), all_v.data(), rates.data(), s.w};
+  Eigen::VectorXd on_h = Eigen::VectorXd::Zero(size), on_v = on_h;
+  beam_->add_energy_gradient(completed, gravity, {weight.kinetic, 0, weight.potential}, on_h.data(),
+                             on_v.data());
+  for (int e = 0; e < elements(); ++e)
+    add_section_force_gradient(completed, e,
+                               weight.elastic * beam_->element(e).length() * strain(completed, e),
+                               on_h.data());
+  to_unknowns(s, on_h.data(), on_v.data());
+  Eigen::Map<Eigen::VectorXd>(h, size) += on_h;
+  Eigen::Map<Eigen::VectorXd>(v, size) += on_v;
+}
+
+/// H_k = H_0 X_k exp(u): h_k = Ad(exp(-u) X_k^-1) h_0 + T(u) du; v_k as in `velocity`, u = Psi_k e.
+template <FrameGroup G>
+void ModalBody<G>::to_unknowns(const BodyState<G>& s, double* h, double* v) const {
+  using Node = Eigen::Map<Tangent>;
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  spread(m);
+  const Tangent v_0 = Eigen::Map<const Tangent>(s.v);
+  Eigen::VectorXd c_e = Eigen::VectorXd::Zero(Psi_.cols()), c_rate = c_e;
+  for (int k = 1; k < this->nodes(); ++k) {
+    if (this->kind(k) == NodeKind::Frame) continue;
+    const Tangent f = Node(h + dim * k), p = Node(v + dim * k);
+    Node(h + dim * k).setZero();
+    Node(v + dim * k).setZero();
+    const Tangent u = u_.template segment<dim>(dim * k), du = du_.template segment<dim>(dim * k);
+    const auto ad_u = G::ad(u);
+    const Tangent carried = A_[k] * v_0, turned = ad_u.transpose() * p;
+    Node{h} += (X_[k] * G::exp(u)).AdInv().transpose() * f;
+    Node{v} += A_[k].transpose() * (p - turned);
+    const Tangent on_u =
+        G::T(u).transpose() * f + G::ad(Tangent(carried + 0.5 * du)).transpose() * p;
+    const auto psi = Psi_.template middleRows<dim>(dim * k);
+    c_e += psi.transpose() * on_u;
+    c_rate += psi.transpose() * (p - 0.5 * turned);
+  }
+  this->add_unknowns(m, s, c_e, c_rate, h, v);
+}
+
 template <FrameGroup G>
 BodyEnergy ModalBody<G>::energy(const BodyState<G>& s, const Vector& gravity) const {
   BodyEnergy energy = beam_->energy(s, gravity);

@@ -38,6 +38,11 @@ class ModalBody final : public FloatingBody<G> {
   double total_mass() const override { return beam_->total_mass(); }
   double axial_stiffness() const override { return beam_->axial_stiffness(); }
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  void add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+                                  double* h) const override;
+  void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
+                           double* h, double* v) const override;
+  void to_unknowns(const BodyState<G>& s, double* h, double* v) const override;
   /// Psi: displacements of all nodes from e, [u_k; w_k] in their own axes.
   const Eigen::MatrixXd& basis() const { return Psi_; }
 

@@ -164,6 +164,28 @@ double ReissnerElement<G>::weight_potential(const G& A, const G& B, const Vector
 }
 
 template <FrameGroup G>
+auto ReissnerElement<G>::weight_gradient(const G& A, const G& B, const Vector& a) const -> Pair {
+  Pair g = Pair::Zero();
+  g.template head<sd>() = -0.5 * L_ * M_s_(0, 0) * (A.R.transpose() * a);
+  g.template segment<sd>(dim) = -0.5 * L_ * M_s_(0, 0) * (B.R.transpose() * a);
+  return g;
+}
+
+template <FrameGroup G>
+auto ReissnerElement<G>::kinetic_gradient(const G& A, const G& B, const double* v) const -> Pair {
+  using Rot = RotationOf<G>;
+  const Eigen::Map<const Pair> V(v);
+  const double m = M_s_(0, 0) * L_ / 6;
+  const Rotation R = A.R.transpose() * B.R;
+  const Vector u_A = V.template head<sd>(), u_B = V.template segment<sd>(dim);
+  // a . (w x b) = -a . cross(b) w
+  Pair g = Pair::Zero();
+  g.template segment<rd>(sd) = m * Rot::cross(Vector(R * u_B)).transpose() * u_A;
+  g.template segment<rd>(dim + sd) = -m * Rot::cross(u_B).transpose() * Vector(R.transpose() * u_A);
+  return g;
+}
+
+template <FrameGroup G>
 auto ReissnerElement<G>::constant_tangent() const -> PairMatrix {
   const Gradient p = P(d0_);
   return p.transpose() * K_ * p / L_;

@@ -64,6 +64,10 @@ class ReissnerElement {
   PairMatrix weight_tangent(const G& A, const G& B, const Vector& a) const;
   /// Potential of gravity, J.
   double weight_potential(const G& A, const G& B, const Vector& a) const;
+  /// Its gradient by [h_A; h_B]; and that of the kinetic energy at given velocities, whose mass
+  /// changes with R = R_A^T R_B by m u_A . R u_B.
+  Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
+  Pair kinetic_gradient(const G& A, const G& B, const double* v) const;
 
   /// K_t = P(d0)^T K P(d0)/L at reference.
   PairMatrix constant_tangent() const;

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "liegroup/rotation.hpp"
 #include "mbs/bodies/beam_element.hpp"
 
 namespace liesl {
@@ -110,6 +111,30 @@ BodyEnergy Rigid<G>::energy(const BodyState<G>& s, const Vector& gravity) const 
   const Eigen::Map<const Tangent> v(s.v);
   const auto& M = inertia_;
   return {0.5 * v.dot(M * v), 0, -gravity.dot(total_mass() * s.H[0].x + s.H[0].R * first_moment_)};
+}
+
+/// U = -g . (m x + R S): d(R S) = R (w x S) = -R S~ w.
+template <FrameGroup G>
+void Rigid<G>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
+                                   const BodyEnergy& weight, double* h, double* v) const {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  Eigen::Map<Tangent> on_h(h), on_v(v);
+  on_v += weight.kinetic * (inertia_ * Eigen::Map<const Tangent>(s.v));
+  const Vector g = s.H[0].R.transpose() * gravity;
+  on_h.template head<sd>() -= weight.potential * total_mass() * g;
+  on_h.template tail<rd>() +=
+      weight.potential * (RotationOf<G>::cross(first_moment_).transpose() * g);
+}
+
+/// h_k = Ad(X_k^-1) h_0, and so the velocities.
+template <FrameGroup G>
+void Rigid<G>::to_unknowns(const BodyState<G>&, double* h, double* v) const {
+  using Node = Eigen::Map<Tangent>;
+  for (int k = 1; k < this->nodes(); ++k)
+    for (double* x : {h, v}) {
+      Node(x + 0) += X_[k].AdInv().transpose() * Node(x + dim * k);
+      Node(x + dim * k).setZero();
+    }
 }
 
 template <FrameGroup G>

@@ -42,6 +42,9 @@ class Rigid final : public Body<G> {
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double total_mass() const override { return inertia_(0, 0); }
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
+                           double* h, double* v) const override;
+  void to_unknowns(const BodyState<G>& s, double* h, double* v) const override;
 
  private:
   using Matrix = typename G::Matrix;

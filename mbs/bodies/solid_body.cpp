@@ -257,6 +257,43 @@ BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) co
   return energy;
 }
 
+/// T = r^T M(e) r / 2 with r = [v_0; edot]: dT/dr = M r, and with S and J of the deformed part
+/// dT/de_l = v . (omega x N_l) + omega^T (tr dJ_l - dJ_l) omega/2 + sum_k edot_k omega .
+/// axial(P_kl), P_kl = int rho phi_l phi_k^T.
+template <FrameGroup G>
+void SolidBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
+                                       const BodyEnergy& weight, double* h, double* v) const {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  const Eigen::Map<const Tangent> v_0(s.v);
+  const int n = this->reduced_size();
+  VectorXd rate(dim + n);
+  rate << v_0, m.rate;
+  const VectorXd momentum = inertia_matrix(m) * rate;
+  const auto velocity = in_space<G>(v_0);
+  const Vector3d u = velocity.template head<3>(), omega = velocity.template tail<3>();
+  const Vector g = s.H[0].R.transpose() * gravity;
+  VectorXd on_e = weight.elastic * (this->reduced_stiffness() * m.e);
+  for (int l = 0; l < n; ++l) {
+    const Vector3d N = integrals_.mode.col(l);
+    const Matrix3d first = as_matrix(cross_.col(l));
+    const Eigen::Map<const Eigen::MatrixXd> P(product_.col(l).data(), 9, n);
+    const Matrix3d second = as_matrix(P * m.e);
+    const Matrix3d dJ = first + first.transpose() + second + second.transpose();
+    const double turning = omega.dot((dJ.trace() * omega - dJ * omega)) / 2;
+    on_e[l] += weight.kinetic *
+               (u.dot(omega.cross(N)) + turning + omega.dot(axial(as_matrix(P * m.rate))));
+    on_e[l] -= weight.potential * g.dot(N.template head<sd>());
+  }
+  Eigen::Map<Tangent> on_h(h), on_v(v);
+  on_v += weight.kinetic * momentum.template head<dim>();
+  const Vector S = (integrals_.first + integrals_.mode * m.e).template head<sd>();
+  on_h.template head<sd>() -= weight.potential * integrals_.mass * g;
+  on_h.template tail<rd>() += weight.potential * (RotationOf<G>::cross(S).transpose() * g);
+  this->add_unknowns(m, s, on_e, weight.kinetic * momentum.tail(n), h, v);
+}
+
 template <FrameGroup G>
 double SolidBody<G>::axial_stiffness() const {
   double largest = 0;

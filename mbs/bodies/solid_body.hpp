@@ -39,6 +39,8 @@ class SolidBody final : public FloatingBody<G> {
   double total_mass() const override { return integrals_.mass; }
   double axial_stiffness() const override;
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
+                           double* h, double* v) const override;
 
   /// e = [u_i; eta] at a state, without padding: the displacements of the mesh are basis() * e.
   Eigen::VectorXd coordinates(const BodyState<G>& s) const;

@@ -1,11 +1,12 @@
 #pragma once
 /// @file
-/// Values of named responses at a state.
+/// Values of named responses at a state, and their derivatives.
 
 #include <map>
 #include <vector>
 
 #include "mbs/model/response.hpp"
+#include "mbs/system/parameter_residual.hpp"
 #include "mbs/system/spatial_view.hpp"
 
 namespace liesl {
@@ -21,7 +22,33 @@ const char* unit(const ResponseSpec& response, const Mechanism& mechanism);
 /// section's y axis at node 0 made normal to the chord. `nodes` are the beam's spatial frames.
 Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s);
 
-/// Evaluates responses on a model of the mechanism.
+/// dy of one component of a response,
+///   dy = sum over nodes of h . delta_h + v . delta_v + sum lambda . delta_lambda,
+/// delta_h the left-invariant increment of a frame, or that of the amplitudes of a node that holds
+/// amplitudes; delta_v that of its velocity. Nodes that follow others do not appear, nor what is
+/// zero; no response depends on accelerations.
+template <FrameGroup G>
+struct ResponseGradient {
+  struct Node {
+    int node;  ///< of the model
+    typename G::Tangent h, v;
+  };
+  struct Multiplier {
+    int row;  ///< in State::lambda
+    double value;
+  };
+  std::vector<Node> nodes;
+  std::vector<Multiplier> lambda;
+};
+
+/// What a kind of response is called, how many components it has, and its unit.
+struct ResponseColumns {
+  const char* name;
+  int (*components)(const ResponseSpec& response, bool planar);
+  const char* (*unit)(const ResponseSpec& response, const Mechanism& mechanism);
+};
+
+/// Evaluates responses on a model of the mechanism. One row a kind (`response_value.cpp`).
 template <FrameGroup G>
 class ResponseValues {
  public:
@@ -29,15 +56,104 @@ class ResponseValues {
 
   /// Value of a response, `components` numbers. Only H, v, lambda and q of the state are used.
   /// Not for several threads at once: what depends on the sections alone is kept.
+  /// @param s completed (Model::complete)
   Eigen::VectorXd operator()(const ResponseSpec& response, const State<G>& s) const;
 
+  /// Gradient of each component. Where a response is not smooth it is that of the branch that is
+  /// active: the node, element and stress point where the largest value is; zero for the norm of a
+  /// vector that vanishes.
+  /// @param s as the solvers have it: amplitudes and their rates, not completed
+  std::vector<ResponseGradient<G>> gradient(const ResponseSpec& response, const State<G>& s) const;
+
+  /// dy/dp of each component at constant state: what a section force, stress or energy takes from
+  /// the law itself. All other kinds are kinematic, or forces of the state, and have none.
+  /// @param s completed
+  Eigen::VectorXd by_parameter(const ResponseSpec& response, const State<G>& s,
+                               const ParameterResidual<G>& parameter) const;
+
+  static const ResponseColumns& columns(ResponseKind kind) { return row(kind).columns; }
+
  private:
-  /// Of the point `place` of a beam whose frames are `now`.
-  Eigen::Vector2d deflection(int body, const std::vector<SE3>& now, double place) const;
-  double elongation(const ResponseSpec& r, const State<G>& s) const;
-  double stress(const ResponseSpec& r, const State<G>& s) const;
+  using Tangent = typename G::Tangent;
+  /// What is added to a gradient: on the frames and velocities of all nodes, followers among them,
+  /// and on the unknowns.
+  struct Cotangent {
+    Eigen::VectorXd h, v, unknown_h, unknown_v, lambda;
+  };
+  /// The state as the solvers have it, completed, and which component.
+  struct At {
+    const State<G>& unknowns;
+    const State<G>& s;
+    int component;
+  };
+  struct StressAt {
+    int element = 0, point = 0;
+    double value = 0;                       ///< von Mises, Pa; 0: no stress anywhere
+    Vec3 gradient = Vec3::Zero();           ///< by the stress at the point
+    SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
+  };
+
+  /// The row of a kind: what it is called, its value and its derivatives.
+  struct Kind {
+    ResponseKind kind;
+    ResponseColumns columns;
+    Eigen::VectorXd (ResponseValues::*value)(const ResponseSpec&, const State<G>&) const;
+    void (ResponseValues::*add_gradient)(const ResponseSpec&, const At&, Cotangent&) const;
+    /// Null: no explicit derivative.
+    double (ResponseValues::*by_parameter)(const ResponseSpec&, const State<G>&,
+                                           const ParameterResidual<G>&) const;
+  };
+  static const Kind& row(ResponseKind kind);
+
+  Eigen::VectorXd position(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd velocity(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd angular_velocity(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd displacement(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd deflection(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd elongation(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd coordinate(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd joint_force_norm(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd section_force(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd stress(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd energy(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd compliance(const ResponseSpec& r, const State<G>& s) const;
+
+  void add_position(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_angular_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_displacement(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_deflection(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_elongation(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_coordinate(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_section_force(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_stress(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_energy(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_compliance(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_body_energy(int body, const BodyEnergy& weight, const At& at, Cotangent& out) const;
+
+  double section_force_by(const ResponseSpec& r, const State<G>& s,
+                          const ParameterResidual<G>& parameter) const;
+  double stress_by(const ResponseSpec& r, const State<G>& s,
+                   const ParameterResidual<G>& parameter) const;
+  double energy_by(const ResponseSpec& r, const State<G>& s,
+                   const ParameterResidual<G>& parameter) const;
+  double compliance_by(const ResponseSpec& r, const State<G>& s,
+                       const ParameterResidual<G>& parameter) const;
+
+  /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
+  Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
+  /// Which of the two is the deflection of a planar scene: the other is along the plane's normal.
+  int in_plane(int body) const;
   std::vector<SE3> nodes(const G* H, int body) const;
+  StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
   const std::vector<std::vector<StressPoint>>& points_of(int body) const;
+  /// Adds the cotangent f [6] of a port's increment, or velocity, to that of its node.
+  void add_port(Eigen::VectorXd& out, const Port& port, const SE3::Tangent& f) const;
+  void add_row(Eigen::VectorXd& out, const Coupling<G>& c,
+               const Eigen::Matrix<double, 2 * G::dim, 1>& g) const;
+  /// f [6] on a section force in space, in the axes of G.
+  Tangent reduced(const SE3::Tangent& f, int body, int element) const;
 
   const Mechanism& mechanism_;
   const Model<G>& model_;
@@ -54,6 +170,9 @@ SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int 
 template <FrameGroup G>
 std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>& model, int joint,
                                       const State<G>& s);
+/// The coupling of a joint, null if the plane has made its rows identities.
+template <FrameGroup G>
+const Coupling<G>* find_joint(const Mechanism& mechanism, const Model<G>& model, int joint);
 
 extern template class ResponseValues<SE2>;
 extern template class ResponseValues<SE3>;

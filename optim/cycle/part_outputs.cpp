@@ -6,31 +6,19 @@
 namespace liesl {
 namespace {
 
-constexpr double kDifference = 1e-4;  // of the mechanism's length, or rad: step of the gradients
-
-/// Gradient of a response with respect to the increments of its body at the reference shape, by
-/// fourth-order differences.
+/// Gradient of a response with respect to the increments of its body at the reference shape.
 template <FrameGroup G>
 Eigen::MatrixXd gradient_at_rest(const ResponseSpec& r, const Mechanism& mechanism,
                                  const Model<G>& model) {
   constexpr int dim = G::dim;
-  const ResponseValues<G> values(mechanism, model);
-  State<G> s = model.initial_state();
-  const int body = limited_body(r);
-  const int first = model.first_node(body), nodes = model.bodies[body]->nodes();
-  Eigen::MatrixXd c(dim * nodes, components(r, G::space_dim == 2));
-  for (int k = 0; k < nodes; ++k)
-    for (int i = 0; i < dim; ++i) {
-      const double h = kDifference * (i < G::space_dim ? model.length : 1.0);
-      const G rest = s.H[first + k];
-      const auto moved = [&](double d) {
-        s.H[first + k] = rest * G::exp(d * G::Tangent::Unit(i));
-        return values(r, s);
-      };
-      c.row(dim * k + i) =
-          ((8 * (moved(h) - moved(-h)) - (moved(2 * h) - moved(-2 * h))) / (12 * h)).transpose();
-      s.H[first + k] = rest;
-    }
+  const auto gradients = ResponseValues<G>(mechanism, model).gradient(r, model.initial_state());
+  const int body = limited_body(r), first = model.first_node(body);
+  const int nodes = model.bodies[body]->nodes(), count = static_cast<int>(gradients.size());
+  Eigen::MatrixXd c = Eigen::MatrixXd::Zero(dim * nodes, count);
+  for (int i = 0; i < count; ++i)
+    for (const auto& node : gradients[i].nodes)
+      if (node.node >= first && node.node < first + nodes)
+        c.col(i).template segment<dim>(dim * (node.node - first)) = node.h;
   return c;
 }
 

@@ -1,0 +1,293 @@
+/// @file
+/// Gradients of the kinds of responses, as cotangents: what a unit of the response is of an
+/// increment [u; w] of a frame, in its own axes. Of a position x of a frame (R, x), d . x gives
+/// [R^T d; 0].
+
+#include "mbs/bodies/beam_element.hpp"
+#include "mbs/system/energy.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+namespace {
+
+SE3::Tangent force(const Vec3& u) { return (SE3::Tangent() << u, Vec3::Zero()).finished(); }
+SE3::Tangent wrench(const Vec3& u, const Vec3& w) { return (SE3::Tangent() << u, w).finished(); }
+
+Vec3 direction(const ResponseSpec& r, int component) {
+  return r.axis ? *r.axis : Vec3(Vec3::Unit(component));
+}
+
+/// Gradient of a . chord_offset: on the frames of the chain, [6] each.
+std::vector<SE3::Tangent> chord_gradient(const std::vector<SE3>& nodes, double s,
+                                         const Eigen::Vector2d& a) {
+  std::vector<SE3::Tangent> out(nodes.size(), SE3::Tangent::Zero());
+  const int n = static_cast<int>(nodes.size()) - 1;
+  const int e = std::min(n - 1, static_cast<int>(s * n + 1e-9));
+  const double inside = s * n - e;
+  const bool at_node = inside <= 1e-9;
+  SE3::Tangent d = SE3::Tangent::Zero();
+  SE3 point = nodes[e];
+  if (!at_node) {
+    d = SE3::log(nodes[e].inverse() * nodes[e + 1]);
+    point = nodes[e] * SE3::exp(inside * d);
+  }
+  const Vec3 span = nodes[n].x - nodes[0].x, c = span.normalized(), y0 = nodes[0].R.col(1);
+  const Vec3 t = y0 - y0.dot(c) * c, y = t.normalized(), o = point.x - nodes[0].x;
+  // f = o . (a_0 y + a_1 c x y), backwards.
+  const Vec3 by_o = a[0] * y + a[1] * c.cross(y), by_y = a[0] * o + a[1] * o.cross(c);
+  const Vec3 by_t = (by_y - y.dot(by_y) * y) / t.norm(), by_y0 = by_t - c.dot(by_t) * c;
+  const Vec3 by_c = a[1] * y.cross(o) - c.dot(by_t) * y0 - y0.dot(c) * by_t;
+  const Vec3 by_span = (by_c - c.dot(by_c) * c) / span.norm();
+  const Mat3& R = nodes[0].R;
+  out[0] += wrench(R.transpose() * (-by_span - by_o), Vec3::UnitY().cross(R.transpose() * by_y0));
+  out[n] += force(nodes[n].R.transpose() * by_span);
+  const SE3::Tangent on_point = force(point.R.transpose() * by_o);
+  if (at_node) {
+    out[e] += on_point;
+  } else {
+    const Eigen::Matrix<double, 12, 1> pair = BeamElement<SE3>::Q(d, inside).transpose() * on_point;
+    out[e] += pair.head<6>();
+    out[e + 1] += pair.tail<6>();
+  }
+  return out;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+void ResponseValues<G>::add_port(Eigen::VectorXd& out, const Port& port,
+                                 const SE3::Tangent& f) const {
+  if (port.body < 0) return;
+  const SE3::Tangent on_node = port.offset.AdInv().transpose() * f;
+  auto node = out.template segment<G::dim>(G::dim * (model_.first_node(port.body) + port.node));
+  for (int j = 0; j < G::dim; ++j)
+    node[j] += view_.local(Tangent::Unit(j), port.body, port.node).dot(on_node);
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_row(Eigen::VectorXd& out, const Coupling<G>& c,
+                                const Eigen::Matrix<double, 2 * G::dim, 1>& g) const {
+  constexpr int dim = G::dim;
+  if (c.a.body >= 0)
+    out.template segment<dim>(dim * c.a.node) += c.a.J.transpose() * g.template head<dim>();
+  if (c.b.body >= 0)
+    out.template segment<dim>(dim * c.b.node) += c.b.J.transpose() * g.template tail<dim>();
+}
+
+template <FrameGroup G>
+auto ResponseValues<G>::reduced(const SE3::Tangent& f, int body, int element) const -> Tangent {
+  Tangent t;
+  for (int j = 0; j < G::dim; ++j) t[j] = view_.local(Tangent::Unit(j), body, element).dot(f);
+  return t;
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_position(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const SE3 F = view_.frame(at.s.H.data(), r.at);
+  add_port(out.h, r.at, force(F.R.transpose() * direction(r, at.component)));
+}
+
+/// d . R u: R^T d on u, and u x R^T d on the rotation.
+template <FrameGroup G>
+void ResponseValues<G>::add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const SE3 F = view_.frame(at.s.H.data(), r.at);
+  const Vec3 u = view_.velocity(at.s.v.data(), r.at).template head<3>();
+  const Vec3 local = F.R.transpose() * direction(r, at.component);
+  add_port(out.h, r.at, wrench(Vec3::Zero(), u.cross(local)));
+  add_port(out.v, r.at, force(local));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_angular_velocity(const ResponseSpec& r, const At& at,
+                                             Cotangent& out) const {
+  add_port(out.v, r.at, wrench(Vec3::Zero(), direction(r, at.component)));
+}
+
+/// p = R_0^T (x - x_0): dp = R_0^T R u - u_0 - w_0 x p.
+template <FrameGroup G>
+void ResponseValues<G>::add_displacement(const ResponseSpec& r, const At& at,
+                                         Cotangent& out) const {
+  const Port base{r.at.body, 0, SE3::identity()};
+  const SE3 F0 = view_.frame(at.s.H.data(), base), F = view_.frame(at.s.H.data(), r.at);
+  const Vec3 d = direction(r, at.component), p = F0.R.transpose() * (F.x - F0.x);
+  add_port(out.h, r.at, force(F.R.transpose() * (F0.R * d)));
+  add_port(out.h, base, wrench(-d, d.cross(p)));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_deflection(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const std::vector<SE3> now = nodes(at.s.H.data(), r.body);
+  double place = r.s;
+  Eigen::Vector2d a = Eigen::Vector2d::Unit(G::space_dim == 3 ? at.component : in_plane(r.body));
+  if (r.everywhere) {
+    const int n = model_.bodies[r.body]->elements();
+    double largest = 0;
+    for (int k = 1; k < n; ++k) {
+      const Eigen::Vector2d offset = deflection_at(r.body, now, double(k) / n);
+      if (offset.norm() <= largest) continue;
+      largest = offset.norm();
+      a = offset / largest;
+      place = double(k) / n;
+    }
+    if (largest == 0) return;
+  }
+  const auto on_nodes = chord_gradient(now, place, a);
+  for (size_t k = 0; k < on_nodes.size(); ++k)
+    add_port(out.h, {r.body, static_cast<int>(k), SE3::identity()}, on_nodes[k]);
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_elongation(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const SE3 from = view_.frame(at.s.H.data(), r.at), to = view_.frame(at.s.H.data(), r.to);
+  const double length = (to.x - from.x).norm();
+  if (length == 0) return;
+  const Vec3 e = (to.x - from.x) / length;
+  add_port(out.h, r.to, force(to.R.transpose() * e));
+  add_port(out.h, r.at, force(-(from.R.transpose() * e)));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_coordinate(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
+  if (!c) return;
+  const RelativeMotion<G> motion(c->a.frame(at.s.H), c->b.frame(at.s.H));
+  for (const Equation<G>& e : c->equations) {
+    if (e.coordinate != r.coordinate) continue;
+    typename Row<G>::Gradient g;
+    e.row.gradient(motion, g);
+    add_row(out.h, *c, g);
+  }
+}
+
+/// f = -sum lambda_i b_i, b_i the force of row i on port b: a . df = -sum a . b_i dlambda_i -
+/// sum lambda_i a . D b_i, a = f/|f|.
+template <FrameGroup G>
+void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  constexpr int dim = G::dim, sd = G::space_dim;
+  const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
+  if (!c) return;
+  const RelativeMotion<G> motion(c->a.frame(at.s.H), c->b.frame(at.s.H));
+  std::vector<typename Row<G>::Gradient> g(c->constraints);
+  typename Row<G>::Vector f = Row<G>::Vector::Zero();
+  const auto lambda = at.s.lambda.segment(c->first_constraint, c->constraints);
+  for (int i = 0; i < c->constraints; ++i) {
+    c->equations[i].row.gradient(motion, g[i]);
+    f -= lambda[i] * g[i].template segment<sd>(dim);
+  }
+  if (f.norm() == 0) return;
+  const typename Row<G>::Vector a = f.normalized();
+  typename Row<G>::Gradient turns = Row<G>::Gradient::Zero();
+  for (int i = 0; i < c->constraints; ++i) {
+    out.lambda[c->first_constraint + i] -= a.dot(g[i].template segment<sd>(dim));
+    const auto hessian = c->equations[i].row.hessian(motion);
+    turns -= lambda[i] * hessian.template middleRows<sd>(dim).transpose() * a;
+  }
+  add_row(out.h, *c, turns);
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_section_force(const ResponseSpec& r, const At& at,
+                                          Cotangent& out) const {
+  model_.bodies[r.body]->add_section_force_gradient(
+      model_.body_state(at.s, r.body), r.element,
+      reduced(SE3::Tangent::Unit(r.component), r.body, r.element),
+      out.h.data() + G::dim * model_.first_node(r.body));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_stress(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const StressAt largest = largest_stress(r, at.s);
+  if (largest.value == 0) return;
+  const auto& S = points_of(r.body)[largest.element][largest.point].S;
+  model_.bodies[r.body]->add_section_force_gradient(
+      model_.body_state(at.s, r.body), largest.element,
+      reduced(S.transpose() * largest.gradient, r.body, largest.element),
+      out.h.data() + G::dim * model_.first_node(r.body));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_body_energy(int body, const BodyEnergy& weight, const At& at,
+                                        Cotangent& out) const {
+  const int first = G::dim * model_.first_node(body);
+  model_.bodies[body]->add_energy_gradient(model_.body_state(at.unknowns, body), model_.gravity,
+                                           weight, out.unknown_h.data() + first,
+                                           out.unknown_v.data() + first);
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_energy(const ResponseSpec&, const At& at, Cotangent& out) const {
+  for (size_t b = 0; b < model_.bodies.size(); ++b)
+    add_body_energy(static_cast<int>(b), {1, 1, 1}, at, out);
+  for (const auto& c : model_.couplings) {
+    const RelativeMotion<G> motion(c.a.frame(at.s.H), c.b.frame(at.s.H));
+    for (size_t i = 0; i < c.equations.size(); ++i) {
+      const Equation<G>& e = c.equations[i];
+      if (e.role != Role::Compliant) continue;
+      typename Row<G>::Gradient g;
+      e.row.gradient(motion, g);
+      const double stretch = at.s.q[c.first_row + static_cast<int>(i)] - e.law.rest;
+      add_row(out.h, c, e.law.stiffness * stretch * g);
+    }
+  }
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_compliance(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  add_body_energy(r.body, {0, 2, 0}, at, out);
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::section_force_by(const ResponseSpec& r, const State<G>& s,
+                                           const ParameterResidual<G>& parameter) const {
+  const Body<G>* body = parameter.body(r.body);
+  if (!body) return 0;
+  const Tangent n = body->section_force(model_.body_state(s, r.body), r.element);
+  return view_.local(n, r.body, r.element)[r.component];
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
+                                    const ParameterResidual<G>& parameter) const {
+  const StressAt largest = largest_stress(r, s);
+  const Body<G>* body = parameter.body(r.body);
+  if (!body || largest.value == 0) return 0;
+  const SE3::Tangent n = view_.local(
+      body->section_force(model_.body_state(s, r.body), largest.element), r.body, largest.element);
+  Vec3 sigma = points_of(r.body)[largest.element][largest.point].S * n;
+  for (const auto& part : parameter.parameter().parts)
+    if (const auto* beam = std::get_if<BeamDerivative>(&part);
+        beam && beam->body == r.body && !beam->stress.empty())
+      sigma += beam->stress[largest.element][largest.point] * largest.n;
+  return largest.gradient.dot(sigma);
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
+                                    const ParameterResidual<G>& parameter) const {
+  double sum = 0;
+  for (size_t b = 0; b < model_.bodies.size(); ++b)
+    if (const Body<G>* body = parameter.body(static_cast<int>(b)))
+      sum += total(body->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity));
+  for (const auto& part : parameter.parameter().parts)
+    if (const auto* by = std::get_if<ForceDerivative>(&part))
+      for (const auto& c : model_.couplings)
+        for (size_t i = 0; i < c.equations.size(); ++i) {
+          const Equation<G>& e = c.equations[i];
+          if (e.force != by->force || e.role != Role::Compliant) continue;
+          const double stretch = s.q[c.first_row + static_cast<int>(i)] - e.law.rest;
+          sum += (0.5 * by->stiffness * stretch - e.law.stiffness * by->rest) * stretch;
+        }
+  return sum;
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::compliance_by(const ResponseSpec& r, const State<G>& s,
+                                        const ParameterResidual<G>& parameter) const {
+  const Body<G>* body = parameter.body(r.body);
+  return body ? 2 * body->energy(model_.body_state(s, r.body), model_.gravity).elastic : 0;
+}
+
+template class ResponseValues<SE2>;
+template class ResponseValues<SE3>;
+
+}  // namespace liesl

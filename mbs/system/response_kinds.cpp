@@ -1,0 +1,204 @@
+/// @file
+/// Values of the kinds of responses.
+
+#include <cmath>
+
+#include "mbs/system/energy.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+namespace {
+
+Eigen::VectorXd scalar(double v) { return Eigen::VectorXd::Constant(1, v); }
+
+Eigen::VectorXd along(const ResponseSpec& r, const Vec3& v) {
+  return r.axis ? scalar(r.axis->dot(v)) : Eigen::VectorXd(v);
+}
+
+}  // namespace
+
+Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s) {
+  const int n = static_cast<int>(nodes.size()) - 1;
+  const int e = std::min(n - 1, static_cast<int>(s * n + 1e-9));
+  const double inside = s * n - e;
+  Vec3 point = nodes[e].x;
+  if (inside > 1e-9) {
+    const SE3::Tangent d = SE3::log(nodes[e].inverse() * nodes[e + 1]);
+    point = (nodes[e] * SE3::exp(inside * d)).x;
+  }
+  const Vec3 chord = (nodes[n].x - nodes[0].x).normalized();
+  Vec3 y = nodes[0].R.col(1);
+  y = (y - y.dot(chord) * chord).normalized();
+  const Vec3 offset = point - nodes[0].x;
+  return {offset.dot(y), offset.dot(chord.cross(y))};
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::position(const ResponseSpec& r, const State<G>& s) const {
+  return along(r, view_.frame(s.H.data(), r.at).x);
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::velocity(const ResponseSpec& r, const State<G>& s) const {
+  return along(
+      r, view_.frame(s.H.data(), r.at).R * view_.velocity(s.v.data(), r.at).template head<3>());
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::angular_velocity(const ResponseSpec& r,
+                                                    const State<G>& s) const {
+  return along(r, view_.velocity(s.v.data(), r.at).template tail<3>());
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::displacement(const ResponseSpec& r, const State<G>& s) const {
+  const Port base{r.at.body, 0, SE3::identity()};
+  return along(r, (view_.frame(s.H.data(), base).inverse() * view_.frame(s.H.data(), r.at)).x -
+                      (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x);
+}
+
+template <FrameGroup G>
+Eigen::Vector2d ResponseValues<G>::deflection_at(int body, const std::vector<SE3>& now,
+                                                 double place) const {
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+  return chord_offset(now, place) - chord_offset(beam.nodes, place);
+}
+
+template <FrameGroup G>
+int ResponseValues<G>::in_plane(int body) const {
+  if constexpr (G::space_dim == 2) {
+    const Vec3 normal = model_.space.frame.R.col(2);
+    const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
+    return std::abs(beam.nodes[0].R.col(1).dot(normal)) < 0.5 ? 0 : 1;
+  }
+  return 0;
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s) const {
+  const std::vector<SE3> now = nodes(s.H.data(), r.body);
+  if (r.everywhere) {
+    double largest = 0;
+    const int n = model_.bodies[r.body]->elements();
+    for (int k = 1; k < n; ++k)
+      largest = std::max(largest, deflection_at(r.body, now, double(k) / n).norm());
+    return scalar(largest);
+  }
+  const Eigen::Vector2d offset = deflection_at(r.body, now, r.s);
+  return G::space_dim == 3 ? Eigen::VectorXd(offset) : scalar(offset[in_plane(r.body)]);
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::elongation(const ResponseSpec& r, const State<G>& s) const {
+  const G* H = s.H.data();
+  return scalar((view_.frame(H, r.to).x - view_.frame(H, r.at).x).norm() -
+                (mechanism_.frame(r.to).x - mechanism_.frame(r.at).x).norm());
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::coordinate(const ResponseSpec& r, const State<G>& s) const {
+  return scalar(joint_coordinates(mechanism_, model_, r.joint, s).at(r.coordinate));
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::joint_force_norm(const ResponseSpec& r,
+                                                    const State<G>& s) const {
+  return scalar(joint_force(mechanism_, model_, r.joint, s).template head<3>().norm());
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const State<G>& s) const {
+  const auto n = model_.bodies[r.body]->section_force(model_.body_state(s, r.body), r.element);
+  return scalar(view_.local(n, r.body, r.element)[r.component]);
+}
+
+template <FrameGroup G>
+auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s) const -> StressAt {
+  const auto& points = points_of(r.body);
+  StressAt largest;
+  for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
+    const SE3::Tangent n = view_.local(
+        model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
+    for (size_t i = 0; i < points[e].size(); ++i) {
+      const Vec3 sigma = points[e][i].S * n;
+      const double value = std::sqrt(sigma[0] * sigma[0] + 3 * sigma.tail<2>().squaredNorm());
+      if (value <= largest.value) continue;
+      const Vec3 weighted(sigma[0], 3 * sigma[1], 3 * sigma[2]);
+      largest = {e, static_cast<int>(i), value, weighted / value, n};
+    }
+  }
+  return largest;
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::stress(const ResponseSpec& r, const State<G>& s) const {
+  return scalar(largest_stress(r, s).value);
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::energy(const ResponseSpec&, const State<G>& s) const {
+  return scalar(total(mechanical_energy(model_, s)));
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::compliance(const ResponseSpec& r, const State<G>& s) const {
+  return scalar(
+      2 * model_.bodies[r.body]->energy(model_.body_state(s, r.body), model_.gravity).elastic);
+}
+
+template <FrameGroup G>
+const Coupling<G>* find_joint(const Mechanism& mechanism, const Model<G>& model, int joint) {
+  for (const auto& c : model.couplings)
+    if (c.is_joint && c.name == mechanism.joints[joint].name) return &c;
+  return nullptr;
+}
+
+template <FrameGroup G>
+SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint,
+                         const State<G>& s) {
+  SE3::Tangent total = SE3::Tangent::Zero();
+  const Coupling<G>* c = find_joint(mechanism, model, joint);
+  if (!c) return total;
+  const G a = c->a.frame(s.H), b = c->b.frame(s.H);
+  const RelativeMotion<G> motion(a, b);
+  typename G::Tangent f = G::Tangent::Zero();
+  for (int i = 0; i < c->constraints; ++i) {
+    typename Row<G>::Gradient g;
+    c->equations[i].row.gradient(motion, g);
+    f -= s.lambda[c->first_constraint + i] * g.template tail<G::dim>();
+  }
+  // The joint's port has the inertial axes at the start; turn into the port's own.
+  const JointSpec& spec = mechanism.joints[joint];
+  const SE3 own = mechanism.frame(spec.b);
+  const SE3::Tangent inertial = model.space.embed_local(f, SE3::identity());
+  Mat3 axes = Mat3::Identity();
+  if constexpr (G::space_dim == 2) axes = model.space.frame.R;
+  total << own.R.transpose() * axes * inertial.template head<3>(),
+      own.R.transpose() * axes * inertial.template tail<3>();
+  return total;
+}
+
+template <FrameGroup G>
+std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>& model, int joint,
+                                      const State<G>& s) {
+  constexpr int kCount[] = {0, 1, 1, 2, 0, 2, 3};  // by JointType
+  std::vector<double> q(kCount[static_cast<int>(mechanism.joints[joint].type)], 0.0);
+  if (const Coupling<G>* c = find_joint(mechanism, model, joint))
+    for (size_t i = 0; i < c->equations.size(); ++i)
+      if (const int k = c->equations[i].coordinate; k >= 0)
+        q[k] = s.q[c->first_row + static_cast<int>(i)];
+  return q;
+}
+
+template class ResponseValues<SE2>;
+template class ResponseValues<SE3>;
+template const Coupling<SE2>* find_joint(const Mechanism&, const Model<SE2>&, int);
+template const Coupling<SE3>* find_joint(const Mechanism&, const Model<SE3>&, int);
+template SE3::Tangent joint_force(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);
+template SE3::Tangent joint_force(const Mechanism&, const Model<SE3>&, int, const State<SE3>&);
+template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE2>&, int,
+                                               const State<SE2>&);
+template std::vector<double> joint_coordinates(const Mechanism&, const Model<SE3>&, int,
+                                               const State<SE3>&);
+
+}  // namespace liesl
