@@ -5,10 +5,11 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <set>
 #include <stdexcept>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -88,7 +89,7 @@ HeldPart read_support(const std::vector<std::string>& support, const Mechanism& 
   held.fixed.assign(fixed.begin(), fixed.end());
   const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
   const typename G::Matrix motions = held_motions<G>(rigid_motions(beam), held.fixed);
-  if (Eigen::FullPivLU<typename G::Matrix>(motions).setThreshold(1e-9).rank() < G::dim)
+  if (linalg::rank(motions, 1e-9) < G::dim)
     throw std::invalid_argument(
         fmt::format("support of '{}' leaves it a rigid motion: '{}'; expected directions that hold "
                     "it, as start",
@@ -106,7 +107,7 @@ StaticPart<G>::StaticPart(const Beam<G>& beam, HeldPart held, Eigen::MatrixXd ou
     back_.push_back(G::exp(-d).Ad());
     length_.push_back(beam.element(e).length());
   }
-  held_inverse_ = held_motions<G>(rigid_, held_.fixed).inverse();
+  held_inverse_ = linalg::inverse<G::dim>(held_motions<G>(rigid_, held_.fixed));
 }
 
 template <FrameGroup G>
@@ -117,7 +118,7 @@ void StaticPart<G>::set_loads(const Eigen::MatrixXd& f) {
   for (int k = 0; k < beam_.nodes(); ++k) R.middleRows<dim>(dim * k) = beam_.reference[k].AdInv();
   for (int j = 0; j < dim; ++j) beam_.mass().multiply_add(R.col(j).data(), MR.col(j).data());
   const Matrix inertia = R.transpose() * MR;
-  f_ -= MR * inertia.inverse() * (R.transpose() * f);
+  f_ -= MR * linalg::inverse<dim>(inertia) * (R.transpose() * f);
 }
 
 template <FrameGroup G>
@@ -159,7 +160,7 @@ template <FrameGroup G>
 bool StaticPart<G>::solve(const Law& K_s) {
   flexibility_.resize(K_s.size());
   for (size_t e = 0; e < K_s.size(); ++e) {
-    flexibility_[e] = length_[e] * K_s[e].inverse();
+    flexibility_[e] = length_[e] * linalg::inverse<dim>(K_s[e]);
     if (!flexibility_[e].allFinite()) return false;
   }
   u_ = f_;

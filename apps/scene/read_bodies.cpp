@@ -2,7 +2,6 @@
 /// Beams and rigid bodies.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -10,6 +9,7 @@
 #include <stdexcept>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/linalg/dense.hpp"
 #include "mbs/model/curves.hpp"
 
 namespace liesl {
@@ -215,7 +215,7 @@ class BeamReader {
 /// Says why a symmetric matrix is no inertia of a body, empty if it is one.
 std::string flaw(const Mat3& J) {
   if ((J - J.transpose()).norm() > 1e-9 * J.norm()) return "is not symmetric";
-  const Vec3 principal = Eigen::SelfAdjointEigenSolver<Mat3>(J).eigenvalues();
+  const Vec3 principal = linalg::symmetric_eigenvalues(J);
   if (principal[0] < -1e-12 * J.norm())
     return fmt::format("is not positive semi-definite: principal values {:.4g}, {:.4g}, {:.4g}",
                        principal[0], principal[1], principal[2]);

@@ -2,10 +2,10 @@
 /// Simulation options, materials and sections.
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 
@@ -38,7 +38,7 @@ SpaceChoice space_of(const std::string& text) {
 std::string flaw(const Eigen::MatrixXd& M) {
   const double size = M.cwiseAbs().maxCoeff();
   if ((M - M.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) return "is not symmetric";
-  const double least = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(M).eigenvalues()[0];
+  const double least = linalg::symmetric_eigenvalues(M)[0];
   if (least <= 0) return fmt::format("has an eigenvalue of {:.3g}", least);
   return "";
 }

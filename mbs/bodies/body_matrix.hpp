@@ -3,9 +3,8 @@
 /// The matrices of a body: block-tridiagonal for a chain of nodes that all carry unknowns, dense
 /// over the few nodes that do where the others follow them (rigid chains, modal bodies).
 
-#include <Eigen/LU>
-
 #include "mbs/linalg/block_tridiagonal.hpp"
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 
@@ -42,8 +41,8 @@ class BodyLU {
     nodes_ = A.nodes;
     x_.setZero(A.dense.rows());
     y_.setZero(A.dense.rows());
-    lu_.compute(A.dense);
-    const double smallest = lu_.matrixLU().diagonal().cwiseAbs().minCoeff();
+    lu_.factor(A.dense);
+    const double smallest = lu_.smallest_pivot();
     return std::isfinite(smallest) && smallest > 0;
   }
   /// x <- A^-1 x for the `size` numbers of the body, in place. Allocates nothing.
@@ -52,7 +51,7 @@ class BodyLU {
     Eigen::Map<Eigen::VectorXd> all(x, size);
     for (size_t i = 0; i < nodes_.size(); ++i)
       x_.template segment<N>(N * static_cast<int>(i)) = all.template segment<N>(N * nodes_[i]);
-    y_.noalias() = lu_.solve(x_);
+    lu_.solve(x_, y_);
     all.setZero();
     for (size_t i = 0; i < nodes_.size(); ++i)
       all.template segment<N>(N * nodes_[i]) = y_.template segment<N>(N * static_cast<int>(i));
@@ -62,7 +61,7 @@ class BodyLU {
   bool dense_ = false;
   BlockTridiagonalLU<N> chain_;
   std::vector<int> nodes_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  linalg::LU lu_;
   Eigen::VectorXd x_, y_;
 };
 

@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "mbs/linalg/constrained_modes.hpp"
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -85,7 +86,7 @@ void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {
   if (most > 0) {
     const Eigen::MatrixXd K_II = select(K, inner, inner);
     if (ni > 0) {
-      const Eigen::MatrixXd shapes = -K_II.ldlt().solve(select(K, inner, held));
+      const Eigen::MatrixXd shapes = -linalg::LDLT(K_II).solve(select(K, inner, held));
       for (int i = 0; i < most; ++i) Psi_.row(inner[i]).head(ni) = shapes.row(i);
     }
     if (kept > 0) {

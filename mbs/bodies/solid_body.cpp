@@ -1,12 +1,12 @@
 #include "mbs/bodies/solid_body.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <array>
 #include <numbers>
 #include <stdexcept>
 
 #include "liegroup/rotation.hpp"
+#include "mbs/linalg/dense.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
@@ -235,10 +235,10 @@ VectorXd SolidBody<G>::coordinates(const BodyState<G>& s) const {
 template <FrameGroup G>
 VectorXd SolidBody<G>::free_frequencies(int count, int kept) const {
   const Eigen::Index n = dim * ports_ + kept;
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(this->K_.dense.topLeftCorner(n, n),
-                                                                 this->M_.dense.topLeftCorner(n, n),
-                                                                 Eigen::EigenvaluesOnly);
-  const auto elastic = eigen.eigenvalues().segment(dim, std::min<Eigen::Index>(count, n - dim));
+  const auto all = linalg::generalized_eigenvalues(this->K_.dense.topLeftCorner(n, n),
+                                                   this->M_.dense.topLeftCorner(n, n));
+  if (!all) throw std::runtime_error("free frequencies of '" + this->name + "' not found");
+  const auto elastic = all->segment(dim, std::min<Eigen::Index>(count, n - dim));
   return elastic.cwiseMax(0).cwiseSqrt() / (2 * std::numbers::pi);
 }
 

@@ -1,9 +1,9 @@
 #include "mbs/linalg/constrained_modes.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <numeric>
 #include <vector>
 
+#include "mbs/linalg/dense.hpp"
 #include "mbs/linalg/inertia.hpp"
 #include "mbs/linalg/shift_invert_lanczos.hpp"
 #include "mbs/linalg/sparse_lu.hpp"
@@ -92,18 +92,18 @@ bool lanczos(const Pencil& p, int count, ConstrainedModes& out) {
 
 bool dense(const Pencil& p, int count, ConstrainedModes& out) {
   const Eigen::MatrixXd Z = null_space(p.B);
-  const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Z.transpose() * (p.K * Z),
-                                                                        Z.transpose() * (p.M * Z));
-  if (eigen.info() != Eigen::Success) return false;
-  out.lambda = eigen.eigenvalues().head(count);
-  out.phi = Z * eigen.eigenvectors().leftCols(count);
+  const auto eigen =
+      linalg::generalized_eigen(Z.transpose() * (p.K * Z), Z.transpose() * (p.M * Z));
+  if (!eigen) return false;
+  out.lambda = eigen->lambda.head(count);
+  out.phi = Z * eigen->phi.leftCols(count);
   return out.lambda.allFinite() && out.phi.allFinite();
 }
 
 /// Mass-normalises, sets free motions to zero, computes residuals with nu by least squares.
 void finish(const Pencil& p, ConstrainedModes& out) {
   const Eigen::MatrixXd BBt = p.B * Sparse(p.B.transpose());
-  const Eigen::LDLT<Eigen::MatrixXd> normal(BBt);
+  const linalg::LDLT normal(BBt);
   for (int j = 0; j < out.lambda.size(); ++j) {
     auto phi = out.phi.col(j);
     phi /= std::sqrt(phi.dot(p.M * phi));

@@ -1,8 +1,8 @@
 #include "mbs/linalg/inertia.hpp"
 
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 #include <Eigen/SparseCholesky>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -43,17 +43,13 @@ std::optional<int> count(const Scaled& s, double p) {
   const Eigen::MatrixXd X = ldlt.solve(Eigen::MatrixXd(s.B.transpose()));
   const Eigen::MatrixXd S = s.B * X;
   if (!S.allFinite()) return std::nullopt;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(0.5 * (S + S.transpose()),
-                                                             Eigen::EigenvaluesOnly);
-  return negative(d) - negative(eigen.eigenvalues());
+  return negative(d) - negative(linalg::symmetric_eigenvalues(0.5 * (S + S.transpose())));
 }
 
 int count_dense(const Scaled& s) {
   const Eigen::MatrixXd Z = null_space(s.B);
   if (Z.cols() == 0) return 0;
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(Z.transpose() * (s.K * Z),
-                                                             Eigen::EigenvaluesOnly);
-  return negative(eigen.eigenvalues());
+  return negative(linalg::symmetric_eigenvalues(Z.transpose() * (s.K * Z)));
 }
 
 }  // namespace
@@ -61,11 +57,9 @@ int count_dense(const Scaled& s) {
 Eigen::MatrixXd null_space(const Sparse& B) {
   const int n = static_cast<int>(B.cols()), m = static_cast<int>(B.rows());
   if (m == 0) return Eigen::MatrixXd::Identity(n, n);
-  const Eigen::HouseholderQR<Eigen::MatrixXd> qr(Eigen::MatrixXd(B.transpose()));
   Eigen::MatrixXd Z = Eigen::MatrixXd::Zero(n, n - m);
   Z.bottomRows(n - m).setIdentity();
-  Z.applyOnTheLeft(qr.householderQ());
-  return Z;
+  return linalg::times_q(B.transpose(), Z);
 }
 
 std::optional<int> negative_on_null_space(const Sparse& A, int n) {

@@ -2,11 +2,11 @@
 
 #include <Spectra/MatOp/SparseSymMatProd.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/linalg/dense.hpp"
 #include "mbs/linalg/shift_invert_lanczos.hpp"
 #include "mbs/linalg/sparse_cholesky.hpp"
 
@@ -23,9 +23,10 @@ struct Deflation {
   Eigen::MatrixXd Z, MZ;
   Deflation(const Sparse& M, const Eigen::MatrixXd& free) : Z(M.rows(), free.cols()) {
     MZ = M.selfadjointView<Eigen::Lower>() * free;
-    const Eigen::LLT<Eigen::MatrixXd> gram(free.transpose() * MZ);
-    Z = gram.matrixU().solve<Eigen::OnTheRight>(free);
-    MZ = gram.matrixU().solve<Eigen::OnTheRight>(MZ);
+    linalg::Cholesky gram;
+    gram.factor(free.transpose() * MZ);
+    Z = gram.times_inverse_factor(free);
+    MZ = gram.times_inverse_factor(MZ);
   }
 };
 

@@ -6,11 +6,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 
@@ -58,7 +59,7 @@ void CubicSpline::solve_curvatures() {
     A.block<1, 3>(0, 0) << h(1), -h(0) - h(1), h(0);
     A.block<1, 3>(n - 1, n - 3) << h(n - 2), -h(n - 3) - h(n - 2), h(n - 3);
   }
-  second_ = A.partialPivLu().solve(b);
+  second_ = linalg::solve(A, b);
 }
 
 void CubicSpline::tabulate_length() {

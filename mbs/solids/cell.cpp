@@ -1,9 +1,8 @@
 #include "mbs/solids/cell.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
 #include <cmath>
 
+#include "mbs/linalg/dense.hpp"
 #include "mbs/solids/mesh.hpp"
 
 namespace liesl {
@@ -56,8 +55,8 @@ CellMatrices cell_matrices(int dim, const Eigen::Matrix3Xd& corners, const Mater
   const auto n = corners.cols();
   const MatrixXd D = elasticity(dim, material);
   const MatrixXd dN0 = corner_functions(dim, Vector3d::Zero()).dN;
-  const MatrixXd J0 = jacobian(dim, corners, dN0), J0inverse = J0.inverse();
-  const double det0 = J0.determinant(), depth = dim == 2 ? thickness : 1;
+  const MatrixXd J0 = jacobian(dim, corners, dN0), J0inverse = linalg::inverse(J0);
+  const double det0 = linalg::determinant(J0), depth = dim == 2 ? thickness : 1;
   CellMatrices cell;
   cell.stress = D * strain_matrix(dim, J0inverse * dN0);
   cell.K = MatrixXd::Zero(dim * n, dim * n);
@@ -68,8 +67,8 @@ CellMatrices cell_matrices(int dim, const Eigen::Matrix3Xd& corners, const Mater
     const Vector3d xi(point & 1 ? g : -g, point & 2 ? g : -g, point & 4 ? g : -g);
     const CornerFunctions f = corner_functions(dim, xi);
     const MatrixXd J = jacobian(dim, corners, f.dN);
-    const double det = J.determinant(), w = det * depth;
-    const MatrixXd B = strain_matrix(dim, J.inverse() * f.dN);
+    const double det = linalg::determinant(J), w = det * depth;
+    const MatrixXd B = strain_matrix(dim, linalg::inverse(J) * f.dN);
     // d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian of the centre.
     const MatrixXd modes = (-2 * xi.head(dim)).asDiagonal();
     const MatrixXd G = strain_matrix(dim, det0 / det * J0inverse * modes);
@@ -79,7 +78,7 @@ CellMatrices cell_matrices(int dim, const Eigen::Matrix3Xd& corners, const Mater
     cell.M += w * material.rho * f.N * f.N.transpose();
     cell.volume += w;
   }
-  cell.K -= K_ua * K_aa.ldlt().solve(K_ua.transpose());
+  cell.K -= K_ua * linalg::LDLT(K_aa).solve(K_ua.transpose());
   cell.K = (0.5 * (cell.K + cell.K.transpose())).eval();
   return cell;
 }

@@ -1,9 +1,8 @@
 #include "mbs/solids/interface_map.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <stdexcept>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -28,7 +27,7 @@ MatrixXd rigid_at(const SolidMesh& mesh, const Interface& f) {
 /// Rows C of q_P = C u: least squares min |u - R q_P|.
 MatrixXd averaging_rows(const SolidMesh& mesh, const Interface& f) {
   const MatrixXd R = rigid_at(mesh, f);
-  return (R.transpose() * R).ldlt().solve(R.transpose());
+  return linalg::LDLT(R.transpose() * R).solve(R.transpose());
 }
 
 void check(const SolidMesh& mesh, const Interface& f, std::vector<int>& owner, int number) {
@@ -45,14 +44,13 @@ void check(const SolidMesh& mesh, const Interface& f, std::vector<int>& owner, i
                     : "node " + std::to_string(node) + " belongs to another interface, too");
     owner[node] = number;
   }
-  if (rigid_at(mesh, f).colPivHouseholderQr().rank() < (mesh.dim == 2 ? 3 : 6))
+  if (linalg::pivoted_columns(rigid_at(mesh, f)).rank < (mesh.dim == 2 ? 3 : 6))
     refuse(f, "its nodes coincide or lie in a line, so that they do not hold a rotation");
 }
 
 /// The freedoms of an interface that an averaged port takes the place of.
 Eigen::VectorXi eliminated(const MatrixXd& C) {
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(C);
-  return qr.colsPermutation().indices().head(C.rows());
+  return linalg::pivoted_columns(C).order.head(C.rows());
 }
 
 void tie_rigid(const SolidMesh& mesh, const Interface& f, int port, Triplets& T) {
@@ -119,7 +117,7 @@ InterfaceMap interface_map(const SolidMesh& mesh, const std::vector<Interface>& 
     a.dependent = eliminated(a.C);
     MatrixXd C_d(a.C.rows(), a.C.rows());
     for (Eigen::Index d = 0; d < a.dependent.size(); ++d) C_d.col(d) = a.C.col(a.dependent[d]);
-    a.inverse = C_d.inverse();
+    a.inverse = linalg::inverse(C_d);
     for (const int d : a.dependent) map.coordinate[dim * f.nodes[d / dim] + d % dim] = -1;
   }
   int size = 0;

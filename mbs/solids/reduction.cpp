@@ -1,10 +1,10 @@
 #include "mbs/solids/reduction.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
 
+#include "mbs/linalg/dense.hpp"
 #include "mbs/linalg/sparse_cholesky.hpp"
 #include "mbs/linalg/symmetric_modes.hpp"
 #include "mbs/solids/solid_statics.hpp"
@@ -145,11 +145,9 @@ VectorXd free_frequencies(SolidModel& model, const VectorXd& v, int count) {
 }
 
 VectorXd free_frequencies(const ReducedSolid& reduced, int rigid, int count) {
-  const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> eigen(reduced.K, reduced.M,
-                                                                 Eigen::EigenvaluesOnly);
-  if (eigen.info() != Eigen::Success) return {};
-  const auto all = eigen.eigenvalues();
-  return hertz(all.segment(rigid, std::min<Eigen::Index>(count, all.size() - rigid)));
+  const auto all = linalg::generalized_eigenvalues(reduced.K, reduced.M);
+  if (!all) return {};
+  return hertz(all->segment(rigid, std::min<Eigen::Index>(count, all->size() - rigid)));
 }
 
 FrequencyGradient free_frequency_gradient(SolidModel& model, const VectorXd& v,

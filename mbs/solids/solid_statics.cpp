@@ -2,11 +2,10 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-#include <Eigen/QR>
 #include <stdexcept>
 #include <utility>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -44,9 +43,8 @@ SolidStatics::SolidStatics(SolidModel& model, SolidSupport support, MatrixXd out
 /// conditioned ones where the mass is, so that ersatz material does not carry the round-off.
 void SolidStatics::hold_determinately(const SolidModel::Sparse& M) {
   const VectorXd weight = VectorXd(M.diagonal()).cwiseSqrt();
-  const Eigen::ColPivHouseholderQR<MatrixXd> qr(
-      (weight.asDiagonal() * model_.rigid_motions()).transpose());
-  const auto& order = qr.colsPermutation().indices();
+  const Eigen::VectorXi order =
+      linalg::pivoted_columns((weight.asDiagonal() * model_.rigid_motions()).transpose()).order;
   held_.assign(order.data(), order.data() + model_.rigid_count());
 }
 
@@ -58,7 +56,7 @@ SolidStatus SolidStatics::solve(const VectorXd& v) {
   if (support_.inertia_relief) {
     const SolidModel::Sparse& M = model_.mass(v);
     MR_ = M.selfadjointView<Eigen::Lower>() * model_.rigid_motions();
-    RMR_inverse_ = MatrixXd(model_.rigid_motions().transpose() * MR_).inverse();
+    RMR_inverse_ = linalg::inverse(model_.rigid_motions().transpose() * MR_);
     if (!RMR_inverse_.allFinite()) return SolidStatus::NotFinite;
     hold_determinately(M);
   }

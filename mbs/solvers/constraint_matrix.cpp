@@ -1,7 +1,6 @@
 #include "mbs/solvers/constraint_matrix.hpp"
 
-#include <Eigen/Cholesky>
-#include <Eigen/QR>
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -77,9 +76,7 @@ std::optional<State<G>> ConstraintMatrix<G>::beside(const State<G>& s, int direc
   for (long i = 0; i < motion.size(); ++i)
     motion[i] =
         std::sin(1.0 + 0.7 * static_cast<double>(i) + 1.3 * direction * static_cast<double>(i + 1));
-  Eigen::CompleteOrthogonalDecomposition<Eigen::MatrixXd> inverse;
-  inverse.setThreshold(kRepeated);
-  motion -= inverse.compute(J_).solve(J_ * motion);
+  motion -= linalg::shortest_least_squares(J_, J_ * motion, kRepeated);
   if (motion.norm() < 1e-6) return {};
   const double distance = kBeside * model_.length;
   move(at, distance * motion.normalized());
@@ -94,7 +91,7 @@ std::optional<State<G>> ConstraintMatrix<G>::beside(const State<G>& s, int direc
     const double damping = phi_.squaredNorm() / (model_.length * model_.length);
     Eigen::MatrixXd JJ = J_ * J_.transpose();
     JJ.diagonal().array() += std::max(damping, kDamping);
-    const Eigen::VectorXd step = -J_.transpose() * JJ.ldlt().solve(phi_);
+    const Eigen::VectorXd step = -J_.transpose() * linalg::LDLT(JJ).solve(phi_);
     move(at, step);
     moved += step;
   }

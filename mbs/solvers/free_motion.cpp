@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
-#include <Eigen/QR>
-#include <Eigen/SVD>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -62,14 +62,13 @@ NodeMotion node_motion(const Model<G>& model, const State<G>& s, const Eigen::Ma
 /// "can move along ..." if a combination of the motions does not turn the node, else "can rotate
 /// about ...".
 std::string describe(const NodeMotion& m, double length) {
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(length * m.w, Eigen::ComputeFullV);
-  const auto& sigma = svd.singularValues();
+  const auto [sigma, V] = linalg::right_singular(length * m.w);
   int rank = 0;
   while (rank < sigma.size() && sigma[rank] > 1e-6) ++rank;
   Eigen::VectorXd best;
   for (int j = rank; j < m.u.cols(); ++j) {
-    const Vec3 u = m.u * svd.matrixV().col(j);
-    if (best.size() == 0 || u.norm() > (m.u * best).norm()) best = svd.matrixV().col(j);
+    const Vec3 u = m.u * V.col(j);
+    if (best.size() == 0 || u.norm() > (m.u * best).norm()) best = V.col(j);
   }
   if (best.size() > 0 && (m.u * best).norm() > 1e-6) {
     Vec3 u = (m.u * best).normalized();
@@ -78,7 +77,7 @@ std::string describe(const NodeMotion& m, double length) {
     if (u[largest] < 0) u = -u;
     return "can move along " + text(u, 1);
   }
-  const Vec3 u = m.u * svd.matrixV().col(0), w = m.w * svd.matrixV().col(0);
+  const Vec3 u = m.u * V.col(0), w = m.w * V.col(0);
   Vec3 axis = w.normalized();
   int largest;
   axis.cwiseAbs().maxCoeff(&largest);
@@ -109,19 +108,18 @@ Eigen::MatrixXd free_motions(const Model<G>& model, const Eigen::SparseMatrix<do
     Y.topRows(n) = D.asDiagonal() * X;
     lu.solve(Y);
     if (!Y.allFinite()) return Eigen::MatrixXd(n, 0);
-    const Eigen::HouseholderQR<Eigen::MatrixXd> qr(root.asDiagonal() * Y.topRows(n));
-    Eigen::MatrixXd Q = Eigen::MatrixXd::Identity(n, most);
-    Q.applyOnTheLeft(qr.householderQ());
+    const Eigen::MatrixXd Q =
+        linalg::times_q(root.asDiagonal() * Y.topRows(n), Eigen::MatrixXd::Identity(n, most));
     X = root.cwiseInverse().asDiagonal() * Q;
   }
   const Eigen::SparseMatrix<double> K = A.topLeftCorner(n, n), B = A.bottomLeftCorner(m, n);
   // Columns beyond the null space of B (fewer than `most` motions exist) count as stiff.
   Eigen::MatrixXd T(most + m, most);
   T << X.transpose() * (K * X), Eigen::MatrixXd(B * X) * std::sqrt(D[0]);
-  const Eigen::JacobiSVD<Eigen::MatrixXd> svd(T, Eigen::ComputeThinV);
+  const auto [sigma, V] = linalg::right_singular(T);  // T is not wide
   int found = 0;
-  while (found < most && svd.singularValues()[most - 1 - found] < kFree) ++found;
-  return std::sqrt(D[0]) * X * svd.matrixV().rightCols(found);
+  while (found < most && sigma[most - 1 - found] < kFree) ++found;
+  return std::sqrt(D[0]) * X * V.rightCols(found);
 }
 
 template <FrameGroup G>

@@ -1,7 +1,5 @@
 #include "mbs/solvers/joint_system.hpp"
 
-#include <Eigen/Eigenvalues>
-
 namespace liesl {
 namespace {
 
@@ -17,7 +15,7 @@ double point_inertia(const Body<G>& body, double length) {
   typename G::Matrix M = body.mass().D[0];
   M.template topRightCorner<G::dim, G::rotation_dim>() /= length;
   M.template bottomLeftCorner<G::rotation_dim, G::dim>() /= length;
-  const auto values = Eigen::SelfAdjointEigenSolver<typename G::Matrix>(M).eigenvalues().eval();
+  const Eigen::VectorXd values = linalg::symmetric_eigenvalues(M);
   const double mass = body.total_mass();
   return values[0] > kPoint * mass ? 0 : kPointInertia * mass * length * length;
 }
@@ -50,8 +48,8 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
   solution_.setZero(rows);
-  llt_.compute(Eigen::MatrixXd::Identity(rows, rows));
-  lu_.compute(Eigen::MatrixXd::Identity(rows, rows));
+  cholesky_.factor(Eigen::MatrixXd::Identity(rows, rows));  // takes the memory
+  lu_.factor(Eigen::MatrixXd::Identity(rows, rows));
 }
 
 template <FrameGroup G>
@@ -166,14 +164,13 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
     }
     bool solved = false;
     if (symmetric_) {
-      llt_.compute(S_);
-      solved = llt_.info() == Eigen::Success;
-      if (solved) llt_.solveInPlace(rhs_);
+      solved = cholesky_.factor(S_);
+      if (solved) cholesky_.solve_in_place(rhs_);
     }
     if (!solved) {
       if (symmetric_) S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
-      lu_.compute(S_);
-      solution_.noalias() = lu_.solve(rhs_);
+      lu_.factor(S_);
+      lu_.solve(rhs_, solution_);
       rhs_.swap(solution_);
     }
     if (!rhs_.allFinite()) return false;

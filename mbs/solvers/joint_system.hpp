@@ -6,10 +6,8 @@
 /// solved body by body: A is factored once, the joints come in by a small dense Schur complement
 /// whose gradients B change with the motion. C: compliance 1/k of springs and dampers.
 
-#include <Eigen/Cholesky>
-#include <Eigen/LU>
-
 #include "mbs/bodies/body.hpp"
+#include "mbs/linalg/dense.hpp"
 #include "mbs/system/equations.hpp"
 
 namespace liesl {
@@ -60,8 +58,8 @@ class JointSystem {
   bool symmetric_ = true;
   Eigen::MatrixXd S_;
   Eigen::VectorXd rhs_, solution_;
-  Eigen::LLT<Eigen::MatrixXd> llt_;
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  linalg::Cholesky cholesky_;
+  linalg::LU lu_;
 };
 
 extern template class JointSystem<SE2>;

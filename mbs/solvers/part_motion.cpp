@@ -2,11 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <bit>
 #include <numbers>
 #include <stdexcept>
 #include <unsupported/Eigen/FFT>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
@@ -50,9 +51,8 @@ MatrixXd part_coordinates(const Model<G>& model, const Trajectory<G>& trajectory
 template <FrameGroup G>
 MatrixXd energy_signals(const SolidBody<G>& body, const MatrixXd& e) {
   const auto n = e.rows();  // without padding
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(body.reduced_stiffness().topLeftCorner(n, n));
-  return eigen.eigenvalues().cwiseMax(0).cwiseSqrt().asDiagonal() *
-         (eigen.eigenvectors().transpose() * e);
+  const auto [lambda, phi] = linalg::symmetric_eigen(body.reduced_stiffness().topLeftCorner(n, n));
+  return lambda.cwiseMax(0).cwiseSqrt().asDiagonal() * (phi.transpose() * e);
 }
 
 double bandwidth(const std::vector<double>& t, const MatrixXd& signals, double share) {

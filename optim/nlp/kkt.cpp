@@ -2,12 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
 #include <vector>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 
@@ -138,7 +139,7 @@ VectorXd restricted_solution(const MatrixXd& a, const VectorXd& b,
   MatrixXd part(a.rows(), static_cast<int>(passive.size()));
   for (std::size_t k = 0; k < passive.size(); ++k)
     part.col(static_cast<int>(k)) = a.col(passive[k]);
-  const VectorXd s = part.colPivHouseholderQr().solve(b);
+  const VectorXd s = linalg::least_squares(part, b);
   VectorXd z = VectorXd::Zero(a.cols());
   for (std::size_t k = 0; k < passive.size(); ++k) z[passive[k]] = s[static_cast<int>(k)];
   return z;

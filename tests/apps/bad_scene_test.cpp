@@ -8,6 +8,7 @@
 
 #include "apps/good_scene.hpp"
 #include "apps/scene/scene.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -184,7 +185,7 @@ TEST(Units, ShippedScenesLookRight) {
   EXPECT_TRUE(read_scene(kGoodScene, "scene.toml").warnings.empty());
   for (const char* folder : {"scenes", "stability"})
     for (const auto& entry :
-         std::filesystem::directory_iterator(std::filesystem::path(LIESL_DATA_DIR) / folder))
+         std::filesystem::directory_iterator(std::filesystem::path(test::kDataDir) / folder))
       if (entry.path().extension() == ".toml") {
         EXPECT_TRUE(load_scene(entry.path()).warnings.empty()) << entry.path();
       }

@@ -6,6 +6,7 @@
 
 #include "apps/good_scene.hpp"
 #include "apps/scene/study.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -76,7 +77,7 @@ TEST(Overrides, AreSplitBetweenStudyAndScene) {
 }
 
 TEST(Overrides, OfAStudyReachItsScene) {
-  const auto path = std::filesystem::path(LIESL_DATA_DIR) / "studies/slider_crank_rod.toml";
+  const auto path = std::filesystem::path(test::kDataDir) / "studies/slider_crank_rod.toml";
   const Study study = load_study(path, {"simulation.step=5e-5", "cycle.max=7", "scene.name=mine",
                                         "design.rod_diameters.bounds.1=0.03"});
   EXPECT_EQ(study.scene.simulation.step, 5e-5);

@@ -17,13 +17,15 @@
 #include <thread>
 #include <vector>
 
+#include "reference/places.hpp"
+
 namespace liesl::test {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 using Words = std::vector<std::string>;
 
-inline const fs::path kData = LIESL_DATA_DIR;
+inline const fs::path kData = kDataDir;
 
 inline std::string text_of(const fs::path& path) {
   std::ifstream in(path);
@@ -47,7 +49,7 @@ class Program : public testing::Test {
 
   /// Starts it; what it prints goes to files whose names end with `tag`.
   pid_t start(Words words, const std::string& tag = "") const {
-    words.insert(words.begin(), LIESL_PROGRAM);
+    words.insert(words.begin(), kProgram);
     const pid_t child = fork();
     if (child != 0) return child;
     for (const auto& [name, number] : {std::pair{"out", 1}, std::pair{"err", 2}})

@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "apps/scene/problem.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -24,7 +25,7 @@ std::vector<Key> all_keys() {
 
 /// With LIESL_WRITE_REFERENCE set, the page is written first.
 TEST(Schema, PageIsCurrent) {
-  const std::string path = std::string(LIESL_DATA_DIR) + "/../docs/scene_reference.md";
+  const std::string path = std::string(test::kDataDir) + "/../docs/scene_reference.md";
   if (std::getenv("LIESL_WRITE_REFERENCE")) std::ofstream(path) << schema_markdown();
   std::ifstream file(path);
   std::ostringstream page;

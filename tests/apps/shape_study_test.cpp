@@ -7,6 +7,7 @@
 
 #include "apps/good_scene.hpp"
 #include "apps/scene/study.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -38,7 +39,7 @@ plate = ["x_min:x", "y_min:y"]
 )";
 
 Study read(const std::string& text) {
-  return read_study(text, "study.toml", std::filesystem::path(LIESL_DATA_DIR) / "studies");
+  return read_study(text, "study.toml", std::filesystem::path(test::kDataDir) / "studies");
 }
 
 /// What is said; empty if nothing.

@@ -8,6 +8,7 @@
 
 #include "apps/batch/batch.hpp"
 #include "apps/scene/study.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -16,14 +17,14 @@ namespace fs = std::filesystem;
 
 std::vector<fs::path> files(const char* folder) {
   std::vector<fs::path> list;
-  for (const auto& entry : fs::directory_iterator(fs::path(LIESL_DATA_DIR) / folder))
+  for (const auto& entry : fs::directory_iterator(fs::path(test::kDataDir) / folder))
     if (entry.path().extension() == ".toml") list.push_back(entry.path());
   std::sort(list.begin(), list.end());
   return list;
 }
 
 Scene scene(const char* name) {
-  return load_scene(fs::path(LIESL_DATA_DIR) / "scenes" / (std::string(name) + ".toml"));
+  return load_scene(fs::path(test::kDataDir) / "scenes" / (std::string(name) + ".toml"));
 }
 
 TEST(Shipped, ScenesAreRead) {
@@ -57,7 +58,7 @@ TEST(Shipped, StudiesAreRead) {
 }
 
 TEST(Shipped, BatchesAreRead) {
-  const fs::path path = fs::path(LIESL_DATA_DIR) / "studies/batch_rod.toml";
+  const fs::path path = fs::path(test::kDataDir) / "studies/batch_rod.toml";
   const Batch rods = load_batch(path);
   EXPECT_EQ(rods.cases.rows.size(), 200u);
   EXPECT_TRUE(rods.optimize);
@@ -88,7 +89,7 @@ TEST(Shipped, FourBarCloses) {
 
 /// Mass and tip deflection by beam theory at Svanberg's optimum are his f and the limit.
 TEST(Shipped, SvanbergsCantileverIsScaledToHisNumbers) {
-  const Study study = load_study(fs::path(LIESL_DATA_DIR) / "studies/svanberg_cantilever.toml");
+  const Study study = load_study(fs::path(test::kDataDir) / "studies/svanberg_cantilever.toml");
   const double x[] = {6.016015894, 5.309173857, 4.494329573, 3.501474970, 2.152665330};
   const auto& beam = std::get<BeamSpec>(study.scene.mechanism.bodies[0].kind);
   const DesignSpec& design = study.spec.design[0];

@@ -8,6 +8,7 @@
 #include <filesystem>
 
 #include "apps/good_scene.hpp"
+#include "reference/places.hpp"
 
 namespace liesl {
 namespace {
@@ -37,7 +38,7 @@ max = 12
 optimizer = "mma"
 )";
 
-const std::filesystem::path kScenes = std::filesystem::path(LIESL_DATA_DIR) / "scenes";
+const std::filesystem::path kScenes = std::filesystem::path(test::kDataDir) / "scenes";
 
 Study read(const std::string& text) { return read_study(text, "study.toml", kScenes); }
 
@@ -182,7 +183,7 @@ INSTANTIATE_TEST_SUITE_P(Study, Refused, testing::ValuesIn(kStudies),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 TEST(Study, WallsMayNotMeetWithinTheBounds) {
-  const auto path = std::filesystem::path(LIESL_DATA_DIR) / "studies/robot_arms.toml";
+  const auto path = std::filesystem::path(test::kDataDir) / "studies/robot_arms.toml";
   try {
     load_study(path, {"design.arm1_walls.bounds=[0.0005, 0.03]"});
     FAIL();

@@ -11,6 +11,7 @@
 #include "optim/cycle/derivative_check.hpp"
 #include "optim/cycle/esl_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
+#include "reference/places.hpp"
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
 
@@ -174,7 +175,7 @@ Study compliance_study(const std::string& scene, const std::string& design, cons
                         design + " }\n[objective]\nof = [\"" + beam +
                         "\"]\n[constraints]\nenergy = { response = \"compliance\", of = \"" + beam +
                         "\", limit = " + limit + " }\n",
-                    "compliance.toml", std::filesystem::path(LIESL_DATA_DIR) / "scenes");
+                    "compliance.toml", std::filesystem::path(test::kDataDir) / "scenes");
 }
 
 const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.004, 0.020]";

@@ -13,6 +13,7 @@
 #include "mbs/levelset/shape_spec.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "optim/nlp/check_derivatives.hpp"
+#include "reference/places.hpp"
 
 namespace liesl::testing {
 namespace {
@@ -25,7 +26,7 @@ using levelset::ShapeSpec;
 Study cantilever(const std::vector<std::string>& more = {}) {
   std::vector<std::string> set = {"bodies.plate.solid.mesh.cells=[60, 30]"};
   set.insert(set.end(), more.begin(), more.end());
-  return load_study(std::filesystem::path(LIESL_DATA_DIR) / "studies/cantilever.toml", set);
+  return load_study(std::filesystem::path(test::kDataDir) / "studies/cantilever.toml", set);
 }
 
 SolidSpec& solid_of(Study& study) {

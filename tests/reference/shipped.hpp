@@ -8,22 +8,23 @@
 
 #include "apps/scene/study.hpp"
 #include "mbs/solvers/simulation.hpp"
+#include "reference/places.hpp"
 
 namespace liesl::test {
 
 using Changes = std::vector<std::string>;  ///< key.path=value
 
 inline Scene shipped_scene(const std::string& name, const Changes& changes = {}) {
-  return load_scene(std::filesystem::path(LIESL_DATA_DIR) / "scenes" / (name + ".toml"), changes);
+  return load_scene(std::filesystem::path(kDataDir) / "scenes" / (name + ".toml"), changes);
 }
 
 inline Study shipped_study(const std::string& name, const Changes& changes = {}) {
-  return load_study(std::filesystem::path(LIESL_DATA_DIR) / "studies" / (name + ".toml"), changes);
+  return load_study(std::filesystem::path(kDataDir) / "studies" / (name + ".toml"), changes);
 }
 
 /// Of data/stability, where methods fail.
 inline Study stability_study(const std::string& name, const Changes& changes = {}) {
-  const auto folder = std::filesystem::path(LIESL_DATA_DIR) / "stability" / "studies";
+  const auto folder = std::filesystem::path(kDataDir) / "stability" / "studies";
   return load_study(folder / (name + ".toml"), changes);
 }
 
