@@ -1,0 +1,65 @@
+# What .ci/run and .ci/full have in common: stages that are timed, and the verdict at the end.
+failed=()
+verdicts=()
+logs=$(mktemp -d)
+trap 'rm -rf "$logs"' EXIT
+
+# stage <name> <command...>: run, time, remember; the next one runs even if this one fails.
+stage() {
+  local name=$1 start=$SECONDS verdict=passed log
+  log=$logs/${#verdicts[@]}
+  shift
+  printf '\n######## %s\n' "$name"
+  "$@" 2>&1 | tee "$log"
+  if [[ ${PIPESTATUS[0]} -ne 0 ]]; then
+    verdict=FAILED
+    failed+=("$name")
+  fi
+  verdicts+=("$(printf '%-7s %5d s  %s' "$verdict" $((SECONDS - start)) "$name")")
+  # The closing lines of ctest, to be repeated.
+  verdicts+=("$(grep -E '^[0-9]+% tests passed|^Total Test time|\((Failed|Timeout|SEGFAULT|Not Run)\)' \
+    "$log" | sed 's/^/                 /')")
+}
+
+# Ends the script: the verdicts of all stages.
+verdict() {
+  printf '\n######## verdict after %d s\n' "$SECONDS"
+  printf '%s\n' "${verdicts[@]}" | sed '/^ *$/d'
+  [[ ${#failed[@]} -eq 0 ]] || { printf 'failed: %s\n' "${failed[@]}"; exit 1; }
+}
+
+jobs=${LIESL_JOBS:-$(nproc)}
+
+cpp_files() {
+  find liegroup mbs esl optim apps tests -name '*.cpp' -o -name '*.hpp' | sort
+}
+
+check_format() {
+  if ! cpp_files | xargs clang-format --dry-run --Werror; then
+    echo "fix with: clang-format -i FILES"
+    return 1
+  fi
+  echo "every source is formatted"
+}
+
+check_layers() { /usr/bin/python3 tests/architecture/check_layers.py .; }
+
+# Builds and installs without Ipopt and NLopt. engine_alone [arguments of the configuration]
+engine_alone() {
+  cmake --preset engine "$@" >/dev/null && cmake --build --preset engine -j "$jobs" &&
+    tests/install/run.sh "$PWD/build/engine" "$PWD"
+}
+
+# OpenBLAS takes its kernel by the processor; what it computes differs in the last bits, and what must
+# hold at an optimum holds with each. another_kernel <kernel> [arguments of ctest]
+another_kernel() {
+  local kernel=$1
+  shift
+  OPENBLAS_CORETYPE=$kernel ctest --test-dir build/release --output-on-failure --no-tests=error -j2 \
+    -L shape "$@"
+}
+
+# The kernel beside Haswell that this processor can run.
+wide_kernel() {
+  if grep -qw avx512f /proc/cpuinfo; then echo SkylakeX; else echo Zen; fi
+}

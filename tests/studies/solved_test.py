@@ -1,0 +1,53 @@
+#!/usr/bin/env python3
+"""What `liesl optimize` wrote about a shipped study: solved_test.py SUMMARY README
+
+SUMMARY is summary.json of the study, README data/studies/README.md, whose table of ends it must agree
+with: status, initial mass to 1e-4, final mass to 2e-3 (what the kernels of OpenBLAS leave open).
+"""
+
+import json
+import math
+import sys
+from pathlib import Path
+
+
+def numbers(cell):
+    """The masses of a cell "0.184961 → 0.212463"."""
+    return [float(part) for part in cell.split("→")]
+
+
+def row_of(readme, study):
+    """Cells of the study's row in the table of ends (status, cycles, mass, ...), None without one."""
+    for line in readme.splitlines():
+        cells = [cell.strip() for cell in line.strip().strip("|").split("|")]
+        if len(cells) == 7 and cells[0] == study and "→" in cells[3]:
+            return cells[1:]
+    return None
+
+
+def problems(summary, row):
+    """Yields what is wrong with a study's end."""
+    if summary["status"] != "converged":
+        yield f"status {summary['status']}: {summary['reason']}"
+    worst = summary["worst_constraint"]
+    if not (worst is not None and worst <= 1e-3):
+        yield f"a limit is violated by {worst} of itself"
+    if not row:
+        return
+    if row[0] != summary["status"]:
+        yield f"status {summary['status']}, the README says {row[0]}"
+    for key, value, tolerance in zip(("mass_initial", "mass_final"), numbers(row[2]), (1e-4, 2e-3)):
+        if not math.isclose(summary[key], value, rel_tol=tolerance):
+            yield f"{key} {summary[key]:.6g} kg, the README says {value:.6g}"
+
+
+def main():
+    path, readme = Path(sys.argv[1]), Path(sys.argv[2])
+    summary = json.loads(path.read_text())
+    found = list(problems(summary, row_of(readme.read_text(), path.parent.name)))
+    print(f"{path.parent.name}: {summary['mass_final']:.6g} kg; {'; '.join(found) or 'as expected'}")
+    return 1 if found else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
