@@ -40,7 +40,8 @@ TEST(Kkt, FixedPointOfTheCycleIsNotOptimalForTheDynamicProblem) {
 TEST(Kkt, FeasibilityAndInactiveConstraints) {
   TwoSprings dynamic = TwoSprings::dynamic();
   const KktResidual soft = kkt_residual(dynamic, Eigen::Vector2d(1, 0.5));
-  EXPECT_NEAR(soft.feasibility, 1 / 0.6 - 1, 0.7);
+  // k - m = 0.6; the violation over the largest change of g with a variable over its range of 10.
+  EXPECT_NEAR(soft.feasibility, (1 / 0.6 - 1) / (10 * 0.8 / (0.6 * 0.6)), 1e-12);
   EXPECT_EQ(soft.worst_constraint, "displacement");
   const KktResidual stiff = kkt_residual(dynamic, Eigen::Vector2d(5, 5));
   EXPECT_EQ(stiff.active, 0);
@@ -54,7 +55,17 @@ TEST(Kkt, AgreesWithTheMultipliersOfTheOptimiser) {
   const NlpResult r = solve_ipopt(truss, o);
   const KktResidual k = kkt_residual(truss, r.x);
   EXPECT_TRUE(k.holds(1e-6)) << k.brief();
-  for (const auto& [id, value] : k.multipliers) EXPECT_NEAR(value, r.multipliers.at(id), 1);
+  double largest = 0;
+  for (const auto& [id, value] : r.multipliers) largest = std::max(largest, value);
+  ASSERT_GT(largest, 100) << "lb per unit of a limit: no limit holds the truss up";
+  int compared = 0;
+  for (const auto& [id, value] : r.multipliers) {
+    if (value < 1e-4 * largest) continue;
+    ASSERT_TRUE(k.multipliers.count(id)) << id;
+    EXPECT_NEAR(k.multipliers.at(id), value, 1e-4 * largest);
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
 }
 
 TEST(Kkt, ResidualDoesNotDependOnUnits) {
