@@ -20,6 +20,13 @@ struct RotationOf<SE3> {
   static Matrix T(const Vector& w) { return SO3::T(w); }
   static Matrix Tinv(const Vector& w) { return SO3::Tinv(w); }
   static Matrix dT(const Vector& w, const Vector& a) { return SO3::dT(w, a); }
+  /// The derivative of T in the direction u, and D_w of that times a.
+  static Matrix DT(const Vector& w, const Vector& u) {
+    return so3_tangent(w.squaredNorm()).directional(w, u);
+  }
+  static Matrix d2T(const Vector& w, const Vector& u, const Vector& a) {
+    return so3_tangent(w.squaredNorm()).d2F(w, u, a);
+  }
   static Matrix dTinvT(const Vector& w, const Vector& n) { return SO3::dTinvT(w, n); }
   /// a x w = cross(a) w  [space_dim x rotation_dim]; a . (b x w) = (cross(b)^T a) . w
   static Matrix cross(const Vector& a) { return hat(a); }
@@ -36,6 +43,8 @@ struct RotationOf<SE2> {
   static Matrix T(const Vector&) { return Matrix::Identity(); }
   static Matrix Tinv(const Vector&) { return Matrix::Identity(); }
   static Matrix dT(const Vector&, const Vector&) { return Matrix::Zero(); }
+  static Matrix DT(const Vector&, const Vector&) { return Matrix::Zero(); }
+  static Matrix d2T(const Vector&, const Vector&, const Vector&) { return Matrix::Zero(); }
   static Matrix dTinvT(const Vector&, const Vector&) { return Matrix::Zero(); }
   static Eigen::Vector2d cross(const Eigen::Vector2d& a) { return {a.y(), -a.x()}; }
 };

@@ -5,8 +5,8 @@
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/write_results.hpp"
 #include "mbs/bodies/solid_body.hpp"
-#include "mbs/solvers/constraint_rank.hpp"
 #include "mbs/solvers/modes.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {
@@ -18,15 +18,7 @@ double end_of(const SimulationOptions& o) {
 /// The state moved by so much of a shape: frames in their axes, amplitudes.
 template <FrameGroup G>
 void move(const Model<G>& model, const Eigen::VectorXd& shape, double size, State<G>& s) {
-  for (size_t b = 0; b < model.bodies.size(); ++b)
-    for (int i = 0; i < model.bodies[b]->nodes(); ++i) {
-      const int k = model.first_node(static_cast<int>(b)) + i;
-      const typename G::Tangent d = size * shape.segment<G::dim>(G::dim * k);
-      if (model.bodies[b]->kind(i) == NodeKind::Frame)
-        s.H[k] = s.H[k] * G::exp(d);
-      else
-        s.w.template segment<G::dim>(G::dim * k) += d;
-    }
+  model.retract(s, size * shape);
   model.complete(s);
 }
 

@@ -47,20 +47,62 @@ void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale&
   }
 }
 
+/// With damping c the stress is n + c K P v/L, whose strain rate P(d) v changes with d, too.
+template <FrameGroup G, class E>
+auto ChainBeam<G, E>::element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
+                                        const Vector& gravity) const -> PairMatrix {
+  const Element& element = elements_[e];
+  const G &A = s.H[e], &B = s.H[e + 1];
+  const double* v = s.v + dim * e;
+  PairMatrix k = element.inertia_stiffness(A, B, v, a, gravity);
+  if (damping_ > 0) {
+    const Tangent d = Element::relative(A, B);
+    const typename Element::Gradient P = Element::P(d);
+    const typename G::Matrix K = element.section_stiffness() * (damping_ / element.length());
+    n += K * (P * Eigen::Map<const Pair>(v));
+    k += P.transpose() * K * Element::dP(d, v) * P;
+  }
+  return k + element.tangent(A, B, n);
+}
+
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                                     const Tangent* stress, Matrices& A) const {
-  A.set_sum(0, this->M_, damping_ * w.damping, this->K_);
-  const bool heavy = gravity.squaredNorm() > 0;
+  A.set_zero();
   for (int e = 0; e < elements(); ++e) {
-    const Tangent n = stress ? stress[e] : section_force(s, e);
+    const Element& element = elements_[e];
     const G &a = s.H[e], &b = s.H[e + 1];
-    PairMatrix k = elements_[e].tangent(a, b, n);
-    if (w.mass > 0) k += w.mass * elements_[e].mass(a, b);
-    if (w.damping > 0) k += w.damping * elements_[e].gyroscopic_tangent(a, b, s.v + dim * e);
-    if (heavy) k += elements_[e].weight_tangent(a, b, gravity);
+    PairMatrix k = PairMatrix::Zero();
+    if (w.stiffness != 0) {
+      Pair acceleration;
+      acceleration << apparent_acceleration<G>(s, e, gravity),
+          apparent_acceleration<G>(s, e + 1, gravity);
+      k = w.stiffness *
+          element_stiffness(s, e, stress ? stress[e] : section_force(s, e), acceleration, gravity);
+    }
+    if (w.damping != 0) {
+      k += w.damping * element.gyroscopic_tangent(a, b, s.v + dim * e);
+      if (damping_ > 0) k += w.damping * damping_ * element.material_tangent(a, b);
+    }
+    if (w.mass != 0) k += w.mass * element.mass(a, b);
     A.add_element(e, k);
   }
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_spread_curvature(const BodyState<G>& s, const Vector& q,
+                                           double* r) const {
+  if constexpr (Element::kTurnsSpreadLoads)
+    for (int e = 0; e < elements(); ++e)
+      Eigen::Map<Pair>(r + dim * e) += elements_[e].spread_curvature(s.H[e], s.H[e + 1], q);
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
+                                                   Matrices& A) const {
+  if constexpr (Element::kTurnsSpreadLoads)
+    for (int e = 0; e < elements(); ++e)
+      A.add_element(e, elements_[e].spread_curvature_tangent(s.H[e], s.H[e + 1], q));
 }
 
 template <FrameGroup G, class E>

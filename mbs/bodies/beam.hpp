@@ -35,6 +35,9 @@ class ChainBeam final : public Body<G> {
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
   Matrices load_distribution() const override;
+  void add_spread_curvature(const BodyState<G>& s, const Vector& q, double* r) const override;
+  void add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
+                                    Matrices& A) const override;
   Tangent strain(const BodyState<G>& s, int e) const override;
   Tangent section_force(const BodyState<G>& s, int e) const override;
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
@@ -49,6 +52,10 @@ class ChainBeam final : public Body<G> {
                            double* h, double* v) const override;
 
  private:
+  /// D_[h_A; h_B] of the residual of element e under the elastic stress n; `a`: vdot - R^T gravity.
+  PairMatrix element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
+                               const Vector& gravity) const;
+
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;
   double damping_;
 };

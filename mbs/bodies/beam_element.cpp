@@ -55,6 +55,18 @@ auto BeamElement<G>::internal_force(const G& A, const G& B, const double* v, dou
 }
 
 template <FrameGroup G>
+auto BeamElement<G>::dP(const Tangent& d, const double* v) -> Matrix {
+  using Map = Eigen::Map<const Tangent>;
+  return G::dTinv(-d, Map(v)) + G::dTinv(d, Map(v + dim));
+}
+
+template <FrameGroup G>
+auto BeamElement<G>::material_tangent(const G& A, const G& B) const -> PairMatrix {
+  const Gradient p = P(G::log(A.inverse() * B));
+  return p.transpose() * K_ * p / L_;
+}
+
+template <FrameGroup G>
 auto BeamElement<G>::constant_tangent() const -> PairMatrix {
   const Gradient p = P(d0_);
   return p.transpose() * K_ * p / L_;

@@ -43,6 +43,8 @@ class BeamElement {
 
   /// P(d) = [-T^-1(-d), T^-1(d)]: dd = P(d) [dh_A; dh_B].
   static Gradient P(const Tangent& d);
+  /// D_d [P(d) v] for velocities v = [v_A; v_B].
+  static Matrix dP(const Tangent& d, const double* v);
 
   /// g = P(d)^T n with n = K eps + damping K d(eps)/dt; returns n.
   /// @param v velocities [v_A; v_B]; used only if damping > 0 (stiffness-proportional, s)
@@ -51,6 +53,8 @@ class BeamElement {
   /// K_t = P(d0)^T K P(d0) / L, constant in the local frames.
   PairMatrix constant_tangent() const;
 
+  /// P(d)^T K P(d) / L
+  PairMatrix material_tangent(const G& A, const G& B) const;
   /// D_[h_A; h_B] (P(d)^T n(d)) with the stress n of the stiffness term exact and that of the
   /// geometric term given (DESIGN section 6: extrapolated stress). Not symmetric off equilibrium.
   PairMatrix tangent(const G& A, const G& B, const Tangent& n) const;
@@ -79,9 +83,18 @@ class BeamElement {
   Pair spread_curvature(const G& A, const G& B, const Vector& q) const;
   PairMatrix spread_curvature_tangent(const G& A, const G& B, const Vector& q) const;
 
+  /// The shares of a dead load per length need a correction, see spread_curvature.
+  static constexpr bool kTurnsSpreadLoads = true;
+
   /// d (inertia force without M vdot) / dv, and d (weight) / d[h_A; h_B].
   PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
   PairMatrix weight_tangent(const G& A, const G& B, const Vector& a) const;
+  /// d (inertia force and weight) / d[h_A; h_B]: the mass matrix is constant, the weight turns.
+  PairMatrix inertia_stiffness(const G& A, const G& B, const double*, const Pair&,
+                               const Vector& gravity) const {
+    if (gravity.squaredNorm() == 0) return PairMatrix::Zero();
+    return weight_tangent(A, B, gravity);
+  }
   /// Potential of gravity, J: two-point Gauss along the element.
   double weight_potential(const G& A, const G& B, const Vector& a) const;
   /// Its gradient by [h_A; h_B]; and that of the kinetic energy at given velocities: none, the mass

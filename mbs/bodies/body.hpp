@@ -14,13 +14,20 @@
 
 namespace liesl {
 
+/// What a body computes in, so that an evaluation allocates nothing and a body can be const: one of
+/// each body for each thread, from `Body::make_workspace`.
+struct BodyWorkspace {
+  virtual ~BodyWorkspace() = default;
+};
+
 /// The part of a state that belongs to one body: pointers to its first node.
 template <FrameGroup G>
 struct BodyState {
-  const G* H = nullptr;          ///< frames, one a node
-  const double* v = nullptr;     ///< left-invariant velocities, dim a node
-  const double* vdot = nullptr;  ///< their rates, dim a node
-  const double* w = nullptr;     ///< amplitudes of modes, dim a node
+  const G* H = nullptr;           ///< frames, one a node
+  const double* v = nullptr;      ///< left-invariant velocities, dim a node
+  const double* vdot = nullptr;   ///< their rates, dim a node
+  const double* w = nullptr;      ///< amplitudes of modes, dim a node
+  BodyWorkspace* work = nullptr;  ///< null: a function that needs one makes its own
 };
 
 /// What a node of a body is to the solvers.
@@ -30,11 +37,12 @@ enum class NodeKind {
   Follower     ///< no unknowns: its frame follows from those of the body's other nodes
 };
 
-/// Weights of the time integrator in the iteration matrix beta' M + gamma' C + K; with
-/// mass = damping = 0 it is the static tangent.
+/// Weights of the three parts of a tangent, mass M + damping C + stiffness K. Those of the time
+/// integrator are beta' and gamma'; with mass = damping = 0 it is the static tangent.
 struct TangentWeights {
-  double mass = 0;     ///< beta'  [1/s^2]
-  double damping = 0;  ///< gamma' [1/s]
+  double mass = 0;       ///< beta'  [1/s^2]
+  double damping = 0;    ///< gamma' [1/s]
+  double stiffness = 1;  ///< [-]
 };
 
 /// Sums of squares of the forces and moments that make up a residual: the measure of what
@@ -81,6 +89,9 @@ class Body {
   /// nodes are frames.
   virtual void complete(G* /*H*/, double* /*v*/, double* /*vdot*/, const double* /*w*/) const {}
 
+  /// A workspace for this body, null if it needs none.
+  virtual std::unique_ptr<BodyWorkspace> make_workspace() const { return nullptr; }
+
   /// r += M (vdot - [R^T gravity; 0]) + gyroscopic force. Gravity enters as an acceleration.
   virtual void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                            ForceScale& scale) const = 0;
@@ -93,8 +104,10 @@ class Body {
   /// Stiffness-proportional damping in s: C = damping * K.
   virtual double damping() const { return 0; }
 
-  /// A = w.mass M + w.damping C + K at this state, exact: K with the stress `stress` (elements x
-  /// dim, null = the state's own) in its geometric term, C with the gyroscopic tangent.
+  /// A = w.mass M + w.damping C + w.stiffness K, the exact derivatives of the residual at this
+  /// state by vdot, by v and by left-invariant increments of the frames (amplitudes), v and vdot
+  /// held. K has the elastic stress `stress` (elements x dim, null = the state's own) in its
+  /// geometric term.
   virtual void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                              const Tangent* stress, Matrices& A) const = 0;
 
@@ -103,6 +116,16 @@ class Body {
   /// For bodies with followers instead: f = S l_0, all of the load from its components in the axes
   /// of node 0 [size x dim]; `follower` loads keep their components in the axes of every node.
   virtual Eigen::MatrixXd load_share(bool /*follower*/) const { return {}; }
+
+  /// r -= what `load_distribution` misses of a dead force per length q [N/m, inertial axes] where
+  /// elements turn, and A += its derivative; nothing where the shares are exact.
+  virtual void add_spread_curvature(const BodyState<G>&, const Vector& /*q*/, double* /*r*/) const {
+  }
+  virtual void add_spread_curvature_tangent(const BodyState<G>&, const Vector& /*q*/,
+                                            Matrices& /*A*/) const {}
+
+  /// Components at the end of the last node that pad its amplitudes and never move.
+  virtual int padding() const { return 0; }
 
   virtual int elements() const { return 0; }
   /// Strain and section forces of element e.

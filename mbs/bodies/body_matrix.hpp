@@ -3,6 +3,8 @@
 /// The matrices of a body: block-tridiagonal for a chain of nodes that all carry unknowns, dense
 /// over the few nodes that do where the others follow them (rigid chains, modal bodies).
 
+#include <algorithm>
+
 #include "mbs/linalg/block_tridiagonal.hpp"
 #include "mbs/linalg/dense.hpp"
 
@@ -27,6 +29,35 @@ struct BodyMatrix : BlockTridiagonal<N> {
       dense.noalias() = a * A.dense + b * B.dense;
     else
       Chain::set_sum(a, A, b, B);
+  }
+  void set_zero() {
+    if (is_dense())
+      dense.setZero();
+    else
+      Chain::set_zero();
+  }
+  /// The block on the diagonal of a node with unknowns.
+  Eigen::Ref<typename Chain::Block, 0, Eigen::OuterStride<>> node_block(int node) {
+    if (!is_dense()) return this->D[node];
+    const auto at = std::find(nodes.begin(), nodes.end(), node) - nodes.begin();
+    return dense.template block<N, N>(N * at, N * at);
+  }
+  /// this += A diag(X_k), X_k a block for each node of the body (same shape as A).
+  template <class Blocks>
+  void add_scaled_columns(const BodyMatrix& A, const Blocks* X) {
+    if (is_dense()) {
+      for (size_t j = 0; j < nodes.size(); ++j) {
+        const int at = N * static_cast<int>(j);
+        dense.template middleCols<N>(at).noalias() +=
+            A.dense.template middleCols<N>(at) * X[nodes[j]];
+      }
+      return;
+    }
+    for (size_t k = 0; k < this->D.size(); ++k) this->D[k].noalias() += A.D[k] * X[k];
+    for (size_t k = 0; k < this->U.size(); ++k) {
+      this->U[k].noalias() += A.U[k] * X[k + 1];
+      this->L[k].noalias() += A.L[k] * X[k];
+    }
   }
 };
 

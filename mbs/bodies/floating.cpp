@@ -21,13 +21,24 @@ void FloatingBody<G>::reduce_to(std::vector<NodeKind> kind, const Eigen::MatrixX
   unused_ = n - static_cast<int>(K_e.cols());
   K_e_ = Eigen::MatrixXd::Zero(n, n);
   K_e_.topLeftCorner(K_e.rows(), K_e.cols()) = K_e;
-  q_.setZero(n);
-  motion_ = at_reference();
   std::vector<int> nodes{0};
   nodes.insert(nodes.end(), interfaces_.begin(), interfaces_.end());
   nodes.insert(nodes.end(), slots_.begin(), slots_.end());
   for (auto* A : {&this->M_, &this->K_})
     A->set_dense(nodes, Eigen::MatrixXd::Zero(dim + n, dim + n));
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::set_up(Workspace& work) const {
+  work.motion = at_reference();
+  work.q.setZero(reduced_size());
+}
+
+template <FrameGroup G>
+std::unique_ptr<BodyWorkspace> FloatingBody<G>::make_workspace() const {
+  auto work = std::make_unique<Workspace>();
+  set_up(*work);
+  return work;
 }
 
 template <FrameGroup G>
@@ -160,70 +171,30 @@ void FloatingBody<G>::add_unknowns(const Motion& m, const BodyState<G>& s,
 
 template <FrameGroup G>
 void FloatingBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
-  const double c = this->damping();
-  measure(s, c > 0, motion_);
-  if (c > 0) motion_.e += c * motion_.rate;
-  q_.noalias() = K_e_ * motion_.e;
-  if (c > 0) motion_.e -= c * motion_.rate;
-  add_conjugate(motion_, q_, r, scale);
+  in_workspace(s, [&](Workspace& work) {
+    const double c = this->damping();
+    Motion& m = work.motion;
+    measure(s, c > 0, m);
+    if (c > 0) m.e += c * m.rate;
+    work.q.noalias() = K_e_ * m.e;
+    if (c > 0) m.e -= c * m.rate;
+    add_conjugate(m, work.q, r, scale);
+  });
 }
 
 template <FrameGroup G>
 void FloatingBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                                   ForceScale& scale) const {
-  measure(s, true, motion_);
-  const Tangent v0 = Eigen::Map<const Tangent>(s.v);
-  Tangent f0 = Tangent::Zero();
-  q_.setZero();
-  inertia_force(motion_, v0, apparent_acceleration<G>(s, 0, gravity), f0, q_, scale);
-  Eigen::Map<Tangent>{r} += f0;
-  add_conjugate(motion_, q_, r, scale);
-}
-
-/// At rest the inertia force is M(e) [a; 0] with a = -R_0^T gravity: a turns with H_0, the centre
-/// of mass moves with e. Of f = T^-T(u) q on node i and -Ad(Y^-1)^T f on the frame, with y = h_i -
-/// Ad(Y^-1) h_0: df = D_u[T^-T(u) q] T^-1(u) y, d(Ad(Y^-1)^T f) = -Ad(Y^-1)^T ad(y)^T f.
-template <FrameGroup G>
-void FloatingBody<G>::add_turning(const Motion& m, const G& H_0, const Vector& gravity,
-                                  Matrices& A) const {
-  constexpr int sd = G::space_dim;
-  const int n = reduced_size();
-  const Eigen::MatrixXd M = inertia_matrix(m), E = increments(m);
-  Tangent a = Tangent::Zero();
-  a.template head<sd>() = -H_0.R.transpose() * gravity;
-  const Eigen::MatrixXd falls = M.leftCols(dim) * weight_tangent<G>(H_0, gravity);
-  A.dense.topLeftCorner(dim, dim) += falls.topRows(dim);
-  A.dense.leftCols(dim) += E.transpose() * falls.bottomRows(n);
-  // The moment S x a = -ad(a)^T [m a; ...] of a mass that moves: dS = N de.
-  const Eigen::MatrixXd N = M.block(0, dim, sd, n) * E;
-  Eigen::MatrixXd moved = Eigen::MatrixXd::Zero(dim, N.cols());
-  moved.topRows(sd) = N;
-  for (Eigen::Index k = 0; k < N.cols(); ++k)
-    A.dense.col(k).template segment<G::rotation_dim>(sd) -=
-        (G::ad(Tangent(moved.col(k))).transpose() * a).template tail<G::rotation_dim>();
-  const Eigen::VectorXd q = K_e_ * m.e + M.bottomLeftCorner(n, dim) * a;
-  for (size_t i = 0; i < interfaces_.size(); ++i) {
-    const int at = dim * static_cast<int>(i);
-    const Tangent u = m.e.template segment<dim>(at), q_i = q.template segment<dim>(at);
-    const typename G::Matrix Ti = G::Tinv(u), back = m.Y[i].AdInv();
-    const typename G::Matrix bends = G::dTinvT(u, q_i) * Ti;  // df = bends y
-    const Tangent f = Ti.transpose() * q_i;
-    typename G::Matrix turns = -bends;  // d(force on the frame) = Ad(Y^-1)^T turns y
-    for (int j = 0; j < dim; ++j) turns.col(j) += G::ad(Tangent::Unit(j)).transpose() * f;
-    const typename G::Matrix on_frame = back.transpose() * turns;
-    A.dense.template block<dim, dim>(dim + at, dim + at) += bends;
-    A.dense.template block<dim, dim>(dim + at, 0) -= bends * back;
-    A.dense.template block<dim, dim>(0, dim + at) += on_frame;
-    A.dense.template block<dim, dim>(0, 0) -= on_frame * back;
-  }
-}
-
-template <FrameGroup G>
-void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
-                                    const Tangent*, Matrices& A) const {
-  measure(s, false, motion_);
-  set_matrix(motion_, w.mass, 1 + this->damping() * w.damping, A);
-  if (w.mass == 0) add_turning(motion_, s.H[0], gravity, A);
+  in_workspace(s, [&](Workspace& work) {
+    measure(s, true, work.motion);
+    const Tangent v0 = Eigen::Map<const Tangent>(s.v);
+    Tangent f0 = Tangent::Zero();
+    work.q.setZero();
+    inertia_force(work.motion, v0, apparent_acceleration<G>(s, 0, gravity), f0, work.q, scale,
+                  work);
+    Eigen::Map<Tangent>{r} += f0;
+    add_conjugate(work.motion, work.q, r, scale);
+  });
 }
 
 template class FloatingBody<SE2>;

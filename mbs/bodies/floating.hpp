@@ -28,21 +28,19 @@ class FloatingBody : public Body<G> {
   using typename Body<G>::Matrices;
 
   NodeKind kind(int node) const override { return kind_[node]; }
+  std::unique_ptr<BodyWorkspace> make_workspace() const override;
   int modes() const { return static_cast<int>(omega2_.size()); }
   /// Squares of the circular frequencies of the internal modes, 1/s^2.
   const Eigen::VectorXd& omega2() const { return omega2_; }
   /// Constant stiffness of e.
   const Eigen::MatrixXd& reduced_stiffness() const { return K_e_; }
-  /// Components at the end of the last node that pad it and never move.
-  int padding() const { return unused_; }
+  int padding() const override { return unused_; }
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override;
   void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
-  /// With the mass at this state, and K_e. The mass matters where the frame is held by a hinge: a
-  /// turn of the frame is then nearly a motion of the modes, and the mass at reference nearly
-  /// singular. In statics (w.mass = 0) it is the derivative of internal force and weight, with the
-  /// turning of both.
+  /// The mass at this state matters where the frame is held by a hinge: a turn of the frame is then
+  /// nearly a motion of the modes, and the mass at reference nearly singular.
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
 
@@ -52,6 +50,13 @@ class FloatingBody : public Body<G> {
     Eigen::VectorXd e, rate, acceleration;          ///< [u_i; eta]
     std::vector<G, Eigen::aligned_allocator<G>> Y;  ///< H_0^-1 H_i
   };
+
+  struct Workspace : BodyWorkspace {
+    Motion motion;
+    Eigen::VectorXd q;  ///< forces conjugate to e
+  };
+  /// Sizes the part of a workspace that all floating bodies have.
+  void set_up(Workspace& work) const;
 
   /// Nodes without a kind yet: `reduce_to` says.
   FloatingBody(std::string body_name, std::vector<G> nodes_at_rest);
@@ -67,7 +72,10 @@ class FloatingBody : public Body<G> {
   /// Inertia force conjugate to [v_0; edot]: f_0 on the frame, q on e. a_0 is the rate of v_0 less
   /// gravity in the axes of the frame.
   virtual void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
-                             Eigen::VectorXd& q, ForceScale& scale) const = 0;
+                             Eigen::VectorXd& q, ForceScale& scale, Workspace& work) const = 0;
+  /// Derivatives of [f_0; q] by e, by edot and by v_0, side by side: (dim + n) x (2 n + dim).
+  virtual Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
+                                              const Tangent& a_0) const = 0;
   /// Mass matrix of [v_0; edot], (dim + n) x (dim + n); rows of padding are zero.
   virtual Eigen::MatrixXd inertia_matrix(const Motion& m) const = 0;
 
@@ -87,10 +95,22 @@ class FloatingBody : public Body<G> {
   std::vector<int> interfaces_, slots_;  ///< nodes: without node 0; that hold amplitudes
 
  private:
+  /// Calls f with the workspace of a state, or with one of its own.
+  template <class F>
+  void in_workspace(const BodyState<G>& s, const F& f) const {
+    const auto own = s.work ? nullptr : this->make_workspace();
+    f(static_cast<Workspace&>(s.work ? *s.work : *own));
+  }
   void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
-  /// A += derivative of the weight, and of [h_i; h_0]'s shares of all static forces q at constant
-  /// q.
-  void add_turning(const Motion& m, const G& H_0, const Vector& gravity, Matrices& A) const;
+  /// Derivatives of e, edot and eddot by the frames, and of eddot by v, n x (dim + n) each, at
+  /// constant v and vdot; of e: `increments`, of edot by v and eddot by vdot as well.
+  struct Kinematics {
+    Eigen::MatrixXd rate, acceleration, acceleration_by_v;
+  };
+  Kinematics kinematics(const BodyState<G>& s, const Motion& m) const;
+  /// A += weight times the derivative of the shares of forces q on frames and interfaces at
+  /// constant q.
+  void add_turning(const Motion& m, const Eigen::VectorXd& q, double weight, Matrices& A) const;
   /// r += forces q conjugate to e, on the interfaces, the frame and the amplitudes.
   void add_conjugate(const Motion& m, const Eigen::VectorXd& q, double* r, ForceScale& scale) const;
 
@@ -99,8 +119,6 @@ class FloatingBody : public Body<G> {
   int unused_ = 0;            ///< amplitudes of the last slot
   double unused_weight_ = 1;  ///< their mass and stiffness
   Eigen::VectorXd omega2_;
-  mutable Motion motion_;  ///< workspace, so that a step allocates nothing
-  mutable Eigen::VectorXd q_;
 };
 
 extern template class FloatingBody<SE2>;

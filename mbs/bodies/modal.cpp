@@ -36,22 +36,12 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
   for (const int k : interfaces) kind[k] = NodeKind::Frame;
   for (const G& X : X_) A_.push_back(X.AdInv());
   reduce(std::move(kind), modes);
-  for (auto* x : {&u_, &du_, &ddu_, &full_, &vel_, &acc_}) x->setZero(this->size());
   this->set_constant_matrices();
 }
 
 template <FrameGroup G>
 ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
-    : FloatingBody<G>(body),
-      beam_(std::move(beam)),
-      A_(body.A_),
-      Psi_(body.Psi_),
-      u_(body.u_),
-      du_(body.du_),
-      ddu_(body.ddu_),
-      full_(body.full_),
-      vel_(body.vel_),
-      acc_(body.acc_) {
+    : FloatingBody<G>(body), beam_(std::move(beam)), A_(body.A_), Psi_(body.Psi_) {
   this->become_derivative(Psi_.transpose() * dense<dim>(beam_->stiffness()) * Psi_);
   this->set_constant_matrices();
 }
@@ -102,20 +92,30 @@ void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {
 }
 
 template <FrameGroup G>
-void ModalBody<G>::spread(const Motion& m) const {
-  u_.noalias() = Psi_ * m.e;
-  du_.noalias() = Psi_ * m.rate;
-  ddu_.noalias() = Psi_ * m.acceleration;
+std::unique_ptr<BodyWorkspace> ModalBody<G>::make_workspace() const {
+  auto room = std::make_unique<Room>();
+  this->set_up(*room);
+  for (auto* x : {&room->field.u, &room->field.du, &room->field.ddu, &room->full, &room->velocity,
+                  &room->acceleration})
+    x->setZero(this->size());
+  return room;
+}
+
+template <FrameGroup G>
+void ModalBody<G>::spread(const Motion& m, Field& field) const {
+  field.u.noalias() = Psi_ * m.e;
+  field.du.noalias() = Psi_ * m.rate;
+  field.ddu.noalias() = Psi_ * m.acceleration;
 }
 
 /// Pi^T M Pi with the velocities of all nodes = Pi [v_0; edot],
 /// Pi = [(I - ad(u_k)) Ad(X_k^-1), (I - ad(u_k)/2) Psi_k].
 template <FrameGroup G>
 Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
-  u_.noalias() = Psi_ * m.e;
+  const Eigen::VectorXd u = Psi_ * m.e;
   Eigen::MatrixXd Pi(this->size(), dim + Psi_.cols());
   for (int k = 0; k < this->nodes(); ++k) {
-    const auto ad_u = G::ad(Tangent(u_.template segment<dim>(dim * k)));
+    const auto ad_u = G::ad(Tangent(u.template segment<dim>(dim * k)));
     auto rows = Pi.template middleRows<dim>(dim * k);
     rows.template leftCols<dim>() = A_[k] - ad_u * A_[k];
     const auto psi = Psi_.template middleRows<dim>(dim * k);
@@ -128,45 +128,102 @@ Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
 }
 
 template <FrameGroup G>
-auto ModalBody<G>::velocity(int k, const Tangent& v0) const -> Tangent {
-  const Tangent u = u_.template segment<dim>(dim * k), du = du_.template segment<dim>(dim * k);
+auto ModalBody<G>::velocity(int k, const Field& field, const Tangent& v0) const -> Tangent {
+  const Tangent u = field.u.template segment<dim>(dim * k),
+                du = field.du.template segment<dim>(dim * k);
   const Tangent carried = A_[k] * v0;
   return carried + du - G::ad(u) * (carried + 0.5 * du);
 }
 
 template <FrameGroup G>
-auto ModalBody<G>::acceleration(int k, const Tangent& v0, const Tangent& a0) const -> Tangent {
-  const Tangent u = u_.template segment<dim>(dim * k), du = du_.template segment<dim>(dim * k);
-  const Tangent ddu = ddu_.template segment<dim>(dim * k), a = A_[k] * a0;
+auto ModalBody<G>::acceleration(int k, const Field& field, const Tangent& v0,
+                                const Tangent& a0) const -> Tangent {
+  const Tangent u = field.u.template segment<dim>(dim * k),
+                du = field.du.template segment<dim>(dim * k);
+  const Tangent ddu = field.ddu.template segment<dim>(dim * k), a = A_[k] * a0;
   return a + ddu - G::ad(u) * (a + 0.5 * ddu) - G::ad(du) * (A_[k] * v0);
 }
 
 template <FrameGroup G>
 void ModalBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0,
-                                 Tangent& f_0, Eigen::VectorXd& q, ForceScale& scale) const {
+                                 Tangent& f_0, Eigen::VectorXd& q, ForceScale& scale,
+                                 typename FloatingBody<G>::Workspace& work) const {
   using Pair = typename Beam<G>::Pair;
-  spread(m);
+  Room& room = static_cast<Room&>(work);
+  spread(m, room.field);
   for (int k = 0; k < this->nodes(); ++k) {
-    vel_.template segment<dim>(dim * k) = velocity(k, v_0);
-    acc_.template segment<dim>(dim * k) = acceleration(k, v_0, a_0);
+    room.velocity.template segment<dim>(dim * k) = velocity(k, room.field, v_0);
+    room.acceleration.template segment<dim>(dim * k) = acceleration(k, room.field, v_0, a_0);
   }
-  full_.setZero();
+  room.full.setZero();
   Pair g;
   for (int e = 0; e < beam_->elements(); ++e) {
-    const Pair acceleration = acc_.template segment<2 * dim>(dim * e);
+    const Pair accelerated = room.acceleration.template segment<2 * dim>(dim * e);
     beam_->element(e).inertia_force(this->reference[e], this->reference[e + 1],
-                                    vel_.data() + dim * e, acceleration, g);
-    full_.template segment<2 * dim>(dim * e) += g;
+                                    room.velocity.data() + dim * e, accelerated, g);
+    room.full.template segment<2 * dim>(dim * e) += g;
   }
   for (int k = 0; k < this->nodes(); ++k) {
-    const Tangent f = full_.template segment<dim>(dim * k);
-    const auto ad_u = G::ad(Tangent(u_.template segment<dim>(dim * k)));
+    const Tangent f = room.full.template segment<dim>(dim * k);
+    const auto ad_u = G::ad(Tangent(room.field.u.template segment<dim>(dim * k)));
     const Tangent turned = ad_u.transpose() * f;
     f_0 += A_[k].transpose() * (f - turned);
-    full_.template segment<dim>(dim * k) -= 0.5 * turned;
+    room.full.template segment<dim>(dim * k) -= 0.5 * turned;
     scale.add<G>(f);
   }
-  q.noalias() += Psi_.transpose() * full_;
+  q.noalias() += Psi_.transpose() * room.full;
+}
+
+/// Product rule on `inertia_force`, node by node; columns by e, edot and v_0.
+template <FrameGroup G>
+Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
+                                                  const Tangent& a_0) const {
+  using Eigen::MatrixXd;
+  using Pair = typename Beam<G>::Pair;
+  const Eigen::Index size = this->size(), n = Psi_.cols();
+  Field field;
+  spread(m, field);
+  Eigen::VectorXd vel(size), acc(size), force = Eigen::VectorXd::Zero(size);
+  MatrixXd dvel(size, 2 * n + dim), dacc(size, 2 * n + dim);
+  for (int k = 0; k < this->nodes(); ++k) {
+    const int at = dim * k;
+    const Tangent u = field.u.template segment<dim>(at), du = field.du.template segment<dim>(at),
+                  ddu = field.ddu.template segment<dim>(at), carried = A_[k] * v_0;
+    const auto psi = Psi_.template middleRows<dim>(at);
+    vel.template segment<dim>(at) = velocity(k, field, v_0);
+    acc.template segment<dim>(at) = acceleration(k, field, v_0, a_0);
+    dvel.template middleRows<dim>(at) << G::ad(Tangent(carried + 0.5 * du)) * psi,
+        psi - 0.5 * G::ad(u) * psi, A_[k] - G::ad(u) * A_[k];
+    dacc.template middleRows<dim>(at) << G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)) * psi,
+        G::ad(carried) * psi, -G::ad(du) * A_[k];
+  }
+  MatrixXd dforce = MatrixXd::Zero(size, 2 * n + dim);
+  for (int e = 0; e < beam_->elements(); ++e) {
+    const auto& element = beam_->element(e);
+    const G &A = this->reference[e], &B = this->reference[e + 1];
+    Pair g;
+    element.inertia_force(A, B, vel.data() + dim * e, acc.template segment<2 * dim>(dim * e), g);
+    force.template segment<2 * dim>(dim * e) += g;
+    dforce.template middleRows<2 * dim>(dim * e) +=
+        element.mass() * dacc.template middleRows<2 * dim>(dim * e) +
+        element.gyroscopic_tangent(A, B, vel.data() + dim * e) *
+            dvel.template middleRows<2 * dim>(dim * e);
+  }
+  MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
+  for (int k = 0; k < this->nodes(); ++k) {
+    const int at = dim * k;
+    const auto psi = Psi_.template middleRows<dim>(at);
+    const auto ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
+    typename G::Matrix turn;  // ad(du)^T f by du
+    for (int j = 0; j < dim; ++j)
+      turn.col(j) = G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at);
+    const MatrixXd df = dforce.template middleRows<dim>(at), turned = ad_u.transpose() * df;
+    out.topRows(dim) += A_[k].transpose() * (df - turned);
+    out.topLeftCorner(dim, n) -= A_[k].transpose() * turn * psi;
+    out.bottomRows(n) += psi.transpose() * (df - 0.5 * turned);
+    out.block(dim, 0, n, n) -= 0.5 * psi.transpose() * turn * psi;
+  }
+  return out;
 }
 
 template <FrameGroup G>
@@ -174,13 +231,14 @@ void ModalBody<G>::complete(G* H, double* v, double* vdot, const double* w) cons
   using Node = Eigen::Map<Tangent>;
   Motion m = this->at_reference();
   this->measure({H, v, vdot, w}, true, m);
-  spread(m);
+  Field field;
+  spread(m, field);
   const Tangent v0 = Node(v), a0 = Node(vdot);
   for (int k = 1; k < this->nodes(); ++k) {
     if (this->kind(k) == NodeKind::Frame) continue;
-    H[k] = H[0] * (X_[k] * G::exp(Tangent(u_.template segment<dim>(dim * k))));
-    Node(v + dim * k) = velocity(k, v0);
-    Node(vdot + dim * k) = acceleration(k, v0, a0);
+    H[k] = H[0] * (X_[k] * G::exp(Tangent(field.u.template segment<dim>(dim * k))));
+    Node(v + dim * k) = velocity(k, field, v0);
+    Node(vdot + dim * k) = acceleration(k, field, v0, a0);
   }
 }
 
@@ -277,7 +335,8 @@ void ModalBody<G>::to_unknowns(const BodyState<G>& s, double* h, double* v) cons
   using Node = Eigen::Map<Tangent>;
   Motion m = this->at_reference();
   this->measure(s, true, m);
-  spread(m);
+  Field field;
+  spread(m, field);
   const Tangent v_0 = Eigen::Map<const Tangent>(s.v);
   Eigen::VectorXd c_e = Eigen::VectorXd::Zero(Psi_.cols()), c_rate = c_e;
   for (int k = 1; k < this->nodes(); ++k) {
@@ -285,7 +344,8 @@ void ModalBody<G>::to_unknowns(const BodyState<G>& s, double* h, double* v) cons
     const Tangent f = Node(h + dim * k), p = Node(v + dim * k);
     Node(h + dim * k).setZero();
     Node(v + dim * k).setZero();
-    const Tangent u = u_.template segment<dim>(dim * k), du = du_.template segment<dim>(dim * k);
+    const Tangent u = field.u.template segment<dim>(dim * k),
+                  du = field.du.template segment<dim>(dim * k);
     const auto ad_u = G::ad(u);
     const Tangent carried = A_[k] * v_0, turned = ad_u.transpose() * p;
     Node{h} += (X_[k] * G::exp(u)).AdInv().transpose() * f;

@@ -22,6 +22,7 @@ class ModalBody final : public FloatingBody<G> {
   /// hold on to  @param modes internal modes kept, lowest first; < 0 = all
   ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& interfaces, int modes);
 
+  std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void complete(G* H, double* v, double* vdot, const double* w) const override;
   int elements() const override { return beam_->elements(); }
   double damping() const override { return beam_->damping(); }
@@ -53,20 +54,28 @@ class ModalBody final : public FloatingBody<G> {
   using FloatingBody<G>::X_;
 
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
-                     Eigen::VectorXd& q, ForceScale& scale) const override;
+                     Eigen::VectorXd& q, ForceScale& scale,
+                     typename FloatingBody<G>::Workspace& work) const override;
+  Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
+                                      const Tangent& a_0) const override;
   Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
   void reduce(std::vector<NodeKind> kind, int modes);
-  /// Displacements and their rates of all nodes, Psi times those of e.
-  void spread(const Motion& m) const;
+  /// Displacements of all nodes and their rates, Psi times those of e.
+  struct Field {
+    Eigen::VectorXd u, du, ddu;
+  };
+  struct Room final : FloatingBody<G>::Workspace {
+    Field field;
+    Eigen::VectorXd full, velocity, acceleration;  ///< of all nodes
+  };
+  void spread(const Motion& m, Field& field) const;
   /// Velocity of node k, and its rate from the acceleration a_0 of the frame.
-  Tangent velocity(int k, const Tangent& v0) const;
-  Tangent acceleration(int k, const Tangent& v0, const Tangent& a0) const;
+  Tangent velocity(int k, const Field& field, const Tangent& v0) const;
+  Tangent acceleration(int k, const Field& field, const Tangent& v0, const Tangent& a0) const;
 
   std::unique_ptr<Beam<G>> beam_;
   std::vector<typename G::Matrix, Eigen::aligned_allocator<typename G::Matrix>> A_;  ///< Ad(X^-1)
-  Eigen::MatrixXd Psi_;                   ///< size x [interfaces, amplitudes]
-  mutable Eigen::VectorXd u_, du_, ddu_;  ///< workspace, as the next ones
-  mutable Eigen::VectorXd full_, vel_, acc_;
+  Eigen::MatrixXd Psi_;  ///< size x [interfaces, amplitudes]
 };
 
 extern template class ModalBody<SE2>;

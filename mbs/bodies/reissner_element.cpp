@@ -25,6 +25,20 @@ AngularMatrix<G> dWT(const Angular<G>& phi, const Angular<G>& c) {
          0.25 * Rot::Tinv(phi).transpose() * Rot::dT(half, c);
 }
 
+/// D_phi [T^-1(phi) w], T^-1(phi) = T^-T(-phi)
+template <FrameGroup G>
+AngularMatrix<G> dTinv(const Angular<G>& phi, const Angular<G>& w) {
+  return -RotationOf<G>::dTinvT(-phi, w);
+}
+
+/// D_phi [W(phi) w]
+template <FrameGroup G>
+AngularMatrix<G> dW(const Angular<G>& phi, const Angular<G>& w) {
+  using Rot = RotationOf<G>;
+  const Angular<G> half = 0.5 * phi;
+  return 0.25 * Rot::dT(half, Rot::Tinv(phi) * w) + 0.5 * Rot::T(half) * dTinv<G>(phi, w);
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -56,6 +70,31 @@ auto ReissnerElement<G>::P(const Tangent& d) -> Gradient {
   p.template block<rd, rd>(sd, sd) = -Rot::Tinv(-phi);
   p.template block<rd, rd>(sd, dim + sd) = Rot::Tinv(phi);
   return p;
+}
+
+/// With E = exp(phi/2) and omega = W(-phi) w_A + W(phi) w_B.
+template <FrameGroup G>
+auto ReissnerElement<G>::dP(const Tangent& d, const double* v) -> Matrix {
+  using Rot = RotationOf<G>;
+  const Eigen::Map<const Pair> V(v);
+  const Angular<G> phi = d.template tail<rd>(), half = 0.5 * phi, back = -phi;
+  const Angular<G> wA = V.template segment<rd>(sd), wB = V.template segment<rd>(dim + sd);
+  const Rotation E = Rot::exp(half);
+  const Angular<G> omega = W<G>(back) * wA + W<G>(phi) * wB;
+  Matrix D = Matrix::Zero();
+  for (int j = 0; j < sd; ++j) D.template block<sd, 1>(0, j) = Rot::cross(Vector::Unit(j)) * omega;
+  D.template block<sd, rd>(0, sd) =
+      -0.5 * E.transpose() * Rot::cross(V.template segment<sd>(0)) * Rot::T(-half) -
+      0.5 * E * Rot::cross(V.template segment<sd>(dim)) * Rot::T(half) +
+      Rot::cross(d.template head<sd>()) * (dW<G>(phi, wB) - dW<G>(back, wA));
+  D.template block<rd, rd>(sd, sd) = dTinv<G>(back, wA) + dTinv<G>(phi, wB);
+  return D;
+}
+
+template <FrameGroup G>
+auto ReissnerElement<G>::material_tangent(const G& A, const G& B) const -> PairMatrix {
+  const Gradient p = P(relative(A, B));
+  return p.transpose() * K_ * p / L_;
 }
 
 template <FrameGroup G>
@@ -148,14 +187,28 @@ auto ReissnerElement<G>::gyroscopic_tangent(const G& A, const G& B, const double
   return c + mass(A, B) * convective;
 }
 
+/// d(R b) = (R b) x w_A - R (b x w_B) of R = R_A^T R_B, for the accelerations b in the axes of B.
 template <FrameGroup G>
-auto ReissnerElement<G>::weight_tangent(const G& A, const G& B, const Vector& a) const
-    -> PairMatrix {
+auto ReissnerElement<G>::inertia_stiffness(const G& A, const G& B, const double* v, const Pair& a,
+                                           const Vector& gravity) const -> PairMatrix {
+  using Rot = RotationOf<G>;
+  const Eigen::Map<const Pair> V(v);
+  const double m = M_s_(0, 0) * L_ / 6;
+  const Rotation R = A.R.transpose() * B.R;
+  const auto inertial = [&](int at) -> Vector {
+    return a.template segment<sd>(at) -
+           Rot::cross(V.template segment<sd>(at)) * V.template segment<rd>(at + sd);
+  };
+  const Vector at_A = inertial(0), at_B = inertial(dim);
   PairMatrix D = PairMatrix::Zero();
-  const double m = 0.5 * L_ * M_s_(0, 0);
-  D.template block<dim, dim>(0, 0) = m * liesl::weight_tangent<G>(A, a);
-  D.template block<dim, dim>(dim, dim) = m * liesl::weight_tangent<G>(B, a);
-  return D;
+  D.template block<dim, dim>(0, 0) = liesl::weight_tangent<G>(A, gravity);
+  D.template block<dim, dim>(dim, dim) = liesl::weight_tangent<G>(B, gravity);
+  PairMatrix k = mass(A, B) * D;
+  k.template block<sd, rd>(0, sd) += m * Rot::cross(R * at_B);
+  k.template block<sd, rd>(0, dim + sd) -= m * R * Rot::cross(at_B);
+  k.template block<sd, rd>(dim, dim + sd) += m * Rot::cross(R.transpose() * at_A);
+  k.template block<sd, rd>(dim, sd) -= m * R.transpose() * Rot::cross(at_A);
+  return k;
 }
 
 template <FrameGroup G>

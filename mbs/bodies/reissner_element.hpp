@@ -41,10 +41,14 @@ class ReissnerElement {
   ///   d(d_u) = -E^T u_A + E u_B + d_u x (W(-phi) w_A + W(phi) w_B),  W(phi) = T(phi/2) T^-1(phi)/2
   ///   d(phi) = -T^-1(-phi) w_A + T^-1(phi) w_B
   static Gradient P(const Tangent& d);
+  /// D_d [P(d) v] for velocities v = [v_A; v_B].
+  static Matrix dP(const Tangent& d, const double* v);
 
   Tangent strain(const G& A, const G& B) const { return (relative(A, B) - d0_) / L_; }
   /// g = P(d)^T (n + damping K d(eps)/dt).  @param v velocities [v_A; v_B], used if damping > 0
   void internal_force(const G& A, const G& B, const double* v, double damping, Pair& g) const;
+  /// P^T K P / L
+  PairMatrix material_tangent(const G& A, const G& B) const;
   /// D_[h_A; h_B] (P^T n) with the stress n of its geometric term given. Not symmetric off
   /// equilibrium.
   PairMatrix tangent(const G& A, const G& B, const Tangent& n) const;
@@ -56,12 +60,16 @@ class ReissnerElement {
   /// Mass matrix in local axes, and at reference: it changes with R_A^T R_B.
   PairMatrix mass(const G& A, const G& B) const;
   const PairMatrix& mass() const { return mass_; }
+  /// Half of a dead load per length to each node, exactly.
+  static constexpr bool kTurnsSpreadLoads = false;
   /// Weight needs no correction: it is exact in inertial axes.
   void add_weight_curvature(const G&, const G&, const Vector&, Pair&) const {}
-  /// d (inertia force without M vdot) / dv: the gyroscopic and the convective part; and
-  /// d (weight) / d[h_A; h_B].
+  /// d (inertia force without M vdot) / dv: the gyroscopic and the convective part.
   PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
-  PairMatrix weight_tangent(const G& A, const G& B, const Vector& a) const;
+  /// d (inertia force and weight) / d[h_A; h_B]: weight turns, and the mass with R_A^T R_B.
+  /// @param v, a as in inertia_force
+  PairMatrix inertia_stiffness(const G& A, const G& B, const double* v, const Pair& a,
+                               const Vector& gravity) const;
   /// Potential of gravity, J.
   double weight_potential(const G& A, const G& B, const Vector& a) const;
   /// Its gradient by [h_A; h_B]; and that of the kinetic energy at given velocities, whose mass

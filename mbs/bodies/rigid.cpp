@@ -96,10 +96,10 @@ void Rigid<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, Tange
                              const Tangent*, Matrices& A) const {
   const auto& M = inertia_;
   Matrix tangent = w.mass * M;
-  if (w.damping > 0)
+  if (w.damping != 0)
     tangent += w.damping *
                BeamElement<G>::minus_ad_transpose_derivative(Eigen::Map<const Tangent>(s.v), M);
-  tangent += M * weight_tangent<G>(s.H[0], gravity);
+  tangent += w.stiffness * M * weight_tangent<G>(s.H[0], gravity);
   if (A.is_dense())
     A.dense = tangent;
   else

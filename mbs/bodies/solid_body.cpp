@@ -150,8 +150,15 @@ void SolidBody<G>::set_integrals(const InertiaIntegrals& mesh) {
       M_e_(k, l) = mesh.product[l * n + k].trace();
     }
   }
-  C_.setZero(9, padded);
-  D_.setZero(9, padded);
+}
+
+template <FrameGroup G>
+std::unique_ptr<BodyWorkspace> SolidBody<G>::make_workspace() const {
+  auto room = std::make_unique<Room>();
+  this->set_up(*room);
+  room->C.setZero(9, this->reduced_size());
+  room->D.setZero(9, this->reduced_size());
+  return room;
 }
 
 template <FrameGroup G>
@@ -163,17 +170,19 @@ MatrixXd SolidBody<G>::moments(const VectorXd& e) const {
 
 template <FrameGroup G>
 void SolidBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0,
-                                 Tangent& f_0, VectorXd& q, ForceScale& scale) const {
+                                 Tangent& f_0, VectorXd& q, ForceScale& scale,
+                                 typename FloatingBody<G>::Workspace& work) const {
+  MatrixXd &C = static_cast<Room&>(work).C, &D = static_cast<Room&>(work).D;
   const auto velocity = in_space<G>(v_0), rate = in_space<G>(a_0);
   const Vector3d omega = velocity.template tail<3>();
   const Matrix3d turning = hat(omega), alpha = hat(Vector3d(rate.template tail<3>()));
   const InertiaIntegrals& I = integrals_;
-  C_ = cross_;
-  Eigen::Map<VectorXd>(C_.data(), C_.size()).noalias() += product_ * m.e;
-  Eigen::Map<VectorXd>(D_.data(), D_.size()).noalias() = product_ * m.rate;
+  C = cross_;
+  Eigen::Map<VectorXd>(C.data(), C.size()).noalias() += product_ * m.e;
+  Eigen::Map<VectorXd>(D.data(), D.size()).noalias() = product_ * m.rate;
   const Vector3d S = I.first + I.mode * m.e;
-  const Eigen::Matrix<double, 9, 1> own = cross_ * m.e, all = C_ * m.e, slow = C_ * m.rate,
-                                    fast = C_ * m.acceleration;
+  const Eigen::Matrix<double, 9, 1> own = cross_ * m.e, all = C * m.e, slow = C * m.rate,
+                                    fast = C * m.acceleration;
   const auto matrix = [](const auto& nine) { return Eigen::Map<const Matrix3d>(nine.data()); };
   const Matrix3d J = I.second + matrix(own).transpose() + matrix(all);
   // What is left at rest, and what turning adds; both drive the modes.
@@ -192,9 +201,56 @@ void SolidBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tang
   scale.add<G>(gyroscopic);
   const Matrix3d field = (alpha + centripetal).transpose(), coriolis = 2 * turning.transpose();
   q.noalias() += I.mode.transpose() * (uniform + carried);
-  q.noalias() += C_.transpose() * Map9(field.data());
-  q.noalias() += D_.transpose() * Map9(coriolis.data());
+  q.noalias() += C.transpose() * Map9(field.data());
+  q.noalias() += D.transpose() * Map9(coriolis.data());
   q.noalias() += M_e_ * m.acceleration;
+}
+
+/// Product rule on `inertia_force`: what depends on e is S, C and J, on edot D and the Coriolis
+/// terms, on v_0 all that turns.
+template <FrameGroup G>
+MatrixXd SolidBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
+                                           const Tangent& a_0) const {
+  const auto velocity = in_space<G>(v_0), rate = in_space<G>(a_0);
+  const Vector3d v = velocity.template head<3>(), omega = velocity.template tail<3>();
+  const Matrix3d turning = hat(omega);
+  const Matrix3d W = hat(Vector3d(rate.template tail<3>())) + turning * turning;
+  const InertiaIntegrals& I = integrals_;
+  const Eigen::Index n = this->reduced_size();
+  const MatrixXd C = moments(m.e);
+  const Vector3d S = I.first + I.mode * m.e, a = Vector3d(rate.template head<3>()) + omega.cross(v);
+  const VectorXd slow = C * m.rate;
+  const Matrix3d J = I.second + as_matrix(cross_ * m.e).transpose() + as_matrix(C * m.e);
+  MatrixXd D(9, n);
+  Eigen::Map<VectorXd>(D.data(), D.size()).noalias() = product_ * m.rate;
+  MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
+  const auto nine = [](const Matrix3d& A) { return VectorXd(Map9(A.data())); };
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const VectorXd column = product_.col(k);
+    const Eigen::Map<const MatrixXd> dC(column.data(), 9, n);  // dD as well
+    const Vector3d mode = I.mode.col(k);
+    const Matrix3d dJ =
+        as_matrix(cross_.col(k)).transpose() + as_matrix(C.col(k)) + as_matrix(dC * m.e);
+    out.col(k).head(dim) = from_space<G>(
+        W * mode, mode.cross(a) + axial(dJ * W.transpose() + as_matrix(dC * m.acceleration) +
+                                        2 * as_matrix(dC * m.rate) * turning.transpose()));
+    out.col(k).tail(n) = dC.transpose() * nine(W.transpose());
+    out.col(n + k).head(dim) =
+        from_space<G>(2 * turning * mode, axial(2 * as_matrix(C.col(k)) * turning.transpose()));
+    out.col(n + k).tail(n) = dC.transpose() * nine(2 * turning.transpose());
+  }
+  for (int j = 0; j < dim; ++j) {
+    const auto direction = in_space<G>(Tangent::Unit(j));
+    const Vector3d dv = direction.template head<3>(), dw = direction.template tail<3>();
+    const Matrix3d turn = hat(dw), dW = turn * turning + turning * turn;
+    const Vector3d da = omega.cross(dv) + dw.cross(v);
+    out.col(2 * n + j).head(dim) = from_space<G>(
+        I.mass * da + dW * S + 2 * turn * (I.mode * m.rate),
+        S.cross(da) + axial(J * dW.transpose() + 2 * as_matrix(slow) * turn.transpose()));
+    out.col(2 * n + j).tail(n) = I.mode.transpose() * da + C.transpose() * nine(dW.transpose()) +
+                                 D.transpose() * nine(2 * turn.transpose());
+  }
+  return out;
 }
 
 /// [m, -S~, N; S~, tr(J) - J, int rho r x phi; N^T, ..., M_e].

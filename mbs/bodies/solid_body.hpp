@@ -33,6 +33,7 @@ class SolidBody final : public FloatingBody<G> {
             const Eigen::Matrix3d& turn);
 
   int points() const override { return ports_; }
+  std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void complete(G* H, double* v, double* vdot, const double* w) const override;
   double damping() const override { return damping_; }
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
@@ -58,10 +59,17 @@ class SolidBody final : public FloatingBody<G> {
   /// The derivative of a body by fractions of cells: the same Psi.
   SolidBody(const SolidBody& body, const FractionDerivative& law);
   void set_integrals(const InertiaIntegrals& mesh);
+
+  struct Room final : FloatingBody<G>::Workspace {
+    Eigen::MatrixXd C, D;  ///< 9 x n: moments at e, and their share that goes with the rates
+  };
   /// int rho r phi_k^T at e, a column each (3 x 3 by columns).
   Eigen::MatrixXd moments(const Eigen::VectorXd& e) const;
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
-                     Eigen::VectorXd& q, ForceScale& scale) const override;
+                     Eigen::VectorXd& q, ForceScale& scale,
+                     typename FloatingBody<G>::Workspace& work) const override;
+  Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
+                                      const Tangent& a_0) const override;
   Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
 
   int ports_;
@@ -72,9 +80,8 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
   /// About the first interface, in its axes; mode is 3 x n, padded.
   InertiaIntegrals integrals_;
-  Eigen::MatrixXd cross_;          ///< 9 x n: int rho s phi_k^T
-  Eigen::MatrixXd product_;        ///< 9 n x n: int rho phi_l phi_k^T at rows 9 k, column l
-  mutable Eigen::MatrixXd C_, D_;  ///< 9 x n, workspace
+  Eigen::MatrixXd cross_;    ///< 9 x n: int rho s phi_k^T
+  Eigen::MatrixXd product_;  ///< 9 n x n: int rho phi_l phi_k^T at rows 9 k, column l
 };
 
 extern template class SolidBody<SE2>;

@@ -92,6 +92,12 @@ void SparseLu::solve(Eigen::Ref<Eigen::MatrixXd> b) const {
             static_cast<int>(b.cols()), b.data(), &f_->common);
 }
 
+void SparseLu::solve_transposed(Eigen::Ref<Eigen::MatrixXd> b) const {
+  if (b.rows() == 0) return;
+  klu_tsolve(f_->symbolic, f_->numeric, static_cast<int>(b.outerStride()),
+             static_cast<int>(b.cols()), b.data(), &f_->common);
+}
+
 int SparseLu::determinant_sign() const {
   if (!f_->numeric) return 0;
   const int n = f_->symbolic->n;

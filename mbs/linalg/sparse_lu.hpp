@@ -26,6 +26,9 @@ class SparseLu {
   /// b <- A^-1 b, any number of columns. @pre the last `factor` returned true
   void solve(Eigen::Ref<Eigen::MatrixXd> b) const;
 
+  /// b <- A^-T b
+  void solve_transposed(Eigen::Ref<Eigen::MatrixXd> b) const;
+
   /// Sign of det A: +1 or -1; 0 without factors.
   int determinant_sign() const;
   /// min |U_kk| / max |U_kk|, rows scaled: near 1e-16 a singular matrix was not recognised.

@@ -5,8 +5,8 @@
 #include <chrono>
 #include <ctime>
 
-#include "mbs/solvers/constraint_rank.hpp"
 #include "mbs/solvers/ringing.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {
@@ -69,6 +69,37 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
+/// Writes down what a replay needs; nothing without a tape.
+template <FrameGroup G>
+class TapeWriter {
+ public:
+  TapeWriter(Tape<G>* tape, const GeneralizedAlpha<G>& integrator, const SimulationOptions& o,
+             const InitialState& start, long steps)
+      : tape_(tape), integrator_(integrator) {
+    if (!tape_) return;
+    const int root = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(steps))));
+    *tape_ = {tape_->every > 0 ? tape_->every : root, o, start, {}, {}, {}};
+  }
+  void checkpoint(const State<G>& s) {
+    if (tape_) tape_->checkpoints.push_back({tape_->attempts.size(), s, integrator_.memory()});
+  }
+  /// @param s the state after the attempt
+  void add(const Attempt& attempt, const State<G>& s) {
+    if (!tape_) return;
+    tape_->attempts.push_back(attempt);
+    if (!attempt.accepted) return;
+    tape_->end = s;
+    if (++since_ < tape_->every) return;
+    since_ = 0;
+    checkpoint(s);
+  }
+
+ private:
+  Tape<G>* tape_;
+  const GeneralizedAlpha<G>& integrator_;
+  int since_ = 0;
+};
+
 /// What a user should know of a run: another step than asked for, tangents taken again, halved
 /// steps, joint forces that ring.
 void add_warnings(Report& report, double step, double asked, TangentStrategy tangent,
@@ -108,6 +139,15 @@ void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& 
       model.bodies[body]->name, turn.angle));
 }
 
+/// What the start has to say. @returns whether the run goes on
+bool take_start(const InitialState& start, Report& report) {
+  report.warnings = start.redundant;
+  report.warnings.insert(report.warnings.end(), start.warnings.begin(), start.warnings.end());
+  report.status = start.status;
+  report.reason = start.reason;
+  return start.status == SolveStatus::Converged;
+}
+
 /// Why the smallest step `h`, to the time `t`, failed.
 std::string failure(const StepResult& step, double t, double h) {
   const auto residual =
@@ -119,8 +159,9 @@ std::string failure(const StepResult& step, double t, double h) {
 }  // namespace
 
 template <FrameGroup G>
-DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
-                          const Progress& progress) {
+DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& options,
+                          const Progress& progress, Tape<G>* tape) {
+  options.require_valid();
   const long whole_steps = std::lround(std::ceil(options.duration / options.step * (1 - 1e-12)));
   SimulationOptions o = options;
   o.step = options.duration / static_cast<double>(whole_steps);
@@ -128,14 +169,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   Report& report = result.report;
   State<G> s = model.initial_state();
   result.start = make_consistent(model, o, s);
-  report.warnings = result.start.redundant;
-  report.warnings.insert(report.warnings.end(), result.start.warnings.begin(),
-                         result.start.warnings.end());
-  if (result.start.status != SolveStatus::Converged) {
-    report.status = result.start.status;
-    report.reason = result.start.reason;
-    return result;
-  }
+  if (!take_start(result.start, report)) return result;
   result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
   State<G> seen;  // completed
   const auto record = [&] {
@@ -147,6 +181,8 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
 
   GeneralizedAlpha<G> integrator(model, o);
   integrator.start(s);
+  TapeWriter<G> writer(tape, integrator, o, result.start, whole_steps);
+  writer.checkpoint(s);
   StepGrid grid(o);
   Ringing ringing;
   FastestTurn turn;
@@ -160,6 +196,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     report.newton_iterations += step.iterations;
     report.tangent_refreshes += step.tangents;
     if (!step.converged) {
+      writer.add({h, s.t, false}, s);
       ++report.rejected_steps;
       if (grid.halve()) {
         report.smallest_step = std::min(report.smallest_step, grid.h());
@@ -172,6 +209,7 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
     ++report.steps;
     grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
     s.t = grid.time();
+    writer.add({h, s.t, true}, s);
     ringing.step(s.lambda, h);
     turn.step(model, s, h);
     report.max_constraint_residual =
@@ -199,7 +237,9 @@ DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
   return result;
 }
 
-template DynamicResult<SE2> simulate(Model<SE2>&, const SimulationOptions&, const Progress&);
-template DynamicResult<SE3> simulate(Model<SE3>&, const SimulationOptions&, const Progress&);
+template DynamicResult<SE2> simulate(const Model<SE2>&, const SimulationOptions&, const Progress&,
+                                     Tape<SE2>*);
+template DynamicResult<SE3> simulate(const Model<SE3>&, const SimulationOptions&, const Progress&,
+                                     Tape<SE3>*);
 
 }  // namespace liesl

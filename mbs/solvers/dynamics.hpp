@@ -6,6 +6,7 @@
 
 #include "mbs/solvers/generalized_alpha.hpp"
 #include "mbs/solvers/initial_state.hpp"
+#include "mbs/solvers/replay.hpp"
 #include "mbs/solvers/trajectory.hpp"
 
 namespace liesl {
@@ -24,11 +25,15 @@ using Progress = std::function<bool(double t)>;
 /// at the current state, then with half the step, down to options.step_min; then the run stops with
 /// a reason, and the records until there are kept. Steps grow back on the grid of options.step.
 /// Never throws for non-convergence; no record holds a NaN.
+/// @param tape for a replay of the steps; null: none
+/// @throws std::invalid_argument for options that have errors()
 template <FrameGroup G>
-DynamicResult<G> simulate(Model<G>& model, const SimulationOptions& options,
-                          const Progress& progress = {});
+DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& options,
+                          const Progress& progress = {}, Tape<G>* tape = nullptr);
 
-extern template DynamicResult<SE2> simulate(Model<SE2>&, const SimulationOptions&, const Progress&);
-extern template DynamicResult<SE3> simulate(Model<SE3>&, const SimulationOptions&, const Progress&);
+extern template DynamicResult<SE2> simulate(const Model<SE2>&, const SimulationOptions&,
+                                            const Progress&, Tape<SE2>*);
+extern template DynamicResult<SE3> simulate(const Model<SE3>&, const SimulationOptions&,
+                                            const Progress&, Tape<SE3>*);
 
 }  // namespace liesl

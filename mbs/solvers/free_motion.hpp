@@ -5,7 +5,7 @@
 #include <Eigen/Core>
 #include <string>
 
-#include "mbs/solvers/static_system.hpp"
+#include "mbs/solvers/iteration_matrix.hpp"
 
 namespace liesl {
 

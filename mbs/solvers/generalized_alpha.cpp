@@ -26,7 +26,8 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
       weights_(options.rho_inf),
       tangent_(tangent_strategy(options.tangent, model.formalism)),
       coordinates_(model, options.rescale),
-      equations_(model) {
+      equations_(model),
+      tangent_at_(model) {
   factorizations_.assign(model.bodies.size(), 0);
   scales_.assign(model.bodies.size(), 0);
   trial_ = model.initial_state();
@@ -45,13 +46,38 @@ void GeneralizedAlpha<G>::start(State<G>& s) {
 
 /// The factors for a step size: kept from the first use on.
 template <FrameGroup G>
-JointSystem<G>& GeneralizedAlpha<G>::system_for(double h) {
+auto GeneralizedAlpha<G>::factors_for(double h) -> Factored& {
   for (auto& f : factored_)
-    if (f.h == h) return f.system;
-  factored_.push_back({h, false, JointSystem<G>(model_)});
+    if (f.at.h == h) return f;
+  factored_.push_back({false, {h, trial_, dq_, u_, udot_}, JointSystem<G>(model_)});
   factored_.back().system.factor(weights_.at(h));
   for (auto& n : factorizations_) ++n;
-  return factored_.back().system;
+  return factored_.back();
+}
+
+template <FrameGroup G>
+StepMemory<G> GeneralizedAlpha<G>::memory() const {
+  StepMemory<G> memory{older_udot_, previous_h_, scales_, {}};
+  for (const auto& f : factored_)
+    if (f.exact) memory.tangents.push_back(f.at);
+  return memory;
+}
+
+template <FrameGroup G>
+void GeneralizedAlpha<G>::restore(const StepMemory<G>& memory) {
+  older_udot_ = memory.older_udot;
+  previous_h_ = memory.previous_h;
+  scales_ = memory.scales;
+  for (auto& f : factored_) {
+    if (f.exact) f.system.factor(weights_.at(f.at.h));
+    f.exact = false;
+  }
+  for (const auto& point : memory.tangents) {
+    Factored& f = factors_for(point.h);
+    f.at = point;
+    equations_.evaluate(f.at.s, f.at.s.q, {f.at.s.t, 1});
+    refresh(f);
+  }
 }
 
 /// Extrapolated accelerations and the formulas of Newmark: dq, rates, frames of the trial state.
@@ -80,6 +106,20 @@ void GeneralizedAlpha<G>::correct(const State<G>& old, TangentWeights w) {
   udot_ += w.mass * increment_;
   trial_.lambda += dlambda_;
   coordinates_.place(old, dq_, u_, udot_, trial_);
+}
+
+/// The complete tangent at `factors.at` into the factors. @returns false if it is singular; the
+/// constant one is back then. @pre equations_ were evaluated there
+template <FrameGroup G>
+bool GeneralizedAlpha<G>::refresh(Factored& factors) {
+  const TangentPoint<G>& at = factors.at;
+  for (auto& n : factorizations_) ++n;
+  coordinates_.rate_tangents(at.s, at.dq, at.u, at.udot, weights_.at(at.h), rate_tangents_);
+  tangent_at_.take_prestress(equations_, at.s);
+  tangent_at_.linearise(equations_, at.s, {at.s.t, 1}, &rate_tangents_);
+  factors.exact = factors.system.factor_exact(tangent_at_);
+  if (!factors.exact) factors.system.factor(weights_.at(at.h));
+  return factors.exact;
 }
 
 template <FrameGroup G>
@@ -118,7 +158,7 @@ double GeneralizedAlpha<G>::imbalance() const {
 template <FrameGroup G>
 StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   const TangentWeights w = weights_.at(h);
-  JointSystem<G>& system = system_for(h);
+  Factored& factors = factors_for(h);
   StepResult result;
   predict(s, h);
   double before = 0;
@@ -137,21 +177,25 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the iteration did not converge";
       return result;
     }
-    const bool refresh = wants_tangent(result, residual, before);
-    if (refresh) {
-      if (!system.factor_exact(trial_, w)) {
+    const bool fresh = wants_tangent(result, residual, before);
+    if (fresh) {
+      factors.at.s = trial_;
+      factors.at.s.q = s.q;
+      factors.at.dq = dq_;
+      factors.at.u = u_;
+      factors.at.udot = udot_;
+      if (!refresh(factors)) {
         result.failure = "the tangent is singular";
         return result;
       }
-      for (auto& n : factorizations_) ++n;
       ++result.tangents;
     }
     before = residual;
-    if (!system.solve(equations_, delta_, dlambda_)) {
+    if (!factors.system.solve(equations_, delta_, dlambda_)) {
       result.failure = "the joint equations are singular";
       return result;
     }
-    if (result.iterations > 0 && !refresh) extrapolate(delta_);
+    if (result.iterations > 0 && !fresh) extrapolate(delta_);
     step_before_ = delta_;
     ++result.iterations;
     correct(s, w);

@@ -34,6 +34,23 @@ struct StepResult {
   const char* failure = "";  ///< why not
 };
 
+/// Where the tangent in use for a step size was taken, if it is not the constant one.
+template <FrameGroup G>
+struct TangentPoint {
+  double h = 0;
+  State<G> s;  ///< the trial state; q: the rows at the state before
+  Eigen::VectorXd dq, u, udot;
+};
+
+/// What the next steps depend on besides the state.
+template <FrameGroup G>
+struct StepMemory {
+  Eigen::VectorXd older_udot;  ///< rates of the coordinates before the last step
+  double previous_h = 0;       ///< 0: the coordinates were changed since
+  std::vector<double> scales;  ///< by body: largest forces so far
+  std::vector<TangentPoint<G>> tangents;
+};
+
 /// What `Auto` means to a formalism: the strategy it is known for. Others as chosen.
 TangentStrategy tangent_strategy(TangentStrategy chosen, Formalism formalism);
 
@@ -52,19 +69,24 @@ class GeneralizedAlpha {
   /// has been used.
   StepResult step(State<G>& s, double h);
 
+  /// Between two steps: restore() makes the next ones those, bit for bit, that followed memory().
+  StepMemory<G> memory() const;
+  void restore(const StepMemory<G>& memory);
+
   const std::vector<int>& factorizations() const { return factorizations_; }
   const Equations<G>& equations() const { return equations_; }
 
  private:
   struct Factored {
-    double h;
     bool exact;
+    TangentPoint<G> at;
     JointSystem<G> system;
   };
 
-  JointSystem<G>& system_for(double h);
+  Factored& factors_for(double h);
   void predict(const State<G>& old, double h);
   void correct(const State<G>& old, TangentWeights w);
+  bool refresh(Factored& factors);
   bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
   double imbalance() const;
@@ -76,6 +98,8 @@ class GeneralizedAlpha {
   const TangentStrategy tangent_;
   NodeCoordinates<G> coordinates_;
   Equations<G> equations_;
+  IterationMatrix<G> tangent_at_;  ///< at the trial state, where the constant one does not do
+  RateTangents<G> rate_tangents_;
   std::vector<Factored> factored_;
   std::vector<int> factorizations_;
   State<G> trial_;

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {
@@ -12,14 +12,6 @@ constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 constexpr double kGivenVelocity = 1e-6;
 constexpr int kRefinements = 5;  // of the accelerations
 constexpr double kRefined = 1e-12;
-
-template <FrameGroup G>
-void move(const Model<G>& model, State<G>& s, const Eigen::VectorXd& delta) {
-  for (const int k : model.frames())
-    s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
-  for (const int k : model.amplitudes())
-    s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
-}
 
 /// Each body must have mass, and a beam inertia in every direction: the joints act on it through
 /// the inverse of its mass matrix. (For point masses see JointSystem.)
@@ -68,7 +60,7 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
     }
     eq.r.setZero();
     if (!system.solve(eq, delta, dlambda, false)) break;
-    move(model, s, delta);
+    model.retract(s, delta);
   }
   out.status = SolveStatus::Inconsistent;
   out.reason = fmt::format(
@@ -153,21 +145,19 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
 }  // namespace
 
 template <FrameGroup G>
-InitialState assemble(Model<G>& model, double step, State<G>& s) {
+InitialState assemble(const Model<G>& model, double step, State<G>& s) {
   InitialState out;
-  {
-    const Equations<G> eq(model);
-    eq.observe(s, s.q, s.q);
-  }
-  if (const auto dead = remove_redundant_constraints(model, s, out.redundant); !dead.empty()) {
+  out.redundant = model.redundant;
+  if (!model.dead_point.empty()) {
     out.status = SolveStatus::Singular;
-    out.reason = dead;
+    out.reason = model.dead_point;
     return out;
   }
+  const Equations<G> eq(model);
+  eq.observe(s, s.q, s.q);
   s.lambda.setZero(model.constraints());
   if (!assemble_positions(model, step, s, out)) return out;
-  const Equations<G> sorted(model);  // the rows may have been numbered again
-  sorted.observe(s, s.q, s.q);
+  eq.observe(s, s.q, s.q);
   if (const auto why = contradiction(model, s); !why.empty()) {
     out.status = SolveStatus::Inconsistent;
     out.reason = why;
@@ -176,7 +166,7 @@ InitialState assemble(Model<G>& model, double step, State<G>& s) {
 }
 
 template <FrameGroup G>
-InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s) {
+InitialState make_consistent(const Model<G>& model, const SimulationOptions& options, State<G>& s) {
   InitialState out;
   if (!has_inertia(model, out)) return out;
   out = assemble(model, options.step, s);
@@ -185,9 +175,9 @@ InitialState make_consistent(Model<G>& model, const SimulationOptions& options, 
   return out;
 }
 
-template InitialState assemble(Model<SE2>&, double, State<SE2>&);
-template InitialState assemble(Model<SE3>&, double, State<SE3>&);
-template InitialState make_consistent(Model<SE2>&, const SimulationOptions&, State<SE2>&);
-template InitialState make_consistent(Model<SE3>&, const SimulationOptions&, State<SE3>&);
+template InitialState assemble(const Model<SE2>&, double, State<SE2>&);
+template InitialState assemble(const Model<SE3>&, double, State<SE3>&);
+template InitialState make_consistent(const Model<SE2>&, const SimulationOptions&, State<SE2>&);
+template InitialState make_consistent(const Model<SE3>&, const SimulationOptions&, State<SE3>&);
 
 }  // namespace liesl

@@ -19,21 +19,23 @@ struct InitialState {
   std::vector<std::string> warnings;
 };
 
-/// Positions alone: redundant constraints out, nodes onto the rest of them at time s.t (Newton,
+/// Positions alone: nodes onto the constraints at time s.t (Newton,
 /// least change in the metric M/step^2 + K), joint coordinates into s.q. For statics.
 template <FrameGroup G>
-InitialState assemble(Model<G>& model, double step, State<G>& s);
+InitialState assemble(const Model<G>& model, double step, State<G>& s);
 
 /// Assembles the positions (Newton, least change in the metric M/step^2 + K), projects the
 /// velocities (least change in the metric M/duration^2 + K: as rigid as the joints allow), solves
-/// for accelerations and multipliers. Constraints that repeat others are found by rank, named, and
-/// taken out of `model`; a repeated constraint that contradicts the others is Inconsistent.
+/// for accelerations and multipliers. A repeated constraint that contradicts the others is
+/// Inconsistent.
 template <FrameGroup G>
-InitialState make_consistent(Model<G>& model, const SimulationOptions& options, State<G>& s);
+InitialState make_consistent(const Model<G>& model, const SimulationOptions& options, State<G>& s);
 
-extern template InitialState assemble(Model<SE2>&, double, State<SE2>&);
-extern template InitialState assemble(Model<SE3>&, double, State<SE3>&);
-extern template InitialState make_consistent(Model<SE2>&, const SimulationOptions&, State<SE2>&);
-extern template InitialState make_consistent(Model<SE3>&, const SimulationOptions&, State<SE3>&);
+extern template InitialState assemble(const Model<SE2>&, double, State<SE2>&);
+extern template InitialState assemble(const Model<SE3>&, double, State<SE3>&);
+extern template InitialState make_consistent(const Model<SE2>&, const SimulationOptions&,
+                                             State<SE2>&);
+extern template InitialState make_consistent(const Model<SE3>&, const SimulationOptions&,
+                                             State<SE3>&);
 
 }  // namespace liesl

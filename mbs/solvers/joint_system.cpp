@@ -47,6 +47,17 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
   }
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
+  int nodes = 0;
+  for (const auto& coupled : model.coupled_nodes) {
+    first_node_.push_back(nodes);
+    nodes += static_cast<int>(coupled.size());
+  }
+  X_.setZero(dim * nodes, dim * nodes);
+  Bt_.setZero(dim * nodes, model.constraints());
+  exact_S_.setZero(dim * nodes + model.constraints(), dim * nodes + model.constraints());
+  exact_rhs_.setZero(exact_S_.rows());
+  exact_solution_.setZero(exact_S_.rows());
+  exact_lu_.factor(Eigen::MatrixXd::Identity(exact_S_.rows(), exact_S_.rows()));
   solution_.setZero(rows);
   cholesky_.factor(Eigen::MatrixXd::Identity(rows, rows));  // takes the memory
   lu_.factor(Eigen::MatrixXd::Identity(rows, rows));
@@ -55,7 +66,7 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
 template <FrameGroup G>
 bool JointSystem<G>::factor(TangentWeights w, double stiffness) {
   weights_ = w;
-  symmetric_ = true;
+  exact_ = false;
   for (size_t b = 0; b < bodies_.size(); ++b) {
     const Body<G>& body = *model_.bodies[b];
     scratch_[b].set_sum(w.mass, body.mass(), stiffness * (1 + w.damping * body.damping()),
@@ -66,13 +77,23 @@ bool JointSystem<G>::factor(TangentWeights w, double stiffness) {
 }
 
 template <FrameGroup G>
-bool JointSystem<G>::factor_exact(const State<G>& s, TangentWeights w) {
-  weights_ = w;
-  symmetric_ = false;
+bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
+  exact_ = true;
   for (size_t b = 0; b < bodies_.size(); ++b) {
-    const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
-    model_.bodies[b]->exact_tangent(state, model_.gravity, w, nullptr, scratch_[b]);
+    scratch_[b] = S.body(static_cast<int>(b));
     if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
+  }
+  const auto place = [this](const PortOf<G>& p) { return dim * (first_node_[p.body] + p.slot); };
+  X_.setZero();
+  for (size_t index = 0; index < model_.couplings.size(); ++index) {
+    const auto& c = model_.couplings[index];
+    const auto& Y = S.coupling(static_cast<int>(index));
+    const PortOf<G>* ports[] = {&c.a, &c.b};
+    for (int p = 0; p < 2; ++p)
+      for (int q = 0; q < 2; ++q)
+        if (ports[p]->body >= 0 && ports[q]->body >= 0)
+          X_.template block<dim, dim>(place(*ports[p]), place(*ports[q])) +=
+              Y.template block<dim, dim>(dim * p, dim * q);
   }
   return true;
 }
@@ -109,7 +130,7 @@ void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
       const int mi = model_.couplings[i.coupling].active;
       const auto Bi = eq.couplings[i.coupling].B.template middleCols<dim>(i.column).topRows(mi);
       for (const Side& j : sides_[b]) {
-        if (symmetric_ && first_[j.coupling] > first_[i.coupling]) continue;
+        if (first_[j.coupling] > first_[i.coupling]) continue;
         const int mj = model_.couplings[j.coupling].active;
         const auto Bj = eq.couplings[j.coupling].B.template middleCols<dim>(j.column).topRows(mj);
         const Compliance F = bodies_[b].F.template block<dim, dim>(dim * i.slot, dim * j.slot);
@@ -143,6 +164,7 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
   for (size_t b = 0; b < bodies_.size(); ++b)
     bodies_[b].lu.solve(delta.data() + dim * model_.first_node(static_cast<int>(b)),
                         model_.bodies[b]->size());
+  if (exact_) return solve_exact(eq, delta, dlambda);
   if (rhs_.size() > 0) {
     assemble(eq, compliant);
     for (size_t c = 0; c < model_.couplings.size(); ++c) {
@@ -162,13 +184,10 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
                    .lazyProduct(delta.template segment<dim>(dim * coupling.b.node));
       if (!compliant) rhs.tail(coupling.active - coupling.constraints).setZero();
     }
-    bool solved = false;
-    if (symmetric_) {
-      solved = cholesky_.factor(S_);
-      if (solved) cholesky_.solve_in_place(rhs_);
-    }
-    if (!solved) {
-      if (symmetric_) S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
+    if (cholesky_.factor(S_)) {
+      cholesky_.solve_in_place(rhs_);
+    } else {
+      S_.template triangularView<Eigen::StrictlyUpper>() = S_.transpose();
       lu_.factor(S_);
       lu_.solve(rhs_, solution_);
       rhs_.swap(solution_);
@@ -185,10 +204,7 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
                 .transpose()
                 .lazyProduct(rhs_.segment(first_[i.coupling], active));
       }
-    for (size_t b = 0; b < bodies_.size(); ++b)
-      if (bodies_[b].X.cols() > 0)
-        delta.segment(dim * model_.first_node(static_cast<int>(b)), model_.bodies[b]->size())
-            .noalias() += bodies_[b].X * bodies_[b].joint_force;
+    add_joint_forces(delta);
     for (size_t c = 0; c < model_.couplings.size(); ++c) {
       const auto& coupling = model_.couplings[c];
       dlambda.segment(coupling.first_constraint, coupling.constraints) =
@@ -197,6 +213,61 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
   }
   delta = -delta;
   return delta.allFinite();
+}
+
+template <FrameGroup G>
+void JointSystem<G>::add_joint_forces(Eigen::VectorXd& delta) const {
+  for (size_t b = 0; b < bodies_.size(); ++b)
+    if (bodies_[b].X.cols() > 0)
+      delta.segment(dim * model_.first_node(static_cast<int>(b)), model_.bodies[b]->size())
+          .noalias() += bodies_[b].X * bodies_[b].joint_force;
+}
+
+/// @pre delta = A^-1 r
+template <FrameGroup G>
+bool JointSystem<G>::solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta,
+                                 Eigen::VectorXd& dlambda) {
+  const auto n = X_.rows(), m = Bt_.cols();
+  Bt_.setZero();
+  for (size_t index = 0; index < model_.couplings.size(); ++index) {
+    const auto& c = model_.couplings[index];
+    const auto B = eq.couplings[index].B.topRows(c.constraints);
+    const auto add = [&](const PortOf<G>& p, const auto& columns) {
+      if (p.body >= 0)
+        Bt_.template middleRows<dim>(dim * (first_node_[p.body] + p.slot))
+            .middleCols(c.first_constraint, c.constraints) += columns.transpose();
+    };
+    add(c.a, B.template leftCols<dim>());
+    add(c.b, B.template rightCols<dim>());
+  }
+  exact_S_.setZero();
+  exact_S_.bottomLeftCorner(m, n) = Bt_.transpose();
+  exact_rhs_.tail(m) = -eq.phi;
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const auto& nodes = model_.coupled_nodes[b];
+    const int first = dim * first_node_[b], size = dim * static_cast<int>(nodes.size());
+    if (size == 0) continue;
+    exact_S_.block(first, 0, size, n).noalias() = bodies_[b].F * X_.middleRows(first, size);
+    exact_S_.block(first, n, size, m).noalias() = bodies_[b].F * Bt_.middleRows(first, size);
+    for (size_t slot = 0; slot < nodes.size(); ++slot)
+      exact_rhs_.template segment<dim>(first + dim * static_cast<int>(slot)) =
+          -delta.template segment<dim>(dim *
+                                       (model_.first_node(static_cast<int>(b)) + nodes[slot]));
+  }
+  exact_S_.diagonal().head(n).array() += 1;
+  if (n + m > 0) {
+    exact_lu_.factor(exact_S_);
+    exact_lu_.solve(exact_rhs_, exact_solution_);
+  }
+  dlambda = exact_solution_.tail(m);
+  exact_rhs_.head(n).noalias() = X_ * exact_solution_.head(n);
+  exact_rhs_.head(n).noalias() += Bt_ * dlambda;
+  for (size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].joint_force =
+        exact_rhs_.segment(dim * first_node_[b], bodies_[b].joint_force.size());
+  add_joint_forces(delta);
+  delta = -delta;
+  return delta.allFinite() && dlambda.allFinite();
 }
 
 template class JointSystem<SE2>;

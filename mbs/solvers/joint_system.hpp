@@ -5,10 +5,15 @@
 ///   [B  -C ] [dlambda] = -[phi],   A = blockdiag over bodies of beta' M + gamma' C_b + K,
 /// solved body by body: A is factored once, the joints come in by a small dense Schur complement
 /// whose gradients B change with the motion. C: compliance 1/k of springs and dampers.
+///
+/// With the exact tangent couplings and loads at ports have stiffness X of their own on the coupled
+/// nodes, z = E^T delta, and A is that of bodies and spread loads:
+///   [I + F X   F B^T] [z      ]     [E^T A^-1 r]
+///   [B         0    ] [dlambda] = - [phi       ],   delta = -A^-1 (r + E (X z + B^T dlambda)).
 
 #include "mbs/bodies/body.hpp"
 #include "mbs/linalg/dense.hpp"
-#include "mbs/system/equations.hpp"
+#include "mbs/solvers/iteration_matrix.hpp"
 
 namespace liesl {
 
@@ -22,8 +27,8 @@ class JointSystem {
   /// Factors beta' M + (1 + gamma' damping) K_t of every body at its reference shape. With
   /// `stiffness` 0 the mass alone. @returns false if a body's matrix is singular.
   bool factor(TangentWeights w, double stiffness = 1);
-  /// The same with the exact tangents at a state. @returns false if singular.
-  bool factor_exact(const State<G>& s, TangentWeights w);
+  /// The same with all that was linearised at a state. @returns false if singular.
+  bool factor_exact(const IterationMatrix<G>& S);
 
   /// delta, dlambda from eq.r and eq.phi. `compliant` = false leaves springs and dampers out
   /// (accelerations). @returns false if the joint system is singular.
@@ -46,6 +51,9 @@ class JointSystem {
 
   bool factor_body(int body, BodyMatrix<dim>& A);
   void assemble(const Equations<G>& eq, bool compliant);
+  bool solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda);
+  /// delta += A^-1 E f, f = joint_force of every body.
+  void add_joint_forces(Eigen::VectorXd& delta) const;
 
   const Model<G>& model_;
   std::vector<BodyFactor> bodies_;
@@ -55,11 +63,14 @@ class JointSystem {
   std::vector<double> point_inertia_;  ///< by body, see point_inertia
   std::vector<BodyMatrix<dim>> scratch_;
   TangentWeights weights_;
-  bool symmetric_ = true;
+  bool exact_ = false;
+  std::vector<int> first_node_;  ///< by body: of its coupled nodes among all of them
+  Eigen::MatrixXd X_;            ///< stiffness of couplings and loads on the coupled nodes
   Eigen::MatrixXd S_;
-  Eigen::VectorXd rhs_, solution_;
+  Eigen::MatrixXd exact_S_, Bt_;
+  Eigen::VectorXd rhs_, exact_rhs_, solution_, exact_solution_;
   linalg::Cholesky cholesky_;
-  linalg::LU lu_;
+  linalg::LU lu_, exact_lu_;
 };
 
 extern template class JointSystem<SE2>;

@@ -1,7 +1,6 @@
 #include "mbs/solvers/modes.hpp"
 
 #include "mbs/bodies/assemble_body.hpp"
-#include "mbs/bodies/floating.hpp"
 #include "mbs/linalg/constrained_modes.hpp"
 #include "mbs/solvers/static_newton.hpp"
 
@@ -25,11 +24,11 @@ Eigen::SparseMatrix<double> mass_matrix(const Model<G>& model) {
 template <FrameGroup G>
 Eigen::SparseMatrix<double> unknowns(const Model<G>& model, int rows) {
   std::vector<bool> real(rows, true);
-  for (size_t b = 0; b < model.bodies.size(); ++b)
-    if (const auto* body = dynamic_cast<const FloatingBody<G>*>(model.bodies[b].get())) {
-      const int end = G::dim * (model.first_node(static_cast<int>(b)) + body->nodes());
-      std::fill(real.begin() + end - body->padding(), real.begin() + end, false);
-    }
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body<G>& body = *model.bodies[b];
+    const int end = G::dim * model.first_node(static_cast<int>(b)) + body.size();
+    std::fill(real.begin() + end - body.padding(), real.begin() + end, false);
+  }
   Eigen::SparseMatrix<double> chosen(rows, std::count(real.begin(), real.end(), true));
   for (int i = 0, column = 0; i < rows; ++i)
     if (real[i]) chosen.insert(i, column++) = 1;
@@ -39,7 +38,8 @@ Eigen::SparseMatrix<double> unknowns(const Model<G>& model, int rows) {
 /// The scene as given if it is an equilibrium, else the static one. @returns false if there is
 /// none.
 template <FrameGroup G>
-bool find_equilibrium(Model<G>& model, const SimulationOptions& options, ModesResult<G>& out) {
+bool find_equilibrium(const Model<G>& model, const SimulationOptions& options,
+                      ModesResult<G>& out) {
   State<G>& s = out.equilibrium;
   s = model.initial_state();
   s.v.setZero();
@@ -56,8 +56,6 @@ bool find_equilibrium(Model<G>& model, const SimulationOptions& options, ModesRe
   statics.arc_length = statics.critical = false;
   const StaticResult<G> found = solve_static(model, statics);
   out.report = found.report;
-  out.report.warnings.insert(out.report.warnings.begin(), out.start.redundant.begin(),
-                             out.start.redundant.end());
   if (found.report.status != SolveStatus::Converged) return false;
   found.trajectory.read(found.trajectory.size() - 1, s);
   return true;
@@ -66,7 +64,8 @@ bool find_equilibrium(Model<G>& model, const SimulationOptions& options, ModesRe
 }  // namespace
 
 template <FrameGroup G>
-ModesResult<G> solve_modes(Model<G>& model, const SimulationOptions& options) {
+ModesResult<G> solve_modes(const Model<G>& model, const SimulationOptions& options) {
+  options.require_valid();
   ModesResult<G> out;
   if (!find_equilibrium(model, options, out)) return out;
   StaticNewton<G> newton(model, options);
@@ -99,7 +98,7 @@ ModesResult<G> solve_modes(Model<G>& model, const SimulationOptions& options) {
   return out;
 }
 
-template ModesResult<SE2> solve_modes(Model<SE2>&, const SimulationOptions&);
-template ModesResult<SE3> solve_modes(Model<SE3>&, const SimulationOptions&);
+template ModesResult<SE2> solve_modes(const Model<SE2>&, const SimulationOptions&);
+template ModesResult<SE3> solve_modes(const Model<SE3>&, const SimulationOptions&);
 
 }  // namespace liesl

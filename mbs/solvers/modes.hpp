@@ -27,9 +27,9 @@ struct ModesResult {
 /// (Spectra) on the saddle point. If the model has fewer modes, there are fewer. NotConverged,
 /// Singular, Inconsistent: as solve_static; Singular too if M vanishes on a motion.
 template <FrameGroup G>
-ModesResult<G> solve_modes(Model<G>& model, const SimulationOptions& options);
+ModesResult<G> solve_modes(const Model<G>& model, const SimulationOptions& options);
 
-extern template ModesResult<SE2> solve_modes(Model<SE2>&, const SimulationOptions&);
-extern template ModesResult<SE3> solve_modes(Model<SE3>&, const SimulationOptions&);
+extern template ModesResult<SE2> solve_modes(const Model<SE2>&, const SimulationOptions&);
+extern template ModesResult<SE3> solve_modes(const Model<SE3>&, const SimulationOptions&);
 
 }  // namespace liesl

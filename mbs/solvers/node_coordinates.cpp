@@ -105,6 +105,77 @@ void NodeCoordinates<G>::increment(const State<G>& s, const Eigen::VectorXd& dq,
   }
 }
 
+/// With v = R^T u, its rate R^T udot + v x w, and in the classical formalism w = T(psi) psidot.
+template <FrameGroup G>
+void NodeCoordinates<G>::rate_tangents(const State<G>& s, const Eigen::VectorXd& dq,
+                                       const Eigen::VectorXd& u, const Eigen::VectorXd& udot,
+                                       TangentWeights weights, RateTangents<G>& out) const {
+  using Matrix = typename G::Matrix;
+  using Vector = Eigen::Matrix<double, sd, 1>;
+  const double first = weights.damping, second = weights.mass;
+  out.v.assign(s.H.size(), Matrix::Zero());
+  out.vdot.assign(s.H.size(), Matrix::Zero());
+  for (const int k : model_.amplitudes()) {
+    out.v[k] = first * Matrix::Identity();
+    out.vdot[k] = second * Matrix::Identity();
+  }
+  for (const int k : model_.frames()) {
+    Matrix &V = out.v[k], &W = out.vdot[k];
+    if (uses_local(model_.formalism)) {
+      const Matrix Ti = G::Tinv(dq.template segment<dim>(dim * k));
+      V = first * Ti;
+      W = second * Ti;
+      continue;
+    }
+    auto V_w = V.template bottomRightCorner<rd, rd>(), W_w = W.template bottomRightCorner<rd, rd>();
+    if (model_.formalism == Formalism::Classical) {
+      const Angular p = psi(s, k), rate = u.template segment<rd>(dim * k + sd),
+                    acceleration = udot.template segment<rd>(dim * k + sd);
+      const auto Ti = Rot::Tinv(p), dT = Rot::dT(p, rate);
+      V_w = (first * Rot::T(p) + dT) * Ti;
+      W_w = (second * Rot::T(p) + Rot::dT(p, acceleration) + Rot::d2T(p, rate, rate) +
+             first * (dT + Rot::DT(p, rate))) *
+            Ti;
+    } else {
+      const auto Ti = Rot::Tinv(Angular(dq.template segment<rd>(dim * k + sd)));
+      V_w = first * Ti;
+      W_w = second * Ti;
+    }
+    const Vector v = s.v.template segment<sd>(dim * k);
+    const Vector a = s.H[k].R.transpose() * udot.template segment<sd>(dim * k);
+    const Angular w = s.v.template segment<rd>(dim * k + sd);
+    Eigen::Matrix<double, sd, sd> turns;  // v x w by v
+    for (int j = 0; j < sd; ++j) turns.col(j) = Rot::cross(Vector::Unit(j)) * w;
+    V.template topLeftCorner<sd, sd>().diagonal().setConstant(first);
+    V.template topRightCorner<sd, rd>() = Rot::cross(v);
+    W.template topLeftCorner<sd, sd>() = first * turns;
+    W.template topLeftCorner<sd, sd>().diagonal().array() += second;
+    W.template topRightCorner<sd, rd>() =
+        Rot::cross(a) + Rot::cross(v) * V_w + turns * Rot::cross(v);
+  }
+}
+
+template <FrameGroup G>
+void NodeCoordinates<G>::difference(const State<G>& old, const State<G>& s,
+                                    Eigen::VectorXd& dq) const {
+  dq.setZero(model_.size());
+  for (const int k : model_.amplitudes())
+    dq.template segment<dim>(dim * k) =
+        s.w.template segment<dim>(dim * k) - old.w.template segment<dim>(dim * k);
+  for (const int k : model_.frames()) {
+    auto d = dq.template segment<dim>(dim * k);
+    if (uses_local(model_.formalism)) {
+      d = G::log(old.H[k].inverse() * s.H[k]);
+      continue;
+    }
+    d.template head<sd>() = s.H[k].x - old.H[k].x;
+    if (model_.formalism == Formalism::Classical)
+      d.template tail<rd>() = psi(s, k) - psi(old, k);
+    else
+      d.template tail<rd>() = Rot::log(old.H[k].R.transpose() * s.H[k].R);
+  }
+}
+
 template <FrameGroup G>
 bool NodeCoordinates<G>::finish(State<G>& s) const {
   if (model_.formalism != Formalism::Classical) {

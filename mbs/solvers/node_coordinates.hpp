@@ -16,6 +16,14 @@
 
 namespace liesl {
 
+/// How the rates of a node follow the correction delta of its frame within a step: dv = v delta,
+/// dvdot = vdot delta, by node. Zero for nodes that follow others.
+template <FrameGroup G>
+struct RateTangents {
+  using Blocks = typename BlockTridiagonal<G::dim>::Blocks;
+  Blocks v, vdot;
+};
+
 template <FrameGroup G>
 class NodeCoordinates {
  public:
@@ -33,6 +41,13 @@ class NodeCoordinates {
   /// e = increment of dq that moves the frames of `s` by delta (left-invariant).
   void increment(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& delta,
                  Eigen::VectorXd& e) const;
+  /// Derivatives of v and vdot by delta at the state `s` of a step, where dq, u and udot change by
+  /// e, w.damping e and w.mass e. Lie: gamma' T^-1(dq) and beta' T^-1(dq).
+  void rate_tangents(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& u,
+                     const Eigen::VectorXd& udot, TangentWeights w, RateTangents<G>& out) const;
+  /// dq between two states, so that place(old, dq, ...) gives the frames of s. @pre `s` was not
+  /// rescaled since
+  void difference(const State<G>& old, const State<G>& s, Eigen::VectorXd& dq) const;
   /// Takes rounding out of the rotations; rescales. @returns true if coordinates were changed.
   bool finish(State<G>& s) const;
 

@@ -43,6 +43,13 @@ struct SimulationOptions {
 
   // Modes: about the static equilibrium.
   int modes = 10;  ///< how many frequencies, >= 1
+
+  /// All values that are out of their range, one sentence each with key, what is expected and what
+  /// is there: "simulation.step: a number above 0 s is expected, not 0". Empty: the options are
+  /// valid.
+  std::vector<std::string> errors() const;
+  /// @throws std::invalid_argument with all of errors(), a line each
+  void require_valid() const;
 };
 
 }  // namespace liesl

@@ -17,7 +17,7 @@ struct Simulation {
 
 /// Dynamics or statics, as options.type says. Modes have their own result: solve_modes.
 template <FrameGroup G>
-Simulation<G> run_simulation(Model<G>& model, const SimulationOptions& options,
+Simulation<G> run_simulation(const Model<G>& model, const SimulationOptions& options,
                              const Progress& progress = {}) {
   if (options.type == SimulationType::Dynamic) {
     auto r = simulate(model, options, progress);

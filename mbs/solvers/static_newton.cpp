@@ -16,8 +16,6 @@ StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& op
   rhs_.setZero(system_.size() + system_.constraints(), 2);
   predictor_.setZero(model.size());
   delta_.setZero(model.size());
-  for (const auto& body : model.bodies)
-    for (int k = 0; k < body->nodes(); ++k) is_frame_.push_back(body->kind(k) == NodeKind::Frame);
 }
 
 template <FrameGroup G>
@@ -39,7 +37,7 @@ bool StaticNewton<G>::in_equilibrium(const State<G>& s, double load) {
 }
 
 template <FrameGroup G>
-const typename StaticSystem<G>::Matrix& StaticNewton<G>::tangent(const State<G>& s) {
+const typename IterationMatrix<G>::Matrix& StaticNewton<G>::tangent(const State<G>& s) {
   evaluate(s, s.t);
   system_.take_prestress(equations_, s);
   return system_.assemble(equations_, s, {s.t, s.t});
@@ -77,8 +75,8 @@ double StaticNewton<G>::product(const Eigen::VectorXd& a,
                                 Eigen::Ref<const Eigen::VectorXd> b) const {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   double sum = 0, turn = 0;
-  for (int k = 0; k < model_.size(); k += dim) {
-    if (!is_frame_[k / dim]) continue;
+  for (const int node : model_.frames()) {
+    const int k = dim * node;
     sum += a.template segment<sd>(k).dot(b.template segment<sd>(k));
     turn += a.template segment<rd>(k + sd).dot(b.template segment<rd>(k + sd));
   }
@@ -91,11 +89,7 @@ void StaticNewton<G>::correct(Eigen::Ref<const Eigen::VectorXd> step) {
   delta_ = step.head(system_.size());
   system_.extrapolate_prestress(equations_, trial_, delta_);
   moved_ = std::sqrt(product(delta_, delta_) / model_.nodes()) / model_.length;
-  for (int k = 0; k < model_.nodes(); ++k)
-    if (is_frame_[k])
-      trial_.H[k] = trial_.H[k] * G::exp(delta_.template segment<dim>(dim * k));
-    else
-      trial_.w.template segment<dim>(dim * k) += delta_.template segment<dim>(dim * k);
+  model_.retract(trial_, delta_);
   trial_.lambda += step.tail(system_.constraints());
 }
 

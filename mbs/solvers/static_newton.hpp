@@ -2,8 +2,8 @@
 /// @file
 /// Newton's method for equilibrium at one load, and along the path of equilibria.
 
+#include "mbs/solvers/iteration_matrix.hpp"
 #include "mbs/solvers/options.hpp"
-#include "mbs/solvers/static_system.hpp"
 
 namespace liesl {
 
@@ -19,7 +19,7 @@ struct NewtonResult {
 /// Converged: the residual is below tolerance * (size of the forces in it) + round-off, and the
 /// last correction below sqrt(tolerance)/10, since where EA >> EI/L^2 round-off of the normal
 /// forces may be more than what still bends. The tangent is exact with extrapolated prestress
-/// (static_system.hpp); where that does not converge the attempt fails and the caller takes a
+/// (iteration_matrix.hpp); where that does not converge the attempt fails and the caller takes a
 /// smaller step.
 template <FrameGroup G>
 class StaticNewton {
@@ -44,8 +44,8 @@ class StaticNewton {
   const Eigen::VectorXd& last_direction() const { return predictor_; }
 
   /// Tangent at the equilibrium s with its own prestress.
-  const typename StaticSystem<G>::Matrix& tangent(const State<G>& s);
-  StaticSystem<G>& system() { return system_; }
+  const typename IterationMatrix<G>::Matrix& tangent(const State<G>& s);
+  IterationMatrix<G>& system() { return system_; }
   const Equations<G>& equations() const { return equations_; }
 
   /// Is s in equilibrium at `load` to the tolerance?
@@ -65,10 +65,9 @@ class StaticNewton {
   const Model<G>& model_;
   const SimulationOptions options_;
   Equations<G> equations_;
-  StaticSystem<G> system_;
+  IterationMatrix<G> system_;
   State<G> trial_;
-  std::vector<bool> is_frame_;  ///< by node; else amplitudes
-  Eigen::MatrixXd rhs_;         ///< columns: correction at constant load, d(state)/d(load)
+  Eigen::MatrixXd rhs_;  ///< columns: correction at constant load, d(state)/d(load)
   Eigen::VectorXd predictor_, delta_;
   double moved_ = 0;  ///< root mean square of the last correction, of the model's length
 };

@@ -5,9 +5,9 @@
 #include <chrono>
 
 #include "mbs/linalg/inertia.hpp"
-#include "mbs/solvers/constraint_rank.hpp"
 #include "mbs/solvers/free_motion.hpp"
 #include "mbs/solvers/static_newton.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {
@@ -261,8 +261,9 @@ class LoadPath {
 }  // namespace
 
 template <FrameGroup G>
-StaticResult<G> solve_static(Model<G>& model, const SimulationOptions& options,
+StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& options,
                              const LoadProgress& progress) {
+  options.require_valid();
   StaticResult<G> result;
   State<G> s = model.initial_state();
   s.v.setZero();
@@ -281,7 +282,9 @@ StaticResult<G> solve_static(Model<G>& model, const SimulationOptions& options,
   return result;
 }
 
-template StaticResult<SE2> solve_static(Model<SE2>&, const SimulationOptions&, const LoadProgress&);
-template StaticResult<SE3> solve_static(Model<SE3>&, const SimulationOptions&, const LoadProgress&);
+template StaticResult<SE2> solve_static(const Model<SE2>&, const SimulationOptions&,
+                                        const LoadProgress&);
+template StaticResult<SE3> solve_static(const Model<SE3>&, const SimulationOptions&,
+                                        const LoadProgress&);
 
 }  // namespace liesl

@@ -47,12 +47,12 @@ using LoadProgress = std::function<bool(double load)>;
 /// Singular: something can move freely at the start, with the body's name and the motion;
 /// Inconsistent: cannot be assembled. Never throws for non-convergence; no record holds a NaN.
 template <FrameGroup G>
-StaticResult<G> solve_static(Model<G>& model, const SimulationOptions& options,
+StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& options,
                              const LoadProgress& progress = {});
 
-extern template StaticResult<SE2> solve_static(Model<SE2>&, const SimulationOptions&,
+extern template StaticResult<SE2> solve_static(const Model<SE2>&, const SimulationOptions&,
                                                const LoadProgress&);
-extern template StaticResult<SE3> solve_static(Model<SE3>&, const SimulationOptions&,
+extern template StaticResult<SE3> solve_static(const Model<SE3>&, const SimulationOptions&,
                                                const LoadProgress&);
 
 }  // namespace liesl

@@ -7,6 +7,7 @@
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/model/parameter.hpp"
 #include "mbs/system/body_law.hpp"
+#include "mbs/system/constraint_rank.hpp"
 #include "mbs/system/model.hpp"
 
 namespace liesl {
@@ -321,7 +322,6 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
       model.couplings.push_back(builder.force(static_cast<int>(f)));
   for (const auto& l : mechanism.loads) model.loads.push_back(builder.load(l));
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
-  model.finish();
   model.reach = model.length;
   for (const auto& body : model.bodies)
     for (const G& H : body->reference)
@@ -344,9 +344,23 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
           space.reduce_local(v, space.alignment(H));
     }
   }
+  model.finish();
+  model.leave_out_redundant_rows();
   return model;
 }
 
+template <class G>
+void Model<G>::leave_out_redundant_rows() {
+  RedundantRows found = redundant_rows(*this, initial_state());
+  redundant = std::move(found.sentences);
+  dead_point = std::move(found.dead_point);
+  if (found.rows.empty()) return;
+  for (const auto& [coupling, equation] : found.rows)
+    couplings[coupling].equations[equation].role = Role::Redundant;
+  finish();
+}
+
+/// Numbers the rows, sorted by role within each coupling.
 template <class G>
 void Model<G>::finish() {
   coupled_nodes.assign(bodies.size(), {});
@@ -374,6 +388,13 @@ void Model<G>::finish() {
     rows_ += static_cast<int>(c.equations.size());
     constraints_ += c.constraints;
   }
+}
+
+template <class G>
+void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const {
+  for (const int k : frames_) s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
+  for (const int k : amplitudes_)
+    s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }
 
 template <class G>

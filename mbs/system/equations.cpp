@@ -2,8 +2,6 @@
 
 #include <limits>
 
-#include "mbs/bodies/beam.hpp"
-
 namespace liesl {
 
 template <FrameGroup G>
@@ -18,6 +16,7 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
     data.rate.setZero(c.acting);
     couplings.push_back(std::move(data));
   }
+  for (const auto& body : m.bodies) work_.push_back(body->make_workspace());
   for (const auto& body : m.bodies)
     round_off_ = std::max(
         round_off_, 4 * std::numeric_limits<double>::epsilon() * body->axial_stiffness() * m.reach);
@@ -44,7 +43,8 @@ template <FrameGroup G>
 void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level) {
   const typename Model<G>::Vector gravity = level.factor * model.gravity;
   for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyState<G> state = model.body_state(s, static_cast<int>(b));
+    BodyState<G> state = model.body_state(s, static_cast<int>(b));
+    state.work = work_[b].get();
     double* out = r.data() + dim * model.first_node(static_cast<int>(b));
     model.bodies[b]->add_internal(state, out, scales_[b]);
     model.bodies[b]->add_inertia(state, gravity, out, scales_[b]);
@@ -85,11 +85,10 @@ void Equations<G>::add_load(const Model<G>& model, const Load<G>& load, double f
     scale.add<G>(Tangent(factor * load.wrench * load.share.template topRows<1>().norm()));
     return;
   }
-  if (const auto* beam = dynamic_cast<const Beam<G>*>(model.bodies[load.port.body].get());
-      beam && !load.follower)
-    for (int e = 0; e < beam->elements(); ++e)
-      out.template segment<2 * dim>(dim * (first + e)) += beam->element(e).spread_curvature(
-          s.H[first + e], s.H[first + e + 1], factor * load.wrench.template head<G::space_dim>());
+  if (!load.follower)
+    model.bodies[load.port.body]->add_spread_curvature(
+        model.body_state(s, load.port.body), factor * load.wrench.template head<G::space_dim>(),
+        out.data() + dim * first);
   for (int k = 0; k < n; ++k) {
     const Tangent y = factor * local(s.H[first + k]);
     const auto& W = load.distribution;

@@ -68,7 +68,8 @@ class Equations {
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
                     const Eigen::VectorXd& near, const LoadLevel& level);
   double norm_of(int first, int nodes) const;
-  std::vector<ForceScale> scales_;  ///< by body
+  std::vector<ForceScale> scales_;                    ///< by body
+  std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< by body
   double scale_ = 0, round_off_ = 0;
 };
 

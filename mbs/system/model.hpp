@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// A mechanism on a group of frames, const once built: bodies, couplings, loads.
+/// A mechanism on a group of frames, const once built: bodies, couplings, loads. Several threads
+/// may simulate one model: whatever changes is in states and workspaces.
 
 #include <memory>
 #include <string>
@@ -34,7 +35,8 @@ class Model {
   using Vector = typename Body<G>::Vector;
 
   /// Builds the model of a mechanism. For SE(2) `space` maps to the plane; every quantity that is
-  /// not of the plane must vanish (find_plane has seen to that).
+  /// not of the plane must vanish (find_plane has seen to that). Constraints that repeat others at
+  /// the start are found by rank and left out.
   static Model build(const Mechanism& mechanism, const Space<G>& space);
 
   int nodes() const { return nodes_; }
@@ -46,6 +48,9 @@ class Model {
   /// Nodes of a kind over all bodies.
   const std::vector<int>& frames() const { return frames_; }
   const std::vector<int>& amplitudes() const { return amplitudes_; }
+  /// Moves a state by left-invariant increments, dim a node: frames H <- H exp(delta_k), amplitudes
+  /// w <- w + delta_k. Nodes that follow others stay: see `complete`.
+  void retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const;
   /// Sets all that follows from the unknowns: what records and responses see.
   void complete(State<G>& s) const;
 
@@ -66,14 +71,18 @@ class Model {
   std::vector<Load<G>> loads;
   /// Distinct nodes of each body that couplings hold on to; `PortOf::slot` counts in here.
   std::vector<std::vector<int>> coupled_nodes;
+  /// One sentence a joint of which rows repeat others and are left out (Role::Redundant).
+  std::vector<std::string> redundant;
+  /// Not empty: the start is a dead point, where rows depend on others though not beside it.
+  std::string dead_point;
   double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
   double reach =
       1;  ///< farthest from the origin that its nodes may be, m: what positions round off to
 
-  /// Numbers the rows again, after roles have changed.
-  void finish();
-
  private:
+  void finish();
+  void leave_out_redundant_rows();
+
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_, frames_, amplitudes_;
   Eigen::VectorXd initial_velocity_;

@@ -27,6 +27,7 @@ LAYERS = [
     ("mbs/bodies", "mbs/couplings"),
     ("mbs/system",),
     ("mbs/solvers",),
+    ("mbs/sensitivity",),
     ("esl",),
     ("optim/nlp",),
     ("optim/study",),

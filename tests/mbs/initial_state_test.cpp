@@ -5,7 +5,7 @@
 
 #include "mbs/bodies/beam.hpp"
 #include "mbs/run.hpp"
-#include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {

@@ -1,11 +1,14 @@
 /// @file
-/// The static tangent against finite differences of the residual, with everything on it.
+/// The matrix of Newton's method against finite differences of the residual, with everything on it,
+/// in statics and at states of a motion, for every formalism; products and solutions.
 
-#include "mbs/solvers/static_system.hpp"
+#include "mbs/solvers/iteration_matrix.hpp"
 
 #include <gtest/gtest.h>
 
+#include "mbs/run.hpp"
 #include "mbs/static_cases.hpp"
+#include "mbs/step_tangent.hpp"
 
 namespace liesl {
 namespace {
@@ -78,12 +81,14 @@ void expect_tangent(const Space<G>& space, bool spatial) {
     for (int i = 0; i < G::dim; ++i) h[i] = 0.2 * std::sin(1 + 2.3 * i + 1.7 * k);
     return h;
   };
-  for (int k = 0; k < model.nodes(); ++k) s.H[k] = s.H[k] * G::exp(turn(k));
+  Eigen::VectorXd turns(model.size());
+  for (int k = 0; k < model.nodes(); ++k) turns.segment<G::dim>(G::dim * k) = turn(k);
+  model.retract(s, turns);
   for (int i = 0; i < s.lambda.size(); ++i) s.lambda[i] = 3 * std::cos(1 + i);
   Equations<G> eq(model);
   eq.observe(s, s.q, s.q);
   eq.evaluate(s, s.q, level);
-  StaticSystem<G> system(model);
+  IterationMatrix<G> system(model);
   system.take_prestress(eq, s);
   const Eigen::MatrixXd A = system.assemble(eq, s, level);
   EXPECT_EQ(Eigen::MatrixXd(system.assemble(eq, s, level)), A);  // the second time by index
@@ -92,10 +97,9 @@ void expect_tangent(const Space<G>& space, bool spatial) {
   const double h = 1e-6;
   Eigen::MatrixXd difference(n + m, n);
   for (int j = 0; j < n; ++j) {
-    State<G> moved = s;
     const auto at = [&](double step) {
-      const typename G::Tangent e = step * G::Tangent::Unit(j % G::dim);
-      moved.H[j / G::dim] = s.H[j / G::dim] * G::exp(e);
+      State<G> moved = s;
+      model.retract(moved, step * Eigen::VectorXd::Unit(n, j));
       eq.evaluate(moved, s.q, level);
       return (Eigen::VectorXd(n + m) << eq.r, eq.phi).finished();
     };
@@ -106,16 +110,16 @@ void expect_tangent(const Space<G>& space, bool spatial) {
   EXPECT_TRUE(A.bottomRightCorner(m, m).isZero(0));
 }
 
-TEST(StaticSystem, TangentIsTheDerivativeInSpace) { expect_tangent<SE3>({}, true); }
+TEST(StaticTangent, IsTheDerivativeInSpace) { expect_tangent<SE3>({}, true); }
 
-TEST(StaticSystem, TangentIsTheDerivativeInThePlane) {
+TEST(StaticTangent, IsTheDerivativeInThePlane) {
   const auto plane = find_plane(everything(false));
   ASSERT_TRUE(plane.plane) << plane.reason;
   expect_tangent<SE2>(*plane.plane, false);
 }
 
 /// A table of the load factor drives a hinge: the beam turns, nothing bends.
-TEST(StaticSystem, DriveFollowsTheLoadFactor) {
+TEST(StaticTangent, DriveFollowsTheLoadFactor) {
   Mechanism m = cases::cantilever(cases::beam(straight({0, 0, 0}, {1, 0, 0}, 2),
                                               cases::section(cases::diagonal(10, 10, 10, 10))));
   m.joints[0].type = JointType::Revolute;
@@ -131,7 +135,7 @@ TEST(StaticSystem, DriveFollowsTheLoadFactor) {
 }
 
 /// The same clamp twice: left out once, told, and the result is that of one.
-TEST(StaticSystem, RedundantJointsAreLeftOut) {
+TEST(StaticTangent, RedundantJointsAreLeftOut) {
   Mechanism m = cases::bend45(4, 300);
   m.joints.push_back(m.joints[0]);
   m.joints[1].name = "again";
@@ -140,6 +144,80 @@ TEST(StaticSystem, RedundantJointsAreLeftOut) {
   EXPECT_FALSE(solved.result.report.warnings.empty());
   const Vec3 once = cases::solve(cases::bend45(4, 300)).frame(4).x;
   EXPECT_LT((solved.frame(4).x - once).norm(), 1e-9);
+}
+
+/// The same in motion: damping in beams, springs and hinges, a drive, velocities from the start.
+Mechanism everything_in_motion(bool spatial, Formalism formalism) {
+  Mechanism m = everything(spatial);
+  m.formalism = formalism;
+  for (int b : {0, 1}) std::get<BeamSpec>(m.bodies[std::size_t(b)].kind).damping = 0.02;
+  for (auto& f : m.forces) f.damping = 0.7;
+  m.joints[0].type = JointType::Revolute;
+  DriveSpec drive;
+  drive.motion = TimeFunction::rate(2, 0.1);
+  m.drives.push_back(drive);
+  return m;
+}
+
+template <FrameGroup G>
+Space<G> space_of(const Mechanism& m) {
+  if constexpr (G::space_dim == 2)
+    return find_plane(m).plane.value();
+  else
+    return {};
+}
+
+template <class G>
+class IterationMatrixTest : public ::testing::Test {};
+using Groups = ::testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(IterationMatrixTest, Groups);
+
+constexpr Formalism kFormalisms[] = {Formalism::Lie, Formalism::Decoupled, Formalism::Classical,
+                                     Formalism::Rigid};
+
+TYPED_TEST(IterationMatrixTest, IsTheDerivativeOfTheResidualOfAStep) {
+  using G = TypeParam;
+  for (const Formalism formalism : kFormalisms) {
+    const Mechanism m = everything_in_motion(G::space_dim == 3, formalism);
+    const auto model = Model<G>::build(m, space_of<G>(m));
+    testing::StepTangent<G> step(model, testing::options(1, 0.02), 12);
+    step.expect_exact(to_string(formalism));
+  }
+}
+
+/// Nodes with amplitudes, frames that follow, the convective forces of modes.
+TYPED_TEST(IterationMatrixTest, IsTheDerivativeForFloatingFrames) {
+  using G = TypeParam;
+  const Mechanism m = everything_in_motion(G::space_dim == 3, Formalism::Floating);
+  const auto model = Model<G>::build(m, space_of<G>(m));
+  testing::StepTangent<G> step(model, testing::options(1, 0.02), 12);
+  step.expect_exact("floating");
+}
+
+/// <S a, b> = <a, S^T b>, and both solutions: with constraints, at a state of a motion.
+TYPED_TEST(IterationMatrixTest, SolvesAndSolvesTransposed) {
+  using G = TypeParam;
+  const Mechanism m = everything_in_motion(G::space_dim == 3, Formalism::Lie);
+  const auto model = Model<G>::build(m, space_of<G>(m));
+  testing::StepTangent<G> step(model, testing::options(1, 0.02), 12);
+  auto& S = step.matrix();
+  ASSERT_GT(model.constraints(), 0);
+  ASSERT_TRUE(S.factor());
+  testing::Random random{5};
+  const int n = static_cast<int>(step.S().rows());
+  Eigen::MatrixXd a(n, 3), b(n, 3);
+  for (int j = 0; j < 3; ++j) {
+    a.col(j) = random.vector(n);
+    b.col(j) = random.vector(n);
+  }
+  Eigen::MatrixXd x = a, y = b;
+  S.lu().solve(x);
+  S.lu().solve_transposed(y);
+  EXPECT_LT((step.S() * x - a).norm(), 1e-10 * a.norm());
+  EXPECT_LT((step.S().transpose() * y - b).norm(), 1e-10 * b.norm());
+  EXPECT_GT((step.S() * y - b).norm(), 1e-3 * b.norm()) << "S is not symmetric";
+  const Eigen::MatrixXd one = a.transpose() * y, other = x.transpose() * b;  // a' S^-T b
+  EXPECT_LT((one - other).norm(), 1e-10 * one.norm());
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-#include "mbs/solvers/constraint_rank.hpp"
+#include "mbs/system/constraint_rank.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -7,7 +7,7 @@
 #include <map>
 #include <set>
 
-#include "mbs/solvers/constraint_matrix.hpp"
+#include "mbs/system/constraint_matrix.hpp"
 
 namespace liesl {
 namespace {
@@ -92,19 +92,22 @@ std::set<int> singular_here_only(ConstraintMatrix<G>& matrix, const State<G>& s,
 }  // namespace
 
 template <FrameGroup G>
-std::string remove_redundant_constraints(Model<G>& model, const State<G>& s,
-                                         std::vector<std::string>& out) {
+RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
+  RedundantRows out;
   ConstraintMatrix<G> matrix(model);
+  Equations<G>(model).observe(s, s.q, s.q);
   std::vector<Dependency> rows = dependencies(matrix.evaluate(s));
   const auto any = [&] {
     return std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.dependent; });
   };
-  if (!any()) return {};
-  if (const auto dead = singular_here_only(matrix, s, rows); !dead.empty())
-    return fmt::format(
+  if (!any()) return out;
+  if (const auto dead = singular_here_only(matrix, s, rows); !dead.empty()) {
+    out.dead_point = fmt::format(
         "joint '{}' depends on the others in the start position, but not beside it: a dead point, "
         "where the mechanism may go on in more than one way; start it a little beside",
         model.couplings[*dead.begin()].name);
+    return out;
+  }
   std::map<int, std::set<std::string>> others;  // by coupling
   std::map<int, int> repeated;
   for (size_t i = 0; i < rows.size(); ++i) {
@@ -114,18 +117,17 @@ std::string remove_redundant_constraints(Model<G>& model, const State<G>& s,
       if (const int other = matrix.rows()[j].coupling; other != row.coupling)
         others[row.coupling].insert("'" + model.couplings[other].name + "'");
     ++repeated[row.coupling];
-    model.couplings[row.coupling].equations[row.equation].role = Role::Redundant;
+    out.rows.emplace_back(row.coupling, row.equation);
   }
   for (const auto& [coupling, count] : repeated) {
     const auto& c = model.couplings[coupling];
     const auto& names = others[coupling];
-    out.push_back(fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out",
-                              c.name,
-                              names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")),
-                              count, c.constraints, count == 1 ? "is" : "are"));
+    out.sentences.push_back(
+        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out", c.name,
+                    names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")), count,
+                    c.constraints, count == 1 ? "is" : "are"));
   }
-  model.finish();
-  return {};
+  return out;
 }
 
 template <FrameGroup G>
@@ -176,10 +178,8 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   return m;
 }
 
-template std::string remove_redundant_constraints(Model<SE2>&, const State<SE2>&,
-                                                  std::vector<std::string>&);
-template std::string remove_redundant_constraints(Model<SE3>&, const State<SE3>&,
-                                                  std::vector<std::string>&);
+template RedundantRows redundant_rows(const Model<SE2>&, State<SE2>);
+template RedundantRows redundant_rows(const Model<SE3>&, State<SE3>);
 template std::string contradiction(const Model<SE2>&, const State<SE2>&);
 template std::string contradiction(const Model<SE3>&, const State<SE3>&);
 template Mobility mobility(const Model<SE2>&, const State<SE2>&);

@@ -1,4 +1,4 @@
-#include "mbs/solvers/constraint_matrix.hpp"
+#include "mbs/system/constraint_matrix.hpp"
 
 #include "mbs/linalg/dense.hpp"
 
@@ -53,11 +53,13 @@ const Eigen::MatrixXd& ConstraintMatrix<G>::evaluate(const State<G>& s) {
 
 template <FrameGroup G>
 void ConstraintMatrix<G>::move(State<G>& s, const Eigen::VectorXd& step) const {
+  Eigen::VectorXd delta = Eigen::VectorXd::Zero(model_.size());
   for (size_t k = 0; k < nodes_.size(); ++k) {
-    typename G::Tangent h = step.segment<G::dim>(G::dim * static_cast<long>(k));
+    auto h = delta.segment<G::dim>(G::dim * nodes_[k]);
+    h = step.segment<G::dim>(G::dim * static_cast<long>(k));
     h.template tail<G::rotation_dim>() /= model_.length;
-    s.H[nodes_[k]] = s.H[nodes_[k]] * G::exp(h);
   }
+  model_.retract(s, delta);
 }
 
 /// Levenberg-Marquardt with the square of the residual as damping converges quadratically to

@@ -1,0 +1,166 @@
+/// @file
+/// The exact tangent of bodies in a floating frame.
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "mbs/bodies/floating.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr int kTerms = 20;  // of the series below: 1e-16 up to 1 rad, 1e-12 at pi
+
+/// B_2m/(2m)! = (-1)^(m+1) 2 zeta(2m)/(2 pi)^2m, m = 1, 2, ...
+std::array<double, kTerms> bernoulli_over_factorial() {
+  std::array<double, kTerms> c{1. / 12, -1. / 720, 1. / 30240};
+  for (int m = 4; m <= kTerms; ++m) {
+    double zeta = 0;
+    for (int k = 60; k >= 1; --k) zeta += std::pow(k, -2 * m);
+    c[m - 1] = (m % 2 ? 2 : -2) * zeta / std::pow(2 * std::numbers::pi, 2 * m);
+  }
+  return c;
+}
+
+/// D_u [D_u [T^-1(u) a] b] by T^-1(u) = I + ad(u)/2 + sum_m B_2m/(2m)! ad(u)^2m, |w| < 2 pi.
+template <FrameGroup G>
+typename G::Matrix second_dTinv(const typename G::Tangent& u, const typename G::Tangent& a,
+                                const typename G::Tangent& b) {
+  using Tangent = typename G::Tangent;
+  using Matrix = typename G::Matrix;
+  static const auto coefficient = bernoulli_over_factorial();
+  const Matrix U = G::ad(u), B = G::ad(b);
+  // Powers of ad(u) on a, and their derivatives by u: along b, along unit vectors, along both.
+  const auto along_units = [](const Tangent& x) -> Matrix { return -G::ad(x); };  // ad(e_j) x
+  Tangent x = a, xb = Tangent::Zero();
+  Matrix xj = Matrix::Zero(), xjb = Matrix::Zero(), sum = Matrix::Zero();
+  for (int k = 1; k <= 2 * kTerms; ++k) {
+    xjb = (U * xjb + B * xj + along_units(xb)).eval();
+    xj = (U * xj + along_units(x)).eval();
+    xb = (U * xb + B * x).eval();
+    x = (U * x).eval();
+    if (k % 2 == 0) sum += coefficient[k / 2 - 1] * xjb;
+  }
+  return sum;
+}
+
+/// ad(h)^T f = adT(f) h
+template <FrameGroup G>
+typename G::Matrix ad_transposed_of(const typename G::Tangent& f) {
+  typename G::Matrix A;
+  for (int j = 0; j < G::dim; ++j) A.col(j) = G::ad(G::Tangent::Unit(j)).transpose() * f;
+  return A;
+}
+
+}  // namespace
+
+/// With y = v_i - c, c = Ad(Y^-1) v_0, z = vdot_i - Ad(Y^-1) vdot_0 + ad(y) c as in `measure`, and
+/// g = h_i - Ad(Y^-1) h_0 the increment of Y: du = T^-1 g, dc = ad(c) g, dy = -ad(c) g.
+template <FrameGroup G>
+auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m) const -> Kinematics {
+  using Node = Eigen::Map<const Tangent>;
+  using Matrix = typename G::Matrix;
+  const int n = reduced_size();
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, dim + n);
+  Kinematics k{zero, zero, zero};
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i), node = dim * interfaces_[i];
+    const Matrix back = m.Y[i].AdInv();
+    const Tangent u = m.e.template segment<dim>(at), rate = m.rate.template segment<dim>(at);
+    const Tangent c = back * Node(s.v), a = back * Node(s.vdot), y = Node(s.v + node) - c;
+    const Tangent z = Node(s.vdot + node) - a + G::ad(y) * c;
+    const Matrix Ti = G::Tinv(u), Dy = G::dTinv(u, y), ad_c = G::ad(c), ad_y = G::ad(y);
+    Matrix along;  // the derivative of T^-1 along the rate
+    for (int j = 0; j < dim; ++j) along.col(j) = G::dTinv(u, Tangent::Unit(j)) * rate;
+    const Matrix dz = -G::ad(a) + ad_c * ad_c + ad_y * ad_c;
+    const Matrix rate_g = Dy * Ti - Ti * ad_c;
+    const Matrix acceleration_g = G::dTinv(u, z) * Ti + Ti * dz + second_dTinv<G>(u, y, rate) * Ti -
+                                  along * ad_c + Dy * rate_g;
+    const Matrix by_y = along + Dy * Ti - Ti * ad_c, by_c = Ti * ad_y;
+    const auto set = [&](Eigen::MatrixXd& D, const Matrix& own, const Matrix& frame) {
+      D.template block<dim, dim>(at, dim + at) = own;
+      D.template block<dim, dim>(at, 0) = frame;
+    };
+    set(k.rate, rate_g, -rate_g * back);
+    set(k.acceleration, acceleration_g, -acceleration_g * back);
+    set(k.acceleration_by_v, by_y, (by_c - by_y) * back);
+  }
+  return k;
+}
+
+/// Of f = T^-T(u) q on node i and -Ad(Y^-1)^T f on the frame: df = D_u[T^-T(u) q] T^-1(u) g,
+/// d(Ad(Y^-1)^T f) = -Ad(Y^-1)^T ad(g)^T f + ...
+template <FrameGroup G>
+void FloatingBody<G>::add_turning(const Motion& m, const Eigen::VectorXd& q, double weight,
+                                  Matrices& A) const {
+  using Matrix = typename G::Matrix;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const Tangent u = m.e.template segment<dim>(at), q_i = q.template segment<dim>(at);
+    const Matrix Ti = G::Tinv(u), back = m.Y[i].AdInv();
+    const Matrix bends = weight * G::dTinvT(u, q_i) * Ti;  // df = bends g
+    const Tangent f = weight * Ti.transpose() * q_i;
+    const Matrix on_frame = back.transpose() * (ad_transposed_of<G>(f) - bends);
+    A.dense.template block<dim, dim>(dim + at, dim + at) += bends;
+    A.dense.template block<dim, dim>(dim + at, 0) -= bends * back;
+    A.dense.template block<dim, dim>(0, dim + at) += on_frame;
+    A.dense.template block<dim, dim>(0, 0) -= on_frame * back;
+  }
+}
+
+/// r = [f_0; 0] + E^T q with the forces [f_0; q] of inertia, and K_e (e + c edot) in q.
+template <FrameGroup G>
+void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                                    const Tangent*, Matrices& A) const {
+  using Eigen::MatrixXd;
+  Motion m = at_reference();
+  measure(s, true, m);
+  const int n = reduced_size();
+  const MatrixXd E = increments(m), M = inertia_matrix(m);
+  MatrixXd d = MatrixXd::Zero(dim + n, dim + n);  // of [f_0; q]
+  if (w.mass != 0) {
+    d.leftCols(dim) += w.mass * M.leftCols(dim);
+    d += w.mass * M.rightCols(n) * E;
+  }
+  const double c = this->damping();
+  if (w.stiffness != 0 || w.damping != 0) {
+    const Tangent v0 = Eigen::Map<const Tangent>(s.v), a0 = apparent_acceleration<G>(s, 0, gravity);
+    const MatrixXd F = inertia_derivatives(m, v0, a0);
+    const auto by_e = F.leftCols(n), by_rate = F.middleCols(n, n), by_v0 = F.rightCols(dim);
+    const Kinematics k = kinematics(s, m);
+    d += w.stiffness * (by_e * E + by_rate * k.rate + M.rightCols(n) * k.acceleration) +
+         w.damping * (by_rate * E + M.rightCols(n) * k.acceleration_by_v);
+    d.leftCols(dim) +=
+        w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity) + w.damping * by_v0;
+    d.bottomRows(n) += K_e_ * ((w.stiffness + w.damping * c) * E + w.stiffness * c * k.rate);
+  }
+  A.dense.noalias() = E.transpose() * d.bottomRows(n);
+  A.dense.topRows(dim) += d.topRows(dim);
+  if (w.stiffness != 0) {
+    const auto own = this->make_workspace();
+    auto& work = static_cast<Workspace&>(*own);
+    Tangent f0 = Tangent::Zero();
+    ForceScale scale;
+    inertia_force(m, Eigen::Map<const Tangent>(s.v), apparent_acceleration<G>(s, 0, gravity), f0,
+                  work.q, scale, work);
+    add_turning(m, work.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
+  }
+  const int size = dim + n;
+  for (int j = size - unused_; j < size; ++j) A.dense(j, j) = w.mass + w.stiffness;
+}
+
+template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&) const
+    -> Kinematics;
+template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&) const
+    -> Kinematics;
+template void FloatingBody<SE2>::add_turning(const Motion&, const Eigen::VectorXd&, double,
+                                             Matrices&) const;
+template void FloatingBody<SE3>::add_turning(const Motion&, const Eigen::VectorXd&, double,
+                                             Matrices&) const;
+template void FloatingBody<SE2>::exact_tangent(const BodyState<SE2>&, const Vector&, TangentWeights,
+                                               const Tangent*, Matrices&) const;
+template void FloatingBody<SE3>::exact_tangent(const BodyState<SE3>&, const Vector&, TangentWeights,
+                                               const Tangent*, Matrices&) const;
+
+}  // namespace liesl

@@ -1,0 +1,170 @@
+#include "mbs/sensitivity/step_sensitivity.hpp"
+
+#include <stdexcept>
+
+namespace liesl {
+
+using Eigen::MatrixXd;
+
+StateSensitivity StateSensitivity::zero(int n, int m, int columns) {
+  const MatrixXd none = MatrixXd::Zero(n, columns);
+  return {none, none, none, none, MatrixXd::Zero(m, columns)};
+}
+
+template <FrameGroup G>
+StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
+    : model_(model),
+      weights_(rho_inf),
+      coordinates_(model, false),
+      equations_(model),
+      matrix_(model) {
+  if (model.formalism == Formalism::Decoupled || model.formalism == Formalism::Classical)
+    throw std::invalid_argument(
+        "sensitivities of the motion are those of the formalisms se3, floating and rigid; "
+        "simulation.formalism = \"se3\" has the same bodies and joints");
+}
+
+template <FrameGroup G>
+bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& near,
+                                   const RateTangents<G>& rates) {
+  equations_.evaluate(s, near, {s.t, 1});
+  matrix_.take_prestress(equations_, s);
+  matrix_.assemble(equations_, s, {s.t, 1}, &rates);
+  M_ = matrix_.mass();
+  C_ = matrix_.damping();
+  return at_start_ || matrix_.factor();
+}
+
+/// [M B^T; B 0], nodes that follow others held by the identity.
+template <FrameGroup G>
+bool StepSensitivity<G>::start(const State<G>& s) {
+  at_start_ = true;
+  const auto n = static_cast<size_t>(model_.nodes());
+  rates_.v.assign(n, G::Matrix::Zero());
+  rates_.vdot.assign(n, G::Matrix::Zero());
+  linearise(s, s.q, rates_);
+  const auto& S = matrix_.matrix();
+  std::vector<Eigen::Triplet<double>> entries;
+  for (int j = 0; j < S.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(S, j); it; ++it)
+      if (it.row() >= model_.size() || it.col() >= model_.size())
+        entries.emplace_back(it.row(), it.col(), it.value());
+  std::vector<bool> held(static_cast<size_t>(model_.size()), true);
+  for (int j = 0; j < M_.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(M_, j); it; ++it) {
+      entries.emplace_back(it.row(), it.col(), it.value());
+      held[static_cast<size_t>(it.row())] = false;
+    }
+  for (int i = 0; i < model_.size(); ++i)
+    if (held[static_cast<size_t>(i)]) entries.emplace_back(i, i, 1);
+  Eigen::SparseMatrix<double> A(S.rows(), S.cols());
+  A.setFromTriplets(entries.begin(), entries.end());
+  start_lu_ = SparseLu();
+  return start_lu_.factor(A);
+}
+
+template <FrameGroup G>
+bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, double h) {
+  at_start_ = false;
+  h_ = h;
+  Eigen::VectorXd dq, u, udot;
+  coordinates_.difference(before, after, dq);
+  coordinates_.rates(after, u, udot);
+  coordinates_.rate_tangents(after, dq, u, udot, weights_.at(h), rates_);
+  const TangentWeights unit{0, 1};
+  RateTangents<G> T;
+  coordinates_.rate_tangents(after, dq, u, udot, unit, T);
+  ahead_ = T.v;
+  coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
+  back_ = T.v;
+  return linearise(after, before.q, rates_);
+}
+
+template <FrameGroup G>
+MatrixXd StepSensitivity<G>::scaled(const Blocks& T, const MatrixXd& x) const {
+  MatrixXd y(x.rows(), x.cols());
+  for (size_t k = 0; k < T.size(); ++k) {
+    const auto at = dim * static_cast<Eigen::Index>(k);
+    y.middleRows<dim>(at).noalias() = T[k] * x.middleRows<dim>(at);
+  }
+  return y;
+}
+
+template <FrameGroup G>
+MatrixXd StepSensitivity<G>::scaled_transposed(const Blocks& T, const MatrixXd& x) const {
+  MatrixXd y(x.rows(), x.cols());
+  for (size_t k = 0; k < T.size(); ++k) {
+    const auto at = dim * static_cast<Eigen::Index>(k);
+    y.middleRows<dim>(at).noalias() = T[k].transpose() * x.middleRows<dim>(at);
+  }
+  return y;
+}
+
+template <FrameGroup G>
+void StepSensitivity<G>::forward(const MatrixXd& r_p, StateSensitivity& s) {
+  if (at_start_) return start_forward(r_p, s);
+  const auto& [am, af, gamma, beta] = weights_;
+  const TangentWeights w = weights_.at(h_);
+  const MatrixXd x0 = scaled(back_, s.eta);
+  const MatrixXd a0 = -s.v / (beta * h_) - (1 / (2 * beta) - 1) * s.a;
+  const MatrixXd v0 = (1 - gamma / beta) * s.v + h_ * (1 - gamma / (2 * beta)) * s.a;
+  const MatrixXd w0 = ((1 - am) * a0 + am * s.a - af * s.w) / (1 - af);
+  const auto n = model_.size(), m = model_.constraints();
+  MatrixXd rhs(n + m, r_p.cols());
+  rhs << -(r_p + M_ * (w0 - w.mass * x0) + C_ * (v0 - w.damping * x0)),
+      MatrixXd::Zero(m, r_p.cols());
+  matrix_.lu().solve(rhs);
+  s.eta = rhs.topRows(n);
+  s.lambda = rhs.bottomRows(m);
+  const MatrixXd x = scaled(ahead_, s.eta) - x0;
+  s.a = x / (beta * h_ * h_) + a0;
+  s.v = w.damping * x + v0;
+  s.w = w.mass * x + w0;
+}
+
+template <FrameGroup G>
+void StepSensitivity<G>::backward(const MatrixXd& r_p, StateSensitivity& s, MatrixXd& p) {
+  if (at_start_) return start_backward(r_p, s, p);
+  const auto& [am, af, gamma, beta] = weights_;
+  const TangentWeights w = weights_.at(h_);
+  const auto n = model_.size(), m = model_.constraints();
+  const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
+  MatrixXd rhs(n + m, x.cols());
+  rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
+  matrix_.lu().solve_transposed(rhs);
+  const MatrixXd mu = rhs.topRows(n), Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
+  p -= r_p.transpose() * mu;
+  const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
+  s.eta = scaled_transposed(back_, w.mass * Mmu + w.damping * Cmu - x);
+  s.a = am / (1 - af) * w0 + h_ * (1 - gamma / (2 * beta)) * v0 - (1 / (2 * beta) - 1) * a0;
+  s.v = (1 - gamma / beta) * v0 - a0 / (beta * h_);
+  s.w = -af / (1 - af) * w0;
+  s.lambda.setZero();
+}
+
+/// M w' + B^T lambda' = -r_p, B w' = 0, a' = w': positions and velocities are those of the scene.
+template <FrameGroup G>
+void StepSensitivity<G>::start_forward(const MatrixXd& r_p, StateSensitivity& s) {
+  const auto n = model_.size(), m = model_.constraints();
+  MatrixXd rhs(n + m, r_p.cols());
+  rhs << -r_p, MatrixXd::Zero(m, r_p.cols());
+  start_lu_.solve(rhs);
+  s = StateSensitivity::zero(n, m, static_cast<int>(r_p.cols()));
+  s.w = s.a = rhs.topRows(n);
+  s.lambda = rhs.bottomRows(m);
+}
+
+template <FrameGroup G>
+void StepSensitivity<G>::start_backward(const MatrixXd& r_p, StateSensitivity& s, MatrixXd& p) {
+  const auto n = model_.size(), m = model_.constraints();
+  MatrixXd rhs(n + m, s.w.cols());
+  rhs << s.w + s.a, s.lambda;
+  start_lu_.solve_transposed(rhs);
+  p -= r_p.transpose() * rhs.topRows(n);
+  s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
+}
+
+template class StepSensitivity<SE2>;
+template class StepSensitivity<SE3>;
+
+}  // namespace liesl

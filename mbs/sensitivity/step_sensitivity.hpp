@@ -1,0 +1,83 @@
+#pragma once
+/// @file
+/// One step of the Lie-group generalized-alpha method, differentiated by parameters p at its
+/// converged states: thesis eq. 3.17-3.19 on the group (Sonneville, Brüls 2014, "Sensitivity
+/// analysis for multibody systems formulated on a Lie group", Multibody Syst. Dyn. 31).
+///
+/// ' = d/dp; eta: left-invariant sensitivity of the frames, H' = H eta~; w = vdot. With
+/// dq = log(H_n^-1 H_{n+1}), M, C, K of `IterationMatrix` at n+1 and beta', gamma' of the step:
+///   x0 = T^-1(-dq) eta_n
+///   a0 = -v'_n/(beta h) - (1/(2 beta) - 1) a'_n
+///   v0 = (1 - gamma/beta) v'_n + h (1 - gamma/(2 beta)) a'_n
+///   w0 = [(1 - alpha_m) a0 + alpha_m a'_n - alpha_f w'_n]/(1 - alpha_f)
+///   S [eta; lambda'] = -[r_p + M (w0 - beta' x0) + C (v0 - gamma' x0); 0]
+///   x = T^-1(dq) eta - x0:  a' = x/(beta h^2) + a0,  v' = gamma' x + v0,  w' = beta' x + w0.
+/// `backward` is the transposed of this map (discrete adjoint: exact for the discrete motion).
+
+#include <Eigen/Core>
+
+#include "mbs/solvers/generalized_alpha.hpp"
+
+namespace liesl {
+
+/// Derivatives of a state by n_p parameters, a column each; of functionals by a state as well.
+struct StateSensitivity {
+  Eigen::MatrixXd eta;     ///< n x n_p, left-invariant increments of frames; amplitudes as they are
+  Eigen::MatrixXd v;       ///< n x n_p
+  Eigen::MatrixXd a;       ///< n x n_p, of the acceleration-like variable
+  Eigen::MatrixXd w;       ///< n x n_p, of vdot
+  Eigen::MatrixXd lambda;  ///< m x n_p
+
+  static StateSensitivity zero(int n, int m, int columns);
+};
+
+template <FrameGroup G>
+class StepSensitivity {
+ public:
+  static constexpr int dim = G::dim;
+
+  /// @throws std::invalid_argument for formalisms that do not integrate frames (r3so3, classical)
+  StepSensitivity(const Model<G>& model, double rho_inf);
+
+  /// At the start, where accelerations and multipliers follow from M w + B^T lambda = ...
+  /// @returns false if that has no solution, here and below
+  bool start(const State<G>& s);
+  /// At the step from `before` to `after` of size h.
+  bool step(const State<G>& before, const State<G>& after, double h);
+
+  /// x: of the state before on entry, of the state after on return; at the start what it is on
+  /// entry does not count. @param r_p derivative of the residual at the state after, n x n_p
+  void forward(const Eigen::MatrixXd& r_p, StateSensitivity& x);
+
+  /// x: cotangents of the state after on entry, of the state before on return; of the start zero.
+  /// @param p cotangents of the parameters, n_p x columns: p -= r_p^T mu
+  void backward(const Eigen::MatrixXd& r_p, StateSensitivity& x, Eigen::MatrixXd& p);
+
+  const IterationMatrix<G>& matrix() const { return matrix_; }
+
+ private:
+  bool linearise(const State<G>& s, const Eigen::VectorXd& near, const RateTangents<G>& rates);
+  void start_forward(const Eigen::MatrixXd& r_p, StateSensitivity& x);
+  void start_backward(const Eigen::MatrixXd& r_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  /// y = diag(T_k) x or diag(T_k^T) x, block by block.
+  using Blocks = typename RateTangents<G>::Blocks;
+  Eigen::MatrixXd scaled(const Blocks& T, const Eigen::MatrixXd& x) const;
+  Eigen::MatrixXd scaled_transposed(const Blocks& T, const Eigen::MatrixXd& x) const;
+
+  const Model<G>& model_;
+  const AlphaWeights weights_;
+  NodeCoordinates<G> coordinates_;
+  Equations<G> equations_;
+  IterationMatrix<G> matrix_;
+  Eigen::SparseMatrix<double> M_, C_;
+  bool at_start_ = false;
+  double h_ = 0;
+  Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
+  RateTangents<G> rates_;
+  SparseLu start_lu_;
+};
+
+extern template class StepSensitivity<SE2>;
+extern template class StepSensitivity<SE3>;
+
+}  // namespace liesl

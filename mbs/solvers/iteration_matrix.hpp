@@ -1,0 +1,98 @@
+#pragma once
+/// @file
+/// The matrix of Newton's method at one state, of a step in time and of statics,
+///   S = [K + C V + M W   B^T]      S [delta ] = -[r  ]
+///       [B               0  ],       [dlambda]    [phi],
+/// K, C, M: exact derivatives of the residual, of bodies, loads, force laws and joints (that of
+/// B^T lambda among them), by left-invariant nodal increments, by v and by vdot. V and W say how v
+/// and vdot follow an increment within a step (`RateTangents`; Lie: gamma' and beta' T^-1(dq)). In
+/// statics they are zero.
+/// What the geometric terms of K act with, section forces and forces of springs, is kept apart from
+/// the state: `Prestress`.
+
+#include "mbs/linalg/sparse_assembly.hpp"
+#include "mbs/linalg/sparse_lu.hpp"
+#include "mbs/solvers/node_coordinates.hpp"
+#include "mbs/system/equations.hpp"
+
+namespace liesl {
+
+/// Forces in the geometric stiffness.
+template <FrameGroup G>
+struct Prestress {
+  using Tangent = typename G::Tangent;
+  std::vector<std::vector<Tangent, Eigen::aligned_allocator<Tangent>>>
+      section;                         ///< bodies x elements
+  std::vector<Eigen::VectorXd> force;  ///< couplings x acting rows; constraints: unused
+};
+
+template <FrameGroup G>
+class IterationMatrix {
+ public:
+  static constexpr int dim = G::dim;
+  using Matrix = SparseAssembly::Matrix;
+  using Pair = Eigen::Matrix<double, 2 * dim, 2 * dim>;
+
+  explicit IterationMatrix(const Model<G>& model);
+
+  /// Prestress of the state itself.
+  /// @pre eq was evaluated at s, here and below
+  void take_prestress(const Equations<G>& eq, const State<G>& s);
+  /// Prestress of the state extrapolated by an increment: sigma + (K/L) P delta for elements,
+  /// f + k B delta for springs (mixed-integration-point Newton: Magisano, Leonetti, Garcea 2017,
+  /// "How to improve efficiency and robustness of the Newton method in geometrically non-linear
+  /// structural problem discretized via displacement-based finite elements", CMAME 313).
+  void extrapolate_prestress(const Equations<G>& eq, const State<G>& s,
+                             const Eigen::VectorXd& delta);
+
+  /// The blocks of S at s with the prestress last taken. @param rates null: statics
+  void linearise(const Equations<G>& eq, const State<G>& s, const LoadLevel& level,
+                 const RateTangents<G>* rates = nullptr);
+  /// K + C V + M W of a body with the loads on it, and of a coupling, [node of a; node of b],
+  /// without B.
+  const BodyMatrix<dim>& body(int b) const { return A_[b]; }
+  const Pair& coupling(int c) const { return couplings_[c].A; }
+
+  /// S at s, (n + m) x (n + m): the blocks, and B.
+  const Matrix& assemble(const Equations<G>& eq, const State<G>& s, const LoadLevel& level,
+                         const RateTangents<G>* rates = nullptr);
+  const Matrix& matrix() const { return *matrix_; }
+  /// M and C, n x n. @pre the last linearisation was one with rates
+  const Matrix& mass();
+  const Matrix& damping();
+
+  /// Factors what was assembled. @returns false if it is singular.
+  bool factor() { return lu_.factor(*matrix_); }
+  const SparseLu& lu() const { return lu_; }
+
+  int size() const { return model_.size(); }
+  int constraints() const { return model_.constraints(); }
+
+ private:
+  using BodyMatrices = std::vector<BodyMatrix<dim>>;
+  struct CouplingBlock {
+    Pair A, C;  ///< share of S, and of C
+  };
+
+  void linearise_bodies(const State<G>& s, const LoadLevel& level, const RateTangents<G>* rates);
+  void linearise_load(const Load<G>& load, const State<G>& s, const LoadLevel& level);
+  void linearise_coupling(int index, const Equations<G>& eq, const State<G>& s,
+                          const RateTangents<G>* rates);
+  void add_coupling(const Coupling<G>& c, const Pair& K, SparseAssembly& assembly) const;
+  BodyMatrices empty() const;
+
+  const Model<G>& model_;
+  Prestress<G> prestress_;
+  Eigen::VectorXd still_;   ///< no increment
+  BodyMatrices A_, C_, M_;  ///< by body
+  std::vector<CouplingBlock, Eigen::aligned_allocator<CouplingBlock>> couplings_;
+  std::vector<int> followers_;  ///< nodes without unknowns: the identity in S
+  SparseAssembly assembly_, mass_, damping_;
+  const Matrix* matrix_ = nullptr;
+  SparseLu lu_;
+};
+
+extern template class IterationMatrix<SE2>;
+extern template class IterationMatrix<SE3>;
+
+}  // namespace liesl
