@@ -74,6 +74,8 @@ class Model {
   void finish();
 
  private:
+  void set_initial_velocity(const Mechanism& mechanism);
+
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_, frames_, amplitudes_;
   Eigen::VectorXd initial_velocity_;

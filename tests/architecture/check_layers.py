@@ -32,9 +32,13 @@ LAYERS = [
     ("optim/study",),
     ("optim/design",),
     ("optim/cycle",),
-    ("apps/scene", "apps/output"),
+    ("apps/input", "apps/output"),
+    ("apps/mesh",),
+    ("apps/scene",),
+    ("apps/study",),
     ("apps/batch",),
     ("apps/compare", "apps/lean"),
+    ("apps/tasks",),
     ("apps/cli",),
     ("apps/bench",),
 ]
@@ -47,7 +51,7 @@ SEAMS = {
     r"muParser.*\.h": ["mbs/model"],
     r"hdf5.*\.h": ["apps/output"],
     r"openssl/.*": ["apps/output"],
-    r"toml\+\+/.*|toml\.hpp": ["apps/scene", "apps/cli"],
+    r"toml\+\+/.*|toml\.hpp": ["apps/input", "apps/scene", "apps/study", "apps/cli"],
     r"CLI/.*": ["apps/cli"],
     r"benchmark/.*": ["apps/bench"],
 }
