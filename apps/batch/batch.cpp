@@ -7,10 +7,10 @@
 
 #include "apps/batch/case_table.hpp"
 #include "apps/batch/grid.hpp"
+#include "apps/input/validate.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
-#include "apps/scene/study.hpp"
-#include "apps/scene/validate.hpp"
+#include "apps/study/study.hpp"
 
 namespace liesl {
 
@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path beside(const fs::path& file, const std::string& name) {
+fs::path relative_to(const fs::path& file, const std::string& name) {
   return (file.parent_path() / name).lexically_normal();
 }
 
@@ -31,7 +31,7 @@ bool is_of_batch(const std::string& change) {
 }
 
 CaseList read_table(const toml::node& name, const fs::path& file, Problems& problems) {
-  const fs::path path = beside(file, *name.value<std::string>());
+  const fs::path path = relative_to(file, *name.value<std::string>());
   try {
     return read_cases(output::read_file(path), path.string(), problems);
   } catch (const output::IoError& error) {
@@ -158,7 +158,7 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.name = *root["name"].value<std::string>();
   batch.file = document.file;
   batch.optimize = root.contains("study");
-  batch.of = beside(path, *root[batch.optimize ? "study" : "scene"].value<std::string>());
+  batch.of = relative_to(path, *root[batch.optimize ? "study" : "scene"].value<std::string>());
   batch.time = root["limits"]["time"].value<double>();
   batch.memory = root["limits"]["memory"].value<double>();
   batch.cases = read_case_list(document, problems);

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "apps/batch/case_list.hpp"
-#include "apps/scene/problem.hpp"
+#include "apps/input/problem.hpp"
 
 namespace liesl {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/problem.hpp"
+#include "apps/input/problem.hpp"
 
 namespace liesl {
 

@@ -12,7 +12,7 @@
 #include "mbs/solvers/simulation.hpp"
 
 #ifdef LIESL_OPTIM
-#include "apps/scene/study.hpp"
+#include "apps/study/study.hpp"
 #include "optim/cycle/esl_cycle.hpp"
 #include "optim/cycle/static_sizing.hpp"
 #include "optim/nlp/ipopt_driver.hpp"

@@ -14,7 +14,7 @@
 #include "apps/batch/pool.hpp"
 #include "apps/batch/results.hpp"
 #include "apps/cli/command.hpp"
-#include "apps/cli/run_summary.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/summary.hpp"

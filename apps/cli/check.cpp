@@ -3,9 +3,9 @@
 #include "apps/batch/batch.hpp"
 #include "apps/cli/command.hpp"
 #include "apps/compare/comparison.hpp"
+#include "apps/input/problem.hpp"
 #include "apps/output/plot_program.hpp"
-#include "apps/scene/problem.hpp"
-#include "apps/scene/study.hpp"
+#include "apps/study/study.hpp"
 
 namespace liesl {
 

@@ -4,8 +4,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "apps/input/problem.hpp"
 #include "apps/output/file.hpp"
-#include "apps/scene/problem.hpp"
 
 namespace liesl {
 namespace {

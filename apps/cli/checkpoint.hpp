@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The cycles of an optimisation as a file, from which an interrupted run goes on.
+/// The cycles of an optimisation as a file, from which an interrupted run resumes.
 
 #include <filesystem>
 #include <string>

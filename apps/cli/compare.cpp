@@ -1,15 +1,15 @@
+#include "apps/tasks/compare.hpp"
+
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "apps/cli/command.hpp"
-#include "apps/cli/run_summary.hpp"
-#include "apps/compare/comparison.hpp"
+#include "apps/cli/terminal.hpp"
 #include "apps/compare/ratios.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
-#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
@@ -17,26 +17,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Json = nlohmann::ordered_json;
-
-ResponseSpec response_named(const Scene& scene, const std::string& name) {
-  for (const ResponseSpec& response : scene.responses)
-    if (response.name == name) return response;
-  throw std::logic_error("no response " + name);  // load_comparison has looked
-}
-
-Measured measure_scene(const Comparison& comparison, const std::vector<std::string>& changes,
-                       int repeats, double time_limit) {
-  const Scene scene = load_scene(comparison.rows.of, changes);
-  const MeasureOptions options{response_named(scene, comparison.response), repeats, time_limit};
-  return std::visit([&](const auto& space) { return measure(scene, space, options); },
-                    choose_space(scene).space);
-}
-
-/// What rows are compared with.
-struct Reference {
-  output::Series mean;
-  double floor = 0;  ///< distance of its two sides
-};
 
 /// The references of a comparison, one for each motion; computed when first asked for, kept in
 /// files.
@@ -53,10 +33,10 @@ class References {
     Reference& reference = place->second;
     if (!fresh) return &reference;
     const fs::path path = folder_ / fmt::format("reference_{}.csv", known_.size());
-    if (!fs::exists(path)) write_series(path, side(row, 0), side(row, 1));
+    if (!fs::exists(path))
+      write_series(path, reference_side(comparison_, row, 0), reference_side(comparison_, row, 1));
     const auto [a, b] = output::read_series(path);
-    reference.mean = output::combine({0.5, 0.5}, {a, b});
-    reference.floor = distance(a, b, comparison_.norm);
+    reference = reference_of(a, b, comparison_.norm);
     summary_.references.push_back({physics, comparison_.reference->formalisms, reference.floor,
                                    size_of(reference.mean, comparison_.norm)});
     const double size = summary_.references.back().size;
@@ -71,37 +51,13 @@ class References {
  private:
   static constexpr double kTrusted = 1e-2;  ///< a difference of the sides that goes without saying
 
-  output::Series side(std::size_t row, int side) const {
-    std::vector<double> weights;
-    std::vector<output::Series> series;
-    for (const ReferenceRun& run : comparison_.reference_runs(row, side)) {
-      Measured m =
-          measure_scene(comparison_, run.changes, 0, std::numeric_limits<double>::infinity());
-      if (m.ending == Ending::Stopped) refuse(side, row, m.reason);
-      weights.push_back(run.weight);
-      series.push_back(std::move(m.series));
-    }
-    return combine(weights, series);
-  }
-  [[noreturn]] void refuse(int side, std::size_t row, const std::string& reason) const {
-    const ReferenceSpec& spec = *comparison_.reference;
-    const std::vector<std::string> physics = comparison_.physics(row);
-    throw InputError(
-        {{spec.place.file, spec.place.line, spec.place.column,
-          fmt::format(
-              "the reference of {}{} failed: {}", spec.formalisms[static_cast<std::size_t>(side)],
-              physics.empty() ? "" : fmt::format(" ({})", fmt::join(physics, ", ")), reason),
-          "a reference that reaches its end",
-          "use a smaller reference.step, another formalism, or no [reference]"}});
-  }
-
   const Comparison& comparison_;
   fs::path folder_;
   output::CompareSummary& summary_;
   std::map<std::string, Reference> known_;
 };
 
-/// Makes the folder, or goes on in one that an earlier command with the same input has left.
+/// Makes the folder, or resumes in one that an earlier command with the same input has left.
 void prepare(const fs::path& folder, const std::string& hash, bool force) {
   fs::create_directories(folder);
   if (fs::is_empty(folder)) return;
@@ -124,12 +80,12 @@ class Run {
       : comparison_(comparison),
         options_(options),
         folder_(fs::absolute(options.out).lexically_normal()),
-        table_(comparison.rows.cases, unit_of(comparison)),
+        table_(comparison.rows.cases, response_unit(comparison)),
         references_(comparison, folder_, summary_) {
     const auto& rows = comparison.rows;
     summary_.name = rows.name;
     summary_.response = comparison.response;
-    summary_.unit = unit_of(comparison);
+    summary_.unit = response_unit(comparison);
     summary_.norm = name_of(comparison.norm);
     summary_.rows = static_cast<int>(rows.cases.rows.size());
     summary_.overrides = options.set;
@@ -152,11 +108,6 @@ class Run {
   }
 
  private:
-  static std::string unit_of(const Comparison& comparison) {
-    const Scene scene = load_scene(comparison.rows.of, comparison.rows.changes(0));
-    return unit(response_named(scene, comparison.response), scene.mechanism);
-  }
-
   void rows() {
     const CaseList& cases = comparison_.rows.cases;
     output::Progress line("comparing", summary_.rows, "rows", options_.quiet);
@@ -165,8 +116,7 @@ class Run {
       line.update(static_cast<double>(table_.size()), "row " + run.name);
       const Reference* reference = references_.of(row);
       if (table_.has(run.name)) continue;
-      const Measured m = measure_scene(comparison_, comparison_.rows.changes(row),
-                                       comparison_.repeats, comparison_.time_limit);
+      const Measured m = measure_row(comparison_, row);
       std::optional<double> error, floor;
       if (reference) floor = reference->floor;
       if (reference && m.ending != Ending::Stopped)

@@ -11,10 +11,10 @@
 #include <new>
 
 #include "apps/cli/command.hpp"
+#include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/versions.hpp"
-#include "apps/scene/problem.hpp"
 
 namespace {
 
@@ -64,12 +64,13 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
           ->check(CLI::NonNegativeNumber);
     }
     if (std::string(entry.name) == "optimize") {
-      command->add_flag("--resume", o.resume, "Go on with an interrupted run in the same folder");
+      command->add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");
       command->add_flag("--check-derivatives", o.check_derivatives,
                         "Compare the gradients with finite differences and stop");
       command
           ->add_flag("--nucleate{10}", o.nucleate,
-                     "Insert new holes where they pay, --nucleate=N at most N (experimental)")
+                     "Insert new holes where they reduce the objective, --nucleate=N at most N "
+                     "(experimental)")
           ->check(CLI::Range(1, 100));
       command->get_option("--output")->required(false);
     }

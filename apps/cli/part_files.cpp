@@ -9,13 +9,10 @@
 #include "apps/output/file.hpp"
 #include "apps/output/shape_writer.hpp"
 #include "apps/scene/outline_text.hpp"
-#include "esl/solid_loads.hpp"
-#include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
 namespace {
 
-constexpr int kCases = 8;           // of a motion whose stress is looked at
 constexpr double kPointsACell = 2;  // of the outlines, in each direction
 
 levelset::Box box_of(const SolidMesh& mesh) {
@@ -82,10 +79,22 @@ Eigen::MatrixXd in_space(const SolidMesh& mesh, const Eigen::VectorXd& u) {
   return out;
 }
 
+/// NAME_outline.toml: the tree of features, for a scene.
+void write_outline(const std::filesystem::path& folder, const std::string& name,
+                   const levelset::ShapeSpec& outline) {
+  output::write_file(folder / (name + "_outline.toml"),
+                     "# The final outline, to take the place of the scene's own. SI units.\n" +
+                         outline_text(name, outline));
+}
+
 }  // namespace
 
-void write_part(const std::filesystem::path& folder, const std::string& name, PartShape& part,
-                const std::vector<Eigen::VectorXd>& history, const PartFields& fields) {
+void write_part(const std::filesystem::path& folder, const PartOutcome& outcome) {
+  const std::string& name = outcome.name;
+  PartShape& part = *outcome.shape;
+  const std::vector<Eigen::VectorXd>& history = outcome.history;
+  const PartFields& fields = outcome.fields;
+  write_outline(folder, name, outcome.outline);
   const SolidMesh& mesh = part.model.mesh();
   const Eigen::Index worst = worst_case(fields.von_mises);
   const bool solved = fields.von_mises.size() > 0;
@@ -110,33 +119,6 @@ void write_part(const std::filesystem::path& folder, const std::string& name, Pa
   write_outlines(folder / (name + "_outlines.csv"), part, history);
   write_cells(folder / (name + "_cells.csv"), mesh, fields, stress);
 }
-
-void write_outline(const std::filesystem::path& folder, const std::string& name,
-                   const levelset::ShapeSpec& outline) {
-  output::write_file(folder / (name + "_outline.toml"),
-                     "# The final outline, to take the place of the scene's own. SI units.\n" +
-                         outline_text(name, outline));
-}
-
-template <FrameGroup G>
-PartFields fields_of_motion(const StudySpec& study, PartShape& part, const Eigen::VectorXd& x,
-                            const Model<G>& model, const Trajectory<G>& trajectory) {
-  const SolidLoadSet loads = extract_solid_loads(model, trajectory, part.body);
-  const std::set<int> chosen = spread_cases(loads.e, kCases);
-  SolidTask task = solid_task(study, part);
-  task.loads = loads.shapes;
-  task.mix = loads.e(Eigen::all, std::vector<int>(chosen.begin(), chosen.end()));
-  for (const int n : chosen) task.cases.push_back(fmt::format("t = {:.6g} s", loads.t[n]));
-  StaticShape problem(task, x, study.cycle.move_cells);
-  if (!problem.show_all(x)) return {};
-  return {problem.statics().fractions(), problem.statics().u(),
-          von_mises(problem.statics(), study.stress.relaxation)};
-}
-
-template PartFields fields_of_motion(const StudySpec&, PartShape&, const Eigen::VectorXd&,
-                                     const Model<SE2>&, const Trajectory<SE2>&);
-template PartFields fields_of_motion(const StudySpec&, PartShape&, const Eigen::VectorXd&,
-                                     const Model<SE3>&, const Trajectory<SE3>&);
 
 }  // namespace liesl
 

@@ -7,9 +7,9 @@
 
 #include "apps/batch/grid.hpp"
 #include "apps/compare/row_table.hpp"
+#include "apps/input/validate.hpp"
 #include "apps/scene/reader.hpp"
-#include "apps/scene/study.hpp"
-#include "apps/scene/validate.hpp"
+#include "apps/study/study.hpp"
 
 namespace liesl {
 

@@ -48,7 +48,7 @@ void judge(const Scene& scene, const Watch& watch, Measured& run) {
     const long again = constant_tangent(scene) ? report.tangent_refreshes : 0;
     if (again + report.rejected_steps == 0) return;
     run.ending = Ending::Recovered;
-    if (again > 0) run.reason = fmt::format("{} tangents taken again", again);
+    if (again > 0) run.reason = fmt::format("{} tangents refactorised", again);
     if (report.rejected_steps > 0)
       run.reason += fmt::format("{}{} steps halved", again > 0 ? ", " : "", report.rejected_steps);
   }

@@ -12,7 +12,7 @@ namespace liesl {
 /// How a run ended.
 enum class Ending {
   Converged,  ///< as asked for
-  Recovered,  ///< with a tangent taken again where it should be constant, or smaller steps
+  Recovered,  ///< with a tangent refactorised where it should be constant, or smaller steps
   Stopped     ///< before its end, with a reason
 };
 const char* name_of(Ending ending);

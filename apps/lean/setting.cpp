@@ -11,13 +11,13 @@ namespace liesl {
 namespace {
 
 /// Smallest number of elements with a node at every place, out of the divisors of `elements`.
-int notch_of(const std::vector<double>& places, int elements) {
-  int notch = 1;
+int common_multiple(const std::vector<double>& places, int elements) {
+  int multiple = 1;
   for (const double place : places) {
     const int node = static_cast<int>(std::lround(place * elements));
-    notch = std::lcm(notch, elements / std::gcd(node, elements));
+    multiple = std::lcm(multiple, elements / std::gcd(node, elements));
   }
-  return notch;
+  return multiple;
 }
 
 std::string text_of(SpaceChoice space) {
@@ -70,9 +70,9 @@ std::vector<double> places(const Scene& scene, int body) {
 Setting Setting::refined(double factor) const {
   Setting s = *this;
   for (auto& beam : s.beams) {
-    if (beam.notch == 0 || beam.rigid) continue;
-    const int notches = static_cast<int>(factor * beam.elements) / beam.notch;
-    beam.elements = beam.notch * std::max(1, notches);
+    if (beam.multiple == 0 || beam.rigid) continue;
+    const int count = static_cast<int>(factor * beam.elements) / beam.multiple;
+    beam.elements = beam.multiple * std::max(1, count);
   }
   if (s.steps > 0) s.steps = std::max(1L, static_cast<long>(factor * static_cast<double>(steps)));
   return s;
@@ -94,7 +94,7 @@ Setting setting_of(const Scene& scene) {
     const int n = static_cast<int>(beam->sections.size());
     const int modes = beam->as == BeamModel::Modal ? beam->modes : -1;
     s.beams.push_back(
-        {body.name, false, modes, n, notch_of(places(scene, static_cast<int>(b)), n)});
+        {body.name, false, modes, n, common_multiple(places(scene, static_cast<int>(b)), n)});
   }
   return s;
 }

@@ -15,8 +15,8 @@ struct BeamSetting {
   bool rigid = false;  ///< flexible otherwise
   int modes = -1;      ///< >= 0: linear in a floating frame with so many internal modes
   int elements = 1;
-  int notch = 1;  ///< numbers of elements that keep every place of the scene on a node are its
-                  ///< multiples; 0: no other mesh does
+  int multiple = 1;  ///< numbers of elements that keep every place of the scene on a node are its
+                     ///< multiples; 0: no other mesh does
 };
 
 /// One model of a scene.

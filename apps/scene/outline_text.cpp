@@ -7,7 +7,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "apps/scene/schema.hpp"
+#include "apps/input/schema.hpp"
 
 namespace liesl {
 

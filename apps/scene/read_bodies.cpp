@@ -213,7 +213,7 @@ class BeamReader {
 };
 
 /// Says why a symmetric matrix is no inertia of a body, empty if it is one.
-std::string flaw(const Mat3& J) {
+std::string defect_of(const Mat3& J) {
   if ((J - J.transpose()).norm() > 1e-9 * J.norm()) return "is not symmetric";
   const Vec3 principal = linalg::symmetric_eigenvalues(J);
   if (principal[0] < -1e-12 * J.norm())
@@ -238,7 +238,7 @@ std::optional<RigidSpec> read_rigid(Reader& reader, const std::string& name, tom
         reader.problems.add(key, fmt::format("body '{}' has a point 'origin'", name),
                             "another name", "'origin' is the body's own frame");
     }
-  const std::string what = flaw(rigid.inertia);
+  const std::string what = defect_of(rigid.inertia);
   if (what.empty()) return rigid;
   reader.problems.add(
       *table.get("inertia"), fmt::format("the inertia of body '{}' {}", name, what),

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
@@ -13,10 +12,6 @@
 namespace liesl {
 
 namespace {
-
-constexpr std::array kTypes = {JointType::Fixed,       JointType::Revolute,  JointType::Prismatic,
-                               JointType::Cylindrical, JointType::Spherical, JointType::Universal,
-                               JointType::Planar};
 
 bool same_place(const Port& a, const Port& b) {
   return a.body == b.body && a.node == b.node && (a.offset.x - b.offset.x).norm() == 0;
@@ -35,14 +30,15 @@ void read_drive(Reader& reader, const toml::table& table, int joint) {
   DriveSpec drive{joint, integer(table, "coordinate"), motion_of(reader, table)};
   const toml::node* chosen = table.get("coordinate");
   const toml::node& at = chosen && written(*chosen) ? *chosen : table;
-  const int count = coordinates(spec.type);
+  const JointKind& kind = kind_of(spec.type);
+  const int count = kind.coordinate_count();
   if (drive.coordinate >= count)
-    reader.problems.add(at,
-                        fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
-                                    spec.name, drive.coordinate),
-                        "a joint coordinate",
-                        count == 0 ? "drive a revolute, prismatic or other joint with coordinates"
-                                   : fmt::format("coordinates are 0 to {}", count - 1));
+    reader.problems.add(
+        at,
+        fmt::format("{} joint '{}' has no coordinate {}", kind.name, spec.name, drive.coordinate),
+        "a joint coordinate",
+        count == 0 ? "drive a revolute, prismatic or other joint with coordinates"
+                   : fmt::format("coordinates are 0 to {}", count - 1));
   auto& drives = reader.scene.mechanism.drives;
   for (const DriveSpec& other : drives)
     if (other.joint == joint && other.coordinate == drive.coordinate)
@@ -60,18 +56,35 @@ void read_drives(Reader& reader, const toml::table& table, int joint) {
 }
 
 void read_axes(Reader& reader, const toml::table& table, JointSpec& joint) {
-  if (joint.type == JointType::Fixed || joint.type == JointType::Spherical) return;
-  joint.axis = direction(reader, table, "axis");
-  if (joint.type != JointType::Universal) return;
+  const int axes = kind_of(joint.type).axes;
+  if (axes > 0) joint.axis = direction(reader, table, "axis");
+  if (axes < 2) return;
   joint.axis2 = direction(reader, table, "axis2");
   const double cosine = joint.axis.dot(joint.axis2);
   if (std::abs(cosine) > 1e-6)
     reader.problems.add(
         *table.get("axis2"),
-        fmt::format("the axes of universal joint '{}' are at {:.4g} degrees", joint.name,
-                    std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI),
+        fmt::format("the axes of {} joint '{}' are at {:.4g} degrees", kind_of(joint.type).name,
+                    joint.name, std::acos(std::clamp(cosine, -1.0, 1.0)) * 180 / M_PI),
         "axes at right angles");
   joint.axis2 = (joint.axis2 - cosine * joint.axis).normalized();
+}
+
+void read_pitch(Reader& reader, const toml::table& table, JointSpec& joint) {
+  const JointKind& kind = kind_of(joint.type);
+  const toml::node* node = table.get("pitch");
+  if (node && !kind.pitch)
+    return reader.problems.add(*node,
+                               fmt::format("{} joint '{}' has no pitch", kind.name, joint.name),
+                               "'pitch' for a screw joint only");
+  if (!kind.pitch) return;
+  if (node) joint.pitch = number(table, "pitch");
+  if (joint.pitch == 0)
+    reader.problems.add(
+        node ? *node : table,
+        fmt::format("{} joint '{}' has {} pitch", kind.name, joint.name, node ? "zero" : "no"),
+        "a displacement a turn (m), not 0",
+        "pitch = 0.005 for 5 mm; without displacement it is a revolute joint");
 }
 
 /// The ground's side of a joint is where the body's side is.
@@ -84,12 +97,13 @@ void read_joint(Reader& reader, const Entry& entry) {
   JointSpec joint;
   joint.name = entry.name;
   const toml::array* pair = nullptr;
-  for (const JointType type : kTypes)
-    if (const toml::node* node = entry.table->get(name_of(type))) {
-      joint.type = type;
+  for (const JointKind& kind : joint_kinds())
+    if (const toml::node* node = entry.table->get(kind.name)) {
+      joint.type = kind.type;
       pair = node->as_array();
     }
   read_axes(reader, *entry.table, joint);
+  read_pitch(reader, *entry.table, joint);
   const auto a = reader.port((*pair)[0]), b = reader.port((*pair)[1]);
   if (a && b) {
     joint.a = *a;

@@ -120,14 +120,14 @@ bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec&
   if (response.kind == ResponseKind::JointForce) return true;
   response.coordinate = integer(table, "coordinate");
   const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
-  const int count = coordinates(spec.type);
+  const JointKind& kind = kind_of(spec.type);
+  const int count = kind.coordinate_count();
   if (response.coordinate < count) return true;
   const toml::node& given = *table.get("coordinate");
-  reader.problems.add(written(given) ? given : static_cast<const toml::node&>(table),
-                      fmt::format("{} joint '{}' has no coordinate {}", name_of(spec.type),
-                                  spec.name, response.coordinate),
-                      "a joint coordinate",
-                      count == 0 ? "" : fmt::format("coordinates are 0 to {}", count - 1));
+  reader.problems.add(
+      written(given) ? given : static_cast<const toml::node&>(table),
+      fmt::format("{} joint '{}' has no coordinate {}", kind.name, spec.name, response.coordinate),
+      "a joint coordinate", count == 0 ? "" : fmt::format("coordinates are 0 to {}", count - 1));
   return false;
 }
 

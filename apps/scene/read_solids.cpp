@@ -6,7 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "apps/scene/gmsh_mesh.hpp"
+#include "apps/mesh/gmsh_mesh.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "apps/scene/reader.hpp"
 #include "mbs/solids/connectivity.hpp"
@@ -314,9 +314,8 @@ class SolidReader {
             fmt::format("keeps {} modes, its mesh has {} free displacements", solid_.modes, inner),
             fmt::format("at most {}", std::max(0, inner - 1)));
       if (const auto cut = cut_interface(model, solid_fractions(solid_).value))
-        refuse(key_of(table_of("interfaces"), cut->interface),
-               "does not hang together: " + cut->text, "material between all interfaces",
-               "see the features of its outline");
+        refuse(key_of(table_of("interfaces"), cut->interface), "is not connected: " + cut->text,
+               "material between all interfaces", "see the features of its outline");
     } catch (const std::invalid_argument& error) {
       refuse(table_, std::string("cannot be built: ") + error.what(), "a mesh with interfaces");
     }

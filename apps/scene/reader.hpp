@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/problem.hpp"
+#include "apps/input/problem.hpp"
+#include "apps/input/validate.hpp"
+#include "apps/input/values.hpp"
 #include "apps/scene/scene.hpp"
-#include "apps/scene/validate.hpp"
 
 namespace liesl {
 
@@ -45,34 +46,8 @@ struct Reader {
   std::optional<Port> port(const toml::node& text);
 };
 
-/// Number of coordinates of a joint type that drives, springs and responses may use.
-int coordinates(JointType type);
-std::string_view name_of(JointType type);
-
-/// Entries of a table in the order of the file.
-struct Entry {
-  std::string name;
-  const toml::key* key;
-  toml::table* table;
-};
-/// All entries of a table.
-std::vector<Entry> entries_of(toml::table& table);
 /// Unbroken entries of a top-level table.
-std::vector<Entry> entries(toml::table& root, const Broken& broken, std::string_view group);
 std::vector<Entry> entries(const Reader& reader, std::string_view group);
-
-// Values of validated tables; zero or empty if missing.
-std::string text(const toml::table& table, std::string_view key);
-double number(const toml::table& table, std::string_view key);
-int integer(const toml::table& table, std::string_view key);
-bool boolean(const toml::table& table, std::string_view key);
-Vec3 vec3(const toml::node& list);
-Vec3 vec3(const toml::table& table, std::string_view key);
-std::vector<double> numbers(const toml::node& list);
-/// Nodes of a string or a list of strings.
-std::vector<const toml::node*> strings(const toml::table& table, std::string_view key);
-/// n x n from rows or a diagonal (n = 3 also [xx, yy, zz, xy, xz, yz]).
-Eigen::MatrixXd matrix(const toml::node& list, int n);
 
 /// Direction of unit length; says if it has none.
 Vec3 direction(Reader& reader, const toml::table& table, std::string_view key);
@@ -85,7 +60,7 @@ void read_parts(Reader& reader);
 
 // Parts of a scene, in this order.
 void read_simulation(Reader& reader);
-void read_matter(Reader& reader);
+void read_materials(Reader& reader);
 void read_bodies(Reader& reader);
 /// A meshed part from its table; empty (and said) if something is wrong with it.
 std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, toml::table& table);

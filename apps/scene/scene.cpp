@@ -13,9 +13,7 @@ namespace {
 /// Part of the distance of two ports that the joint does not allow.
 Vec3 gap_of(const Mechanism& mechanism, const JointSpec& joint) {
   const Vec3 d = mechanism.frame(joint.b).x - mechanism.frame(joint.a).x;
-  const Vec3 along = joint.axis * joint.axis.dot(d);
-  if (joint.type == JointType::Prismatic || joint.type == JointType::Cylindrical) return d - along;
-  return joint.type == JointType::Planar ? along : d;
+  return d - kind_of(joint.type).free_part(joint.axis, d);
 }
 
 bool has_velocity(const BodySpec& body) {
@@ -64,32 +62,11 @@ void check_movers(Reader& reader) {
                         "as in [loads] tip = { at = \"beam.end\", force = [0, -1, 0] }");
 }
 
-FileKind kind_of(const toml::table& root) {
-  const auto has = [&root](const char* key) { return root.contains(key); };
-  if (has("bodies")) return FileKind::Scene;
-  if (has("quantity") || has("reference")) return FileKind::Comparison;
-  if (has("grid") || has("table") || has("study") || has("limits")) return FileKind::Batch;
-  for (const char* key : {"scene", "design", "objective", "constraints", "cycle"})
-    if (has(key)) return FileKind::Study;
-  return FileKind::Scene;
-}
-
-void expect_kind(const toml::table& root, FileKind wanted, Problems& problems) {
-  const FileKind kind = kind_of(root);
-  if (kind == wanted || (kind == FileKind::Scene && !root.contains("bodies"))) return;
-  constexpr std::string_view kKeys[] = {"[bodies]", "'scene' and [design]", "[grid] or 'table'",
-                                        "[quantity] and [grid]"};
-  problems.add(root, fmt::format("this is a {}, not a {}", name_of(kind), name_of(wanted)),
-               fmt::format("a {}, with {}", name_of(wanted), kKeys[static_cast<int>(wanted)]),
-               fmt::format("give a {}, or use a command for a {}", name_of(wanted), name_of(kind)));
-  problems.throw_if_any();
-}
-
 void read_parts(Reader& reader) {
   reader.scene.mechanism.name = text(reader.root, "name");
   reader.scene.mechanism.gravity = vec3(reader.root, "gravity");
   read_simulation(reader);
-  read_matter(reader);
+  read_materials(reader);
   read_bodies(reader);
   check_names(reader);
   read_joints(reader);

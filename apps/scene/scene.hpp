@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/document.hpp"
+#include "apps/input/document.hpp"
 #include "mbs/model/mechanism.hpp"
 #include "mbs/model/response.hpp"
 #include "mbs/solvers/options.hpp"
@@ -33,15 +33,5 @@ Scene load_scene(const std::filesystem::path& path, const std::vector<std::strin
 /// The same from text; `file` is what messages call it.
 Scene read_scene(const std::string& text, const std::string& file,
                  const std::vector<std::string>& overrides = {});
-
-/// A file with a key `quantity` or `reference` is a comparison, one with `grid`, `table`, `study`
-/// or `limits` is a batch, one with `scene`, `design`, `objective`, `constraints` or `cycle` a
-/// study, unless it has `bodies`.
-FileKind kind_of(const toml::table& root);
-
-/// A file of another kind than a command reads has no key that it could be told of.
-/// @throws InputError with the problems so far and "this is a batch, not a study". A file that has
-/// no key of any kind passes: it is told what it lacks.
-void expect_kind(const toml::table& root, FileKind wanted, Problems& problems);
 
 }  // namespace liesl

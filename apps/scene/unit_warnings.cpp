@@ -2,6 +2,8 @@
 /// Values that are possible but look like another unit than SI.
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "apps/scene/reader.hpp"
 
 namespace liesl {
@@ -48,6 +50,16 @@ std::string breadth(const Section& section, double size) {
   return "";
 }
 
+/// A turn of a screw against the size of the whole mechanism, 1 m if it is a single point.
+std::string pitch(const JointSpec& joint, double size) {
+  if (std::abs(joint.pitch) <= (size > 0 ? size : 1)) return "";
+  return fmt::format("joints.{}.pitch = {:g} m in one turn is {}: {:g} mm is {:g} m", joint.name,
+                     joint.pitch,
+                     size > 0 ? fmt::format("larger than the whole mechanism ({:.3g} m)", size)
+                              : "more than a metre",
+                     joint.pitch, 1e-3 * joint.pitch);
+}
+
 }  // namespace
 
 std::vector<std::string> unit_warnings(const Reader& reader) {
@@ -62,6 +74,7 @@ std::vector<std::string> unit_warnings(const Reader& reader) {
   const double size = reader.scene.mechanism.size();
   for (const auto& [name, section] : reader.sections)
     if (size > 0) add(breadth(section, size));
+  for (const JointSpec& joint : reader.scene.mechanism.joints) add(pitch(joint, size));
   if (const double g = reader.scene.mechanism.gravity.norm(); g > kStrongestGravity)
     add(fmt::format("gravity = {:g} m/s^2: {:g} mm/s^2 is {:g} m/s^2", g, g, 1e-3 * g));
   return warnings;

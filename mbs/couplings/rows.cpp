@@ -12,6 +12,15 @@ typename Row<G>::Cross Row<G>::X(const Vector& v) {
     return (Cross() << 0, v.z(), -v.y(), -v.z(), 0, v.x(), v.y(), -v.x(), 0).finished();
 }
 
+namespace {
+
+/// The one of angle + 2 pi k, k whole, that is closest to `near`.
+double continued(double angle, double near) {
+  return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
+}
+
+}  // namespace
+
 template <FrameGroup G>
 double Row<G>::value(const Motion& r, double near) const {
   switch (kind_) {
@@ -19,34 +28,37 @@ double Row<G>::value(const Motion& r, double near) const {
       return m_.dot(r.p);
     case RowKind::Normal:
       return m_.dot(r.R * n_);
+    case RowKind::Angle:
+      return continued(angle(r), near);
     case RowKind::Distance:
       return r.p.norm();
-    case RowKind::Angle:
+    case RowKind::Screw:
       break;
   }
-  const double angle = std::atan2(m_.dot(r.R * n_), m2_.dot(r.R * n2_));
-  return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
+  const double displacement = along_.dot(r.p);
+  return displacement - lead_ * continued(angle(r), (displacement - near) / lead_);
 }
 
 template <FrameGroup G>
 void Row<G>::gradient(const Motion& r, Gradient& g) const {
   switch (kind_) {
     case RowKind::Along:
-      g << -m_, X(m_).transpose() * r.p, r.R.transpose() * m_, Angular::Zero();
+      g = along_gradient(r, m_);
       return;
     case RowKind::Normal:
       g = cosine_gradient(r, m_, n_);
+      return;
+    case RowKind::Angle:
+      g = angle_gradient(r);
       return;
     case RowKind::Distance: {
       const Vector e = r.p / r.p.norm();
       g << -e, Angular::Zero(), r.R.transpose() * e, Angular::Zero();
       return;
     }
-    case RowKind::Angle: {
-      const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_);
-      g = (c * cosine_gradient(r, m_, n_) - s * cosine_gradient(r, m2_, n2_)) / (s * s + c * c);
+    case RowKind::Screw:
+      g = along_gradient(r, along_) - lead_ * angle_gradient(r);
       return;
-    }
   }
 }
 
@@ -54,20 +66,45 @@ template <FrameGroup G>
 typename Row<G>::Hessian Row<G>::hessian(const Motion& r) const {
   switch (kind_) {
     case RowKind::Along:
-      return along_hessian(r);
+      return along_hessian(r, m_);
     case RowKind::Normal:
       return cosine_hessian(r, m_, n_);
+    case RowKind::Angle:
+      return angle_hessian(r);
     case RowKind::Distance:
       return distance_hessian(r);
-    case RowKind::Angle:
+    case RowKind::Screw:
       break;
   }
+  return along_hessian(r, along_) - lead_ * angle_hessian(r);
+}
+
+template <FrameGroup G>
+double Row<G>::angle(const Motion& r) const {
+  return std::atan2(m_.dot(r.R * n_), m2_.dot(r.R * n2_));
+}
+
+template <FrameGroup G>
+typename Row<G>::Gradient Row<G>::angle_gradient(const Motion& r) const {
+  const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_);
+  return (c * cosine_gradient(r, m_, n_) - s * cosine_gradient(r, m2_, n2_)) / (s * s + c * c);
+}
+
+template <FrameGroup G>
+typename Row<G>::Hessian Row<G>::angle_hessian(const Motion& r) const {
   const double s = m_.dot(r.R * n_), c = m2_.dot(r.R * n2_), q = s * s + c * c;
   const Gradient gs = cosine_gradient(r, m_, n_), gc = cosine_gradient(r, m2_, n2_);
   const Gradient g = (c * gs - s * gc) / q;
   return (c * cosine_hessian(r, m_, n_) - s * cosine_hessian(r, m2_, n2_) + gs * gc.transpose() -
           gc * gs.transpose() - 2 * g * (s * gs + c * gc).transpose()) /
          q;
+}
+
+template <FrameGroup G>
+typename Row<G>::Gradient Row<G>::along_gradient(const Motion& r, const Vector& m) {
+  Gradient g;
+  g << -m, X(m).transpose() * r.p, r.R.transpose() * m, Angular::Zero();
+  return g;
 }
 
 template <FrameGroup G>
@@ -91,14 +128,14 @@ typename Row<G>::Hessian Row<G>::cosine_hessian(const Motion& r, const Vector& m
 }
 
 template <FrameGroup G>
-typename Row<G>::Hessian Row<G>::along_hessian(const Motion& r) const {
+typename Row<G>::Hessian Row<G>::along_hessian(const Motion& r, const Vector& m) {
   Hessian h = Hessian::Zero();
-  const Cross Xm = X(m_);
+  const Cross Xm = X(m);
   h.template block<rd, sd>(sd, 0) = -Xm.transpose();
   h.template block<rd, rd>(sd, sd) = -Xm.transpose() * X(r.p);
   h.template block<rd, sd>(sd, dim) = Xm.transpose() * r.R;
   h.template block<sd, rd>(dim, sd) = r.R.transpose() * Xm;
-  h.template block<sd, rd>(dim, dim + sd) = -X(r.R.transpose() * m_);
+  h.template block<sd, rd>(dim, dim + sd) = -X(r.R.transpose() * m);
   return h;
 }
 

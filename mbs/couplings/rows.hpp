@@ -29,6 +29,7 @@ enum class RowKind {
   Normal,    ///< m . R n: cosine between m of a and n of b (zero: they are normal)
   Angle,     ///< atan2(m . R n, m2 . R n2), continued beyond pi
   Distance,  ///< |p|
+  Screw      ///< m . p - lead Angle: displacement along m less `lead` for each radian
 };
 
 template <FrameGroup G>
@@ -46,6 +47,14 @@ class Row {
   static Row angle(const Vector& m, const Vector& n, const Vector& m2, const Vector& n2) {
     return {RowKind::Angle, m, n, m2, n2};
   }
+  /// m . p - lead (angle whose sine is s . R n and whose cosine is n . R n).
+  /// @param lead m a radian, not zero
+  static Row screw(const Vector& m, double lead, const Vector& s, const Vector& n) {
+    Row row(RowKind::Screw, s, n, n, n);
+    row.along_ = m;
+    row.lead_ = lead;
+    return row;
+  }
   static Row distance() {
     const Vector zero = Vector::Zero();
     return {RowKind::Distance, zero, zero, zero, zero};
@@ -53,7 +62,8 @@ class Row {
 
   RowKind kind() const { return kind_; }
 
-  /// @param near the value it had last: an angle is continued from there, over any number of turns
+  /// @param near the value it had last: an angle is continued from there, over any number of turns.
+  ///   A screw takes the turn at which its value is closest to `near`.
   double value(const Motion& r, double near) const;
   void gradient(const Motion& r, Gradient& g) const;
   /// Left-invariant derivative of the gradient: the geometric stiffness of a unit force.
@@ -68,13 +78,19 @@ class Row {
 
   /// X(v) w = w x v; X(v)^T a = v x a.
   static Cross X(const Vector& v);
+  static Gradient along_gradient(const Motion& r, const Vector& m);
+  static Hessian along_hessian(const Motion& r, const Vector& m);
   static Gradient cosine_gradient(const Motion& r, const Vector& m, const Vector& n);
   static Hessian cosine_hessian(const Motion& r, const Vector& m, const Vector& n);
-  Hessian along_hessian(const Motion& r) const;
+  double angle(const Motion& r) const;
+  Gradient angle_gradient(const Motion& r) const;
+  Hessian angle_hessian(const Motion& r) const;
   Hessian distance_hessian(const Motion& r) const;
 
   RowKind kind_;
-  Vector m_, n_, m2_, n2_;
+  Vector m_, n_, m2_, n2_;         ///< of Along, Normal and the angle
+  Vector along_ = Vector::Zero();  ///< of a screw
+  double lead_ = 0;                ///< of a screw, m/rad
 };
 
 extern template class Row<SE2>;

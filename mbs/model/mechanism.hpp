@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "liegroup/se3.hpp"
+#include "mbs/model/joint_kind.hpp"
 #include "mbs/model/time_function.hpp"
 #include "mbs/sections/section.hpp"
 #include "mbs/solids/solid_spec.hpp"
@@ -59,17 +60,6 @@ struct Port {
   SE3 offset = SE3::identity();
 };
 
-/// Joints by the relative motion they leave (a subgroup of SE(3), but for the universal joint).
-enum class JointType {
-  Fixed,        ///< none
-  Revolute,     ///< angle about `axis`
-  Prismatic,    ///< displacement along `axis`
-  Cylindrical,  ///< displacement and angle
-  Spherical,    ///< all rotations
-  Universal,    ///< angle about `axis` (of a), angle about `axis2` (of b)
-  Planar        ///< two displacements normal to `axis`, angle about it
-};
-
 /// Joint between port a (or the ground) and port b. Coordinates are zero in the scene as given.
 struct JointSpec {
   std::string name;
@@ -77,6 +67,7 @@ struct JointSpec {
   Port a, b;
   Vec3 axis = Vec3::UnitZ();   ///< inertial, at the start; unit
   Vec3 axis2 = Vec3::UnitX();  ///< universal joints: second axis, normal to the first; unit
+  double pitch = 0;  ///< screw joints: displacement of b along `axis` a turn, m; < 0: left-handed
 };
 
 /// Prescribes coordinate `coordinate` of joint `joint`: q(t) = motion(t).

@@ -82,6 +82,7 @@ class Model {
  private:
   void finish();
   void leave_out_redundant_rows();
+  void set_initial_velocity(const Mechanism& mechanism);
 
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_, frames_, amplitudes_;

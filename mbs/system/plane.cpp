@@ -144,7 +144,7 @@ class Search {
       if (normal.norm() == 0 && along.cross(v).norm() > kTolerance * along.norm() * v.norm())
         normal = along.cross(v).normalized();
     for (const auto& j : m_.joints)
-      if (normal.norm() == 0 && j.type == JointType::Revolute) normal = j.axis;
+      if (normal.norm() == 0 && only_turns(kind_of(j.type))) normal = j.axis;
     for (const auto& l : m_.loads)
       if (normal.norm() == 0 && l.moment.norm() > 0 && !l.follower) normal = l.moment.normalized();
     if (normal.norm() == 0) return fail("nothing singles out a plane");
@@ -193,12 +193,14 @@ class Search {
   bool joints() {
     for (const auto& j : m_.joints) {
       const bool turns = normal_to(j.axis), slides = along(j.axis);
-      const bool any_axis = j.type == JointType::Spherical || j.type == JointType::Fixed;
-      if (!turns && !slides && !any_axis)
+      const JointKind& kind = kind_of(j.type);
+      if (kind.pitch)
+        return fail(
+            fmt::format("{} joint '{}' moves along the axis it turns about", kind.name, j.name));
+      if (!turns && !slides && kind.axes > 0)
         return fail(
             fmt::format("the axis of joint '{}' is neither in the plane nor normal to it", j.name));
-      if (j.type == JointType::Universal &&
-          !(turns ? along(j.axis2) : along(j.axis2) || normal_to(j.axis2)))
+      if (kind.axes == 2 && !along(j.axis2) && (turns || !normal_to(j.axis2)))
         return fail(fmt::format("the second axis of joint '{}' leaves the plane", j.name));
     }
     for (const auto& d : m_.drives)
@@ -219,24 +221,19 @@ class Search {
     return true;
   }
 
-  /// Is this joint coordinate a motion in the plane?
+  /// Is this joint coordinate a motion in the plane, whatever the axes that the scene leaves open?
   bool planar_coordinate(int joint, int coordinate) const {
     const JointSpec& j = m_.joints[joint];
-    const bool turns = normal_to(j.axis);
-    switch (j.type) {
-      case JointType::Revolute:
-        return turns;
-      case JointType::Prismatic:
-        return !turns;
-      case JointType::Cylindrical:
-        return (coordinate == 0) != turns;
-      case JointType::Universal:
-        return coordinate == 0 ? turns : normal_to(j.axis2);
-      case JointType::Planar:
-        return turns;
-      default:
-        return false;
-    }
+    const JointKind& kind = kind_of(j.type);
+    if (coordinate >= kind.coordinate_count()) return false;
+    const JointRow& row = kind.coordinates[static_cast<std::size_t>(coordinate)];
+    if (row.kind == JointRow::Kind::Along) return normal_to(j.axis) != (row.m == 0);
+    return normal_to(row.about() == 0 ? j.axis : j.axis2);
+  }
+  /// Does the joint leave one rotation and nothing else?
+  static bool only_turns(const JointKind& kind) {
+    return !kind.pitch && kind.coordinates.size() == 1 &&
+           kind.coordinates[0].kind == JointRow::Kind::Angle;
   }
 
   bool along(const Vec3& v) const { return std::abs(normal().dot(v)) <= kTolerance * v.norm(); }

@@ -181,8 +181,7 @@ SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int 
 template <FrameGroup G>
 std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>& model, int joint,
                                       const State<G>& s) {
-  constexpr int kCount[] = {0, 1, 1, 2, 0, 2, 3};  // by JointType
-  std::vector<double> q(kCount[static_cast<int>(mechanism.joints[joint].type)], 0.0);
+  std::vector<double> q(kind_of(mechanism.joints[joint].type).coordinates.size(), 0.0);
   if (const Coupling<G>* c = find_joint(mechanism, model, joint))
     for (size_t i = 0; i < c->equations.size(); ++i)
       if (const int k = c->equations[i].coordinate; k >= 0)

@@ -19,11 +19,7 @@ const char* of_section(const ResponseSpec& r, const Mechanism&) {
   return r.component < 3 ? "N" : "N m";
 }
 const char* of_coordinate(const ResponseSpec& r, const Mechanism& mechanism) {
-  const JointType type = mechanism.joints[r.joint].type;
-  const bool slides = type == JointType::Prismatic ||
-                      (type == JointType::Cylindrical && r.coordinate == 0) ||
-                      (type == JointType::Planar && r.coordinate < 2);
-  return slides ? "m" : "rad";
+  return kind_of(mechanism.joints[r.joint].type).unit(r.coordinate);
 }
 
 }  // namespace

@@ -33,9 +33,13 @@ LAYERS = [
     ("optim/study",),
     ("optim/design",),
     ("optim/cycle",),
-    ("apps/scene", "apps/output"),
+    ("apps/input", "apps/output"),
+    ("apps/mesh",),
+    ("apps/scene",),
+    ("apps/study",),
     ("apps/batch",),
     ("apps/compare", "apps/lean"),
+    ("apps/tasks",),
     ("apps/cli",),
     ("apps/bench",),
 ]
@@ -48,7 +52,7 @@ SEAMS = {
     r"muParser.*\.h": ["mbs/model"],
     r"hdf5.*\.h": ["apps/output"],
     r"openssl/.*": ["apps/output"],
-    r"toml\+\+/.*|toml\.hpp": ["apps/scene", "apps/cli"],
+    r"toml\+\+/.*|toml\.hpp": ["apps/input", "apps/scene", "apps/study", "apps/cli"],
     r"CLI/.*": ["apps/cli"],
     r"benchmark/.*": ["apps/bench"],
 }
@@ -62,7 +66,7 @@ MAX_CLASS = 250
 # for the tree that this script lies in; an entry that is mended is an error until it is taken out.
 KNOWN_INCLUDES = {
     ("apps/scene/scene", "apps/scene/reader"),
-    ("apps/scene/study", "apps/scene/study_reader"),
+    ("apps/study/study", "apps/study/study_reader"),
     ("mbs/model/time_function", "mbs/model/time_function_kind"),
     ("mbs/sections/section", "mbs/sections/dual_geometry"),
     ("mbs/sections/section", "mbs/sections/shape_dimensions"),
@@ -70,9 +74,9 @@ KNOWN_INCLUDES = {
     ("optim/nlp/ipopt_driver", "optim/nlp/feasibility"),
 }
 KNOWN_CLASSES = {
-    ("apps/lean/walk.cpp", "Walk"),
+    ("apps/lean/lean_search.cpp", "LeanSearch"),
     ("apps/scene/read_solids.cpp", "SolidReader"),
-    ("apps/scene/validate.cpp", "Validator"),
+    ("apps/input/validate.cpp", "Validator"),
     ("optim/cycle/esl_cycle.cpp", "EslCycle"),
 }
 EXEMPT = re.compile(r"//\s*long function: \S")

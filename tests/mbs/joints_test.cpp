@@ -1,6 +1,7 @@
 /// @file
 /// Joints: number of rows, coordinates and reactions, in space and in the plane.
 
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 
 #include "mbs/run.hpp"
@@ -17,6 +18,7 @@ Mechanism one_joint(JointType type, const Vec3& axis, const Vec3& axis2) {
   Mechanism m;
   m.bodies = {{"block", reference::block({0.3, 0.1, 0}, 2, 0.1)}};
   JointSpec j{"joint", type, {}, {0, 0}, axis, axis2};
+  if (kind_of(type).pitch) j.pitch = 0.2;
   m.joints = {j};
   return m;
 }
@@ -47,13 +49,67 @@ TEST(Joints, RowsInSpace) {
                                                        {JointType::Cylindrical, 4, 2},
                                                        {JointType::Spherical, 3, 0},
                                                        {JointType::Universal, 4, 2},
-                                                       {JointType::Planar, 3, 3}}) {
+                                                       {JointType::Planar, 3, 3},
+                                                       {JointType::Screw, 5, 1}}) {
     const Mat3 R = reference::oblique().R;
     const auto m = one_joint(e.type, R.col(2), R.col(0));
     const auto model = Model<SE3>::build(m, {});
     EXPECT_EQ(model.constraints(), e.constraints) << int(e.type);
     EXPECT_EQ(coordinates(model), e.coordinates) << int(e.type);
     EXPECT_EQ(rank(model, {SE3::identity(), SE3::identity()}), e.constraints) << int(e.type);
+  }
+}
+
+/// The table is in the order of the types; rows and coordinates make up six motions.
+TEST(Joints, TableIsComplete) {
+  for (std::size_t i = 0; i < joint_kinds().size(); ++i) {
+    const JointKind& kind = joint_kinds()[i];
+    EXPECT_EQ(std::size_t(kind.type), i);
+    EXPECT_EQ(&kind_of(kind.type), &kind);
+    const std::size_t named = kind.type == JointType::Spherical ? 3 : 0;  // not by coordinates
+    EXPECT_EQ(kind.constraints.size() + kind.coordinates.size() + named, 6u) << kind.name;
+  }
+}
+
+TEST(Joints, CoordinatesHaveTheirUnits) {
+  const auto units = [](JointType type) {
+    std::string all;
+    for (int i = 0; i < kind_of(type).coordinate_count(); ++i)
+      all += std::string(kind_of(type).unit(i)) + " ";
+    return all;
+  };
+  EXPECT_EQ(units(JointType::Fixed), "");
+  EXPECT_EQ(units(JointType::Revolute), "rad ");
+  EXPECT_EQ(units(JointType::Prismatic), "m ");
+  EXPECT_EQ(units(JointType::Cylindrical), "m rad ");
+  EXPECT_EQ(units(JointType::Spherical), "");
+  EXPECT_EQ(units(JointType::Universal), "rad rad ");
+  EXPECT_EQ(units(JointType::Planar), "m m rad ");
+  EXPECT_EQ(units(JointType::Screw), "rad ");
+}
+
+/// A displacement splits into what the joint allows and what it holds.
+TEST(Joints, FreePartOfADisplacement) {
+  const Vec3 axis = reference::oblique().R.col(0), d(0.3, -0.2, 0.5), along = axis * axis.dot(d);
+  const auto free = [&](JointType type) { return kind_of(type).free_part(axis, d); };
+  for (const auto type :
+       {JointType::Fixed, JointType::Revolute, JointType::Spherical, JointType::Universal})
+    EXPECT_EQ(free(type), Vec3(Vec3::Zero())) << kind_of(type).name;
+  for (const auto type : {JointType::Prismatic, JointType::Cylindrical, JointType::Screw})
+    EXPECT_LT((free(type) - along).norm(), 1e-15) << kind_of(type).name;
+  EXPECT_LT((free(JointType::Planar) - (d - along)).norm(), 1e-15);
+}
+
+/// In a plane oblique to the axes of the scene, joints without an axis have as many rows as in any.
+TEST(Joints, WithoutAxisInAnObliquePlane) {
+  Space<SE2> plane;
+  for (const double tilt : {0.0, 0.3, 0.7, 0.8, 1.2, M_PI / 2}) {
+    plane.frame.R = Eigen::AngleAxisd(tilt, Vec3(1, 2, 0).normalized()).toRotationMatrix();
+    Mechanism m = one_joint(JointType::Spherical, Vec3::UnitZ(), Vec3::UnitX());
+    m.bodies[0].kind = reference::block(plane.frame.R * Vec3(0.3, 0.1, 0), 2, 0.1);
+    EXPECT_EQ(Model<SE2>::build(m, plane).constraints(), 2) << tilt;
+    m.joints[0].type = JointType::Fixed;
+    EXPECT_EQ(Model<SE2>::build(m, plane).constraints(), 3) << tilt;
   }
 }
 
@@ -103,6 +159,8 @@ Eigen::MatrixXd free_motions(JointType type) {
       return e.rightCols(3);
     case JointType::Planar:
       return e(Eigen::all, std::vector<int>{0, 1, 5});
+    case JointType::Screw:
+      return e.col(5) + 0.2 / (2 * M_PI) * e.col(2);
     case JointType::Universal:
       break;
   }
@@ -111,8 +169,9 @@ Eigen::MatrixXd free_motions(JointType type) {
 
 TEST(Joints, ReactionsHaveNoComponentAlongTheFreeMotions) {
   testing::Random random(5);
-  for (const auto type : {JointType::Fixed, JointType::Revolute, JointType::Prismatic,
-                          JointType::Cylindrical, JointType::Spherical, JointType::Planar}) {
+  for (const auto type :
+       {JointType::Fixed, JointType::Revolute, JointType::Prismatic, JointType::Cylindrical,
+        JointType::Spherical, JointType::Planar, JointType::Screw}) {
     const auto m = one_joint(type, Vec3::UnitZ(), Vec3::UnitX());
     const auto model = Model<SE3>::build(m, {});
     const auto& c = model.couplings[0];

@@ -31,6 +31,7 @@ class RowsTest : public ::testing::Test {
       all.push_back(Row<G>::normal(any(), any()));
       all.push_back(Row<G>::angle(any(), any(), any(), any()));
       all.push_back(Row<G>::distance());
+      all.push_back(Row<G>::screw(any(), 0.3 * (i - 0.5), any(), any()));
     }
     return all;
   }
@@ -108,6 +109,24 @@ TYPED_TEST(RowsTest, AnglesContinueOverTwentyTurns) {
       h[G::space_dim] = direction * phi;
       value = row.value(RelativeMotion<G>(this->a, this->a * G::exp(h)), value);
       ASSERT_NEAR(value, direction * phi, 1e-12);
+    }
+  }
+}
+
+/// Twenty turns either way, displaced in proportion: the value stays the deviation.
+TEST(ScrewRow, FollowsItsTurns) {
+  for (const double lead : {0.01, -0.4}) {
+    const auto row = Row<SE3>::screw(Vec3::UnitZ(), lead, Vec3::UnitY(), Vec3::UnitX());
+    for (const double direction : {1.0, -1.0}) {
+      double value = 0;
+      for (double phi = 0; phi < 40 * M_PI; phi += 0.8 * M_PI) {
+        SE3::Tangent turn = SE3::Tangent::Zero();
+        turn[5] = direction * phi;
+        SE3 H = SE3::exp(turn);
+        H.x.z() = lead * direction * phi + 0.3 * std::abs(lead);
+        value = row.value(RelativeMotion<SE3>(SE3::identity(), H), value);
+        ASSERT_NEAR(value, 0.3 * std::abs(lead), 1e-12);
+      }
     }
   }
 }

@@ -9,7 +9,7 @@
 #include <filesystem>
 #include <numbers>
 
-#include "apps/scene/study.hpp"
+#include "apps/study/study.hpp"
 #include "mbs/levelset/shape_spec.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "optim/nlp/check_derivatives.hpp"

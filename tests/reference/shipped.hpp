@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "apps/scene/study.hpp"
+#include "apps/study/study.hpp"
 #include "mbs/solvers/simulation.hpp"
 #include "reference/places.hpp"
 

@@ -1,0 +1,84 @@
+#ifdef LIESL_OPTIM
+
+#include "apps/cli/optimize_terminal.hpp"
+
+#include <fmt/format.h>
+
+namespace liesl {
+
+void print_cycle(const Cycle& c, bool quiet) {
+  if (quiet) return;
+  if (c.number == 1)
+    fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
+  const bool sized = c.next.size() > 0;  // the last cycle only confirms
+  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass, c.worst,
+             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
+             sized ? std::to_string(c.load_cases) : "-",
+             sized ? std::to_string(c.iterations) : "-");
+  std::fflush(stdout);
+}
+
+void print_step(const ShapeStep& s, SolidResponse goal, bool quiet) {
+  if (quiet) return;
+  if (s.number == 1)
+    fmt::print(" step     mass [kg] {:>15}   worst limit   cases   iterations\n",
+               fmt::format("{} [{}]", quantity(goal).name, quantity(goal).unit));
+  fmt::print("{:5} {:13.6g} {:15.7g} {:+13.3e} {:>7} {:>12}\n", s.number, s.check.mass,
+             s.check.goal, s.check.worst, s.load_cases, s.iterations);
+  std::fflush(stdout);
+}
+
+void print_hole(const std::string& feature, const Nucleus& n, bool quiet) {
+  if (quiet) return;
+  fmt::print("      {} at ({:.4g}, {:.4g}, {:.4g}) m\n", feature, n.place[0], n.place[1],
+             n.place[2]);
+}
+
+void print_holes(const Holes& holes, int most) {
+  for (const HoleRound& h : holes.tried)
+    fmt::print("  {} in '{}': {:.6g} {} -> {:.6g} {}, {}\n", h.feature,
+               holes.bodies[std::size_t(h.body)], h.before, holes.unit, h.after, holes.unit,
+               h.pays ? "kept" : "taken out again (" + h.reason + ")");
+  if (const auto& n = holes.next)
+    fmt::print(
+        "  a hole in '{}' would reduce the objective at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} {} per "
+        "m^3 at first "
+        "(experimental): {}\n",
+        holes.bodies[std::size_t(holes.body)], n->place[0], n->place[1], n->place[2], n->gain,
+        holes.unit, most > 0 ? "--nucleate with a larger number" : "--nucleate inserts it");
+  else if (!holes.reason.empty())
+    fmt::print("  no hole is proposed: {}\n", holes.reason);
+}
+
+void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
+  if (quiet) return;
+  fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
+  fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
+             s.mass_final, s.worst_constraint, s.wall_s);
+  fmt::print("  KKT conditions of the dynamic problem: {}\n", s.more["kkt"].get<std::string>());
+  for (const auto& d : s.design)
+    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
+  for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
+  fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+}
+
+void print_part_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
+  if (quiet) return;
+  fmt::print("{}: {} after {} steps ({})\n", s.name, s.status, s.history.size(), s.reason);
+  if (s.more.contains("objective")) {
+    const auto& o = s.more["objective"];
+    fmt::print(
+        "  {} {:.7g} {} -> {:.7g} {}, mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, "
+        "{:.3g} s\n",
+        o["quantity"].get<std::string>(), o["initial"].get<double>(), o["unit"].get<std::string>(),
+        o["final"].get<double>(), o["unit"].get<std::string>(), s.mass_initial, s.mass_final,
+        s.worst_constraint, s.wall_s);
+  }
+  for (const auto& d : s.design)
+    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
+  fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+}
+
+}  // namespace liesl
+
+#endif

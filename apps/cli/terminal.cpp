@@ -1,0 +1,35 @@
+#include "apps/cli/terminal.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "apps/output/interrupt.hpp"
+
+namespace liesl {
+
+SimulationLine::SimulationLine(const SimulationOptions& o, bool quiet)
+    : line_("simulating", o.type == SimulationType::Dynamic ? o.duration : o.max_load,
+            o.type == SimulationType::Dynamic ? "s" : "load",
+            quiet || o.type == SimulationType::Modes) {}
+
+bool SimulationLine::operator()(double t) {
+  line_.update(t);
+  return output::interrupted() == 0;
+}
+
+void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
+  if (quiet) return;
+  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
+             summary.status, summary.reason, summary.steps, summary.newton_iterations,
+             summary.stepping_s, summary.space);
+  for (const auto& r : summary.responses)
+    if (!r.final.empty())
+      fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,
+                 r.at_time,
+                 r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
+                                     : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
+  for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
+  if (!folder.empty()) fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+}
+
+}  // namespace liesl

@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// What the commands share on the terminal: a live line, wall time, the figures of a run.
+
+#include <chrono>
+#include <string>
+
+#include "apps/cli/command.hpp"
+#include "apps/output/progress.hpp"
+#include "apps/output/summary.hpp"
+#include "mbs/solvers/options.hpp"
+
+namespace liesl {
+
+/// Wall time since it was made, s.
+class Stopwatch {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+/// The live line of a simulation; none for natural frequencies.
+class SimulationLine {
+ public:
+  SimulationLine(const SimulationOptions& options, bool quiet);
+  /// Feeds the line; false asks the simulation to stop (Ctrl-C).
+  bool operator()(double t);
+  void clear() { line_.clear(); }
+
+ private:
+  output::Progress line_;
+};
+
+/// The lines that a run ends with on the terminal.
+void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet);
+
+}  // namespace liesl

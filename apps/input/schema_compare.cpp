@@ -1,0 +1,47 @@
+/// @file
+/// Table of the keys of a comparison. Rows: path, type, unit, preset, range, doc, size, options,
+/// when.
+#include "apps/input/schema.hpp"
+
+namespace liesl {
+
+// clang-format off
+std::vector<Key> compare_keys() {
+  return {
+    {"name", Type::Text, "", "\"comparison\"", kAny, "Title of the comparison."},
+    {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the comparison; it must be dynamic."},
+    {"repeats", Type::Integer, "", "3", {1, 1000}, "Timed runs of each row, after one that warms up. `cpu_s` is their median."},
+    {"time_limit", Type::Number, "s", "60", kPositive, "CPU time of one run; a row that needs more is stopped."},
+    {"beams", Type::Texts, "", kOptional, kAny, "Beams that `elements` is for. Default: all."},
+    {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in every run, as in \"simulation.duration\" = 0.5."},
+    {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
+
+    {"quantity", Type::Table, "", kRequired, kAny, "What the error is measured by."},
+    {"quantity.response", Type::Text, "", kRequired, kAny, "Name of a response of the scene."},
+    {"quantity.norm", Type::Choice, "", "\"final\"", kAny, "Of the difference to the reference: at the end, largest, or root mean square over time.", 0, "final max rms"},
+
+    {"reference", Type::Table, "", kOptional, kAny, "Two fine runs; rows are compared with their mean, and their difference is the floor. Without it rows have no error."},
+    {"reference.formalisms", Type::Pair, "", kRequired, kAny, "Two different ones."},
+    {"reference.elements", Type::Integer, "", kOptional, {1, 100000}, "Of the same beams as `grid.elements`. Default: as in the scene."},
+    {"reference.step", Type::Number, "s", kRequired, kPositive, "Time step."},
+    {"reference.tolerance", Type::Number, "-", "1e-9", {0, 1e-2, true}, "Residual relative to the forces."},
+    {"reference.rho_inf", Type::Number, "-", kOptional, {0, 1}, "Spectral radius at infinity. Default: as in the scene."},
+    {"reference.extrapolate", Type::Choice, "", "\"none\"", kAny, "To the limit of fine meshes, small steps or both, from runs with half the elements or twice the step: (4 fine - coarse)/3, as both are of order 2.", 0, "none mesh step both"},
+
+    {"grid", Type::Table, "", kRequired, kAny, "What the rows differ in; they are all combinations, also with `vary`. The last varies fastest."},
+    {"grid.formalism", Type::List, "", kOptional, kAny, "simulation.formalism."},
+    {"grid.elements", Type::List, "", kOptional, kAny, "Elements of every beam, or of `beams`."},
+    {"grid.step", Type::List, "", kOptional, kAny, "simulation.step."},
+    {"grid.tolerance", Type::List, "", kOptional, kAny, "simulation.tolerance."},
+    {"grid.rho_inf", Type::List, "", kOptional, kAny, "simulation.rho_inf."},
+    {"grid.tangent", Type::List, "", kOptional, kAny, "simulation.tangent."},
+
+    {"vary", Type::Named, "", kOptional, kAny, "Further axes by name, over any keys of the scene. What changes the mechanism or its motion has a reference of its own for each combination."},
+    {"vary.*", Type::Table, "", kOptional, kAny, "One axis."},
+    {"vary.*.key", Type::Texts, "", kRequired, kAny, "Key of the scene, as for --set, or several that share the value."},
+    {"vary.*.values", Type::List, "", kRequired, kAny, "Values of the key."},
+  };
+}
+// clang-format on
+
+}  // namespace liesl

@@ -1,0 +1,193 @@
+/// @file
+/// Table of the keys of a scene. Rows: path, type, unit, preset, range, doc, size, options, when.
+#include <iterator>
+
+#include "apps/input/schema.hpp"
+#include "mbs/model/joint_kind.hpp"
+
+namespace liesl {
+
+namespace {
+
+constexpr auto kWhole1 = Range{.lower = 1};
+constexpr auto kWhole0 = Range{.lower = 0};
+
+// clang-format off
+std::vector<Key> material_keys() {
+  return {
+    {"name", Type::Text, "", "\"scene\"", kAny, "Title of the scene."},
+    {"gravity", Type::Vector, "m/s^2", "[0, 0, 0]", kAny, "Acceleration of gravity, inertial axes.", 3},
+
+    {"materials", Type::Named, "", kOptional, kAny, "Isotropic linear-elastic materials by name."},
+    {"materials.*", Type::Table, "", kOptional, kAny, "A material."},
+    {"materials.*.E", Type::Number, "Pa", kRequired, kPositive, "Young's modulus."},
+    {"materials.*.nu", Type::Number, "-", "0.3", {-1, 0.5, true, true}, "Poisson's ratio."},
+    {"materials.*.rho", Type::Number, "kg/m^3", "0", kNotNegative, "Density; above 0 unless the simulation is static."},
+
+    {"sections", Type::Named, "", kOptional, kAny, "Cross-sections by name. Width along local y, height along local z."},
+    {"sections.*", Type::Table, "", kOptional, kAny, "A cross-section."},
+    {"sections.*.type", Type::Choice, "", kRequired, kAny, "Shape.", 0, "circle tube rectangle box i full"},
+    {"sections.*.diameter", Type::Number, "m", kRequired, kPositive, "Outer diameter.", 0, "", "type=circle tube"},
+    {"sections.*.thickness", Type::Number, "m", kRequired, kPositive, "Wall thickness.", 0, "", "type=tube box"},
+    {"sections.*.width", Type::Number, "m", kRequired, kPositive, "Outer width, along y.", 0, "", "type=rectangle box i"},
+    {"sections.*.height", Type::Number, "m", kRequired, kPositive, "Outer height, along z.", 0, "", "type=rectangle box i"},
+    {"sections.*.flange_thickness", Type::Number, "m", kRequired, kPositive, "Of the two flanges, parallel to y.", 0, "", "type=i"},
+    {"sections.*.web_thickness", Type::Number, "m", kRequired, kPositive, "Of the web, along z.", 0, "", "type=i"},
+    {"sections.*.shear_factor", Type::NumberOrList, "-", kOptional, kPositive, "Factor k of the shear stiffness k G A, or [k_y, k_z]. Default: Cowper's value of the shape.", 2, "", "type=circle tube rectangle box i"},
+    {"sections.*.torsion_constant", Type::Number, "m^4", kOptional, kPositive, "J of the torsion stiffness G J. Default: of the shape.", 0, "", "type=circle tube rectangle box i"},
+    {"sections.*.stiffness", Type::Matrix, "N, N m, N m^2", kRequired, kAny, "Rows [N, V_y, V_z, M_x, M_y, M_z] over [eps_x, gamma_y, gamma_z, kappa_x, kappa_y, kappa_z]; the diagonal is [EA, k_y GA, k_z GA, GJ, EI_y, EI_z].", 6, "", "type=full"},
+    {"sections.*.inertia", Type::Matrix, "kg/m, kg, kg m", kOptional, kAny, "Per length; the diagonal is rho [A, A, A, I_y + I_z, I_y, I_z]. Needed unless the simulation is static.", 6, "", "type=full"},
+  };
+}
+
+std::vector<Key> body_keys() {
+  return {
+    {"bodies", Type::Named, "", kRequired, kAny, "Bodies by name: beams, rigid bodies and meshed parts. `ground` is the name of the inertial frame."},
+    {"bodies.*", Type::Table, "", kOptional, kAny, "A body: exactly one of `beam`, `rigid` and `solid`."},
+    {"bodies.*.velocity", Type::Vector, "m/s", "[0, 0, 0]", kAny, "At the start, of the first node or of the origin, inertial axes.", 3},
+    {"bodies.*.angular_velocity", Type::Vector, "rad/s", "[0, 0, 0]", kAny, "At the start, inertial axes.", 3},
+
+    {"bodies.*.beam", Type::Table, "", kOneOf, kAny, "Chain of beam elements. Ports: start, end, mid, node0, node1, ..."},
+    {"bodies.*.beam.from", Type::Vector, "m", kOneOf, kAny, "Straight axis: first point; needs `to`.", 3},
+    {"bodies.*.beam.to", Type::Vector, "m", kOptional, kAny, "Straight axis: last point.", 3},
+    {"bodies.*.beam.arc", Type::Table, "", kOneOf, kAny, "Circular axis."},
+    {"bodies.*.beam.arc.from", Type::Vector, "m", kRequired, kAny, "First point.", 3},
+    {"bodies.*.beam.arc.centre", Type::Vector, "m", kRequired, kAny, "Centre of the circle.", 3},
+    {"bodies.*.beam.arc.axis", Type::Vector, "-", "[0, 0, 1]", kAny, "The arc turns about this direction (right hand).", 3},
+    {"bodies.*.beam.arc.angle", Type::Number, "rad", kRequired, kAny, "Angle of the arc; negative turns the other way."},
+    {"bodies.*.beam.through", Type::Rows, "m", kOneOf, kAny, "Spline axis through these points.", 3},
+    {"bodies.*.beam.section", Type::Texts, "", kRequired, kAny, "Section of all elements, or a list: one for each of as many runs of neighbouring elements, as even as possible."},
+    {"bodies.*.beam.material", Type::Text, "", kOptional, kAny, "Material of all elements; needed unless all sections are `full`."},
+    {"bodies.*.beam.elements", Type::Integer, "", kRequired, {1, 10000}, "Number of elements, spaced evenly along the axis."},
+    {"bodies.*.beam.up", Type::Vector, "-", kOptional, kAny, "Local y of the section at the start is the part of this direction normal to the axis. Default: local z is the part of inertial z (for an axis along z: inertial y) normal to the axis, of an arc its normal; a beam in the x-y plane has local y in that plane.", 3},
+    {"bodies.*.beam.pre_twist", Type::Number, "rad", "0", kAny, "Rotation of the section about the axis from start to end."},
+    {"bodies.*.beam.as", Type::Choice, "", "\"formalism\"", kAny, "What the beam is simulated as: as `simulation.formalism` says, rigid, or linear in a floating frame with modes.", 0, "formalism rigid modal"},
+    {"bodies.*.beam.modes", Type::Integer, "", kOptional, kWhole0, "Internal modes that are kept where the beam is simulated with modes. Default: all."},
+    {"bodies.*.beam.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional: section forces get damping K d(strain)/dt."},
+
+    {"bodies.*.rigid", Type::Table, "", kOneOf, kAny, "Rigid body. Ports: origin and the named points."},
+    {"bodies.*.rigid.at", Type::Vector, "m", kRequired, kAny, "Position of the origin.", 3},
+    {"bodies.*.rigid.orientation", Type::Vector, "rad", "[0, 0, 0]", kAny, "Rotation vector of the body axes.", 3},
+    {"bodies.*.rigid.mass", Type::Number, "kg", kRequired, kPositive, "Mass."},
+    {"bodies.*.rigid.inertia", Type::Matrix, "kg m^2", kRequired, kAny, "About the centre of mass, body axes.", 3},
+    {"bodies.*.rigid.centre", Type::Vector, "m", "[0, 0, 0]", kAny, "Centre of mass from the origin, body axes.", 3},
+    {"bodies.*.rigid.points", Type::Named, "", kOptional, kAny, "Further ports by name."},
+    {"bodies.*.rigid.points.*", Type::Vector, "m", kOptional, kAny, "Position at the start, inertial axes.", 3},
+  };
+}
+
+std::vector<Key> force_keys() {
+  return {
+    {"forces", Type::Named, "", kOptional, kAny, "Springs, dampers, forces and torques by name: stiffness (q - rest) + damping dq/dt - force acts against q."},
+    {"forces.*", Type::Table, "", kOptional, kAny, "A force law on one coordinate q."},
+    {"forces.*.on", Type::Text, "", kOneOf, kAny, "q is a joint coordinate: \"joint\", or \"joint.1\" for its coordinate 1."},
+    {"forces.*.between", Type::Pair, "", kOneOf, kAny, "q is the distance of two ports."},
+    {"forces.*.stiffness", Type::Number, "N/m or N m/rad", "0", kNotNegative, "Spring."},
+    {"forces.*.damping", Type::Number, "N s/m or N m s/rad", "0", kNotNegative, "Damper."},
+    {"forces.*.rest", Type::Number, "m or rad", kOptional, kAny, "q of the relaxed spring. Default: 0 on a joint, the distance at the start between ports."},
+    {"forces.*.force", Type::Function, "N", kOptional, kAny, "Pushes the coordinate up."},
+    {"forces.*.torque", Type::Function, "N m", kOptional, kAny, "The same under its name for angles."},
+
+    {"loads", Type::Named, "", kOptional, kAny, "Forces and moments on bodies by name."},
+    {"loads.*", Type::Table, "", kOptional, kAny, "A load."},
+    {"loads.*.at", Type::Text, "", kOneOf, kAny, "The port that it acts on."},
+    {"loads.*.over", Type::Text, "", kOneOf, kAny, "The beam that it is spread over, per length."},
+    {"loads.*.force", Type::Vector, "N or N/m", "[0, 0, 0]", kAny, "Force.", 3},
+    {"loads.*.moment", Type::Vector, "N m or N m/m", "[0, 0, 0]", kAny, "Moment.", 3},
+    {"loads.*.follower", Type::Boolean, "", "false", kAny, "Components turn with the body; otherwise they are inertial."},
+    {"loads.*.scale", Type::Function, "-", "1", kAny, "Factor over time."},
+  };
+}
+
+std::vector<Key> simulation_keys() {
+  return {
+    {"simulation", Type::Table, "", kOptional, kAny, "What is computed and how finely."},
+    {"simulation.type", Type::Choice, "", "\"dynamic\"", kAny, "Motion over time, equilibrium under the loads, or natural modes about it.", 0, "dynamic static modes"},
+    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them.", 0, "auto planar spatial"},
+    {"simulation.formalism", Type::Choice, "", "\"se3\"", kAny, "Unknowns and kind of flexible body: SE(3) (SE(2) in a plane), R^3 x SO(3), classical rotation vectors, floating frames with modes, flexible bodies rigid.", 0, "se3 r3so3 classical floating rigid"},
+    {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
+    {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},
+    {"simulation.duration", Type::Number, "s", "1.0", kPositive, "Dynamic: length of the simulated time."},
+    {"simulation.step", Type::Number, "s", "1e-3", kPositive, "Dynamic: time step; the largest one if adaptive."},
+    {"simulation.rho_inf", Type::Number, "-", "0.8", {0, 1}, "Dynamic: spectral radius at infinity; 1 = no numerical dissipation."},
+    {"simulation.tolerance", Type::Number, "-", "1e-6", {0, 1e-2, true}, "Residual relative to the forces."},
+    {"simulation.max_iterations", Type::Integer, "", "12", {3, 100}, "Dynamic: corrections a step before the step is halved."},
+    {"simulation.adaptive", Type::Boolean, "", "false", kAny, "Dynamic: choose the step from a local error estimate."},
+    {"simulation.error_tolerance", Type::Number, "-", "1e-4", {0, 1, true}, "Adaptive: local error a step relative to the scene's size."},
+    {"simulation.step_min", Type::Number, "s", "0", kNotNegative, "Smallest step; 0 = step / 1024."},
+    {"simulation.output_every", Type::Integer, "", "1", kWhole1, "Dynamic: steps between two records."},
+    {"simulation.load_steps", Type::Integer, "", "1", kWhole1, "Static: steps from no load to the full one."},
+    {"simulation.arc_length", Type::Boolean, "", "false", kAny, "Static: follow the path past limit points."},
+    {"simulation.max_load", Type::Number, "-", "1.0", kPositive, "Static: load factor at which the path ends."},
+    {"simulation.critical", Type::Boolean, "", "false", kAny, "Static: bisect the load factor where the tangent loses definiteness."},
+    {"simulation.modes", Type::Integer, "", "10", kWhole1, "Modes: how many."},
+
+    {"responses", Type::Named, "", kOptional, kAny, "Quantities to report, by name."},
+    {"responses.*", Type::Table, "", kOptional, kAny, "A response."},
+  };
+}
+// clang-format on
+
+void append(std::vector<Key>& keys, std::vector<Key> more) {
+  keys.insert(keys.end(), std::make_move_iterator(more.begin()),
+              std::make_move_iterator(more.end()));
+}
+
+/// `response` of an entry: required in a scene, or an alternative to `use` in a study.
+Key response_choice(std::string_view parent, std::string_view preset) {
+  return {std::string(parent) + ".response",
+          Type::Choice,
+          "",
+          preset,
+          kAny,
+          "Which quantity.",
+          0,
+          "position velocity angular_velocity displacement deflection elongation coordinate "
+          "joint_force section_force stress energy compliance"};
+}
+
+}  // namespace
+
+// clang-format off
+std::vector<Key> response_keys(std::string_view parent) {
+  const bool scene = parent == "responses.*";
+  std::vector<Key> keys{
+    response_choice(parent, scene ? kRequired : kOneOf),
+    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body.", 0, "", "response=position velocity angular_velocity displacement"},
+    {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam: start, mid, nodeK, end, or `max` for the largest over all nodes.", 0, "", "response=deflection"},
+    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
+    {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
+    {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
+    {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
+    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
+    {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate"},
+    {".element", Type::Integer, "", "0", kWhole0, "Element of the beam, from 0.", 0, "", "response=section_force"},
+    {".component", Type::Choice, "", kRequired, kAny, "Normal force, shear forces, torsion and bending moments.", 0, "N Vy Vz Mx My Mz", "response=section_force"},
+  };
+  for (Key& key : keys)
+    if (key.path.starts_with('.')) key.path.insert(0, parent);
+  return keys;
+}
+
+std::vector<Key> function_keys() {
+  return {
+    {"(function).table", Type::Rows, "s, -", kOneOf, kAny, "Rows [t, f], t increasing; constant outside.", 2},
+    {"(function).interpolation", Type::Choice, "", "\"linear\"", kAny, "Of the table; cubic is C1 without overshoot.", 0, "linear cubic"},
+    {"(function).expression", Type::Text, "", kOneOf, kAny, "Expression of t (s), as in \"10*sin(2*pi*t)\"."},
+  };
+}
+// clang-format on
+
+std::vector<Key> scene_keys() {
+  std::vector<Key> keys = material_keys();
+  append(keys, body_keys());
+  append(keys, solid_keys());
+  append(keys, joint_keys());
+  append(keys, force_keys());
+  append(keys, simulation_keys());
+  append(keys, response_keys("responses.*"));
+  append(keys, function_keys());
+  return keys;
+}
+
+}  // namespace liesl

@@ -1,0 +1,84 @@
+/// @file
+/// Table of the keys of a study. Rows: path, type, unit, preset, range, doc, size, options, when.
+#include "apps/input/schema.hpp"
+
+namespace liesl {
+
+// clang-format off
+std::vector<Key> study_keys() {
+  std::vector<Key> keys{
+    {"name", Type::Text, "", "\"study\"", kAny, "Title of the study."},
+    {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the study."},
+    {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in this study, as in \"simulation.step\" = 5e-5."},
+    {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
+
+    {"design", Type::Named, "", kRequired, kAny, "What may change, by name."},
+    {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, or one parameter of the outline of a meshed part."},
+    {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; or a meshed part."},
+    {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value."},
+    {"design.*.parameters", Type::Texts, "", kOneOf, kAny, "Parameter of the outline, as \"hole1.a\", or several: the others change with the first."},
+    {"design.*.factors", Type::NumberOrList, "-", kOptional, kAny, "Change of each parameter over that of the variable, -1 of a mirror image. Default: 1 each."},
+    {"design.*.groups", Type::Integer, "", "1", {.lower = 1}, "Runs of neighbouring elements with a value each, as even as possible."},
+    {"design.*.bounds", Type::Vector, "of the value", kRequired, kAny, "Least and largest value; above 0 for dimensions of sections.", 2},
+    {"design.*.start", Type::NumberOrList, "of the value", kOptional, kAny, "First value, or one a group. Default: as in the scene."},
+
+    {"walls", Type::Named, "", kOptional, kAny, "Material that is left between features of a meshed part, by name."},
+    {"walls.*", Type::Table, "", kOptional, kAny, "Shortest distance of two outlines."},
+    {"walls.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
+    {"walls.*.feature", Type::Text, "", kRequired, kAny, "Feature of its outline. The name of a mirror means the feature and its image, that of the feature the original only."},
+    {"walls.*.to", Type::Text, "", kRequired, kAny, "Another feature, or an interface: the distance to its nodes."},
+    {"walls.*.least", Type::Number, "m", kRequired, kPositive, "Least thickness."},
+
+    {"objective", Type::Table, "", kRequired, kAny, "What is minimised."},
+    {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms.", 0, "mass compliance stress"},
+    {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
+
+    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress, compliance."},
+    {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
+    {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
+    {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},
+  };
+  for (Key& key : response_keys("constraints.*")) keys.push_back(std::move(key));
+  const std::vector<Key> rest{
+    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part, by name; compliance and stress in every load case."},
+    {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
+    {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
+    {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},
+    {"part_limits.*.limit", Type::Number, "of the quantity", kRequired, kPositive, "Largest value; of a frequency the least."},
+    {"part_limits.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest frequencies.", 0, "", "quantity=frequency"},
+
+    {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},
+    {"loads.*", Type::Table, "", kOptional, kAny, "A load on an interface, or on a side."},
+    {"loads.*.at", Type::Text, "", kOneOf, kAny, "Port of the part, \"plate.right\": takes `force` and `moment`."},
+    {"loads.*.force", Type::Vector, "N", "[0, 0, 0]", kAny, "In the axes of the mesh.", 3},
+    {"loads.*.moment", Type::Vector, "N m", "[0, 0, 0]", kAny, "In the axes of the mesh.", 3},
+    {"loads.*.on", Type::Text, "", kOneOf, kAny, "Set of nodes, \"plate.x_max\": the sides of cells between them take `traction`."},
+    {"loads.*.traction", Type::Vector, "Pa", "[0, 0, 0]", kAny, "Force per area, in the axes of the mesh.", 3},
+    {"loads.*.case", Type::Text, "", "\"1\"", kAny, "Load case; loads of one case add up."},
+
+    {"stress", Type::Table, "", kOptional, kAny, "How the stress of a meshed part is one number a load case: (sum_e w_e (v_e^q sigma_e)^p)^(1/p)."},
+    {"stress.p", Type::Number, "-", "8", {1, 100}, "Exponent p."},
+    {"stress.relaxation", Type::Number, "-", "0.5", {0, 5}, "Exponent q of the fraction v_e of a cell."},
+
+    {"supports", Type::Named, "", kOptional, kAny, "Where a part is held in its static problem, by body. Default: \"start\"."},
+    {"supports.*", Type::Texts, "", kOptional, kAny, "\"inertia_relief\", or nodes with their held directions, together statically determinate: \"start\" (all six), [\"start:xyz,rx\", \"end:yz\"]. Of a meshed part interfaces (x, y, z, r: all rotations) or sets of nodes, [\"pin:xyr\"], [\"x_min:x\", \"y_min:y\"]; default: its first interface."},
+
+    {"cycle", Type::Table, "", kOptional, kAny, "How simulation and optimisation take turns."},
+    {"cycle.max", Type::Integer, "", "30", {1, 10000}, "Cycles at most."},
+    {"cycle.tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the loads at which the cycle is closed."},
+    {"cycle.objective_tolerance", Type::Number, "-", "1e-3", {0, 1, true}, "Relative change of the objective at which the cycle is closed."},
+    {"cycle.feasibility", Type::Number, "-", "1e-3", {0, 1, true}, "Allowed relative violation of a limit."},
+    {"cycle.move_limit", Type::Number, "-", "0.5", {0, 1, true}, "Largest relative change of a variable in a cycle, at first."},
+    {"cycle.move_cells", Type::Number, "cells", "2", kPositive, "Largest movement of the outline of a meshed part in a cycle, at first."},
+    {"cycle.screening", Type::Number, "-", "0.1", {0, 1}, "Keep load cases within this share of a constraint's largest value; others that turn out to violate it are added."},
+    {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
+    {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
+    {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
+    {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end, by two simulations a variable: up to 12 variables, always, or never.", 0, "auto always never"},
+  };
+  keys.insert(keys.end(), rest.begin(), rest.end());
+  return keys;
+}
+// clang-format on
+
+}  // namespace liesl

@@ -1,0 +1,325 @@
+#include "apps/mesh/gmsh_mesh.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <charconv>
+#include <cstdlib>
+#include <map>
+#include <set>
+#include <string_view>
+#include <unordered_map>
+
+#include "apps/input/problem.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr int kMaxProblems = 20;  ///< a mesh that is wrong is often wrong everywhere
+
+/// What Gmsh calls its element types.
+struct ElementType {
+  int number, nodes;
+  const char* name;
+};
+constexpr ElementType kTypes[] = {{1, 2, "2-node line"},
+                                  {2, 3, "3-node triangle"},
+                                  {3, 4, "4-node quadrilateral"},
+                                  {4, 4, "4-node tetrahedron"},
+                                  {5, 8, "8-node hexahedron"},
+                                  {6, 6, "6-node prism"},
+                                  {7, 5, "5-node pyramid"},
+                                  {8, 3, "3-node line"},
+                                  {9, 6, "6-node triangle"},
+                                  {10, 9, "9-node quadrilateral"},
+                                  {11, 10, "10-node tetrahedron"},
+                                  {12, 27, "27-node hexahedron"},
+                                  {15, 1, "point"},
+                                  {16, 8, "8-node quadrilateral"},
+                                  {17, 20, "20-node hexahedron"}};
+
+const ElementType* type_of(int number) {
+  for (const ElementType& t : kTypes)
+    if (t.number == number) return &t;
+  return nullptr;
+}
+
+/// The words of a file, with their places. Reading on after the end, or a number that is none,
+/// ends the reading: what follows would be guessed.
+class Words {
+ public:
+  Words(std::string_view text, Problems& problems) : text_(text), problems_(problems) {}
+
+  int line() const { return line_; }
+  bool at_end() {
+    skip_blanks();
+    return next_ == text_.size();
+  }
+  std::string_view word() {
+    skip_blanks();
+    if (next_ == text_.size()) fail("the file ends early", "more numbers");
+    word_column_ = column();
+    const std::size_t begin = next_;
+    if (text_[next_] == '"') {
+      const std::size_t end = text_.find('"', next_ + 1);
+      next_ = end == std::string_view::npos ? text_.size() : end + 1;
+    } else {
+      while (next_ < text_.size() && !blank(text_[next_])) ++next_;
+    }
+    return text_.substr(begin, next_ - begin);
+  }
+  template <class Number>
+  Number number() {
+    const std::string_view w = word();
+    Number x{};
+    const auto [end, error] = std::from_chars(w.data(), w.data() + w.size(), x);
+    if (error != std::errc() || end != w.data() + w.size())
+      fail(fmt::format("'{}' is not a number", w), "a number");
+    return x;
+  }
+  int integer() { return number<int>(); }
+  double real() { return number<double>(); }
+  void skip(int count) {
+    for (int i = 0; i < count; ++i) word();
+  }
+  /// A count, which the rest of the file must be able to hold.
+  int count() {
+    const int n = integer();
+    if (n < 0 || static_cast<std::size_t>(n) > text_.size())
+      fail(fmt::format("{} cannot be a count here", n), "a count that fits the file");
+    return n;
+  }
+  [[noreturn]] void fail(std::string what, std::string expected, std::string hint = "") {
+    problems_.add({problems_.file(), line_, word_column_, std::move(what), std::move(expected),
+                   std::move(hint)});
+    problems_.throw_if_any();
+    std::abort();  // not reached: there is one
+  }
+
+ private:
+  static bool blank(char c) { return c == ' ' || c == '\t' || c == '\r' || c == '\n'; }
+  int column() const { return static_cast<int>(next_ - line_start_) + 1; }
+  void skip_blanks() {
+    for (; next_ < text_.size() && blank(text_[next_]); ++next_)
+      if (text_[next_] == '\n') ++line_, line_start_ = next_ + 1;
+  }
+
+  std::string_view text_;
+  Problems& problems_;
+  std::size_t next_ = 0, line_start_ = 0;
+  int line_ = 1, word_column_ = 1;
+};
+
+struct Element {
+  int type, entity_dim, entity, line;
+  std::vector<std::size_t> nodes;
+};
+
+class Reader {
+ public:
+  Reader(std::string_view text, Problems& problems) : words_(text, problems), problems_(problems) {}
+
+  SolidMesh read() {
+    read_sections();
+    SolidMesh mesh;
+    mesh.dim = has(5) ? 3 : 2;
+    number_nodes(mesh);
+    add_cells(mesh);
+    name_sets(mesh);
+    problems_.throw_if_any();
+    return mesh;
+  }
+
+ private:
+  void problem(int line, std::string what, std::string expected = "", std::string hint = "") {
+    if (++reported_ <= kMaxProblems)
+      problems_.add(
+          {problems_.file(), line, 1, std::move(what), std::move(expected), std::move(hint)});
+  }
+
+  void read_sections() {
+    bool format = false;
+    while (!words_.at_end()) {
+      const std::string section(words_.word());
+      if (!format && section != "$MeshFormat")
+        words_.fail("this is not a Gmsh file", "$MeshFormat at its start");
+      format = true;
+      if (section == "$MeshFormat") read_format();
+      if (section == "$PhysicalNames") read_names();
+      if (section == "$Entities") read_entities();
+      if (section == "$Nodes") read_nodes();
+      if (section == "$Elements") read_elements();
+      const std::string end = "$End" + section.substr(1);
+      const bool known = section == "$MeshFormat" || section == "$PhysicalNames" ||
+                         section == "$Entities" || section == "$Nodes" || section == "$Elements";
+      std::string_view w = words_.word();
+      while (!known && w != end) w = words_.word();
+      if (w != end) words_.fail(fmt::format("'{}' in section {}", w, section), end);
+    }
+    if (!format) words_.fail("the file is empty", "$MeshFormat");
+    if (elements_.empty()) words_.fail("the file has no elements", "a section $Elements");
+  }
+
+  void read_format() {
+    const double version = words_.real();
+    if (version != 4.1)
+      words_.fail(fmt::format("format {} of Gmsh", version), "format 4.1",
+                  "gmsh file.geo -format msh41");
+    if (words_.integer() != 0)
+      words_.fail("the file is binary", "ASCII", "gmsh -format msh41, without -bin");
+    words_.skip(1);
+  }
+
+  void read_names() {
+    for (int n = words_.count(); n > 0; --n) {
+      const int dim = words_.integer(), tag = words_.integer();
+      std::string name(words_.word());
+      name.erase(std::remove(name.begin(), name.end(), '"'), name.end());
+      names_[{dim, tag}] = name;
+    }
+  }
+
+  void read_entities() {
+    int counts[4];
+    for (int& c : counts) c = words_.count();
+    for (int dim = 0; dim < 4; ++dim) {
+      for (int n = counts[dim]; n > 0; --n) {
+        const int tag = words_.integer();
+        words_.skip(dim == 0 ? 3 : 6);
+        for (int g = words_.count(); g > 0; --g)
+          groups_[{dim, tag}].push_back(std::abs(words_.integer()));
+        if (dim > 0) words_.skip(words_.count());
+      }
+    }
+  }
+
+  void read_nodes() {
+    const int blocks = words_.count();
+    words_.skip(3);
+    for (int b = 0; b < blocks; ++b) {
+      words_.skip(2);
+      if (words_.integer() != 0)
+        words_.fail("nodes with parametric coordinates", "0",
+                    "gmsh -setnumber Mesh.SaveParametric 0");
+      const int n = words_.count();
+      std::vector<std::size_t> tags;
+      for (int i = 0; i < n; ++i) tags.push_back(words_.number<std::size_t>());
+      for (std::size_t tag : tags) {
+        Eigen::Vector3d x;
+        for (double& xi : x) xi = words_.real();
+        positions_[tag] = x;
+      }
+    }
+  }
+
+  void read_elements() {
+    const int blocks = words_.count();
+    words_.skip(3);
+    for (int b = 0; b < blocks; ++b) {
+      const int dim = words_.integer(), entity = words_.integer(), number = words_.integer();
+      const ElementType* type = type_of(number);
+      if (!type)
+        words_.fail(fmt::format("elements of type {}", number),
+                    "lines, quadrilaterals or hexahedra");
+      const bool usable = number == 1 || number == 3 || number == 5 || number == 15;
+      const int n = words_.count();
+      if (!usable && n > 0)
+        problem(words_.line(), fmt::format("{} {}s", n, type->name),
+                "4-node quadrilaterals or 8-node hexahedra",
+                "set Mesh.RecombineAll = 1 and Mesh.ElementOrder = 1");
+      for (int i = 0; i < n; ++i) {
+        words_.skip(1);
+        Element e{number, dim, entity, words_.line(), {}};
+        for (int k = 0; k < type->nodes; ++k) e.nodes.push_back(words_.number<std::size_t>());
+        if (usable) elements_.push_back(std::move(e));
+      }
+    }
+  }
+
+  bool has(int type) const {
+    return std::any_of(elements_.begin(), elements_.end(),
+                       [&](const Element& e) { return e.type == type; });
+  }
+  bool is_cell(const Element& e, int dim) const { return e.type == (dim == 3 ? 5 : 3); }
+
+  void number_nodes(SolidMesh& mesh) {
+    std::vector<Eigen::Vector3d> used;
+    bool planar = true;
+    for (const Element& e : elements_) {
+      if (!is_cell(e, mesh.dim)) continue;
+      for (std::size_t tag : e.nodes) {
+        const auto it = positions_.find(tag);
+        if (it == positions_.end()) {
+          problem(e.line, fmt::format("node {} does not exist", tag), "a node of section $Nodes");
+          continue;
+        }
+        if (number_.try_emplace(tag, static_cast<int>(used.size())).second) {
+          used.push_back(it->second);
+          if (mesh.dim == 2 && planar && std::abs(it->second[2]) > 1e-12) {
+            problem(e.line, fmt::format("node {} lies at z = {}", tag, it->second[2]),
+                    "quadrilaterals in the plane z = 0");
+            planar = false;
+          }
+        }
+      }
+    }
+    problems_.throw_if_any();
+    mesh.nodes.resize(3, static_cast<Eigen::Index>(used.size()));
+    for (std::size_t i = 0; i < used.size(); ++i)
+      mesh.nodes.col(static_cast<Eigen::Index>(i)) = used[i];
+  }
+
+  void add_cells(SolidMesh& mesh) {
+    const auto count = std::count_if(elements_.begin(), elements_.end(),
+                                     [&](const Element& e) { return is_cell(e, mesh.dim); });
+    if (count == 0)
+      words_.fail("the file has no cells", "quadrilaterals or hexahedra",
+                  "set Mesh.RecombineAll = 1; physical groups must include the surface or volume");
+    mesh.cells.resize(mesh.corners(), count);
+    int cell = 0;
+    for (const Element& e : elements_) {
+      if (!is_cell(e, mesh.dim)) continue;
+      for (int c = 0; c < mesh.corners(); ++c) mesh.cells(c, cell) = number_.at(e.nodes[c]);
+      if (!(smallest_jacobian(mesh.dim, mesh.corners_of(cell)) > 0))
+        problem(e.line, "the cell is inverted or flat",
+                mesh.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
+                              : "corners of the lower side counter-clockwise seen from above",
+                mesh.dim == 2 ? "reverse the surface's orientation" : "");
+      ++cell;
+    }
+  }
+
+  void name_sets(SolidMesh& mesh) {
+    std::map<std::string, std::set<int>> sets;
+    for (const Element& e : elements_) {
+      const auto groups = groups_.find({e.entity_dim, e.entity});
+      if (e.entity_dim >= mesh.dim || groups == groups_.end()) continue;
+      for (int group : groups->second) {
+        const auto name = names_.find({e.entity_dim, group});
+        if (name == names_.end()) continue;
+        for (std::size_t tag : e.nodes)
+          if (const auto n = number_.find(tag); n != number_.end())
+            sets[name->second].insert(n->second);
+      }
+    }
+    for (const auto& [name, nodes] : sets) mesh.sets[name] = {nodes.begin(), nodes.end()};
+  }
+
+  Words words_;
+  Problems& problems_;
+  int reported_ = 0;
+  std::map<std::pair<int, int>, std::string> names_;        // (dim, physical tag)
+  std::map<std::pair<int, int>, std::vector<int>> groups_;  // (dim, entity) -> physical tags
+  std::unordered_map<std::size_t, Eigen::Vector3d> positions_;
+  std::unordered_map<std::size_t, int> number_;
+  std::vector<Element> elements_;
+};
+
+}  // namespace
+
+SolidMesh read_gmsh(const std::string& file, std::string_view text) {
+  Problems problems(file);
+  return Reader(text, problems).read();
+}
+
+}  // namespace liesl

@@ -1,0 +1,150 @@
+/// @file
+/// Simulation options, materials and sections.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "apps/scene/reader.hpp"
+#include "mbs/linalg/dense.hpp"
+
+namespace liesl {
+
+namespace {
+
+SimulationType type_of(const std::string& text) {
+  if (text == "static") return SimulationType::Static;
+  return text == "modes" ? SimulationType::Modes : SimulationType::Dynamic;
+}
+
+Formalism formalism_of(const std::string& name) {
+  for (auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating, Formalism::Rigid})
+    if (name == to_string(f)) return f;
+  return Formalism::Lie;
+}
+
+TangentStrategy tangent_of(const std::string& name) {
+  if (name == "constant") return TangentStrategy::Constant;
+  if (name == "adaptive") return TangentStrategy::Adaptive;
+  if (name == "exact") return TangentStrategy::Exact;
+  return TangentStrategy::Auto;
+}
+
+SpaceChoice space_of(const std::string& text) {
+  if (text == "planar") return SpaceChoice::Planar;
+  return text == "spatial" ? SpaceChoice::Spatial : SpaceChoice::Auto;
+}
+
+/// What is wrong with a 6x6 matrix of a full section, empty if nothing.
+std::string defect_of(const Eigen::MatrixXd& M) {
+  const double size = M.cwiseAbs().maxCoeff();
+  if ((M - M.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) return "is not symmetric";
+  const double least = linalg::symmetric_eigenvalues(M)[0];
+  if (least <= 0) return fmt::format("has an eigenvalue of {:.3g}", least);
+  return "";
+}
+
+FullSection full_section(Reader& reader, const toml::table& table) {
+  FullSection full;
+  full.stiffness = matrix(*table.get("stiffness"), 6);
+  full.inertia.setZero();
+  const std::string symmetric = "a symmetric, positive definite matrix";
+  if (const auto what = defect_of(full.stiffness); !what.empty())
+    reader.problems.add(*table.get("stiffness"), fmt::format("'stiffness' {}", what), symmetric,
+                        "directions that shall not move want a large stiffness, not none");
+  if (const toml::node* inertia = table.get("inertia")) {
+    full.inertia = matrix(*inertia, 6);
+    if (const auto what = defect_of(full.inertia); !what.empty())
+      reader.problems.add(*inertia, fmt::format("'inertia' {}", what), symmetric);
+  }
+  return full;
+}
+
+Shape shape_of(Reader& reader, const toml::table& table) {
+  const std::string type = text(table, "type");
+  const auto length = [&](std::string_view key) { return number(table, key); };
+  if (type == "circle") return Circle{length("diameter")};
+  if (type == "tube") return Tube{length("diameter"), length("thickness")};
+  if (type == "rectangle") return Rectangle{length("width"), length("height")};
+  if (type == "box") return Box{length("width"), length("height"), length("thickness")};
+  if (type == "i")
+    return ISection{length("width"), length("height"), length("flange_thickness"),
+                    length("web_thickness")};
+  return full_section(reader, table);
+}
+
+/// The value that most likely causes what is wrong with a shape.
+const toml::node& culprit(const toml::table& table) {
+  for (const char* key : {"thickness", "flange_thickness", "web_thickness", "stiffness"})
+    if (const toml::node* node = table.get(key)) return *node;
+  return table;
+}
+
+}  // namespace
+
+void read_simulation(Reader& reader) {
+  toml::table* table = reader.root["simulation"].as_table();
+  if (!table) return;
+  SimulationOptions& o = reader.scene.simulation;
+  o.type = type_of(text(*table, "type"));
+  o.space = space_of(text(*table, "space"));
+  reader.scene.mechanism.formalism = formalism_of(text(*table, "formalism"));
+  o.tangent = tangent_of(text(*table, "tangent"));
+  if (reader.broken.contains("simulation")) return;
+  o.rescale = boolean(*table, "rescale");
+  o.duration = number(*table, "duration");
+  o.step = number(*table, "step");
+  o.rho_inf = number(*table, "rho_inf");
+  o.tolerance = number(*table, "tolerance");
+  o.max_iterations = integer(*table, "max_iterations");
+  o.adaptive = boolean(*table, "adaptive");
+  o.error_tolerance = number(*table, "error_tolerance");
+  o.step_min = number(*table, "step_min");
+  o.output_every = integer(*table, "output_every");
+  o.load_steps = integer(*table, "load_steps");
+  o.arc_length = boolean(*table, "arc_length");
+  o.max_load = number(*table, "max_load");
+  o.critical = boolean(*table, "critical");
+  o.modes = integer(*table, "modes");
+  const Formalism formalism = reader.scene.mechanism.formalism;
+  if (o.type != SimulationType::Dynamic &&
+      (formalism == Formalism::Floating || formalism == Formalism::Rigid))
+    reader.problems.add(
+        *table->get("formalism"),
+        fmt::format("'simulation.formalism' = \"{}\" is for motions only", to_string(formalism)),
+        "simulation.type = \"dynamic\", or formalism se3, r3so3 or classical");
+  if (o.type != SimulationType::Dynamic) return;
+  const toml::node& step = *table->get("step");
+  const toml::node& duration = *table->get("duration");
+  if (o.step > o.duration)
+    reader.problems.add(
+        written(step) ? step : duration,
+        fmt::format("'simulation.step' ({:g} s) is longer than the duration", o.step),
+        fmt::format("a step of at most {:g} s", o.duration));
+  if (o.step_min > o.step)
+    reader.problems.add(*table->get("step_min"),
+                        fmt::format("'simulation.step_min' ({:g} s) is above the step", o.step_min),
+                        fmt::format("at most {:g} s", o.step));
+}
+
+void read_materials(Reader& reader) {
+  for (const Entry& entry : entries(reader, "materials"))
+    reader.materials[entry.name] = {entry.name, number(*entry.table, "E"),
+                                    number(*entry.table, "nu"), number(*entry.table, "rho")};
+  for (const Entry& entry : entries(reader, "sections")) {
+    const int before = reader.problems.count();
+    Section section{entry.name, shape_of(reader, *entry.table), {0, 0}, 0};
+    if (const toml::node* factor = entry.table->get("shear_factor")) {
+      const auto k = numbers(*factor);
+      section.shear_factor = {k.front(), k.back()};
+    }
+    section.torsion_constant = number(*entry.table, "torsion_constant");
+    const bool full = std::holds_alternative<FullSection>(section.shape);  // checked above
+    if (const std::string what = full ? "" : what_is_wrong(section.shape);
+        !what.empty() && reader.problems.count() == before)
+      reader.problems.add(culprit(*entry.table), fmt::format("section '{}': {}", entry.name, what),
+                          "a section of positive material");
+    reader.sections[entry.name] = section;
+  }
+}
+
+}  // namespace liesl

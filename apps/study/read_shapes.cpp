@@ -1,0 +1,215 @@
+/// @file
+/// What a study says of meshed parts: shape variables, walls, limits, fixed loads.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "apps/study/study_reader.hpp"
+#ifdef LIESL_OPTIM
+#include "optim/cycle/solid_task.hpp"
+#endif
+
+namespace liesl {
+
+namespace {
+
+const SolidSpec* solid_of(const StudyReader& reader, int body) {
+  return std::get_if<SolidSpec>(
+      &reader.scene.scene.mechanism.bodies[static_cast<std::size_t>(body)].kind);
+}
+
+/// Body of a meshed part named by a string; empty (and said) if it is none.
+std::optional<int> part(StudyReader& reader, const toml::node& name, bool with_outline) {
+  const auto body = reader.scene.body(name);
+  if (!body) return {};
+  const SolidSpec* solid = solid_of(reader, *body);
+  if (solid && !(with_outline && solid->outline.features.empty())) return body;
+  reader.scene.problems.add(name,
+                            fmt::format("'{}' is no meshed part{}", name.value_or(std::string()),
+                                        solid ? " with an outline" : ""),
+                            "a body with 'solid'",
+                            solid ? "features are in bodies.NAME.solid.outline" : "");
+  return {};
+}
+
+std::vector<std::string> parameter_names(const SolidSpec& solid) {
+  std::vector<std::string> names;
+  const auto shape = make_shape(solid.outline);
+  for (const auto& p : shape->parameters()) names.push_back(p.name);
+  return names;
+}
+
+/// "plate.x_max" as a part and the rest; empty (and said) if there is no such part.
+std::optional<std::pair<int, std::string>> place(StudyReader& reader, const toml::node& node) {
+  const auto text = node.value_or(std::string());
+  const auto point = text.find('.');
+  const int body = reader.scene.scene.mechanism.body(text.substr(0, point));
+  if (point != std::string::npos && body >= 0 && solid_of(reader, body))
+    return std::pair{body, text.substr(point + 1)};
+  reader.scene.problems.add(node, fmt::format("'{}' is no place of a meshed part", text),
+                            "part.interface, or part.set");
+  return {};
+}
+
+void read_walls(StudyReader& reader) {
+  for (const Entry& entry : entries(reader.root, reader.broken, "walls")) {
+    const auto body = part(reader, *entry.table->get("of"), true);
+    if (!body) continue;
+    reader.spec.shapes[*body].walls.push_back({entry.name, text(*entry.table, "feature"),
+                                               text(*entry.table, "to"),
+                                               number(*entry.table, "least")});
+  }
+}
+
+void read_limits(StudyReader& reader) {
+  for (const Entry& entry : entries(reader.root, reader.broken, "part_limits")) {
+    const auto body = part(reader, *entry.table->get("of"), false);
+    if (!body) continue;
+    const std::string quantity = text(*entry.table, "quantity");
+    PartLimitSpec limit{entry.name, *body, SolidResponse::Mass, number(*entry.table, "limit"), 1};
+    if (quantity == "compliance") limit.quantity = SolidResponse::Compliance;
+    if (quantity == "stress") limit.quantity = SolidResponse::Stress;
+    if (quantity == "frequency") {
+      limit.quantity = SolidResponse::Frequency;
+      limit.count = integer(*entry.table, "count");
+    }
+    reader.spec.part_limits.push_back(limit);
+  }
+}
+
+void read_fixed_load(StudyReader& reader, const Entry& entry) {
+  const bool on = entry.table->contains("on");
+  const toml::node& node = *entry.table->get(on ? "on" : "at");
+  const auto at = place(reader, node);
+  if (!at) return;
+  const SolidSpec& solid = *solid_of(reader, at->first);
+  FixedLoad load;
+  load.load_case = text(*entry.table, "case");
+  load.body = at->first;
+  load.force = vec3(*entry.table, "force");
+  load.moment = vec3(*entry.table, "moment");
+  load.traction = vec3(*entry.table, "traction");
+  std::vector<std::string> known;
+  if (on) {
+    for (const auto& [name, nodes] : solid.mesh.sets) {
+      known.push_back(name);
+      if (name == at->second) load.nodes = nodes;
+    }
+  } else {
+    for (std::size_t k = 0; k < solid.interfaces.size(); ++k) {
+      known.push_back(solid.interfaces[k].name);
+      if (known.back() == at->second) load.interface = static_cast<int>(k);
+    }
+  }
+  if (on ? load.nodes.empty() : load.interface < 0)
+    reader.scene.problems.add(
+        node, fmt::format("the part has no {} '{}'", on ? "set of nodes" : "interface", at->second),
+        on ? "a side of the grid or a physical group" : "an interface",
+        suggestion(at->second, known));
+  else if ((on ? load.traction : Vec3(load.force.cwiseAbs() + load.moment.cwiseAbs())).isZero(0))
+    reader.scene.problems.add(node, fmt::format("load '{}' is zero", entry.name),
+                              on ? "a 'traction'" : "a 'force' or a 'moment'");
+  else
+    reader.spec.loads.push_back(std::move(load));
+}
+
+bool changes(const StudySpec& spec, int body) {
+  return spec.shapes.contains(body) ||
+         std::any_of(spec.design.begin(), spec.design.end(), [body](const DesignSpec& design) {
+           return std::count(design.bodies.begin(), design.bodies.end(), body) > 0;
+         });
+}
+
+/// What a study of a motion cannot do with a meshed part.
+void check_motion(StudyReader& reader) {
+  const StudySpec& spec = reader.spec;
+  Problems& problems = reader.scene.problems;
+  if (!spec.part_limits.empty())
+    problems.add(*reader.root.get("part_limits"), "limits of a part itself are for fixed [loads]",
+                 "constraints on responses of the motion");
+  for (const ConstraintSpec& c : spec.constraints) {
+    const int body = limited_body(c.response);
+    if (changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body))) continue;
+    problems.add(
+        *reader.root["constraints"][c.response.name].node(),
+        fmt::format("constraint '{}' is of '{}', which no variable changes", c.response.name,
+                    reader.scene.scene.mechanism.bodies[std::size_t(body)].name),
+        "a response of a body in [design]");
+  }
+}
+
+}  // namespace
+
+void read_shape_variable(StudyReader& reader, const Entry& entry) {
+  const toml::table& table = *entry.table;
+  Problems& problems = reader.scene.problems;
+  const auto names = strings(table, "of");
+  if (names.size() != 1) {
+    problems.add(*table.get("of"), fmt::format("'{}' is of {} parts", entry.name, names.size()),
+                 "one meshed part");
+    return;
+  }
+  const auto body = part(reader, *names.front(), true);
+  if (!body) return;
+  const auto known = parameter_names(*solid_of(reader, *body));
+  const auto bounds = numbers(*table.get("bounds"));
+  ShapeVariableSpec v{entry.name, {}, bounds[0], bounds[1], {}};
+  std::vector<double> factors;
+  if (const toml::node* node = table.get("factors")) factors = numbers(*node);
+  for (const toml::node* node : strings(table, "parameters")) {
+    const auto name = node->value_or(std::string());
+    if (std::find(known.begin(), known.end(), name) == known.end()) {
+      problems.add(*node, fmt::format("the outline has no parameter '{}'", name),
+                   "feature.parameter", suggestion(name, known));
+      return;
+    }
+    const auto k = v.drives.size();
+    v.drives.push_back({name, k < factors.size() ? factors[k] : 1});
+  }
+  if (!factors.empty() && (factors.size() != v.drives.size() || factors[0] != 1)) {
+    problems.add(*table.get("factors"),
+                 fmt::format("{} factors for {} parameters", factors.size(), v.drives.size()),
+                 "one each, the first 1");
+    return;
+  }
+  if (const toml::node* node = table.get("start")) v.start = numbers(*node)[0];
+  reader.spec.shapes[*body].variables.push_back(std::move(v));
+}
+
+void read_parts_of_study(StudyReader& reader) {
+  read_walls(reader);
+  read_limits(reader);
+  for (const Entry& entry : entries(reader.root, reader.broken, "loads"))
+    read_fixed_load(reader, entry);
+  if (const toml::table* table = reader.root["stress"].as_table();
+      table && !reader.broken.contains("stress"))
+    reader.spec.stress = {number(*table, "p"), number(*table, "relaxation")};
+}
+
+void check_shapes(StudyReader& reader) {
+  Problems& problems = reader.scene.problems;
+  if (problems.count() > 0) return;
+  const StudySpec& spec = reader.spec;
+  if (!spec.loads.empty() && (spec.shapes.size() != 1 || !spec.design.empty()))
+    problems.add(*reader.root.get("loads"), "fixed loads are for the outline of one meshed part",
+                 "shape variables of one part",
+                 "fixed loads do not couple parts: a study for each");
+  if (spec.loads.empty()) check_motion(reader);
+  if (spec.loads.empty() && spec.goal != SolidResponse::Mass)
+    problems.add(*reader.root.get("objective"),
+                 "compliance and stress are minimised under loads "
+                 "that stay",
+                 "'mass', or fixed [loads]");
+#ifdef LIESL_OPTIM
+  for (const auto& [body, shape] : spec.shapes) try {
+      PartShape made(reader.scene.scene.mechanism, body, shape);
+      solid_task(spec, made);
+    } catch (const std::invalid_argument& error) {
+      problems.add(*reader.root.get("design"), error.what(),
+                   "variables, walls, supports and loads that fit the part");
+    }
+#endif
+}
+
+}  // namespace liesl

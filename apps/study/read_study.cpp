@@ -1,0 +1,200 @@
+/// @file
+/// Objective, constraints, supports and options of a study.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "apps/study/study_reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+const BodySpec& body_of(const StudyReader& reader, int index) {
+  return reader.scene.scene.mechanism.bodies[static_cast<std::size_t>(index)];
+}
+
+/// Response of a constraint: the table's own, or one of the scene by name.
+std::optional<ResponseSpec> response_of(StudyReader& reader, const Entry& entry) {
+  const toml::node* use = entry.table->get("use");
+  if (!use) return read_response(reader.scene, entry.name, *entry.table);
+  const auto name = use->value_or(std::string());
+  if (!reader.scene.known(*use, "responses", "response", name)) return {};
+  for (ResponseSpec response : reader.scene.scene.responses) {
+    if (response.name != name) continue;
+    response.name = entry.name;
+    return response;
+  }
+  return {};  // broken, said before
+}
+
+/// Can the static problem of a part tell this response?
+void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& response) {
+  const bool of_beam =
+      response.kind == ResponseKind::Deflection || response.kind == ResponseKind::Elongation ||
+      response.kind == ResponseKind::Stress || response.kind == ResponseKind::Compliance;
+  const toml::node* at = entry.table->get("use");
+  if (!at) at = entry.table->get("response");
+  if (!of_beam && response.kind != ResponseKind::Displacement) {
+    reader.scene.problems.add(
+        *at, fmt::format("constraint '{}' is not on the deformation of a part", entry.name),
+        "a displacement, deflection, elongation, stress or compliance");
+    return;
+  }
+  const int body = of_beam ? response.body : response.at.body;
+  const bool solid =
+      body >= 0 && std::holds_alternative<SolidSpec>(body_of(reader, body).kind) &&
+      (response.kind == ResponseKind::Elongation || response.kind == ResponseKind::Displacement);
+  if (body < 0)
+    reader.scene.problems.add(*at, fmt::format("constraint '{}' is of two bodies", entry.name),
+                              "two ports of one body");
+  else if (!solid && !std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
+    reader.scene.problems.add(
+        *at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
+        "a beam");
+}
+
+/// Number of directions that "node:xyz,rx" holds, -1 if it is not of that form.
+int held(const std::string& text) {
+  const auto colon = text.find(':');
+  if (colon == std::string::npos) return 6;
+  std::istringstream list(text.substr(colon + 1));
+  int count = 0;
+  for (std::string part; std::getline(list, part, ',');) {
+    const bool turn = part.starts_with('r');
+    const std::string axes = turn ? part.substr(1) : part;
+    const bool known = axes.find_first_not_of("xyz") == std::string::npos;
+    const bool twice = std::any_of(axes.begin(), axes.end(), [&](char c) {
+      return std::count(axes.begin(), axes.end(), c) > 1;
+    });
+    if (axes.empty() || !known || twice) return -1;
+    count += static_cast<int>(axes.size());
+  }
+  return count > 0 ? count : -1;
+}
+
+/// One support of a beam; returns the directions that it holds, 0 if it is wrong (and said).
+int read_support(StudyReader& reader, const std::string& body, const toml::node& node) {
+  const auto text = node.value_or(std::string());
+  if (text == "inertia_relief") return 6;
+  const std::string place = text.substr(0, text.find(':'));
+  if (!reader.scene.scene.mechanism.port(body + "." + place)) {
+    reader.scene.problems.add(node, fmt::format("beam '{}' has no node '{}'", body, place),
+                              "start, mid, nodeK, end, or \"inertia_relief\"",
+                              suggestion(place, {"start", "mid", "end", "inertia_relief"}));
+    return 0;
+  }
+  const int count = held(text);
+  if (count > 0) return count;
+  reader.scene.problems.add(node, fmt::format("'{}' is no support", text),
+                            "a node and directions, as in \"start:xyz,rx\"");
+  return 0;
+}
+
+}  // namespace
+
+void read_objective(StudyReader& reader) {
+  const toml::table* table = reader.root["objective"].as_table();
+  if (!table || reader.broken.contains("objective")) return;
+  bool varied = false, complete = true;
+  for (const toml::node* node : strings(*table, "of")) {
+    const auto body = reader.scene.body(*node);
+    complete = complete && body;
+    if (!body) continue;
+    auto& counted = reader.spec.mass_of;
+    if (std::find(counted.begin(), counted.end(), *body) != counted.end()) {
+      reader.scene.problems.add(*node, "this body is named twice", "each body once");
+      continue;
+    }
+    counted.push_back(*body);
+    for (const DesignSpec& design : reader.spec.design)
+      varied = varied || std::count(design.bodies.begin(), design.bodies.end(), *body);
+    varied = varied || reader.spec.shapes.contains(*body);
+  }
+  const std::string quantity = text(*table, "minimize");
+  reader.spec.goal = quantity == "compliance" ? SolidResponse::Compliance
+                     : quantity == "stress"   ? SolidResponse::Stress
+                                              : SolidResponse::Mass;
+
+  const toml::table* design = reader.root["design"].as_table();
+  std::size_t entries_read = reader.spec.design.size();
+  for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
+  const bool read = design && design->size() == entries_read;
+  if (!varied && complete && read)
+    reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
+                              "a body of [design]");
+}
+
+void read_constraints(StudyReader& reader) {
+  for (const Entry& entry : entries(reader.root, reader.broken, "constraints")) {
+    auto response = response_of(reader, entry);
+    if (!response) continue;
+    check_static(reader, entry, *response);
+    reader.spec.constraints.push_back({std::move(*response), number(*entry.table, "limit")});
+  }
+  for (const char* group : {"constraints", "part_limits", "walls"})
+    if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
+  const toml::node* table = reader.root.get("constraints");
+  reader.scene.problems.add(table ? *table : reader.root, "the study has no constraints",
+                            "an entry in [constraints], [part_limits] or [walls]");
+}
+
+void read_supports(StudyReader& reader) {
+  toml::table* table = reader.root["supports"].as_table();
+  if (!table) return;
+  for (auto&& [key, value] : *table) {
+    const std::string name(key.str());
+    if (reader.broken.contains("supports." + name)) continue;
+    if (!reader.scene.known(value, "bodies", "body", name)) continue;
+    const int body = reader.scene.scene.mechanism.body(name);
+    if (body < 0) continue;
+    if (std::holds_alternative<SolidSpec>(body_of(reader, body).kind)) {
+      for (const toml::node* node : strings(*table, key.str()))
+        reader.spec.supports[body].push_back(node->value_or(std::string()));
+      continue;  // tried out by check_shapes
+    }
+    if (!std::holds_alternative<BeamSpec>(body_of(reader, body).kind)) {
+      reader.scene.problems.add(value, fmt::format("body '{}' is rigid and needs no support", name),
+                                "a beam");
+      continue;
+    }
+    int count = 0;
+    bool ok = true;
+    for (const toml::node* node : strings(*table, key.str())) {
+      const int directions = read_support(reader, name, *node);
+      ok = ok && directions > 0;
+      count += directions;
+      reader.spec.supports[body].push_back(node->value_or(std::string()));
+    }
+    if (ok && count != 6 && count != 3)
+      reader.scene.problems.add(value,
+                                fmt::format("the supports of '{}' hold {} directions", name, count),
+                                "6 directions (3 in a plane), statically determinate",
+                                "as in [\"start:xyz,rx\", \"end:yz\"]");
+  }
+}
+
+void read_cycle(StudyReader& reader) {
+  toml::table* table = reader.root["cycle"].as_table();
+  if (!table || reader.broken.contains("cycle")) return;
+  CycleOptions& o = reader.spec.cycle;
+  o.max = integer(*table, "max");
+  o.tolerance = number(*table, "tolerance");
+  o.objective_tolerance = number(*table, "objective_tolerance");
+  o.feasibility = number(*table, "feasibility");
+  o.move_limit = number(*table, "move_limit");
+  o.screening = number(*table, "screening");
+  o.min_cases = integer(*table, "min_cases");
+  const std::string optimizer = text(*table, "optimizer");
+  const auto names = words("ipopt mma ccsaq slsqp");  // in the order of Optimizer
+  const auto found = std::find(names.begin(), names.end(), optimizer);
+  if (found != names.end()) o.optimizer = static_cast<Optimizer>(found - names.begin());
+  o.model = text(*table, "model") == "separable" ? NlpModel::Separable : NlpModel::Exact;
+  const std::string check = text(*table, "optimality");
+  o.optimality = check == "always"  ? OptimalityCheck::Always
+                 : check == "never" ? OptimalityCheck::Never
+                                    : OptimalityCheck::Auto;
+}
+
+}  // namespace liesl

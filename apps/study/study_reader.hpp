@@ -1,0 +1,30 @@
+#pragma once
+/// @file
+/// What the readers of the parts of a study share.
+
+#include "apps/scene/reader.hpp"
+#include "apps/study/study.hpp"
+
+namespace liesl {
+
+/// State of reading one study on top of its scene.
+struct StudyReader {
+  toml::table& root;
+  const Broken& broken;
+  Reader& scene;
+  StudySpec& spec;
+};
+
+void read_design(StudyReader& reader);
+/// An entry of [design] that moves parameters of an outline.
+void read_shape_variable(StudyReader& reader, const Entry& entry);
+/// Walls, limits, fixed loads and stress norm of meshed parts.
+void read_parts_of_study(StudyReader& reader);
+/// What only shows when the parts are made: bounds that leave no shape, unknown features.
+void check_shapes(StudyReader& reader);
+void read_objective(StudyReader& reader);
+void read_constraints(StudyReader& reader);
+void read_supports(StudyReader& reader);
+void read_cycle(StudyReader& reader);
+
+}  // namespace liesl

@@ -1,0 +1,28 @@
+#pragma once
+/// @file
+/// The task of `liesl compare`: rows measured and set against references. No files, no printing.
+
+#include "apps/compare/comparison.hpp"
+#include "apps/compare/measure.hpp"
+
+namespace liesl {
+
+/// Unit of the response that is compared.
+std::string response_unit(const Comparison& comparison);
+
+/// Runs one row. Non-convergence is an ending.
+Measured measure_row(const Comparison& comparison, std::size_t row);
+
+/// What rows are compared with: the mean of two independent sides.
+struct Reference {
+  output::Series mean;
+  double floor = 0;  ///< distance of the two sides: what a comparison can resolve
+};
+
+/// One side (0 or 1) of the reference of a row, extrapolated from its runs.
+/// @pre the comparison has a reference
+/// @throws InputError if a run stops before its end
+output::Series reference_side(const Comparison& comparison, std::size_t row, int side);
+Reference reference_of(const output::Series& a, const output::Series& b, output::Norm norm);
+
+}  // namespace liesl

@@ -1,0 +1,87 @@
+#ifdef LIESL_OPTIM
+
+#include "apps/tasks/esl.hpp"
+
+#include "apps/tasks/collect.hpp"
+#include "apps/tasks/run_summary.hpp"
+#include "mbs/system/spatial_view.hpp"
+
+namespace liesl {
+namespace {
+
+/// Loads of one part in space: load cases x nodes x 6, in the nodes' own axes.
+template <FrameGroup G>
+std::vector<double> in_space(const Mechanism& mechanism, const Model<G>& model,
+                             const LoadSet& set) {
+  const SpatialView<G> view(mechanism, model);
+  std::vector<double> values;
+  for (int n = 0; n < set.f.cols(); ++n)
+    for (int k = 0; k < model.bodies[set.body]->nodes(); ++k) {
+      const SE3::Tangent f =
+          view.local(set.f.col(n).template segment<G::dim>(G::dim * k), set.body, k);
+      values.insert(values.end(), f.data(), f.data() + 6);
+    }
+  return values;
+}
+
+nlohmann::ordered_json to_json(const Identity& id) {
+  return {{"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+}
+
+template <FrameGroup G>
+void beam_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>& trajectory,
+                EslOutcome& out) {
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    if (model.bodies[b]->elements() == 0) continue;
+    BeamLoads loads{model.bodies[b]->name,
+                    model.bodies[b]->nodes(),
+                    extract_loads(model, trajectory, static_cast<int>(b)),
+                    {},
+                    {}};
+    loads.values = in_space(scene.mechanism, model, loads.set);
+    loads.identity = check_identity(model, trajectory, loads.set);
+    out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
+    out.beams.push_back(std::move(loads));
+  }
+}
+
+template <FrameGroup G>
+void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>& trajectory,
+                 EslOutcome& out) {
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const auto* solid = std::get_if<SolidSpec>(&scene.mechanism.bodies[b].kind);
+    if (!solid || model.bodies[b]->nodes() == 1 || model.formalism == Formalism::Rigid) continue;
+    SolidLoads loads{
+        model.bodies[b]->name, extract_solid_loads(model, trajectory, static_cast<int>(b)), {}};
+    loads.identity = check_identity(*solid, loads.set);
+    out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
+    out.solids.push_back(std::move(loads));
+  }
+}
+
+template <FrameGroup G>
+void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress, EslOutcome& out) {
+  Model<G> model = Model<G>::build(scene.mechanism, space);
+  const Simulation<G> simulation = run_simulation(model, scene.simulation, progress);
+  out.run.status = simulation.report.status;
+  describe(out.run.summary, simulation.report, simulation.start, scene.mechanism);
+  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory);
+  describe_responses(out.run.summary, out.run.results);
+  out.run.summary.more["identity"] = nlohmann::ordered_json::object();
+  beam_loads(scene, model, simulation.trajectory, out);
+  solid_loads(scene, model, simulation.trajectory, out);
+}
+
+}  // namespace
+
+EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress) {
+  EslOutcome out;
+  out.run.summary.command = "esl";
+  describe(out.run.summary, scene, space);
+  std::visit([&](const auto& s) { esl_on(scene, s, progress, out); }, space.space);
+  return out;
+}
+
+}  // namespace liesl
+
+#endif

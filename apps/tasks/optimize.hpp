@@ -1,0 +1,75 @@
+#pragma once
+/// @file
+/// The task of `liesl optimize`: from a study to its final design with figures, records and parts.
+/// No files, no printing.
+
+#include "apps/output/csv_writer.hpp"
+#include "apps/output/results.hpp"
+#include "apps/output/summary.hpp"
+#include "apps/scene/space.hpp"
+#include "apps/study/study.hpp"
+#include "apps/tasks/holes.hpp"
+#include "apps/tasks/part_fields.hpp"
+#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/shape_cycle.hpp"
+#include "optim/nlp/check_derivatives.hpp"
+
+namespace liesl {
+
+/// Limited responses over a motion.
+struct LimitRecords {
+  std::vector<double> times;
+  std::vector<output::ResponseResult> responses;
+};
+
+struct OptimizeOutcome {
+  CycleStatus status = CycleStatus::Converged;
+  output::OptimizeSummary summary;
+  bool simulated = false;                 ///< there is a final motion: records and limits of it
+  output::Results results;                ///< of the final motion
+  LimitRecords initial, final;            ///< of the first and the final motion
+  std::vector<output::DesignRow> design;  ///< of beam sections
+  std::vector<PartOutcome> parts;
+  std::optional<Holes> holes;  ///< of studies of outlines
+};
+
+/// Called while a task runs. The summary of an unfinished task has the status "running".
+struct OptimizeHooks {
+  Progress progress;
+  std::function<bool()> keep_going;
+  /// After each cycle of a motion; without a checkpoint once holes are inserted.
+  std::function<void(const output::OptimizeSummary&, const std::vector<Cycle>&, bool checkpoint)>
+      on_cycle;
+  /// After each step under fixed loads.
+  std::function<void(const output::OptimizeSummary&, const std::vector<ShapeStep>&)> on_step;
+  std::function<void(const std::string& feature, const Nucleus&)> on_hole;
+};
+
+/// Optimises under the loads of the motion, or under fixed ones if the study has them.
+/// @param summary what is known before  @param nucleate new holes at most
+/// @param resume cycles of an interrupted run of the same study; motions only
+/// @throws std::invalid_argument for designs that do not fit the mechanism
+OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
+                              const output::OptimizeSummary& summary, int nucleate,
+                              const OptimizeHooks& hooks, const std::vector<Cycle>& resume = {});
+
+/// Gradients of the first static problem against finite differences.
+DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space);
+
+/// Name and unit of a quantity of a meshed part.
+struct Quantity {
+  const char *name, *unit;
+};
+Quantity quantity(SolidResponse response);
+
+// Under fixed loads; see above.
+OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSummary& summary,
+                                   int nucleate, const OptimizeHooks& hooks);
+DerivativeReport part_derivatives_task(const Study& study);
+
+/// The variables of a design, from the start to x (empty: none).
+std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>& variables,
+                                                 const std::vector<std::string>& units,
+                                                 const Eigen::VectorXd& x);
+
+}  // namespace liesl

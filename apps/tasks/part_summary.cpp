@@ -1,0 +1,127 @@
+#include "apps/tasks/part_summary.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <functional>
+#include <ranges>
+
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+#include "mbs/solvers/part_motion.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr int kCompared = 12;       // frequencies, or as many as are below what is wanted
+constexpr int kMostCompared = 192;  // but no more
+constexpr int kMostModes = 200;     // of bodies.*.solid.modes
+constexpr double kNearEnough = 0.01;
+constexpr double kLeftOut = 1e-3;  // share of the loads' energy above the highest harmonic kept
+
+/// The lowest frequency that is off, or the highest compared: what all are right below.
+double right_up_to(const VectorXd& full, const VectorXd& reduced) {
+  for (Eigen::Index i = 0; i < full.size(); ++i)
+    if (i >= reduced.size() || std::abs(reduced[i] / full[i] - 1) > kNearEnough) return full[i];
+  return full.size() > 0 ? full[full.size() - 1] : 0;
+}
+
+/// Lowest frequencies of the mesh, up to above `wanted`.
+VectorXd mesh_frequencies(SolidModel& solid, const VectorXd& v, double wanted) {
+  const int most = std::min(kMostCompared, solid.size() - solid.rigid_count() - 1);
+  VectorXd full;
+  for (int count = std::min(kCompared, most);; count = std::min(2 * count, most)) {
+    full = free_frequencies(solid, v, count);
+    if (full.size() < count || count == most || full[count - 1] > wanted) return full;
+  }
+}
+
+/// Free-free frequencies with so many internal modes.
+using ByModes = std::function<VectorXd(int)>;
+
+/// The fewest modes, up to `most`, that are right up to `wanted`; more never make them worse.
+std::optional<int> fewest_modes(const VectorXd& full, const ByModes& reduced, int most,
+                                double wanted) {
+  const auto numbers = std::views::iota(0, most + 1);
+  const auto found = std::ranges::partition_point(
+      numbers, [&](int kept) { return right_up_to(full, reduced(kept)) < wanted; });
+  return found == numbers.end() ? std::nullopt : std::optional(*found);
+}
+
+/// ... of the part with twice as many modes, and so on.
+std::optional<int> more_modes(SolidModel& solid, const VectorXd& v, const VectorXd& full, int modes,
+                              double wanted) {
+  const int rigid = solid.rigid_count(), ports = rigid * solid.ports(),
+            most = std::min(kMostModes, solid.size() - ports - 1);
+  while (modes < most) {
+    modes = std::min(most, std::max(kCompared, 2 * modes));
+    const ReducedSolid all = reduce(solid, v, ReductionKind::CraigBampton, modes);
+    if (!all.converged) return {};
+    const auto reduced = [&](int kept) {
+      ReducedSolid part;
+      part.K = all.K.topLeftCorner(ports + kept, ports + kept);
+      part.M = all.M.topLeftCorner(ports + kept, ports + kept);
+      return free_frequencies(part, rigid, static_cast<int>(full.size()));
+    };
+    if (const auto found = fewest_modes(full, reduced, modes, wanted)) return found;
+  }
+  return {};
+}
+
+}  // namespace
+
+template <FrameGroup G>
+void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, const Model<G>& model,
+                    const Trajectory<G>& trajectory, bool motion) {
+  std::vector<double> times;
+  for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
+  for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
+    if (!body) continue;
+    const auto& spec = std::get<SolidSpec>(mechanism.bodies[b].kind);
+    const double harmonic =
+        motion
+            ? bandwidth(times, energy_signals(*body, part_coordinates(model, trajectory, int(b))),
+                        kLeftOut)
+            : 0;
+    SolidModel solid = solid_model(spec);
+    const VectorXd v = solid_fractions(spec).value, full = mesh_frequencies(solid, v, 2 * harmonic);
+    // Where even the frequencies of the mesh end below, these are all that can be asked for.
+    const double wanted = std::min(2 * harmonic, full.size() > 0 ? full[full.size() - 1] : 0);
+    const auto reduced = [&](int kept) {
+      return body->free_frequencies(static_cast<int>(full.size()), kept);
+    };
+    const VectorXd own = reduced(spec.modes);
+    const double limit = right_up_to(full, own);
+    const auto needed = limit < wanted ? more_modes(solid, v, full, spec.modes, wanted)
+                                       : fewest_modes(full, reduced, spec.modes, wanted);
+    nlohmann::ordered_json& part = summary.more["parts"][body->name];
+    part = {{"cells", spec.mesh.cell_count()},
+            {"unknowns", body->basis().cols()},
+            {"modes", spec.modes},
+            {"mass", body->total_mass()},
+            {"free_hz", std::vector<double>(full.begin(), full.end())},
+            {"reduced_hz", std::vector<double>(own.begin(), own.end())},
+            {"right_up_to_hz", limit},
+            {"harmonic_hz", harmonic},
+            {"harmonic_share", kLeftOut},
+            {"modes_needed", nullptr}};
+    if (needed) part["modes_needed"] = *needed;
+    if (limit < wanted)
+      summary.warnings.push_back(fmt::format(
+          "the modes of '{}' are right up to {:.4g} Hz only, twice the highest harmonic of its "
+          "loads is {:.4g} Hz: {}",
+          body->name, limit, 2 * harmonic,
+          needed ? fmt::format("bodies.{}.solid.modes = {} would do", body->name, *needed)
+                 : "the modes that were tried do not do, the mesh may be too coarse"));
+  }
+}
+
+template void describe_parts(output::RunSummary&, const Mechanism&, const Model<SE2>&,
+                             const Trajectory<SE2>&, bool);
+template void describe_parts(output::RunSummary&, const Mechanism&, const Model<SE3>&,
+                             const Trajectory<SE3>&, bool);
+
+}  // namespace liesl

@@ -1,0 +1,115 @@
+#include "apps/tasks/run.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/tasks/collect.hpp"
+#include "apps/tasks/part_summary.hpp"
+#include "apps/tasks/run_summary.hpp"
+#include "mbs/bodies/solid_body.hpp"
+#include "mbs/solvers/modes.hpp"
+#include "mbs/system/constraint_rank.hpp"
+
+namespace liesl {
+namespace {
+
+/// The state moved by so much of a shape: frames in their axes, amplitudes.
+template <FrameGroup G>
+void move(const Model<G>& model, const Eigen::VectorXd& shape, double size, State<G>& s) {
+  model.retract(s, size * shape);
+  model.complete(s);
+}
+
+/// The largest component of the displacements and turns of nodes, those of meshes among them.
+template <FrameGroup G>
+double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
+  double largest = 0;
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const int first = model.first_node(static_cast<int>(b));
+    const auto frames = shape.segment(G::dim * first, G::dim * model.bodies[b]->points());
+    largest = std::max(largest, frames.cwiseAbs().maxCoeff());
+    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
+    if (!body) continue;
+    constexpr double kLittle = 1e-6;  // of the shape: its derivative at rest
+    State<G> s = model.initial_state();
+    move(model, shape, kLittle / std::max(shape.cwiseAbs().maxCoeff(), 1e-300), s);
+    const Eigen::VectorXd e =
+        body->coordinates({s.H.data() + first, nullptr, nullptr, s.w.data() + G::dim * first});
+    largest = std::max(
+        largest, (body->basis() * e).cwiseAbs().maxCoeff() * shape.cwiseAbs().maxCoeff() / kLittle);
+  }
+  return largest;
+}
+
+/// Warns of meshed parts whose own modes are too few for the frequencies of the scene.
+void warn_beyond_parts(output::RunSummary& summary, double highest) {
+  if (summary.more.contains("parts"))
+    for (const auto& [name, part] : summary.more["parts"].items())
+      if (const double limit = part["right_up_to_hz"]; limit < highest)
+        summary.warnings.push_back(
+            fmt::format("the modes of '{}' are right up to {:.4g} Hz only, below the highest "
+                        "frequency asked for: more bodies.{}.solid.modes",
+                        name, limit, name));
+}
+
+/// Frequencies and shapes: the shapes become records, abscissa = frequency.
+template <FrameGroup G>
+void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
+  Model<G> model = Model<G>::build(scene.mechanism, space);
+  const ModesResult<G> modes = solve_modes(model, scene.simulation);
+  out.status = modes.report.status;
+  describe(out.summary, modes.report, modes.start, scene.mechanism);
+  out.summary.more["frequencies_hz"] = modes.frequency;
+  out.summary.more["eigenvalues"] = modes.eigenvalue;
+  if (modes.report.status != SolveStatus::Converged) return;
+  describe_parts(out.summary, scene.mechanism, model, Trajectory<G>(), false);
+  warn_beyond_parts(out.summary, modes.frequency.empty() ? 0 : modes.frequency.back());
+  Trajectory<G> shapes;
+  for (size_t m = 0; m < modes.frequency.size(); ++m) {
+    State<G> s = modes.equilibrium;
+    const Eigen::VectorXd shape = modes.shapes.col(static_cast<int>(m));
+    move(model, shape, 0.1 * model.length / std::max(largest_move(model, shape), 1e-300), s);
+    s.t = modes.frequency[m];
+    s.lambda.setZero();
+    shapes.record(s);
+  }
+  out.results = collect(scene, scene.mechanism, model, shapes);
+  out.results.abscissa = "frequency";
+  out.results.abscissa_unit = "Hz";
+}
+
+template <FrameGroup G>
+void run_on(const Scene& scene, const Space<G>& space, const Progress& progress, RunOutcome& out) {
+  if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, out);
+  Model<G> model = Model<G>::build(scene.mechanism, space);
+  const Simulation<G> simulation = run_simulation(model, scene.simulation, progress);
+  out.status = simulation.report.status;
+  describe(out.summary, simulation.report, simulation.start, scene.mechanism);
+  describe_parts(out.summary, scene.mechanism, model, simulation.trajectory,
+                 scene.simulation.type == SimulationType::Dynamic);
+  State<G> start = model.initial_state();
+  const Mobility m = mobility(model, start);
+  out.summary.more["mobility"] = m.free;
+  out.summary.more["redundant_if_rigid"] = m.redundant;
+  if (!simulation.critical.empty()) {
+    auto& list = out.summary.more["critical_loads"] = nlohmann::ordered_json::array();
+    for (const auto& c : simulation.critical)
+      list.push_back({{"load", c.load},
+                      {"before", c.before},
+                      {"after", c.after},
+                      {"limit_point", c.limit_point}});
+  }
+  out.results = collect(scene, scene.mechanism, model, simulation.trajectory);
+  describe_responses(out.summary, out.results);
+  describe_energy(out.summary, out.results);
+}
+
+}  // namespace
+
+RunOutcome run_task(const Scene& scene, const ChosenSpace& space, const Progress& progress) {
+  RunOutcome out;
+  describe(out.summary, scene, space);
+  std::visit([&](const auto& s) { run_on(scene, s, progress, out); }, space.space);
+  return out;
+}
+
+}  // namespace liesl

@@ -1,0 +1,79 @@
+#include "mbs/solvers/richardson.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace liesl {
+
+namespace {
+
+constexpr double kRounding = 1e-9;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+/// Numbers of elements that share a budget at the least sum, each a multiple of its own.
+std::vector<int> share(const std::vector<MeshError>& meshes, double budget) {
+  double sum = 0;
+  for (const auto& m : meshes) sum += std::cbrt(m.at(1));
+  std::vector<int> elements;
+  for (const auto& m : meshes) {
+    const double n = std::cbrt(m.at(1)) * std::sqrt(sum / budget);
+    const double count = std::ceil(std::min(n, static_cast<double>(m.most)) / m.multiple);
+    elements.push_back(std::min(m.most, m.multiple * std::max(1, static_cast<int>(count))));
+  }
+  return elements;
+}
+
+}  // namespace
+
+double observed_order(double coarse, double fine) { return std::log2(coarse / fine); }
+
+double error_of_finer(double difference, std::optional<double> before) {
+  if (!std::isfinite(difference)) return kInfinity;
+  if (difference < kRounding) return difference;
+  const double p = before ? std::min(kOrder, observed_order(*before, difference)) : kOrder;
+  return p < 0.5 ? kInfinity : difference / (std::exp2(p) - 1);
+}
+
+double MeshError::at(int n) const {
+  const double ratio = static_cast<double>(elements) / n;
+  return error * ratio * ratio;
+}
+
+Plan cheapest(const std::vector<long>& step_counts, long steps, double step_error,
+              const std::vector<MeshError>& meshes, double others, double budget) {
+  const auto error_of_steps = [&](long n) {
+    const double ratio = n > 0 ? static_cast<double>(steps) / static_cast<double>(n) : 0;
+    return step_error * ratio * ratio;
+  };
+  Plan best{step_counts.back(), {}, 0};
+  for (const auto& m : meshes) best.elements.push_back(m.most);
+  double least = kInfinity;
+  for (const long n : step_counts) {
+    const double left = budget - error_of_steps(n);
+    if (left <= 0) continue;
+    const auto elements = share(meshes, left);
+    double cost = others;
+    for (const int e : elements) cost += e;
+    if (n > 0) cost *= static_cast<double>(n);
+    if (cost >= least) continue;
+    least = cost;
+    best = {n, elements, 0};
+  }
+  best.error = error_of_steps(best.steps);
+  for (std::size_t i = 0; i < meshes.size(); ++i) best.error += meshes[i].at(best.elements[i]);
+  return best;
+}
+
+std::vector<long> divisors(long n) {
+  std::vector<long> list;
+  for (long d = 1; d * d <= n; ++d) {
+    if (n % d != 0) continue;
+    list.push_back(d);
+    if (d * d != n) list.push_back(n / d);
+  }
+  std::sort(list.begin(), list.end());
+  return list;
+}
+
+}  // namespace liesl

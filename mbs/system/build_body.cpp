@@ -1,0 +1,77 @@
+#include "mbs/system/build_body.hpp"
+
+#include <stdexcept>
+
+#include "mbs/bodies/modal.hpp"
+#include "mbs/bodies/rigid.hpp"
+#include "mbs/bodies/solid_body.hpp"
+#include "mbs/model/parameter.hpp"
+#include "mbs/system/body_law.hpp"
+
+namespace liesl {
+namespace {
+
+template <class G>
+std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, const Space<G>& space,
+                              Formalism formalism, const std::vector<int>& held) {
+  std::vector<G> nodes;
+  for (const SE3& H : beam.nodes) nodes.push_back(space.reduce(H, space.alignment(H)));
+  std::vector<SectionLaw> laws;
+  for (const Section& section : beam.sections) laws.push_back(section_law(section, beam.material));
+  const std::vector<ElementSection<G>> sections = reduce_laws(beam, laws, space);
+  const bool rigid = beam.as == BeamModel::Rigid ||
+                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Rigid);
+  const bool modal = beam.as == BeamModel::Modal ||
+                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Floating);
+  if (rigid || modal) {
+    auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
+    if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
+    return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
+  }
+  if (formalism == Formalism::Decoupled || formalism == Formalism::Classical)
+    return std::make_unique<ReissnerBeam<G>>(name, std::move(nodes), sections, beam.damping);
+  return std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
+}
+
+template <class G>
+std::unique_ptr<Body<G>> make(const std::string& name, const RigidSpec& rigid,
+                              const Space<G>& space, Formalism, const std::vector<int>&) {
+  const SE3 align = space.alignment(rigid.frame);
+  return std::make_unique<Rigid<G>>(name, space.reduce(rigid.frame, align),
+                                    space.reduce_law(generalized_inertia(rigid), align));
+}
+
+template <class G>
+std::unique_ptr<Body<G>> make(const std::string& name, const SolidSpec& solid,
+                              const Space<G>& space, Formalism formalism, const std::vector<int>&) {
+  if (solid.mesh.dim != G::space_dim)
+    throw std::invalid_argument("the mesh of '" + name + "' has " + std::to_string(solid.mesh.dim) +
+                                " dimensions, its mechanism " + std::to_string(G::space_dim));
+  const SE3 align = space.alignment(solid.frame);
+  std::vector<G> ports;
+  for (size_t k = 0; k < solid.interfaces.size(); ++k)
+    ports.push_back(space.reduce(solid.port(static_cast<int>(k)), align));
+  if (formalism != Formalism::Rigid && (solid.modes > 0 || ports.size() > 1))
+    return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);
+  SolidSpec plain = solid;
+  plain.modes = 0;
+  return std::make_unique<Rigid<G>>(
+      name, std::make_shared<SolidBody<G>>(name, plain, std::move(ports), align.R));
+}
+
+}  // namespace
+
+template <FrameGroup G>
+std::unique_ptr<Body<G>> build_body(const BodySpec& spec, const Space<G>& space,
+                                    Formalism formalism, const std::vector<int>& held) {
+  return std::visit(
+      [&](const auto& kind) { return make<G>(spec.name, kind, space, formalism, held); },
+      spec.kind);
+}
+
+template std::unique_ptr<Body<SE2>> build_body(const BodySpec&, const Space<SE2>&, Formalism,
+                                               const std::vector<int>&);
+template std::unique_ptr<Body<SE3>> build_body(const BodySpec&, const Space<SE3>&, Formalism,
+                                               const std::vector<int>&);
+
+}  // namespace liesl

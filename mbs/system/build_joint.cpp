@@ -1,0 +1,142 @@
+#include "mbs/system/build_joint.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <optional>
+#include <stdexcept>
+
+#include "mbs/system/build_force.hpp"
+
+namespace liesl {
+namespace {
+
+/// Three unit axes, the first one given, the second one as given or any; in a plane each of them
+/// is in it or normal to it.
+template <class G>
+Mat3 axes_of(const JointSpec& j, const Space<G>& space) {
+  const int given = kind_of(j.type).axes;
+  Mat3 e;
+  e.col(0) = j.axis;
+  if constexpr (G::space_dim == 2) {
+    const Vec3 n = space.frame.R.col(2);
+    if (given == 0) e.col(0) = n;
+    e.col(1) = std::abs(n.dot(e.col(0))) > 0.5 ? Vec3(space.frame.R.col(0)) : n;
+  } else {
+    e.col(1) = j.axis.unitOrthogonal();
+  }
+  if (given == 2) e.col(1) = j.axis2;
+  e.col(2) = e.col(0).cross(e.col(1));
+  return e;
+}
+
+/// The row on G; empty if one of its axes is normal to the plane.
+template <class G>
+std::optional<Row<G>> row_on(const JointRow& row, const Mat3& axes, double pitch,
+                             const Space<G>& space) {
+  const auto e = [&](int i) { return space.reduce_vector(axes.col(i)); };
+  const auto seen = [&](std::initializer_list<int> list) {
+    return std::all_of(list.begin(), list.end(), [&](int i) { return e(i).norm() > 0.5; });
+  };
+  switch (row.kind) {
+    case JointRow::Kind::Along:
+      if (seen({row.m})) return Row<G>::along(e(row.m));
+      break;
+    case JointRow::Kind::Normal:
+      if (seen({row.m, row.n})) return Row<G>::normal(e(row.m), e(row.n));
+      break;
+    case JointRow::Kind::Angle:
+      if (seen({row.m, row.n, row.k})) return Row<G>::angle(e(row.m), e(row.n), e(row.k), e(row.k));
+      break;
+    case JointRow::Kind::Screw:
+      if (seen({0, 1, 2}))
+        return Row<G>::screw(e(row.k), pitch / (2 * M_PI), e((row.k + 2) % 3), e((row.k + 1) % 3));
+  }
+  return {};
+}
+
+template <class G>
+void check_pitch(const JointSpec& joint) {
+  const auto refuse = [&joint](const char* why) {
+    throw std::invalid_argument(fmt::format("joint '{}': {}", joint.name, why));
+  };
+  if (!kind_of(joint.type).pitch) return;
+  if (joint.pitch == 0 || !std::isfinite(joint.pitch))
+    refuse("expected a pitch other than 0; without displacement it is a revolute joint");
+  if (G::space_dim == 2) refuse("a screw moves out of the plane it turns in; build it in space");
+}
+
+template <FrameGroup G>
+Equation<G>* find_coordinate(Coupling<G>& c, int coordinate) {
+  for (auto& e : c.equations)
+    if (e.coordinate == coordinate) return &e;
+  return nullptr;
+}
+
+/// Places the ports: a gap that is a motion of the joint is no displacement, coordinates are zero
+/// in the scene as given.
+template <FrameGroup G>
+void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports, Coupling<G>& c) {
+  Vec3 at_a = mechanism.frame(j.a).x, at_b = mechanism.frame(j.b).x;
+  if (j.a.body < 0)
+    at_a = at_b;
+  else if (j.b.body < 0)
+    at_b = at_a;
+  else
+    at_a += kind_of(j.type).free_part(j.axis, at_b - at_a);
+  c.a = ports.at(j.a, at_a);
+  c.b = ports.at(j.b, at_b);
+}
+
+}  // namespace
+
+template <FrameGroup G>
+std::vector<Equation<G>> joint_rows(const JointSpec& joint, const Space<G>& space) {
+  check_pitch<G>(joint);
+  const JointKind& kind = kind_of(joint.type);
+  const Mat3 axes = axes_of(joint, space);
+  std::vector<Equation<G>> out;
+  for (const JointRow& row : kind.constraints)
+    if (const auto r = row_on(row, axes, joint.pitch, space))
+      out.push_back({*r, Role::Constraint, TimeFunction(), {}, -1});
+  for (int i = 0; i < kind.coordinate_count(); ++i)
+    if (const auto r =
+            row_on(kind.coordinates[static_cast<std::size_t>(i)], axes, joint.pitch, space))
+      out.push_back({*r, Role::Observed, TimeFunction(), {}, i});
+  return out;
+}
+
+template <FrameGroup G>
+Coupling<G> build_joint(const Mechanism& mechanism, int index, const Space<G>& space,
+                        const Ports<G>& ports) {
+  const JointSpec& j = mechanism.joints[static_cast<std::size_t>(index)];
+  Coupling<G> c;
+  c.name = j.name;
+  place(mechanism, j, ports, c);
+  c.equations = joint_rows(j, space);
+  for (size_t d = 0; d < mechanism.drives.size(); ++d)
+    if (const DriveSpec& drive = mechanism.drives[d]; drive.joint == index)
+      if (Equation<G>* e = find_coordinate(c, drive.coordinate)) {
+        e->role = Role::Constraint;
+        e->target = drive.motion;
+        e->drive = static_cast<int>(d);
+      }
+  for (size_t i = 0; i < mechanism.forces.size(); ++i)
+    if (const ForceSpec& f = mechanism.forces[i]; f.joint == index)
+      if (const Equation<G>* e = find_coordinate(c, f.coordinate)) {
+        Equation<G> force = *e;
+        set_force(force, f, static_cast<int>(i));
+        force.drive = -1;
+        force.coordinate = -1;
+        c.equations.push_back(force);
+      }
+  return c;
+}
+
+template Coupling<SE2> build_joint(const Mechanism&, int, const Space<SE2>&, const Ports<SE2>&);
+template Coupling<SE3> build_joint(const Mechanism&, int, const Space<SE3>&, const Ports<SE3>&);
+template std::vector<Equation<SE2>> joint_rows(const JointSpec&, const Space<SE2>&);
+template std::vector<Equation<SE3>> joint_rows(const JointSpec&, const Space<SE3>&);
+
+}  // namespace liesl

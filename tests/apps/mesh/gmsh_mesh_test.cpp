@@ -1,0 +1,159 @@
+#include "apps/mesh/gmsh_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/input/problem.hpp"
+
+namespace liesl {
+namespace {
+
+/// Two quadrilaterals side by side, a named line on the left, a node that no cell uses.
+const std::string kTwoQuads = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+2
+1 7 "left end"
+2 8 "plate"
+$EndPhysicalNames
+$Entities
+0 1 1 0
+4 0 0 0 0 1 0 1 7 0
+1 0 0 0 2 1 0 1 8 1 4
+$EndEntities
+$Nodes
+1 7 1 17
+2 1 0 7
+1
+2
+3
+11
+12
+13
+17
+0 0 0
+1 0 0
+2 0 0
+0 1 0
+1 1 0
+2 1.2 0
+9 9 0
+$EndNodes
+$Elements
+2 3 1 3
+1 4 1 1
+1 1 11
+2 1 3 2
+2 1 2 12 11
+3 2 3 13 12
+$EndElements
+)";
+
+std::string with(const std::string& from, const std::string& to) {
+  std::string text = kTwoQuads;
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<InputProblem> problems_of(const std::string& text) {
+  try {
+    read_gmsh("part.msh", text);
+  } catch (const InputError& e) {
+    return e.problems;
+  }
+  return {};
+}
+
+TEST(Gmsh, ReadsCellsAndNamedInterfaces) {
+  const SolidMesh mesh = read_gmsh("part.msh", kTwoQuads);
+  EXPECT_EQ(mesh.dim, 2);
+  EXPECT_EQ(mesh.node_count(), 6);  // without the unused one
+  EXPECT_EQ(mesh.cell_count(), 2);
+  EXPECT_NEAR(mesh.cell_size(0) + mesh.cell_size(1), 2.1, 1e-14);
+  ASSERT_EQ(mesh.sets.size(), 1u);
+  const auto& left = mesh.sets.at("left end");
+  ASSERT_EQ(left.size(), 2u);
+  for (int node : left) EXPECT_EQ(mesh.nodes(0, node), 0);
+}
+
+TEST(Gmsh, ReadsHexahedraWithNamedFaces) {
+  const SolidMesh mesh = read_gmsh("cube.msh", R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 3 "base"
+$EndPhysicalNames
+$Entities
+0 0 1 1
+1 0 0 0 1 1 0 1 3 0
+1 0 0 0 1 1 1 0 0
+$EndEntities
+$Nodes
+1 8 1 8
+3 1 0 8
+1 2 3 4 5 6 7 8
+0 0 0 1 0 0 1 1 0 0 1 0
+0 0 1 1 0 1 1 1 1 0 1 1
+$EndNodes
+$Elements
+2 2 1 2
+2 1 3 1
+1 1 2 3 4
+3 1 5 1
+2 1 2 3 4 5 6 7 8
+$EndElements
+)");
+  EXPECT_EQ(mesh.dim, 3);
+  EXPECT_NEAR(mesh.cell_size(0), 1, 1e-14);
+  EXPECT_EQ(mesh.sets.at("base"), (std::vector<int>{0, 1, 2, 3}));
+}
+
+TEST(Gmsh, InvertedCellsAreNamedByTheirLines) {
+  const auto problems = problems_of(with("2 1 2 12 11\n3 2 3 13 12", "2 1 11 12 2\n3 2 12 13 3"));
+  ASSERT_EQ(problems.size(), 2u);  // all of them
+  EXPECT_EQ(problems[0].line, 37);
+  EXPECT_EQ(problems[1].line, 38);
+  EXPECT_NE(problems[0].what.find("inverted"), std::string::npos);
+}
+
+TEST(Gmsh, EveryMistakeSaysWhereAndWhatWasExpected) {
+  struct Case {
+    std::string text, words;
+    int line;
+  };
+  const std::vector<Case> cases = {
+      {"", "empty", 1},
+      {"hello", "not a Gmsh file", 1},
+      {with("4.1 0 8", "2.2 0 8"), "format 2.2", 2},
+      {with("4.1 0 8", "4.1 1 8"), "binary", 2},
+      {with("2 1 3 2\n2 1 2 12 11\n3 2 3 13 12", "2 1 2 2\n2 1 2 12\n3 2 3 13"),
+       "2 3-node triangles", 36},
+      {with("2 1 3 2", "2 1 99 2"), "type 99", 36},
+      {with("3 2 3 13 12", "3 2 3 55 12"), "node 55 does not exist", 38},
+      {with("2 1.2 0\n", "2 1.2 0.5\n"), "z = 0.5", 38},
+      {with("2 1.2 0\n", "2 one 0\n"), "'one' is not a number", 29},
+      {with("2 3 1 3\n", "2 3 1 3 3\n"), "", 0},
+      {with("0 1 1 0\n", "0 -1 1 0\n"), "cannot be a count", 10},
+  };
+  for (const Case& c : cases) {
+    const auto problems = problems_of(c.text);
+    ASSERT_FALSE(problems.empty()) << c.words;
+    EXPECT_NE(problems[0].text().find(c.words), std::string::npos) << problems[0].text();
+    if (c.line > 0) {
+      EXPECT_EQ(problems[0].line, c.line) << problems[0].text();
+    }
+    EXPECT_EQ(problems[0].file, "part.msh");
+  }
+}
+
+/// A file cut anywhere is refused, and never read as something else.
+TEST(Gmsh, AFileCutShortIsRefusedWhereverItIsCut) {
+  const auto last = kTwoQuads.find("$EndElements");
+  for (std::size_t n = 0; n < last; n += 3)
+    EXPECT_THROW(read_gmsh("part.msh", kTwoQuads.substr(0, n)), InputError) << n;
+}
+
+}  // namespace
+}  // namespace liesl

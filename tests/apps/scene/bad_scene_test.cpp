@@ -1,0 +1,220 @@
+/// @file
+/// Faults in a scene: each is found at its place and said in words, and nothing else is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "apps/good_scene.hpp"
+#include "apps/scene/scene.hpp"
+#include "reference/places.hpp"
+
+namespace liesl {
+namespace {
+
+using test::changed;
+using test::kGoodScene;
+
+/// `to` replaces `from`; '@' in it marks where the problem is expected and is taken out.
+struct BadScene {
+  const char* name;
+  const char* from;
+  const char* to;
+  std::vector<const char*> words;
+};
+
+void PrintTo(const BadScene& scene, std::ostream* out) { *out << scene.name; }
+
+class Bad : public testing::TestWithParam<BadScene> {};
+
+TEST_P(Bad, IsRefusedAtItsPlace) {
+  const BadScene& c = GetParam();
+  std::string text = changed(kGoodScene, c.from, c.to);
+  const auto mark = text.find('@');
+  ASSERT_NE(mark, std::string::npos);
+  text.erase(mark, 1);
+  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(mark), '\n');
+  const auto start = text.rfind('\n', mark - 1);
+  const auto column = start == std::string::npos || mark == 0 ? mark + 1 : mark - start;
+  try {
+    read_scene(text, "scene.toml");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems.size(), 1u) << error.what();
+    const InputProblem& problem = error.problems.front();
+    EXPECT_EQ(problem.file, "scene.toml");
+    EXPECT_EQ(problem.line, line) << error.what();
+    EXPECT_EQ(problem.column, static_cast<int>(column)) << error.what();
+    for (const char* word : c.words)
+      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
+  }
+}
+
+// clang-format off
+const BadScene kScenes[] = {
+    // Keys and types.
+    {"UnknownKey", "step = 1e-3", "@stepp = 1e-3", {"unknown key", "simulation.stepp", "did you mean 'step'"}},
+    {"UnknownTable", "[forces]", "[@forcess]", {"unknown key 'forcess'", "'forces'"}},
+    {"UnknownKeyOfShape", "diameter = 0.02, shear", "diameter = 0.02, @width = 1, shear", {"sections.round.width", "of this kind"}},
+    {"MissingKey", "steel = { E = 210e9, nu = 0.3", "steel = @{ nu = 0.3", {"missing key 'materials.steel.E'", "Young"}},
+    {"MissingKeyOfShape", "wall = { type = \"tube\", diameter = 0.02, thickness = 0.002 }", "wall = @{ type = \"tube\", diameter = 0.02 }", {"missing key 'sections.wall.thickness'"}},
+    {"WrongType", "mass = 0.2", "mass = @\"0.2\"", {"'bodies.slider.rigid.mass' is a string", "a number > 0 (kg)"}},
+    {"NotANumber", "E = 210e9", "E = @true", {"expected a number"}},
+    {"NumberForInteger", "elements = 4", "elements = @4.5", {"an integer"}},
+    {"ShortVector", "gravity = [0, -9.81, 0]", "gravity = @[0, -9.81]", {"2 entries", "a list of 3 numbers (m/s^2)"}},
+    {"WordInVector", "gravity = [0, -9.81, 0]", "gravity = [0, @\"down\", 0]", {"gravity.1", "a string"}},
+    {"Infinite", "rest = 0.01", "rest = @inf", {"inf", "finite"}},
+    {"NotFinite", "at = [0.6, 0, 0], mass", "at = [0.6, @nan, 0], mass", {"nan", "finite"}},
+    {"OutOfRange", "nu = 0.3", "nu = @0.7", {"out of range: 0.7", "in (-1, 0.5)"}},
+    {"NegativeLength", "thickness = 0.002", "thickness = @-0.002", {"out of range", "> 0"}},
+    {"UnknownOption", "\"circle\"", "@\"circel\"", {"\"circel\"", "did you mean 'circle'"}},
+    {"TwoTypesOfJoint", "pin = { revolute = [\"crank.end\", \"rod.start\"]", "pin = { fixed = [\"crank.end\", \"rod.start\"], revolute = @[\"crank.end\", \"rod.start\"]", {"both 'fixed' and 'revolute'", "exactly one of"}},
+    {"NoTypeOfJoint", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ axis = [0, 0, 1] }", {"missing", "exactly one of", "revolute"}},
+    {"OnePort", "pin = { revolute = [\"crank.end\", \"rod.start\"]", "pin = { revolute = @[\"crank.end\"]", {"1 entries", "two strings"}},
+    {"NameWithDot", "round = {", "@\"a.b\" = { type = \"circle\", diameter = 0.1 }\nround = {", {"not a name", "without dots"}},
+    {"ManyElements", "elements = 4", "elements = @10001", {"out of range", "10000"}},
+    // Names of nothing.
+    {"NoSection", "section = \"round\"", "section = @\"ruond\"", {"no section 'ruond'", "did you mean 'round'"}},
+    {"NoMaterial", "section = \"round\", material = \"steel\"", "section = \"round\", material = @\"Steal\"", {"no material 'Steal'", "'steel'"}},
+    {"NoBody", "[\"crank.end\", \"rod.start\"]", "[@\"cranck.end\", \"rod.start\"]", {"no body 'cranck'", "'crank'"}},
+    {"NoPort", "[\"crank.end\", \"rod.start\"]", "[\"crank.end\", @\"rod.strat\"]", {"no port 'strat'", "did you mean 'start'"}},
+    {"NoPoint", "{ at = \"slider.tip\"", "{ at = @\"slider.tap\"", {"no port 'tap'", "'tip'"}},
+    {"BodyForPort", "{ at = \"slider.tip\"", "{ at = @\"slider\"", {"a body, not a port", "origin"}},
+    {"NoJoint", "on = \"guide\"", "on = @\"giude\"", {"no joint 'giude'", "'guide'"}},
+    {"NoBeam", "over = \"rod\"", "over = @\"slider\"", {"'slider' is rigid", "a beam"}},
+    {"MidOfOddBeam", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"rod\", at = @\"mid\"", {"5 elements", "even number"}},
+    {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node4"}},
+    {"PortMidOfOddBeam", "{ at = \"slider.tip\"", "{ at = @\"rod.mid\"", {"'mid'", "even number of elements"}},
+    // Bodies.
+    {"ZeroLength", "to = [0.2, 0, 0]", "to = @[0, 0, 0]", {"zero length", "two points"}},
+    {"NoEnd", "crank = { beam = { from = [0, 0, 0], to = [0.2, 0, 0]", "crank = { beam = @{ from = [0, 0, 0]", {"no 'to'"}},
+    {"NoMass", "mass = 0.2", "mass = @0", {"out of range: 0", "> 0 (kg)"}},
+    {"NoDensity", "rho = 7850 }", "rho = @0.0 }", {"no mass", "rho = 0", "density > 0"}},
+    {"IndefiniteInertia", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, -1e-4]", {"not positive semi-definite", "radius r"}},
+    {"InertiaOfNoBody", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, 3e-4]", {"of no body", "0.0003"}},
+    {"WallsMeet", "thickness = 0.002", "thickness = @0.02", {"section 'wall'"}},
+    {"UpAlongAxis", "section = \"round\", material", "section = \"round\", up = @[1, 0, 0], material", {"'up' along its axis"}},
+    {"SectionsThanElements", "section = \"round\"", "section = @[\"round\", \"round\", \"round\", \"round\", \"round\"]", {"5 sections for 4 elements"}},
+    {"GroundBody", "slider = {", "@ground = { rigid = { at = [0, 0, 0], mass = 1, inertia = [1, 1, 1] } }\nslider = {", {"'ground' is the inertial frame"}},
+    {"NoMaterialGiven", "beam = { from = [0, 0, 0], to = [0.2, 0, 0], section = \"round\", material = \"steel\"", "beam = @{ from = [0, 0, 0], to = [0.2, 0, 0], section = \"round\"", {"no material"}},
+    // Joints and drives.
+    {"EndsApart", "[\"crank.end\", \"rod.start\"]", "@[\"crank.start\", \"rod.start\"]", {"0.2 m apart", "'pin'"}},
+    {"ZeroAxis", "axis = [0, 0, 2]", "axis = @[0, 0, 0]", {"zero vector"}},
+    {"GroundToGround", "guide = { prismatic = [\"ground\", \"slider.origin\"]", "guide = { prismatic = @[\"ground\", \"ground\"]", {"joins the ground to itself"}},
+    {"NoCoordinate", "ramp = 0.1 }", "ramp = 0.1, coordinate = @1 }", {"no coordinate 1", "0 to 0"}},
+    {"TwoDrives", "drive = { rate = 10, ramp = 0.1 }", "drive = [{ rate = 10 }, @{ rate = 5 }]", {"two drives on coordinate 0", "'motor'"}},
+    {"DriveOnSpherical", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { spherical = [\"crank.end\", \"rod.start\"], drive = @{ rate = 1 } }", {"spherical joint 'pin' has no coordinate 0"}},
+    {"SkewUniversal", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { universal = [\"crank.end\", \"rod.start\"], axis2 = @[0, 1, 1] }", {"45 degrees", "right angles"}},
+    {"ScrewWithoutPitch", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ screw = [\"crank.end\", \"rod.start\"] }", {"screw joint 'pin' has no pitch", "a displacement a turn (m)"}},
+    {"ScrewOfPitchZero", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { screw = [\"crank.end\", \"rod.start\"], pitch = @0 }", {"screw joint 'pin' has zero pitch", "revolute"}},
+    {"PitchOfRevolute", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { revolute = [\"crank.end\", \"rod.start\"], pitch = @0.01 }", {"revolute joint 'pin' has no pitch", "screw"}},
+    {"DuplicateName", "spring = { on", "@motor = { on", {"duplicate name 'motor'", "[joints] and [forces]"}},
+    {"SpringOnNothing", "on = \"guide\"", "on = @\"guide.1\"", {"'guide.1' is no coordinate", "0 to 0"}},
+    // Functions.
+    {"TableBackwards", "[[0, 0], [1, 4]]", "[[0, 0], [1, 4], @[1, 5]]", {"t = 1 follows t = 1", "increasing"}},
+    {"ShortTable", "[[0, 0], [1, 4]]", "@[[0, 0]]", {"1 rows", "two or more"}},
+    {"BadExpression", "\"sin(2*pi*t)\"", "@\"sin(2*pi*x)\"", {"x", "expression of t"}},
+    {"SingularExpression", "\"sin(2*pi*t)\"", "@\"1/t\"", {"at t = 0", "finite"}},
+    {"NoLoad", "push = { at = \"slider.tip\", force = [1, 0, 0], ", "push = @{ at = \"slider.tip\", ", {"load 'push' is zero"}},
+    // Simulation.
+    {"StepAboveDuration", "step = 1e-3", "step = @0.6", {"longer than the duration", "0.5 s"}},
+    {"ZeroStep", "step = 1e-3", "step = @0", {"out of range: 0", "> 0 (s)"}},
+    {"RhoAboveOne", "step = 1e-3", "rho_inf = @1.5", {"in [0, 1]"}},
+    {"UnknownResponse", "\"position\"", "@\"postion\"", {"did you mean 'position'"}},
+    {"KeyOfOtherResponse", "of = \"crank\"", "of = \"crank\", @axis = [1, 0, 0]", {"unknown key 'responses.bend.axis'"}},
+    // The parser's own.
+    {"DuplicateKey", "step = 1e-3", "step = 1e-3\nduration = @2", {"duplicate name"}},
+    {"Syntax", "step = 1e-3", "step = @= 1e-3", {"not TOML"}},
+};
+// clang-format on
+
+TEST(LongText, NamesThatNoFileTakesAreRefused) {
+  const std::string name(256, 'n'), good(255, 'n');
+  const std::string entry = " = { type = \"circle\", diameter = 0.1 }\nround = {";
+  EXPECT_NO_THROW(read_scene(changed(kGoodScene, "round = {", good + entry), "scene.toml"));
+  try {
+    read_scene(changed(kGoodScene, "round = {", name + entry), "scene.toml");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems.size(), 1u);
+    EXPECT_EQ(error.problems[0].line, 8);
+    EXPECT_NE(error.problems[0].text().find("a name of 256 characters"), std::string::npos);
+  }
+  EXPECT_THROW(read_scene(changed(kGoodScene, "\"good\"", '"' + name + '"'), "scene.toml"),
+               InputError);
+}
+
+TEST(LongText, IsShortenedInMessages) {
+  const std::string endless(100000, '1');
+  const std::pair<const char*, std::string> faults[] = {
+      {"\"sin(2*pi*t)\"", "\"x+" + endless + "\""},
+      {"step = 1e-3", "a" + endless + " = 1"},
+      {"\"circle\"", "\"" + endless + "\""},
+  };
+  for (const auto& [from, to] : faults) try {
+      read_scene(changed(kGoodScene, from, to), "scene.toml");
+      ADD_FAILURE() << "not refused: " << from;
+    } catch (const InputError& error) {
+      for (const auto& problem : error.problems) {
+        EXPECT_LT(problem.text().size(), 1500u);
+        EXPECT_NE(problem.text().find("characters)"), std::string::npos) << problem.text();
+      }
+    }
+  try {
+    read_scene(kGoodScene, "scene.toml", {"simulation.stepp=" + endless});
+    ADD_FAILURE() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_LT(std::string(error.what()).size(), 1500u);
+    EXPECT_NE(std::string(error.what()).find("did you mean 'step'?"), std::string::npos);
+  }
+  // Between UTF-8 characters only.
+  const InputProblem umlauts{"f",
+                             0,
+                             0,
+                             [] {
+                               std::string text;
+                               for (int i = 0; i < 1000; ++i) text += "\u00e4";
+                               return "x" + text;
+                             }(),
+                             "",
+                             ""};
+  const std::string text = umlauts.text().substr(3);
+  EXPECT_EQ(text[text.find("...") - 1], '\xa4');
+  EXPECT_EQ(text[text.rfind("...") + 3], '\xc3');
+}
+
+TEST(Units, ShippedScenesLookRight) {
+  EXPECT_TRUE(read_scene(kGoodScene, "scene.toml").warnings.empty());
+  for (const char* folder : {"scenes", "stability"})
+    for (const auto& entry :
+         std::filesystem::directory_iterator(std::filesystem::path(test::kDataDir) / folder))
+      if (entry.path().extension() == ".toml") {
+        EXPECT_TRUE(load_scene(entry.path()).warnings.empty()) << entry.path();
+      }
+}
+
+TEST(Units, LikelyMistakesAreNamed) {
+  const std::tuple<const char*, const char*, const char*> mistakes[] = {
+      {"E = 210e9", "E = 210", "210 GPa is 2.1e+11 Pa"},
+      {"E = 210e9", "E = 210e3", "210000 MPa is 2.1e+11 Pa"},
+      {"E = 210e9", "E = 210e12", "stiffer than diamond"},
+      {"pin = { revolute = [\"crank.end\", \"rod.start\"] }",
+       "pin = { screw = [\"crank.end\", \"rod.start\"], pitch = 5 }", "5 mm is 0.005 m"},
+      {"rho = 7850", "rho = 7.85", "7.85 g/cm^3 is 7850 kg/m^3"},
+      {"rho = 7850", "rho = 7.85e6", "heavier than any solid"},
+      {"diameter = 0.02, shear", "diameter = 10, shear", "10 mm is 0.01 m"},
+      {"-9.81", "-9810", "9810 mm/s^2 is 9.81 m/s^2"},
+  };
+  for (const auto& [from, to, hint] : mistakes) {
+    const auto warnings = read_scene(changed(kGoodScene, from, to), "scene.toml").warnings;
+    ASSERT_EQ(warnings.size(), 1u) << to;
+    EXPECT_NE(warnings[0].find(hint), std::string::npos) << warnings[0];
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Scene, Bad, testing::ValuesIn(kScenes),
+                         [](const auto& tested) { return std::string(tested.param.name); });
+
+}  // namespace
+}  // namespace liesl
