@@ -12,18 +12,13 @@
 
 #include "mbs/sensitivity/step_sensitivity.hpp"
 #include "mbs/solvers/replay.hpp"
+#include "mbs/system/parameter_residual.hpp"
 
 namespace liesl {
 
-/// How the residual r of the equations of motion depends on parameters at constant state.
+/// The parameters, each on the model that is simulated: a column each.
 template <FrameGroup G>
-class ParameterDerivative {
- public:
-  virtual ~ParameterDerivative() = default;
-  virtual int parameters() const = 0;
-  /// r_p += dr/dp at s, n x parameters, forces in nodal local frames.
-  virtual void add(const State<G>& s, Eigen::MatrixXd& r_p) const = 0;
-};
+using Parameters = std::vector<ParameterResidual<G>>;
 
 /// How it ended: `reason` is empty if all steps were differentiated.
 struct SensitivityEnd {
@@ -36,12 +31,11 @@ template <FrameGroup G>
 using SensitivityAt = std::function<void(long step, const State<G>& s, const StateSensitivity& ds)>;
 
 /// Direct form: one factorisation and n_p solutions a step.
-/// @throws std::invalid_argument if the start was moved onto joints or drives: it depends on the
-/// parameters then
+/// @throws std::invalid_argument if the start depends on the parameters: it was moved onto joints
+/// or drives, or a drive that depends on them does not start from zero and from rest
 template <FrameGroup G>
 SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
-                                  const ParameterDerivative<G>& derivative,
-                                  const SensitivityAt<G>& at);
+                                  const Parameters<G>& parameters, const SensitivityAt<G>& at);
 
 /// Adds the derivatives of the functionals' terms j_n by the state of a step: to the columns of
 /// `bars` by eta, v, w = vdot and lambda (a: not used), to `gradient` (n_p x functionals) by p.
@@ -55,20 +49,20 @@ using CotangentsAt = std::function<void(long step, const State<G>& s, StateSensi
 /// @throws std::invalid_argument as the direct form
 template <FrameGroup G>
 SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
-                                   const ParameterDerivative<G>& derivative, int functionals,
+                                   const Parameters<G>& parameters, int functionals,
                                    const CotangentsAt<G>& at, Eigen::MatrixXd& gradient);
 
 extern template SensitivityEnd direct_sensitivity(const Model<SE2>&, const Tape<SE2>&,
-                                                  const ParameterDerivative<SE2>&,
+                                                  const Parameters<SE2>&,
                                                   const SensitivityAt<SE2>&);
 extern template SensitivityEnd direct_sensitivity(const Model<SE3>&, const Tape<SE3>&,
-                                                  const ParameterDerivative<SE3>&,
+                                                  const Parameters<SE3>&,
                                                   const SensitivityAt<SE3>&);
 extern template SensitivityEnd adjoint_sensitivity(const Model<SE2>&, const Tape<SE2>&,
-                                                   const ParameterDerivative<SE2>&, int,
+                                                   const Parameters<SE2>&, int,
                                                    const CotangentsAt<SE2>&, Eigen::MatrixXd&);
 extern template SensitivityEnd adjoint_sensitivity(const Model<SE3>&, const Tape<SE3>&,
-                                                   const ParameterDerivative<SE3>&, int,
+                                                   const Parameters<SE3>&, int,
                                                    const CotangentsAt<SE3>&, Eigen::MatrixXd&);
 
 }  // namespace liesl

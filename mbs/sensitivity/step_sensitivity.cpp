@@ -6,6 +6,43 @@ namespace liesl {
 
 using Eigen::MatrixXd;
 
+namespace {
+
+constexpr int kRefinements = 2;
+
+/// b - A x, or b - A^T x, summed in extended precision.
+MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const MatrixXd& x,
+                  const MatrixXd& b) {
+  using Extended = long double;
+  Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> r = b.cast<Extended>();
+  for (int j = 0; j < A.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it) {
+      const auto row = transposed ? it.col() : it.row(), column = transposed ? it.row() : it.col();
+      r.row(row) -= static_cast<Extended>(it.value()) * x.row(column).cast<Extended>();
+    }
+  return r.cast<double>();
+}
+
+/// x <- A^-1 x or A^-T x with iterative refinement (N. J. Higham, Accuracy and Stability of
+/// Numerical Algorithms, SIAM 2002, ch. 12). Rows of S range from 1 (joints) to 1e9 (EA/L, beta'
+/// M), and the pivots that KLU keeps from step to step may cost half of the digits; w' = beta' x +
+/// w0 takes as many again.
+void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed, MatrixXd& x) {
+  const MatrixXd b = x;
+  MatrixXd correction = b;
+  x.setZero();
+  for (int i = 0; i <= kRefinements; ++i) {
+    if (i > 0) correction = residual(A, transposed, x, b);
+    if (transposed)
+      lu.solve_transposed(correction);
+    else
+      lu.solve(correction);
+    x += correction;
+  }
+}
+
+}  // namespace
+
 StateSensitivity StateSensitivity::zero(int n, int m, int columns) {
   const MatrixXd none = MatrixXd::Zero(n, columns);
   return {none, none, none, none, MatrixXd::Zero(m, columns)};
@@ -57,10 +94,10 @@ bool StepSensitivity<G>::start(const State<G>& s) {
     }
   for (int i = 0; i < model_.size(); ++i)
     if (held[static_cast<size_t>(i)]) entries.emplace_back(i, i, 1);
-  Eigen::SparseMatrix<double> A(S.rows(), S.cols());
-  A.setFromTriplets(entries.begin(), entries.end());
+  start_matrix_.resize(S.rows(), S.cols());
+  start_matrix_.setFromTriplets(entries.begin(), entries.end());
   start_lu_ = SparseLu();
-  return start_lu_.factor(A);
+  return start_lu_.factor(start_matrix_);
 }
 
 template <FrameGroup G>
@@ -101,8 +138,8 @@ MatrixXd StepSensitivity<G>::scaled_transposed(const Blocks& T, const MatrixXd& 
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::forward(const MatrixXd& r_p, StateSensitivity& s) {
-  if (at_start_) return start_forward(r_p, s);
+void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
+  if (at_start_) return start_forward(by_p, s);
   const auto& [am, af, gamma, beta] = weights_;
   const TangentWeights w = weights_.at(h_);
   const MatrixXd x0 = scaled(back_, s.eta);
@@ -110,10 +147,9 @@ void StepSensitivity<G>::forward(const MatrixXd& r_p, StateSensitivity& s) {
   const MatrixXd v0 = (1 - gamma / beta) * s.v + h_ * (1 - gamma / (2 * beta)) * s.a;
   const MatrixXd w0 = ((1 - am) * a0 + am * s.a - af * s.w) / (1 - af);
   const auto n = model_.size(), m = model_.constraints();
-  MatrixXd rhs(n + m, r_p.cols());
-  rhs << -(r_p + M_ * (w0 - w.mass * x0) + C_ * (v0 - w.damping * x0)),
-      MatrixXd::Zero(m, r_p.cols());
-  matrix_.lu().solve(rhs);
+  MatrixXd rhs(n + m, by_p.r.cols());
+  rhs << -(by_p.r + M_ * (w0 - w.mass * x0) + C_ * (v0 - w.damping * x0)), -by_p.phi;
+  solve(matrix_.lu(), matrix_.matrix(), false, rhs);
   s.eta = rhs.topRows(n);
   s.lambda = rhs.bottomRows(m);
   const MatrixXd x = scaled(ahead_, s.eta) - x0;
@@ -123,17 +159,18 @@ void StepSensitivity<G>::forward(const MatrixXd& r_p, StateSensitivity& s) {
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::backward(const MatrixXd& r_p, StateSensitivity& s, MatrixXd& p) {
-  if (at_start_) return start_backward(r_p, s, p);
+void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivity& s,
+                                  MatrixXd& p) {
+  if (at_start_) return start_backward(by_p, s, p);
   const auto& [am, af, gamma, beta] = weights_;
   const TangentWeights w = weights_.at(h_);
   const auto n = model_.size(), m = model_.constraints();
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  matrix_.lu().solve_transposed(rhs);
+  solve(matrix_.lu(), matrix_.matrix(), true, rhs);
   const MatrixXd mu = rhs.topRows(n), Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
-  p -= r_p.transpose() * mu;
+  p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
   s.eta = scaled_transposed(back_, w.mass * Mmu + w.damping * Cmu - x);
   s.a = am / (1 - af) * w0 + h_ * (1 - gamma / (2 * beta)) * v0 - (1 / (2 * beta) - 1) * a0;
@@ -142,25 +179,27 @@ void StepSensitivity<G>::backward(const MatrixXd& r_p, StateSensitivity& s, Matr
   s.lambda.setZero();
 }
 
-/// M w' + B^T lambda' = -r_p, B w' = 0, a' = w': positions and velocities are those of the scene.
+/// M w' + B^T lambda' = -r_p, B w' = -d^2/dt^2 Phi_p, a' = w': positions and velocities are those
+/// of the scene.
 template <FrameGroup G>
-void StepSensitivity<G>::start_forward(const MatrixXd& r_p, StateSensitivity& s) {
+void StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   const auto n = model_.size(), m = model_.constraints();
-  MatrixXd rhs(n + m, r_p.cols());
-  rhs << -r_p, MatrixXd::Zero(m, r_p.cols());
-  start_lu_.solve(rhs);
-  s = StateSensitivity::zero(n, m, static_cast<int>(r_p.cols()));
+  MatrixXd rhs(n + m, by_p.r.cols());
+  rhs << -by_p.r, -by_p.phi;
+  solve(start_lu_, start_matrix_, false, rhs);
+  s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
   s.w = s.a = rhs.topRows(n);
   s.lambda = rhs.bottomRows(m);
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::start_backward(const MatrixXd& r_p, StateSensitivity& s, MatrixXd& p) {
+void StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSensitivity& s,
+                                        MatrixXd& p) {
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, s.w.cols());
   rhs << s.w + s.a, s.lambda;
-  start_lu_.solve_transposed(rhs);
-  p -= r_p.transpose() * rhs.topRows(n);
+  solve(start_lu_, start_matrix_, true, rhs);
+  p -= by_p.r.transpose() * rhs.topRows(n) + by_p.phi.transpose() * rhs.bottomRows(m);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
 }
 

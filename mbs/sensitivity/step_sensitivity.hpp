@@ -10,7 +10,7 @@
 ///   a0 = -v'_n/(beta h) - (1/(2 beta) - 1) a'_n
 ///   v0 = (1 - gamma/beta) v'_n + h (1 - gamma/(2 beta)) a'_n
 ///   w0 = [(1 - alpha_m) a0 + alpha_m a'_n - alpha_f w'_n]/(1 - alpha_f)
-///   S [eta; lambda'] = -[r_p + M (w0 - beta' x0) + C (v0 - gamma' x0); 0]
+///   S [eta; lambda'] = -[r_p + M (w0 - beta' x0) + C (v0 - gamma' x0); Phi_p]
 ///   x = T^-1(dq) eta - x0:  a' = x/(beta h^2) + a0,  v' = gamma' x + v0,  w' = beta' x + w0.
 /// `backward` is the transposed of this map (discrete adjoint: exact for the discrete motion).
 
@@ -31,6 +31,12 @@ struct StateSensitivity {
   static StateSensitivity zero(int n, int m, int columns);
 };
 
+/// Derivatives of the equations of motion by n_p parameters at constant state, a column each.
+struct ResidualDerivative {
+  Eigen::MatrixXd r;    ///< n x n_p, dr/dp
+  Eigen::MatrixXd phi;  ///< m x n_p, dPhi/dp; at the start d^2/dt^2 of it
+};
+
 template <FrameGroup G>
 class StepSensitivity {
  public:
@@ -46,19 +52,19 @@ class StepSensitivity {
   bool step(const State<G>& before, const State<G>& after, double h);
 
   /// x: of the state before on entry, of the state after on return; at the start what it is on
-  /// entry does not count. @param r_p derivative of the residual at the state after, n x n_p
-  void forward(const Eigen::MatrixXd& r_p, StateSensitivity& x);
+  /// entry does not count. @param by_p at the state after
+  void forward(const ResidualDerivative& by_p, StateSensitivity& x);
 
   /// x: cotangents of the state after on entry, of the state before on return; of the start zero.
-  /// @param p cotangents of the parameters, n_p x columns: p -= r_p^T mu
-  void backward(const Eigen::MatrixXd& r_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  /// @param p cotangents of the parameters, n_p x columns: p -= r_p^T mu + Phi_p^T nu
+  void backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
 
   const IterationMatrix<G>& matrix() const { return matrix_; }
 
  private:
   bool linearise(const State<G>& s, const Eigen::VectorXd& near, const RateTangents<G>& rates);
-  void start_forward(const Eigen::MatrixXd& r_p, StateSensitivity& x);
-  void start_backward(const Eigen::MatrixXd& r_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
+  void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// y = diag(T_k) x or diag(T_k^T) x, block by block.
   using Blocks = typename RateTangents<G>::Blocks;
   Eigen::MatrixXd scaled(const Blocks& T, const Eigen::MatrixXd& x) const;
@@ -74,6 +80,7 @@ class StepSensitivity {
   double h_ = 0;
   Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
   RateTangents<G> rates_;
+  Eigen::SparseMatrix<double> start_matrix_;
   SparseLu start_lu_;
 };
 

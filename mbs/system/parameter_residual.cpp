@@ -25,7 +25,10 @@ std::string expected(const char* what, int number) {
 template <FrameGroup G>
 ParameterResidual<G>::ParameterResidual(const Mechanism& mechanism, const Model<G>& model,
                                         const Parameter& parameter)
-    : model_(model), parameter_(parameter), bodies_(model.bodies.size()) {
+    : model_(model),
+      parameter_(parameter),
+      bodies_(model.bodies.size()),
+      work_(model.bodies.size()) {
   std::string problems;
   for (const auto& part : parameter.parts) {
     const std::string problem =
@@ -41,6 +44,7 @@ std::string ParameterResidual<G>::set_body(int body, const LawDerivative<G>& law
   if (bodies_[body])
     return "body '" + model_.bodies[body]->name + "' is named twice, expected one sum of both";
   bodies_[body] = model_.bodies[body]->derivative(law);
+  work_[body] = bodies_[body]->make_workspace();
   return "";
 }
 
@@ -129,7 +133,8 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& near,
   ForceScale unused;
   for (size_t b = 0; b < bodies_.size(); ++b) {
     if (!bodies_[b]) continue;
-    const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
+    BodyState<G> state = model_.body_state(s, static_cast<int>(b));
+    state.work = work_[b].get();
     double* out = r_p.data() + dim * model_.first_node(static_cast<int>(b));
     bodies_[b]->add_internal(state, out, unused);
     bodies_[b]->add_inertia(state, gravity, out, unused);
@@ -137,11 +142,20 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& near,
   for (const LoadFactor& l : loads_)
     Equations<G>::add_load(model_, *l.load, l.factor * load_value(l.load->scale, level), s, r_p,
                            unused);
+  for (const RowDerivative& row : rows_)
+    if (row.equation->role != Role::Constraint) add_force(row, s, near, level, r_p);
+  add_target(level.t, 0, phi_p);
+}
+
+template <FrameGroup G>
+void ParameterResidual<G>::add_target(double t, int order, Eigen::VectorXd& phi_p) const {
   for (const RowDerivative& row : rows_) {
-    if (row.equation->role == Role::Constraint)
-      phi_p[row.coupling->first_constraint + row.row] -= row.target * row.equation->target(level.t);
-    else
-      add_force(row, s, near, level, r_p);
+    if (row.equation->role != Role::Constraint) continue;
+    const TimeFunction& target = row.equation->target;
+    phi_p[row.coupling->first_constraint + row.row] -=
+        row.target * (order == 0   ? target(t)
+                      : order == 1 ? target.rate(t)
+                                   : target.acceleration(t));
   }
 }
 

@@ -9,7 +9,8 @@
 
 namespace liesl {
 
-/// One parameter on a model: what its derivative needs, made once; `add` allocates nothing.
+/// One parameter on a model: what its derivative needs, made once; `add` allocates nothing. Not for
+/// several threads at once: it computes in workspaces of its own.
 ///
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
@@ -28,6 +29,9 @@ class ParameterResidual {
   /// as in Equations::evaluate.
   void add(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+  /// phi_p += the time derivative of dPhi/dp of order 0, 1 or 2 at t, constant state: only targets
+  /// of drives depend on parameters, Phi_p = -d(target)/dp.
+  void add_target(double t, int order, Eigen::VectorXd& phi_p) const;
 
   /// d(body)/dp, null if the body does not depend on p: its `mass`, `energy`, `section_force` are
   /// the derivatives of those of the body.
@@ -63,6 +67,7 @@ class ParameterResidual {
   const Model<G>& model_;
   Parameter parameter_;
   std::vector<std::unique_ptr<Body<G>>> bodies_;
+  std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< of bodies_
   std::vector<RowDerivative> rows_;
   std::vector<LoadFactor> loads_;
 };

@@ -1,0 +1,41 @@
+#pragma once
+/// @file
+/// Sensitivity of a named response from that of the state, component by component:
+///   dy/dp = y_h eta + y_v v' + y_lambda lambda' + y_p.
+
+#include "mbs/sensitivity/motion_sensitivity.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+
+/// One response; the states are those of the direct and of the adjoint form, not completed. Where a
+/// response is not smooth the derivatives are those of the branch that is active.
+template <FrameGroup G>
+class ResponseSensitivity {
+ public:
+  /// @param model, values, parameters outlive this
+  ResponseSensitivity(const Model<G>& model, const ResponseValues<G>& values, ResponseSpec response,
+                      const Parameters<G>& parameters);
+
+  /// dy/dp, components x n_p, unit of the response per unit of p.
+  Eigen::MatrixXd operator()(const State<G>& s, const StateSensitivity& ds) const;
+
+  /// Adds the cotangents of weight . y to a column of `bars` and of `gradient`, see CotangentsAt.
+  /// @param weight by component
+  void add_cotangents(const State<G>& s, const Eigen::VectorXd& weight, int column,
+                      StateSensitivity& bars, Eigen::MatrixXd& gradient) const;
+
+ private:
+  /// y_p at constant state, components x n_p.
+  Eigen::MatrixXd by_parameters(const State<G>& s, Eigen::Index components) const;
+
+  const Model<G>& model_;
+  const ResponseValues<G>& values_;
+  const ResponseSpec response_;
+  const Parameters<G>& parameters_;
+};
+
+extern template class ResponseSensitivity<SE2>;
+extern template class ResponseSensitivity<SE3>;
+
+}  // namespace liesl

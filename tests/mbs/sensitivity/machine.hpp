@@ -1,0 +1,152 @@
+#pragma once
+/// @file
+/// A slider-crank with parameters of all kinds, what is asked of its states, and differences of
+/// simulations: what the tests of sensitivities share.
+
+#include <functional>
+#include <limits>
+
+#include "mbs/run.hpp"
+#include "mbs/sensitivity/motion_sensitivity.hpp"
+
+namespace liesl::testing {
+
+/// Of a plastic: differences of simulations are as exact as what EA/L makes of the round-off in
+/// positions, which is small beside the forces of inertia then. Under its weight, with a load on
+/// the rod and a spring with a damper between crank and rod.
+inline Mechanism sensitive_machine() {
+  Mechanism m = reference::slider_crank({.elements = 3, .crank = 0.02, .rod = 0.016, .ramp = 0.02});
+  for (std::size_t b : {0, 1})
+    std::get<BeamSpec>(m.bodies[b].kind).material = {"plastic", 7e9, 0.3, 1200};
+  m.gravity = {0, -9.81, 0};
+  std::get<BeamSpec>(m.bodies[1].kind).damping = 1e-5;
+  ForceSpec spring;
+  spring.name = "spring";
+  spring.joint = 1;
+  spring.stiffness = 20;
+  spring.damping = 0.1;
+  m.forces = {spring};
+  LoadSpec load;
+  load.name = "load";
+  load.port = {1, 2};
+  load.force = {3, -8, 0};
+  m.loads = {load};
+  return m;
+}
+
+/// A quantity of the machine: its value, how it is changed, its derivative.
+struct Quantity {
+  double nominal;
+  std::function<void(Mechanism&, double)> set;
+  Parameter parameter;
+};
+
+inline std::vector<Quantity> quantities(const Mechanism& m) {
+  const auto beam = [](Mechanism& c, std::size_t b) -> BeamSpec& {
+    return std::get<BeamSpec>(c.bodies[b].kind);
+  };
+  const auto diameters = [beam](std::vector<std::size_t> elements) {
+    return [beam, elements](Mechanism& c, double p) {
+      for (const auto e : elements) std::get<Circle>(beam(c, 1).sections[e].shape).diameter = p;
+    };
+  };
+  return {
+      {0.016, diameters({0, 1}), {"diameter 1", {by_dimension(m, 1, {0, 1}, "diameter")}}},
+      {0.016, diameters({2}), {"diameter 2", {by_dimension(m, 1, {2}, "diameter")}}},
+      {7e9,
+       [beam](Mechanism& c, double p) { beam(c, 1).material.E = p; },
+       {"E", {by_youngs_modulus(m, 1)}}},
+      {1200,
+       [beam](Mechanism& c, double p) { beam(c, 0).material.rho = p; },
+       {"rho", {by_density(m, 0)}}},
+      {0.2,
+       [](Mechanism& c, double p) { std::get<RigidSpec>(c.bodies[2].kind).mass = p; },
+       {"mass of the slider", {RigidDerivative{2, 1}}}},
+      {20,
+       [](Mechanism& c, double p) { c.forces[0].stiffness = p; },
+       {"spring", {ForceDerivative{.force = 0, .stiffness = 1}}}},
+      {0.1,
+       [](Mechanism& c, double p) { c.forces[0].damping = p; },
+       {"damper", {ForceDerivative{.force = 0, .damping = 1}}}},
+      {1,
+       [](Mechanism& c, double p) { c.loads[0].scale = TimeFunction::constant(p); },
+       {"load", {LoadDerivative{0, 1}}}},
+      {150,
+       [](Mechanism& c, double p) { c.drives[0].motion = TimeFunction::rate(p, 0.02); },
+       {"drive", {DriveDerivative{0, 1. / 150}}}},
+  };
+}
+
+inline SimulationOptions tight(double duration, double step) {
+  auto o = options(duration, step, 0.8, 1e-11);
+  o.max_iterations = 40;
+  o.tangent = TangentStrategy::Exact;  // ends at round-off, not just below the tolerance
+  return o;
+}
+
+template <FrameGroup G>
+Space<G> space_of(const Mechanism& m) {
+  if constexpr (G::space_dim == 2)
+    return find_plane(m).plane.value();
+  else
+    return {};
+}
+
+/// A simulation with its tape.
+template <FrameGroup G>
+struct Taped {
+  Mechanism mechanism;
+  Model<G> model;
+  Tape<G> tape;
+  DynamicResult<G> run;
+
+  Taped(const Mechanism& m, const SimulationOptions& o)
+      : mechanism(m), model(Model<G>::build(m, space_of<G>(m))) {
+    run = simulate(model, o, {}, &tape);
+    EXPECT_EQ(run.report.status, SolveStatus::Converged) << run.report.reason;
+  }
+  Parameters<G> parameters(const std::vector<Quantity>& all) const {
+    Parameters<G> made;
+    for (const Quantity& q : all) made.emplace_back(mechanism, model, q.parameter);
+    return made;
+  }
+};
+
+/// Central differences with steps h, h/2, ..., by the relative change of a quantity, and their
+/// extrapolations to h = 0 (W. Romberg 1955): errors O(h^4), O(h^6), ... at steps where the
+/// round-off of simulations, that is divided by them, is small.
+struct Differences {
+  std::vector<Eigen::MatrixXd> central, extrapolated;
+
+  Differences(const std::function<Eigen::MatrixXd(double)>& f, double h, int count) {
+    for (int i = 0; i < count; ++i, h /= 2) central.push_back((f(h) - f(-h)) / (2 * h));
+    auto column = central;
+    for (double power = 4; column.size() > 1; power *= 4) {
+      for (std::size_t i = 0; i + 1 < column.size(); ++i)
+        column[i] = (power * column[i + 1] - column[i]) / (power - 1);
+      column.pop_back();
+      extrapolated.insert(extrapolated.end(), column.begin(), column.end());
+    }
+  }
+  /// Least of the largest errors over all extrapolations: some err by h, others by round-off.
+  double least(const std::function<double(const Eigen::MatrixXd&)>& largest_error) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& y : extrapolated) least = std::min(least, largest_error(y));
+    return least;
+  }
+};
+
+/// Sizes of quantities in groups of one kind: their own, or the largest of the group where the own
+/// is below 1e-6 of it (zero by symmetry).
+inline Eigen::VectorXd sizes(Eigen::VectorXd own, const std::vector<int>& groups) {
+  int at = 0;
+  for (const int n : groups) {
+    const double largest = n > 0 ? own.segment(at, n).maxCoeff() : 0;
+    for (int i = at; i < at + n; ++i)
+      if (own[i] < 1e-6 * largest) own[i] = largest;
+    at += n;
+  }
+  return own;
+}
+
+}  // namespace liesl::testing
