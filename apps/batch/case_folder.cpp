@@ -13,6 +13,7 @@
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 
 namespace liesl {
 
@@ -69,7 +70,8 @@ CaseEnd failure(const WorkerEnd& end, const Worker::Limits& limits, const std::s
     out.status = "crashed";
     out.reason = fmt::format("signal {}: {}", end.signal, ::strsignal(end.signal));
   } else {
-    out.status = end.exit_code == 2 ? "refused" : "failed";
+    const bool full = log.find("the disk is full") != std::string::npos;
+    out.status = end.exit_code == 2 ? "refused" : full ? "disk full" : "failed";
   }
   return out;
 }
@@ -120,6 +122,7 @@ void CaseFolder::mark(const CaseEnd& end) const {
   output::remove_leftovers(path_);
   std::error_code error;
   fs::create_directories(path_, error);
+  output::mark_files(path_, {"done.json", "log.txt"});
   if (fs::file_size(log_, error) > 0 && !error) fs::rename(log_, path_ / "log.txt", error);
   const nlohmann::ordered_json json = {{"case", path_.filename().string()},
                                        {"status", end.status},

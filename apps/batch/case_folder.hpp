@@ -19,6 +19,9 @@ struct CaseEnd {
   bool failed = false;   ///< anything but "done" and "converged"
   bool figures = false;  ///< its summary.json is that of a run that reached an end
   double wall_s = 0, cpu_s = 0, peak_memory_mb = 0;
+
+  /// True if the case may end otherwise on the same input: the next command tries it again.
+  bool tried_again() const { return status == "disk full" || status == "killed"; }
 };
 
 /// `<batch>/cases/<name>`, and the log of the running process beside it, which is its lock.

@@ -73,11 +73,16 @@ class Pool {
  private:
   bool free() const { return running_.size() < static_cast<std::size_t>(options_.jobs); }
 
+  static bool ended(const CaseFolder& folder) {
+    const auto end = folder.end();
+    return end && !end->tried_again();
+  }
+
   std::vector<std::size_t> cases_to_run() {
     std::vector<std::size_t> rows;
     for (std::size_t row = 0; row < batch_.cases.rows.size(); ++row) {
       if (!options_.shard.has(row)) continue;
-      if (CaseFolder(folder_, batch_.cases.rows[row].name).end())
+      if (ended(CaseFolder(folder_, batch_.cases.rows[row].name)))
         ++report_.before;
       else
         rows.push_back(row);
@@ -98,7 +103,7 @@ class Pool {
       ++report_.elsewhere;
       return;
     }
-    if (folder.end()) {  // another pool has done it in the meantime
+    if (ended(folder)) {  // another pool has done it in the meantime
       folder.remove_log();
       ++report_.before;
       return;

@@ -17,6 +17,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 #include "apps/output/summary.hpp"
 
 namespace liesl {
@@ -62,9 +63,10 @@ void prepare(const fs::path& folder, const Batch& batch, const std::string& hash
   make_folder(folder);
   const FolderLock lock(folder);
   const fs::path plan = folder / "batch.json";
-  if (force)
-    for (const auto& entry : fs::directory_iterator(folder))
-      if (entry.path().filename() != FolderLock::kName) fs::remove_all(entry.path());
+  if (force && fs::exists(plan)) {
+    output::check_own(folder);
+    output::remove_own(folder, FolderLock::kName);
+  }
   if (fs::exists(plan)) {
     const Json earlier = Json::parse(output::read_file(plan), nullptr, false);
     if (earlier.is_object() && earlier.value("input_sha256", "") == hash) return;
@@ -72,10 +74,17 @@ void prepare(const fs::path& folder, const Batch& batch, const std::string& hash
                        "a new folder, or one of the same study, scene and cases",
                        "choose another folder; --force begins again in this one"}});
   }
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (const auto name = entry.path().filename();
+        name != FolderLock::kName && name != output::kMark)
+      throw output::IoError("write to", folder,
+                            "it holds '" + name.string() + "', but no batch; choose another");
   Json json = {{"name", batch.name}, {"of", batch.of.string()}, {"input_sha256", hash}};
   json["cases"] = Json::object();
   for (std::size_t row = 0; row < batch.cases.rows.size(); ++row)
     json["cases"][batch.cases.rows[row].name] = batch.changes(row);
+  output::mark_files(folder, {FolderLock::kName, "batch.json", "cases", "results.csv", "results.h5",
+                              "summary.json"});
   output::replace_file(plan, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 

@@ -6,10 +6,10 @@
 #include "apps/cli/command.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/compare/ratios.hpp"
-#include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 
 namespace liesl {
 
@@ -33,6 +33,7 @@ class References {
     Reference& reference = place->second;
     if (!fresh) return &reference;
     const fs::path path = folder_ / fmt::format("reference_{}.csv", known_.size());
+    output::mark_files(folder_, {path.filename().string()});
     if (!fs::exists(path))
       write_series(path, reference_side(comparison_, row, 0), reference_side(comparison_, row, 1));
     const auto [a, b] = output::read_series(path);
@@ -65,7 +66,8 @@ void prepare(const fs::path& folder, const std::string& hash, bool force) {
     throw output::IoError("write to", folder, "it holds something else; choose another");
   const Json earlier = Json::parse(output::read_file(folder / "summary.json"), nullptr, false);
   if (force) {
-    for (const auto& entry : fs::directory_iterator(folder)) fs::remove_all(entry.path());
+    output::check_own(folder);
+    output::remove_own(folder);
   } else if (!earlier.is_object() || earlier.value("command", "") != "compare" ||
              earlier.value("input_sha256", "") != hash) {
     throw InputError({{folder.string(), 0, 0, "the folder belongs to another command",
@@ -94,6 +96,7 @@ class Run {
     if (fs::exists(folder_ / "rows.csv")) table_.read(folder_ / "rows.csv");
     before_ = table_.size();
     save("running");
+    output::mark_files(folder_, {"rows.csv", "summary.json"});
   }
 
   int operator()() {

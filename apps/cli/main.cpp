@@ -19,6 +19,7 @@
 namespace {
 
 constexpr int kRefused = 2, kFailed = 3;
+constexpr int kMostThreads = 1024;
 
 std::string version_text() {
   std::string text;
@@ -61,7 +62,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_option("-o,--output", o.out, "Folder of the results")->required();
       command->add_flag("-f,--force", o.force, "Replace an earlier result");
       command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")
-          ->check(CLI::NonNegativeNumber);
+          ->check(CLI::Range(0, kMostThreads));
     }
     if (std::string(entry.name) == "optimize") {
       command->add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");

@@ -43,6 +43,7 @@ Applies applies(FileKind kind, const Key& key, const toml::table& table) {
   return std::count(allowed.begin(), allowed.end(), *chosen) ? Applies::Yes : Applies::No;
 }
 
+constexpr double kLargest = 1e9;           ///< integer, which an int holds
 constexpr std::size_t kLongestName = 255;  // HDF5 takes more, file systems do not
 
 class Validator {
@@ -61,6 +62,10 @@ class Validator {
  private:
   static std::string join(const std::string& path, std::string_view leaf) {
     return path.empty() ? std::string(leaf) : fmt::format("{}.{}", path, leaf);
+  }
+
+  static std::string place(const std::string& path) {
+    return path.empty() ? "the file" : fmt::format("'{}'", path);
   }
 
   void entry(toml::table& in, const std::vector<const Key*>& keys, const toml::key& name,
@@ -124,11 +129,11 @@ class Validator {
             !find_key(kind_, fmt::format("{}.{}", keys.front()->parent(), name.str())))
           if (const auto near = nearest(name.str(), candidates); !near.empty())
             hint = fmt::format("did you mean '{}'?", near);
-      problems_.add(table, fmt::format("missing key in '{}'", path), expected, hint);
+      problems_.add(table, fmt::format("missing key in {}", place(path)), expected, hint);
     } else {
       problems_.add(*table.get(given[1]),
-                    fmt::format("'{}' has both '{}' and '{}'", path, given[0], given[1]), expected,
-                    "leave out all but one");
+                    fmt::format("{} has both '{}' and '{}'", place(path), given[0], given[1]),
+                    expected, "leave out all but one");
     }
   }
 
@@ -201,10 +206,18 @@ class Validator {
   }
 
   void number(const Key& key, const toml::node& value, const std::string& path) {
-    const bool fits = key.type == Type::Integer ? value.is_integer() : value.is_number();
-    if (!fits) return wrong(key, value, path);
+    const bool whole = key.type == Type::Integer;
+    if (!value.is_number()) return wrong(key, value, path);
     const double x = *value.value<double>();
-    if (!std::isfinite(x))
+    if (whole && std::abs(x) > kLargest && std::floor(x) == x)
+      problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x),
+                    fmt::format("{}, at most {:g}", expectation(key), kLargest),
+                    std::string(key.doc));
+    else if (whole && !value.is_integer())
+      problems_.add(
+          value, fmt::format("'{}' is a number", path), expectation(key),
+          std::floor(x) == x ? "without point and exponent, as in 1000" : std::string(key.doc));
+    else if (!std::isfinite(x))
       problems_.add(value, fmt::format("'{}' is {}", path, x), "a finite number");
     else if (!key.range.contains(x))
       problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x), expectation(key),
@@ -293,6 +306,9 @@ class Validator {
   void tables(const Key& key, toml::node& value, const std::string& path) {
     toml::array* list = value.as_array();
     if (!list) return subtable(key, value, path);
+    if (list->empty())
+      problems_.add(value, fmt::format("'{}' is empty", path), "a table or a list of tables",
+                    "leave the key out, or say what it holds: " + std::string(key.doc));
     int i = 0;
     for (toml::node& item : *list) subtable(key, item, fmt::format("{}.{}", path, i++));
   }

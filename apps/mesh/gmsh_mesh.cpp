@@ -207,9 +207,15 @@ class Reader {
       for (std::size_t tag : tags) {
         Eigen::Vector3d x;
         for (double& xi : x) xi = words_.real();
-        positions_[tag] = x;
+        if (!x.allFinite())
+          problem(words_.line(), fmt::format("node {} lies at ({}, {}, {})", tag, x[0], x[1], x[2]),
+                  "finite coordinates (m)");
+        if (!positions_.try_emplace(tag, x).second)
+          problem(words_.line(), fmt::format("node {} is there twice", tag), "each node once",
+                  "Coherence Mesh of Gmsh unites nodes");
       }
     }
+    problems_.throw_if_any();
   }
 
   void read_elements() {
@@ -277,8 +283,14 @@ class Reader {
                   "set Mesh.RecombineAll = 1; physical groups must include the surface or volume");
     mesh.cells.resize(mesh.corners(), count);
     int cell = 0;
+    std::map<std::vector<std::size_t>, int> lines;  // of the cells, by their sorted nodes
     for (const Element& e : elements_) {
       if (!is_cell(e, mesh.dim)) continue;
+      std::vector<std::size_t> nodes = e.nodes;
+      std::sort(nodes.begin(), nodes.end());
+      if (const auto [first, fresh] = lines.try_emplace(std::move(nodes), e.line); !fresh)
+        problem(e.line, fmt::format("the cell has the nodes of the cell in line {}", first->second),
+                "each cell once", "a surface in two physical groups may be saved twice");
       for (int c = 0; c < mesh.corners(); ++c) mesh.cells(c, cell) = number_.at(e.nodes[c]);
       if (!(smallest_jacobian(mesh.dim, mesh.corners_of(cell)) > 0))
         problem(e.line, "the cell is inverted or flat",

@@ -3,15 +3,19 @@
 #include <fcntl.h>
 #include <signal.h>
 #include <stdio.h>
+#include <sys/file.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
-#include <cstdlib>
+#include <charconv>
+#include <chrono>
 #include <cstring>
-#include <nlohmann/json.hpp>
+#include <string_view>
+#include <thread>
 
-#include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -36,6 +40,83 @@ void check_replaceable(const fs::path& target, bool overwrite) {
   }
   if (!overwrite) {
     throw IoError("write to", target, "holds an earlier result; --force replaces it");
+  }
+  check_own(target);
+}
+
+std::string host() {
+  std::array<char, 256> name{};
+  return ::gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
+}
+
+/// `.<name>.partial-<pid>@<host>`
+fs::path partial_of(const fs::path& target) {
+  return sibling(target, "partial-" + std::to_string(::getpid()) + "@" + host());
+}
+
+/// Who writes into an unfinished folder.
+struct Writer {
+  int pid = 0;  ///< 0: the folder is none of these
+  std::string host;
+
+  explicit Writer(const fs::path& partial) {
+    constexpr std::string_view kWord = ".partial-";
+    const std::string name = partial.filename().string();
+    const auto at = name.rfind(kWord);
+    if (name[0] != '.' || at == std::string::npos || at == 0) return;
+    const char* const end = name.data() + name.size();
+    const auto [rest, error] = std::from_chars(name.data() + at + kWord.size(), end, pid);
+    const bool whole = error == std::errc{} && (rest == end || *rest == '@');
+    if (!whole) pid = 0;
+    if (whole && rest != end) host = std::string(rest + 1, end);
+  }
+  bool here() const { return host == output::host(); }
+  /// A process of this computer; another program may have its number by now.
+  bool alive() const {
+    if (::kill(pid, 0) != 0 && errno == ESRCH) return false;
+    std::error_code hidden, error;
+    const auto program = fs::read_symlink("/proc/" + std::to_string(pid) + "/exe", hidden);
+    if (hidden) return hidden != std::errc::no_such_file_or_directory;  // that is a dead one
+    const auto plain = [](const fs::path& path) {
+      const std::string name = path.filename().string();
+      return name.substr(0, name.find(' '));  // "liesl (deleted)" after an installation
+    };
+    return plain(program) == plain(fs::read_symlink("/proc/self/exe", error));
+  }
+};
+
+/// One process at a time looks who is writing where, and says that it does. Where the file system
+/// has no locks, or a script holds this one while liesl runs, it goes without.
+class PlaceLock {
+ public:
+  explicit PlaceLock(const fs::path& place)
+      : file_(::open(place.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
+    using namespace std::chrono_literals;
+    for (int tries = 0; file_ >= 0 && tries < 200; ++tries) {
+      if (::flock(file_, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK) break;
+      std::this_thread::sleep_for(10ms);
+    }
+  }
+  ~PlaceLock() {
+    if (file_ >= 0) ::close(file_);
+  }
+  PlaceLock(const PlaceLock&) = delete;
+  PlaceLock& operator=(const PlaceLock&) = delete;
+
+ private:
+  int file_;
+};
+
+/// Refuses a target that another process of this computer is writing to.
+void check_alone(const fs::path& target) {
+  const std::string prefix = sibling(target, "partial-").filename().string();
+  for (const auto& entry : fs::directory_iterator(target.parent_path())) {
+    if (!entry.path().filename().string().starts_with(prefix)) continue;
+    const Writer writer(entry.path());
+    if (writer.pid > 0 && writer.pid != ::getpid() && writer.here() && writer.alive())
+      throw IoError("write to", target,
+                    "process " + std::to_string(writer.pid) +
+                        " is writing to it; wait for its end, or choose another folder");
   }
 }
 
@@ -63,23 +144,14 @@ void remove_leftovers(const fs::path& target) {
   if (fs::exists(aside, error) && !fs::exists(target, error)) fs::rename(aside, target, error);
   fs::remove_all(aside, error);
 
-  const std::string prefix = sibling(target, "partial-").filename().string();
+  const std::string own = sibling(target, "partial-").filename().string();
   for (const auto& entry : fs::directory_iterator(target.parent_path(), error)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(prefix)) continue;
-    const int pid = std::atoi(name.c_str() + prefix.size());
-    if (pid > 0 && ::kill(pid, 0) != 0 && errno == ESRCH) fs::remove_all(entry.path(), error);
-  }
-}
-
-bool is_result(const fs::path& folder) {
-  std::error_code error;
-  if (!fs::is_regular_file(folder / "summary.json", error)) return false;
-  try {
-    const auto json = nlohmann::json::parse(read_file(folder / "summary.json"));
-    return json.contains("/versions/liesl"_json_pointer);
-  } catch (const std::exception&) {
-    return false;
+    const Writer writer(entry.path());
+    if (writer.pid <= 0 || !entry.is_directory(error)) continue;
+    // Without a computer's name: of an earlier version, beside this target only.
+    const bool here =
+        writer.host.empty() ? entry.path().filename().string().starts_with(own) : writer.here();
+    if (here && !writer.alive()) fs::remove_all(entry.path(), error);
   }
 }
 
@@ -88,9 +160,11 @@ AtomicFolder::AtomicFolder(const fs::path& target, bool overwrite) try {
   if (!target_.has_filename()) target_ = target_.parent_path();  // "demo/"
   if (fs::is_symlink(target_)) target_ = fs::canonical(target_);
   fs::create_directories(target_.parent_path());
+  const PlaceLock lock(target_.parent_path());
+  check_alone(target_);
   remove_leftovers(target_);
   check_replaceable(target_, overwrite);
-  partial_ = sibling(target_, "partial-" + std::to_string(::getpid()));
+  partial_ = partial_of(target_);
   fs::remove_all(partial_);
   fs::create_directory(partial_);
   // Two empty folders may as well change places: shows now, not after the run, whether they can
@@ -108,8 +182,7 @@ AtomicFolder::~AtomicFolder() {
 const fs::path& AtomicFolder::path() {
   if (committed_) {
     try {
-      fs::remove_all(partial_);
-      fs::copy(target_, partial_, fs::copy_options::recursive);
+      copy_own(target_, partial_);
     } catch (const fs::filesystem_error& error) {
       throw IoError("write to", partial_, error.code().message());
     }
@@ -121,8 +194,11 @@ const fs::path& AtomicFolder::path() {
 void AtomicFolder::commit() {
   if (committed_) return;
   try {
+    mark_all(partial_);
     exchange(partial_, target_);
+    if (fs::exists(partial_)) move_foreign(partial_, target_);  // put there in the meantime
     fs::remove_all(partial_);
+    fs::create_directory(partial_);  // says that this process goes on
   } catch (const fs::filesystem_error& error) {
     throw IoError("write to", target_, error.code().message());
   }

@@ -8,10 +8,11 @@
 
 namespace liesl::output {
 
-/// Files are written into a hidden sibling folder `.<name>.partial-<pid>`, and `commit()` puts that
-/// into the place of `target` in one step. A run that is interrupted, killed, or out of disk space
-/// leaves at `target` what the last commit put there, or what was there before. (A loss of power is
-/// not covered: nothing is forced to the disk.)
+/// Files are written into a hidden sibling folder `.<name>.partial-<pid>@<host>`, and `commit()`
+/// puts that into the place of `target` in one step. A run that is interrupted, killed, or out of
+/// disk space leaves at `target` what the last commit put there, or what was there before. (A loss
+/// of power is not covered: nothing is forced to the disk.) `target` gets the mark of
+/// own_files.hpp; what others put into it while the run goes on stays there.
 ///
 /// @code
 ///   AtomicFolder folder("build/demo", /*overwrite=*/true);
@@ -23,7 +24,8 @@ namespace liesl::output {
 class AtomicFolder {
  public:
   /// Creates the sibling folder (and parents), removes those that killed runs have left behind.
-  /// An existing `target` must be empty or, with `overwrite`, an earlier result of liesl.
+  /// An existing `target` must be empty or, with `overwrite`, an earlier result of liesl and
+  /// nothing else. No other process may be writing to it.
   /// @throws IoError
   AtomicFolder(const std::filesystem::path& target, bool overwrite);
   /// Removes the sibling folder; `target` stays as committed.
@@ -45,10 +47,8 @@ class AtomicFolder {
   bool committed_ = false;  ///< and not written to since
 };
 
-/// Removes what killed runs have left beside `target`. The constructor of AtomicFolder does, too.
+/// Removes what killed runs of this computer have left beside `target`. The constructor of
+/// AtomicFolder does, too.
 void remove_leftovers(const std::filesystem::path& target);
-
-/// True if the folder holds a result of liesl: a summary.json that names the version of liesl.
-bool is_result(const std::filesystem::path& folder);
 
 }  // namespace liesl::output

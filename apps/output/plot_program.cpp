@@ -13,6 +13,7 @@
 #include <sstream>
 
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 
 namespace fs = std::filesystem;
 
@@ -78,6 +79,10 @@ std::vector<fs::path> draw(const fs::path& folder, const std::string& x, const s
     if (line.ends_with(".png") || line.ends_with(".svg")) pictures.emplace_back(line);
     if (!line.empty()) last = line;
   }
+  std::vector<std::string> drawn;
+  for (const fs::path& picture : pictures)
+    drawn.push_back("plots/" + picture.filename().string());
+  if (!drawn.empty()) mark_files(folder, drawn);
   if (outcome.code != 0) throw IoError("draw", folder, last.empty() ? "no reason given" : last);
   return pictures;
 }

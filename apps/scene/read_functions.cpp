@@ -61,8 +61,12 @@ TimeFunction read_function(Reader& reader, const toml::node& node) {
   if (node.is_string()) return read_expression(reader, node);
   const toml::table* table = node.as_table();
   if (!table) return TimeFunction::constant(node.value_or(0.0));
-  if (const toml::node* expression = table->get("expression"))
+  if (const toml::node* expression = table->get("expression")) {
+    if (const toml::node* kind = table->get("interpolation"); kind && written(*kind))
+      reader.problems.add(*kind, "a function with 'interpolation' but no 'table'",
+                          "'interpolation' beside 'table' only", "leave it out");
     return read_expression(reader, *expression);
+  }
   return read_table(reader, *table->get("table"), text(*table, "interpolation"));
 }
 

@@ -17,7 +17,18 @@ bool same_place(const Port& a, const Port& b) {
   return a.body == b.body && a.node == b.node && (a.offset.x - b.offset.x).norm() == 0;
 }
 
+/// Keys that the chosen kind of motion does not have.
+void check_motion(Reader& reader, const toml::table& drive) {
+  constexpr std::pair<const char*, const char*> kBelongs[] = {{"interpolation", "table"},
+                                                              {"ramp", "rate"}};
+  for (const auto& [key, owner] : kBelongs)
+    if (const toml::node* node = drive.get(key); node && written(*node) && !drive.contains(owner))
+      reader.problems.add(*node, fmt::format("a drive with '{}' but no '{}'", key, owner),
+                          fmt::format("'{}' beside '{}' only", key, owner), "leave it out");
+}
+
 TimeFunction motion_of(Reader& reader, const toml::table& drive) {
+  check_motion(reader, drive);
   if (const toml::node* expression = drive.get("expression"))
     return read_expression(reader, *expression);
   if (const toml::node* table = drive.get("table"))
@@ -58,6 +69,11 @@ void read_drives(Reader& reader, const toml::table& table, int joint) {
 void read_axes(Reader& reader, const toml::table& table, JointSpec& joint) {
   const int axes = kind_of(joint.type).axes;
   if (axes > 0) joint.axis = direction(reader, table, "axis");
+  if (const toml::node* second = table.get("axis2"); axes < 2 && second && written(*second))
+    reader.problems.add(
+        *second,
+        fmt::format("{} joint '{}' has no second axis", kind_of(joint.type).name, joint.name),
+        "'axis2' for a universal joint only", "leave it out");
   if (axes < 2) return;
   joint.axis2 = direction(reader, table, "axis2");
   const double cosine = joint.axis.dot(joint.axis2);

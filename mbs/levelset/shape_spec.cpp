@@ -70,12 +70,31 @@ struct Index {
   std::vector<const FeatureSpec*> roots;
 };
 
-/// Names of all features below one; for a tree without a circle.
-void collect(const Index& index, const FeatureSpec& f, std::set<std::string>& found) {
-  if (!found.insert(f.name).second) return;
-  for (const std::string& operand : f.operands)
-    if (const auto at = index.by_name.find(operand); at != index.by_name.end())
-      collect(index, *at->second, found);
+constexpr int kDeepest = 200;  ///< operations above a feature; shapes are evaluated by recursion
+
+/// Level by level from the roots: features that no root reaches, and operations nested too deeply.
+void depth_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFlaw>& found) {
+  std::set<std::string> reached;
+  std::vector<const FeatureSpec*> level = index.roots;
+  for (int above = 0; !level.empty(); ++above) {
+    if (above > kDeepest) {
+      found.push_back({level[0]->name, "lies under more than " + std::to_string(kDeepest) +
+                                           " nested operations: one operation may have many "
+                                           "features, of = [\"a\", \"b\", \"c\"]"});
+      return;
+    }
+    std::vector<const FeatureSpec*> below;
+    for (const FeatureSpec* f : level) {
+      if (!reached.insert(f->name).second) continue;
+      for (const std::string& operand : f->operands) below.push_back(index.by_name.at(operand));
+    }
+    level = std::move(below);
+  }
+  for (const FeatureSpec& f : shape.features)
+    if (!reached.count(f.name)) {
+      found.push_back({f.name, "is a part of itself"});
+      break;
+    }
 }
 
 void operand_flaws(const Index& index, const FeatureSpec& f, std::vector<ShapeFlaw>& found) {
@@ -105,13 +124,7 @@ void tree_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFla
     found.push_back({index.roots[i]->name, "and '" + index.roots[0]->name +
                                                "' are parts of nothing: one of the features must "
                                                "be an operation on all that is left"});
-  std::set<std::string> reached;
-  for (const FeatureSpec* root : index.roots) collect(index, *root, reached);
-  for (const FeatureSpec& f : shape.features)
-    if (!reached.count(f.name)) {
-      found.push_back({f.name, "is a part of itself"});
-      break;
-    }
+  depth_flaws(shape, index, found);
 }
 
 /// Calls visit(feature) in the order of the parameters.

@@ -64,7 +64,7 @@ struct ShapeFlaw {
   std::string feature, text;
 };
 /// Operands that do not exist, are used twice or hold themselves, features that belong to nothing,
-/// kinds that do not exist in the plane, values that make no shape.
+/// kinds that do not exist in the plane, values that make no shape, operations nested too deeply.
 std::vector<ShapeFlaw> flaws(const ShapeSpec& shape);
 
 /// One feature, placed.

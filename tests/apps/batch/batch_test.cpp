@@ -168,6 +168,41 @@ TEST_F(BatchProgram, FoldersOfOthersAreRefused) {
   EXPECT_EQ(run({"batch", file, "-o", dir_}).code, 3) << "a folder that holds something else";
 }
 
+TEST_F(BatchProgram, FilesOfTheUserStay) {
+  const fs::path file = simulations();
+  const Words fewer = {"--set", "grid.rate.values=[100]", "--set", "simulation.duration=0.01"};
+  ASSERT_EQ(batch(file, fewer).code, 0);
+  std::ofstream(results() / "cases" / "1" / "notes.txt") << "mine";
+  Words force = fewer;
+  force.push_back("--force");
+  const Outcome o = batch(file, force);
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("'cases/1/notes.txt', which liesl did not write"), std::string::npos)
+      << o.err;
+  EXPECT_EQ(text_of(results() / "cases" / "1" / "notes.txt"), "mine");
+  EXPECT_EQ(marks().size(), 2u) << "nothing has been removed";
+  fs::remove(results() / "cases" / "1" / "notes.txt");
+  EXPECT_EQ(batch(file, force).code, 0);
+}
+
+TEST_F(BatchProgram, CaseThatFailedByAFullDiskIsTriedAgain) {
+  const fs::path file = simulations();
+  const Words fewer = {"--set", "grid.rate.values=[100]", "--set", "simulation.duration=0.01"};
+  ASSERT_EQ(batch(file, fewer).code, 0);
+  const auto ended = [this](const char* status) {
+    std::ofstream(mark("1")) << Json{
+        {"case", "1"}, {"status", status}, {"failed", true}, {"figures", false}, {"reason", "so"}};
+    for (const auto& name : {"summary.json", "responses.csv"})
+      fs::remove(results() / "cases" / "1" / name);
+  };
+  ended("failed");
+  EXPECT_EQ(batch(file, fewer).code, 1) << "of the case itself: it would fail again";
+  EXPECT_EQ(table().at("status"), (Words{"failed", "done"}));
+  ended("disk full");
+  EXPECT_EQ(batch(file, fewer).code, 0);
+  EXPECT_EQ(table().at("status"), (Words{"done", "done"}));
+}
+
 /// Nothing lost, nothing twice, and the same designs as without a kill.
 TEST_F(BatchProgram, KilledBatchGoesOn) {
   const fs::path file = sizings();

@@ -92,6 +92,46 @@ TEST_F(Cli, FolderThatCannotBeWrittenIsAnError) {
   EXPECT_EQ(run(short_run(results(), {"--force"})).code, 0);
 }
 
+TEST_F(Cli, FilesOfTheUserStay) {
+  const Words more = {"--quiet"};
+  ASSERT_EQ(run(short_run(results(), more)).code, 0);
+  fs::copy(scene("slider_crank"), results() / "scene.toml");
+  fs::create_directory(results() / "photos");
+  std::ofstream(results() / "photos" / "1.jpg") << "picture";
+  Words again = short_run(results(), {"--force"});
+  again[1] = results() / "scene.toml";
+  const Outcome o = run(again);
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("it holds 'photos/1.jpg' (and 1 more), which liesl did not write"),
+            std::string::npos)
+      << o.err;
+  EXPECT_EQ(text_of(results() / "scene.toml"), text_of(scene("slider_crank")));
+  EXPECT_EQ(text_of(results() / "photos" / "1.jpg"), "picture");
+}
+
+TEST_F(Cli, ResumeOfAFinishedRunKeepsFilesOfTheUser) {
+  const Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--quiet"};
+  ASSERT_EQ(run(words).code, 0);
+  std::ofstream(results() / "notes.txt") << "mine";
+  Words resume = words;
+  resume.push_back("--resume");
+  const Outcome o = run(resume);
+  EXPECT_NE(o.code, 0);
+  EXPECT_EQ(text_of(results() / "notes.txt"), "mine") << o.err;
+  resume.back() = "--force";
+  const Outcome forced = run(resume);
+  EXPECT_EQ(forced.code, 3);
+  EXPECT_NE(forced.err.find("'notes.txt'"), std::string::npos) << forced.err;
+  EXPECT_EQ(text_of(results() / "notes.txt"), "mine");
+}
+
+TEST_F(Cli, NumberOfThreadsOutOfRangeIsSaidShortly) {
+  const Outcome o = run(short_run(results(), {"--threads", "-1"}));
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("1024"), std::string::npos) << o.err;
+  EXPECT_LT(o.err.size(), 200u) << o.err;
+}
+
 TEST_F(Cli, OptimizeSaysHowItEnded) {
   const auto optimize = [&](const Words& changes) {
     Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--force"};

@@ -110,6 +110,28 @@ $EndElements
   EXPECT_EQ(mesh.sets.at("base"), (std::vector<int>{0, 1, 2, 3}));
 }
 
+TEST(Gmsh, NodesThatAreNowhereAndNodesThereTwiceAreNamedByTheirLines) {
+  const auto problems = problems_of(with("2 1.2 0\n9 9 0", "2 nan 0\n-inf 9 0"));
+  ASSERT_EQ(problems.size(), 2u);   // all of them, and no cells that follow from them
+  EXPECT_EQ(problems[0].line, 29);  // of its coordinates
+  EXPECT_EQ(problems[1].line, 30);
+  EXPECT_NE(problems[0].what.find("node 13 lies at (2, nan, 0)"), std::string::npos)
+      << problems[0].what;
+  const auto twice = problems_of(with("13\n17\n", "13\n13\n"));
+  ASSERT_EQ(twice.size(), 1u);
+  EXPECT_EQ(twice[0].line, 30);
+  EXPECT_NE(twice[0].what.find("node 13 is there twice"), std::string::npos) << twice[0].what;
+}
+
+TEST(Gmsh, CellThatIsThereTwiceIsNamedByItsLines) {
+  // The same nodes from another corner on.
+  const auto problems = problems_of(with("3 2 3 13 12", "3 2 12 11 1"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].line, 38);
+  EXPECT_NE(problems[0].what.find("the nodes of the cell in line 37"), std::string::npos)
+      << problems[0].what;
+}
+
 TEST(Gmsh, InvertedCellsAreNamedByTheirLines) {
   const auto problems = problems_of(with("2 1 2 12 11\n3 2 3 13 12", "2 1 11 12 2\n3 2 12 13 3"));
   ASSERT_EQ(problems.size(), 2u);  // all of them

@@ -1,5 +1,7 @@
 /// A results folder holds a complete state at every moment.
 
+#include "apps/output/atomic_folder.hpp"
+
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/wait.h>
@@ -7,9 +9,9 @@
 
 #include <algorithm>
 
-#include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 #include "tests/apps/output_sample.hpp"
 
 namespace fs = std::filesystem;
@@ -84,10 +86,11 @@ TEST(AtomicFolder, CheckpointsKeepWhatIsNotWrittenAgain) {
   write_file(folder.path() / "first", "1");
   folder.commit();
   write_file(folder.path() / "second", "half");
-  EXPECT_EQ(names(place / "out"), (std::vector<std::string>{"first", "summary.json"}));
+  EXPECT_EQ(names(place / "out"), (std::vector<std::string>{".liesl", "first", "summary.json"}));
   write_file(folder.path() / "second", "2");
   folder.commit();
-  EXPECT_EQ(names(place / "out"), (std::vector<std::string>{"first", "second", "summary.json"}));
+  EXPECT_EQ(names(place / "out"),
+            (std::vector<std::string>{".liesl", "first", "second", "summary.json"}));
   EXPECT_EQ(read_file(place / "out/second"), "2");
 }
 

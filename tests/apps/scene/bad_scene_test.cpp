@@ -109,6 +109,13 @@ const BadScene kScenes[] = {
     {"ScrewWithoutPitch", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ screw = [\"crank.end\", \"rod.start\"] }", {"screw joint 'pin' has no pitch", "a displacement a turn (m)"}},
     {"ScrewOfPitchZero", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { screw = [\"crank.end\", \"rod.start\"], pitch = @0 }", {"screw joint 'pin' has zero pitch", "revolute"}},
     {"PitchOfRevolute", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { revolute = [\"crank.end\", \"rod.start\"], pitch = @0.01 }", {"revolute joint 'pin' has no pitch", "screw"}},
+    {"NoDrives", "drive = { rate = 10, ramp = 0.1 }", "drive = @[]", {"'joints.motor.drive' is empty", "leave the key out"}},
+    {"SecondAxisOfRevolute", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { revolute = [\"crank.end\", \"rod.start\"], axis2 = @[1, 0, 0] }", {"revolute joint 'pin' has no second axis", "universal"}},
+    {"InterpolationOfRate", "drive = { rate = 10, ramp = 0.1 }", "drive = { rate = 10, interpolation = @\"cubic\" }", {"'interpolation' but no 'table'"}},
+    {"RampOfExpression", "drive = { rate = 10, ramp = 0.1 }", "drive = { expression = \"t\", ramp = @0.1 }", {"'ramp' but no 'rate'"}},
+    {"EndlessInteger", "step = 1e-3", "output_every = @1000000000000", {"out of range: 1e+12", "an integer", "at most 1e+09"}},
+    {"IntegerWithExponent", "step = 1e-3", "output_every = @1e3", {"'simulation.output_every' is a number", "an integer", "without point and exponent"}},
+    {"EndlessIntegerWithExponent", "step = 1e-3", "output_every = @1e12", {"out of range: 1e+12", "at most 1e+09"}},
     {"DuplicateName", "spring = { on", "@motor = { on", {"duplicate name 'motor'", "[joints] and [forces]"}},
     {"SpringOnNothing", "on = \"guide\"", "on = @\"guide.1\"", {"'guide.1' is no coordinate", "0 to 0"}},
     // Functions.

@@ -230,6 +230,26 @@ TEST(SolidScene, NamesTheInterfaceThatAHoleCutsOff) {
       << bare.text();
 }
 
+TEST(SolidScene, OutlineNestedTooDeeplyIsRefused) {
+  const auto nested = [](int operations) {
+    std::string last = "shape", text = "radius = 0.001 }";
+    for (int i = 0; i < operations; ++i) {
+      const std::string name = "u" + std::to_string(i);
+      text += "\n" + name + " = { type = \"union\", of = [\"" + last + "\"] }";
+      last = name;
+    }
+    return changed(kPlateScene, "radius = 0.001 }", text);
+  };
+  EXPECT_NO_THROW(read_scene(nested(190), "scene.toml"));
+  for (const int operations : {200, 3000}) {
+    const std::string text = nested(operations);
+    const auto problem = problem_of(text);
+    EXPECT_NE(problem.what.find("under more than 200 nested operations"), std::string::npos)
+        << problem.text();
+    EXPECT_GE(problem.line, line_of(text, "plate = {"));
+  }
+}
+
 TEST(SolidScene, SaysInStaticsThatAPartDoesNotBuckleByItself) {
   EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=static"}).warnings.empty());
   EXPECT_TRUE(read_scene(kPlateScene, "scene.toml", {"simulation.type=modes"}).warnings.empty());
