@@ -31,20 +31,20 @@ double load_change(const SolidLoadSet& f, const SolidLoadSet& before) {
   return change > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
-Identity check_identity(const SolidSpec& solid, const SolidLoadSet& loads, int count) {
+Identity check_identity(SolidModel& model, const Eigen::VectorXd& fractions,
+                        const SolidLoadSet& loads, int count) {
   Identity identity;
   const std::set<int> cases = spread_cases(loads.e, count);
   identity.cases = static_cast<int>(cases.size());
   if (cases.empty()) return identity;
   const std::vector<int> columns(cases.begin(), cases.end());
   const Eigen::MatrixXd e = loads.e(Eigen::all, columns), dynamic = loads.basis * e;
-  SolidModel model = solid_model(solid);
   SolidSupport support;
   fix_port(support, model, 0, model.mesh().dim == 2 ? "xyr" : "xyzr");
   SolidStatics statics(model, support, {});
   statics.set_loads(loads.shapes * e);
   const double largest = dynamic.cwiseAbs().maxCoeff();
-  if (statics.solve(solid_fractions(solid).value) != SolidStatus::Solved)
+  if (statics.solve(fractions) != SolidStatus::Solved)
     identity.linear = std::numeric_limits<double>::infinity();
   else if (largest > 0)
     identity.linear = (statics.q() - dynamic).cwiseAbs().maxCoeff() / largest;

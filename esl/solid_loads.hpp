@@ -35,7 +35,9 @@ double load_change(const SolidLoadSet& f, const SolidLoadSet& before);
 /// Solves the full mesh, held at its first port, under `cases` of its loads spread over time, the
 /// largest among them, and compares displacements with the motion's: `linear` = `nonlinear` =
 /// largest difference over the largest displacement. NaN never: infinity if the mesh is not held.
-Identity check_identity(const SolidSpec& solid, const SolidLoadSet& loads, int cases = 8);
+/// @param fractions of the cells, those of the motion
+Identity check_identity(SolidModel& solid, const Eigen::VectorXd& fractions,
+                        const SolidLoadSet& loads, int cases = 8);
 
 extern template SolidLoadSet extract_solid_loads(const Model<SE2>&, const Trajectory<SE2>&, int);
 extern template SolidLoadSet extract_solid_loads(const Model<SE3>&, const Trajectory<SE3>&, int);

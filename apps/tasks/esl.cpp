@@ -4,6 +4,8 @@
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/spatial_view.hpp"
 
 namespace liesl {
@@ -53,7 +55,8 @@ void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>&
     if (!solid || model.bodies[b]->nodes() == 1 || model.formalism == Formalism::Rigid) continue;
     SolidLoads loads{
         model.bodies[b]->name, extract_solid_loads(model, trajectory, static_cast<int>(b)), {}};
-    loads.identity = check_identity(*solid, loads.set);
+    SolidModel part = solid_model(*solid);
+    loads.identity = check_identity(part, solid_fractions(*solid).value, loads.set);
     out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
     out.solids.push_back(std::move(loads));
   }

@@ -40,18 +40,18 @@ class EslCycle {
     Eigen::VectorXd x = start_of(resume);
     for (int number = static_cast<int>(resume.size()) + 1;; ++number) {
       const auto begin = std::chrono::steady_clock::now();
-      DesignRun<G> trial = simulate(x);
-      if (!trial.good()) {
-        if (!retreat(trial, x)) break;
+      const Run trial = simulate(x);
+      if (!trial->good()) {
+        if (!retreat(*trial, x)) break;
         --number;
         continue;
       }
       Cycle& cycle = record(trial, x, number);
       const bool done = ended(agreement(result_.history, study_.cycle)) || oscillates_for_good() ||
                         ended(used_up(result_.history, study_.cycle));
-      if (!done) x = size(trial, cycle);
+      if (!done) x = size(*trial, cycle);
       cycle.seconds = seconds_since(begin);
-      last_ = std::move(trial);
+      last_ = trial;
       if (hooks_.on_cycle) hooks_.on_cycle(result_.history);
       if (hooks_.keep_going && !hooks_.keep_going() && !done) {
         result_.status = CycleStatus::Interrupted;
@@ -69,6 +69,8 @@ class EslCycle {
   }
 
  private:
+  using Run = std::shared_ptr<DesignRun<G>>;
+
   Eigen::VectorXd start_of(const std::vector<Cycle>& resume) {
     const Eigen::VectorXd x = simulator_.design().start();
     if (resume.empty()) return x;
@@ -82,17 +84,17 @@ class EslCycle {
         std::min_element(resume.begin(), resume.end(), [this](const Cycle& a, const Cycle& b) {
           return better(a.worst, a.mass, b.worst, b.mass);
         });
-    keep_initial(simulate(resume.front().x));
+    keep_initial(*simulate(resume.front().x));
     keep_best(simulate(best->x), best->x);
     last_ = simulate(resume.back().x);
-    keep_best(*last_, resume.back().x);
+    keep_best(last_, resume.back().x);
     move_ = resume.back().move;
     return resume.back().next.size() == x.size() ? resume.back().next : resume.back().x;
   }
 
-  DesignRun<G> simulate(const Eigen::VectorXd& x) {
-    DesignRun<G> run = simulator_.run(x, hooks_.progress);
-    const Report& report = run.simulation.report;
+  Run simulate(const Eigen::VectorXd& x) {
+    Run run = std::make_shared<DesignRun<G>>(simulator_.run(x, hooks_.progress));
+    const Report& report = run->simulation.report;
     result_.steps += report.steps;
     result_.newton_iterations += report.newton_iterations;
     result_.stepping_s += report.stepping_s;
@@ -121,7 +123,8 @@ class EslCycle {
     return true;
   }
 
-  Cycle& record(const DesignRun<G>& trial, const Eigen::VectorXd& x, int number) {
+  Cycle& record(const Run& run, const Eigen::VectorXd& x, int number) {
+    const DesignRun<G>& trial = *run;
     Cycle c;
     c.number = number;
     c.x = x;
@@ -135,7 +138,7 @@ class EslCycle {
     c.unit = simulator_.design().unit(x);
     if (result_.history.empty()) keep_initial(trial);
     result_.history.push_back(c);
-    keep_best(trial, x);
+    keep_best(run, x);
     return result_.history.back();
   }
 
@@ -152,10 +155,10 @@ class EslCycle {
   }
 
   /// Best: the lightest among those that meet the limits, else the least violation.
-  void keep_best(DesignRun<G> trial, const Eigen::VectorXd& x) {
-    if (!trial.good()) return;
-    if (best_ && !better(trial.worst, trial.mass, best_->worst, best_->mass)) return;
-    best_ = std::move(trial);
+  void keep_best(const Run& trial, const Eigen::VectorXd& x) {
+    if (!trial->good()) return;
+    if (best_ && !better(trial->worst, trial->mass, best_->worst, best_->mass)) return;
+    best_ = trial;
     best_x_ = x;
   }
 
@@ -255,10 +258,16 @@ class EslCycle {
     for (const auto& loads : best_->loads)
       result_.identity.emplace_back(
           loads.body, check_identity(*best_->model, best_->simulation.trajectory, loads));
-    for (const auto& loads : best_->solid_loads)
-      result_.identity.emplace_back(
-          loads.body,
-          check_identity(std::get<SolidSpec>(best_->mechanism.bodies[loads.body].kind), loads));
+    const Design& design = simulator_.design();
+    for (int k = 0; k < design.parts(); ++k) {
+      PartShape& part = design.part(k);
+      part.shape->set(part.design.parameters(design.of_part(k, best_x_)));
+      const Fractions fractions = volume_fractions(part.model.mesh(), *part.shape);
+      for (const auto& loads : best_->solid_loads)
+        if (loads.body == part.body)
+          result_.identity.emplace_back(loads.body,
+                                        check_identity(part.model, fractions.value, loads));
+    }
     result_.times = best_->times();
     if (!result_.history.empty()) result_.load_change = result_.history.back().load_change;
     for (const auto& w : best_->simulation.report.warnings) result_.warnings.push_back(w);
@@ -271,7 +280,7 @@ class EslCycle {
   const StudySpec& study_;
   const CycleHooks& hooks_;
   double move_;
-  std::optional<DesignRun<G>> last_, best_;
+  Run last_, best_;  ///< null: none yet
   Eigen::VectorXd best_x_;
   NlpWarmStart warm_;
   CycleResult<G> result_;

@@ -91,7 +91,7 @@ typename StaticSizing<G>::Law StaticSizing<G>::stiffness(const Part& part) const
 
 template <FrameGroup G>
 bool StaticSizing<G>::solve(const Eigen::VectorXd& x) {
-  mechanism_ = sizing_.apply(mechanism_, x);
+  sizing_.apply(x, mechanism_);
   return solve_parts();
 }
 

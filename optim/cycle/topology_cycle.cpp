@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "optim/cycle/solid_task.hpp"
+#include "optim/study/study_errors.hpp"
 
 namespace liesl {
 namespace {
@@ -128,7 +129,7 @@ class TopologyCycle {
 
 TopologyResult optimise_topology(const StudySpec& study, const Mechanism& mechanism, int body,
                                  int most, const TopologyHooks& hooks) {
-  return TopologyCycle(body, hooks).run(study, mechanism, most);
+  return TopologyCycle(body, hooks).run(checked(study, mechanism), mechanism, most);
 }
 
 }  // namespace liesl

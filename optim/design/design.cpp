@@ -1,9 +1,11 @@
 #include "optim/design/design.hpp"
 
+#include "optim/study/study_errors.hpp"
+
 namespace liesl {
 
 Design::Design(const StudySpec& study, const Mechanism& mechanism)
-    : sizing_(study.design, mechanism), variables_(sizing_.variables()) {
+    : sizing_(checked(study, mechanism).design, mechanism), variables_(sizing_.variables()) {
   units_.assign(variables_.size(), "m");
   for (const auto& [body, spec] : study.shapes) {
     const auto& added = parts_.emplace_back(std::make_unique<PartShape>(mechanism, body, spec));
@@ -30,7 +32,8 @@ Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
 }
 
 Mechanism Design::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
-  Mechanism designed = sizing_.apply(mechanism, x);
+  Mechanism designed = mechanism;
+  sizing_.apply(x, designed);
   for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), designed);
   return designed;
 }

@@ -13,7 +13,8 @@ namespace liesl {
 /// copied nor moved, as its parts.
 class Design {
  public:
-  /// @throws std::invalid_argument as Sizing and PartShape do
+  /// @throws std::invalid_argument for a study with errors (study_errors.hpp), and as Sizing and
+  /// PartShape do
   Design(const StudySpec& study, const Mechanism& mechanism);
 
   const Sizing& sizing() const { return sizing_; }

@@ -61,15 +61,13 @@ Sizing::Sizing(const std::vector<DesignSpec>& design, const Mechanism& mechanism
   }
 }
 
-Mechanism Sizing::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
-  Mechanism sized = mechanism;
+void Sizing::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
   for (int i = 0; i < size(); ++i)
     for (const auto& at : elements_[i]) {
-      Section& section = std::get<BeamSpec>(sized.bodies[at.body].kind).sections[at.element];
+      Section& section = std::get<BeamSpec>(mechanism.bodies[at.body].kind).sections[at.element];
       for (const auto& name : dimensions_[i])
         section.shape = with_dimension(section.shape, name, x[i]);
     }
-  return sized;
 }
 
 SectionLaw Sizing::derivative(const Mechanism& mechanism, int i, SizedElement at) const {

@@ -26,8 +26,8 @@ class Sizing {
   const std::vector<SizedElement>& elements(int i) const { return elements_[i]; }
   const std::vector<std::string>& dimensions(int i) const { return dimensions_[i]; }
 
-  /// The mechanism with these dimensions.
-  Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const;
+  /// Writes these dimensions into the sections of the mechanism.
+  void apply(const Eigen::VectorXd& x, Mechanism& mechanism) const;
 
   /// d(section law)/dx_i of an element at the dimensions that `mechanism` has.
   SectionLaw derivative(const Mechanism& mechanism, int i, SizedElement at) const;

@@ -117,6 +117,9 @@ struct CycleOptions {
   OptimalityCheck optimality = OptimalityCheck::Auto;
   double move_cells =
       2;  ///< the outline of a meshed part moves by so many cells in a cycle, at most
+
+  /// Options out of range, with name, expected and got; empty: none.
+  std::vector<std::string> errors() const;
 };
 
 /// Exponent and relaxation of the stress norm, see StressOptions.

@@ -27,7 +27,9 @@ Study rod(const Changes& changes = {}) { return test::shipped_study("slider_cran
 /// Largest |bend| over every step of a motion that is simulated anew, m; infinite if it fails.
 double largest_deflection(const Study& study, const Eigen::VectorXd& x) {
   const Sizing sizing(study.spec.design, study.scene.mechanism);
-  const test::Motion<SE2> motion(sizing.apply(study.scene.mechanism, x), study.scene.simulation);
+  Mechanism sized = study.scene.mechanism;
+  sizing.apply(x, sized);
+  const test::Motion<SE2> motion(sized, study.scene.simulation);
   if (!motion.good()) return std::numeric_limits<double>::infinity();
   const ResponseValues<SE2> values(motion.mechanism, motion.model);
   State<SE2> s = motion.model.initial_state();
