@@ -80,8 +80,7 @@ std::vector<fs::path> draw(const fs::path& folder, const std::string& x, const s
     if (!line.empty()) last = line;
   }
   std::vector<std::string> drawn;
-  for (const fs::path& picture : pictures)
-    drawn.push_back("plots/" + picture.filename().string());
+  for (const fs::path& picture : pictures) drawn.push_back("plots/" + picture.filename().string());
   if (!drawn.empty()) mark_files(folder, drawn);
   if (outcome.code != 0) throw IoError("draw", folder, last.empty() ? "no reason given" : last);
   return pictures;

@@ -26,7 +26,7 @@ double error_of_finer(double difference, std::optional<double> before = {});
 struct MeshError {
   int elements = 1;  ///< n_0
   double error = 0;  ///< E, at n_0
-  int multiple = 1;     ///< n is a multiple of it
+  int multiple = 1;  ///< n is a multiple of it
   int most = 1;      ///< n is at most this
   /// At n elements.
   double at(int n) const;

@@ -170,8 +170,7 @@ Mechanism driven_pair() {
   between.damping = 2;
   between.rest = 0.4;
   actuator.joint = 0;
-  actuator.force =
-      TimeFunction::table({0, 0.7, 2}, {3, -4, 2}, TimeFunction::Interpolation::Cubic);
+  actuator.force = TimeFunction::table({0, 0.7, 2}, {3, -4, 2}, TimeFunction::Interpolation::Cubic);
   m.forces.push_back(between);
   m.forces.push_back(actuator);
   LoadSpec load;

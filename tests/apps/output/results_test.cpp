@@ -1,5 +1,7 @@
 /// What is written is read back with other means, number by number.
 
+#include "apps/output/results.hpp"
+
 #include <gtest/gtest.h>
 #include <hdf5.h>
 #include <signal.h>
@@ -15,7 +17,6 @@
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_writer.hpp"
 #include "apps/output/io_error.hpp"
-#include "apps/output/results.hpp"
 #include "apps/output/write_results.hpp"
 #include "apps/output/xdmf_writer.hpp"
 #include "tests/apps/output_sample.hpp"

@@ -1,5 +1,7 @@
 /// The keys of summary.json are an interface: they are listed here once more.
 
+#include "apps/output/summary.hpp"
+
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <signal.h>
@@ -13,7 +15,6 @@
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/progress.hpp"
-#include "apps/output/summary.hpp"
 #include "apps/output/versions.hpp"
 #include "tests/apps/output_sample.hpp"
 
