@@ -40,6 +40,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle
                   {"load_cases", c.load_cases},
                   {"iterations", c.iterations},
                   {"move", c.move},
+                  {"taken", c.taken},
+                  {"penalty", c.penalty},
                   {"seconds", c.seconds}};
     if (c.load_change) cycle["load_change"] = *c.load_change;
     file["cycles"].push_back(cycle);
@@ -81,6 +83,8 @@ std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
       c.load_cases = j.at("load_cases");
       c.iterations = j.at("iterations");
       c.move = j.at("move");
+      c.taken = j.value("taken", true);
+      c.penalty = j.value("penalty", 0.0);
       c.seconds = j.at("seconds");
       history.push_back(c);
     }

@@ -142,7 +142,7 @@ int optimize_command(const CommandOptions& options) {
   const auto print = fixed_loads ? print_part_result : print_result;
   print(out.summary, options.out, options.quiet);
   if (!options.quiet && out.holes) print_holes(*out.holes, options.nucleate);
-  return out.status == CycleStatus::Converged ? 0 : 1;
+  return closed(out.status) ? 0 : 1;
 }
 
 }  // namespace liesl

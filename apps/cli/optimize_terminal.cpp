@@ -10,7 +10,7 @@ void print_cycle(const Cycle& c, bool quiet) {
   if (quiet) return;
   if (c.number == 1)
     fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
-  const bool sized = c.next.size() > 0;  // the last cycle only confirms
+  const bool sized = c.load_cases > 0;  // the first, or the last, only simulates
   fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass, c.worst,
              c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
              sized ? std::to_string(c.load_cases) : "-",

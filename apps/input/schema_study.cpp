@@ -74,7 +74,8 @@ std::vector<Key> study_keys() {
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
-    {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end, by two simulations a variable: up to 12 variables, always, or never.", 0, "auto always never"},
+    {"cycle.method", Type::Choice, "", "\"auto\"", kAny, "How a cycle finds the next design: \"esl\", loads of the last motion as constants; \"esl1\", a static problem that agrees with the motion in value and gradient, within a trust region: ends at the optimum of the motion. \"auto\": esl1 where the motion has sensitivities, else esl.", 0, "auto esl esl1"},
+    {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end. By sensitivities; for a motion that has none by two simulations a variable, with \"auto\" for up to 12 variables.", 0, "auto always never"},
   };
   keys.insert(keys.end(), rest.begin(), rest.end());
   return keys;

@@ -191,6 +191,10 @@ void read_cycle(StudyReader& reader) {
   const auto found = std::find(names.begin(), names.end(), optimizer);
   if (found != names.end()) o.optimizer = static_cast<Optimizer>(found - names.begin());
   o.model = text(*table, "model") == "separable" ? NlpModel::Separable : NlpModel::Exact;
+  const std::string method = text(*table, "method");
+  o.method = method == "esl"    ? CycleMethod::Esl
+             : method == "esl1" ? CycleMethod::Esl1
+                                : CycleMethod::Auto;
   const std::string check = text(*table, "optimality");
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never

@@ -76,6 +76,9 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   const KktResidual* kkt =
       r.optimality && r.optimality->residual ? &*r.optimality->residual : nullptr;
   summary.more["kkt_residual"] = kkt ? nlohmann::json(kkt->stationarity) : nlohmann::json(nullptr);
+  auto& prices = summary.more["prices"] = nlohmann::ordered_json::object();
+  if (r.optimality)
+    for (const LimitPrice& p : r.optimality->prices) prices[p.name] = p.price;
   summary.more["kkt"] = r.optimality ? r.optimality->brief() : "not checked";
   summary.warnings.insert(summary.warnings.end(), r.warnings.begin(), r.warnings.end());
 }
@@ -93,7 +96,7 @@ Holes holes_of(const MotionTopology<G>& rounds, const Study& study) {
   } else if (!rounds.holes.empty() && !rounds.holes.back().pays) {
     holes.reason =
         "'" + rounds.holes.back().feature + "', the last one tried, does not reduce the objective";
-  } else if (end.status != CycleStatus::Converged) {
+  } else if (!closed(end.status)) {
     holes.reason = "there is no converged cycle to start from";
   } else if (end.proposals.empty()) {
     holes.reason = "no part whose outline changes counts in the objective";

@@ -33,6 +33,20 @@ std::vector<SectionLaw> material_laws(const BeamSpec& beam, const std::string& n
 
 }  // namespace
 
+BeamDerivative& BeamDerivative::operator+=(const BeamDerivative& other) {
+  for (size_t e = 0; e < laws.size(); ++e) {
+    laws[e].K += other.laws[e].K;
+    laws[e].M += other.laws[e].M;
+  }
+  if (stress.empty()) {
+    stress = other.stress;
+    return *this;
+  }
+  for (size_t e = 0; e < other.stress.size(); ++e)
+    for (size_t k = 0; k < other.stress[e].size(); ++k) stress[e][k] += other.stress[e][k];
+  return *this;
+}
+
 BeamDerivative by_dimension(const Mechanism& mechanism, int body, const std::vector<int>& elements,
                             std::string_view dimension) {
   const BeamSpec& beam = beam_of(mechanism, body);

@@ -18,6 +18,9 @@ struct BeamDerivative {
   std::vector<SectionLaw> laws;  ///< d(K, M_s)/dp by element, section axes in space
   /// dS/dp of the stress points by element, see `stress_points`; empty = they do not depend on p.
   std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> stress;
+
+  /// By a parameter that moves several dimensions alike. @pre of the same beam
+  BeamDerivative& operator+=(const BeamDerivative& other);
 };
 
 /// Mass, centre of mass and inertia about it of a rigid body.

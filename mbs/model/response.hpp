@@ -22,7 +22,7 @@ enum class ResponseKind {
   Coordinate,       ///< of a joint, m or rad
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
-  Stress,        ///< largest von Mises stress over the elements of a beam, Pa
+  Stress,        ///< von Mises stress of a beam, largest over its elements or at a `point`, Pa
   Energy,        ///< kinetic + elastic (springs, too) + potential, J
   Compliance     ///< twice the elastic energy of a beam: load times displacement, J
 };
@@ -37,7 +37,8 @@ struct ResponseSpec {
   double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
                    ///< `everywhere` = largest over the nodes
   bool everywhere = false;
-  int element = 0;           ///< SectionForce
+  int element = 0;           ///< SectionForce; Stress at one `point`
+  int point = -1;            ///< Stress: a stress point of `element`; -1 = largest over all
   int component = 0;         ///< SectionForce, 0..5
   int joint = -1;            ///< Coordinate, JointForce
   int coordinate = 0;        ///< Coordinate

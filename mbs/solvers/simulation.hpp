@@ -16,11 +16,12 @@ struct Simulation {
 };
 
 /// Dynamics or statics, as options.type says. Modes have their own result: solve_modes.
+/// @param tape of dynamics; null: none
 template <FrameGroup G>
 Simulation<G> run_simulation(const Model<G>& model, const SimulationOptions& options,
-                             const Progress& progress = {}) {
+                             const Progress& progress = {}, Tape<G>* tape = nullptr) {
   if (options.type == SimulationType::Dynamic) {
-    auto r = simulate(model, options, progress);
+    auto r = simulate(model, options, progress, tape);
     return {std::move(r.trajectory), std::move(r.report), std::move(r.start), {}};
   }
   auto r = solve_static(model, options, progress);

@@ -117,9 +117,11 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
   const auto& points = points_of(r.body);
   StressAt largest;
   for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
+    if (r.point >= 0 && e != r.element) continue;
     const SE3::Tangent n = view_.local(
         model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
     for (size_t i = 0; i < points[e].size(); ++i) {
+      if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
       const Vec3 sigma = points[e][i].S * n;
       const double value = std::sqrt(sigma[0] * sigma[0] + 3 * sigma.tail<2>().squaredNorm());
       if (value <= largest.value) continue;

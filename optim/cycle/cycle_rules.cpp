@@ -16,6 +16,8 @@ constexpr double kShrinks = 0.7;     // of a change of mass since the last but o
 
 const char* to_string(CycleStatus status) {
   switch (status) {
+    case CycleStatus::Optimal:
+      return "optimal";
     case CycleStatus::Converged:
       return "converged";
     case CycleStatus::CycleLimit:

@@ -13,7 +13,8 @@
 namespace liesl {
 
 enum class CycleStatus {
-  Converged,         ///< loads, mass and limits agree with the design
+  Optimal,           ///< the KKT conditions of the motion hold, limits are met
+  Converged,         ///< loads, mass and limits agree with the design; not known to be optimal
   CycleLimit,        ///< as many cycles as allowed
   Oscillating,       ///< the designs go to and fro; the best one is returned
   Infeasible,        ///< a limit cannot be met within the bounds; the reason says which
@@ -21,6 +22,10 @@ enum class CycleStatus {
   Interrupted        ///< the caller asked to stop
 };
 const char* to_string(CycleStatus status);
+/// The cycle ended by its own rules, with a design that meets the limits.
+inline bool closed(CycleStatus s) {
+  return s == CycleStatus::Optimal || s == CycleStatus::Converged;
+}
 
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
@@ -41,6 +46,8 @@ struct Cycle {
   double seconds = 0;
   Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
+  bool taken = true;       ///< trust region: the next cycle starts from here
+  double penalty = 0;      ///< trust region: of the merit function
 };
 /// Size of the step from the simulated design to y: |y - x| / |x|, or |(y - x) / unit|.
 double step_size(const Cycle& cycle, const Eigen::VectorXd& y);

@@ -16,6 +16,14 @@ std::vector<int> loaded_bodies(const StudySpec& study, const Mechanism& mechanis
   return bodies;
 }
 
+/// Sensitivities belong to converged states: an error of 1e-6 in them is one of 1e-4 in a gradient.
+constexpr double kConverged = 1e-8;
+
+SimulationOptions options_of(SimulationOptions options, CycleMethod method) {
+  if (method == CycleMethod::Esl1) options.tolerance = std::min(options.tolerance, kConverged);
+  return options;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -30,7 +38,7 @@ DesignSimulator<G>::DesignSimulator(const Mechanism& mechanism, const Space<G>& 
                                     const SimulationOptions& options, const StudySpec& study)
     : mechanism_(mechanism),
       space_(space),
-      options_(options),
+      options_(options_of(options, study.cycle.method)),
       study_(study),
       design_(study, mechanism),
       bodies_(loaded_bodies(study, mechanism)) {}
@@ -41,7 +49,7 @@ DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& p
   r.mechanism = design_.apply(mechanism_, x);
   r.model = std::make_shared<Model<G>>(Model<G>::build(r.mechanism, space_));
   r.mass = mass_of(r.mechanism, study_.mass_of);
-  r.simulation = run_simulation(*r.model, options_, progress);
+  r.simulation = run_simulation(*r.model, options_, progress, &r.tape);
   if (!r.good()) return r;
   extract(r);
   measure(r);

@@ -29,6 +29,7 @@ struct DesignRun {
   std::shared_ptr<Model<G>> model;  ///< of `mechanism`
   double mass = 0;                  ///< of the bodies in the objective, kg
   Simulation<G> simulation;
+  Tape<G> tape;  ///< of a dynamic simulation, for its sensitivities; empty if not asked for
   std::vector<LoadSet> loads;             ///< one for each limited beam
   std::vector<SolidLoadSet> solid_loads;  ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;        ///< one for each constraint
@@ -40,7 +41,7 @@ struct DesignRun {
   std::vector<double> times() const;  ///< of the records, s
 };
 
-/// Simulates designs of one study. The mechanism, space, options and study must outlive it.
+/// Simulates designs of one study. The mechanism, space and study must outlive it.
 template <FrameGroup G>
 class DesignSimulator {
  public:
@@ -58,7 +59,7 @@ class DesignSimulator {
 
   const Mechanism& mechanism_;
   const Space<G>& space_;
-  const SimulationOptions& options_;
+  const SimulationOptions options_;
   const StudySpec& study_;
   const Design design_;
   const std::vector<int> bodies_;  ///< whose loads are wanted

@@ -2,63 +2,93 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <map>
 #include <stdexcept>
 
 namespace liesl {
 namespace {
 
+using Eigen::VectorXd;
+
 constexpr double kStep = 1e-3;         // of a variable: round-off and truncation below 1e-3
 constexpr double kActiveBound = 1e-4;  // of a variable's range: optimisers stop that close
+constexpr double kPaid = 1e-6;         // of the largest price: what counts as none
 
-/// A peak of a limited response that is near its limit.
+/// A peak over time of a limited response that is near its limit.
 struct Peak {
-  int limit = 0, record = 0;
+  int constraint = 0;
+  double time = 0, g = 0;  ///< g = value/limit - 1
+  VectorXd dg;             ///< by the variables
 };
 
-std::vector<Peak> near_active_peaks(const std::vector<LimitSeries>& limits, double active) {
-  std::vector<Peak> peaks;
-  for (size_t c = 0; c < limits.size(); ++c) {
-    const auto& v = limits[c].values;
-    for (size_t n = 0; n < v.size(); ++n) {
-      const bool top = (n == 0 || v[n] >= v[n - 1]) && (n + 1 == v.size() || v[n] > v[n + 1]);
-      if (top && v[n] >= (1 - active) * limits[c].limit)
-        peaks.push_back({static_cast<int>(c), static_cast<int>(n)});
-    }
-  }
-  return peaks;
+bool is_peak(const std::vector<double>& v, std::size_t n) {
+  return (n == 0 || v[n] >= v[n - 1]) && (n + 1 == v.size() || v[n] > v[n + 1]);
 }
 
-/// The variables and peaks under their names, for kkt_residual: values and gradients come with it.
-class PeakProblem final : public Problem {
+/// Peaks and what is not of the motion as one problem for kkt_residual; values come with the point.
+class RowProblem final : public Problem {
  public:
-  PeakProblem(std::vector<NlpVariable> variables, const std::vector<Peak>& peaks,
-              const std::vector<LimitSeries>& limits, const std::vector<double>& times)
-      : variables_(std::move(variables)) {
-    for (size_t i = 0; i < peaks.size(); ++i)
-      constraints_.push_back(
-          {i,
-           fmt::format("{} at t = {:.6g} s", limits[peaks[i].limit].name, times[peaks[i].record]),
-           1});
+  explicit RowProblem(std::vector<NlpVariable> variables) : variables_(std::move(variables)) {}
+
+  void add(NlpPoint& point, const std::string& name, double g, const VectorXd& dg) {
+    const auto row = point.g.size();
+    constraints_.push_back({static_cast<ConstraintId>(row), name, 1});
+    point.g.conservativeResize(row + 1);
+    point.g[row] = g;
+    point.dg.conservativeResize(row + 1, dg.size());
+    point.dg.row(row) = dg;
   }
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
-  void values(const Eigen::VectorXd&, double&, Eigen::VectorXd&) override { refuse(); }
-  void gradients(const Eigen::VectorXd&, Eigen::VectorXd&, RowMatrix&) override { refuse(); }
+  void values(const VectorXd&, double&, VectorXd&) override { refuse(); }
+  void gradients(const VectorXd&, VectorXd&, RowMatrix&) override { refuse(); }
 
  private:
-  [[noreturn]] static void refuse() { throw std::logic_error("PeakProblem is not evaluated"); }
+  [[noreturn]] static void refuse() { throw std::logic_error("RowProblem is not evaluated"); }
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
 };
 
-template <FrameGroup G>
-Eigen::VectorXd peak_values(const DesignRun<G>& run, const std::vector<Peak>& peaks) {
-  Eigen::VectorXd g(static_cast<int>(peaks.size()));
-  for (size_t i = 0; i < peaks.size(); ++i) {
-    const LimitSeries& series = run.limits[peaks[i].limit];
-    g[static_cast<int>(i)] = series.values[peaks[i].record] / series.limit - 1;
+/// Sums of the multipliers of what has one name, largest first.
+std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktResidual& kkt) {
+  std::map<std::string, double> sum;
+  double most = 0;
+  for (const auto& [id, multiplier] : kkt.multipliers)
+    most = std::max(most, sum[names[id]] += multiplier);
+  std::vector<LimitPrice> out;
+  for (const auto& [name, price] : sum)
+    if (price > kPaid * most) out.push_back({name, price});
+  std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.price > b.price; });
+  return out;
+}
+
+void evaluate(const StudySpec& study, const std::vector<NlpVariable>& variables, const VectorXd& x,
+              const std::vector<Peak>& peaks, StaticProblem& statics, double active,
+              DynamicOptimality& out) {
+  const auto n = x.size(), m = static_cast<Eigen::Index>(statics.constraints().size());
+  NlpPoint point{x, 0, VectorXd(0), true, VectorXd::Zero(n), RowMatrix(0, n)};
+  VectorXd g(m);
+  RowMatrix dg(m, n);
+  statics.values(x, point.f, g);
+  statics.gradients(x, point.df, dg);
+  RowProblem problem(variables);
+  std::vector<std::string> names;
+  for (const Peak& p : peaks) {
+    names.push_back(study.constraints[p.constraint].response.name);
+    problem.add(point, fmt::format("{} at t = {:.6g} s", names.back(), p.time), p.g, p.dg);
   }
-  return g;
+  const std::vector<RowImage> image = statics.images();
+  for (Eigen::Index i = 0; i < m; ++i) {
+    if (image[static_cast<std::size_t>(i)].response >= 0) continue;
+    names.push_back(statics.constraints()[static_cast<std::size_t>(i)].name);
+    problem.add(point, names.back(), g[i], dg.row(i));
+  }
+  KktOptions options;
+  options.active = active;
+  options.active_bound = kActiveBound;
+  out.residual = kkt_residual(problem, point, options);
+  out.prices = prices(names, *out.residual);
 }
 
 /// What is wrong with a neighbouring run; empty: it can be compared with the design's.
@@ -82,48 +112,89 @@ std::string DynamicOptimality::brief() const {
 }
 
 template <FrameGroup G>
-DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const DesignRun<G>& at,
-                                   const Eigen::VectorXd& x, double active,
-                                   const Progress& progress) {
+DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const StudySpec& study,
+                                   const VectorXd& x, const MotionGradients<G>& motion,
+                                   StaticProblem& statics, double active) {
+  DynamicOptimality out;
+  out.reason = motion.reason();
+  if (!out.reason.empty()) return out;
+  std::vector<Peak> peaks;
+  for (std::size_t r = 0; r < motion.responses().size(); ++r) {
+    const int c = motion.responses()[r].constraint, number = static_cast<int>(r);
+    const double limit = study.constraints[c].limit;
+    std::vector<double> v;
+    for (int n = 0; n < motion.records(); ++n) v.push_back(motion.value(number, n));
+    for (std::size_t n = 0; n < v.size(); ++n) {
+      const int record = static_cast<int>(n);
+      if (v[n] < (1 - active) * limit || !is_peak(v, n)) continue;
+      if (const VectorXd* dv = motion.gradient(number, record))
+        peaks.push_back({c, motion.time(record), v[n] / limit - 1, *dv / limit});
+    }
+  }
+  evaluate(study, simulator.design().variables(), x, peaks, statics, active, out);
+  return out;
+}
+
+template <FrameGroup G>
+DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simulator,
+                                                  const StudySpec& study, const DesignRun<G>& at,
+                                                  const VectorXd& x, StaticProblem& statics,
+                                                  double active, const Progress& progress) {
   DynamicOptimality out;
   const std::vector<double> times = at.times();
-  const std::vector<Peak> peaks = near_active_peaks(at.limits, active);
+  std::vector<Peak> peaks;
+  std::vector<std::size_t> record;
+  for (std::size_t c = 0; c < at.limits.size(); ++c) {
+    const auto& v = at.limits[c].values;
+    for (std::size_t n = 0; n < v.size(); ++n) {
+      if (v[n] < (1 - active) * at.limits[c].limit || !is_peak(v, n)) continue;
+      peaks.push_back(
+          {static_cast<int>(c), times[n], v[n] / at.limits[c].limit - 1, VectorXd::Zero(x.size())});
+      record.push_back(n);
+    }
+  }
   const std::vector<NlpVariable>& variables = simulator.design().variables();
-  const auto n = static_cast<int>(x.size()), m = static_cast<int>(peaks.size());
-  NlpPoint point{
-      x, at.mass, peak_values(at, peaks), true, Eigen::VectorXd::Zero(n), RowMatrix::Zero(m, n)};
-  const Eigen::VectorXd unit = simulator.design().unit(x);
-  for (int j = 0; j < n; ++j) {
+  const VectorXd unit = simulator.design().unit(x);
+  for (int j = 0; j < x.size(); ++j) {
     const double step = kStep * (unit.size() > 0 ? unit[j] : x[j]);
-    double mass[2] = {at.mass, at.mass}, place[2] = {x[j], x[j]};  // below, above
-    Eigen::VectorXd g[2] = {point.g, point.g};
+    double place[2] = {x[j], x[j]};  // below, above
+    std::vector<double> g[2];
     for (const int side : {0, 1}) {
-      Eigen::VectorXd moved = x;
+      for (const Peak& p : peaks) g[side].push_back(p.g);
+      VectorXd moved = x;
       moved[j] += side ? step : -step;
       if (moved[j] < variables[j].lower || moved[j] > variables[j].upper) continue;
       const DesignRun<G> run = simulator.run(moved, progress);
       ++out.simulations;
       out.reason = not_comparable(run, times);
       if (!out.reason.empty()) return out;
-      mass[side] = run.mass;
-      g[side] = peak_values(run, peaks);
       place[side] = moved[j];
+      for (std::size_t i = 0; i < peaks.size(); ++i) {
+        const LimitSeries& series = run.limits[peaks[i].constraint];
+        g[side][i] = series.values[record[i]] / series.limit - 1;
+      }
     }
     if (place[1] == place[0]) continue;  // a variable without room has no say
-    point.df[j] = (mass[1] - mass[0]) / (place[1] - place[0]);
-    point.dg.col(j) = (g[1] - g[0]) / (place[1] - place[0]);
+    for (std::size_t i = 0; i < peaks.size(); ++i)
+      peaks[i].dg[j] = (g[1][i] - g[0][i]) / (place[1] - place[0]);
   }
-  KktOptions options;
-  options.active = active;
-  options.active_bound = kActiveBound;
-  const PeakProblem problem(variables, peaks, at.limits, times);
-  out.residual = kkt_residual(problem, point, options);
+  evaluate(study, variables, x, peaks, statics, active, out);
   return out;
 }
 
-template DynamicOptimality check_optimality(const DesignSimulator<SE2>&, const DesignRun<SE2>&,
-                                            const Eigen::VectorXd&, double, const Progress&);
-template DynamicOptimality check_optimality(const DesignSimulator<SE3>&, const DesignRun<SE3>&,
-                                            const Eigen::VectorXd&, double, const Progress&);
+template DynamicOptimality check_optimality(const DesignSimulator<SE2>&, const StudySpec&,
+                                            const VectorXd&, const MotionGradients<SE2>&,
+                                            StaticProblem&, double);
+template DynamicOptimality check_optimality(const DesignSimulator<SE3>&, const StudySpec&,
+                                            const VectorXd&, const MotionGradients<SE3>&,
+                                            StaticProblem&, double);
+template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE2>&,
+                                                           const StudySpec&, const DesignRun<SE2>&,
+                                                           const VectorXd&, StaticProblem&, double,
+                                                           const Progress&);
+template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE3>&,
+                                                           const StudySpec&, const DesignRun<SE3>&,
+                                                           const VectorXd&, StaticProblem&, double,
+                                                           const Progress&);
 
 }  // namespace liesl

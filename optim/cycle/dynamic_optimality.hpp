@@ -8,19 +8,27 @@
 #include <optional>
 #include <string>
 
-#include "optim/cycle/design_run.hpp"
+#include "optim/cycle/motion_gradients.hpp"
 #include "optim/nlp/kkt.hpp"
 
 namespace liesl {
 
-/// Largest residual that is called optimal. Unit: see KktResidual; 0.37 at the end of the cycle of
-/// data/studies/slider_crank_rod.toml goes with a mass 1.1 % above that of the best rod.
-constexpr double kOptimalResidual = 0.05;
+/// Largest residual that is called optimal. Unit: see KktResidual.
+constexpr double kOptimalResidual = 1e-2;
+
+/// A limit that carries a multiplier: what it costs.
+struct LimitPrice {
+  std::string name;
+  /// -d(objective)/d(limit) limit, unit of the objective: the objective falls by a hundredth of it
+  /// if the limit is 1 % wider.
+  double price = 0;
+};
 
 struct DynamicOptimality {
-  std::optional<KktResidual> residual;  ///< none if a neighbouring design gives no answer
+  std::optional<KktResidual> residual;  ///< none if there are no gradients
   std::string reason;                   ///< why there is none
-  int simulations = 0;
+  std::vector<LimitPrice> prices;       ///< of limits, walls and bounds of the part, largest first
+  int simulations = 0;                  ///< for differences; 0: by sensitivities
 
   bool holds() const { return residual && residual->stationarity <= kOptimalResidual; }
   /// "residual 0.71: 'x1' should shrink", or the reason.
@@ -28,21 +36,41 @@ struct DynamicOptimality {
 };
 
 /// First-order optimality conditions of the dynamic problem
-///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n
+///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n,
+///     walls, limits of the parts and bounds
 /// at the design x, whose run is `at`. Each peak over time that is within `active` of its limit is
-/// a constraint; at a peak the derivative of the largest value is that at its instant. Gradients
-/// are central differences of whole simulations, 2 a variable with steps of 1e-3 of it, one-sided
-/// at a bound. A response that is the largest over several points counts as one function.
+/// a constraint; at a peak the derivative of the largest value is that at its instant. A response
+/// that is the largest over several points is a constraint at each of them.
+///
+/// @param motion gradients at x  @param statics the static problem of `at`, for what is not of the
+/// motion: the objective, walls, limits of the parts
 template <FrameGroup G>
-DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const DesignRun<G>& at,
-                                   const Eigen::VectorXd& x, double active,
-                                   const Progress& progress = {});
+DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const StudySpec& study,
+                                   const Eigen::VectorXd& x, const MotionGradients<G>& motion,
+                                   StaticProblem& statics, double active);
 
-extern template DynamicOptimality check_optimality(const DesignSimulator<SE2>&,
-                                                   const DesignRun<SE2>&, const Eigen::VectorXd&,
-                                                   double, const Progress&);
-extern template DynamicOptimality check_optimality(const DesignSimulator<SE3>&,
-                                                   const DesignRun<SE3>&, const Eigen::VectorXd&,
-                                                   double, const Progress&);
+/// The same by central differences of whole simulations, 2 a variable with steps of 1e-3 of it,
+/// one-sided at a bound: for motions without sensitivities. Here a response that is the largest
+/// over several points counts as one function.
+template <FrameGroup G>
+DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simulator,
+                                                  const StudySpec& study, const DesignRun<G>& at,
+                                                  const Eigen::VectorXd& x, StaticProblem& statics,
+                                                  double active, const Progress& progress = {});
+
+extern template DynamicOptimality check_optimality(const DesignSimulator<SE2>&, const StudySpec&,
+                                                   const Eigen::VectorXd&,
+                                                   const MotionGradients<SE2>&, StaticProblem&,
+                                                   double);
+extern template DynamicOptimality check_optimality(const DesignSimulator<SE3>&, const StudySpec&,
+                                                   const Eigen::VectorXd&,
+                                                   const MotionGradients<SE3>&, StaticProblem&,
+                                                   double);
+extern template DynamicOptimality check_optimality_by_differences(
+    const DesignSimulator<SE2>&, const StudySpec&, const DesignRun<SE2>&, const Eigen::VectorXd&,
+    StaticProblem&, double, const Progress&);
+extern template DynamicOptimality check_optimality_by_differences(
+    const DesignSimulator<SE3>&, const StudySpec&, const DesignRun<SE3>&, const Eigen::VectorXd&,
+    StaticProblem&, double, const Progress&);
 
 }  // namespace liesl

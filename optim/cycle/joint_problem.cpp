@@ -47,6 +47,26 @@ int JointProblem::load_cases() const {
   return cases;
 }
 
+std::vector<LimitedResponse> JointProblem::responses() const {
+  std::vector<LimitedResponse> all;
+  for (const Member& m : members_)
+    for (LimitedResponse& r : m.problem->responses()) all.push_back(std::move(r));
+  return all;
+}
+
+std::vector<RowImage> JointProblem::images() const {
+  std::vector<RowImage> all;
+  int first = 0;
+  for (const Member& m : members_) {
+    for (RowImage image : m.problem->images()) {
+      if (image.response >= 0) image.response += first;
+      all.push_back(image);
+    }
+    first += static_cast<int>(m.problem->responses().size());
+  }
+  return all;
+}
+
 std::string JointProblem::obstacle() const {
   for (const Member& m : members_)
     if (std::string text = m.problem->obstacle(); !text.empty()) return text;

@@ -21,6 +21,8 @@ class JointProblem final : public StaticProblem {
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override;
+  std::vector<LimitedResponse> responses() const override;
+  std::vector<RowImage> images() const override;
   std::string obstacle() const override;  ///< the first of a member
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }

@@ -74,7 +74,7 @@ MotionTopology<G> optimise_motion_topology(
     hole.after = next.cycle.mass;
     hole.steps = static_cast<int>(next.cycle.history.size());
     hole.reason = next.cycle.reason;
-    hole.pays = next.cycle.status == CycleStatus::Converged &&
+    hole.pays = closed(next.cycle.status) &&
                 hole.after < hole.before * (1 - study.cycle.objective_tolerance);
     best.holes.push_back(hole);
     if (!hole.pays) {

@@ -31,6 +31,16 @@ ResponseSpec at_node(ResponseSpec r, int k, int elements) {
 
 }  // namespace
 
+ResponseSpec response_of(const Limit& limit, const ResponseSpec& limited, int elements) {
+  if (limit.node >= 0) return at_node(limited, limit.node, elements);
+  ResponseSpec r = limited;
+  if (limit.element >= 0) {
+    r.element = limit.element;
+    r.point = limit.point;
+  }
+  return r;
+}
+
 template <FrameGroup G>
 PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
                             const Model<G>& model, int body) {
@@ -43,9 +53,9 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
     out.C.rightCols(c.cols()) = c;
     return static_cast<int>(first);
   };
-  const auto add = [&](int constraint, const ResponseSpec& r) {
+  const auto add = [&](int constraint, const ResponseSpec& r, int node) {
     const Eigen::MatrixXd c = gradient_at_rest(r, mechanism, model);
-    out.limits.push_back({constraint, 0, append(c), static_cast<int>(c.cols())});
+    out.limits.push_back({constraint, 0, append(c), static_cast<int>(c.cols()), -1, -1, node});
   };
   int compliance = -1;
   for (size_t i = 0; i < study.constraints.size(); ++i) {
@@ -63,9 +73,9 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
     } else if (r.kind == ResponseKind::Compliance) {
       compliance = index;
     } else if (r.everywhere) {
-      for (int k = 1; k < beam.elements(); ++k) add(index, at_node(r, k, beam.elements()));
+      for (int k = 1; k < beam.elements(); ++k) add(index, at_node(r, k, beam.elements()), k);
     } else {
-      add(index, r);
+      add(index, r, -1);
     }
   }
   out.compliance = compliance >= 0;

@@ -18,6 +18,7 @@ struct Limit {
   int part = 0;        ///< which of the limited parts
   int first = 0, count = 0;
   int element = -1, point = -1;  ///< stress: the outputs are the strain of this element
+  int node = -1;                 ///< a deflection `everywhere`: of this node
 };
 
 struct PartOutputs {
@@ -26,6 +27,9 @@ struct PartOutputs {
   bool compliance = false;  ///< one more output after those: load times displacement
   int count() const { return static_cast<int>(C.cols()) + compliance; }
 };
+
+/// The response whose size this limit bounds: `limited` at one node or stress point of a beam.
+ResponseSpec response_of(const Limit& limit, const ResponseSpec& limited, int elements);
 
 /// Deflections, displacements and elongations are outputs themselves; stresses have the strains of
 /// their elements as outputs, which all points of an element share.

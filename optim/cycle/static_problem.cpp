@@ -1,5 +1,7 @@
 #include "optim/cycle/static_problem.hpp"
 
+#include <algorithm>
+
 #include "optim/nlp/ipopt_driver.hpp"
 #include "optim/nlp/nlopt_driver.hpp"
 #include "optim/nlp/separable.hpp"
@@ -9,7 +11,7 @@ namespace {
 
 constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 
-NlpResult optimise(StaticProblem& problem, const CycleOptions& cycle, const NlpWarmStart& warm,
+NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmStart& warm,
                    const std::function<bool()>& keep_going, int max_iterations) {
   NlpOptions options;
   options.max_iterations = max_iterations;
@@ -45,6 +47,34 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
     if (problem.add_violated(answer.result.x, 1e-6) == 0) break;
   }
   warm = answer.result.warm_start();
+  return answer;
+}
+
+ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weights,
+                            const CycleOptions& options, NlpWarmStart& warm,
+                            const std::function<bool()>& keep_going) {
+  const auto n = static_cast<Eigen::Index>(problem.variables().size());
+  ElasticAnswer answer;
+  answer.x.resize(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    answer.x[i] = problem.variables()[static_cast<std::size_t>(i)].start;
+  NlpResult result;
+  for (int round = 0; round < kMaxRounds; ++round) {
+    const auto m = static_cast<Eigen::Index>(problem.constraints().size());
+    Eigen::VectorXd g(m);
+    double f = 0;
+    problem.values(answer.x, f, g);
+    const double violation = m > 0 ? std::max(0.0, g.maxCoeff()) : 0;
+    ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation);
+    result = optimise(elastic, options, warm, keep_going, NlpOptions().max_iterations);
+    answer.iterations += result.iterations;
+    answer.x = result.x.head(n);
+    answer.violation = std::max(0.0, result.x[n]);
+    answer.merit = result.f;
+    if (problem.add_violated(answer.x, 1e-6) == 0) break;
+  }
+  for (const auto& [id, multiplier] : result.multipliers) answer.multipliers += multiplier;
+  warm = result.warm_start();
   return answer;
 }
 

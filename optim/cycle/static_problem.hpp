@@ -5,11 +5,23 @@
 #include <functional>
 #include <string>
 
-#include "optim/nlp/problem.hpp"
+#include "optim/nlp/elastic.hpp"
 #include "optim/nlp/result.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {
+
+/// A response of the motion that rows of a static problem are images of.
+struct LimitedResponse {
+  int constraint = 0;  ///< of the study
+  ResponseSpec response;
+};
+
+/// Where a row comes from: response number `response` of the problem at a record of the motion;
+/// -1: from the design alone (a wall, a mass, a frequency).
+struct RowImage {
+  int response = -1, record = -1;
+};
 
 /// Minimise a quantity of the parts subject to limits in retained load cases.
 class StaticProblem : public Problem {
@@ -18,6 +30,12 @@ class StaticProblem : public Problem {
   /// @returns how many were added
   virtual int add_violated(const Eigen::VectorXd& x, double tolerance) = 0;
   virtual int load_cases() const = 0;
+  /// Of a problem whose load cases are the records of a motion: what its rows are images of.
+  virtual std::vector<LimitedResponse> responses() const { return {}; }
+  /// One a row.
+  virtual std::vector<RowImage> images() const {
+    return std::vector<RowImage>(constraints().size());
+  }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
   virtual std::string obstacle() const { return {}; }
 };
@@ -35,5 +53,19 @@ struct StaticAnswer {
 StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, NlpWarmStart& warm,
                           const std::function<bool()>& keep_going,
                           int max_iterations = NlpOptions().max_iterations);
+
+/// The answer of an elastic problem (optim/nlp/elastic.hpp).
+struct ElasticAnswer {
+  Eigen::VectorXd x;
+  double violation = 0;    ///< t
+  double merit = 0;        ///< w f + sigma t
+  double multipliers = 0;  ///< sum of those of the constraints; 0 if the optimiser gives none
+  int iterations = 0;      ///< of all rounds
+};
+
+/// As solve_static, with constraints that may be exceeded at a price.
+ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weights,
+                            const CycleOptions& options, NlpWarmStart& warm,
+                            const std::function<bool()>& keep_going);
 
 }  // namespace liesl

@@ -56,6 +56,25 @@ int StaticSizing<G>::load_cases() const {
 }
 
 template <FrameGroup G>
+std::vector<LimitedResponse> StaticSizing<G>::responses() const {
+  std::vector<LimitedResponse> out;
+  for (const Limit& l : limits_) {
+    const int elements = model_.bodies[parts_[l.part].body]->elements();
+    out.push_back(
+        {l.constraint, response_of(l, study_.constraints[l.constraint].response, elements)});
+  }
+  return out;
+}
+
+template <FrameGroup G>
+std::vector<RowImage> StaticSizing<G>::images() const {
+  std::vector<RowImage> out;
+  for (const auto& row : retained_.rows)
+    out.push_back({row.limit, parts_[limits_[row.limit].part].kept[row.kept]});
+  return out;
+}
+
+template <FrameGroup G>
 int StaticSizing<G>::add_violated(const Eigen::VectorXd& x, double tolerance) {
   CasesByLimit cases = retained_.cases(screened());
   for (auto& part : parts_) retain_all(part);
@@ -69,12 +88,16 @@ template std::vector<ScreenedLimit> StaticSizing<SE2>::screened() const;
 template ValuesByLimit StaticSizing<SE2>::all_values() const;
 template void StaticSizing<SE2>::keep(const CasesByLimit&);
 template int StaticSizing<SE2>::load_cases() const;
+template std::vector<LimitedResponse> StaticSizing<SE2>::responses() const;
+template std::vector<RowImage> StaticSizing<SE2>::images() const;
 template int StaticSizing<SE2>::add_violated(const Eigen::VectorXd&, double);
 template void StaticSizing<SE3>::retain_all(Part&) const;
 template std::vector<ScreenedLimit> StaticSizing<SE3>::screened() const;
 template ValuesByLimit StaticSizing<SE3>::all_values() const;
 template void StaticSizing<SE3>::keep(const CasesByLimit&);
 template int StaticSizing<SE3>::load_cases() const;
+template std::vector<LimitedResponse> StaticSizing<SE3>::responses() const;
+template std::vector<RowImage> StaticSizing<SE3>::images() const;
 template int StaticSizing<SE3>::add_violated(const Eigen::VectorXd&, double);
 
 }  // namespace liesl

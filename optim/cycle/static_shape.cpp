@@ -125,6 +125,25 @@ void StaticShape::add_rows_without_cases() {
     constraints_.push_back({own_id(task_.limits.size(), static_cast<int>(w)), walls[w], 1});
 }
 
+std::vector<LimitedResponse> StaticShape::responses() const {
+  std::vector<LimitedResponse> out;
+  for (const int i : limit_of_)
+    if (task_.limits[i].motion) out.push_back(*task_.limits[i].motion);
+  return out;
+}
+
+std::vector<RowImage> StaticShape::images() const {
+  std::vector<int> number(limit_of_.size(), -1);
+  int count = 0;
+  for (std::size_t l = 0; l < limit_of_.size(); ++l)
+    if (task_.limits[limit_of_[l]].motion) number[l] = count++;
+  std::vector<RowImage> out(constraints_.size());
+  for (std::size_t r = 0; r < retained_.rows.size(); ++r)
+    if (const int n = number[retained_.rows[r].limit]; n >= 0)
+      out[r] = {n, retained_.kept[0][retained_.rows[r].kept]};
+  return out;
+}
+
 /// @pre all cases are retained and solved
 ValuesByLimit StaticShape::all_values() {
   ValuesByLimit out;

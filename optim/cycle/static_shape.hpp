@@ -14,8 +14,9 @@ namespace liesl {
 struct SolidLimit {
   std::string name;
   SolidResponse response = SolidResponse::Output;
-  int first = 0, count = 1;  ///< Output: columns of C; Frequency: `count`
-  double limit = 0;          ///< > 0
+  int first = 0, count = 1;               ///< Output: columns of C; Frequency: `count`
+  double limit = 0;                       ///< > 0
+  std::optional<LimitedResponse> motion;  ///< Output: what it is the image of; none: fixed loads
 };
 
 /// A meshed part, what it has to carry and what it has to meet. Nothing is copied but data: what is
@@ -77,6 +78,8 @@ class StaticShape final : public StaticProblem {
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override { return static_cast<int>(retained_.kept[0].size()); }
+  std::vector<LimitedResponse> responses() const override;
+  std::vector<RowImage> images() const override;
   std::string obstacle() const override { return obstacle_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }

@@ -42,6 +42,8 @@ class StaticSizing final : public StaticProblem {
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override;
+  std::vector<LimitedResponse> responses() const override;
+  std::vector<RowImage> images() const override;
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return retained_.constraints; }

@@ -31,6 +31,19 @@ Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
   return unit;
 }
 
+std::vector<Parameter> Design::parameters(const Mechanism& designed,
+                                          const Eigen::VectorXd& x) const {
+  std::vector<Parameter> all;
+  for (int i = 0; i < sizing_.size(); ++i) all.push_back(sizing_.parameter(designed, i));
+  for (int k = 0; k < parts(); ++k) {
+    PartShape& p = part(k);
+    const Eigen::MatrixXd by = p.fraction_gradient(of_part(k, x));
+    for (int j = 0; j < by.cols(); ++j)
+      all.push_back({p.design.variables()[j].name, {SolidDerivative{p.body, by.col(j)}}});
+  }
+  return all;
+}
+
 Mechanism Design::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
   Mechanism designed = mechanism;
   sizing_.apply(x, designed);

@@ -34,6 +34,10 @@ class Design {
   /// outlines by the range of the variable. Empty if there are none: all by the size of x.
   Eigen::VectorXd unit(const Eigen::VectorXd& x) const;
 
+  /// The variables as parameters of the mechanism with the design x. Outlines: by the fractions of
+  /// their cells.
+  std::vector<Parameter> parameters(const Mechanism& designed, const Eigen::VectorXd& x) const;
+
   /// The mechanism with this design.
   Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const;
 

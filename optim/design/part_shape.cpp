@@ -21,6 +21,12 @@ PartShape::PartShape(const Mechanism& mechanism, int body_index, const ShapeDesi
       model(solid_model(outlined(mechanism, body_index))),
       design(spec, *shape, model) {}
 
+Eigen::MatrixXd PartShape::fraction_gradient(const Eigen::VectorXd& x) const {
+  shape->set(design.parameters(x));
+  const Fractions f = volume_fractions(model.mesh(), *shape);
+  return FractionGradient(f.derivative * design.jacobian());
+}
+
 void PartShape::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
   set_values(std::get<SolidSpec>(mechanism.bodies[body].kind).outline, design.parameters(x));
 }

@@ -20,6 +20,9 @@ struct PartShape {
   PartShape(const PartShape&) = delete;
   PartShape& operator=(const PartShape&) = delete;
 
+  /// Derivative of the fractions of the cells at x [cells x variables].
+  Eigen::MatrixXd fraction_gradient(const Eigen::VectorXd& x) const;
+
   /// Writes the parameters of the outline at x into the part of the mechanism.
   void apply(const Eigen::VectorXd& x, Mechanism& mechanism) const;
 };

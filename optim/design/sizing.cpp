@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <map>
 #include <stdexcept>
 
 #include "mbs/solids/solid_model.hpp"
@@ -77,6 +78,19 @@ SectionLaw Sizing::derivative(const Mechanism& mechanism, int i, SizedElement at
     sum =
         scaled_sum(sum, 1, section_law_derivative(beam.sections[at.element], beam.material, name));
   return sum;
+}
+
+Parameter Sizing::parameter(const Mechanism& mechanism, int i) const {
+  std::map<int, std::vector<int>> of_body;
+  for (const auto& at : elements_[i]) of_body[at.body].push_back(at.element);
+  Parameter p{variables_[i].name, {}};
+  for (const auto& [body, elements] : of_body) {
+    BeamDerivative sum = by_dimension(mechanism, body, elements, dimensions_[i].front());
+    for (std::size_t d = 1; d < dimensions_[i].size(); ++d)
+      sum += by_dimension(mechanism, body, elements, dimensions_[i][d]);
+    p.parts.emplace_back(std::move(sum));
+  }
+  return p;
 }
 
 SectionLaw Sizing::second_derivative(const Mechanism& mechanism, int i, int j,

@@ -3,6 +3,7 @@
 /// Sizing variables: dimensions of beam sections, grouped along a beam, linked between beams.
 
 #include "mbs/model/mechanism.hpp"
+#include "mbs/model/parameter.hpp"
 #include "optim/nlp/problem.hpp"
 #include "optim/study/study.hpp"
 
@@ -31,6 +32,8 @@ class Sizing {
 
   /// d(section law)/dx_i of an element at the dimensions that `mechanism` has.
   SectionLaw derivative(const Mechanism& mechanism, int i, SizedElement at) const;
+  /// Variable i as a parameter of the mechanism, for sensitivities of its motion.
+  Parameter parameter(const Mechanism& mechanism, int i) const;
   /// d2(section law)/dx_i dx_j, central differences of the exact first derivative.
   SectionLaw second_derivative(const Mechanism& mechanism, int i, int j, SizedElement at) const;
 

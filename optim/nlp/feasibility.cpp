@@ -4,50 +4,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "optim/nlp/elastic.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 
 namespace liesl {
 
 using Eigen::VectorXd;
-
-LeastViolationProblem::LeastViolationProblem(Problem& inner, VectorXd scale, const VectorXd& start,
-                                             double start_violation)
-    : inner_(inner), scale_(std::move(scale)), variables_(inner.variables()) {
-  for (std::size_t j = 0; j < variables_.size(); ++j)
-    variables_[j].start = start[static_cast<int>(j)];
-  variables_.push_back({"largest violation", 0, std::numeric_limits<double>::infinity(),
-                        std::max(1.1 * start_violation, 1e-3)});
-  for (const auto& c : inner.constraints()) constraints_.push_back({c.id, c.name, 1});
-}
-
-void LeastViolationProblem::values(const VectorXd& x, double& f, VectorXd& g) {
-  const auto n = x.size() - 1;
-  double unused = 0;
-  inner_.values(x.head(n), unused, g);
-  g = (g.array() / scale_.array() - x[n]).matrix();
-  f = x[n];
-}
-
-void LeastViolationProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
-  const auto n = x.size() - 1;
-  RowMatrix inner_dg(dg.rows(), n);
-  VectorXd unused(n);
-  inner_.gradients(x.head(n), unused, inner_dg);
-  dg.leftCols(n) = scale_.cwiseInverse().asDiagonal() * inner_dg;
-  dg.col(n).setConstant(-1);
-  df.setZero();
-  df[n] = 1;
-}
-
-void LeastViolationProblem::hessian(const VectorXd& x, double, const VectorXd& lambda,
-                                    Eigen::MatrixXd& h) {
-  const auto n = x.size() - 1;
-  Eigen::MatrixXd inner_h = Eigen::MatrixXd::Zero(n, n);
-  inner_.hessian(x.head(n), 0, lambda.cwiseQuotient(scale_), inner_h);
-  h.topLeftCorner(n, n) = inner_h;
-}
 
 namespace {
 
@@ -83,7 +46,7 @@ std::string describe(const std::vector<NlpViolation>& conflict) {
 
 LeastViolation least_violation(Problem& problem, const VectorXd& scale, const VectorXd& start,
                                double start_violation, const NlpOptions& options) {
-  LeastViolationProblem relaxed(problem, scale, start, start_violation);
+  ElasticProblem relaxed(problem, {0, 1}, scale, start, start_violation);
   NlpOptions inner = options;
   inner.explain_infeasible = false;
   inner.progress = nullptr;

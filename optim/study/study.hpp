@@ -91,10 +91,17 @@ enum class Optimizer { Ipopt, Mma, Ccsaq, Slsqp };
 /// separable models of it.
 enum class NlpModel { Exact, Separable };
 
-/// Whether the end of a cycle is checked against the optimality conditions of the motion itself,
-/// which takes two simulations a variable.
+/// How a cycle goes from one design to the next (docs/theory.md).
+enum class CycleMethod {
+  Auto,  ///< Esl1 where the motion has sensitivities, else Esl
+  Esl,   ///< the loads of the last motion are constant in the static problem
+  Esl1   ///< the static problem agrees with the motion to first order; trust region
+};
+
+/// Whether the end of a cycle is checked against the optimality conditions of the motion itself.
+/// By sensitivities; where the motion has none by two simulations a variable.
 enum class OptimalityCheck {
-  Auto,  ///< up to 12 variables
+  Auto,  ///< differences for up to 12 variables only
   Always,
   Never
 };
@@ -104,6 +111,7 @@ enum class OptimalityCheck {
 using Support = std::vector<std::string>;
 
 struct CycleOptions {
+  CycleMethod method = CycleMethod::Auto;
   int max = 30;                       ///< cycles
   double tolerance = 1e-3;            ///< of the relative change of the loads (thesis eq. 3.25)
   double objective_tolerance = 1e-3;  ///< of the relative change of the objective

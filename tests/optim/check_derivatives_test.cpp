@@ -5,7 +5,7 @@
 #include <limits>
 
 #include "optim/nlp/evaluator.hpp"
-#include "optim/nlp/feasibility.hpp"
+#include "optim/nlp/elastic.hpp"
 #include "optim/nlp/separable.hpp"
 #include "reference/many_load_cases.hpp"
 #include "reference/svanberg_beam.hpp"
@@ -125,10 +125,10 @@ TEST(SeparableModel, FirstOrderAtItsPointAndRightDerivatives) {
   expect_right(model, at.y);
 }
 
-TEST(LeastViolationProblem, RightDerivatives) {
+TEST(ElasticProblem, RightDerivatives) {
   TenBarTruss truss;
   const Eigen::VectorXd x = start_of(truss);
-  LeastViolationProblem p(truss, Eigen::VectorXd::Constant(36, 0.7), x, 0.5);
+  ElasticProblem p(truss, {0.8, 30}, Eigen::VectorXd::Constant(36, 0.7), x, 0.5);
   expect_right(p, start_of(p));
 }
 

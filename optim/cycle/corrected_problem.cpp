@@ -1,0 +1,122 @@
+#include "optim/cycle/corrected_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Of inner cases that the correction may lift above their limit.
+constexpr double kLift = 0.1;
+
+}  // namespace
+
+template <FrameGroup G>
+CorrectedProblem<G>::CorrectedProblem(std::unique_ptr<StaticProblem> inner,
+                                      const MotionGradients<G>& gradients, const VectorXd& x_k)
+    : inner_(std::move(inner)), motion_(gradients), x_k_(x_k), variables_(inner_->variables()) {
+  correct_rows();
+}
+
+template <FrameGroup G>
+void CorrectedProblem<G>::narrow(double share) {
+  const auto& widest = inner_->variables();
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const double x = x_k_[static_cast<int>(i)];
+    variables_[i].lower = x - share * (x - widest[i].lower);
+    variables_[i].upper = x + share * (widest[i].upper - x);
+  }
+}
+
+template <FrameGroup G>
+auto CorrectedProblem<G>::steps(const VectorXd& x) const -> Steps {
+  const auto n = x.size();
+  Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
+  for (int i = 0; i < n; ++i) {
+    if (variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
+    t.s[i] = x_k_[i] * std::log(x[i] / x_k_[i]);
+    t.first[i] = x_k_[i] / x[i];
+    t.second[i] = -t.first[i] / x[i];
+  }
+  return t;
+}
+
+/// @pre `inner` has just been made, or has taken cases
+template <FrameGroup G>
+void CorrectedProblem<G>::correct_rows() {
+  const auto m = static_cast<int>(constraints().size()), n = static_cast<int>(x_k_.size());
+  c_.setZero(m, n);
+  g_.resize(m);
+  dg_.resize(m, n);
+  double f = 0;
+  VectorXd df(n);
+  inner_->values(x_k_, f, g_);
+  if (!g_.allFinite()) return;
+  inner_->gradients(x_k_, df, dg_);
+  const std::vector<RowImage> image = images();
+  for (int i = 0; i < m; ++i) {
+    const auto [response, record] = image[static_cast<std::size_t>(i)];
+    const double v_s = g_[i] + 1;  // of the limit
+    if (response < 0 || v_s <= 0) continue;
+    int at = 0;
+    const VectorXd* dv = motion_.nearest_gradient(response, record, &at);
+    if (!dv) continue;
+    c_.row(i) = dv->transpose() / motion_.value(response, at) - dg_.row(i) / v_s;
+  }
+}
+
+template <FrameGroup G>
+int CorrectedProblem<G>::add_violated(const VectorXd& x, double tolerance) {
+  const int added = inner_->add_violated(x, tolerance - kLift);
+  if (added > 0) correct_rows();
+  return added;
+}
+
+template <FrameGroup G>
+void CorrectedProblem<G>::values(const VectorXd& x, double& f, VectorXd& g) {
+  inner_->values(x, f, g);
+  g_ = g;
+  const VectorXd power = c_ * steps(x).s;
+  for (int i = 0; i < g.size(); ++i)
+    if (power[i] != 0) g[i] = (g[i] + 1) * std::exp(power[i]) - 1;
+}
+
+template <FrameGroup G>
+void CorrectedProblem<G>::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
+  inner_->gradients(x, df, dg);
+  dg_ = dg;
+  const Steps t = steps(x);
+  const VectorXd power = c_ * t.s;
+  for (int i = 0; i < dg.rows(); ++i) {
+    const VectorXd q = c_.row(i).transpose().cwiseProduct(t.first);
+    dg.row(i) = std::exp(power[i]) * (dg_.row(i) + (g_[i] + 1) * q.transpose());
+  }
+}
+
+/// Of v^ = v_s e: e (d2v_s + dv_s q^T + q dv_s^T + v_s (q q^T + diag(c s''))), q = c s'.
+template <FrameGroup G>
+void CorrectedProblem<G>::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
+                                  MatrixXd& h) {
+  const Steps t = steps(x);
+  const VectorXd power = c_ * t.s;
+  const VectorXd weight = lambda.array() * power.array().exp();
+  inner_->hessian(x, sigma, weight, h);
+  for (int i = 0; i < lambda.size(); ++i) {
+    if (weight[i] == 0) continue;
+    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.first), dv = dg_.row(i);
+    const double v = g_[i] + 1;
+    MatrixXd add = dv * q.transpose();
+    add += q * dv.transpose() + v * q * q.transpose();
+    add.diagonal() += v * c.cwiseProduct(t.second);
+    h.template triangularView<Eigen::Lower>() += weight[i] * add;
+  }
+}
+
+template class CorrectedProblem<SE2>;
+template class CorrectedProblem<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// A problem whose constraints may be exceeded at a price, so that it always has a solution:
+///
+///     minimise w f(x) + sigma t   subject to   g_i(x) / scale_i <= t,   lower <= x <= upper,
+///     t >= 0.
+///
+/// For sigma above the sum of the multipliers t = 0 wherever the constraints can be met: an exact
+/// penalty (Fletcher, Practical Methods of Optimization, 1987, ch. 12.3).
+
+#include "optim/nlp/problem.hpp"
+
+namespace liesl {
+
+/// The problem above; the last variable is t. The wrapped problem must outlive it.
+class ElasticProblem final : public Problem {
+ public:
+  struct Weights {
+    double objective = 1;  ///< w, per unit of f
+    double penalty = 1;    ///< sigma, > 0
+  };
+  /// @param scale of the constraints of `inner`, all > 0
+  /// @param start of its variables  @param start_violation largest g/scale there, >= 0
+  ElasticProblem(Problem& inner, Weights weights, Eigen::VectorXd scale,
+                 const Eigen::VectorXd& start, double start_violation);
+
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
+  HessianShape hessian_shape() const override { return inner_.hessian_shape(); }
+  void hessian(const Eigen::VectorXd& x, double sigma, const Eigen::VectorXd& lambda,
+               Eigen::MatrixXd& h) override;
+
+ private:
+  Problem& inner_;
+  const Weights weights_;
+  const Eigen::VectorXd scale_;
+  std::vector<NlpVariable> variables_;
+  std::vector<NlpConstraint> constraints_;
+};
+
+}  // namespace liesl
