@@ -1,5 +1,6 @@
 #include "mbs/sensitivity/step_sensitivity.hpp"
 
+#include <cmath>
 #include <stdexcept>
 
 namespace liesl {
@@ -10,17 +11,32 @@ namespace {
 
 constexpr int kRefinements = 2;
 
-/// b - A x, or b - A^T x, summed in extended precision.
+using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+
+/// (to + rest) -= a x in twice the precision, error-free products and sums (Ogita, Rump, Oishi
+/// 2005, "Accurate sum and dot product", SIAM J. Sci. Comput. 26).
+void subtract(double a, const double* x, Eigen::Index columns, double* to, double* rest) {
+  for (Eigen::Index k = 0; k < columns; ++k) {
+    const double product = a * x[k], product_error = std::fma(a, x[k], -product);
+    const double sum = to[k] - product, part = sum - to[k];
+    rest[k] += ((to[k] - (sum - part)) - (product + part)) - product_error;
+    to[k] = sum;
+  }
+}
+
+/// b - A x, or b - A^T x, in twice the precision; by rows, so that the columns of x lie side by
+/// side.
 MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const MatrixXd& x,
                   const MatrixXd& b) {
-  using Extended = long double;
-  Eigen::Matrix<Extended, Eigen::Dynamic, Eigen::Dynamic> r = b.cast<Extended>();
+  const Rows y = x;
+  Rows r = b, rest = Rows::Zero(b.rows(), b.cols());
   for (int j = 0; j < A.outerSize(); ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it) {
-      const auto row = transposed ? it.col() : it.row(), column = transposed ? it.row() : it.col();
-      r.row(row) -= static_cast<Extended>(it.value()) * x.row(column).cast<Extended>();
+      const auto from = transposed ? it.row() : it.col(), to = transposed ? it.col() : it.row();
+      subtract(it.value(), y.data() + from * y.cols(), y.cols(), r.data() + to * r.cols(),
+               rest.data() + to * r.cols());
     }
-  return r.cast<double>();
+  return r + rest;
 }
 
 /// x <- A^-1 x or A^-T x with iterative refinement (N. J. Higham, Accuracy and Stability of

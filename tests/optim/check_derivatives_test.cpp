@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/elastic.hpp"
+#include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/separable.hpp"
 #include "reference/many_load_cases.hpp"
 #include "reference/svanberg_beam.hpp"

@@ -122,7 +122,7 @@ TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
                        (2 * h);
       error[k] = std::abs(d - (*dv)[i]) / dv->norm();
     }
-    EXPECT_LT(error[1], 1e-4) << i;
+    EXPECT_LT(error[1], 2e-4) << i;
     EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.1) << i;
   }
 }
@@ -142,7 +142,7 @@ TEST(TrustRegionCycle, EndsAtTheOptimumOfTheMotionFromEveryStart) {
   }
 }
 
-TEST(TrustRegionCycle, NoSearchFindsALighterRod) {
+TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
   Simulated s(rod());
   const auto r = s.optimise();
   ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
@@ -188,7 +188,8 @@ TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
 }
 
 TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
-  Study study = rod({"scene.formalism=r3so3", "simulation.duration=0.05"});
+  Study study = rod({"simulation.duration=0.05"});
+  study.scene.mechanism.formalism = Formalism::Decoupled;
   const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
   const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
   EXPECT_TRUE(closed(r.status)) << r.reason;
