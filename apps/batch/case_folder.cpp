@@ -22,7 +22,9 @@ namespace {
 namespace fs = std::filesystem;
 using Json = nlohmann::json;
 
-bool good(const std::string& status) { return status == "done" || status == "converged"; }
+bool good(const std::string& status) {
+  return status == "done" || status == "converged" || status == "optimal";
+}
 
 /// States that a command leaves when it was stopped before its end.
 bool unfinished(const std::string& status) {

@@ -16,7 +16,7 @@ namespace liesl {
 struct CaseEnd {
   std::string status;  ///< that of the command, or "time-out", "out of memory", "crashed", ...
   std::string reason;
-  bool failed = false;   ///< anything but "done" and "converged"
+  bool failed = false;   ///< anything but "done", "converged" and "optimal"
   bool figures = false;  ///< its summary.json is that of a run that reached an end
   double wall_s = 0, cpu_s = 0, peak_memory_mb = 0;
 

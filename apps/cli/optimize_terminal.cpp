@@ -56,6 +56,8 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
   fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
              s.mass_final, s.worst_constraint, s.wall_s);
   fmt::print("  KKT conditions of the dynamic problem: {}\n", s.more["kkt"].get<std::string>());
+  for (const auto& [name, price] : s.more["prices"].items())
+    fmt::print("  {}: 1 % more allowed saves {:.3g} g\n", name, 10 * price.get<double>());
   for (const auto& d : s.design)
     fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);

@@ -48,7 +48,7 @@ def draw_pair(series, pictures, x_name, y_name):
               and 1 < len(set(series.text(n))) <= len(COLOURS)]
     groups = series.text(others[0]) if others else [""] * len(x)
     figure, ax = plt.subplots(layout="constrained", figsize=(8.2, 4.6))
-    good = [status in ("done", "converged") for status in series.text("status")]
+    good = [status in ("done", "converged", "optimal") for status in series.text("status")]
     for colour, group in zip(COLOURS, dict.fromkeys(groups)):
         for marker, wanted in (("o", True), ("x", False)):
             chosen = [k for k in range(len(x)) if groups[k] == group and good[k] == wanted]

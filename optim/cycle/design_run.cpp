@@ -16,10 +16,12 @@ std::vector<int> loaded_bodies(const StudySpec& study, const Mechanism& mechanis
   return bodies;
 }
 
-/// Sensitivities belong to converged states: an error of 1e-6 in them is one of 1e-4 in a gradient.
+/// Limits hold at every step, whatever is recorded of a run of the scene. Sensitivities belong to
+/// converged states: an error of 1e-6 in them is one of 1e-4 in a gradient.
 constexpr double kConverged = 1e-8;
 
 SimulationOptions options_of(SimulationOptions options, CycleMethod method) {
+  options.output_every = 1;
   if (method == CycleMethod::Esl1) options.tolerance = std::min(options.tolerance, kConverged);
   return options;
 }

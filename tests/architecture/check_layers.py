@@ -77,7 +77,6 @@ KNOWN_CLASSES = {
     ("apps/lean/lean_search.cpp", "LeanSearch"),
     ("apps/scene/read_solids.cpp", "SolidReader"),
     ("apps/input/validate.cpp", "Validator"),
-    ("optim/cycle/esl_cycle.cpp", "EslCycle"),
 }
 EXEMPT = re.compile(r"//\s*long function: \S")
 

@@ -164,6 +164,13 @@ TEST(TrustRegionCycle, PriceOfALimitIsWhatAWiderOneSaves) {
   EXPECT_NEAR(r.optimality->prices[0].price, saved, 0.03 * saved);
 }
 
+TEST(TrustRegionCycle, LimitsHoldAtStepsThatAreNotRecorded) {
+  Simulated all(rod()), thinned(rod({"simulation.output_every=25"}));
+  const auto r = thinned.optimise();
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_LE(worst(all, r.x), 1e-4);
+}
+
 TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
   Simulated s(rod({"design.rod_diameters.start=0.008"}));
   const auto whole = s.optimise();

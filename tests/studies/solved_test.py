@@ -27,7 +27,7 @@ def row_of(readme, study):
 
 def problems(summary, row):
     """Yields what is wrong with a study's end."""
-    if summary["status"] != "converged":
+    if summary["status"] not in ("optimal", "converged"):
         yield f"status {summary['status']}: {summary['reason']}"
     worst = summary["worst_constraint"]
     if not (worst is not None and worst <= 1e-3):

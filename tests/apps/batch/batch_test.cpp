@@ -265,7 +265,7 @@ TEST_F(BatchProgram, CrashIsOneFailedRow) {
   EXPECT_EQ(columns.at("status")[0], "crashed");
   EXPECT_EQ(columns.at("reason")[0], "signal 11: Segmentation fault");
   EXPECT_EQ(columns.at("mass_final [kg]")[0], "");
-  EXPECT_EQ(std::count(columns.at("status").begin(), columns.at("status").end(), "converged"), 5);
+  EXPECT_EQ(std::count(columns.at("status").begin(), columns.at("status").end(), "optimal"), 5);
   EXPECT_NE(o.err.find("case 1: crashed"), std::string::npos) << o.err;
 }
 

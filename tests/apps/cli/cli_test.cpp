@@ -139,6 +139,8 @@ TEST_F(Cli, OptimizeSaysHowItEnded) {
     return run(words);
   };
   EXPECT_EQ(optimize({}).code, 0);
+  EXPECT_EQ(summary()["status"], "optimal");
+  EXPECT_EQ(optimize({"cycle.method=esl"}).code, 0);
   EXPECT_EQ(summary()["status"], "converged");
   EXPECT_EQ(optimize({"cycle.max=1"}).code, 1);
   EXPECT_EQ(summary()["status"], "cycle limit");
@@ -209,7 +211,7 @@ TEST_F(Cli, KilledRunLeavesAStateToResumeFrom) {
   words.push_back("--resume");
   const Outcome o = run(words);
   EXPECT_EQ(o.code, 0) << o.err;
-  EXPECT_EQ(summary()["status"], "converged");
+  EXPECT_EQ(summary()["status"], "optimal");
   EXPECT_EQ(summary()["cycles"], whole["cycles"]);
   for (const auto& [name, value] : whole["design"].items())
     EXPECT_NEAR(summary()["design"][name].get<double>(), value, 1e-5 * value.get<double>()) << name;
