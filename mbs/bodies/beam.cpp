@@ -17,6 +17,7 @@ ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
                            sections[e].M);
     this->M_.add_element(e, elements_[e].mass());
     this->K_.add_element(e, elements_[e].constant_tangent());
+    if (!sections[e].K.isZero(0) || !sections[e].M.isZero(0)) acting_.push_back(e);
   }
 }
 
@@ -25,9 +26,11 @@ void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, 
                                   ForceScale& scale) const {
   Pair acceleration, g;
   const bool heavy = gravity.squaredNorm() > 0;
-  acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
-  for (int e = 0; e < elements(); ++e) {
-    acceleration.template head<dim>() = Tangent(acceleration.template tail<dim>());
+  int known = -1;  // node whose acceleration is the second one
+  for (const int e : acting_) {
+    acceleration.template head<dim>() = known == e ? Tangent(acceleration.template tail<dim>())
+                                                   : apparent_acceleration<G>(s, e, gravity);
+    known = e + 1;
     acceleration.template tail<dim>() = apparent_acceleration<G>(s, e + 1, gravity);
     elements_[e].inertia_force(s.H[e], s.H[e + 1], s.v + dim * e, acceleration, g);
     if (heavy) elements_[e].add_weight_curvature(s.H[e], s.H[e + 1], gravity, g);
@@ -40,7 +43,7 @@ void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, 
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
   Pair g;
-  for (int e = 0; e < elements(); ++e) {
+  for (const int e : acting_) {
     elements_[e].internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g);
     Eigen::Map<Pair>(r + dim * e) += g;
     scale.add<G>(g.template head<dim>());

@@ -57,6 +57,7 @@ class ChainBeam final : public Body<G> {
                                const Vector& gravity) const;
 
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;
+  std::vector<int> acting_;  ///< elements with a law: in a derivative by a section, those it is of
   double damping_;
 };
 

@@ -13,6 +13,18 @@ namespace {
 // Of inner cases that the correction may lift above their limit.
 constexpr double kLift = 0.1;
 
+/// e^p, beyond p = 1 its Taylor polynomial of second order there: a long step overflows no row.
+struct Growth {
+  double value, first, second;
+
+  explicit Growth(double p) : value(std::exp(std::min(p, 1.0))), first(value), second(value) {
+    if (p <= 1) return;
+    const double q = p - 1;
+    value = second * (1 + q + 0.5 * q * q);
+    first = second * (1 + q);
+  }
+};
+
 }  // namespace
 
 template <FrameGroup G>
@@ -82,7 +94,7 @@ void CorrectedProblem<G>::values(const VectorXd& x, double& f, VectorXd& g) {
   g_ = g;
   const VectorXd power = c_ * steps(x).s;
   for (int i = 0; i < g.size(); ++i)
-    if (power[i] != 0) g[i] = (g[i] + 1) * std::exp(power[i]) - 1;
+    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i]).value - 1;
 }
 
 template <FrameGroup G>
@@ -93,26 +105,30 @@ void CorrectedProblem<G>::gradients(const VectorXd& x, VectorXd& df, RowMatrix& 
   const VectorXd power = c_ * t.s;
   for (int i = 0; i < dg.rows(); ++i) {
     const VectorXd q = c_.row(i).transpose().cwiseProduct(t.first);
-    dg.row(i) = std::exp(power[i]) * (dg_.row(i) + (g_[i] + 1) * q.transpose());
+    const Growth e(power[i]);
+    dg.row(i) = e.value * dg_.row(i) + e.first * (g_[i] + 1) * q.transpose();
   }
 }
 
-/// Of v^ = v_s e: e (d2v_s + dv_s q^T + q dv_s^T + v_s (q q^T + diag(c s''))), q = c s'.
+/// Of v^ = v_s e(p), dp = q = c s':
+///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T.
 template <FrameGroup G>
 void CorrectedProblem<G>::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
                                   MatrixXd& h) {
   const Steps t = steps(x);
   const VectorXd power = c_ * t.s;
-  const VectorXd weight = lambda.array() * power.array().exp();
+  VectorXd weight = lambda;
+  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i]).value;
   inner_->hessian(x, sigma, weight, h);
   for (int i = 0; i < lambda.size(); ++i) {
-    if (weight[i] == 0) continue;
+    if (lambda[i] == 0) continue;
+    const Growth e(power[i]);
     const VectorXd c = c_.row(i), q = c.cwiseProduct(t.first), dv = dg_.row(i);
     const double v = g_[i] + 1;
-    MatrixXd add = dv * q.transpose();
-    add += q * dv.transpose() + v * q * q.transpose();
-    add.diagonal() += v * c.cwiseProduct(t.second);
-    h.template triangularView<Eigen::Lower>() += weight[i] * add;
+    MatrixXd add = e.first * dv * q.transpose();
+    add += e.first * q * dv.transpose() + e.second * v * q * q.transpose();
+    add.diagonal() += e.first * v * c.cwiseProduct(t.second);
+    h.template triangularView<Eigen::Lower>() += lambda[i] * add;
   }
 }
 

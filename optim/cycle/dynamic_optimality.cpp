@@ -26,6 +26,11 @@ bool is_peak(const std::vector<double>& v, std::size_t n) {
   return (n == 0 || v[n] >= v[n - 1]) && (n + 1 == v.size() || v[n] > v[n + 1]);
 }
 
+/// Or the record beside one: where two records share a peak, the optimum has it between them.
+bool touches_peak(const std::vector<double>& v, std::size_t n) {
+  return is_peak(v, n) || (n > 0 && is_peak(v, n - 1)) || (n + 1 < v.size() && is_peak(v, n + 1));
+}
+
 /// Peaks and what is not of the motion as one problem for kkt_residual; values come with the point.
 class RowProblem final : public Problem {
  public:
@@ -126,7 +131,7 @@ DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const St
     for (int n = 0; n < motion.records(); ++n) v.push_back(motion.value(number, n));
     for (std::size_t n = 0; n < v.size(); ++n) {
       const int record = static_cast<int>(n);
-      if (v[n] < (1 - active) * limit || !is_peak(v, n)) continue;
+      if (v[n] < (1 - active) * limit || !touches_peak(v, n)) continue;
       if (const VectorXd* dv = motion.gradient(number, record))
         peaks.push_back({c, motion.time(record), v[n] / limit - 1, *dv / limit});
     }

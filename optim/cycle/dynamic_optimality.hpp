@@ -39,7 +39,8 @@ struct DynamicOptimality {
 ///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n,
 ///     walls, limits of the parts and bounds
 /// at the design x, whose run is `at`. Each peak over time that is within `active` of its limit is
-/// a constraint; at a peak the derivative of the largest value is that at its instant. A response
+/// a constraint, and so are the records beside it; at a peak the derivative of the largest value is
+/// that at its instant. A response
 /// that is the largest over several points is a constraint at each of them.
 ///
 /// @param motion gradients at x  @param statics the static problem of `at`, for what is not of the

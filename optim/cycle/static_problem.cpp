@@ -9,6 +9,8 @@
 namespace liesl {
 namespace {
 
+// Of a quasi-Newton method on a problem that is exact near its start only.
+constexpr int kFewIterations = 50;
 constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
 
 NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmStart& warm,
@@ -58,6 +60,7 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
   answer.x.resize(n);
   for (Eigen::Index i = 0; i < n; ++i)
     answer.x[i] = problem.variables()[static_cast<std::size_t>(i)].start;
+  const int most = problem.has_hessian() ? NlpOptions().max_iterations : kFewIterations;
   NlpResult result;
   for (int round = 0; round < kMaxRounds; ++round) {
     const auto m = static_cast<Eigen::Index>(problem.constraints().size());
@@ -66,7 +69,7 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     problem.values(answer.x, f, g);
     const double violation = m > 0 ? std::max(0.0, g.maxCoeff()) : 0;
     ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation);
-    result = optimise(elastic, options, warm, keep_going, NlpOptions().max_iterations);
+    result = optimise(elastic, options, warm, keep_going, most);
     answer.iterations += result.iterations;
     answer.x = result.x.head(n);
     answer.violation = std::max(0.0, result.x[n]);

@@ -16,7 +16,7 @@ namespace {
 constexpr double kTake = 0.1;   // share of the predicted decrease that a step must bring
 constexpr double kGood = 0.75;  // share from which the radius may grow
 constexpr double kShrink = 0.3, kGrow = 2;
-constexpr double kSmallestRadius = 1e-4;
+constexpr double kSmallestRadius = 1e-6;
 constexpr double kPenalty = 10;                // sigma at first; the mass counts 1
 constexpr double kMargin = 2, kLeast = 1;      // penalty over the sum of the multipliers; at least
 constexpr double kStronger = 5;                // penalty against the one before
@@ -109,6 +109,10 @@ class TrustRegionCycle {
       const ElasticAnswer answer = solve(problem);
       if (record_.asked_to_stop()) return !interrupted();
       const double predicted = merit(*at_.run) - answer.merit;
+      if (predicted <= 0 && !kkt.holds() && radius_ > kSmallestRadius) {
+        radius_ *= kShrink;  // the optimum of a model that is not convex, and no better than here
+        continue;
+      }
       if (settled(predicted, kkt, answer)) return false;
       if (record_.end(used_up(record_.history(), study_.cycle))) return false;
       const Run trial = record_.simulate(answer.x);
