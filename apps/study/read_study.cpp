@@ -194,7 +194,10 @@ void read_cycle(StudyReader& reader) {
   const std::string method = text(*table, "method");
   o.method = method == "esl"    ? CycleMethod::Esl
              : method == "esl1" ? CycleMethod::Esl1
+             : method == "full" ? CycleMethod::Full
                                 : CycleMethod::Auto;
+  o.approximation =
+      text(*table, "approximation") == "linear" ? Approximation::Linear : Approximation::Power;
   const std::string check = text(*table, "optimality");
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never

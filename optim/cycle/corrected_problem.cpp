@@ -17,8 +17,13 @@ constexpr double kLift = 0.1;
 struct Growth {
   double value, first, second;
 
-  explicit Growth(double p) : value(std::exp(std::min(p, 1.0))), first(value), second(value) {
-    if (p <= 1) return;
+  Growth(double p, bool linear) : value(std::exp(std::min(p, 1.0))), first(value), second(value) {
+    if (linear) {
+      value = 1 + p;
+      first = 1;
+      second = 0;
+    }
+    if (linear || p <= 1) return;
     const double q = p - 1;
     value = second * (1 + q + 0.5 * q * q);
     first = second * (1 + q);
@@ -29,8 +34,13 @@ struct Growth {
 
 template <FrameGroup G>
 CorrectedProblem<G>::CorrectedProblem(std::unique_ptr<StaticProblem> inner,
-                                      const MotionGradients<G>& gradients, const VectorXd& x_k)
-    : inner_(std::move(inner)), motion_(gradients), x_k_(x_k), variables_(inner_->variables()) {
+                                      const MotionGradients<G>& gradients, const VectorXd& x_k,
+                                      Approximation approximation)
+    : inner_(std::move(inner)),
+      motion_(gradients),
+      x_k_(x_k),
+      linear_(approximation == Approximation::Linear),
+      variables_(inner_->variables()) {
   correct_rows();
 }
 
@@ -49,7 +59,7 @@ auto CorrectedProblem<G>::steps(const VectorXd& x) const -> Steps {
   const auto n = x.size();
   Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
   for (int i = 0; i < n; ++i) {
-    if (variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
+    if (linear_ || variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
     t.s[i] = x_k_[i] * std::log(x[i] / x_k_[i]);
     t.first[i] = x_k_[i] / x[i];
     t.second[i] = -t.first[i] / x[i];
@@ -94,7 +104,7 @@ void CorrectedProblem<G>::values(const VectorXd& x, double& f, VectorXd& g) {
   g_ = g;
   const VectorXd power = c_ * steps(x).s;
   for (int i = 0; i < g.size(); ++i)
-    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i]).value - 1;
+    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], linear_).value - 1;
 }
 
 template <FrameGroup G>
@@ -105,7 +115,7 @@ void CorrectedProblem<G>::gradients(const VectorXd& x, VectorXd& df, RowMatrix& 
   const VectorXd power = c_ * t.s;
   for (int i = 0; i < dg.rows(); ++i) {
     const VectorXd q = c_.row(i).transpose().cwiseProduct(t.first);
-    const Growth e(power[i]);
+    const Growth e(power[i], linear_);
     dg.row(i) = e.value * dg_.row(i) + e.first * (g_[i] + 1) * q.transpose();
   }
 }
@@ -118,11 +128,11 @@ void CorrectedProblem<G>::hessian(const VectorXd& x, double sigma, const VectorX
   const Steps t = steps(x);
   const VectorXd power = c_ * t.s;
   VectorXd weight = lambda;
-  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i]).value;
+  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], linear_).value;
   inner_->hessian(x, sigma, weight, h);
   for (int i = 0; i < lambda.size(); ++i) {
     if (lambda[i] == 0) continue;
-    const Growth e(power[i]);
+    const Growth e(power[i], linear_);
     const VectorXd c = c_.row(i), q = c.cwiseProduct(t.first), dv = dg_.row(i);
     const double v = g_[i] + 1;
     MatrixXd add = e.first * dv * q.transpose();

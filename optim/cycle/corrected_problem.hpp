@@ -14,14 +14,14 @@ namespace liesl {
 ///   s_i = x_ki ln(x_i/x_ki) where the variable is positive, else x_i - x_ki,
 /// so that value and gradient at x_k are those of the motion (AMMO: Alexandrov, Lewis 2001,
 /// "First-order model management", Optim. Eng. 2), and exact where loads are powers of the
-/// dimensions, v^ > 0 everywhere. A row without size has no correction.
+/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k). A row without size has no correction.
 template <FrameGroup G>
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
   /// @param gradients of the motion at x_k, of inner.responses(); outlives this
   CorrectedProblem(std::unique_ptr<StaticProblem> inner, const MotionGradients<G>& gradients,
-                   const Eigen::VectorXd& x_k);
+                   const Eigen::VectorXd& x_k, Approximation approximation = Approximation::Power);
 
   /// Narrows the bounds to this share, in (0, 1], of those of `inner` about x_k.
   void narrow(double share);
@@ -51,6 +51,7 @@ class CorrectedProblem final : public StaticProblem {
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients<G>& motion_;
   const Eigen::VectorXd x_k_;
+  const bool linear_;
   std::vector<NlpVariable> variables_;
   RowMatrix c_;        ///< rows x variables
   Eigen::VectorXd g_;  ///< of `inner`, at the latest x

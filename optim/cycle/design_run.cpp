@@ -22,7 +22,8 @@ constexpr double kConverged = 1e-8;
 
 SimulationOptions options_of(SimulationOptions options, CycleMethod method) {
   options.output_every = 1;
-  if (method == CycleMethod::Esl1) options.tolerance = std::min(options.tolerance, kConverged);
+  if (method == CycleMethod::Esl1 || method == CycleMethod::Full)
+    options.tolerance = std::min(options.tolerance, kConverged);
   return options;
 }
 

@@ -145,11 +145,11 @@ CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space,
   StudySpec as = study;
   std::string refused;
   if (study.cycle.method != CycleMethod::Esl && simulation.type == SimulationType::Dynamic) try {
-      as.cycle.method = CycleMethod::Esl1;
+      if (study.cycle.method == CycleMethod::Auto) as.cycle.method = CycleMethod::Esl1;
       const DesignSimulator<G> simulator(mechanism, space, simulation, as);
       return run_trust_region_cycle(simulator, as, hooks, bodies, resume);
     } catch (const NoSensitivities& error) {
-      if (study.cycle.method == CycleMethod::Esl1) throw;
+      if (study.cycle.method != CycleMethod::Auto) throw;
       refused = error.what();
     }
   as.cycle.method = CycleMethod::Esl;

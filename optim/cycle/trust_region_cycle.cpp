@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "optim/cycle/corrected_problem.hpp"
+#include "optim/cycle/coupled_problem.hpp"
 #include "optim/cycle/motion_problem.hpp"
 
 namespace liesl {
@@ -23,7 +24,7 @@ constexpr double kStronger = 5;                // penalty against the one before
 constexpr double kClose = 0.1, kCloser = 0.9;  // of the allowed violation; of the one before
 constexpr double kCounts = 0.1;    // share of objective_tolerance that a decrease must have
 constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
-constexpr double kActive = 1e-2;   // limits that may carry a multiplier
+constexpr double kActive = 2e-3;   // limits that may carry a multiplier
 
 /// One run of the cycle; the steps of the algorithm are its member functions.
 template <FrameGroup G>
@@ -91,17 +92,16 @@ class TrustRegionCycle {
 
   /// From one design to the next. False: the cycle has ended.
   bool step() {
-    const auto inner = [this] {
-      return motion_problem(study_, simulator_, *at_.run, at_.x, radius_);
-    };
-    const auto statics = inner();
+    auto statics = motion_problem(study_, simulator_, *at_.run, at_.x, radius_);
     const MotionGradients<G> motion = gradients_at(*statics);
     if (!motion.reason().empty())
       return !record_.end(CycleEnd{CycleStatus::SimulationFailed,
                                    "there are no sensitivities: " + motion.reason()});
     const DynamicOptimality kkt =
         check_optimality(simulator_, study_, at_.x, motion, *statics, kActive);
-    CorrectedProblem<G> problem(inner(), motion, at_.x);
+    if (study_.cycle.method == CycleMethod::Full)
+      statics = std::make_unique<CoupledProblem>(std::move(statics), at_.x);
+    CorrectedProblem<G> problem(std::move(statics), motion, at_.x, study_.cycle.approximation);
     const double built = radius_;
     for (;;) {
       const Clock::time_point start = Clock::now();

@@ -95,7 +95,14 @@ enum class NlpModel { Exact, Separable };
 enum class CycleMethod {
   Auto,  ///< Esl1 where the motion has sensitivities, else Esl
   Esl,   ///< the loads of the last motion are constant in the static problem
-  Esl1   ///< the static problem agrees with the motion to first order; trust region
+  Esl1,  ///< the static problem agrees with the motion to first order; trust region
+  Full   ///< no static problem: the responses of the motion themselves, approximated; trust region
+};
+
+/// The factor that makes rows of a trust region agree with the motion to first order at x_k.
+enum class Approximation {
+  Power,  ///< prod (x_i/x_ki)^c_i: linear between logarithms
+  Linear  ///< 1 + c . (x - x_k)
 };
 
 /// Whether the end of a cycle is checked against the optimality conditions of the motion itself.
@@ -112,6 +119,7 @@ using Support = std::vector<std::string>;
 
 struct CycleOptions {
   CycleMethod method = CycleMethod::Auto;
+  Approximation approximation = Approximation::Power;
   int max = 30;                       ///< cycles
   double tolerance = 1e-3;            ///< of the relative change of the loads (thesis eq. 3.25)
   double objective_tolerance = 1e-3;  ///< of the relative change of the objective
