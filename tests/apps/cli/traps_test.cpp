@@ -79,6 +79,27 @@ type = "modes"
 modes = 4
 )toml";
 
+/// A meshed bar of 1 m, 20 mm square: Euler load 27.6 kN between hinges.
+std::string meshed_bar(const std::string& force) {
+  return R"toml([materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.bar.solid]
+mesh = { from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }
+material = "steel"
+thickness = 0.02
+modes = 2
+[bodies.bar.solid.interfaces]
+left = { set = "x_min" }
+right = { set = "x_max" }
+[joints]
+clamp = { fixed = ["ground", "bar.left"] }
+[simulation]
+type = "static"
+[loads]
+f = { at = "bar.right", force = )toml" +
+         force + " }\n";
+}
+
 struct Trap {
   const char* name;
   std::string scene;
@@ -146,6 +167,10 @@ const Trap kTraps[] = {
      "}\nr = { between = [\"b.origin\", \"d.origin\"], stiffness = 1e4, rest = 0.5 "
      "}\n[simulation]\nduration = 2\nstep = 0.02\n",
      1, "inaccurate", "compare with a smaller simulation.step"},
+    {"MeshedBarAboveATenthOfItsEulerLoad", meshed_bar("[-13.8e3, 0, 0]"), 0, "done",
+     "the part 'bar' carries up to 0.5 of its Euler load"},
+    {"MeshedBarFarBent", meshed_bar("[0, 1600, 0]"), 0, "done",
+     "rad between its interfaces, but its deformation is linear"},
     {"ModesLeaveThePlane", kFrame, 0, "done", "modes may leave the plane"},
 };
 
