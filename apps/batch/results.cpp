@@ -73,9 +73,9 @@ void add_summary(Figures& figures, const Json& summary) {
     figures.add(name + ".max_abs", unit, response.at("max_abs"));
     const Json& last = response.at("final");
     figures.add(name + ".final", unit, last);
-    // Two components are those across a beam, y and z.
-    for (std::size_t c = 0; last.is_array() && c < last.size() && c < 3; ++c)
-      figures.add(name + ".final." + (last.size() == 2 ? "yz" : "xyz")[c], unit, last[c]);
+    const std::string axes = response.value("axes", last.is_array() ? "xyz" : "");
+    for (std::size_t c = 0; c < axes.size() && (last.is_number() || c < last.size()); ++c)
+      figures.add(name + ".final." + axes[c], unit, last.is_array() ? last[c] : last);
   }
   const Json& frequencies = member(summary, "frequencies_hz");
   for (std::size_t m = 0; m < frequencies.size(); ++m)

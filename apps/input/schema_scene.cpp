@@ -103,7 +103,7 @@ std::vector<Key> simulation_keys() {
   return {
     {"simulation", Type::Table, "", kOptional, kAny, "What is computed and how finely."},
     {"simulation.type", Type::Choice, "", "\"dynamic\"", kAny, "Motion over time, equilibrium under the loads, or natural modes about it.", 0, "dynamic static modes"},
-    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them.", 0, "auto planar spatial"},
+    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them. Auto: modes, and statics with `critical`, are always computed in space, since they may leave the plane of the scene (a mesh in the plane keeps it).", 0, "auto planar spatial"},
     {"simulation.formalism", Type::Choice, "", "\"se3\"", kAny, "Unknowns and kind of flexible body: SE(3) (SE(2) in a plane), R^3 x SO(3), classical rotation vectors, floating frames with modes, flexible bodies rigid.", 0, "se3 r3so3 classical floating rigid"},
     {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
     {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},
@@ -116,9 +116,11 @@ std::vector<Key> simulation_keys() {
     {"simulation.error_tolerance", Type::Number, "-", "1e-4", {0, 1, true}, "Adaptive: local error a step relative to the scene's size."},
     {"simulation.step_min", Type::Number, "s", "0", kNotNegative, "Smallest step; 0 = step / 1024."},
     {"simulation.output_every", Type::Integer, "", "1", kWhole1, "Dynamic: steps between two records."},
+    {"simulation.start", Type::Choice, "", "\"assembled\"", kAny, "Dynamic: where the motion starts: where the scene puts the bodies, undeformed, so that weight and loads strike them at t = 0; or in equilibrium under the weight and the loads of t = 0.", 0, "assembled equilibrium"},
+    {"simulation.at", Type::Number, "s", "0", kNotNegative, "Static, modes: the time at which drives, tables and expressions are taken; the drives bring the mechanism to the pose of that time."},
     {"simulation.load_steps", Type::Integer, "", "1", kWhole1, "Static: steps from no load to the full one."},
     {"simulation.arc_length", Type::Boolean, "", "false", kAny, "Static: follow the path past limit points."},
-    {"simulation.max_load", Type::Number, "-", "1.0", kPositive, "Static: load factor at which the path ends."},
+    {"simulation.max_load", Type::Number, "-", "1.0", kPositive, "Static: load factor at which the path ends; weight, loads and forces of actuators are multiplied by it."},
     {"simulation.critical", Type::Boolean, "", "false", kAny, "Static: bisect the load factor where the tangent loses definiteness."},
     {"simulation.modes", Type::Integer, "", "10", kWhole1, "Modes: how many."},
 
@@ -154,14 +156,17 @@ std::vector<Key> response_keys(std::string_view parent) {
   std::vector<Key> keys{
     response_choice(parent, scene ? kRequired : kOneOf),
     {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body.", 0, "", "response=position velocity angular_velocity displacement"},
-    {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam: start, mid, nodeK, end, or `max` for the largest over all nodes.", 0, "", "response=deflection"},
+    {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them.", 0, "", "response=deflection"},
     {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
     {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
+    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity"},
+    {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate"},
     {".element", Type::Integer, "", "0", kWhole0, "Element of the beam, from 0.", 0, "", "response=section_force"},
+    {".at", Type::Choice, "", "\"start\"", kAny, "Where on the element: at its first node, in its middle, at its last node.", 0, "start mid end", "response=section_force"},
     {".component", Type::Choice, "", kRequired, kAny, "Normal force, shear forces, torsion and bending moments.", 0, "N Vy Vz Mx My Mz", "response=section_force"},
   };
   for (Key& key : keys)

@@ -58,7 +58,8 @@ std::vector<double> places(const Scene& scene, int body) {
     add(r.at);
     if (r.body != body) continue;
     if (r.kind == ResponseKind::Deflection && !r.everywhere) found.push_back(r.s);
-    if (r.kind == ResponseKind::SectionForce) found.push_back((r.element + 0.5) / n);
+    if (r.kind == ResponseKind::SectionForce)
+      found.push_back((r.element + node_of(r.place)) / double(n));
   }
   for (int e = 1; e < n; ++e)
     if (beam.sections[static_cast<std::size_t>(e)].name !=

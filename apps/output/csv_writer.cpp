@@ -64,12 +64,8 @@ void write_responses_csv(const std::filesystem::path& path, const Results& resul
   Table table(results);
   for (const auto& response : results.responses) {
     const auto C = static_cast<std::size_t>(response.components);
-    // Two components are those across a beam, y and z.
-    const char* suffix = C == 2 ? "yz" : "xyz";
-    for (std::size_t c = 0; c < C; ++c) {
-      const std::string name = C == 1 ? response.name : response.name + "." + suffix[c];
-      table.add(name, response.unit, response.values, c, C);
-    }
+    for (std::size_t c = 0; c < C; ++c)
+      table.add(response.column(c), response.unit, response.values, c, C);
   }
   write_file(path, table.text());
 }

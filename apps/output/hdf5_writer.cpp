@@ -17,6 +17,23 @@ void put(const Hdf5File& file, const std::string& name, const Block& block,
   file.attribute(name, "unit", unit);
 }
 
+/// Section forces at the nodes [n, N, 6], from those at both ends of the elements: the mean where
+/// two elements meet.
+Block at_nodes(const BodyResult& body, hsize_t n) {
+  const std::size_t N = static_cast<std::size_t>(body.nodes), E = body.elements.size();
+  if (body.section_forces.empty()) return {};
+  std::vector<int> ends(N, 0);
+  for (const auto& element : body.elements)
+    for (const int node : element) ++ends[static_cast<std::size_t>(node)];
+  Block out(n * N * 6, 0.0);
+  for (std::size_t i = 0; i < n * E * 12; ++i) {
+    const std::size_t record = i / (12 * E), element = i / 12 % E, end = i / 6 % 2;
+    const auto node = static_cast<std::size_t>(body.elements[element][end]);
+    out[6 * (N * record + node) + i % 6] += body.section_forces[i] / ends[node];
+  }
+  return out;
+}
+
 void write_body(const Hdf5File& file, const BodyResult& body, hsize_t n) {
   const std::string group = "/bodies/" + hdf5_name(body.name);
   const hsize_t N = static_cast<hsize_t>(body.nodes);
@@ -27,7 +44,8 @@ void write_body(const Hdf5File& file, const BodyResult& body, hsize_t n) {
   put(file, group + "/rotation", body.rotations, {n, N, 9}, "-");
   put(file, group + "/velocity", body.velocities, {n, N, 6}, "m/s, rad/s");
   put(file, group + "/strain", body.strains, {n, E, 6}, "-, 1/m");
-  put(file, group + "/section_force", body.section_forces, {n, E, 6}, "N, N m");
+  put(file, group + "/section_force", body.section_forces, {n, E, 12}, "N, N m");
+  put(file, group + "/node_force", at_nodes(body, n), {n, N, 6}, "N, N m");
   std::vector<int> elements;
   for (const auto& element : body.elements) {
     elements.insert(elements.end(), element.begin(), element.end());

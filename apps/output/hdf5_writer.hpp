@@ -12,7 +12,8 @@ namespace liesl::output {
 /// Writes everything that is recorded; layout in docs/outputs.md:
 ///   /time [n]                      attributes of the root: program, scene, space, abscissa
 ///   /bodies/<name>/{position [n,N,3], rotation [n,N,9], velocity [n,N,6], elements [E,2],
-///                   strain [n,E,6], section_force [n,E,6]}          attribute kind
+///                   strain [n,E,6], section_force [n,E,12],
+///                   node_force [n,N,6]}                             attribute kind
 ///   /joints/<name>/{coordinate [n,K], force [n,6]}                  attribute type
 ///   /energies/{kinetic, elastic, potential, dissipated, total} [n]
 ///   /constraint_residual [n]

@@ -21,7 +21,7 @@ void check_body(const BodyResult& body, std::size_t n) {
   check_block(body.rotations, n * N * 9, body.name + ".rotations");
   check_block(body.velocities, n * N * 6, body.name + ".velocities");
   check_block(body.strains, n * E * 6, body.name + ".strains");
-  check_block(body.section_forces, n * E * 6, body.name + ".section_forces");
+  check_block(body.section_forces, n * E * 12, body.name + ".section_forces");
   for (const auto& element : body.elements) {
     for (const int node : element) {
       if (node < 0 || node >= body.nodes) {
@@ -73,6 +73,11 @@ std::vector<int> spread_records(int n, int count) {
     records.push_back(count > 1 ? static_cast<int>((i * last + (count - 1) / 2) / (count - 1)) : 0);
   }
   return records;
+}
+
+std::string ResponseResult::column(std::size_t component) const {
+  if (!axes.empty()) return name + "." + axes.at(component);
+  return components == 1 ? name : name + "." + "xyz"[component];
 }
 
 }  // namespace liesl::output

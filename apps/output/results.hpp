@@ -5,6 +5,7 @@
 /// the record. An empty block means "not recorded", and is not written.
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,8 +20,10 @@ struct BodyResult {
   std::vector<double> positions;             ///< n x N x 3, inertial, m
   std::vector<double> rotations;             ///< n x N x 9, R (local to inertial), by rows
   std::vector<double> velocities;            ///< n x N x 6, [u; w] in the local frame, m/s, rad/s
-  std::vector<double> strains;         ///< n x E x 6, [eps_x, gam_y, gam_z, kap_x, kap_y, kap_z]
-  std::vector<double> section_forces;  ///< n x E x 6, [N, V_y, V_z, M_x, M_y, M_z], N, N m
+  std::vector<double> strains;  ///< n x E x 6, [eps_x, gam_y, gam_z, kap_x, kap_y, kap_z]
+  /// n x E x 12, [N, V_y, V_z, M_x, M_y, M_z] at the first node of the element and at its last, in
+  /// the axes of that node, N, N m.
+  std::vector<double> section_forces;
 };
 
 /// A meshed part of N nodes and M cells, at r of the records.
@@ -49,6 +52,14 @@ struct Energies {
   std::vector<double> kinetic, elastic, potential;
   std::vector<double> dissipated;  ///< by the integrator, since the start
   std::vector<double> total;       ///< kinetic + elastic + potential
+  /// Over every accepted step, recorded or not: largest kinetic + elastic, largest |potential|, and
+  /// the `dissipated` that is largest in size.
+  double turned_over = 0, largest_potential = 0, lost = 0;
+};
+
+/// Largest |value|, the norm for vectors, and where on the abscissa that is.
+struct Peak {
+  double size = 0, at = 0;
 };
 
 /// A named quantity over the records.
@@ -57,6 +68,11 @@ struct ResponseResult {
   std::string unit;
   int components = 1;          ///< C: 1, 2 or 3
   std::vector<double> values;  ///< n x C
+  std::string axes = {};  ///< C letters that tell the components apart; empty: x, y, z, or none
+  std::optional<Peak> peak = {};  ///< over every accepted step; none: of the records
+
+  /// "bend.y", or the name alone where there is one component without a letter.
+  std::string column(std::size_t component) const;
 };
 
 struct Results {

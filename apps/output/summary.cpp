@@ -25,6 +25,7 @@ Json responses_json(const std::vector<ResponseFigure>& responses) {
                     {"at_time", r.at_time},
                     {"final", number_or_list(r.final)},
                     {"unit", r.unit}};
+    if (!r.axes.empty()) json[r.name]["axes"] = r.axes;
   }
   return json;
 }
@@ -108,6 +109,11 @@ ResponseFigure response_figure(const ResponseResult& response, const std::vector
       figure.at_time = times[i];
     }
   }
+  if (response.peak && response.peak->size > figure.max_abs) {
+    figure.max_abs = response.peak->size;
+    figure.at_time = response.peak->at;
+  }
+  figure.axes = response.axes;
   if (n > 0) {
     const double* last = response.values.data() + (n - 1) * C;
     figure.final.assign(last, last + C);

@@ -18,9 +18,10 @@ namespace liesl::output {
 /// A response in three figures.
 struct ResponseFigure {
   std::string name, unit;
-  double max_abs = 0;         ///< largest |value| over the records, the norm for vectors
+  double max_abs = 0;         ///< largest |value| over all accepted steps, the norm for vectors
   double at_time = 0;         ///< where that is
   std::vector<double> final;  ///< value of the last record, one number a component
+  std::string axes = {};      ///< letters of the components, see ResponseResult
 };
 
 /// Of a recorded series; zeros if it is empty.

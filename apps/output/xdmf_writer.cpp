@@ -97,8 +97,7 @@ std::string grid(const BodyResult& body, const std::string& file, int record, st
   halves(body.velocities, block("velocity", N, 6), "Node", "velocity (local)",
          "angular velocity (local)");
   halves(body.strains, block("strain", E, 6), "Cell", "strain", "curvature");
-  halves(body.section_forces, block("section_force", E, 6), "Cell", "section force",
-         "section moment");
+  halves(body.section_forces, block("node_force", N, 6), "Node", "section force", "section moment");
   return out + "    </Grid>\n";
 }
 

@@ -100,6 +100,9 @@ void read_simulation(Reader& reader) {
   o.error_tolerance = number(*table, "error_tolerance");
   o.step_min = number(*table, "step_min");
   o.output_every = integer(*table, "output_every");
+  o.start =
+      text(*table, "start") == "equilibrium" ? StartChoice::Equilibrium : StartChoice::Assembled;
+  o.at = number(*table, "at");
   o.load_steps = integer(*table, "load_steps");
   o.arc_length = boolean(*table, "arc_length");
   o.max_load = number(*table, "max_load");
@@ -113,6 +116,12 @@ void read_simulation(Reader& reader) {
         fmt::format("'simulation.formalism' = \"{}\" is for motions only", to_string(formalism)),
         "simulation.type = \"dynamic\", or formalism se3, r3so3 or classical");
   if (o.type != SimulationType::Dynamic) return;
+  if (o.start == StartChoice::Equilibrium &&
+      (formalism == Formalism::Floating || formalism == Formalism::Rigid))
+    reader.problems.add(*table->get("start"),
+                        fmt::format("there are no statics of 'simulation.formalism' = \"{}\"",
+                                    to_string(formalism)),
+                        "simulation.start = \"assembled\", or formalism se3, r3so3 or classical");
   const toml::node& step = *table->get("step");
   const toml::node& duration = *table->get("duration");
   if (o.step > o.duration)

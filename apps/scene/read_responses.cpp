@@ -15,14 +15,32 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
   const toml::node& node = *table.get("at");
   const auto place = node.value_or(std::string());
   response.everywhere = place == "max";
-  if (response.everywhere) return true;
   const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
   const int n = static_cast<int>(std::get<BeamSpec>(body.kind).sections.size());
   const toml::node& said = written(node) ? node : static_cast<const toml::node&>(table);
+  if (response.everywhere && n > 1) return true;
+  if (response.everywhere) {
+    reader.problems.add(said,
+                        fmt::format("beam '{}' has no node between its ends: its deflection is 0 "
+                                    "by definition",
+                                    body.name),
+                        "a beam of several elements");
+    return false;
+  }
   const auto port = reader.scene.mechanism.port(body.name + "." + place);
-  if (port && port->body == response.body) {
+  if (port && port->body == response.body && port->node > 0 && port->node < n) {
     response.s = static_cast<double>(port->node) / n;
     return true;
+  }
+  if (port && port->body == response.body) {
+    reader.problems.add(
+        said,
+        fmt::format("the deflection of '{}' at its {} is 0 by definition: it is measured from the "
+                    "chord between the ends",
+                    body.name, place),
+        n > 1 ? fmt::format("mid, node1 to node{}, or max", n - 1) : "a beam of several elements",
+        "how far the tip moves is response = \"displacement\", at = \"" + body.name + ".end\"");
+    return false;
   }
   if (place == "mid") {
     reader.problems.add(
@@ -30,13 +48,15 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
         "an even number of elements", "or at = \"max\" for the largest over all nodes");
     return false;
   }
-  std::vector<std::string> places{"start", "mid", "end", "max"};
-  for (int k = 0; k <= n; ++k) places.push_back(fmt::format("node{}", k));
+  std::vector<std::string> places{"mid", "max"};
+  for (int k = 1; k < n; ++k) places.push_back(fmt::format("node{}", k));
   reader.problems.add(said, fmt::format("beam '{}' has no node '{}'", body.name, place),
-                      fmt::format("start, mid, node0 to node{}, end or max", n),
+                      fmt::format("mid, node1 to node{}, or max", n - 1),
                       suggestion(place, places));
   return false;
 }
+
+bool is_rigid(const BodySpec& body) { return std::holds_alternative<RigidSpec>(body.kind); }
 
 bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const toml::node& at = *table.get("at");
@@ -49,7 +69,20 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
                         "a port of a body");
     return false;
   }
-  return true;
+  if (response.kind == ResponseKind::Position) return true;
+  response.in = text(table, "in") == "body" ? Axes::Body : Axes::Inertial;
+  if (response.kind != ResponseKind::Displacement) return true;
+  const auto& bodies = reader.scene.mechanism.bodies;
+  const BodySpec& body = bodies[static_cast<std::size_t>(port->body)];
+  const bool rigid = is_rigid(body);
+  if (!rigid && port->node > 0) return true;
+  reader.problems.add(
+      at,
+      fmt::format("the displacement of '{}' is 0 by definition: {}", at.value_or(std::string()),
+                  rigid ? "its body is rigid" : "it is seen from the first node of its body"),
+      "a point of a flexible body, not its first node",
+      "how far it moves in space is response = \"position\"");
+  return false;
 }
 
 /// The ends of a beam, or two ports.
@@ -78,6 +111,16 @@ bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& res
   response.at = *a;
   response.to = *b;
   if (a->body == b->body) response.body = a->body;
+  if (a->body >= 0 && a->body == b->body &&
+      (a->node == b->node ||
+       is_rigid(reader.scene.mechanism.bodies[static_cast<std::size_t>(a->body)]))) {
+    reader.problems.add(pair,
+                        fmt::format("the elongation '{}' is 0 by definition: both ports are of one "
+                                    "rigid piece",
+                                    response.name),
+                        "two ports that move apart");
+    return false;
+  }
   if (a->body >= 0 || b->body >= 0) return true;
   reader.problems.add(pair, fmt::format("response '{}' is of the ground", response.name),
                       "a port of a body");
@@ -91,6 +134,10 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   const auto& spec =
       std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
   const int n = static_cast<int>(spec.sections.size());
+  if (spec.as == BeamModel::Rigid)
+    reader.scene.warnings.push_back(
+        fmt::format("response '{}' is 0 by definition: '{}' is simulated as a rigid body",
+                    response.name, text(table, "of")));
   if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
   if (response.kind == ResponseKind::Stress) {
     const bool full = std::any_of(spec.sections.begin(), spec.sections.end(), [](const Section& s) {
@@ -106,6 +153,10 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   response.component = static_cast<int>(
       std::find(names.begin(), names.end(), text(table, "component")) - names.begin());
   response.element = integer(table, "element");
+  const std::string place = text(table, "at");
+  response.place = place == "start" ? ElementPlace::First
+                   : place == "mid" ? ElementPlace::Middle
+                                    : ElementPlace::Last;
   if (response.element < n) return true;
   reader.problems.add(*table.get("element"),
                       fmt::format("there is no element {}", response.element),

@@ -79,6 +79,8 @@ void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint);
 void check_movers(Reader& reader);
 /// A planar mesh needs a planar scene.
 void check_plane(Reader& reader);
+/// A motion with drives that jump is refused; warns of what steps, damping or tolerance spoil.
+void check_motion(Reader& reader);
 /// What is possible but looks like another unit: E in GPa, a diameter in mm.
 std::vector<std::string> unit_warnings(const Reader& reader);
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace liesl {
 
 namespace {
@@ -28,6 +30,19 @@ void check_size(const Scene& scene) {
           "use a shorter duration, a larger step or a larger simulation.output_every"}});
 }
 
+/// Does the scene ask for motions that need not stay in the plane of its own? (A mesh in the plane
+/// has none out of it.)
+bool leaves_plane(const Scene& scene) {
+  const SimulationOptions& o = scene.simulation;
+  if (o.type == SimulationType::Dynamic || (o.type == SimulationType::Static && !o.critical))
+    return false;
+  const auto& bodies = scene.mechanism.bodies;
+  return std::none_of(bodies.begin(), bodies.end(), [](const BodySpec& body) {
+    const auto* solid = std::get_if<SolidSpec>(&body.kind);
+    return solid && solid->mesh.dim == 2;
+  });
+}
+
 }  // namespace
 
 ChosenSpace choose_space(const Scene& scene) {
@@ -35,6 +50,13 @@ ChosenSpace choose_space(const Scene& scene) {
   const SpaceChoice asked = scene.simulation.space;
   if (asked == SpaceChoice::Spatial) return {Space<SE3>(), "spatial", "the scene asks for it"};
   const PlaneSearch found = find_plane(scene.mechanism);
+  if (found.plane && asked == SpaceChoice::Auto && leaves_plane(scene))
+    return {
+        Space<SE3>(), "spatial",
+        fmt::format("{}, but {} may leave the plane: simulation.space = \"planar\" keeps them "
+                    "in it",
+                    found.reason,
+                    scene.simulation.type == SimulationType::Modes ? "modes" : "critical loads")};
   if (found.plane) return {*found.plane, "planar", found.reason};
   if (asked == SpaceChoice::Planar)
     throw InputError(

@@ -1,5 +1,8 @@
 #include "apps/tasks/collect.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "apps/scene/reader.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_model.hpp"
@@ -45,9 +48,10 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
     const BodyState<G> state = model.body_state(s, b);
     append(out.strains,
            view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
-    append(out.section_forces,
-           view.local(model.bodies[b]->section_force(state, static_cast<int>(e)), b,
-                      static_cast<int>(e)));
+    for (const auto end : {ElementPlace::First, ElementPlace::Last})
+      append(out.section_forces,
+             view.local(model.bodies[b]->section_force(state, static_cast<int>(e), end), b,
+                        static_cast<int>(e) + node_of(end)));
   }
 }
 
@@ -87,27 +91,88 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
 }
 
 template <FrameGroup G>
-void add_energies(const Model<G>& model, const State<G>& s, output::Energies& out) {
-  const BodyEnergy e = mechanical_energy(model, s);
-  out.kinetic.push_back(e.kinetic);
-  out.elastic.push_back(e.elastic);
-  out.potential.push_back(e.potential);
-  out.total.push_back(total(e));
-}
-
-template <FrameGroup G>
-double constraint_residual(const Model<G>& model, const State<G>& s) {
+double constraint_residual(const Model<G>& model, const State<G>& s, double t) {
   double largest = 0;
   for (const auto& c : model.couplings)
     for (size_t i = 0; i < c.equations.size(); ++i) {
       const auto& e = c.equations[i];
       if (e.role != Role::Constraint && e.role != Role::Redundant) continue;
-      largest = std::max(largest, std::abs(s.q[c.first_row + static_cast<int>(i)] - e.target(s.t)));
+      largest = std::max(largest, std::abs(s.q[c.first_row + static_cast<int>(i)] - e.target(t)));
     }
   return largest;
 }
 
+/// Letters of the components of a deflection: those across the beam, of which a plane has one.
+template <FrameGroup G>
+std::string axes_of(const ResponseSpec& r, const ResponseValues<G>& values) {
+  if (r.kind != ResponseKind::Deflection || r.everywhere) return {};
+  return G::space_dim == 3 ? "yz" : values.in_plane(r.body) == 0 ? "y" : "z";
+}
+
+template <FrameGroup G>
+std::vector<output::ResponseResult> empty_responses(const std::vector<ResponseSpec>& specs,
+                                                    const Mechanism& mechanism,
+                                                    const ResponseValues<G>& values) {
+  std::vector<output::ResponseResult> out;
+  for (const auto& r : specs) {
+    const int count = components(r, G::space_dim == 2);
+    out.push_back({r.name, unit(r, mechanism), count, {}, axes_of(r, values), {}});
+  }
+  return out;
+}
+
 }  // namespace
+
+template <FrameGroup G>
+StepRecorder<G>::StepRecorder(const Scene& scene, const Mechanism& mechanism, const Model<G>& model)
+    : model_(model),
+      specs_(scene.responses),
+      dynamic_(scene.simulation.type == SimulationType::Dynamic),
+      values_(mechanism, model),
+      equations_(model),
+      responses_(empty_responses(scene.responses, mechanism, values_)) {}
+
+template <FrameGroup G>
+void StepRecorder<G>::operator()(const State<G>& s, bool recorded) {
+  add_responses(s, recorded);
+  add_energies(s, recorded);
+  ++states_;
+}
+
+template <FrameGroup G>
+void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
+  for (size_t i = 0; i < specs_.size(); ++i) {
+    const Eigen::VectorXd y = values_(specs_[i], s);
+    output::ResponseResult& out = responses_[i];
+    if (recorded) append(out.values, y);
+    if (!out.peak || y.norm() > out.peak->size) out.peak = output::Peak{y.norm(), s.t};
+  }
+}
+
+/// Work by the trapezoidal rule over the steps that are shown.
+template <FrameGroup G>
+void StepRecorder<G>::add_energies(const State<G>& s, bool recorded) {
+  const BodyEnergy e = mechanical_energy(model_, s);
+  double dissipated = 0;
+  if (dynamic_) {
+    const double p = power(model_, equations_, s);
+    if (states_ == 0) start_ = total(e);
+    if (states_ > 0) work_ += 0.5 * (s.t - t_before_) * (p + power_before_);
+    t_before_ = s.t;
+    power_before_ = p;
+    dissipated = start_ + work_ - total(e);
+  }
+  output::Energies& out = energies_;
+  out.turned_over = std::max(out.turned_over, e.kinetic + e.elastic);
+  out.largest_potential = std::max(out.largest_potential, std::abs(e.potential));
+  if (std::abs(dissipated) > std::abs(out.lost)) out.lost = dissipated;
+  if (!recorded) return;
+  out.kinetic.push_back(e.kinetic);
+  out.elastic.push_back(e.elastic);
+  out.potential.push_back(e.potential);
+  out.total.push_back(total(e));
+  if (dynamic_) out.dissipated.push_back(dissipated);
+}
 
 template <FrameGroup G>
 std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>& responses,
@@ -115,10 +180,8 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
                                                       const Model<G>& model,
                                                       const Trajectory<G>& trajectory) {
   const ResponseValues<G> values(mechanism, model);
-  std::vector<output::ResponseResult> out;
+  auto out = empty_responses(responses, mechanism, values);
   State<G> s = model.initial_state();
-  for (const auto& r : responses)
-    out.push_back({r.name, unit(r, mechanism), components(r, G::space_dim == 2), {}});
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     for (size_t i = 0; i < responses.size(); ++i) append(out[i].values, values(responses[i], s));
@@ -128,7 +191,7 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
 
 template <FrameGroup G>
 output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                        const Trajectory<G>& trajectory) {
+                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen) {
   output::Results r;
   r.name = mechanism.name;
   r.space = G::space_dim == 2 ? "planar" : "spatial";
@@ -147,8 +210,8 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
 
   const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();
-  Equations<G> eq(model);
-  double work = 0, p_before = 0;
+  StepRecorder<G> of_records(scene, mechanism, model);
+  const bool all_steps = seen && !seen->empty();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
@@ -168,23 +231,22 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
           r.joints[j].units.push_back(unit(spec, mechanism));
         }
     }
-    add_energies(model, s, r.energies);
-    if (dynamic) {
-      const double p = power(model, eq, s);
-      if (n > 0) work += 0.5 * (s.t - r.times[n - 1]) * (p + p_before);
-      p_before = p;
-      r.energies.dissipated.push_back(r.energies.total.front() + work - r.energies.total.back());
-    }
-    r.constraint_residual.push_back(constraint_residual(model, s));
+    if (!all_steps) of_records(s, true);
+    r.constraint_residual.push_back(
+        constraint_residual(model, s, dynamic ? s.t : scene.simulation.at));
   }
-  r.responses = collect_responses(scene.responses, mechanism, model, trajectory);
+  const StepRecorder<G>& steps = all_steps ? *seen : of_records;
+  r.energies = steps.energies();
+  r.responses = steps.responses();
   return r;
 }
 
+template class StepRecorder<SE2>;
+template class StepRecorder<SE3>;
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
-                                 const Trajectory<SE2>&);
+                                 const Trajectory<SE2>&, const StepRecorder<SE2>*);
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
-                                 const Trajectory<SE3>&);
+                                 const Trajectory<SE3>&, const StepRecorder<SE3>*);
 template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&,
                                                                const Mechanism&, const Model<SE2>&,
                                                                const Trajectory<SE2>&);

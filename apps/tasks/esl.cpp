@@ -65,11 +65,14 @@ void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>&
 template <FrameGroup G>
 void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress, EslOutcome& out) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
-  const Simulation<G> simulation = run_simulation(model, scene.simulation, progress);
+  StepRecorder<G> steps(scene, scene.mechanism, model);
+  const Simulation<G> simulation =
+      run_simulation<G>(model, scene.simulation, progress, nullptr, std::ref(steps));
   out.run.status = simulation.report.status;
   describe(out.run.summary, simulation.report, simulation.start, scene.mechanism);
-  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory);
+  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
   describe_responses(out.run.summary, out.run.results);
+  out.run.status = describe_energy(out.run.summary, out.run.results, out.run.status);
   out.run.summary.more["identity"] = nlohmann::ordered_json::object();
   beam_loads(scene, model, simulation.trajectory, out);
   solid_loads(scene, model, simulation.trajectory, out);

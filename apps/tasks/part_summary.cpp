@@ -6,6 +6,7 @@
 #include <functional>
 #include <ranges>
 
+#include "apps/tasks/part_range.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/solvers/part_motion.hpp"
@@ -81,11 +82,10 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
     const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
     if (!body) continue;
     const auto& spec = std::get<SolidSpec>(mechanism.bodies[b].kind);
-    const double harmonic =
-        motion
-            ? bandwidth(times, energy_signals(*body, part_coordinates(model, trajectory, int(b))),
-                        kLeftOut)
-            : 0;
+    const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
+    const double harmonic = motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0;
+    for (const auto& warning : range_warnings(body->name, part_range(*body, e)))
+      summary.warnings.push_back(warning);
     SolidModel solid = solid_model(spec);
     const VectorXd v = solid_fractions(spec).value, full = mesh_frequencies(solid, v, 2 * harmonic);
     // Where even the frequencies of the mesh end below, these are all that can be asked for.

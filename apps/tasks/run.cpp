@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
@@ -77,19 +79,38 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   out.results.abscissa_unit = "Hz";
 }
 
+/// Drives that the other joints and drives leave no room for, at the start and at the end.
+template <FrameGroup G>
+void warn_overdriven(output::RunSummary& summary, const Model<G>& model, const Mobility& at_start,
+                     const Trajectory<G>& trajectory) {
+  State<G> end = model.initial_state();
+  trajectory.read(trajectory.size() - 1, end);
+  const Mobility at_end = mobility(model, end);
+  for (const auto& name : at_start.overdriven)
+    if (std::find(at_end.overdriven.begin(), at_end.overdriven.end(), name) !=
+        at_end.overdriven.end())
+      summary.warnings.push_back(fmt::format(
+          "the drive of '{}' repeats other joints and drives: rigid bodies could not follow it, "
+          "the flexible ones are forced to; take one drive out, or check the axes of the joints",
+          name));
+}
+
 template <FrameGroup G>
 void run_on(const Scene& scene, const Space<G>& space, const Progress& progress, RunOutcome& out) {
   if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, out);
   Model<G> model = Model<G>::build(scene.mechanism, space);
-  const Simulation<G> simulation = run_simulation(model, scene.simulation, progress);
+  StepRecorder<G> steps(scene, scene.mechanism, model);
+  const Simulation<G> simulation =
+      run_simulation<G>(model, scene.simulation, progress, nullptr, std::ref(steps));
   out.status = simulation.report.status;
   describe(out.summary, simulation.report, simulation.start, scene.mechanism);
   describe_parts(out.summary, scene.mechanism, model, simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
-  State<G> start = model.initial_state();
-  const Mobility m = mobility(model, start);
+  const Mobility m = mobility(model, model.initial_state());
   out.summary.more["mobility"] = m.free;
   out.summary.more["redundant_if_rigid"] = m.redundant;
+  if (simulation.trajectory.size() > 1)
+    warn_overdriven(out.summary, model, m, simulation.trajectory);
   if (!simulation.critical.empty()) {
     auto& list = out.summary.more["critical_loads"] = nlohmann::ordered_json::array();
     for (const auto& c : simulation.critical)
@@ -98,9 +119,9 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
                       {"after", c.after},
                       {"limit_point", c.limit_point}});
   }
-  out.results = collect(scene, scene.mechanism, model, simulation.trajectory);
+  out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
   describe_responses(out.summary, out.results);
-  describe_energy(out.summary, out.results);
+  out.status = describe_energy(out.summary, out.results, out.status);
 }
 
 }  // namespace

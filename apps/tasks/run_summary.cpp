@@ -40,23 +40,25 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
     summary.responses.push_back(output::response_figure(r, results.times));
 }
 
-void describe_energy(output::RunSummary& summary, const output::Results& results) {
-  constexpr double kLost = 0.02;
+SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
+                            SolveStatus status) {
+  constexpr double kLost = 0.02, kTooMuch = 0.1;
   constexpr double kNothing = 1e-20;   // J: at rest
   constexpr double kRoundOff = 1e-12;  // of the potential: what does not move trembles by it
-  const auto& e = results.energies;
-  if (e.dissipated.empty()) return;
-  double turned_over = 0, lost = 0, potential = 0;
-  for (size_t i = 0; i < e.dissipated.size(); ++i) {
-    turned_over = std::max(turned_over, e.kinetic[i] + e.elastic[i]);
-    potential = std::max(potential, std::abs(e.potential[i]));
-    if (std::abs(e.dissipated[i]) > std::abs(lost)) lost = e.dissipated[i];
-  }
-  if (std::abs(lost) > kLost * turned_over && turned_over > kNothing + kRoundOff * potential)
-    summary.warnings.push_back(fmt::format(
-        "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and "
-        "elastic energy: compare with a smaller simulation.step",
-        lost > 0 ? "lost" : "made", std::abs(lost), 100 * std::abs(lost) / turned_over));
+  const output::Energies& e = results.energies;
+  if (e.dissipated.empty() || e.turned_over <= kNothing + kRoundOff * e.largest_potential)
+    return status;
+  const double share = std::abs(e.lost) / e.turned_over;
+  if (share <= kLost) return status;
+  const std::string text = fmt::format(
+      "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and elastic "
+      "energy: compare with a smaller simulation.step",
+      e.lost > 0 ? "lost" : "made", std::abs(e.lost), 100 * share);
+  summary.warnings.push_back(text);
+  if (share <= kTooMuch || status != SolveStatus::Converged) return status;
+  summary.status = status_word(SolveStatus::Inaccurate);
+  summary.reason = text;
+  return SolveStatus::Inaccurate;
 }
 
 }  // namespace liesl

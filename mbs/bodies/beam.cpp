@@ -81,7 +81,8 @@ void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity
       acceleration << apparent_acceleration<G>(s, e, gravity),
           apparent_acceleration<G>(s, e + 1, gravity);
       k = w.stiffness *
-          element_stiffness(s, e, stress ? stress[e] : section_force(s, e), acceleration, gravity);
+          element_stiffness(s, e, stress ? stress[e] : section_force(s, e, ElementPlace::Middle),
+                            acceleration, gravity);
     }
     if (w.damping != 0) {
       k += w.damping * element.gyroscopic_tangent(a, b, s.v + dim * e);
@@ -122,9 +123,13 @@ typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::strain(const BodyState<G>& s,
 }
 
 template <FrameGroup G, class E>
-typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s,
-                                                                 int e) const {
-  return elements_[e].section_stiffness() * strain(s, e);
+typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s, int e,
+                                                                 ElementPlace at) const {
+  const Tangent n = elements_[e].section_stiffness() * strain(s, e);
+  if (at == ElementPlace::Middle) return n;
+  const auto P = Element::P(Element::relative(s.H[e], s.H[e + 1]));
+  if (at == ElementPlace::First) return -P.template leftCols<dim>().transpose() * n;
+  return P.template rightCols<dim>().transpose() * n;
 }
 
 template <FrameGroup G, class E>
@@ -153,6 +158,18 @@ BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity)
 }
 
 template <FrameGroup G, class E>
+double ChainBeam<G, E>::dissipation(const BodyState<G>& s) const {
+  double power = 0;
+  for (int e = 0; e < elements() && damping_ > 0; ++e) {
+    const Element& element = elements_[e];
+    const Tangent rate =
+        Element::P(Element::relative(s.H[e], s.H[e + 1])) * Eigen::Map<const Pair>(s.v + dim * e);
+    power += damping_ / element.length() * rate.dot(element.section_stiffness() * rate);
+  }
+  return power;
+}
+
+template <FrameGroup G, class E>
 double ChainBeam<G, E>::total_mass() const {
   double m = 0;
   for (const auto& e : elements_) m += e.length() * e.section_inertia()(0, 0);
@@ -166,13 +183,23 @@ double ChainBeam<G, E>::axial_stiffness() const {
   return k;
 }
 
+/// In the middle that of the strain, at the nodes the transposed tangent of the elastic force.
 template <FrameGroup G, class E>
-void ChainBeam<G, E>::add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
-                                                 double* h) const {
+void ChainBeam<G, E>::add_section_force_gradient(const BodyState<G>& s, int e, ElementPlace at,
+                                                 const Tangent& f, double* h) const {
   const Element& element = elements_[e];
-  const Tangent on_strain = element.section_stiffness().transpose() * f / element.length();
-  Eigen::Map<Pair>(h + dim * e) +=
-      Element::P(Element::relative(s.H[e], s.H[e + 1])).transpose() * on_strain;
+  const G &A = s.H[e], &B = s.H[e + 1];
+  Eigen::Map<Pair> on_h(h + dim * e);
+  if (at == ElementPlace::Middle) {
+    const Tangent on_strain = element.section_stiffness().transpose() * f / element.length();
+    on_h += Element::P(Element::relative(A, B)).transpose() * on_strain;
+    return;
+  }
+  const PairMatrix k = element.tangent(A, B, section_force(s, e, ElementPlace::Middle));
+  if (at == ElementPlace::First)
+    on_h -= k.template topRows<dim>().transpose() * f;
+  else
+    on_h += k.template bottomRows<dim>().transpose() * f;
 }
 
 /// dT/dv = M v, dV/dh = P^T K eps.
@@ -187,8 +214,8 @@ void ChainBeam<G, E>::add_energy_gradient(const BodyState<G>& s, const Vector& g
     on_v += weight.kinetic * (element.mass(A, B) * V);
     on_h += weight.kinetic * element.kinetic_gradient(A, B, s.v + dim * e);
     on_h += weight.potential * element.weight_gradient(A, B, gravity);
-    on_h +=
-        weight.elastic * (Element::P(Element::relative(A, B)).transpose() * section_force(s, e));
+    on_h += weight.elastic * (Element::P(Element::relative(A, B)).transpose() *
+                              section_force(s, e, ElementPlace::Middle));
   }
 }
 

@@ -39,14 +39,16 @@ class ChainBeam final : public Body<G> {
   void add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
                                     Matrices& A) const override;
   Tangent strain(const BodyState<G>& s, int e) const override;
-  Tangent section_force(const BodyState<G>& s, int e) const override;
+  Tangent section_force(const BodyState<G>& s, int e, ElementPlace at) const override;
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  /// sum of c L (d eps/dt)^T K (d eps/dt)
+  double dissipation(const BodyState<G>& s) const override;
   double total_mass() const override;
   double axial_stiffness() const override;
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
-  void add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+  void add_section_force_gradient(const BodyState<G>& s, int e, ElementPlace at, const Tangent& f,
                                   double* h) const override;
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;

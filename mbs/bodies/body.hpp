@@ -11,6 +11,7 @@
 #include "liegroup/concepts.hpp"
 #include "mbs/bodies/body_matrix.hpp"
 #include "mbs/bodies/law_derivative.hpp"
+#include "mbs/model/element_place.hpp"
 
 namespace liesl {
 
@@ -128,14 +129,22 @@ class Body {
   virtual int padding() const { return 0; }
 
   virtual int elements() const { return 0; }
-  /// Strain and section forces of element e.
+  /// Strain of element e, and elastic section forces [N, N m] of a completed state: in the middle
+  /// n = K eps, at its nodes those of the elastic force g = P^T n of the element, -g_A and g_B, in
+  /// the axes of the node. With no load inside the element they are in equilibrium with what acts
+  /// on the nodes, so that moments at the nodes are right whatever its length. (Of the loads of an
+  /// equivalent static load case at a node they are the shares of the elements.)
   virtual Tangent strain(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
-  virtual Tangent section_force(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
+  virtual Tangent section_force(const BodyState<G>&, int /*e*/, ElementPlace) const {
+    return Tangent::Zero();
+  }
   /// stress[e] = section force + its first-order change by the nodal increments `delta` (dim a
   /// node), one an element: n = K (eps + P(d) delta / L).
   virtual void extrapolate_stress(const BodyState<G>&, const double* /*delta*/,
                                   Tangent* /*stress*/) const {}
   virtual BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const = 0;
+  /// Power that the damping of the body takes out of a completed state, W, >= 0.
+  virtual double dissipation(const BodyState<G>&) const { return 0; }
 
   /// Kilograms, and the largest axial stiffness EA/L of an element in N/m (0 = rigid): round-off
   /// in positions times this is the smallest force that means anything.
@@ -156,8 +165,8 @@ class Body {
 
   /// h += (dn_e/dh)^T f: gradient of f . n_e, n_e the section force of element e, with respect to
   /// the increments of the nodal frames of a completed state.
-  virtual void add_section_force_gradient(const BodyState<G>&, int /*e*/, const Tangent& /*f*/,
-                                          double* /*h*/) const {}
+  virtual void add_section_force_gradient(const BodyState<G>&, int /*e*/, ElementPlace,
+                                          const Tangent& /*f*/, double* /*h*/) const {}
   /// Gradient of weight.kinetic T + weight.elastic V + weight.potential U with respect to the
   /// unknowns: h by increments of frames and amplitudes, v by velocities and rates of amplitudes.
   /// @param s as the solvers have it, not completed

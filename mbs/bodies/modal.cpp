@@ -285,19 +285,27 @@ auto ModalBody<G>::strain(const BodyState<G>& s, int e) const -> Tangent {
 }
 
 template <FrameGroup G>
-auto ModalBody<G>::section_force(const BodyState<G>& s, int e) const -> Tangent {
-  return beam_->element(e).section_stiffness() * strain(s, e);
+auto ModalBody<G>::section_force(const BodyState<G>& s, int e, ElementPlace at) const -> Tangent {
+  const auto& element = beam_->element(e);
+  const Tangent n = element.section_stiffness() * strain(s, e);
+  if (at == ElementPlace::Middle) return n;
+  const auto P = BeamElement<G>::P(element.d0());
+  if (at == ElementPlace::First) return -P.template leftCols<dim>().transpose() * n;
+  return P.template rightCols<dim>().transpose() * n;
 }
 
 /// u_k = log(X_k^-1 H_0^-1 H_k): du = T^-1(u) (h_k - Ad((H_0^-1 H_k)^-1) h_0).
 template <FrameGroup G>
-void ModalBody<G>::add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
-                                              double* h) const {
+void ModalBody<G>::add_section_force_gradient(const BodyState<G>& s, int e, ElementPlace at,
+                                              const Tangent& f, double* h) const {
   using Node = Eigen::Map<Tangent>;
   const auto& element = beam_->element(e);
-  const typename Beam<G>::Pair on_u = BeamElement<G>::P(element.d0()).transpose() *
-                                      (element.section_stiffness().transpose() * f) /
-                                      element.length();
+  const auto P = BeamElement<G>::P(element.d0());
+  Tangent on_n = f;
+  if (at == ElementPlace::First) on_n = -(P.template leftCols<dim>() * f);
+  if (at == ElementPlace::Last) on_n = P.template rightCols<dim>() * f;
+  const typename Beam<G>::Pair on_u =
+      P.transpose() * (element.section_stiffness().transpose() * on_n) / element.length();
   for (int i = 0; i < 2; ++i) {
     const int k = e + i;
     const G Y = s.H[0].inverse() * s.H[k];
@@ -321,7 +329,7 @@ void ModalBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& grav
   beam_->add_energy_gradient(completed, gravity, {weight.kinetic, 0, weight.potential}, on_h.data(),
                              on_v.data());
   for (int e = 0; e < elements(); ++e)
-    add_section_force_gradient(completed, e,
+    add_section_force_gradient(completed, e, ElementPlace::Middle,
                                weight.elastic * beam_->element(e).length() * strain(completed, e),
                                on_h.data());
   to_unknowns(s, on_h.data(), on_v.data());
@@ -364,8 +372,29 @@ BodyEnergy ModalBody<G>::energy(const BodyState<G>& s, const Vector& gravity) co
   BodyEnergy energy = beam_->energy(s, gravity);
   energy.elastic = 0;
   for (int e = 0; e < elements(); ++e)
-    energy.elastic += 0.5 * beam_->element(e).length() * strain(s, e).dot(section_force(s, e));
+    energy.elastic += 0.5 * beam_->element(e).length() *
+                      strain(s, e).dot(section_force(s, e, ElementPlace::Middle));
   return energy;
+}
+
+/// As of the beam, with du_k/dt = T^-1(u_k) (v_k - Ad(Y_k^-1) v_0), Y_k = H_0^-1 H_k.
+template <FrameGroup G>
+double ModalBody<G>::dissipation(const BodyState<G>& s) const {
+  using Node = Eigen::Map<const Tangent>;
+  double power = 0;
+  for (int e = 0; e < elements() && damping() > 0; ++e) {
+    typename Beam<G>::Pair du;
+    for (int i = 0; i < 2; ++i) {
+      const int k = e + i;
+      const G Y = s.H[0].inverse() * s.H[k];
+      du.template segment<dim>(dim * i) =
+          G::Tinv(G::log(X_[k].inverse() * Y)) * (Node(s.v + dim * k) - Y.AdInv() * Node(s.v));
+    }
+    const auto& element = beam_->element(e);
+    const Tangent rate = BeamElement<G>::P(element.d0()) * du;
+    power += damping() / element.length() * rate.dot(element.section_stiffness() * rate);
+  }
+  return power;
 }
 
 template class ModalBody<SE2>;

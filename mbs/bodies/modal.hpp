@@ -34,12 +34,13 @@ class ModalBody final : public FloatingBody<G> {
   Eigen::VectorXd displacements(const G* H) const;
   /// Of a completed state; linear in the displacements.
   Tangent strain(const BodyState<G>& s, int e) const override;
-  Tangent section_force(const BodyState<G>& s, int e) const override;
+  Tangent section_force(const BodyState<G>& s, int e, ElementPlace at) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  double dissipation(const BodyState<G>& s) const override;
   double total_mass() const override { return beam_->total_mass(); }
   double axial_stiffness() const override { return beam_->axial_stiffness(); }
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
-  void add_section_force_gradient(const BodyState<G>& s, int e, const Tangent& f,
+  void add_section_force_gradient(const BodyState<G>& s, int e, ElementPlace at, const Tangent& f,
                                   double* h) const override;
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;

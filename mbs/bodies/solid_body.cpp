@@ -299,6 +299,14 @@ VectorXd SolidBody<G>::free_frequencies(int count, int kept) const {
 }
 
 template <FrameGroup G>
+double SolidBody<G>::dissipation(const BodyState<G>& s) const {
+  if (damping_ == 0) return 0;
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  return damping_ * m.rate.dot(this->reduced_stiffness() * m.rate);
+}
+
+template <FrameGroup G>
 BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) const {
   Motion m = this->at_reference();
   this->measure(s, true, m);

@@ -37,6 +37,7 @@ class SolidBody final : public FloatingBody<G> {
   void complete(G* H, double* v, double* vdot, const double* w) const override;
   double damping() const override { return damping_; }
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  double dissipation(const BodyState<G>& s) const override;
   double total_mass() const override { return integrals_.mass; }
   double axial_stiffness() const override;
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;

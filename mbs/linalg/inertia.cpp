@@ -1,6 +1,7 @@
 #include "mbs/linalg/inertia.hpp"
 
 #include <Eigen/SparseCholesky>
+#include <Eigen/SparseLU>
 
 #include "mbs/linalg/dense.hpp"
 
@@ -13,16 +14,19 @@ using Sparse = Eigen::SparseMatrix<double>;
 /// B to length 1. A congruence: no sign changes.
 struct Scaled {
   Sparse K, B;
+  Sparse skew;  ///< of K, scaled as K
 
   Scaled(const Sparse& A, int n) {
     const int m = static_cast<int>(A.rows()) - n;
     K = A.topLeftCorner(n, n);
     B = A.bottomLeftCorner(m, n);
+    skew = 0.5 * (K - Sparse(K.transpose()));
     K = (0.5 * (K + Sparse(K.transpose()))).eval();
     Eigen::VectorXd d = K.diagonal().cwiseAbs();
     const double largest = d.size() ? d.maxCoeff() : 0;
     d = d.cwiseMax(largest > 0 ? 1e-12 * largest : 1).cwiseSqrt().cwiseInverse();
     K = (d.asDiagonal() * K * d.asDiagonal()).eval();
+    skew = (d.asDiagonal() * skew * d.asDiagonal()).eval();
     B = (B * d.asDiagonal()).eval();
     Eigen::VectorXd rows = Eigen::VectorXd::Zero(m);
     for (int j = 0; j < n; ++j)
@@ -69,6 +73,23 @@ std::optional<int> negative_on_null_space(const Sparse& A, int n) {
   for (double p : {1.0, 2.7})
     if (const auto found = count(scaled, p)) return found;
   return count_dense(scaled);
+}
+
+double skew_on_null_space(const Sparse& A, int n) {
+  constexpr double kSymmetric = 1e-8;
+  const Scaled s(A, n);
+  const double size = s.K.norm();
+  if (!(s.skew.norm() > kSymmetric * size)) return 0;
+  const Eigen::MatrixXd Z = null_space(s.B);
+  return (Z.transpose() * (s.skew * Z)).norm() / size;
+}
+
+std::optional<int> negative_determinant(const Sparse& A, int n) {
+  Eigen::SparseLU<Sparse> lu;
+  lu.compute(A);
+  if (lu.info() != Eigen::Success) return std::nullopt;
+  const bool odd = (A.rows() - n) % 2 == 1;
+  return lu.signDeterminant() * (odd ? -1 : 1) < 0 ? 1 : 0;
 }
 
 int negative_on_null_space_dense(const Sparse& A, int n) { return count_dense(Scaled(A, n)); }

@@ -20,6 +20,15 @@ std::optional<int> negative_on_null_space(const Eigen::SparseMatrix<double>& A, 
 /// The same from a dense basis of the null space and all eigenvalues: cubic cost; for tests.
 int negative_on_null_space_dense(const Eigen::SparseMatrix<double>& A, int n);
 
+/// Size of the part of K that is not symmetric, on the null space of B, over that of K, all scaled
+/// by the diagonal of K. 0 at once where K is symmetric; else by a dense basis of the null space.
+double skew_on_null_space(const Eigen::SparseMatrix<double>& A, int n);
+
+/// 1 if det K < 0 on the null space of B, else 0, K symmetric or not: det A = (-1)^m |det B B^T|
+/// det.
+/// @returns nothing if A is singular
+std::optional<int> negative_determinant(const Eigen::SparseMatrix<double>& A, int n);
+
 /// Orthonormal basis of the null space of B, dense. @pre rows of B are independent
 Eigen::MatrixXd null_space(const Eigen::SparseMatrix<double>& B);
 

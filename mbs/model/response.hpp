@@ -6,23 +6,29 @@
 #include <string>
 #include <vector>
 
+#include "mbs/model/element_place.hpp"
 #include "mbs/model/mechanism.hpp"
 
 namespace liesl {
 
+/// In whose axes the components of a vector, and `axis`, are.
+enum class Axes { Inertial, Body };
+
+/// docs/responses.md has the formulas.
 enum class ResponseKind {
   Position,         ///< of port `at`, inertial, m; along `axis` if given
-  Velocity,         ///< of port `at`, inertial, m/s; along `axis` if given
-  AngularVelocity,  ///< of port `at`, local frame, rad/s; along `axis` (local) if given
+  Velocity,         ///< of port `at`, m/s, in `in`: inertial or the port's axes; along `axis`
+  AngularVelocity,  ///< of port `at`, rad/s, in `in`; along `axis`
   Displacement,     ///< of port `at` seen from node 0 of its body, minus its undeformed value, m;
-                    ///< local axes of node 0; along `axis` (in those axes) if given
+                    ///< in `in`: inertial or the axes of node 0; along `axis`
   Deflection,       ///< offset of a beam's point from the chord start-end, minus its undeformed
                     ///< value, m; signed in a planar scene, two components (y, z) in space
   Elongation,       ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
   Coordinate,       ///< of a joint, m or rad
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
-  SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] in one element, N or N m
-  Stress,        ///< von Mises stress of a beam, largest over its elements or at a `point`, Pa
+  SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
+  Stress,        ///< von Mises stress of a beam, largest over both ends of its elements or at a
+                 ///< `point`, Pa
   Energy,        ///< kinetic + elastic (springs, too) + potential, J
   Compliance     ///< twice the elastic energy of a beam: load times displacement, J
 };
@@ -37,12 +43,15 @@ struct ResponseSpec {
   double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
                    ///< `everywhere` = largest over the nodes
   bool everywhere = false;
-  int element = 0;           ///< SectionForce; Stress at one `point`
-  int point = -1;            ///< Stress: a stress point of `element`; -1 = largest over all
+  int element = 0;                           ///< SectionForce; Stress at one `point`
+  ElementPlace place = ElementPlace::First;  ///< SectionForce
+  /// Stress: a stress point of `element`, counted over its first end, then its last; -1 = largest
+  int point = -1;
   int component = 0;         ///< SectionForce, 0..5
   int joint = -1;            ///< Coordinate, JointForce
   int coordinate = 0;        ///< Coordinate
   std::optional<Vec3> axis;  ///< unit
+  Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Displacement
 };
 
 }  // namespace liesl

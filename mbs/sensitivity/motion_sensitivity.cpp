@@ -68,6 +68,10 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
     throw std::invalid_argument(
         "the start depends on a parameter: a drive with a factor has to start from zero and from "
         "rest, its motion and the rate of its motion 0 at the start");
+  if (tape.options.start == StartChoice::Equilibrium)
+    throw std::invalid_argument(
+        "sensitivities need a start that does not depend on the parameters, not an equilibrium: "
+        "simulation.start = \"assembled\"");
   if (start.moved > kMoved * model.length)
     throw std::invalid_argument(fmt::format(
         "sensitivities need a start that joints leave where it is; the bodies were moved by {:.3g} "

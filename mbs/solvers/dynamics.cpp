@@ -6,14 +6,18 @@
 #include <ctime>
 
 #include "mbs/solvers/ringing.hpp"
+#include "mbs/solvers/statics.hpp"
 #include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
 namespace {
 
-constexpr int kGrowAfter = 4;    // good steps before the step doubles again
-constexpr double kSafety = 0.5;  // adaptive: double below kSafety^3 of the tolerance
-constexpr double kTurn = 0.05;   // rad a step that a user should know of
+constexpr int kGrowAfter = 4;              // good steps before the step doubles again
+constexpr double kSafety = 0.5;            // adaptive: double below kSafety^3 of the tolerance
+constexpr double kTurn = 0.05;             // rad a step that a user should know of
+constexpr double kBend = 0.5;              // rad of one element that a user should know of
+constexpr double kFold = 0.99 * M_PI;      // rad
+constexpr double kStartTolerance = 1e-10;  // of the equilibrium that a motion starts from
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
 class StepGrid {
@@ -65,8 +69,89 @@ struct FastestTurn {
   }
 };
 
-double seconds_since(std::chrono::steady_clock::time_point start) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+/// How far elements turn from one end to the other: their strain has no unique value at pi. (Those
+/// whose nodes follow a floating frame have linear strains.)
+template <FrameGroup G>
+class LargestBend {
+ public:
+  explicit LargestBend(const Model<G>& model) : model_(model) {
+    for (const auto& body : model.bodies)
+      for (int e = 0; e < body->elements(); ++e)
+        at_rest_.push_back(turn(body->reference[e], body->reference[e + 1]));
+  }
+  void step(const State<G>& s) {
+    size_t i = 0;
+    for (size_t b = 0; b < model_.bodies.size(); ++b) {
+      const int first = model_.first_node(static_cast<int>(b));
+      for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
+        const double rest = at_rest_[i++];
+        const Body<G>& body = *model_.bodies[b];
+        if (body.kind(e) != NodeKind::Frame || body.kind(e + 1) != NodeKind::Frame) continue;
+        const double now = turn(s.H[first + e], s.H[first + e + 1]), by = std::abs(now - rest);
+        if (now > whole) whole = now, folded = b;
+        if (by > bend) bend = by, bent = b;
+      }
+    }
+  }
+
+  double whole = 0, bend = 0;   ///< rad: largest turn, largest change of it
+  size_t folded = 0, bent = 0;  ///< bodies where they are
+
+ private:
+  /// trace(R_a^T R_b) is 1 + 2 cos(angle) in space, 2 cos(angle) in the plane.
+  static double turn(const G& a, const G& b) {
+    const double trace = a.R.cwiseProduct(b.R).sum();
+    return std::acos(std::clamp(0.5 * (trace - (G::space_dim - 2)), -1., 1.));
+  }
+  const Model<G>& model_;
+  std::vector<double> at_rest_;
+};
+
+/// Time of the stepping: runs, but not while something looks at the states.
+class Watch {
+ public:
+  void go() {
+    wall_ = std::chrono::steady_clock::now();
+    cpu_ = std::clock();
+  }
+  void stop(Report& report) const {
+    report.stepping_s +=
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - wall_).count();
+    report.stepping_cpu_s += static_cast<double>(std::clock() - cpu_) / CLOCKS_PER_SEC;
+  }
+
+ private:
+  std::chrono::steady_clock::time_point wall_;
+  std::clock_t cpu_ = 0;
+};
+
+/// Positions of the static equilibrium under the loads of t = 0 into s. @returns how it went
+template <FrameGroup G>
+InitialState take_equilibrium(const Model<G>& model, const SimulationOptions& options,
+                              State<G>& s) {
+  SimulationOptions statics = options;
+  statics.type = SimulationType::Static;
+  statics.tolerance = std::min(options.tolerance, kStartTolerance);
+  statics.at = 0;
+  statics.max_load = 1;
+  statics.arc_length = statics.critical = false;
+  const StaticResult<G> found = solve_static(model, statics);
+  InitialState out = found.start;
+  out.status = found.report.status;
+  if (out.status != SolveStatus::Converged) {
+    out.reason = "no equilibrium to start from: " + found.report.reason;
+    return out;
+  }
+  State<G> rest = s;
+  found.trajectory.read(found.trajectory.size() - 1, rest);
+  if (found.negative.back() > 0)
+    out.warnings.push_back(
+        "the equilibrium that the motion starts from is not stable: the smallest disturbance "
+        "leaves it");
+  s.H = rest.H;
+  s.w = rest.w;
+  s.q = rest.q;
+  return out;
 }
 
 /// Writes down what a replay needs; nothing without a tape.
@@ -139,6 +224,15 @@ void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& 
       model.bodies[body]->name, turn.angle));
 }
 
+template <FrameGroup G>
+void add_bend_warning(Report& report, const Model<G>& model, const LargestBend<G>& bend) {
+  if (bend.bend <= kBend) return;
+  report.warnings.push_back(
+      fmt::format("an element of '{}' bends by up to {:.2g} rad, which is much: compare with more "
+                  "elements",
+                  model.bodies[bend.bent]->name, bend.bend));
+}
+
 /// What the start has to say. @returns whether the run goes on
 bool take_start(const InitialState& start, Report& report) {
   report.warnings = start.redundant;
@@ -156,11 +250,49 @@ std::string failure(const StepResult& step, double t, double h) {
                      step.failure, t, h, residual);
 }
 
+/// Puts s where the motion starts. @returns whether the run goes on
+template <FrameGroup G>
+bool begin(const Model<G>& model, const SimulationOptions& o, State<G>& s,
+           DynamicResult<G>& result) {
+  std::vector<std::string> of_equilibrium;
+  if (o.start == StartChoice::Equilibrium) {
+    result.start = take_equilibrium(model, o, s);
+    if (!take_start(result.start, result.report)) return false;
+    of_equilibrium = result.start.warnings;
+  }
+  result.start = make_consistent(model, o, s);
+  auto& warnings = result.start.warnings;
+  warnings.insert(warnings.begin(), of_equilibrium.begin(), of_equilibrium.end());
+  return take_start(result.start, result.report);
+}
+
+/// Does the run end after an accepted step? Then status and reason are set.
+template <FrameGroup G>
+bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
+          const Progress& progress, Report& report) {
+  const auto end = [&report](SolveStatus status, std::string reason) {
+    report.status = status;
+    report.reason = std::move(reason);
+    return true;
+  };
+  if (bend.whole > kFold)
+    return end(
+        SolveStatus::NotConverged,
+        fmt::format("an element of '{}' turns by pi at t = {:.6g} s, where its strain has no "
+                    "unique value: use more elements",
+                    model.bodies[bend.folded]->name, s.t));
+  if (auto why = contradiction(model, s, s.t); !why.empty())
+    return end(SolveStatus::Inconsistent, std::move(why));
+  if (progress && !progress(s.t))
+    return end(SolveStatus::Interrupted, fmt::format("stopped at t = {:.6g} s on request", s.t));
+  return false;
+}
+
 }  // namespace
 
 template <FrameGroup G>
 DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& options,
-                          const Progress& progress, Tape<G>* tape) {
+                          const Progress& progress, Tape<G>* tape, const Observer<G>& observe) {
   options.require_valid();
   const long whole_steps = std::lround(std::ceil(options.duration / options.step * (1 - 1e-12)));
   SimulationOptions o = options;
@@ -168,16 +300,17 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   DynamicResult<G> result;
   Report& report = result.report;
   State<G> s = model.initial_state();
-  result.start = make_consistent(model, o, s);
-  if (!take_start(result.start, report)) return result;
+  if (!begin(model, o, s, result)) return result;
   result.trajectory.reserve(s, static_cast<int>(whole_steps / o.output_every) + 2);
   State<G> seen;  // completed
-  const auto record = [&] {
+  const auto show = [&](bool recorded) {
+    if (!recorded && !observe) return;
     seen = s;
     model.complete(seen);
-    result.trajectory.record(seen);
+    if (recorded) result.trajectory.record(seen);
+    if (observe) observe(seen, recorded);
   };
-  record();
+  show(true);
 
   GeneralizedAlpha<G> integrator(model, o);
   integrator.start(s);
@@ -186,10 +319,11 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   StepGrid grid(o);
   Ringing ringing;
   FastestTurn turn;
+  LargestBend<G> bend(model);
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
-  const auto start = std::chrono::steady_clock::now();
-  const std::clock_t cpu_start = std::clock();
+  Watch watch;
+  watch.go();
   while (grid.whole() < whole_steps) {
     const double h = grid.h();
     StepResult step = integrator.step(s, h);
@@ -212,34 +346,28 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
     writer.add({h, s.t, true}, s);
     ringing.step(s.lambda, h);
     turn.step(model, s, h);
+    bend.step(s);
     report.max_constraint_residual =
         std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
     if (o.adaptive && step.error > error_limit && grid.halve())
       report.smallest_step = std::min(report.smallest_step, grid.h());
     const long whole = grid.whole();
-    if (whole > 0 && (whole % o.output_every == 0 || whole == whole_steps)) record();
-    if (const auto why = contradiction(model, s); !why.empty()) {
-      report.status = SolveStatus::Inconsistent;
-      report.reason = why;
-      break;
-    }
-    if (progress && !progress(s.t)) {
-      report.status = SolveStatus::Interrupted;
-      report.reason = fmt::format("stopped at t = {:.6g} s on request", s.t);
-      break;
-    }
+    watch.stop(report);
+    show(whole > 0 && (whole % o.output_every == 0 || whole == whole_steps));
+    watch.go();
+    if (ends(model, s, bend, progress, report)) break;
   }
-  report.stepping_s = seconds_since(start);
-  report.stepping_cpu_s = static_cast<double>(std::clock() - cpu_start) / CLOCKS_PER_SEC;
+  watch.stop(report);
   report.factorizations = integrator.factorizations();
   add_warnings(report, o.step, options.step, integrator.tangent(), ringing);
   add_turn_warning(report, model, turn);
+  add_bend_warning(report, model, bend);
   return result;
 }
 
 template DynamicResult<SE2> simulate(const Model<SE2>&, const SimulationOptions&, const Progress&,
-                                     Tape<SE2>*);
+                                     Tape<SE2>*, const Observer<SE2>&);
 template DynamicResult<SE3> simulate(const Model<SE3>&, const SimulationOptions&, const Progress&,
-                                     Tape<SE3>*);
+                                     Tape<SE3>*, const Observer<SE3>&);
 
 }  // namespace liesl

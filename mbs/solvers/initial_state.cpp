@@ -10,7 +10,10 @@ namespace {
 constexpr int kMaxAssembly = 50;
 constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 constexpr double kGivenVelocity = 1e-6;
-constexpr int kRefinements = 5;  // of the accelerations
+constexpr double kDriven = 1e-9;    // rad or of the length: a drive that starts elsewhere
+constexpr double kPoseTime = 1;     // s: M/time^2 is small beside K, bodies are as good as rigid
+constexpr double kRelaxed = 1e-11;  // rad or m, last correction
+constexpr int kRefinements = 5;     // of the accelerations
 constexpr double kRefined = 1e-12;
 
 /// Each body must have mass, and a beam inertia in every direction: the joints act on it through
@@ -43,24 +46,42 @@ const std::string& most_open(const Equations<G>& eq) {
   return worst->name;
 }
 
+/// eq.r = elastic forces of the bodies alone, none of loads, springs or joints.
 template <FrameGroup G>
-bool assemble_positions(const Model<G>& model, double step, State<G>& s, InitialState& out) {
+void elastic_forces(const Model<G>& model, const State<G>& s, Equations<G>& eq) {
+  ForceScale scale;
+  eq.r.setZero();
+  for (size_t b = 0; b < model.bodies.size(); ++b)
+    model.bodies[b]->add_internal(model.body_state(s, static_cast<int>(b)),
+                                  eq.r.data() + G::dim * model.first_node(static_cast<int>(b)),
+                                  scale);
+}
+
+/// @param relax: what strains the way to the constraints has left is taken out again, in the same
+/// metric: bodies are turned to where drives want them. @pre s.v = 0 then
+template <FrameGroup G>
+bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>& s,
+                        InitialState& out) {
   Equations<G> eq(model);
   JointSystem<G> system(model);
-  system.factor({1 / (step * step), 0});
+  system.factor({1 / (time * time), 0});
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(model.size()), dlambda = s.lambda;
   const auto start = s.H;
   for (int i = 0; i <= kMaxAssembly; ++i) {
     eq.evaluate(s, s.q, {s.t, 1});
     if (!std::isfinite(eq.constraint_residual())) break;
-    if (eq.constraint_residual() <= kAssembled * model.reach) {
+    const bool relaxed = !relax || i == kMaxAssembly ||
+                         (i > 0 && delta.template lpNorm<Eigen::Infinity>() <= kRelaxed);
+    if (relaxed && eq.constraint_residual() <= kAssembled * model.reach) {
       for (size_t k = 0; k < start.size(); ++k)
         out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
       return true;
     }
     eq.r.setZero();
+    if (relax) elastic_forces(model, s, eq);
     if (!system.solve(eq, delta, dlambda, false)) break;
     model.retract(s, delta);
+    if (relax) eq.observe(s, s.q, s.q);
   }
   out.status = SolveStatus::Inconsistent;
   out.reason = fmt::format(
@@ -108,6 +129,11 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
   for (int k = 0; k < model.nodes(); ++k)
     out.velocity_change = std::max(out.velocity_change,
                                    (s.v - start).template segment<G::space_dim>(G::dim * k).norm());
+  if (start.norm() == 0 && out.velocity_change > kGivenVelocity * model.length / time)
+    out.warnings.push_back(
+        fmt::format("drives move at once at t = 0: bodies start with up to {:.3g} m/s and no "
+                    "deformation, which makes them vibrate; a drive with a ramp starts from rest",
+                    out.velocity_change));
   if (start.norm() > 0 && (s.v - start).norm() > kGivenVelocity * start.norm())
     out.warnings.push_back(
         fmt::format("the velocities given violate joints or drives: they were changed by up to "
@@ -145,6 +171,20 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
 }  // namespace
 
 template <FrameGroup G>
+double way_of_drives(const Model<G>& model, const State<G>& s) {
+  double way = 0;
+  for (const auto& c : model.couplings)
+    for (size_t i = 0; i < c.equations.size(); ++i) {
+      const auto& e = c.equations[i];
+      if (e.role != Role::Constraint || e.coordinate < 0) continue;
+      const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
+      const double off = e.target(s.t) - s.q[c.first_row + static_cast<int>(i)];
+      way = std::max(way, std::abs(off) / (length ? model.length : 1));
+    }
+  return way;
+}
+
+template <FrameGroup G>
 InitialState assemble(const Model<G>& model, double step, State<G>& s) {
   InitialState out;
   out.redundant = model.redundant;
@@ -156,9 +196,17 @@ InitialState assemble(const Model<G>& model, double step, State<G>& s) {
   const Equations<G> eq(model);
   eq.observe(s, s.q, s.q);
   s.lambda.setZero(model.constraints());
-  if (!assemble_positions(model, step, s, out)) return out;
+  if (way_of_drives(model, s) > kDriven) {
+    const Eigen::VectorXd v = s.v;
+    s.v.setZero();
+    const bool assembled = assemble_positions(model, kPoseTime, true, s, out);
+    s.v = v;
+    if (!assembled) return out;
+  } else if (!assemble_positions(model, step, false, s, out)) {
+    return out;
+  }
   eq.observe(s, s.q, s.q);
-  if (const auto why = contradiction(model, s); !why.empty()) {
+  if (const auto why = contradiction(model, s, s.t); !why.empty()) {
     out.status = SolveStatus::Inconsistent;
     out.reason = why;
   }
@@ -169,12 +217,21 @@ template <FrameGroup G>
 InitialState make_consistent(const Model<G>& model, const SimulationOptions& options, State<G>& s) {
   InitialState out;
   if (!has_inertia(model, out)) return out;
+  Equations<G>(model).observe(s, s.q, s.q);
+  const double way = way_of_drives(model, s);
   out = assemble(model, options.step, s);
   if (out.status != SolveStatus::Converged) return out;
+  if (way > kDriven)
+    out.warnings.push_back(
+        fmt::format("a drive is not at its joint's position at t = 0: before the motion starts the "
+                    "bodies were moved by up to {:.3g} m, to where it is",
+                    out.moved));
   if (project_velocities(model, options.duration, s, out)) solve_accelerations(model, s, out);
   return out;
 }
 
+template double way_of_drives(const Model<SE2>&, const State<SE2>&);
+template double way_of_drives(const Model<SE3>&, const State<SE3>&);
 template InitialState assemble(const Model<SE2>&, double, State<SE2>&);
 template InitialState assemble(const Model<SE3>&, double, State<SE3>&);
 template InitialState make_consistent(const Model<SE2>&, const SimulationOptions&, State<SE2>&);

@@ -19,18 +19,25 @@ struct InitialState {
   std::vector<std::string> warnings;
 };
 
-/// Positions alone: nodes onto the constraints at time s.t (Newton,
-/// least change in the metric M/step^2 + K), joint coordinates into s.q. For statics.
+/// Positions alone: nodes onto the constraints at time s.t (Newton, least change in the metric
+/// M/step^2 + K), joint coordinates into s.q. Where a drive is not at its joint's position the
+/// bodies are turned to where it is, as rigidly as the joints allow: with 1 s for the step, and
+/// strains on the way taken out again. For statics.
 template <FrameGroup G>
 InitialState assemble(const Model<G>& model, double step, State<G>& s);
 
-/// Assembles the positions (Newton, least change in the metric M/step^2 + K), projects the
-/// velocities (least change in the metric M/duration^2 + K: as rigid as the joints allow), solves
-/// for accelerations and multipliers. A repeated constraint that contradicts the others is
-/// Inconsistent.
+/// How far drives are from their value at s.t, rad or the mechanism's length; s.q known.
+template <FrameGroup G>
+double way_of_drives(const Model<G>& model, const State<G>& s);
+
+/// Assembles the positions (`assemble`), projects the velocities (least change in the metric
+/// M/duration^2 + K: as rigid as the joints allow), solves for accelerations and multipliers. A
+/// repeated constraint that contradicts the others is Inconsistent.
 template <FrameGroup G>
 InitialState make_consistent(const Model<G>& model, const SimulationOptions& options, State<G>& s);
 
+extern template double way_of_drives(const Model<SE2>&, const State<SE2>&);
+extern template double way_of_drives(const Model<SE3>&, const State<SE3>&);
 extern template InitialState assemble(const Model<SE2>&, double, State<SE2>&);
 extern template InitialState assemble(const Model<SE3>&, double, State<SE3>&);
 extern template InitialState make_consistent(const Model<SE2>&, const SimulationOptions&,

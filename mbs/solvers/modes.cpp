@@ -43,7 +43,7 @@ bool find_equilibrium(const Model<G>& model, const SimulationOptions& options,
   State<G>& s = out.equilibrium;
   s = model.initial_state();
   s.v.setZero();
-  out.start = assemble(model, options.step, s);
+  out.start = take_pose(model, options, s);
   out.report.warnings = out.start.redundant;
   out.report.status = out.start.status;
   out.report.reason = out.start.reason;

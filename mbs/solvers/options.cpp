@@ -47,6 +47,7 @@ std::vector<std::string> SimulationOptions::errors() const {
       {"error_tolerance", error_tolerance, {0, 1, true}},
       {"step_min", step_min, {0, kInfinity, false, "s"}},
       {"output_every", static_cast<double>(output_every), kCount},
+      {"at", at, {0, kInfinity, false, "s"}},
       {"load_steps", static_cast<double>(load_steps), kCount},
       {"max_load", max_load, {0, kInfinity, true}},
       {"modes", static_cast<double>(modes), kCount},

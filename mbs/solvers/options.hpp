@@ -10,6 +10,13 @@ namespace liesl {
 enum class SimulationType { Dynamic, Static, Modes };
 enum class SpaceChoice { Auto, Planar, Spatial };
 
+/// Where a motion starts.
+enum class StartChoice {
+  Assembled,   ///< where the scene puts the bodies, undeformed: weight and loads strike them
+  Equilibrium  ///< in equilibrium under the weight and the loads of t = 0, drives where they are
+               ///< then
+};
+
 /// When the matrix of the Newton iteration is factored.
 enum class TangentStrategy {
   Auto,      ///< the formalism's: constant, adaptive (r3so3, floating), exact (classical)
@@ -34,8 +41,10 @@ struct SimulationOptions {
   double error_tolerance = 1e-4;  ///< adaptive: local error relative to the scene's size, per step
   double step_min = 0;            ///< s; 0 = step / 1024
   int output_every = 1;           ///< steps between two records, >= 1
+  StartChoice start = StartChoice::Assembled;
 
   // Static: load factor from 0 to 1.
+  double at = 0;            ///< s, >= 0; static, modes: time of drives and other functions of time
   int load_steps = 1;       ///< >= 1
   bool arc_length = false;  ///< follow the path past limit points
   double max_load = 1.0;    ///< load factor at which the path ends, > 0

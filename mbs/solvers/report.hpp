@@ -12,6 +12,7 @@ enum class SolveStatus {
   NotConverged,  ///< Newton's method failed at the smallest step; results until there are kept
   Inconsistent,  ///< the scene cannot be assembled or its start contradicts itself
   Singular,      ///< the equations have no unique solution
+  Inaccurate,    ///< the end was reached, but the result cannot be relied on
   Interrupted    ///< the caller asked to stop
 };
 
@@ -25,6 +26,8 @@ inline const char* to_string(SolveStatus s) {
       return "inconsistent";
     case SolveStatus::Singular:
       return "singular";
+    case SolveStatus::Inaccurate:
+      return "inaccurate";
     case SolveStatus::Interrupted:
       return "interrupted";
   }

@@ -16,12 +16,13 @@ struct Simulation {
 };
 
 /// Dynamics or statics, as options.type says. Modes have their own result: solve_modes.
-/// @param tape of dynamics; null: none
+/// @param tape of dynamics; null: none  @param observe of motions, see `simulate`
 template <FrameGroup G>
 Simulation<G> run_simulation(const Model<G>& model, const SimulationOptions& options,
-                             const Progress& progress = {}, Tape<G>* tape = nullptr) {
+                             const Progress& progress = {}, Tape<G>* tape = nullptr,
+                             const Observer<G>& observe = {}) {
   if (options.type == SimulationType::Dynamic) {
-    auto r = simulate(model, options, progress, tape);
+    auto r = simulate<G>(model, options, progress, tape, observe);
     return {std::move(r.trajectory), std::move(r.report), std::move(r.start), {}};
   }
   auto r = solve_static(model, options, progress);

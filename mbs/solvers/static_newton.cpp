@@ -20,7 +20,7 @@ StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& op
 
 template <FrameGroup G>
 void StaticNewton<G>::evaluate(const State<G>& s, double load) {
-  equations_.evaluate(s, s.q, {load, load});
+  equations_.evaluate(s, s.q, level(load));
 }
 
 template <FrameGroup G>
@@ -40,7 +40,7 @@ template <FrameGroup G>
 const typename IterationMatrix<G>::Matrix& StaticNewton<G>::tangent(const State<G>& s) {
   evaluate(s, s.t);
   system_.take_prestress(equations_, s);
-  return system_.assemble(equations_, s, {s.t, s.t});
+  return system_.assemble(equations_, s, level(s.t));
 }
 
 /// d[r; phi]/d(load factor); exact where loads grow linearly.
@@ -62,7 +62,7 @@ bool StaticNewton<G>::solve_both(const State<G>& s, double load) {
   load_column(s, load, rhs_.col(1));
   evaluate(s, load);
   rhs_.col(0) << equations_.r, equations_.phi;
-  system_.assemble(equations_, s, {load, load});
+  system_.assemble(equations_, s, level(load));
   if (!system_.factor()) return false;
   rhs_ = -rhs_;
   system_.lu().solve(rhs_);
@@ -146,7 +146,7 @@ NewtonResult StaticNewton<G>::solve(State<G>& s, double load) {
   evaluate(trial_, load);
   system_.take_prestress(equations_, trial_);
   while (check(result)) {
-    system_.assemble(equations_, trial_, {load, load});
+    system_.assemble(equations_, trial_, level(load));
     rhs_.col(0) << equations_.r, equations_.phi;
     if (!system_.factor()) {
       result.singular = result.iterations == 0;

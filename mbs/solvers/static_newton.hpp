@@ -52,6 +52,7 @@ class StaticNewton {
   bool in_equilibrium(const State<G>& s, double load);
 
  private:
+  LoadLevel level(double load) const { return {options_.at, load}; }
   void evaluate(const State<G>& s, double load);
   bool small_enough() const;
   void load_column(const State<G>& s, double load, Eigen::Ref<Eigen::VectorXd> column);

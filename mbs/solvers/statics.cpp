@@ -18,9 +18,33 @@ constexpr int kWantedIterations = 5;  // arc length: steps grow below, shrink ab
 constexpr double kLargestArc = 4;     // of the first step
 constexpr double kLocated = 1e-5;     // of a critical load, relative
 constexpr int kMaxBisections = 40;
-constexpr double kSmallestPart = 1e-3;  // of a step, when the load hardly changes over it
-constexpr double kSide = 0.1;           // part of a step to either side of a possible extremum
-constexpr double kSuspicious = 1e-9;    // reciprocal condition that asks for a look at the tangent
+constexpr int kMostCriticalPoints = 20;  // of one step
+constexpr double kUnsymmetric = 1e-7;    // of the tangent, on the motions that the joints leave
+constexpr double kSmallestPart = 1e-3;   // of a step, when the load hardly changes over it
+constexpr double kSide = 0.1;            // part of a step to either side of a possible extremum
+constexpr double kSuspicious = 1e-9;     // reciprocal condition that asks for a look at the tangent
+constexpr double kPoseTurn = 0.1;        // rad, or of the mechanism's length: a drive's way at once
+constexpr int kPoseSamples = 256;        // of the drives between 0 and simulation.at
+constexpr int kMaxPoses = 4096;
+
+/// Negative eigenvalues of tangents on the motions that the joints leave. Where loads that follow
+/// the motion make them unsymmetric there is no such count that means anything: 1 if the
+/// determinant is negative, which changes where a further equilibrium branches off.
+class NegativeCount {
+ public:
+  /// @param A tangent with constraints  @param n unknowns without multipliers  @returns -1:
+  /// singular
+  int operator()(const Eigen::SparseMatrix<double>& A, int n) {
+    follows_ = follows_ || skew_on_null_space(A, n) > kUnsymmetric;
+    if (follows_) return negative_determinant(A, n).value_or(-1);
+    return negative_on_null_space(A, n).value_or(-1);
+  }
+  /// Has a tangent been unsymmetric?
+  bool follows() const { return follows_; }
+
+ private:
+  bool follows_ = false;
+};
 
 template <FrameGroup G>
 class LoadPath {
@@ -177,7 +201,7 @@ class LoadPath {
     if (now != then && (o_.critical || o_.arc_length)) locate(before, step, direction, then, now);
     result_.trajectory.record(s_);
     result_.negative.push_back(now);
-    if (const auto why = contradiction(model_, s_); !why.empty()) {
+    if (const auto why = contradiction(model_, s_, o_.at); !why.empty()) {
       stop(SolveStatus::Inconsistent, why);
       return false;
     }
@@ -189,14 +213,21 @@ class LoadPath {
     return true;
   }
 
-  int negative(const State<G>& s) {
-    return negative_on_null_space(newton_.tangent(s), model_.size()).value_or(-1);
-  }
+  int negative(const State<G>& s) { return count_(newton_.tangent(s), model_.size()); }
 
-  /// Bisects the step from `before` for the place where the count is no longer `then`.
+  /// All the places of the step from `before` where the count changes, one after another.
   void locate(const State<G>& before, double step, const Eigen::VectorXd* direction, int then,
               int now) {
-    double low = 0, high = 1, load_low = before.t, load_high = s_.t;
+    double from = 0, load = before.t;
+    for (int count = then, found = 0; count != now && found < kMostCriticalPoints; ++found)
+      count = locate_next(before, step, direction, count, now, from, load);
+  }
+
+  /// Bisects the step between `low` (at `load_low`) and its end, where the count is `now`, for the
+  /// place where it is no longer `then`; both move there. @returns the count behind it
+  int locate_next(const State<G>& before, double step, const Eigen::VectorXd* direction, int then,
+                  int now, double& low, double& load_low) {
+    double high = 1, load_high = s_.t;
     for (int i = 0; i < kMaxBisections; ++i) {
       const bool close = std::abs(load_high - load_low) <= kLocated * std::abs(load_high);
       if (close && high - low < kSmallestPart) break;
@@ -214,6 +245,9 @@ class LoadPath {
     const double load = 0.5 * (load_low + load_high);
     const bool limit = direction && is_limit(before, step, *direction, 0.5 * (low + high), load);
     result_.critical.push_back({load, then, now, limit});
+    low = high;
+    load_low = load_high;
+    return now;
   }
 
   /// Does the load factor have an extremum at the fraction `at` of a step? It is `load` there.
@@ -230,12 +264,16 @@ class LoadPath {
   }
 
   void tell_critical() {
+    if (count_.follows())
+      result_.report.warnings.push_back(
+          "loads that follow the motion make the tangent unsymmetric: loads where another "
+          "equilibrium branches off are found, flutter is not; a motion shows it");
     for (const auto& c : result_.critical)
       result_.report.warnings.push_back(fmt::format(
-          "{} at the load factor {:.6g}: the tangent has {} negative eigenvalues before "
-          "and {} after",
-          c.limit_point ? "limit point" : "critical load", c.load, c.before, c.after));
-    const int last = result_.negative.back();
+          "{} at the load factor {:.6g}: the tangent has {} negative {} before and {} after",
+          c.limit_point ? "limit point" : "critical load", c.load, c.before,
+          count_.follows() ? "determinants" : "eigenvalues", c.after));
+    const int last = count_.follows() ? 0 : result_.negative.back();
     if (result_.critical.empty() && last > 0)
       result_.report.warnings.push_back(
           fmt::format("the equilibrium at the load factor {:.6g} is not stable: the tangent has {} "
@@ -256,9 +294,40 @@ class LoadPath {
   StaticNewton<G> newton_;
   Eigen::VectorXd direction_;      ///< of the path at s_, in local frames
   bool unknown_at_start_ = false;  ///< without load the tangent is singular: nothing to count
+  NegativeCount count_;
 };
 
 }  // namespace
+
+/// Way of the drives between two times, rad or the mechanism's length.
+template <FrameGroup G>
+double way_between(const Model<G>& model, double from, double to) {
+  double way = 0;
+  for (const auto& c : model.couplings)
+    for (const auto& e : c.equations) {
+      if (e.role != Role::Constraint) continue;
+      const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
+      way = std::max(way, std::abs(e.target(to) - e.target(from)) / (length ? model.length : 1));
+    }
+  return way;
+}
+
+template <FrameGroup G>
+InitialState take_pose(const Model<G>& model, const SimulationOptions& options, State<G>& s) {
+  double way = 0;
+  for (int i = 0; i < kPoseSamples && options.at > 0; ++i)
+    way += way_between(model, options.at * i / kPoseSamples, options.at * (i + 1) / kPoseSamples);
+  const int poses = static_cast<int>(std::clamp(std::ceil(way / kPoseTurn), 0., 1. * kMaxPoses));
+  InitialState out;
+  for (int i = poses > 0 ? 0 : 1; i <= std::max(poses, 1) && out.status == SolveStatus::Converged;
+       ++i) {
+    s.t = poses == 0 || i == poses ? options.at : options.at * i / poses;
+    const double moved = out.moved;
+    out = assemble(model, options.step, s);
+    out.moved += moved;
+  }
+  return out;
+}
 
 template <FrameGroup G>
 StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& options,
@@ -267,7 +336,8 @@ StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& opt
   StaticResult<G> result;
   State<G> s = model.initial_state();
   s.v.setZero();
-  result.start = assemble(model, options.step, s);
+  result.start = take_pose(model, options, s);
+  s.t = 0;  // the load factor from here on
   result.report.warnings = result.start.redundant;
   if (result.start.status != SolveStatus::Converged) {
     result.report.status = result.start.status;
@@ -282,6 +352,8 @@ StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& opt
   return result;
 }
 
+template InitialState take_pose(const Model<SE2>&, const SimulationOptions&, State<SE2>&);
+template InitialState take_pose(const Model<SE3>&, const SimulationOptions&, State<SE3>&);
 template StaticResult<SE2> solve_static(const Model<SE2>&, const SimulationOptions&,
                                         const LoadProgress&);
 template StaticResult<SE3> solve_static(const Model<SE3>&, const SimulationOptions&,

@@ -33,11 +33,12 @@ struct StaticResult {
 /// Called after each step with the load factor reached; return false to stop (Interrupted).
 using LoadProgress = std::function<bool(double load)>;
 
-/// Takes the load factor from 0 to options.max_load: gravity, constant loads and constant forces of
-/// actuators are multiplied by it; tables and expressions are functions of it, drives too (for
-/// them t = load factor). Each load step is a Newton iteration with the exact tangent and
-/// extrapolated prestress (static_newton.hpp); one that fails is halved down to 1/1024 of its size,
-/// then the path ends NotConverged at the load reached, with the records until there.
+/// Takes the load factor from 0 to options.max_load: gravity, loads and forces of actuators are
+/// multiplied by it. Drives, tables and expressions have their value at the time options.at,
+/// whatever the load factor: the mechanism is brought to that pose first, in small turns of its
+/// drives. Each load step is a Newton iteration with the exact tangent and extrapolated prestress
+/// (static_newton.hpp); one that fails is halved down to 1/1024 of its size, then the path ends
+/// NotConverged at the load reached, with the records until there.
 ///
 /// options.arc_length: the path is followed by linearised arc length past limit points, which are
 /// located to 1e-5 of the load factor, until max_load, -max_load or 500 steps.
@@ -50,6 +51,13 @@ template <FrameGroup G>
 StaticResult<G> solve_static(const Model<G>& model, const SimulationOptions& options,
                              const LoadProgress& progress = {});
 
+/// The assembled scene in the pose that its drives have at options.at; s.t = options.at.
+/// @returns as `assemble`
+template <FrameGroup G>
+InitialState take_pose(const Model<G>& model, const SimulationOptions& options, State<G>& s);
+
+extern template InitialState take_pose(const Model<SE2>&, const SimulationOptions&, State<SE2>&);
+extern template InitialState take_pose(const Model<SE3>&, const SimulationOptions&, State<SE3>&);
 extern template StaticResult<SE2> solve_static(const Model<SE2>&, const SimulationOptions&,
                                                const LoadProgress&);
 extern template StaticResult<SE3> solve_static(const Model<SE3>&, const SimulationOptions&,

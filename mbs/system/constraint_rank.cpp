@@ -131,20 +131,19 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
 }
 
 template <FrameGroup G>
-std::string contradiction(const Model<G>& model, const State<G>& s) {
+std::string contradiction(const Model<G>& model, const State<G>& s, double t) {
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
     for (size_t i = 0; i < c.equations.size(); ++i) {
       const auto& e = c.equations[i];
       if (e.role != Role::Redundant) continue;
-      const double off =
-          e.row.value(motion, s.q[c.first_row + static_cast<int>(i)]) - e.target(s.t);
+      const double off = e.row.value(motion, s.q[c.first_row + static_cast<int>(i)]) - e.target(t);
       const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
       if (std::abs(off) > kContradiction * (length ? model.length : 1))
         return fmt::format(
             "joint '{}' repeats other joints and contradicts them by {:.3g} {} at t = {:.6g} s; "
             "take it out, or give one of the bodies between them some flexibility",
-            c.name, off, length ? "m" : "rad", s.t);
+            c.name, off, length ? "m" : "rad", t);
     }
   }
   return {};
@@ -155,11 +154,12 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   const int bodies = static_cast<int>(model.bodies.size());
   Basis basis;
   Mobility m;
-  for (const auto& c : model.couplings) {
+  const auto add_rows = [&](const Coupling<G>& c, bool drives) {
     const G a = c.a.frame(s.H), b = c.b.frame(s.H);
     const RelativeMotion<G> motion(a, b);
     for (const auto& e : c.equations) {
       if (e.role != Role::Constraint && e.role != Role::Redundant) continue;
+      if (drives != (e.coordinate >= 0)) continue;
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(G::dim * bodies), used;
@@ -171,17 +171,21 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
       add(c.a, a, g.template head<G::dim>());
       add(c.b, b, g.template tail<G::dim>());
       scale_rotations<G>(row, model.length);
-      if (!basis.add(row, used)) ++m.redundant;
+      if (basis.add(row, used)) continue;
+      ++m.redundant;
+      if (drives) m.overdriven.push_back(c.name);
     }
-  }
+  };
+  for (const bool drives : {false, true})
+    for (const auto& c : model.couplings) add_rows(c, drives);
   m.free = G::dim * bodies - basis.rank();
   return m;
 }
 
 template RedundantRows redundant_rows(const Model<SE2>&, State<SE2>);
 template RedundantRows redundant_rows(const Model<SE3>&, State<SE3>);
-template std::string contradiction(const Model<SE2>&, const State<SE2>&);
-template std::string contradiction(const Model<SE3>&, const State<SE3>&);
+template std::string contradiction(const Model<SE2>&, const State<SE2>&, double);
+template std::string contradiction(const Model<SE3>&, const State<SE3>&, double);
 template Mobility mobility(const Model<SE2>&, const State<SE2>&);
 template Mobility mobility(const Model<SE3>&, const State<SE3>&);
 

@@ -24,23 +24,26 @@ struct RedundantRows {
 template <FrameGroup G>
 RedundantRows redundant_rows(const Model<G>& model, State<G> s);
 
-/// Empty, or which redundant constraint does not hold at `s` and by how much.
+/// Empty, or which redundant constraint does not hold at `s` and by how much. @param t of the
+/// drives
 template <FrameGroup G>
-std::string contradiction(const Model<G>& model, const State<G>& s);
+std::string contradiction(const Model<G>& model, const State<G>& s, double t);
 
 /// Motions left by joints and drives if every body were rigid, and the rows that are then too
-/// many: mobility = G::dim * bodies - rank.
+/// many: mobility = G::dim * bodies - rank. Rows of drives are taken last.
 struct Mobility {
   int free = 0;
   int redundant = 0;
+  std::vector<std::string>
+      overdriven;  ///< joints whose drives other joints and drives leave no room
 };
 template <FrameGroup G>
 Mobility mobility(const Model<G>& model, const State<G>& s);
 
 extern template RedundantRows redundant_rows(const Model<SE2>&, State<SE2>);
 extern template RedundantRows redundant_rows(const Model<SE3>&, State<SE3>);
-extern template std::string contradiction(const Model<SE2>&, const State<SE2>&);
-extern template std::string contradiction(const Model<SE3>&, const State<SE3>&);
+extern template std::string contradiction(const Model<SE2>&, const State<SE2>&, double);
+extern template std::string contradiction(const Model<SE3>&, const State<SE3>&, double);
 extern template Mobility mobility(const Model<SE2>&, const State<SE2>&);
 extern template Mobility mobility(const Model<SE3>&, const State<SE3>&);
 

@@ -49,6 +49,8 @@ double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
       p += (law.force(s.t) - law.damping * rate) * rate;
     }
   }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    p -= model.bodies[b]->dissipation(model.body_state(s, static_cast<int>(b)));
   return p + eq.load_power(s);
 }
 

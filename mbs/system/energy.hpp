@@ -15,9 +15,10 @@ BodyEnergy mechanical_energy(const Model<G>& model, const State<G>& s);
 
 inline double total(const BodyEnergy& e) { return e.kinetic + e.elastic + e.potential; }
 
-/// Power that drives, loads, actuators and dampers put into the mechanism, W; dampers take it out:
-///   P = -sum lambda df/dt + sum (F(t) - c dq/dt) dq/dt - r_load . v.
-/// With d(mechanical energy)/dt = P where no body has damping of its own.
+/// Power that drives, loads, actuators, dampers and the damping of bodies put into the mechanism,
+/// W; damping takes it out:
+///   P = -sum lambda df/dt + sum (F(t) - c dq/dt) dq/dt - r_load . v - sum D_body.
+/// With d(mechanical energy)/dt = P.
 /// @param eq workspace; its residual is overwritten
 template <FrameGroup G>
 double power(const Model<G>& model, Equations<G>& eq, const State<G>& s);

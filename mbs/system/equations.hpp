@@ -7,7 +7,8 @@
 
 namespace liesl {
 
-/// What the loads are at: time functions at `t`; gravity and constant loads times `factor`.
+/// What drives and loads are at: functions of time at `t`; gravity, loads and forces of actuators
+/// times `factor`.
 struct LoadLevel {
   double t = 0;
   double factor = 1;  ///< 1 in dynamics; the load factor in statics
@@ -73,9 +74,9 @@ class Equations {
   double scale_ = 0, round_off_ = 0;
 };
 
-/// Value of a time function of a load: constants grow with the load factor.
+/// Value of a time function of a load.
 inline double load_value(const TimeFunction& f, const LoadLevel& level) {
-  return f.is_constant() ? level.factor * f(level.t) : f(level.t);
+  return level.factor * f(level.t);
 }
 
 extern template class Equations<SE2>;

@@ -75,10 +75,14 @@ void ResponseValues<G>::add_row(Eigen::VectorXd& out, const Coupling<G>& c,
 }
 
 template <FrameGroup G>
-auto ResponseValues<G>::reduced(const SE3::Tangent& f, int body, int element) const -> Tangent {
-  Tangent t;
-  for (int j = 0; j < G::dim; ++j) t[j] = view_.local(Tangent::Unit(j), body, element).dot(f);
-  return t;
+void ResponseValues<G>::add_section_force_of(int body, int element, ElementPlace place,
+                                             const SE3::Tangent& f, const At& at,
+                                             Cotangent& out) const {
+  const int node = element + node_of(place), first = G::dim * model_.first_node(body);
+  Tangent reduced;
+  for (int j = 0; j < G::dim; ++j) reduced[j] = view_.local(Tangent::Unit(j), body, node).dot(f);
+  model_.bodies[body]->add_section_force_gradient(model_.body_state(at.s, body), element, place,
+                                                  reduced, out.h.data() + first);
 }
 
 template <FrameGroup G>
@@ -87,12 +91,14 @@ void ResponseValues<G>::add_position(const ResponseSpec& r, const At& at, Cotang
   add_port(out.h, r.at, force(F.R.transpose() * direction(r, at.component)));
 }
 
-/// d . R u: R^T d on u, and u x R^T d on the rotation.
+/// d . R u: R^T d on u, and u x R^T d on the rotation; d . u in the port's own axes.
 template <FrameGroup G>
 void ResponseValues<G>::add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const Vec3 d = direction(r, at.component);
+  if (r.in == Axes::Body) return add_port(out.v, r.at, force(d));
   const SE3 F = view_.frame(at.s.H.data(), r.at);
   const Vec3 u = view_.velocity(at.s.v.data(), r.at).template head<3>();
-  const Vec3 local = F.R.transpose() * direction(r, at.component);
+  const Vec3 local = F.R.transpose() * d;
   add_port(out.h, r.at, wrench(Vec3::Zero(), u.cross(local)));
   add_port(out.v, r.at, force(local));
 }
@@ -100,16 +106,26 @@ void ResponseValues<G>::add_velocity(const ResponseSpec& r, const At& at, Cotang
 template <FrameGroup G>
 void ResponseValues<G>::add_angular_velocity(const ResponseSpec& r, const At& at,
                                              Cotangent& out) const {
-  add_port(out.v, r.at, wrench(Vec3::Zero(), direction(r, at.component)));
+  const Vec3 d = direction(r, at.component);
+  if (r.in == Axes::Body) return add_port(out.v, r.at, wrench(Vec3::Zero(), d));
+  const Vec3 w = view_.velocity(at.s.v.data(), r.at).template tail<3>();
+  const Vec3 local = view_.frame(at.s.H.data(), r.at).R.transpose() * d;
+  add_port(out.h, r.at, wrench(Vec3::Zero(), w.cross(local)));
+  add_port(out.v, r.at, wrench(Vec3::Zero(), local));
 }
 
-/// p = R_0^T (x - x_0): dp = R_0^T R u - u_0 - w_0 x p.
+/// p = R_0^T (x - x_0): dp = R_0^T R u - u_0 - w_0 x p. In inertial axes R_0 (p - p*), p* of the
+/// undeformed body: along d as p along R_0^T d, but that p* turns with R_0 instead of p.
 template <FrameGroup G>
 void ResponseValues<G>::add_displacement(const ResponseSpec& r, const At& at,
                                          Cotangent& out) const {
   const Port base{r.at.body, 0, SE3::identity()};
   const SE3 F0 = view_.frame(at.s.H.data(), base), F = view_.frame(at.s.H.data(), r.at);
-  const Vec3 d = direction(r, at.component), p = F0.R.transpose() * (F.x - F0.x);
+  Vec3 d = direction(r, at.component), p = F0.R.transpose() * (F.x - F0.x);
+  if (r.in == Axes::Inertial) {
+    d = F0.R.transpose() * d;
+    p = (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x;
+  }
   add_port(out.h, r.at, force(F.R.transpose() * (F0.R * d)));
   add_port(out.h, base, wrench(-d, d.cross(p)));
 }
@@ -188,10 +204,7 @@ void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cot
 template <FrameGroup G>
 void ResponseValues<G>::add_section_force(const ResponseSpec& r, const At& at,
                                           Cotangent& out) const {
-  model_.bodies[r.body]->add_section_force_gradient(
-      model_.body_state(at.s, r.body), r.element,
-      reduced(SE3::Tangent::Unit(r.component), r.body, r.element),
-      out.h.data() + G::dim * model_.first_node(r.body));
+  add_section_force_of(r.body, r.element, r.place, SE3::Tangent::Unit(r.component), at, out);
 }
 
 template <FrameGroup G>
@@ -199,10 +212,8 @@ void ResponseValues<G>::add_stress(const ResponseSpec& r, const At& at, Cotangen
   const StressAt largest = largest_stress(r, at.s);
   if (largest.value == 0) return;
   const auto& S = points_of(r.body)[largest.element][largest.point].S;
-  model_.bodies[r.body]->add_section_force_gradient(
-      model_.body_state(at.s, r.body), largest.element,
-      reduced(S.transpose() * largest.gradient, r.body, largest.element),
-      out.h.data() + G::dim * model_.first_node(r.body));
+  add_section_force_of(r.body, largest.element, largest.place, S.transpose() * largest.gradient, at,
+                       out);
 }
 
 template <FrameGroup G>
@@ -241,8 +252,7 @@ double ResponseValues<G>::section_force_by(const ResponseSpec& r, const State<G>
                                            const ParameterResidual<G>& parameter) const {
   const Body<G>* body = parameter.body(r.body);
   if (!body) return 0;
-  const Tangent n = body->section_force(model_.body_state(s, r.body), r.element);
-  return view_.local(n, r.body, r.element)[r.component];
+  return section_force_of(*body, s, r.body, r.element, r.place)[r.component];
 }
 
 template <FrameGroup G>
@@ -251,8 +261,7 @@ double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
   const StressAt largest = largest_stress(r, s);
   const Body<G>* body = parameter.body(r.body);
   if (!body || largest.value == 0) return 0;
-  const SE3::Tangent n = view_.local(
-      body->section_force(model_.body_state(s, r.body), largest.element), r.body, largest.element);
+  const SE3::Tangent n = section_force_of(*body, s, r.body, largest.element, largest.place);
   Vec3 sigma = points_of(r.body)[largest.element][largest.point].S * n;
   for (const auto& part : parameter.parameter().parts)
     if (const auto* beam = std::get_if<BeamDerivative>(&part);

@@ -40,21 +40,24 @@ Eigen::VectorXd ResponseValues<G>::position(const ResponseSpec& r, const State<G
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::velocity(const ResponseSpec& r, const State<G>& s) const {
-  return along(
-      r, view_.frame(s.H.data(), r.at).R * view_.velocity(s.v.data(), r.at).template head<3>());
+  const Vec3 u = view_.velocity(s.v.data(), r.at).template head<3>();
+  return along(r, r.in == Axes::Body ? u : Vec3(view_.frame(s.H.data(), r.at).R * u));
 }
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::angular_velocity(const ResponseSpec& r,
                                                     const State<G>& s) const {
-  return along(r, view_.velocity(s.v.data(), r.at).template tail<3>());
+  const Vec3 w = view_.velocity(s.v.data(), r.at).template tail<3>();
+  return along(r, r.in == Axes::Body ? w : Vec3(view_.frame(s.H.data(), r.at).R * w));
 }
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::displacement(const ResponseSpec& r, const State<G>& s) const {
   const Port base{r.at.body, 0, SE3::identity()};
-  return along(r, (view_.frame(s.H.data(), base).inverse() * view_.frame(s.H.data(), r.at)).x -
-                      (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x);
+  const SE3 F0 = view_.frame(s.H.data(), base);
+  const Vec3 p = (F0.inverse() * view_.frame(s.H.data(), r.at)).x -
+                 (mechanism_.frame(base).inverse() * mechanism_.frame(r.at)).x;
+  return along(r, r.in == Axes::Body ? p : Vec3(F0.R * p));
 }
 
 template <FrameGroup G>
@@ -108,25 +111,35 @@ Eigen::VectorXd ResponseValues<G>::joint_force_norm(const ResponseSpec& r,
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const State<G>& s) const {
-  const auto n = model_.bodies[r.body]->section_force(model_.body_state(s, r.body), r.element);
-  return scalar(view_.local(n, r.body, r.element)[r.component]);
+  return scalar(
+      section_force_of(*model_.bodies[r.body], s, r.body, r.element, r.place)[r.component]);
+}
+
+template <FrameGroup G>
+SE3::Tangent ResponseValues<G>::section_force_of(const Body<G>& body, const State<G>& s, int number,
+                                                 int element, ElementPlace place) const {
+  const Tangent n = body.section_force(model_.body_state(s, number), element, place);
+  return view_.local(n, number, element + node_of(place));
 }
 
 template <FrameGroup G>
 auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s) const -> StressAt {
   const auto& points = points_of(r.body);
   StressAt largest;
-  for (int e = 0; e < model_.bodies[r.body]->elements(); ++e) {
+  const Body<G>& body = *model_.bodies[r.body];
+  for (int e = 0; e < body.elements(); ++e) {
     if (r.point >= 0 && e != r.element) continue;
-    const SE3::Tangent n = view_.local(
-        model_.bodies[r.body]->section_force(model_.body_state(s, r.body), e), r.body, e);
-    for (size_t i = 0; i < points[e].size(); ++i) {
-      if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
-      const Vec3 sigma = points[e][i].S * n;
-      const double value = std::sqrt(sigma[0] * sigma[0] + 3 * sigma.tail<2>().squaredNorm());
-      if (value <= largest.value) continue;
-      const Vec3 weighted(sigma[0], 3 * sigma[1], 3 * sigma[2]);
-      largest = {e, static_cast<int>(i), value, weighted / value, n};
+    for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
+      const SE3::Tangent n = section_force_of(body, s, r.body, e, place);
+      const int first = node_of(place) * static_cast<int>(points[e].size());
+      for (size_t i = 0; i < points[e].size(); ++i) {
+        if (r.point >= 0 && first + static_cast<int>(i) != r.point) continue;
+        const Vec3 sigma = points[e][i].S * n;
+        const double value = std::sqrt(sigma[0] * sigma[0] + 3 * sigma.tail<2>().squaredNorm());
+        if (value <= largest.value) continue;
+        const Vec3 weighted(sigma[0], 3 * sigma[1], 3 * sigma[2]);
+        largest = {e, place, static_cast<int>(i), value, weighted / value, n};
+      }
     }
   }
   return largest;

@@ -71,6 +71,10 @@ class ResponseValues {
   Eigen::VectorXd by_parameter(const ResponseSpec& response, const State<G>& s,
                                const ParameterResidual<G>& parameter) const;
 
+  /// Which of the two components, y (0) or z (1), is the deflection of a planar scene: the other is
+  /// along the plane's normal.
+  int in_plane(int body) const;
+
   static const ResponseColumns& columns(ResponseKind kind) { return row(kind).columns; }
 
  private:
@@ -87,7 +91,9 @@ class ResponseValues {
     int component;
   };
   struct StressAt {
-    int element = 0, point = 0;
+    int element = 0;
+    ElementPlace place = ElementPlace::First;
+    int point = 0;
     double value = 0;                       ///< von Mises, Pa; 0: no stress anywhere
     Vec3 gradient = Vec3::Zero();           ///< by the stress at the point
     SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
@@ -143,8 +149,6 @@ class ResponseValues {
 
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
-  /// Which of the two is the deflection of a planar scene: the other is along the plane's normal.
-  int in_plane(int body) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
   const std::vector<std::vector<StressPoint>>& points_of(int body) const;
@@ -152,8 +156,12 @@ class ResponseValues {
   void add_port(Eigen::VectorXd& out, const Port& port, const SE3::Tangent& f) const;
   void add_row(Eigen::VectorXd& out, const Coupling<G>& c,
                const Eigen::Matrix<double, 2 * G::dim, 1>& g) const;
-  /// f [6] on a section force in space, in the axes of G.
-  Tangent reduced(const SE3::Tangent& f, int body, int element) const;
+  /// Section force of a body, or of its derivative, in space.
+  SE3::Tangent section_force_of(const Body<G>& body, const State<G>& s, int number, int element,
+                                ElementPlace place) const;
+  /// Adds the gradient of f . n, n the section force in space.
+  void add_section_force_of(int body, int element, ElementPlace place, const SE3::Tangent& f,
+                            const At& at, Cotangent& out) const;
 
   const Mechanism& mechanism_;
   const Model<G>& model_;

@@ -10,14 +10,28 @@ Vec3 weighted(const Vec3& s) { return {s[0], 3 * s[1], 3 * s[2]}; }
 }  // namespace
 
 template <FrameGroup G>
-ElementStress<G>::ElementStress(const Section& section, const Material& material,
-                                const Space<G>& space, const SE3& align)
-    : K_(space.reduce_law(section_law(section, material).K, align)) {
+auto ElementStress<G>::to_end(const BeamElement<G>& element, ElementPlace end) -> Matrix {
+  const auto P = BeamElement<G>::P(element.d0());
+  if (end == ElementPlace::First) return -P.template leftCols<G::dim>().transpose();
+  return P.template rightCols<G::dim>().transpose();
+}
+
+template <FrameGroup G>
+auto ElementStress<G>::strain_of(const BeamElement<G>& element, ElementPlace end, const Strain& n)
+    -> Strain {
+  const Strain middle = to_end(element, end).partialPivLu().solve(n);
+  return element.section_stiffness().partialPivLu().solve(middle);
+}
+
+template <FrameGroup G>
+ElementStress<G>::ElementStress(const BeamElement<G>& element, const Section& section,
+                                const Material& material, const Space<G>& space, const SE3& align)
+    : K_(space.reduce_law(section_law(section, material).K, align)),
+      B_{to_end(element, ElementPlace::First), to_end(element, ElementPlace::Last)} {
   for (int j = 0; j < G::dim; ++j) embed_.col(j) = space.embed_local(G::Tangent::Unit(j), align);
-  for (const auto& point : stress_points(section, material.nu)) {
-    S_.push_back(point.S * embed_);
-    SK_.push_back(S_.back() * K_);
-  }
+  for (const auto& point : stress_points(section, material.nu)) S_.push_back(point.S * embed_);
+  for (const Matrix& to_this_end : B_)
+    for (const Rows& S : S_) SK_.push_back(S * to_this_end * K_);
 }
 
 template <FrameGroup G>
@@ -34,7 +48,8 @@ double ElementStress<G>::explicit_slope(int point, const Strain& strain,
   const Vec3 s = SK_[point] * strain, w = weighted(s);
   const double v = std::sqrt(s.dot(w));
   if (v == 0) return 0;
-  const Vec3 ds = change.dS[point] * (embed_ * (K_ * strain)) + S_[point] * (change.dK * strain);
+  const Strain n = B(point) * (K_ * strain), dn = B(point) * (change.dK * strain);
+  const Vec3 ds = change.dS[on_section(point)] * (embed_ * n) + S_[on_section(point)] * dn;
   return w.dot(ds) / v;
 }
 

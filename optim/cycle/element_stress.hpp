@@ -1,16 +1,20 @@
 #pragma once
 /// @file
-/// Von Mises stress at the points of a beam element's section, and its gradients.
+/// Von Mises stress at the points of the sections at both ends of a beam element, and its
+/// gradients.
 
 #include <vector>
 
+#include "mbs/bodies/beam.hpp"
 #include "mbs/sections/section.hpp"
 #include "mbs/system/plane.hpp"
 
 namespace liesl {
 
-/// sigma_vm = sqrt(s^T diag(1, 3, 3) s), s = [sigma_x; tau_xy; tau_xz] = S K_s eps at each stress
-/// point of the section, eps the strain of the element on G. Made once for a section, asked for
+/// sigma_vm = sqrt(s^T diag(1, 3, 3) s), s = [sigma_x; tau_xy; tau_xz] = S B K_s eps at each stress
+/// point of the section at either end, eps the strain of the element on G; B K_s eps is the section
+/// force at that end (`Body::section_force`), B = T^-T(-d0) at the first node and T^-T(d0) at the
+/// last. Points are counted over the first end, then the last. Made once for a section, asked for
 /// many strains.
 template <FrameGroup G>
 class ElementStress {
@@ -23,9 +27,13 @@ class ElementStress {
     std::vector<Eigen::Matrix<double, 3, 6>> dS;
   };
 
+  /// @param element at the design whose d0 it has; its section is `section`
   /// @param align of the element's axes to those of G, as in Space::alignment
-  ElementStress(const Section& section, const Material& material, const Space<G>& space,
-                const SE3& align);
+  ElementStress(const BeamElement<G>& element, const Section& section, const Material& material,
+                const Space<G>& space, const SE3& align);
+
+  /// Pairs (B K_s) eps -> eps: the strain whose stress at an end is that of the section force n.
+  static Strain strain_of(const BeamElement<G>& element, ElementPlace end, const Strain& n);
 
   /// Pa; `slope`: gradient with respect to the strain.
   double value(int point, const Strain& strain, Strain* slope) const;
@@ -34,8 +42,13 @@ class ElementStress {
 
  private:
   using Rows = Eigen::Matrix<double, 3, G::dim>;
-  std::vector<Rows, Eigen::aligned_allocator<Rows>> S_, SK_;
-  Matrix K_;
+  static Matrix to_end(const BeamElement<G>& element, ElementPlace end);
+  int on_section(int point) const { return point % static_cast<int>(S_.size()); }
+  const Matrix& B(int point) const { return B_[point / static_cast<int>(S_.size())]; }
+
+  std::vector<Rows, Eigen::aligned_allocator<Rows>> S_;   ///< by point of the section
+  std::vector<Rows, Eigen::aligned_allocator<Rows>> SK_;  ///< S B K_s by point
+  Matrix K_, B_[2];
   Eigen::Matrix<double, 6, G::dim> embed_;  ///< section forces of G to those in space
 };
 

@@ -2,6 +2,7 @@
 
 #include "esl/static_part.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/element_stress.hpp"
 
 namespace liesl {
 namespace {
@@ -65,10 +66,13 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
     if (r.kind == ResponseKind::Stress) {
       const auto& spec = std::get<BeamSpec>(mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {
-        const int first = append(StaticPart<G>::strain_output(beam, e));
-        const auto points = stress_points(spec.sections[e], spec.material.nu).size();
-        for (size_t p = 0; p < points; ++p)
-          out.limits.push_back({index, 0, first, G::dim, e, static_cast<int>(p)});
+        const int points =
+            static_cast<int>(stress_points(spec.sections[e], spec.material.nu).size());
+        for (int end = 0; end < 2; ++end) {
+          const int first = append(StaticPart<G>::strain_output(beam, e));
+          for (int p = 0; p < points; ++p)
+            out.limits.push_back({index, 0, first, G::dim, e, points * end + p});
+        }
       }
     } else if (r.kind == ResponseKind::Compliance) {
       compliance = index;
@@ -88,7 +92,8 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
                                 const Mechanism& mechanism, const Model<G>& model,
                                 const Trajectory<G>& trajectory, int body) {
   const ResponseValues<G> values(mechanism, model);
-  const int elements = model.bodies[body]->elements();
+  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  const int elements = beam.elements();
   Eigen::MatrixXd y(outputs.count(), trajectory.size());
   State<G> s = model.initial_state();
   for (int n = 0; n < trajectory.size(); ++n) {
@@ -101,7 +106,10 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
       auto out = y.col(n).segment(limit.first, limit.count);
       const ResponseSpec& r = study.constraints[limit.constraint].response;
       if (limit.element >= 0) {
-        out = model.bodies[body]->strain(model.body_state(s, body), limit.element);
+        const auto end = limit.point == 0 ? ElementPlace::First : ElementPlace::Last;
+        out = ElementStress<G>::strain_of(
+            beam.element(limit.element), end,
+            beam.section_force(model.body_state(s, body), limit.element, end));
       } else if (r.everywhere) {
         node = node + 1 < elements ? node + 1 : 1;
         out = values(at_node(r, node, elements), s);

@@ -17,7 +17,8 @@ struct Limit {
   int constraint = 0;  ///< of the study
   int part = 0;        ///< which of the limited parts
   int first = 0, count = 0;
-  int element = -1, point = -1;  ///< stress: the outputs are the strain of this element
+  int element = -1, point = -1;  ///< stress: the outputs are the strain of this element, the point
+                                 ///< is that of `ElementStress`
   int node = -1;                 ///< a deflection `everywhere`: of this node
 };
 
@@ -31,13 +32,14 @@ struct PartOutputs {
 /// The response whose size this limit bounds: `limited` at one node or stress point of a beam.
 ResponseSpec response_of(const Limit& limit, const ResponseSpec& limited, int elements);
 
-/// Deflections, displacements and elongations are outputs themselves; stresses have the strains of
-/// their elements as outputs, which all points of an element share.
+/// Deflections, displacements and elongations are outputs themselves; stresses at the end of an
+/// element have its strain as outputs, which all points of that section share.
 template <FrameGroup G>
 PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
                             const Model<G>& model, int body);
 
-/// The outputs as the motion has them: outputs x records.
+/// The outputs as the motion has them: outputs x records. Those of a stress are the strain that has
+/// the section force of the motion at that end of the element.
 template <FrameGroup G>
 Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& study,
                                 const Mechanism& mechanism, const Model<G>& model,

@@ -108,8 +108,10 @@ bool StaticSizing<G>::solve_parts() {
     if (std::none_of(limits.begin(), limits.end(), [](const Limit& l) { return l.element >= 0; }))
       continue;
     const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
+    const auto& body = dynamic_cast<const Beam<G>&>(*model_.bodies[part.body]);
     for (size_t e = 0; e < beam.sections.size(); ++e)
-      part.stress.emplace_back(beam.sections[e], beam.material, space_, part.align[e]);
+      part.stress.emplace_back(body.element(static_cast<int>(e)), beam.sections[e], beam.material,
+                               space_, part.align[e]);
   }
   return true;
 }

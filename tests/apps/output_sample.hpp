@@ -33,7 +33,7 @@ inline Results sample_results() {
                       counting(n * 27),
                       counting(n * 18),
                       counting(n * 12),
-                      counting(n * 12, 5000)});
+                      counting(n * 24, 5000)});
   r.bodies.push_back(
       {"top/left", "rigid", 1, {}, counting(n * 3), counting(n * 9), counting(n * 6), {}, {}});
   r.meshes.push_back({"plate",

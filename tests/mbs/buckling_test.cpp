@@ -243,5 +243,45 @@ TEST(SparseLu, NamesTheColumnWithoutPivot) {
   EXPECT_TRUE(lu.factor(S));
 }
 
+/// Two critical loads between two load steps are told apart (EI_y and EI_z differ by 2 per cent).
+TEST(Buckling, CriticalLoadsOfOneStepAreToldApart) {
+  Mechanism m = column(8, 6);
+  auto& section = std::get<FullSection>(std::get<BeamSpec>(m.bodies[0].kind).sections[0].shape);
+  section.stiffness(4, 4) = 1.02;
+  for (auto& s : std::get<BeamSpec>(m.bodies[0].kind).sections) s.shape = section;
+  SimulationOptions o = tight();
+  o.critical = true;
+  for (const int steps : {1, 3, 40}) {
+    o.load_steps = steps;
+    const auto solved = solve(m, o);
+    ASSERT_EQ(solved.result.report.status, kConverged) << solved.result.report.reason;
+    const auto& critical = solved.result.critical;
+    ASSERT_EQ(critical.size(), 2u) << steps;
+    EXPECT_NEAR(critical[1].load / critical[0].load, 1.02, 1e-3);
+    EXPECT_EQ(critical[0].after, 1);
+    EXPECT_EQ(critical[1].before, 1);
+    EXPECT_EQ(critical[1].after, 2);
+  }
+}
+
+/// A cantilever under a follower force has no critical load of equilibria (Beck 1952: it flutters
+/// at 20.05 EI/L^2); under the same dead force it has.
+TEST(Buckling, FollowerForceHasNone) {
+  SimulationOptions o = tight();
+  o.critical = true;
+  o.load_steps = 10;
+  for (const bool follower : {false, true}) {
+    Mechanism m = column(16, 19);
+    m.loads[0].follower = follower;
+    const auto solved = solve(m, o);
+    ASSERT_EQ(solved.result.report.status, kConverged) << solved.result.report.reason;
+    EXPECT_EQ(solved.result.critical.empty(), follower);
+    bool told = false;
+    for (const auto& w : solved.result.report.warnings)
+      told = told || w.find("flutter") != std::string::npos;
+    EXPECT_EQ(told, follower);
+  }
+}
+
 }  // namespace
 }  // namespace liesl

@@ -179,24 +179,38 @@ TEST(Statics, RigidMotionChangesNoLocalQuantity) {
   EXPECT_EQ(here.result.report.newton_iterations, there.result.report.newton_iterations);
 }
 
-/// Force first and moment then, or the other way round.
+/// In few steps or many, or along the arc.
 TEST(Statics, EndDoesNotDependOnThePath) {
-  const auto tip = [](bool force_first) {
+  const auto tip = [](int steps, bool arc) {
     Mechanism m = cases::bend45(8, 300);
     m.loads.push_back(cases::tip_load(m, Vec3::Zero(), {0, 4000, 9000}));
-    const auto early =
-        TimeFunction::table({0, 0.5, 1}, {0, 1, 1}, TimeFunction::Interpolation::Linear);
-    const auto late =
-        TimeFunction::table({0, 0.5, 1}, {0, 0, 1}, TimeFunction::Interpolation::Linear);
-    m.loads[0].scale = force_first ? early : late;
-    m.loads[1].scale = force_first ? late : early;
     SimulationOptions o = tight();
     o.tolerance = 1e-13;
-    o.load_steps = 4;
+    o.load_steps = steps;
+    o.arc_length = arc;
     return tip_displacement(m, o);
   };
-  const Vec3 a = tip(true), b = tip(false);
+  const Vec3 a = tip(4, false), b = tip(7, false), c = tip(5, true);
   EXPECT_LT((a - b).norm() / 100, 2e-14);
+  EXPECT_LT((a - c).norm() / 100, 2e-14);
+}
+
+/// Loads have their value at the time `at`, times the load factor, and drives that at `at` alone.
+TEST(Statics, TimeAndLoadFactorAreTwoThings) {
+  const auto tip = [](const TimeFunction& scale, double at, double max_load) {
+    Mechanism m = cases::bend45(4, 300);
+    m.loads[0].scale = scale;
+    SimulationOptions o = tight();
+    o.at = at;
+    o.max_load = max_load;
+    return tip_displacement(m, o);
+  };
+  const auto table =
+      TimeFunction::table({0, 0.5, 2}, {0.2, 1, 1}, TimeFunction::Interpolation::Linear);
+  const auto constant = [](double f) { return TimeFunction::constant(f); };
+  EXPECT_LT((tip(table, 0, 1) - tip(constant(0.2), 0, 1)).norm(), 1e-9);
+  EXPECT_LT((tip(table, 2, 1) - tip(constant(1), 0, 1)).norm(), 1e-9);
+  EXPECT_LT((tip(table, 0.25, 0.5) - tip(constant(0.3), 7, 1)).norm(), 1e-9);
 }
 
 TEST(Statics, SpreadAndGravityLoadsAgree) {

@@ -60,7 +60,18 @@ TEST(Hdf5, EveryBlockComesBack) {
   expect("/bodies/rod/rotation", {5, 3, 9}, r.bodies[0].rotations);
   expect("/bodies/rod/velocity", {5, 3, 6}, r.bodies[0].velocities);
   expect("/bodies/rod/strain", {5, 2, 6}, r.bodies[0].strains);
-  expect("/bodies/rod/section_force", {5, 2, 6}, r.bodies[0].section_forces);
+  expect("/bodies/rod/section_force", {5, 2, 12}, r.bodies[0].section_forces);
+  const auto at = [&](std::size_t record, std::size_t element, std::size_t i) {
+    return r.bodies[0].section_forces[(2 * record + element) * 12 + i];
+  };
+  std::vector<double> at_nodes;
+  for (std::size_t n = 0; n < 5; ++n) {
+    for (std::size_t i = 0; i < 6; ++i) at_nodes.push_back(at(n, 0, i));
+    for (std::size_t i = 0; i < 6; ++i)
+      at_nodes.push_back(0.5 * at(n, 0, 6 + i) + 0.5 * at(n, 1, i));
+    for (std::size_t i = 0; i < 6; ++i) at_nodes.push_back(at(n, 1, 6 + i));
+  }
+  expect("/bodies/rod/node_force", {5, 3, 6}, at_nodes);
   expect("/bodies/rod/elements", {2, 2}, {0, 1, 1, 2});
   expect("/bodies/top_left/position", {5, 1, 3}, r.bodies[1].positions);
   expect("/meshes/plate/cells", {2, 4}, {0, 1, 4, 3, 1, 2, 5, 4});

@@ -84,7 +84,7 @@ const BadScene kScenes[] = {
     {"NoJoint", "on = \"guide\"", "on = @\"giude\"", {"no joint 'giude'", "'guide'"}},
     {"NoBeam", "over = \"rod\"", "over = @\"slider\"", {"'slider' is rigid", "a beam"}},
     {"MidOfOddBeam", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"rod\", at = @\"mid\"", {"5 elements", "even number"}},
-    {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node4"}},
+    {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node3"}},
     {"PortMidOfOddBeam", "{ at = \"slider.tip\"", "{ at = @\"rod.mid\"", {"'mid'", "even number of elements"}},
     // Bodies.
     {"ZeroLength", "to = [0.2, 0, 0]", "to = @[0, 0, 0]", {"zero length", "two points"}},

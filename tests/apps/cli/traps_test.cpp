@@ -1,0 +1,316 @@
+/// @file
+/// What would be wrong without a word: each trap with its exit code, its status and the words that
+/// tell it. A row is a scene, in whole or as a change of a slider-crank.
+#include <cmath>
+
+#include "apps/program.hpp"
+
+namespace liesl::test {
+namespace {
+
+const std::string kMaterials = R"toml(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+thick = { type = "circle", diameter = 0.02 }
+thin = { type = "circle", diameter = 0.01 }
+flat = { type = "rectangle", width = 0.04, height = 0.005 }
+)toml";
+
+/// DRIVE, GUIDE and ROD are replaced.
+const std::string kSliderCrank = R"toml(gravity = [0, -9.81, 0]
+[bodies]
+crank = { beam = { from = [0, 0, 0], to = [0.15, 0, 0], section = "thick", material = "steel", elements = 4 } }
+rod = { beam = { from = [0.15, 0, 0], to = [0.45, 0, 0], section = "thin", material = "steel", elements = 4, ROD } }
+slider = { rigid = { at = [0.45, 0, 0], mass = 0.2, inertia = [1e-4, 1e-4, 1e-4] } }
+[joints]
+motor = { revolute = ["ground", "crank.start"], drive = { DRIVE } }
+pin = { revolute = ["crank.end", "rod.start"] }
+wrist = { revolute = ["rod.end", "slider.origin"] }
+guide = { prismatic = ["ground", "slider.origin"], axis = [1, 0, 0] GUIDE }
+[simulation]
+duration = 0.02
+step = 1e-4
+[responses]
+bend = { response = "deflection", of = "rod" }
+x = { response = "position", at = "slider.origin", axis = [1, 0, 0] }
+)toml";
+
+std::string slider_crank(const std::string& drive, const std::string& guide = "",
+                         const std::string& rod = "damping = 0") {
+  std::string text = kSliderCrank;
+  for (const auto& [key, value] :
+       {std::pair{"DRIVE", drive}, std::pair{"GUIDE", guide}, std::pair{"ROD", rod}})
+    text.replace(text.find(key), std::string(key).size(), value);
+  return text + kMaterials;
+}
+
+/// A cantilever with further tables.
+std::string cantilever(const std::string& more) {
+  return R"toml([bodies]
+b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "thick", material = "steel", elements = 4 } }
+lump = { rigid = { at = [1, 0, 0], mass = 1, inertia = [1, 1, 1], points = { ear = [1, 0.1, 0] } } }
+[joints]
+clamp = { fixed = ["ground", "b.start"] }
+held = { fixed = ["b.end", "lump.origin"] }
+)toml" + kMaterials +
+         more;
+}
+const std::string kPull = "[loads]\nf = { at = \"b.end\", force = [0, 10, 0], SCALE }\n";
+std::string pull(const std::string& scale) {
+  std::string text = kPull;
+  return text.replace(text.find("SCALE"), 5, scale);
+}
+const std::string kStatic = "[simulation]\ntype = \"static\"\n";
+
+/// A right-angle frame, weak out of its plane.
+const std::string kFrame = R"toml([sections]
+strip = { type = "rectangle", width = 0.02, height = 0.005 }
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies]
+leg1 = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "strip", material = "steel", elements = 16 } }
+leg2 = { beam = { from = [1, 0, 0], to = [1, -1, 0], section = "strip", material = "steel", elements = 16 } }
+[joints]
+clamp = { fixed = ["ground", "leg1.start"] }
+corner = { fixed = ["leg1.end", "leg2.start"] }
+[simulation]
+type = "modes"
+modes = 4
+)toml";
+
+/// A meshed bar of 1 m, 20 mm square: Euler load 27.6 kN between hinges.
+std::string meshed_bar(const std::string& force) {
+  return R"toml([materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.bar.solid]
+mesh = { from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }
+material = "steel"
+thickness = 0.02
+modes = 2
+[bodies.bar.solid.interfaces]
+left = { set = "x_min" }
+right = { set = "x_max" }
+[joints]
+clamp = { fixed = ["ground", "bar.left"] }
+[simulation]
+type = "static"
+[loads]
+f = { at = "bar.right", force = )toml" +
+         force + " }\n";
+}
+
+struct Trap {
+  const char* name;
+  std::string scene;
+  int code;
+  const char* status;  ///< of summary.json; none if the scene is refused
+  const char* words;   ///< in a warning, the reason or the refusal
+  Words set = {};      ///< --set arguments
+};
+void PrintTo(const Trap& trap, std::ostream* out) { *out << trap.name; }
+
+const Trap kTraps[] = {
+    {"DeflectionAtTheEnd",
+     cantilever(kStatic + pull("scale = 1") +
+                "[responses]\nv = { response = \"deflection\", of = \"b\", at = \"end\" }\n"),
+     2, nullptr, "is 0 by definition: it is measured from the chord"},
+    {"DisplacementOfTheFirstNode",
+     cantilever(kStatic + pull("scale = 1") +
+                "[responses]\nu = { response = \"displacement\", at = \"b.start\" }\n"),
+     2, nullptr, "is 0 by definition: it is seen from the first node"},
+    {"DisplacementOfARigidBody",
+     cantilever(kStatic + pull("scale = 1") +
+                "[responses]\nu = { response = \"displacement\", at = \"lump.ear\" }\n"),
+     2, nullptr, "is 0 by definition: its body is rigid"},
+    {"ElongationOfARigidBody",
+     cantilever(kStatic + pull("scale = 1") +
+                "[responses]\nu = { response = \"elongation\", between = [\"lump.origin\", "
+                "\"lump.ear\"] }\n"),
+     2, nullptr, "both ports are of one rigid piece"},
+    {"DriveJumps", slider_crank("expression = \"(t<0.01005)?0:1\""), 2, nullptr,
+     "the drive of 'motor' jumps by 1 at t = 0.01005 s"},
+    {"DriveStartsElsewhere", slider_crank("expression = \"0.5+100*t\""), 0, "done",
+     "a drive is not at its joint's position at t = 0"},
+    {"DriveWithoutRamp", slider_crank("rate = 100"), 0, "done", "drives move at once at t = 0"},
+    {"LoadBetweenTheSteps",
+     cantilever("[simulation]\nduration = 0.1\nstep = 1e-3\n" +
+                pull("scale = \"sin(2*pi*1000*t)\"")),
+     0, "done", "the scale of load 'f' changes within a step"},
+    {"PulseBetweenTheSteps",
+     cantilever("[simulation]\nduration = 0.1\nstep = 1e-3\n" +
+                pull("scale = \"(t>0.0502) && (t<0.0506) ? 1 : 0\"")),
+     0, "done", "the scale of load 'f' changes within a step"},
+    {"Overdriven", slider_crank("rate = 20, ramp = 0.01", ", drive = { rate = 0.05, ramp = 0.01 }"),
+     0, "done", "the drive of 'guide' repeats other joints and drives"},
+    {"DampingOfASecond", slider_crank("rate = 100, ramp = 0.01", "", "damping = 1"), 0, "done",
+     "of the critical damping of its first bending mode"},
+    {"LooseTolerance",
+     slider_crank("rate = 100, ramp = 0.01"),
+     0,
+     "done",
+     "simulation.tolerance = 0.01 leaves that share of the forces unbalanced",
+     {"simulation.tolerance=0.01"}},
+    {"ElementTurnsByPi",
+     "[bodies]\nb = { beam = { from = [0, 0, 0], to = [10, 0, 0], section = \"strip\", elements = "
+     "2 "
+     "} }\n[sections]\nstrip = { type = \"full\", stiffness = [1e4, 1e4, 1e4, 100, 100, 100], "
+     "inertia = [1, 1, 1, 1, 1, 1] }\n[joints]\nclamp = { fixed = [\"ground\", \"b.start\"] "
+     "}\n[loads]\nbending = { at = \"b.end\", moment = [0, 0, 90], scale = \"t/20\" "
+     "}\n[simulation]\nduration = 20\nstep = 0.02\n",
+     1, "not_converged", "use more elements"},
+    {"StepTooLong",
+     "gravity = [0, -9.81, 0]\n[bodies]\nb = { rigid = { at = [0, 0, 0], mass = 1, inertia = "
+     "[0.01, 0.01, 0.01], points = { a = [-0.3, 0, 0], c = [0.3, 0.1, 0] } } }\nd = { rigid = { at "
+     "= [1, 0, 0], mass = 0.5, inertia = [0.01, 0.01, 0.01] } }\n[joints]\nh = { revolute = "
+     "[\"ground\", \"b.a\"] }\n[forces]\ns = { between = [\"b.c\", \"ground\"], stiffness = 4e3 "
+     "}\nr = { between = [\"b.origin\", \"d.origin\"], stiffness = 1e4, rest = 0.5 "
+     "}\n[simulation]\nduration = 2\nstep = 0.02\n",
+     1, "inaccurate", "compare with a smaller simulation.step"},
+    {"MeshedBarAboveATenthOfItsEulerLoad", meshed_bar("[-13.8e3, 0, 0]"), 0, "done",
+     "the part 'bar' carries up to 0.5 of its Euler load"},
+    {"MeshedBarFarBent", meshed_bar("[0, 1600, 0]"), 0, "done",
+     "rad between its interfaces, but its deformation is linear"},
+    {"ModesLeaveThePlane", kFrame, 0, "done", "modes may leave the plane"},
+};
+
+class Traps : public Program, public testing::WithParamInterface<Trap> {
+ protected:
+  Outcome run_scene(const std::string& text, const Words& set = {}) {
+    Words words{"run", write("scene.toml", text), "-o", results(), "--force"};
+    for (const auto& s : set) words.insert(words.end(), {"--set", s});
+    fs::remove_all(results());
+    const Outcome out = run(words);
+    if (fs::exists(results() / "summary.json")) summary_ = summary();
+    return out;
+  }
+  /// Everything that the program says of a run.
+  std::string said(const Outcome& out) const {
+    return out.err + summary_.value("reason", "") + summary_.value("space_reason", "") +
+           (summary_.contains("warnings") ? summary_["warnings"].dump() : "");
+  }
+  Json summary_ = Json::object();
+};
+
+TEST_P(Traps, IsTold) {
+  const Trap& trap = GetParam();
+  const Outcome out = run_scene(trap.scene, trap.set);
+  EXPECT_EQ(out.code, trap.code) << said(out);
+  if (trap.status) {
+    EXPECT_EQ(summary_.value("status", ""), trap.status) << said(out);
+  }
+  EXPECT_NE(said(out).find(trap.words), std::string::npos) << said(out);
+}
+
+INSTANTIATE_TEST_SUITE_P(Scenes, Traps, testing::ValuesIn(kTraps),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+using TrapFigures = Traps;
+
+/// A plane frame of flat bars, weak out of its plane, that its own plane sees as stable.
+TEST_F(TrapFigures, BucklingOutOfThePlaneIsSeen) {
+  const std::string portal = R"toml([bodies]
+left = { beam = { from = [0, 0, 0], to = [0, 1, 0], section = "flat", material = "steel", elements = 8 } }
+top = { beam = { from = [0, 1, 0], to = [1, 1, 0], section = "flat", material = "steel", elements = 8 } }
+right = { beam = { from = [1, 0, 0], to = [1, 1, 0], section = "flat", material = "steel", elements = 8 } }
+[joints]
+a = { fixed = ["ground", "left.start"] }
+b = { fixed = ["ground", "right.start"] }
+c = { fixed = ["left.end", "top.start"] }
+d = { fixed = ["top.end", "right.end"] }
+[loads]
+p1 = { at = "left.end", force = [0, -1, 0], scale = 2000 }
+p2 = { at = "right.end", force = [0, -1, 0], scale = 2000 }
+[simulation]
+type = "static"
+critical = true
+)toml" + kMaterials;
+  EXPECT_EQ(run_scene(portal).code, 0);
+  EXPECT_EQ(summary_["space"], "spatial");
+  ASSERT_FALSE(summary_["critical_loads"].empty());
+  EXPECT_NEAR(summary_["critical_loads"][0]["load"].get<double>(), 0.108, 0.001);
+  run_scene(portal, {"simulation.space=planar"});
+  EXPECT_TRUE(!summary_.contains("critical_loads") ||
+              summary_["critical_loads"][0]["load"].get<double>() > 0.9);
+}
+
+/// A right-angle frame of strips vibrates softly out of its plane.
+TEST_F(TrapFigures, ModesOutOfThePlaneAreSeen) {
+  const auto first = [&](const char* space) {
+    run_scene(kFrame, {std::string("simulation.space=") + space});
+    return summary_["frequencies_hz"][0].get<double>();
+  };
+  EXPECT_NEAR(first("auto"), 1.46, 0.01);
+  EXPECT_EQ(first("auto"), first("spatial"));
+  EXPECT_NEAR(first("planar"), 5.57, 0.01);
+}
+
+/// The columns of a deflection are the same in the plane and in space.
+TEST_F(TrapFigures, ColumnsKeepTheirNamesInSpace) {
+  const std::string text = slider_crank("rate = 100, ramp = 0.01");
+  const auto head = [&](const char* space) {
+    run_scene(text, {std::string("simulation.space=") + space});
+    const std::string table = text_of(results() / "responses.csv");
+    return table.substr(0, table.find('\n'));
+  };
+  EXPECT_EQ(head("planar"), "time [s],bend.y [m],x [m]");
+  EXPECT_EQ(head("spatial"), "time [s],bend.y [m],bend.z [m],x [m]");
+}
+
+/// Largest values do not depend on what is recorded.
+TEST_F(TrapFigures, PeaksAreThoseOfEveryStep) {
+  const std::string text = slider_crank("rate = 300, ramp = 0.005");
+  run_scene(text);
+  const Json all = summary_["responses"]["bend"];
+  run_scene(text, {"simulation.output_every=25"});
+  EXPECT_EQ(summary_["responses"]["bend"]["max_abs"], all["max_abs"]);
+  EXPECT_EQ(summary_["responses"]["bend"]["at_time"], all["at_time"]);
+  EXPECT_EQ(summary_["responses"]["bend"]["axes"], "y");
+}
+
+/// Inertial axes of a displacement are those of the scene, whatever the beam's own.
+TEST_F(TrapFigures, DisplacementIsInTheAxesAskedFor) {
+  const std::string tower = R"toml([bodies]
+b = { beam = { from = [0, 0, 0], to = [0, 0, 1], section = "thick", material = "steel", elements = 8 } }
+[joints]
+j = { fixed = ["ground", "b.start"] }
+[loads]
+f = { at = "b.end", force = [10, 0, 0] }
+[simulation]
+type = "static"
+[responses]
+here = { response = "displacement", at = "b.end" }
+there = { response = "displacement", at = "b.end", in = "inertial" }
+)toml" + kMaterials;
+  run_scene(tower);
+  const double exact = 10 / (3 * 210e9 * M_PI * std::pow(0.02, 4) / 64);
+  const auto& responses = summary_["responses"];
+  EXPECT_NEAR(responses["there"]["final"][0].get<double>() / exact, 1, 0.01);
+  EXPECT_NEAR(responses["here"]["final"][0].get<double>(), 0, 1e-5);
+  EXPECT_NEAR(responses["here"]["max_abs"].get<double>(),
+              responses["there"]["max_abs"].get<double>(), 1e-15);
+}
+
+/// A strip bent far with much damping takes its steps whole.
+TEST_F(TrapFigures, DampingInLargeBendingCostsNoSteps) {
+  const std::string strip = R"toml([bodies]
+bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "q", material = "steel", elements = 32, damping = 2e-3 } }
+[joints]
+j = { fixed = ["ground", "bar.start"] }
+[loads]
+s = { at = "bar.end", force = [0, 1200, 0], scale = "(t<1)?t:1" }
+[simulation]
+duration = 2
+step = 2e-3
+[responses]
+tip = { response = "position", at = "bar.end" }
+)toml" + kMaterials + "q = { type = \"rectangle\", width = 0.01, height = 0.01 }\n";
+  EXPECT_EQ(run_scene(strip).code, 0);
+  EXPECT_EQ(summary_["steps"], 1000);
+  EXPECT_EQ(summary_["rejected_steps"], 0);
+  EXPECT_LT(summary_["newton_iterations"], 5000);
+  EXPECT_GT(summary_["responses"]["tip"]["final"][1], 0.7);  // bent far
+}
+
+}  // namespace
+}  // namespace liesl::test
