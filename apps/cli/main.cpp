@@ -69,6 +69,14 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_flag("--check-derivatives", o.check_derivatives,
                         "Compare the gradients with finite differences and stop");
       command
+          ->add_option_function<std::string>(
+              "--method",
+              [&o](const std::string& method) {
+                o.set.push_back("cycle.method=\"" + method + "\"");
+              },
+              "How a cycle finds the next design, as cycle.method")
+          ->check(CLI::IsMember({"auto", "esl", "esl1", "full"}));
+      command
           ->add_flag("--nucleate{10}", o.nucleate,
                      "Insert new holes where they reduce the objective, --nucleate=N at most N "
                      "(experimental)")

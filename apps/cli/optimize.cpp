@@ -28,6 +28,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/interrupt.hpp"
 #include "apps/output/write_results.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "optim/cycle/trust_region_cycle.hpp"
 
 namespace liesl {
 namespace {
@@ -132,8 +133,17 @@ int optimize_command(const CommandOptions& options) {
                        "a study of a motion", "run without --resume"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   SimulationLine line(study.scene.simulation, options.quiet);
-  OptimizeOutcome out = optimize_task(study, space, summary, options.nucleate,
-                                      hooks_of(study, options, clock, folder, line), resume);
+  OptimizeOutcome out = [&] {
+    const OptimizeHooks hooks = hooks_of(study, options, clock, folder, line);
+    try {
+      return optimize_task(study, space, summary, options.nucleate, hooks, resume);
+    } catch (const NoSensitivities& error) {
+      throw InputError({{study.file, 0, 0,
+                         "cycle.method needs sensitivities, which this motion has not: " +
+                             std::string(error.what()),
+                         "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
+    }
+  }();
   line.clear();
   write_end(out, study.scene, folder.path());
   out.summary.wall_s = clock.seconds();

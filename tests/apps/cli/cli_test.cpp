@@ -191,6 +191,15 @@ TEST_F(Cli, EslWritesTheLoads) {
   EXPECT_LT(summary()["identity"]["rod"]["nonlinear"], 1e-10);
 }
 
+TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
+  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1",
+                         "--set", "simulation.formalism=r3so3"});
+  EXPECT_EQ(o.code, 2) << o.err;
+  EXPECT_NE(o.err.find("cycle.method needs sensitivities"), std::string::npos) << o.err;
+  EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl2"}).code,
+            2);
+}
+
 Words rod_study(const fs::path& out) {
   return {"optimize", study("slider_crank_rod"),          "-o",    out,
           "--set",    "design.rod_diameters.start=0.006", "--set", "simulation.step=5e-5"};
