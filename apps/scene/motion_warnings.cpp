@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/sections/section_law.hpp"
 
 namespace liesl {
 

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "apps/input/problem.hpp"
+
 namespace liesl {
 
 namespace {

@@ -150,7 +150,7 @@ InitialState take_equilibrium(const Model<G>& model, const SimulationOptions& op
         "leaves it");
   s.H = rest.H;
   s.w = rest.w;
-  s.q = rest.q;
+  s.rows = rest.rows;
   return out;
 }
 
@@ -185,7 +185,7 @@ class TapeWriter {
   int since_ = 0;
 };
 
-/// What a user should know of a run: another step than asked for, tangents taken again, halved
+/// What a user should know of a run: another step than asked for, refactorised tangents, halved
 /// steps, joint forces that ring.
 void add_warnings(Report& report, double step, double asked, TangentStrategy tangent,
                   const Ringing& ringing) {
@@ -233,7 +233,7 @@ void add_bend_warning(Report& report, const Model<G>& model, const LargestBend<G
                   model.bodies[bend.bent]->name, bend.bend));
 }
 
-/// What the start has to say. @returns whether the run goes on
+/// What the start has to say. @returns whether the run continues
 bool take_start(const InitialState& start, Report& report) {
   report.warnings = start.redundant;
   report.warnings.insert(report.warnings.end(), start.warnings.begin(), start.warnings.end());

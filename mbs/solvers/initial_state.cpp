@@ -68,11 +68,11 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(model.size()), dlambda = s.lambda;
   const auto start = s.H;
   for (int i = 0; i <= kMaxAssembly; ++i) {
-    eq.evaluate(s, s.q, {s.t, 1});
+    eq.evaluate(s, s.rows, {s.t, 1});
     if (!std::isfinite(eq.constraint_residual())) break;
     const bool relaxed = !relax || i == kMaxAssembly ||
                          (i > 0 && delta.template lpNorm<Eigen::Infinity>() <= kRelaxed);
-    if (relaxed && eq.constraint_residual() <= kAssembled * model.reach) {
+    if (relaxed && eq.constraint_residual() <= kAssembled * model.extent) {
       for (size_t k = 0; k < start.size(); ++k)
         out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
       return true;
@@ -81,7 +81,7 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
     if (relax) elastic_forces(model, s, eq);
     if (!system.solve(eq, delta, dlambda, false)) break;
     model.retract(s, delta);
-    if (relax) eq.observe(s, s.q, s.q);
+    if (relax) eq.observe(s, s.rows, s.rows);
   }
   out.status = SolveStatus::Inconsistent;
   out.reason = fmt::format(
@@ -113,7 +113,7 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
   system.factor({1 / (time * time), 0});
   Eigen::VectorXd delta = s.v, dlambda = s.lambda, target = s.lambda;
   const Eigen::VectorXd start = s.v;
-  eq.evaluate(s, s.q, {s.t, 1});
+  eq.evaluate(s, s.rows, {s.t, 1});
   eq.velocity_target(s.t, target);
   for (int i = 0; i < 4; ++i) {  // once, and again for what round-off left
     constraint_rates(eq, s.v, target);
@@ -152,7 +152,7 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
   eq.acceleration_target(s, s.t, target);
   const bool regular = system.factor({1, 0}, 0);
   for (int i = 0; i < kRefinements; ++i) {  // once, and again for what point masses leave
-    eq.evaluate(s, s.q, {s.t, 1});
+    eq.evaluate(s, s.rows, {s.t, 1});
     constraint_rates(eq, s.vdot, target);
     if (!regular || !system.solve(eq, delta, dlambda, false)) {
       out.status = SolveStatus::Singular;
@@ -174,11 +174,12 @@ template <FrameGroup G>
 double way_of_drives(const Model<G>& model, const State<G>& s) {
   double way = 0;
   for (const auto& c : model.couplings)
-    for (size_t i = 0; i < c.equations.size(); ++i) {
-      const auto& e = c.equations[i];
+    for (size_t i = 0; i < c.rows.size(); ++i) {
+      const auto& e = c.rows[i];
       if (e.role != Role::Constraint || e.coordinate < 0) continue;
-      const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
-      const double off = e.target(s.t) - s.q[c.first_row + static_cast<int>(i)];
+      const bool length =
+          e.row.kind() == RowKind::Displacement || e.row.kind() == RowKind::Distance;
+      const double off = e.target(s.t) - s.rows[c.first_row + static_cast<int>(i)];
       way = std::max(way, std::abs(off) / (length ? model.length : 1));
     }
   return way;
@@ -194,7 +195,7 @@ InitialState assemble(const Model<G>& model, double step, State<G>& s) {
     return out;
   }
   const Equations<G> eq(model);
-  eq.observe(s, s.q, s.q);
+  eq.observe(s, s.rows, s.rows);
   s.lambda.setZero(model.constraints());
   if (way_of_drives(model, s) > kDriven) {
     const Eigen::VectorXd v = s.v;
@@ -205,7 +206,7 @@ InitialState assemble(const Model<G>& model, double step, State<G>& s) {
   } else if (!assemble_positions(model, step, false, s, out)) {
     return out;
   }
-  eq.observe(s, s.q, s.q);
+  eq.observe(s, s.rows, s.rows);
   if (const auto why = contradiction(model, s, s.t); !why.empty()) {
     out.status = SolveStatus::Inconsistent;
     out.reason = why;
@@ -217,7 +218,7 @@ template <FrameGroup G>
 InitialState make_consistent(const Model<G>& model, const SimulationOptions& options, State<G>& s) {
   InitialState out;
   if (!has_inertia(model, out)) return out;
-  Equations<G>(model).observe(s, s.q, s.q);
+  Equations<G>(model).observe(s, s.rows, s.rows);
   const double way = way_of_drives(model, s);
   out = assemble(model, options.step, s);
   if (out.status != SolveStatus::Converged) return out;

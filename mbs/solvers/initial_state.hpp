@@ -20,13 +20,13 @@ struct InitialState {
 };
 
 /// Positions alone: nodes onto the constraints at time s.t (Newton, least change in the metric
-/// M/step^2 + K), joint coordinates into s.q. Where a drive is not at its joint's position the
+/// M/step^2 + K), joint coordinates into s.rows. Where a drive is not at its joint's position the
 /// bodies are turned to where it is, as rigidly as the joints allow: with 1 s for the step, and
 /// strains on the way taken out again. For statics.
 template <FrameGroup G>
 InitialState assemble(const Model<G>& model, double step, State<G>& s);
 
-/// How far drives are from their value at s.t, rad or the mechanism's length; s.q known.
+/// How far drives are from their value at s.t, rad or the mechanism's length; s.rows known.
 template <FrameGroup G>
 double way_of_drives(const Model<G>& model, const State<G>& s);
 

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// One door to the solvers: what a scene asks for, as states with a report.
+/// Entry to the solvers: the simulation that options.type names, as states with a report.
 
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/solvers/statics.hpp"

@@ -304,9 +304,10 @@ template <FrameGroup G>
 double way_between(const Model<G>& model, double from, double to) {
   double way = 0;
   for (const auto& c : model.couplings)
-    for (const auto& e : c.equations) {
+    for (const auto& e : c.rows) {
       if (e.role != Role::Constraint) continue;
-      const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
+      const bool length =
+          e.row.kind() == RowKind::Displacement || e.row.kind() == RowKind::Distance;
       way = std::max(way, std::abs(e.target(to) - e.target(from)) / (length ? model.length : 1));
     }
   return way;

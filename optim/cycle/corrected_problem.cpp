@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 namespace {
 
 // Of inner cases that the correction may lift above their limit.
-constexpr double kLift = 0.1;
+constexpr double kLift = 0.02;
 
 /// e^p, beyond p = 1 its Taylor polynomial of second order there: a long step overflows no row.
 struct Growth {

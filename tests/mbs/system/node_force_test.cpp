@@ -1,0 +1,136 @@
+/// @file
+/// Section forces and stress of beams at the nodes: closed forms with their order on coarse meshes,
+/// reactions of joints, the internal forces of a motion.
+
+#include <numbers>
+
+#include "mbs/run.hpp"
+#include "mbs/static_cases.hpp"
+#include "mbs/system/response_value.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr double kLength = 1, kDiameter = 0.02;
+constexpr double kLarge = 1e-4;  // share of the stress that the bar's own sag is good for
+const Material kSteel{"steel", 210e9, 0.3, 7850};
+
+/// A clamped round bar along x.
+Mechanism bar(int elements, Formalism formalism) {
+  BeamSpec spec;
+  spec.nodes = straight({0, 0, 0}, {kLength, 0, 0}, elements);
+  spec.sections.assign(std::size_t(elements), Section{"circle", Circle{kDiameter}});
+  spec.material = kSteel;
+  Mechanism m = test::cantilever(spec);
+  m.formalism = formalism;
+  return m;
+}
+
+double largest_stress(const Mechanism& m) {
+  const auto model = Model<SE3>::build(m, {});
+  const auto solved = solve_static(model, test::tight());
+  EXPECT_EQ(solved.report.status, SolveStatus::Converged) << solved.report.reason;
+  State<SE3> s = model.initial_state();
+  solved.trajectory.read(solved.trajectory.size() - 1, s);
+  ResponseSpec stress;
+  stress.kind = ResponseKind::Stress;
+  stress.body = 0;
+  return ResponseValues<SE3>(m, model)(stress, s)[0];
+}
+
+/// Von Mises at the outline: bending, and the shear stress V/(k A) that every stress point has.
+double root_stress(double moment, double shear) {
+  const double area = std::numbers::pi * kDiameter * kDiameter / 4;
+  const double k = geometry(Section{"circle", Circle{kDiameter}}, kSteel.nu).ky;
+  return std::hypot(8 * moment / (area * kDiameter), std::sqrt(3) * shear / (k * area));
+}
+
+class NodeForces : public ::testing::TestWithParam<Formalism> {};
+
+/// 12.73 MPa under 10 N by 1 ... 16 elements; in the middle of the first one it would be 1 - 1/(2n)
+/// of that. What is left is the bending of the bar, of second order in the load.
+TEST_P(NodeForces, RootStressUnderATipLoadIsRightOnEveryMesh) {
+  EXPECT_NEAR(root_stress(10 * kLength, 10), 12.73e6, 0.005e6);
+  for (const double force : {10., 1.})
+    for (int n : {1, 2, 4, 8, 16}) {
+      Mechanism m = bar(n, GetParam());
+      m.loads.push_back(test::tip_load(m, {0, force, 0}));
+      EXPECT_NEAR(largest_stress(m) / root_stress(force * kLength, force), 1, 1e-6 * force)
+          << n << " elements";
+    }
+}
+
+/// Under its weight q the root carries q L^2/2; what is missing falls with the square of the
+/// length.
+TEST_P(NodeForces, RootStressUnderWeightConvergesWithOrderTwo) {
+  const double q = 9.81 * kSteel.rho * std::numbers::pi * kDiameter * kDiameter / 4;
+  const double exact = root_stress(q * kLength * kLength / 2, q * kLength);
+  std::vector<double> errors;
+  for (int n : {2, 4, 8, 16}) {
+    Mechanism m = bar(n, GetParam());
+    m.gravity = {0, -9.81, 0};
+    errors.push_back(std::abs(largest_stress(m) / exact - 1));
+  }
+  EXPECT_LT(errors[0], 0.2);
+  if (errors[0] < kLarge) return;  // half of it to each node: exact
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), 2, 0.1) << errors[i];
+}
+
+INSTANTIATE_TEST_SUITE_P(Flexible, NodeForces,
+                         ::testing::Values(Formalism::SE3, Formalism::R3SO3, Formalism::Classical,
+                                           Formalism::Floating),
+                         [](const auto& of) { return std::string(to_string(of.param)); });
+
+/// A bend of 45 degrees far bent by its load: what the clamp transmits is the section force there,
+/// and every node inside is in equilibrium by itself.
+TEST(NodeForce, AreTheReactionOfTheClampAndInEquilibrium) {
+  const Mechanism m = test::bend45(8, 600);
+  const auto model = Model<SE3>::build(m, {});
+  SimulationOptions o = test::tight();
+  o.load_steps = 4;
+  const auto solved = solve_static(model, o);
+  ASSERT_EQ(solved.report.status, SolveStatus::Converged);
+  State<SE3> s = model.initial_state();
+  solved.trajectory.read(solved.trajectory.size() - 1, s);
+  const BodyState<SE3> at = model.body_state(s, 0);
+  const Body<SE3>& body = *model.bodies[0];
+  const auto force = [&](int e, ElementPlace place) { return body.section_force(at, e, place); };
+
+  const SE3::Tangent reaction = test::joint_wrench(model, s.H.data(), s.lambda, 0);
+  const SE3::Tangent root = force(0, ElementPlace::First);
+  EXPECT_LT((root + reaction).norm(), 1e-7 * root.norm());
+  EXPECT_GT(root.tail<3>().norm(), 1e3);
+  for (int e = 1; e < body.elements(); ++e)
+    EXPECT_LT((force(e - 1, ElementPlace::Last) - force(e, ElementPlace::First)).norm(),
+              1e-7 * root.norm());
+  const Vec3 tip = s.H[8].R * force(7, ElementPlace::Last).head<3>();
+  EXPECT_LT((tip - Vec3(0, 0, 600)).norm(), 1e-6 * 600);
+}
+
+/// In motion the forces at both sides of a node differ by its share of the internal force, which is
+/// its load in the equivalent static load case.
+TEST(NodeForce, MakeTheLoadsOfTheEquivalentStaticCases) {
+  Mechanism m = test::slider_crank({4});
+  m.drives[0].motion = TimeFunction::rate(60, 0.02);
+  const auto run = test::run_planar(m, test::options(0.03, 5e-4));
+  ASSERT_EQ(run.report().status, SolveStatus::Converged);
+  State<SE2> s = run.model->initial_state();
+  const Body<SE2>& body = *run.model->bodies[1];
+  for (int n = 7; n < run.trajectory().size(); n += 7) {
+    run.trajectory().read(n, s);
+    const BodyState<SE2> at = run.model->body_state(s, 1);
+    Eigen::VectorXd f = Eigen::VectorXd::Zero(body.size()), internal = f;
+    ForceScale scale;
+    body.add_internal(at, internal.data(), scale);
+    for (int e = 0; e < body.elements(); ++e) {
+      f.segment<3>(3 * e) -= body.section_force(at, e, ElementPlace::First);
+      f.segment<3>(3 * e + 3) += body.section_force(at, e, ElementPlace::Last);
+    }
+    EXPECT_LT((f - internal).norm(), 1e-9 * internal.norm());
+    EXPECT_GT(internal.norm(), 1);
+  }
+}
+
+}  // namespace
+}  // namespace liesl
