@@ -42,7 +42,10 @@ check_format() {
   echo "every source is formatted"
 }
 
-check_layers() { /usr/bin/python3 tests/architecture/check_layers.py .; }
+check_layers() {
+  /usr/bin/python3 tests/architecture/check_layers.py . &&
+    /usr/bin/python3 tests/architecture/check_links.py .
+}
 
 # Builds and installs without Ipopt and NLopt. engine_alone [arguments of the configuration]
 engine_alone() {

@@ -49,9 +49,9 @@ typename G::Matrix held_motions(const typename StaticPart<G>::Law& rigid,
 }  // namespace
 
 template <FrameGroup G>
-HeldPart read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
-                      const Model<G>& model, int body) {
-  HeldPart held;
+PartSupport read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
+                         const Model<G>& model, int body) {
+  PartSupport held;
   const std::string& name = mechanism.bodies[body].name;
   std::vector<std::string> places = support.empty() ? std::vector<std::string>{"start"} : support;
   if (places[0] == "inertia_relief") {
@@ -98,7 +98,7 @@ HeldPart read_support(const std::vector<std::string>& support, const Mechanism& 
 }
 
 template <FrameGroup G>
-StaticPart<G>::StaticPart(const Beam<G>& beam, HeldPart held, Eigen::MatrixXd outputs)
+StaticPart<G>::StaticPart(const Beam<G>& beam, PartSupport held, Eigen::MatrixXd outputs)
     : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), rigid_(rigid_motions(beam)) {
   for (int e = 0; e < beam.elements(); ++e) {
     const auto& d = beam.element(e).d0();
@@ -230,10 +230,10 @@ Eigen::MatrixXd StaticPart<G>::strain_output(const Beam<G>& beam, int e) {
   return c;
 }
 
-template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE2>&,
-                               int);
-template HeldPart read_support(const std::vector<std::string>&, const Mechanism&, const Model<SE3>&,
-                               int);
+template PartSupport read_support(const std::vector<std::string>&, const Mechanism&,
+                                  const Model<SE2>&, int);
+template PartSupport read_support(const std::vector<std::string>&, const Mechanism&,
+                                  const Model<SE3>&, int);
 template class StaticPart<SE2>;
 template class StaticPart<SE3>;
 

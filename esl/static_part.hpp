@@ -19,7 +19,7 @@
 namespace liesl {
 
 /// What holds the part while its rigid motions are out of the way.
-struct HeldPart {
+struct PartSupport {
   std::vector<int> fixed;       ///< increments held at zero, dim of them
   bool inertia_relief = false;  ///< loads are balanced by rigid accelerations first
 };
@@ -29,8 +29,8 @@ struct HeldPart {
 /// @throws std::invalid_argument: no such node, letters, not exactly as many as rigid motions, or
 ///         such that a rigid motion remains
 template <FrameGroup G>
-HeldPart read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
-                      const Model<G>& model, int body);
+PartSupport read_support(const std::vector<std::string>& support, const Mechanism& mechanism,
+                         const Model<G>& model, int body);
 
 template <FrameGroup G>
 class StaticPart {
@@ -41,7 +41,7 @@ class StaticPart {
   using Strain = Eigen::Matrix<double, dim, Eigen::Dynamic>;          ///< of one element, by case
 
   /// @param outputs C, size of the body x m: gradients of the outputs at the reference shape
-  StaticPart(const Beam<G>& beam, HeldPart held, Eigen::MatrixXd outputs);
+  StaticPart(const Beam<G>& beam, PartSupport held, Eigen::MatrixXd outputs);
 
   /// Loads of the cases [size x n] from here on; balanced if the part has inertia relief.
   void set_loads(const Eigen::MatrixXd& f);
@@ -87,7 +87,7 @@ class StaticPart {
   void solve_column(double* x, std::vector<Strain>& strain, int column) const;
 
   const Beam<G>& beam_;
-  HeldPart held_;
+  PartSupport held_;
   Eigen::MatrixXd C_, f_, u_, mu_, y_;
   std::vector<typename BeamElement<G>::Gradient,
               Eigen::aligned_allocator<typename BeamElement<G>::Gradient>>
@@ -100,10 +100,10 @@ class StaticPart {
   Law flexibility_;      ///< by element: L K_s^-1
 };
 
-extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&,
-                                      const Model<SE2>&, int);
-extern template HeldPart read_support(const std::vector<std::string>&, const Mechanism&,
-                                      const Model<SE3>&, int);
+extern template PartSupport read_support(const std::vector<std::string>&, const Mechanism&,
+                                         const Model<SE2>&, int);
+extern template PartSupport read_support(const std::vector<std::string>&, const Mechanism&,
+                                         const Model<SE3>&, int);
 extern template class StaticPart<SE2>;
 extern template class StaticPart<SE3>;
 

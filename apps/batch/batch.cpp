@@ -7,10 +7,12 @@
 
 #include "apps/batch/case_table.hpp"
 #include "apps/batch/grid.hpp"
+#include "apps/input/document.hpp"
 #include "apps/input/validate.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
-#include "apps/study/study.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
 
 namespace liesl {
 

@@ -14,7 +14,7 @@ namespace liesl {
 
 /// A field of a CSV file with its place. RFC 4180: commas, quotes, doubled quotes, any line end.
 using CsvRow = std::vector<CaseValue>;
-/// Rows of a text; lines without any character are skipped. A quote that is not closed is said.
+/// Rows of a text; lines without any character are skipped. A quote that is not closed is an error.
 std::vector<CsvRow> read_csv(const std::string& text, const std::string& file, Problems& problems);
 
 /// Cases of a table. Says columns that are empty, twice there or have the name of a column of the

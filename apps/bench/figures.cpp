@@ -7,12 +7,12 @@
 
 #include "apps/cli/command.hpp"
 #include "apps/output/summary.hpp"
-#include "apps/scene/scene.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
 #include "mbs/model/curves.hpp"
 #include "mbs/solvers/simulation.hpp"
 
 #ifdef LIESL_OPTIM
-#include "apps/study/study.hpp"
 #include "optim/cycle/esl_cycle.hpp"
 #include "optim/cycle/static_sizing.hpp"
 #include "optim/nlp/ipopt_driver.hpp"

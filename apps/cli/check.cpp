@@ -3,9 +3,11 @@
 #include "apps/batch/batch.hpp"
 #include "apps/cli/command.hpp"
 #include "apps/compare/comparison.hpp"
+#include "apps/input/document.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/plot_program.hpp"
-#include "apps/study/study.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
 
 namespace liesl {
 

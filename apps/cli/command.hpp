@@ -16,7 +16,7 @@ struct CommandOptions {
   std::string out;     ///< -o
   bool force = false;  ///< replace an earlier result
   bool quiet = false;
-  bool resume = false;             ///< optimize: go on with an interrupted run
+  bool resume = false;             ///< optimize: resume an interrupted run
   bool check_derivatives = false;  ///< optimize: sweep the gradients of the first static problem
   int nucleate = 0;                ///< optimize: new holes to insert at most
   int threads = 0;                 ///< 0 = as many as there are processors

@@ -22,6 +22,7 @@ int esl_command(const CommandOptions& options) {
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
 #include "apps/output/write_results.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "apps/tasks/esl.hpp"
 
 namespace liesl {

@@ -5,6 +5,8 @@
 #include <charconv>
 
 #include "apps/cli/terminal.hpp"
+#include "apps/input/document.hpp"
+#include "apps/input/problem.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"

@@ -27,6 +27,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/write_results.hpp"
+#include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
 
 namespace liesl {

@@ -3,6 +3,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/write_results.hpp"
+#include "apps/scene/load_scene.hpp"
 
 namespace liesl {
 

@@ -27,7 +27,7 @@ class Stopwatch {
 class SimulationLine {
  public:
   SimulationLine(const SimulationOptions& options, bool quiet);
-  /// Feeds the line; false asks the simulation to stop (Ctrl-C).
+  /// Feeds the line; false stops the simulation (Ctrl-C).
   bool operator()(double t);
   void clear() { line_.clear(); }
 

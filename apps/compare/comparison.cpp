@@ -7,7 +7,9 @@
 
 #include "apps/batch/grid.hpp"
 #include "apps/compare/row_table.hpp"
+#include "apps/input/document.hpp"
 #include "apps/input/validate.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "apps/scene/reader.hpp"
 #include "apps/study/study.hpp"
 
@@ -106,7 +108,7 @@ ReferenceSpec read_reference(const toml::table& table, Problems& problems) {
   }
   if (spec.formalisms[0] == spec.formalisms[1])
     problems.add(pair, "the reference compares a formalism with itself", "two different formalisms",
-                 "their difference tells how far both can be trusted");
+                 "their difference estimates the error of both");
   spec.elements = table["elements"].value<int>();
   spec.step = number(table, "step");
   spec.tolerance = number(table, "tolerance");

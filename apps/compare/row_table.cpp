@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "apps/batch/case_table.hpp"
+#include "apps/input/schema.hpp"
 #include "apps/output/csv_writer.hpp"
 #include "apps/output/file.hpp"
 

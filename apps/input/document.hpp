@@ -54,9 +54,9 @@ void apply_set(toml::table& set, toml::table& scene, Problems& problems);
 /// study, unless it has `bodies`.
 FileKind kind_of(const toml::table& root);
 
-/// A file of another kind than a command reads has no key that it could be told of.
+/// A file of another kind than a command reads has no key that could be reported.
 /// @throws InputError with the problems so far and "this is a batch, not a study". A file that has
-/// no key of any kind passes: it is told what it lacks.
+/// no key of any kind passes: what it lacks is reported.
 void expect_kind(const toml::table& root, FileKind wanted, Problems& problems);
 
 }  // namespace liesl

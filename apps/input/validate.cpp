@@ -4,30 +4,12 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "apps/input/check_value.hpp"
 
 namespace liesl {
 
 namespace {
-
-std::string_view type_name(const toml::node& node) {
-  switch (node.type()) {
-    case toml::node_type::table:
-      return "a table";
-    case toml::node_type::array:
-      return "a list";
-    case toml::node_type::string:
-      return "a string";
-    case toml::node_type::integer:
-      return "an integer";
-    case toml::node_type::floating_point:
-      return "a number";
-    case toml::node_type::boolean:
-      return "true or false";
-    default:
-      return "a date or time";
-  }
-}
 
 /// Does the condition `when` of a key hold in this table? The sibling key must be readable.
 enum class Applies { Yes, No, Unknown };
@@ -42,9 +24,6 @@ Applies applies(FileKind kind, const Key& key, const toml::table& table) {
   const auto allowed = words(key.when.substr(equals + 1));
   return std::count(allowed.begin(), allowed.end(), *chosen) ? Applies::Yes : Applies::No;
 }
-
-constexpr double kLargest = 1e9;           ///< integer, which an int holds
-constexpr std::size_t kLongestName = 255;  // HDF5 takes more, file systems do not
 
 class Validator {
  public:
@@ -97,17 +76,9 @@ class Validator {
       problems_.add(name, fmt::format("'{}' is not a name", name.str()),
                     "a name without dots, blanks and quotes");
     else if (key.type != Type::Any)
-      check_length(name, name.str(), full);
+      check_name_length(name, name.str(), full, problems_);
     check(key, value, full);
     if (problems_.count() > before) broken_.insert(full);
-  }
-
-  /// Names become names of data sets and attributes in results.h5.
-  template <class Place>
-  void check_length(const Place& at, std::string_view text, const std::string& path) {
-    if (text.size() > kLongestName)
-      problems_.add(at, fmt::format("'{}' is a name of {} characters", path, text.size()),
-                    fmt::format("at most {} characters", kLongestName));
   }
 
   /// Exactly one of the keys marked kOneOf.
@@ -151,35 +122,8 @@ class Validator {
         [&](auto& value) { table.insert_or_assign(key.leaf(), std::move(value)); });
   }
 
-  void wrong(const Key& key, const toml::node& value, const std::string& path) {
-    problems_.add(value, fmt::format("'{}' is {}", path, type_name(value)), expectation(key),
-                  std::string(key.doc));
-  }
-
   void check(const Key& key, toml::node& value, const std::string& path) {
     switch (key.type) {
-      case Type::Text:
-      case Type::Choice:
-        return text(key, value, path);
-      case Type::Boolean:
-        return value.is_boolean() ? void() : wrong(key, value, path);
-      case Type::Integer:
-      case Type::Number:
-        return number(key, value, path);
-      case Type::Vector:
-        return numbers(key, value, path, {key.size});
-      case Type::Point:
-        return numbers(key, value, path, {2, 3});
-      case Type::NumberOrList:
-        return value.is_array() ? numbers(key, value, path, {key.size}) : number(key, value, path);
-      case Type::Rows:
-        return rows(key, value, path);
-      case Type::Matrix:
-        return matrix(key, value, path);
-      case Type::Texts:
-        return texts(key, value, path, 1);
-      case Type::Pair:
-        return texts(key, value, path, 2);
       case Type::Function:
         return function(key, value, path);
       case Type::Table:
@@ -187,111 +131,15 @@ class Validator {
         return subtable(key, value, path);
       case Type::TableOrList:
         return tables(key, value, path);
-      case Type::List:
-        return list(key, value, path);
-      case Type::Any:
-        return;
+      default:
+        return check_value(key, value, path, problems_);
     }
-  }
-
-  void text(const Key& key, const toml::node& value, const std::string& path) {
-    const auto given = value.value<std::string>();
-    if (!given) return wrong(key, value, path);
-    if (key.path == "name") check_length(value, *given, path);
-    if (key.type != Type::Choice) return;
-    const auto options = words(key.options);
-    if (!std::count(options.begin(), options.end(), *given))
-      problems_.add(value, fmt::format("'{}' is \"{}\"", path, *given), expectation(key),
-                    suggestion(*given, options));
-  }
-
-  void number(const Key& key, const toml::node& value, const std::string& path) {
-    const bool whole = key.type == Type::Integer;
-    if (!value.is_number()) return wrong(key, value, path);
-    const double x = *value.value<double>();
-    if (whole && std::abs(x) > kLargest && std::floor(x) == x)
-      problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x),
-                    fmt::format("{}, at most {:g}", expectation(key), kLargest),
-                    std::string(key.doc));
-    else if (whole && !value.is_integer())
-      problems_.add(
-          value, fmt::format("'{}' is a number", path), expectation(key),
-          std::floor(x) == x ? "without point and exponent, as in 1000" : std::string(key.doc));
-    else if (!std::isfinite(x))
-      problems_.add(value, fmt::format("'{}' is {}", path, x), "a finite number");
-    else if (!key.range.contains(x))
-      problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x), expectation(key),
-                    std::string(key.doc));
-  }
-
-  void numbers(const Key& key, toml::node& value, const std::string& path,
-               const std::vector<int>& sizes) {
-    toml::array* list = value.as_array();
-    if (!list) return wrong(key, value, path);
-    const int n = static_cast<int>(list->size());
-    const bool any = sizes.front() == 0 && n > 0;
-    if (!any && !std::count(sizes.begin(), sizes.end(), n)) {
-      problems_.add(value, fmt::format("'{}' has {} entries", path, n), expectation(key));
-      return;
-    }
-    Key single = key;
-    single.type = Type::Number;
-    for (int i = 0; i < n; ++i)
-      number(single, (*list)[static_cast<std::size_t>(i)], fmt::format("{}.{}", path, i));
-  }
-
-  void rows(const Key& key, toml::node& value, const std::string& path) {
-    toml::array* list = value.as_array();
-    if (!list) return wrong(key, value, path);
-    if (list->size() < 2 && key.type == Type::Rows) {
-      problems_.add(value, fmt::format("'{}' has {} rows", path, list->size()), expectation(key));
-      return;
-    }
-    int i = 0;
-    for (toml::node& row : *list) numbers(key, row, fmt::format("{}.{}", path, i++), {key.size});
-  }
-
-  void matrix(const Key& key, toml::node& value, const std::string& path) {
-    const toml::array* list = value.as_array();
-    if (!list) return wrong(key, value, path);
-    const bool square = !list->empty() && (*list)[0].is_array();
-    if (!square) return numbers(key, value, path, {key.size, 6});
-    if (static_cast<int>(list->size()) != key.size) {
-      problems_.add(value, fmt::format("'{}' has {} rows", path, list->size()), expectation(key));
-      return;
-    }
-    rows(key, value, path);
-  }
-
-  void list(const Key& key, const toml::node& value, const std::string& path) {
-    const toml::array* values = value.as_array();
-    if (!values) return wrong(key, value, path);
-    if (values->empty())
-      problems_.add(value, fmt::format("'{}' is empty", path), expectation(key),
-                    std::string(key.doc));
-    for (const toml::node& item : *values)
-      if (item.is_table())
-        problems_.add(item, fmt::format("'{}' holds a table", path),
-                      "numbers, strings, true or false, or lists of them");
-  }
-
-  /// @param count 1: a string or a list of them, 2: a list of two
-  void texts(const Key& key, const toml::node& value, const std::string& path, int count) {
-    if (value.is_string() && count == 1) return;
-    const toml::array* list = value.as_array();
-    if (!list) return wrong(key, value, path);
-    if (list->empty() || (count == 2 && list->size() != 2))
-      problems_.add(value, fmt::format("'{}' has {} entries", path, list->size()),
-                    expectation(key));
-    for (const toml::node& item : *list)
-      if (!item.is_string()) wrong(key, item, path);
   }
 
   void function(const Key& key, toml::node& value, const std::string& path) {
     if (toml::table* inner = value.as_table()) return table(*inner, "(function)", path);
     if (value.is_string()) return;
-    if (!value.is_number()) return wrong(key, value, path);
-    number(key, value, path);
+    check_value(key, value, path, problems_);
   }
 
   void subtable(const Key& key, toml::node& value, const std::string& path) {
@@ -299,7 +147,7 @@ class Validator {
     if (toml::table* inner = value.as_table())
       table(*inner, key.path, path);
     else
-      wrong(key, value, path);
+      wrong_type(key, value, path, problems_);
     if (problems_.count() > before) broken_.insert(path);
   }
 

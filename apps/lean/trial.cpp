@@ -4,7 +4,9 @@
 #include <ctime>
 #include <numeric>
 
+#include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
 #include "mbs/solvers/simulation.hpp"
 

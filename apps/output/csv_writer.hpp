@@ -28,7 +28,7 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
 
 /// A column of texts, one a row.
 struct TextColumn {
-  std::string name, unit;  ///< unit "": none is said
+  std::string name, unit;  ///< unit "": none is written
   std::vector<std::string> cells;
 };
 

@@ -24,7 +24,7 @@ class Hdf5Handle {
     if (id_ >= 0) closer_(id_);
   }
   hid_t id() const { return id_; }
-  /// Closes now and tells whether that worked.
+  /// Closes now. @returns whether that worked
   bool close() { return closer_(std::exchange(id_, -1)) >= 0; }
 
  private:

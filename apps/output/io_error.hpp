@@ -8,7 +8,8 @@
 
 namespace liesl::output {
 
-/// Message: "cannot <what> '<path>': <reason>". Whatever library says it, a full disk is called so.
+/// Message: "cannot <what> '<path>': <reason>". A full disk is named as such, whichever library
+/// reports it.
 class IoError : public std::runtime_error {
  public:
   IoError(const std::string& what, std::filesystem::path path, const std::string& reason)

@@ -60,9 +60,9 @@ struct ResponseResult {
 };
 
 struct Results {
-  std::string name;                 ///< of the scene
-  std::string space;                ///< "planar" or "spatial": where it was computed
-  std::string abscissa = "time";    ///< what tells the records apart: "time", "load_factor", ...
+  std::string name;               ///< of the scene
+  std::string space;              ///< "planar" or "spatial": where it was computed
+  std::string abscissa = "time";  ///< what the records are numbered by: "time", "load_factor", ...
   std::string abscissa_unit = "s";  ///< "-" for a number
   std::vector<double> times;        ///< n, the abscissa
   std::vector<BodyResult> bodies;

@@ -64,7 +64,7 @@ TimeFunction read_function(Reader& reader, const toml::node& node) {
   if (const toml::node* expression = table->get("expression")) {
     if (const toml::node* kind = table->get("interpolation"); kind && written(*kind))
       reader.problems.add(*kind, "a function with 'interpolation' but no 'table'",
-                          "'interpolation' beside 'table' only", "leave it out");
+                          "'interpolation' with 'table' only", "leave it out");
     return read_expression(reader, *expression);
   }
   return read_table(reader, *table->get("table"), text(*table, "interpolation"));

@@ -24,7 +24,7 @@ void check_motion(Reader& reader, const toml::table& drive) {
   for (const auto& [key, owner] : kBelongs)
     if (const toml::node* node = drive.get(key); node && written(*node) && !drive.contains(owner))
       reader.problems.add(*node, fmt::format("a drive with '{}' but no '{}'", key, owner),
-                          fmt::format("'{}' beside '{}' only", key, owner), "leave it out");
+                          fmt::format("'{}' with '{}' only", key, owner), "leave it out");
 }
 
 TimeFunction motion_of(Reader& reader, const toml::table& drive) {

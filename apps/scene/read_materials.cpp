@@ -6,6 +6,7 @@
 
 #include "apps/scene/reader.hpp"
 #include "mbs/linalg/dense.hpp"
+#include "mbs/sections/section_errors.hpp"
 
 namespace liesl {
 
@@ -17,9 +18,9 @@ SimulationType type_of(const std::string& text) {
 }
 
 Formalism formalism_of(const std::string& name) {
-  for (auto f : {Formalism::Decoupled, Formalism::Classical, Formalism::Floating, Formalism::Rigid})
+  for (auto f : {Formalism::R3SO3, Formalism::Classical, Formalism::Floating, Formalism::Rigid})
     if (name == to_string(f)) return f;
-  return Formalism::Lie;
+  return Formalism::SE3;
 }
 
 TangentStrategy tangent_of(const std::string& name) {

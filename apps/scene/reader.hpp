@@ -27,11 +27,11 @@ struct Reader {
 
   /// Names in a top-level table, in the order of the file.
   std::vector<std::string> names(std::string_view group) const;
-  /// Does a top-level table have this entry? If not, says so at `at` ("no body 'rdo'").
+  /// Does a top-level table have this entry? If not, it is reported at `at` ("no body 'rdo'").
   bool known(const toml::node& at, std::string_view group, std::string_view kind,
              const std::string& name);
 
-  /// Index of a body named by a string; empty (and said) if there is none.
+  /// Index of a body named by a string; empty (and reported) if there is none.
   std::optional<int> body(const toml::node& name);
   /// The same for a beam.
   std::optional<int> beam(const toml::node& name);
@@ -49,7 +49,7 @@ struct Reader {
 /// Unbroken entries of a top-level table.
 std::vector<Entry> entries(const Reader& reader, std::string_view group);
 
-/// Direction of unit length; says if it has none.
+/// Direction of unit length; a zero vector is reported.
 Vec3 direction(Reader& reader, const toml::table& table, std::string_view key);
 
 /// Number, expression or table.
@@ -62,14 +62,14 @@ void read_parts(Reader& reader);
 void read_simulation(Reader& reader);
 void read_materials(Reader& reader);
 void read_bodies(Reader& reader);
-/// A meshed part from its table; empty (and said) if something is wrong with it.
+/// A meshed part from its table; empty (and reported) if something is wrong with it.
 std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, toml::table& table);
 void check_names(Reader& reader);
 void read_joints(Reader& reader);
 void read_forces(Reader& reader);
 void read_loads(Reader& reader);
 void read_responses(Reader& reader);
-/// One response from its table; empty (and said) if something is wrong with it.
+/// One response from its table; empty (and reported) if something is wrong with it.
 std::optional<ResponseSpec> read_response(Reader& reader, const std::string& name,
                                           const toml::table& table);
 /// Are the ends of a joint where they belong? Gaps up to a thousandth of the mechanism are left to

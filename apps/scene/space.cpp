@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "apps/input/problem.hpp"
+
 namespace liesl {
 
 namespace {

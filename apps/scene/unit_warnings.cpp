@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 
 namespace liesl {
 

@@ -6,6 +6,8 @@
 #include <cmath>
 
 #include "apps/study/study_reader.hpp"
+#include "mbs/sections/section_errors.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 
 namespace liesl {
 

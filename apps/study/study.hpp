@@ -1,11 +1,8 @@
 #pragma once
 /// @file
-/// Studies: a scene and what to vary, to keep and to minimise.
+/// A study as data: a scene and what to vary, to limit and to minimise. Read by load_study.hpp.
 
-#include <filesystem>
-#include <optional>
 #include <string>
-#include <vector>
 
 #include "apps/scene/scene.hpp"
 #include "optim/study/study.hpp"
@@ -18,19 +15,5 @@ struct Study {
   std::string file;
   std::string input;  ///< text of study and scene and the overrides, for the input's hash
 };
-
-/// Reads a study and its scene, with changes "key.path=value" to either (see split_overrides).
-/// @throws InputError with every problem of both files
-Study load_study(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
-
-/// The same from text. The scene is looked for relative to `folder`.
-Study read_study(const std::string& text, const std::string& file,
-                 const std::filesystem::path& folder,
-                 const std::vector<std::string>& overrides = {});
-
-/// What is wrong with the path of a key, as it may be changed in a study or scene and, of a study,
-/// in its scene; empty if it leads to a key. Values are not looked at.
-/// @throws InputError if a file cannot be read
-std::optional<InputProblem> key_problem(const std::filesystem::path& path, const std::string& key);
 
 }  // namespace liesl

@@ -99,10 +99,11 @@ template <FrameGroup G>
 double constraint_residual(const Model<G>& model, const State<G>& s) {
   double largest = 0;
   for (const auto& c : model.couplings)
-    for (size_t i = 0; i < c.equations.size(); ++i) {
-      const auto& e = c.equations[i];
+    for (size_t i = 0; i < c.rows.size(); ++i) {
+      const auto& e = c.rows[i];
       if (e.role != Role::Constraint && e.role != Role::Redundant) continue;
-      largest = std::max(largest, std::abs(s.q[c.first_row + static_cast<int>(i)] - e.target(s.t)));
+      largest =
+          std::max(largest, std::abs(s.rows[c.first_row + static_cast<int>(i)] - e.target(s.t)));
     }
   return largest;
 }

@@ -5,6 +5,7 @@
 
 #include <limits>
 
+#include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
 #include "mbs/system/response_value.hpp"
 

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "apps/input/problem.hpp"
 #include "apps/input/rewrite.hpp"
 #include "apps/output/file.hpp"
+#include "apps/scene/load_scene.hpp"
 
 namespace liesl {
 

@@ -27,8 +27,8 @@ class BeamElement {
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
   using Rotation = Eigen::Matrix<double, G::space_dim, G::space_dim>;
 
-  /// @param K section stiffness, @param M_s section inertia per length, @param length L in m:
-  /// arc length of the reference curve between the nodes
+  /// Element between the frames A and B at rest; its length is the translation of d0, m.
+  /// @param K section stiffness  @param M_s section inertia per length
   BeamElement(const G& A, const G& B, const Matrix& K, const Matrix& M_s);
 
   double length() const { return L_; }
@@ -56,7 +56,8 @@ class BeamElement {
   /// P(d)^T K P(d) / L
   PairMatrix material_tangent(const G& A, const G& B) const;
   /// D_[h_A; h_B] (P(d)^T n(d)) with the stress n of the stiffness term exact and that of the
-  /// geometric term given (DESIGN section 6: extrapolated stress). Not symmetric off equilibrium.
+  /// geometric term given (an extrapolated one in statics, see IterationMatrix). Not symmetric off
+  /// equilibrium.
   PairMatrix tangent(const G& A, const G& B, const Tangent& n) const;
 
   /// Q(s) = [Ad(exp(-s d)) - s T(s d) T^-1(-d), s T(s d) T^-1(d)]: v(s) = Q(s) [v_A; v_B].

@@ -57,7 +57,7 @@ enum class Role {
 };
 
 template <FrameGroup G>
-struct Equation {
+struct CouplingRow {
   Row<G> row;
   Role role = Role::Constraint;
   TimeFunction target;  ///< constraint: row = target(t)
@@ -72,12 +72,12 @@ template <FrameGroup G>
 struct Coupling {
   std::string name;
   PortOf<G> a, b;
-  std::vector<Equation<G>> equations;  ///< sorted by role
-  int first_row = 0;                   ///< in State::q
-  int first_constraint = 0;            ///< in State::lambda
-  int constraints = 0;                 ///< rows with a multiplier
-  int active = 0;                      ///< those and the compliant ones: rows of the joint system
-  int acting = 0;                      ///< those and the actuators
+  std::vector<CouplingRow<G>> rows;  ///< sorted by role
+  int first_row = 0;                 ///< in State::rows
+  int first_constraint = 0;          ///< in State::lambda
+  int constraints = 0;               ///< rows with a multiplier
+  int active = 0;                    ///< those and the compliant ones: rows of the joint system
+  int acting = 0;                    ///< those and the actuators
   bool is_joint = true;
 };
 

@@ -14,38 +14,38 @@ typename Row<G>::Cross Row<G>::X(const Vector& v) {
 
 namespace {
 
-/// The one of angle + 2 pi k, k whole, that is closest to `near`.
-double continued(double angle, double near) {
-  return angle + 2 * M_PI * std::round((near - angle) / (2 * M_PI));
+/// The one of angle + 2 pi k, k whole, that is closest to `previous`.
+double continued(double angle, double previous) {
+  return angle + 2 * M_PI * std::round((previous - angle) / (2 * M_PI));
 }
 
 }  // namespace
 
 template <FrameGroup G>
-double Row<G>::value(const Motion& r, double near) const {
+double Row<G>::value(const Motion& r, double previous) const {
   switch (kind_) {
-    case RowKind::Along:
+    case RowKind::Displacement:
       return m_.dot(r.p);
-    case RowKind::Normal:
+    case RowKind::Perpendicular:
       return m_.dot(r.R * n_);
     case RowKind::Angle:
-      return continued(angle(r), near);
+      return continued(angle(r), previous);
     case RowKind::Distance:
       return r.p.norm();
     case RowKind::Screw:
       break;
   }
-  const double displacement = along_.dot(r.p);
-  return displacement - lead_ * continued(angle(r), (displacement - near) / lead_);
+  const double displacement = screw_axis_.dot(r.p);
+  return displacement - lead_ * continued(angle(r), (displacement - previous) / lead_);
 }
 
 template <FrameGroup G>
 void Row<G>::gradient(const Motion& r, Gradient& g) const {
   switch (kind_) {
-    case RowKind::Along:
-      g = along_gradient(r, m_);
+    case RowKind::Displacement:
+      g = displacement_gradient(r, m_);
       return;
-    case RowKind::Normal:
+    case RowKind::Perpendicular:
       g = cosine_gradient(r, m_, n_);
       return;
     case RowKind::Angle:
@@ -57,7 +57,7 @@ void Row<G>::gradient(const Motion& r, Gradient& g) const {
       return;
     }
     case RowKind::Screw:
-      g = along_gradient(r, along_) - lead_ * angle_gradient(r);
+      g = displacement_gradient(r, screw_axis_) - lead_ * angle_gradient(r);
       return;
   }
 }
@@ -65,9 +65,9 @@ void Row<G>::gradient(const Motion& r, Gradient& g) const {
 template <FrameGroup G>
 typename Row<G>::Hessian Row<G>::hessian(const Motion& r) const {
   switch (kind_) {
-    case RowKind::Along:
-      return along_hessian(r, m_);
-    case RowKind::Normal:
+    case RowKind::Displacement:
+      return displacement_hessian(r, m_);
+    case RowKind::Perpendicular:
       return cosine_hessian(r, m_, n_);
     case RowKind::Angle:
       return angle_hessian(r);
@@ -76,7 +76,7 @@ typename Row<G>::Hessian Row<G>::hessian(const Motion& r) const {
     case RowKind::Screw:
       break;
   }
-  return along_hessian(r, along_) - lead_ * angle_hessian(r);
+  return displacement_hessian(r, screw_axis_) - lead_ * angle_hessian(r);
 }
 
 template <FrameGroup G>
@@ -101,7 +101,7 @@ typename Row<G>::Hessian Row<G>::angle_hessian(const Motion& r) const {
 }
 
 template <FrameGroup G>
-typename Row<G>::Gradient Row<G>::along_gradient(const Motion& r, const Vector& m) {
+typename Row<G>::Gradient Row<G>::displacement_gradient(const Motion& r, const Vector& m) {
   Gradient g;
   g << -m, X(m).transpose() * r.p, r.R.transpose() * m, Angular::Zero();
   return g;
@@ -128,7 +128,7 @@ typename Row<G>::Hessian Row<G>::cosine_hessian(const Motion& r, const Vector& m
 }
 
 template <FrameGroup G>
-typename Row<G>::Hessian Row<G>::along_hessian(const Motion& r, const Vector& m) {
+typename Row<G>::Hessian Row<G>::displacement_hessian(const Motion& r, const Vector& m) {
   Hessian h = Hessian::Zero();
   const Cross Xm = X(m);
   h.template block<rd, sd>(sd, 0) = -Xm.transpose();

@@ -25,11 +25,11 @@ struct RelativeMotion {
 };
 
 enum class RowKind {
-  Along,     ///< m . p: displacement of b along m of a
-  Normal,    ///< m . R n: cosine between m of a and n of b (zero: they are normal)
-  Angle,     ///< atan2(m . R n, m2 . R n2), continued beyond pi
-  Distance,  ///< |p|
-  Screw      ///< m . p - lead Angle: displacement along m less `lead` for each radian
+  Displacement,   ///< m . p: of b along m of a (Haug 1989: dot-2 constraint)
+  Perpendicular,  ///< m . R n (dot-1): cosine between m of a and n of b (zero: they are normal)
+  Angle,          ///< atan2(m . R n, m2 . R n2), continued beyond pi
+  Distance,       ///< |p|
+  Screw           ///< m . p - lead Angle: displacement along m less `lead` for each radian
 };
 
 template <FrameGroup G>
@@ -41,8 +41,10 @@ class Row {
   using Gradient = Eigen::Matrix<double, 2 * dim, 1>;
   using Hessian = Eigen::Matrix<double, 2 * dim, 2 * dim>;
 
-  static Row along(const Vector& m) { return {RowKind::Along, m, m, m, m}; }
-  static Row normal(const Vector& m, const Vector& n) { return {RowKind::Normal, m, n, m, n}; }
+  static Row displacement(const Vector& m) { return {RowKind::Displacement, m, m, m, m}; }
+  static Row perpendicular(const Vector& m, const Vector& n) {
+    return {RowKind::Perpendicular, m, n, m, n};
+  }
   /// Angle whose sine is m . R n and whose cosine is m2 . R n2.
   static Row angle(const Vector& m, const Vector& n, const Vector& m2, const Vector& n2) {
     return {RowKind::Angle, m, n, m2, n2};
@@ -51,7 +53,7 @@ class Row {
   /// @param lead m a radian, not zero
   static Row screw(const Vector& m, double lead, const Vector& s, const Vector& n) {
     Row row(RowKind::Screw, s, n, n, n);
-    row.along_ = m;
+    row.screw_axis_ = m;
     row.lead_ = lead;
     return row;
   }
@@ -62,9 +64,10 @@ class Row {
 
   RowKind kind() const { return kind_; }
 
-  /// @param near the value it had last: an angle is continued from there, over any number of turns.
-  ///   A screw takes the turn at which its value is closest to `near`.
-  double value(const Motion& r, double near) const;
+  /// @param previous the value it had last: an angle is continued from there, over any number of
+  /// turns.
+  ///   A screw takes the turn at which its value is closest to `previous`.
+  double value(const Motion& r, double previous) const;
   void gradient(const Motion& r, Gradient& g) const;
   /// Left-invariant derivative of the gradient: the geometric stiffness of a unit force.
   Hessian hessian(const Motion& r) const;
@@ -78,8 +81,8 @@ class Row {
 
   /// X(v) w = w x v; X(v)^T a = v x a.
   static Cross X(const Vector& v);
-  static Gradient along_gradient(const Motion& r, const Vector& m);
-  static Hessian along_hessian(const Motion& r, const Vector& m);
+  static Gradient displacement_gradient(const Motion& r, const Vector& m);
+  static Hessian displacement_hessian(const Motion& r, const Vector& m);
   static Gradient cosine_gradient(const Motion& r, const Vector& m, const Vector& n);
   static Hessian cosine_hessian(const Motion& r, const Vector& m, const Vector& n);
   double angle(const Motion& r) const;
@@ -88,9 +91,9 @@ class Row {
   Hessian distance_hessian(const Motion& r) const;
 
   RowKind kind_;
-  Vector m_, n_, m2_, n2_;         ///< of Along, Normal and the angle
-  Vector along_ = Vector::Zero();  ///< of a screw
-  double lead_ = 0;                ///< of a screw, m/rad
+  Vector m_, n_, m2_, n2_;              ///< of Displacement, Perpendicular and the angle
+  Vector screw_axis_ = Vector::Zero();  ///< of a screw
+  double lead_ = 0;                     ///< of a screw, m/rad
 };
 
 extern template class Row<SE2>;

@@ -89,7 +89,7 @@ class ClosedCurve final : public LevelSet {
     return f.phi;
   }
 
-  std::string flaw() const override {
+  std::string error() const override {
     for (int i = 0; i < n_; ++i)
       if (!(w_[i] > 0)) return "weight w" + std::to_string(i) + " is not positive";
     const int m = static_cast<int>(samples_.cols());

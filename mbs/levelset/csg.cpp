@@ -83,10 +83,10 @@ class Csg final : public LevelSet {
     return outer_ * step[n - 1].phi;
   }
 
-  std::string flaw() const override {
+  std::string error() const override {
     if (smooth_ && radius_ < 0) return "radius is negative";
     for (std::size_t i = 0; i < shapes_.size(); ++i)
-      if (const std::string f = shapes_[i]->flaw(); !f.empty())
+      if (const std::string f = shapes_[i]->error(); !f.empty())
         return names_[i].empty() ? f : names_[i] + ": " + f;
     return {};
   }

@@ -93,7 +93,7 @@ struct Rectangle {
   static T phi(const T* X, const T* p) {
     return rounded_box<T, 2>(X, {p[0] * T(0.5), p[1] * T(0.5)}, p[2]);
   }
-  static std::string flaw(const double* p) {
+  static std::string error(const double* p) {
     return 2 * p[2] > std::min(p[0], p[1]) ? "fillet is larger than half the shorter side" : "";
   }
 };
@@ -109,7 +109,7 @@ struct Box {
   static T phi(const T* X, const T* p) {
     return rounded_box<T, 3>(X, {p[0] * T(0.5), p[1] * T(0.5), p[2] * T(0.5)}, p[3]);
   }
-  static std::string flaw(const double* p) {
+  static std::string error(const double* p) {
     return 2 * p[3] > std::min({p[0], p[1], p[2]}) ? "fillet is larger than half the shortest side"
                                                    : "";
   }
@@ -171,7 +171,7 @@ struct Slab {
 
 template <class S>
 concept HasFlaw = requires(const double* p) {
-  S::flaw(p);
+  S::error(p);
 };
 
 /// Shape S with its parameters; gradients by dual numbers. K: number of parameters.
@@ -194,12 +194,12 @@ class Feature final : public LevelSet {
     return dp ? differentiate<3 + K>(x, dx, dp) : differentiate<3>(x, dx, dp);
   }
 
-  std::string flaw() const override {
+  std::string error() const override {
     for (int i = 0; i < K; ++i)
       if (!(p_[i] > parameters_[i].above))
         return parameters_[i].name + " is " + std::to_string(p_[i]) + ", too small";
     if constexpr (HasFlaw<S>)
-      return S::flaw(p_.data());
+      return S::error(p_.data());
     else
       return {};
   }

@@ -59,7 +59,7 @@ class LevelSet {
 
   /// Why the parameters set do not make a shape ("hole2.radius is not above 0", an outline that
   /// crosses itself); empty if they do.
-  virtual std::string flaw() const = 0;
+  virtual std::string error() const = 0;
 
   /// The operand of this name at any depth, "hole2", or with its path, "frame.boss"; nothing if
   /// there is none. Below a placement there is none: features there live in its axes.

@@ -49,7 +49,7 @@ class Mirrored final : public LevelSet {
     return phi;
   }
 
-  std::string flaw() const override { return shape_->flaw(); }
+  std::string error() const override { return shape_->error(); }
   std::optional<Part> part(const std::string& path) const override {
     if (path == label_ && !path.empty()) return Part{shape_.get(), 0, 1};
     const std::string prefix = label_ + ".";

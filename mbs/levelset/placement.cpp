@@ -35,7 +35,7 @@ class Placed final : public LevelSet {
     return phi;
   }
 
-  std::string flaw() const override { return shape_->flaw(); }
+  std::string error() const override { return shape_->error(); }
 
  private:
   Placement at_;

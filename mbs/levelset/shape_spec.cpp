@@ -73,7 +73,7 @@ struct Index {
 constexpr int kDeepest = 200;  ///< operations above a feature; shapes are evaluated by recursion
 
 /// Level by level from the roots: features that no root reaches, and operations nested too deeply.
-void depth_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFlaw>& found) {
+void depth_errors(const ShapeSpec& shape, const Index& index, std::vector<ShapeError>& found) {
   std::set<std::string> reached;
   std::vector<const FeatureSpec*> level = index.roots;
   for (int above = 0; !level.empty(); ++above) {
@@ -97,7 +97,7 @@ void depth_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFl
     }
 }
 
-void operand_flaws(const Index& index, const FeatureSpec& f, std::vector<ShapeFlaw>& found) {
+void operand_errors(const Index& index, const FeatureSpec& f, std::vector<ShapeError>& found) {
   if (f.operands.empty()) found.push_back({f.name, "has no features to work on"});
   if (f.kind == FeatureKind::Mirror) {
     if (f.operands.size() > 1)
@@ -116,7 +116,7 @@ void operand_flaws(const Index& index, const FeatureSpec& f, std::vector<ShapeFl
   }
 }
 
-void tree_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFlaw>& found) {
+void tree_errors(const ShapeSpec& shape, const Index& index, std::vector<ShapeError>& found) {
   for (const FeatureSpec& f : shape.features)
     if (const auto at = index.uses.find(f.name); at != index.uses.end() && at->second > 1)
       found.push_back({f.name, "is used by more than one operation"});
@@ -124,7 +124,7 @@ void tree_flaws(const ShapeSpec& shape, const Index& index, std::vector<ShapeFla
     found.push_back({index.roots[i]->name, "and '" + index.roots[0]->name +
                                                "' are parts of nothing: one of the features must "
                                                "be an operation on all that is left"});
-  depth_flaws(shape, index, found);
+  depth_errors(shape, index, found);
 }
 
 /// Calls visit(feature) in the order of the parameters.
@@ -179,25 +179,25 @@ std::vector<Parameter> feature_parameters(FeatureKind kind, int dim) {
   return make_feature({"", kind, std::vector<double>(count, 1.0), {}}, dim)->parameters();
 }
 
-std::vector<ShapeFlaw> flaws(const ShapeSpec& shape) {
-  std::vector<ShapeFlaw> found;
+std::vector<ShapeError> shape_errors(const ShapeSpec& shape) {
+  std::vector<ShapeError> found;
   const Index index(shape);
   for (const FeatureSpec& f : shape.features) {
     if (index.by_name.at(f.name) != &f) found.push_back({f.name, "is there twice"});
     if (is_operation(f.kind)) {
-      operand_flaws(index, f, found);
+      operand_errors(index, f, found);
     } else if (shape.dim == 2 && is_spatial(f.kind)) {
       found.push_back({f.name, "does not exist in the plane"});
     } else {
       try {
-        if (const std::string flaw = make_feature(f, shape.dim)->flaw(); !flaw.empty())
-          found.push_back({f.name, "makes no shape: " + flaw});
+        if (const std::string error = make_feature(f, shape.dim)->error(); !error.empty())
+          found.push_back({f.name, "makes no shape: " + error});
       } catch (const std::invalid_argument& error) {
         found.push_back({f.name, std::string("makes no shape: ") + error.what()});
       }
     }
   }
-  if (found.empty()) tree_flaws(shape, index, found);
+  if (found.empty()) tree_errors(shape, index, found);
   return found;
 }
 
@@ -215,7 +215,7 @@ LevelSetPtr make_feature(const FeatureSpec& f, int dim) {
 }
 
 LevelSetPtr make_shape(const ShapeSpec& shape) {
-  if (const auto found = flaws(shape); !found.empty())
+  if (const auto found = shape_errors(shape); !found.empty())
     throw std::invalid_argument("feature '" + found[0].feature + "' " + found[0].text);
   const Index index(shape);
   if (index.roots.empty()) throw std::invalid_argument("the shape has no features");

@@ -60,19 +60,19 @@ struct ShapeSpec {
 std::vector<Parameter> feature_parameters(FeatureKind kind, int dim);
 
 /// What is wrong with one feature, in words.
-struct ShapeFlaw {
+struct ShapeError {
   std::string feature, text;
 };
 /// Operands that do not exist, are used twice or hold themselves, features that belong to nothing,
 /// kinds that do not exist in the plane, values that make no shape, operations nested too deeply.
-std::vector<ShapeFlaw> flaws(const ShapeSpec& shape);
+std::vector<ShapeError> shape_errors(const ShapeSpec& shape);
 
 /// One feature, placed.
 /// @throws std::invalid_argument for an operation, or a wrong number of values
 LevelSetPtr make_feature(const FeatureSpec& feature, int dim);
 
 /// The whole tree. Parameters are named "feature.parameter", at whatever depth the feature is.
-/// @throws std::invalid_argument with the first flaw
+/// @throws std::invalid_argument with the first error
 LevelSetPtr make_shape(const ShapeSpec& shape);
 
 /// Takes values p in the order of `make_shape(shape)->parameters()`.

@@ -19,7 +19,7 @@ class SparseLu {
 
   /// Factors A. The first call analyses the pattern; later ones keep the order of the pivots as
   /// long as it is stable. @pre the pattern is that of the first call, A is compressed and square
-  /// @returns false if A is singular or not finite: then `singular_column` says where, and there
+  /// @returns false if A is singular or not finite: then `singular_column` is the place, and there
   /// are no factors.
   bool factor(const Matrix& A);
 

@@ -2,8 +2,8 @@
 /// @file
 /// Reference frames of beam nodes from geometry: straight lines, circular arcs, splines.
 ///
-/// x of a frame is the tangent, y and z are the section axes. Where the scene does not say how the
-/// section is turned (`Orientation::up` is zero), the rule is:
+/// x of a frame is the tangent, y and z are the section axes. Where the scene does not prescribe
+/// how the section is turned (`Orientation::up` is zero), the rule is:
 ///   straight, spline (at its start): z = the part of the global Z normal to the tangent; if the
 ///     tangent is parallel to Z, z = the global Y. For a beam in the plane of global x and y: y
 ///     lies in that plane, z = global Z.

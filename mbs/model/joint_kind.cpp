@@ -7,10 +7,12 @@
 namespace liesl {
 namespace {
 
-constexpr JointRow kX = JointRow::along(0), kY = JointRow::along(1), kZ = JointRow::along(2);
+constexpr JointRow kX = JointRow::displacement(0), kY = JointRow::displacement(1),
+                   kZ = JointRow::displacement(2);
 // The first axis of b stays parallel to that of a; no rotation about it.
-constexpr JointRow kParallelY = JointRow::normal(1, 0), kParallelZ = JointRow::normal(2, 0);
-constexpr JointRow kNoTurn = JointRow::normal(2, 1), kCross = JointRow::normal(0, 1);
+constexpr JointRow kParallelY = JointRow::perpendicular(1, 0),
+                   kParallelZ = JointRow::perpendicular(2, 0);
+constexpr JointRow kNoTurn = JointRow::perpendicular(2, 1), kCross = JointRow::perpendicular(0, 1);
 constexpr JointRow kAngle = JointRow::angle(2, 1, 1);   // about the first axis
 constexpr JointRow kAngle2 = JointRow::angle(0, 2, 0);  // about the second
 
@@ -62,15 +64,16 @@ std::vector<JointKind> table() {
 }  // namespace
 
 const char* JointKind::unit(int coordinate) const {
-  return coordinates.at(static_cast<std::size_t>(coordinate)).kind == JointRow::Kind::Along ? "m"
-                                                                                            : "rad";
+  return coordinates.at(static_cast<std::size_t>(coordinate)).kind == JointRow::Kind::Displacement
+             ? "m"
+             : "rad";
 }
 
 Eigen::Vector3d JointKind::free_part(const Eigen::Vector3d& axis,
                                      const Eigen::Vector3d& displacement) const {
   const auto held = [this](int m) {
     return std::any_of(constraints.begin(), constraints.end(), [m](const JointRow& row) {
-      return row.kind == JointRow::Kind::Along && row.m == m;
+      return row.kind == JointRow::Kind::Displacement && row.m == m;
     });
   };
   const Eigen::Vector3d along = axis * axis.dot(displacement);

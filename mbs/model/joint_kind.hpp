@@ -29,16 +29,16 @@ enum class JointType {
 /// of the ports (mbs/couplings/rows.hpp).
 struct JointRow {
   enum class Kind {
-    Along,   ///< e_m . p
-    Normal,  ///< e_m . R e_n
-    Angle,   ///< atan2(e_m . R e_n, e_k . R e_k)
-    Screw    ///< e_k . p - pitch / (2 pi) times the angle about e_k
+    Displacement,   ///< e_m . p
+    Perpendicular,  ///< e_m . R e_n
+    Angle,          ///< atan2(e_m . R e_n, e_k . R e_k)
+    Screw           ///< e_k . p - pitch / (2 pi) times the angle about e_k
   };
-  Kind kind = Kind::Along;
+  Kind kind = Kind::Displacement;
   int m = 0, n = 0, k = 0;
 
-  static constexpr JointRow along(int m) { return {Kind::Along, m, 0, 0}; }
-  static constexpr JointRow normal(int m, int n) { return {Kind::Normal, m, n, 0}; }
+  static constexpr JointRow displacement(int m) { return {Kind::Displacement, m, 0, 0}; }
+  static constexpr JointRow perpendicular(int m, int n) { return {Kind::Perpendicular, m, n, 0}; }
   static constexpr JointRow angle(int m, int n, int k) { return {Kind::Angle, m, n, k}; }
   static constexpr JointRow screw(int k) { return {Kind::Screw, 0, 0, k}; }
   /// Number of the axis that an angle is about.

@@ -72,9 +72,9 @@ std::vector<std::string> names_of(const SolidSpec& solid) {
 
 const char* to_string(Formalism formalism) {
   switch (formalism) {
-    case Formalism::Lie:
+    case Formalism::SE3:
       return "se3";
-    case Formalism::Decoupled:
+    case Formalism::R3SO3:
       return "r3so3";
     case Formalism::Classical:
       return "classical";

@@ -1,8 +1,8 @@
 #pragma once
 /// @file
 /// A mechanism as data: bodies, ports, joints, forces, loads, in the inertial frame, in SI units,
-/// in space. It says nothing of groups or formalisms: `Model<SE2>` and `Model<SE3>` are built from
-/// it.
+/// in space. It is independent of groups and formalisms: `Model<SE2>` and `Model<SE3>` are built
+/// from it.
 
 #include <Eigen/Core>
 #include <map>
@@ -23,7 +23,7 @@ namespace liesl {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// What a beam is simulated as: as the formalism says, or rigid, or by modes, whatever it says.
+/// What a beam is simulated as: as the formalism prescribes, or rigid or by modes in any formalism.
 enum class BeamModel { AsFormalism, Rigid, Modal };
 
 /// Chain of two-node beam elements. Node frames have x along the axis, y and z along the section's.
@@ -103,8 +103,8 @@ struct LoadSpec {
 
 /// Which unknowns and which kind of body a mechanism is simulated with; all else is shared.
 enum class Formalism {
-  Lie,        ///< SE(3), or SE(2) in a plane: beams on the group, local frames
-  Decoupled,  ///< R^3 x SO(3): inertial positions, rotations on their group, Reissner beams
+  SE3,        ///< SE(3), or SE(2) in a plane: beams on the group, local frames
+  R3SO3,      ///< R^3 x SO(3): inertial positions, rotations on their group, Reissner beams
   Classical,  ///< inertial positions and Cartesian rotation vectors (Geradin, Cardona)
   Floating,   ///< flexible bodies linear in a frame that moves with them, in modes
   Rigid       ///< flexible bodies rigid
@@ -114,7 +114,7 @@ const char* to_string(Formalism formalism);
 
 struct Mechanism {
   std::string name;
-  Formalism formalism = Formalism::Lie;
+  Formalism formalism = Formalism::SE3;
   Vec3 gravity = Vec3::Zero();
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;

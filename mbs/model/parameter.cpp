@@ -2,6 +2,9 @@
 
 #include <stdexcept>
 
+#include "mbs/sections/shape_dimensions.hpp"
+#include "mbs/sections/stress.hpp"
+
 namespace liesl {
 namespace {
 
@@ -19,16 +22,20 @@ BeamDerivative zero(const BeamSpec& beam, int body) {
   return {body, std::vector<SectionLaw>(beam.sections.size(), none), {}};
 }
 
-/// Laws of sections that are made of the beam's material.
-std::vector<SectionLaw> material_laws(const BeamSpec& beam, const std::string& name) {
-  std::vector<SectionLaw> laws;
-  for (const Section& section : beam.sections) {
+/// By a constant of the material that K or M_s of every section is proportional to.
+BeamDerivative by_constant(const Mechanism& mechanism, int body, double Material::*constant,
+                           Eigen::Matrix<double, 6, 6> SectionLaw::*part) {
+  const BeamSpec& beam = beam_of(mechanism, body);
+  BeamDerivative d = zero(beam, body);
+  for (size_t e = 0; e < beam.sections.size(); ++e) {
+    const Section& section = beam.sections[e];
     if (std::holds_alternative<FullSection>(section.shape))
-      throw std::invalid_argument("beam '" + name + "': section '" + section.name +
+      throw std::invalid_argument("beam '" + mechanism.bodies[body].name + "': section '" +
+                                  section.name +
                                   "' is given by matrices and does not depend on the material");
-    laws.push_back(section_law(section, beam.material));
+    d.laws[e].*part = section_law(section, beam.material).*part / (beam.material.*constant);
   }
-  return laws;
+  return d;
 }
 
 }  // namespace
@@ -69,19 +76,11 @@ BeamDerivative by_dimension(const Mechanism& mechanism, int body, const std::vec
 }
 
 BeamDerivative by_youngs_modulus(const Mechanism& mechanism, int body) {
-  const BeamSpec& beam = beam_of(mechanism, body);
-  BeamDerivative d = zero(beam, body);
-  const auto laws = material_laws(beam, mechanism.bodies[body].name);
-  for (size_t e = 0; e < laws.size(); ++e) d.laws[e].K = laws[e].K / beam.material.E;
-  return d;
+  return by_constant(mechanism, body, &Material::E, &SectionLaw::K);
 }
 
 BeamDerivative by_density(const Mechanism& mechanism, int body) {
-  const BeamSpec& beam = beam_of(mechanism, body);
-  BeamDerivative d = zero(beam, body);
-  const auto laws = material_laws(beam, mechanism.bodies[body].name);
-  for (size_t e = 0; e < laws.size(); ++e) d.laws[e].M = laws[e].M / beam.material.rho;
-  return d;
+  return by_constant(mechanism, body, &Material::rho, &SectionLaw::M);
 }
 
 SE3::Matrix generalized_inertia(const RigidSpec& r) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mbs/model/mechanism.hpp"
+#include "mbs/sections/section_law.hpp"
 
 namespace liesl {
 

@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "mbs/model/time_function.hpp"
 #include "mbs/model/time_function_kind.hpp"
 
 namespace liesl {
@@ -90,7 +91,7 @@ class EvaluatorPool {
 /// rad/s with the round-off 1e-16/h, 1e-16/h^2.
 constexpr double rate_step = 0x1p-13, acceleration_step = 0x1p-12;
 
-struct Expression final : TimeFunction::Kind {
+struct Expression final : TimeFunctionKind {
   Expression(const std::string& text, bool constant) : pool_(text), constant_(constant) {}
 
   double value(double t) const override { return EvaluatorPool::Loan(pool_)(t); }

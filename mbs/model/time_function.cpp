@@ -20,7 +20,7 @@ constexpr double two_pi = 2 * std::numbers::pi;
 
 [[noreturn]] void refuse(const std::string& message) { throw std::invalid_argument(message); }
 
-struct Constant final : TimeFunction::Kind {
+struct Constant final : TimeFunctionKind {
   explicit Constant(double c) : c_(c) {}
   double value(double) const override { return c_; }
   double rate(double) const override { return 0; }
@@ -32,7 +32,7 @@ struct Constant final : TimeFunction::Kind {
 };
 
 /// f'' = Omega/T (1 - cos(2 pi t/T)) for 0 <= t < T: the cycloidal ramp from rest to Omega.
-struct RampedRate final : TimeFunction::Kind {
+struct RampedRate final : TimeFunctionKind {
   RampedRate(double Omega, double T) : Omega_(Omega), T_(T) {}
   double value(double t) const override {
     if (!ramping(t)) return T_ > 0 && t < 0 ? 0 : Omega_ * (t - T_ / 2);
@@ -54,7 +54,7 @@ struct RampedRate final : TimeFunction::Kind {
 };
 
 /// Piecewise cubic Hermite; a straight line where both slopes are those of the chord.
-struct Table final : TimeFunction::Kind {
+struct Table final : TimeFunctionKind {
   Table(std::vector<double> t, std::vector<double> f, std::vector<double> left,
         std::vector<double> right)
       : t_(std::move(t)), f_(std::move(f)), left_(std::move(left)), right_(std::move(right)) {}

@@ -9,6 +9,8 @@
 
 namespace liesl {
 
+struct TimeFunctionKind;
+
 /// A function of time with its first and second derivative. Immutable, cheap to copy,
 /// safe to evaluate from several threads, allocates nothing in an evaluation (an expression: once
 /// for each further thread that evaluates at the same moment).
@@ -40,11 +42,9 @@ class TimeFunction {
   double acceleration(double t) const;  ///< second derivative
   bool is_constant() const;
 
-  struct Kind;
-
  private:
-  explicit TimeFunction(std::shared_ptr<const Kind> kind) : kind_(std::move(kind)) {}
-  std::shared_ptr<const Kind> kind_;
+  explicit TimeFunction(std::shared_ptr<const TimeFunctionKind> kind) : kind_(std::move(kind)) {}
+  std::shared_ptr<const TimeFunctionKind> kind_;
 };
 
 }  // namespace liesl

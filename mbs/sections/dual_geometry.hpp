@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// Geometry and torsion stress of sections as dual numbers: one formula per shape, from which the
-/// values and both derivatives of section.hpp follow.
+/// values and both derivatives of section_law.hpp and stress.hpp follow.
 
 #include <array>
 #include <vector>

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <vector>
 
 #include "mbs/sections/dual2.hpp"
 #include "mbs/sections/section.hpp"
@@ -69,6 +70,15 @@ auto dual_dimensions(const T& shape, int variable) {
       ShapeDimensions<T>::of(shape));
   return x;
 }
+
+/// Names of the dimensions of a shape ("diameter", "thickness", ...); empty for FullSection.
+std::vector<std::string_view> dimensions(const Shape& shape);
+
+/// Value of a named dimension. @throws std::invalid_argument for an unknown name.
+double dimension(const Shape& shape, std::string_view name);
+
+/// The same shape with one dimension changed. @throws std::invalid_argument for an unknown name.
+Shape with_dimension(Shape shape, std::string_view name, double value);
 
 /// Place of a dimension in `names`. @throws std::invalid_argument with the names there are.
 int dimension_index(const Shape& shape, std::string_view name);

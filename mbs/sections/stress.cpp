@@ -1,8 +1,10 @@
 /// @file
-/// Where the stress is looked for, and what a torque of 1 N m gives there.
+/// What a torque of 1 N m gives at the stress points.
 ///
 /// The torsion stress follows from equilibrium with M_x for the shape itself; a prescribed
 /// `torsion_constant` changes the stiffness only. Rectangle: Timoshenko & Goodier, art. 109.
+
+#include "mbs/sections/stress.hpp"
 
 #include <cmath>
 #include <numbers>

@@ -22,19 +22,19 @@ class Derivatives {
     r_p_.setZero(model.size());
     phi_p_.setZero(model.constraints());
   }
-  /// At the state after a step. @param near coupling rows at the state before
-  const ResidualDerivative& at(const State<G>& s, const VectorXd& near) {
+  /// At the state after a step. @param previous coupling rows at the state before
+  const ResidualDerivative& at(const State<G>& s, const VectorXd& previous) {
     for (size_t i = 0; i < parameters_.size(); ++i) {
       r_p_.setZero();
       phi_p_.setZero();
-      parameters_[i].add(s, near, {s.t, 1}, r_p_, phi_p_);
+      parameters_[i].add(s, previous, {s.t, 1}, r_p_, phi_p_);
       by_p_.r.col(static_cast<Eigen::Index>(i)) = r_p_;
       by_p_.phi.col(static_cast<Eigen::Index>(i)) = phi_p_;
     }
     return by_p_;
   }
   const ResidualDerivative& at_start(const State<G>& s) {
-    at(s, s.q);
+    at(s, s.rows);
     set_target(s.t, 2);
     return by_p_;
   }
@@ -113,7 +113,7 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
     replay.run(i, [&](const State<G>& before, const State<G>& after, double h) {
       if (!end.complete()) return;
       if (sensitivity.step(before, after, h))
-        advance(after, derivatives.at(after, before.q));
+        advance(after, derivatives.at(after, before.rows));
       else
         end = singular(after.t);
     });
@@ -144,7 +144,7 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
     for (auto record = stretch.rbegin(); record != stretch.rend(); ++record) {
       if (!sensitivity.step(record->before, record->after, record->h))
         return singular(record->after.t);
-      go_back(record->after, derivatives.at(record->after, record->before.q));
+      go_back(record->after, derivatives.at(record->after, record->before.rows));
     }
   }
   const State<G>& first = tape.checkpoints.at(0).s;

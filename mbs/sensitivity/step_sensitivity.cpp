@@ -71,16 +71,16 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
       coordinates_(model, false),
       equations_(model),
       matrix_(model) {
-  if (model.formalism == Formalism::Decoupled || model.formalism == Formalism::Classical)
+  if (model.formalism == Formalism::R3SO3 || model.formalism == Formalism::Classical)
     throw std::invalid_argument(
         "sensitivities of the motion are those of the formalisms se3, floating and rigid; "
         "simulation.formalism = \"se3\" has the same bodies and joints");
 }
 
 template <FrameGroup G>
-bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& near,
+bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& previous,
                                    const RateTangents<G>& rates) {
-  equations_.evaluate(s, near, {s.t, 1});
+  equations_.evaluate(s, previous, {s.t, 1});
   matrix_.take_prestress(equations_, s);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
   M_ = matrix_.mass();
@@ -95,7 +95,7 @@ bool StepSensitivity<G>::start(const State<G>& s) {
   const auto n = static_cast<size_t>(model_.nodes());
   rates_.v.assign(n, G::Matrix::Zero());
   rates_.vdot.assign(n, G::Matrix::Zero());
-  linearise(s, s.q, rates_);
+  linearise(s, s.rows, rates_);
   const auto& S = matrix_.matrix();
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < S.outerSize(); ++j)
@@ -130,7 +130,7 @@ bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, dou
   ahead_ = T.v;
   coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
   back_ = T.v;
-  return linearise(after, before.q, rates_);
+  return linearise(after, before.rows, rates_);
 }
 
 template <FrameGroup G>

@@ -62,7 +62,7 @@ class StepSensitivity {
   const IterationMatrix<G>& matrix() const { return matrix_; }
 
  private:
-  bool linearise(const State<G>& s, const Eigen::VectorXd& near, const RateTangents<G>& rates);
+  bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates);
   void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// y = diag(T_k) x or diag(T_k^T) x, block by block.

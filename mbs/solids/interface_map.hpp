@@ -5,7 +5,8 @@
 #include <Eigen/SparseCore>
 #include <vector>
 
-#include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/interface.hpp"
+#include "mbs/solids/mesh.hpp"
 
 namespace liesl {
 
@@ -14,8 +15,8 @@ Eigen::MatrixXd rigid_displacement(int dim, const Eigen::Vector3d& x,
                                    const Eigen::Vector3d& centre);
 
 struct InterfaceMap {
-  SolidModel::Sparse T;         ///< node freedoms x q
-  std::vector<int> coordinate;  ///< by freedom; -1: depends on others
+  Eigen::SparseMatrix<double> T;  ///< node freedoms x q
+  std::vector<int> coordinate;    ///< by freedom; -1: depends on others
 };
 
 /// Rigid: u_i = rigid_displacement(x_i) q_P. Averaged: with the rows C of the least-squares motion

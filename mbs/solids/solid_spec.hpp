@@ -38,7 +38,7 @@ struct SolidSpec {
 /// The part with its matrices. @throws std::invalid_argument, see SolidModel
 SolidModel solid_model(const SolidSpec& solid);
 /// How much of each cell is material, with derivatives with respect to the outline's parameters.
-/// @throws std::invalid_argument for an outline with a flaw
+/// @throws std::invalid_argument for an outline with an error
 Fractions solid_fractions(const SolidSpec& solid);
 
 }  // namespace liesl

@@ -100,7 +100,7 @@ class TapeWriter {
   int since_ = 0;
 };
 
-/// What a user should know of a run: another step than asked for, tangents taken again, halved
+/// What a user should know of a run: another step than asked for, refactorised tangents, halved
 /// steps, joint forces that ring.
 void add_warnings(Report& report, double step, double asked, TangentStrategy tangent,
                   const Ringing& ringing) {
@@ -139,7 +139,7 @@ void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& 
       model.bodies[body]->name, turn.angle));
 }
 
-/// What the start has to say. @returns whether the run goes on
+/// What the start has to say. @returns whether the run continues
 bool take_start(const InitialState& start, Report& report) {
   report.warnings = start.redundant;
   report.warnings.insert(report.warnings.end(), start.warnings.begin(), start.warnings.end());

@@ -14,7 +14,7 @@ constexpr double kQuiet = 1e-8;       // forces on a body below this share of al
 TangentStrategy tangent_strategy(TangentStrategy chosen, Formalism formalism) {
   if (chosen != TangentStrategy::Auto) return chosen;
   if (formalism == Formalism::Classical) return TangentStrategy::Exact;
-  if (formalism == Formalism::Decoupled || formalism == Formalism::Floating)
+  if (formalism == Formalism::R3SO3 || formalism == Formalism::Floating)
     return TangentStrategy::Adaptive;
   return TangentStrategy::Constant;
 }
@@ -75,7 +75,7 @@ void GeneralizedAlpha<G>::restore(const StepMemory<G>& memory) {
   for (const auto& point : memory.tangents) {
     Factored& f = factors_for(point.h);
     f.at = point;
-    equations_.evaluate(f.at.s, f.at.s.q, {f.at.s.t, 1});
+    equations_.evaluate(f.at.s, f.at.s.rows, {f.at.s.t, 1});
     refresh(f);
   }
 }
@@ -163,7 +163,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   predict(s, h);
   double before = 0;
   for (;;) {
-    equations_.evaluate(trial_, s.q, {trial_.t, 1});
+    equations_.evaluate(trial_, s.rows, {trial_.t, 1});
     const double residual = imbalance();
     result.residual = residual;
     if (!std::isfinite(equations_.residual() + equations_.constraint_residual())) {
@@ -180,7 +180,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
     const bool fresh = wants_tangent(result, residual, before);
     if (fresh) {
       factors.at.s = trial_;
-      factors.at.s.q = s.q;
+      factors.at.s.rows = s.rows;
       factors.at.dq = dq_;
       factors.at.u = u_;
       factors.at.udot = udot_;
@@ -213,7 +213,7 @@ void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
   for (int k = 0; k < model_.nodes(); ++k)
     error = std::max(error, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
   result.error = h * h * std::abs(beta - 1. / 6) * error;
-  equations_.observe(trial_, s.q, trial_.q);
+  equations_.observe(trial_, s.rows, trial_.rows);
   const bool moved = coordinates_.finish(trial_);
   older_udot_ = old_udot_;
   previous_h_ = moved ? 0 : h;

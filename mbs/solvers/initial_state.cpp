@@ -51,9 +51,9 @@ bool assemble_positions(const Model<G>& model, double step, State<G>& s, Initial
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(model.size()), dlambda = s.lambda;
   const auto start = s.H;
   for (int i = 0; i <= kMaxAssembly; ++i) {
-    eq.evaluate(s, s.q, {s.t, 1});
+    eq.evaluate(s, s.rows, {s.t, 1});
     if (!std::isfinite(eq.constraint_residual())) break;
-    if (eq.constraint_residual() <= kAssembled * model.reach) {
+    if (eq.constraint_residual() <= kAssembled * model.extent) {
       for (size_t k = 0; k < start.size(); ++k)
         out.moved = std::max(out.moved, (s.H[k].x - start[k].x).norm());
       return true;
@@ -92,7 +92,7 @@ bool project_velocities(const Model<G>& model, double time, State<G>& s, Initial
   system.factor({1 / (time * time), 0});
   Eigen::VectorXd delta = s.v, dlambda = s.lambda, target = s.lambda;
   const Eigen::VectorXd start = s.v;
-  eq.evaluate(s, s.q, {s.t, 1});
+  eq.evaluate(s, s.rows, {s.t, 1});
   eq.velocity_target(s.t, target);
   for (int i = 0; i < 4; ++i) {  // once, and again for what round-off left
     constraint_rates(eq, s.v, target);
@@ -126,7 +126,7 @@ bool solve_accelerations(const Model<G>& model, State<G>& s, InitialState& out) 
   eq.acceleration_target(s, s.t, target);
   const bool regular = system.factor({1, 0}, 0);
   for (int i = 0; i < kRefinements; ++i) {  // once, and again for what point masses leave
-    eq.evaluate(s, s.q, {s.t, 1});
+    eq.evaluate(s, s.rows, {s.t, 1});
     constraint_rates(eq, s.vdot, target);
     if (!regular || !system.solve(eq, delta, dlambda, false)) {
       out.status = SolveStatus::Singular;
@@ -154,10 +154,10 @@ InitialState assemble(const Model<G>& model, double step, State<G>& s) {
     return out;
   }
   const Equations<G> eq(model);
-  eq.observe(s, s.q, s.q);
+  eq.observe(s, s.rows, s.rows);
   s.lambda.setZero(model.constraints());
   if (!assemble_positions(model, step, s, out)) return out;
-  eq.observe(s, s.q, s.q);
+  eq.observe(s, s.rows, s.rows);
   if (const auto why = contradiction(model, s); !why.empty()) {
     out.status = SolveStatus::Inconsistent;
     out.reason = why;

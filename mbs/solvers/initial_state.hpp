@@ -20,7 +20,7 @@ struct InitialState {
 };
 
 /// Positions alone: nodes onto the constraints at time s.t (Newton,
-/// least change in the metric M/step^2 + K), joint coordinates into s.q. For statics.
+/// least change in the metric M/step^2 + K), joint coordinates into s.rows. For statics.
 template <FrameGroup G>
 InitialState assemble(const Model<G>& model, double step, State<G>& s);
 

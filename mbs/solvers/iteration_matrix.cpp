@@ -74,7 +74,7 @@ void IterationMatrix<G>::extrapolate_prestress(const Equations<G>& eq, const Sta
         stretch += B.template head<dim>().dot(delta.template segment<dim>(dim * coupling.a.node));
       if (coupling.b.body >= 0)
         stretch += B.template tail<dim>().dot(delta.template segment<dim>(dim * coupling.b.node));
-      prestress_.force[c][i] = data.force[i] + coupling.equations[i].law.stiffness * stretch;
+      prestress_.force[c][i] = data.force[i] + coupling.rows[i].law.stiffness * stretch;
     }
   }
 }
@@ -158,7 +158,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
   }
   Pair K = Pair::Zero(), C = Pair::Zero(), turned = Pair::Zero();
   for (int i = 0; i < c.acting; ++i) {
-    const auto& e = c.equations[i];
+    const auto& e = c.rows[i];
     const typename Row<G>::Hessian hessian = e.row.hessian(motion);
     const bool constraint = e.role == Role::Constraint;
     turned +=

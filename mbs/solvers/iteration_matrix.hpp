@@ -4,7 +4,7 @@
 ///   S = [K + C V + M W   B^T]      S [delta ] = -[r  ]
 ///       [B               0  ],       [dlambda]    [phi],
 /// K, C, M: exact derivatives of the residual, of bodies, loads, force laws and joints (that of
-/// B^T lambda among them), by left-invariant nodal increments, by v and by vdot. V and W say how v
+/// B^T lambda among them), by left-invariant nodal increments, by v and by vdot. V and W give how v
 /// and vdot follow an increment within a step (`RateTangents`; Lie: gamma' and beta' T^-1(dq)). In
 /// statics they are zero.
 /// What the geometric terms of K act with, section forces and forces of springs, is kept apart from

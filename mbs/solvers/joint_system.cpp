@@ -145,7 +145,7 @@ void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
     const auto& coupling = model_.couplings[c];
     for (int i = coupling.constraints; i < coupling.active; ++i) {
       const int row = first_[c] + i;
-      const ForceLaw& law = coupling.equations[i].law;
+      const ForceLaw& law = coupling.rows[i].law;
       if (compliant) {
         S_(row, row) += 1 / (law.stiffness + weights_.damping * law.damping);
       } else {

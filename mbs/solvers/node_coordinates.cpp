@@ -5,7 +5,7 @@
 namespace liesl {
 namespace {
 
-bool uses_local(Formalism f) { return f != Formalism::Decoupled && f != Formalism::Classical; }
+bool uses_local(Formalism f) { return f != Formalism::R3SO3 && f != Formalism::Classical; }
 
 }  // namespace
 

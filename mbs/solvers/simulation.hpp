@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// One door to the solvers: what a scene asks for, as states with a report.
+/// Entry to the solvers: the simulation that options.type names, as states with a report.
 
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/solvers/statics.hpp"
@@ -15,7 +15,7 @@ struct Simulation {
   std::vector<CriticalPoint> critical;  ///< statics
 };
 
-/// Dynamics or statics, as options.type says. Modes have their own result: solve_modes.
+/// Dynamics or statics, by options.type. Modes have their own result: solve_modes.
 /// @param tape of dynamics; null: none
 template <FrameGroup G>
 Simulation<G> run_simulation(const Model<G>& model, const SimulationOptions& options,

@@ -20,7 +20,7 @@ StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& op
 
 template <FrameGroup G>
 void StaticNewton<G>::evaluate(const State<G>& s, double load) {
-  equations_.evaluate(s, s.q, {load, load});
+  equations_.evaluate(s, s.rows, {load, load});
 }
 
 template <FrameGroup G>
@@ -93,7 +93,7 @@ void StaticNewton<G>::correct(Eigen::Ref<const Eigen::VectorXd> step) {
   trial_.lambda += step.tail(system_.constraints());
 }
 
-/// Records the residual; @returns true if the iteration goes on.
+/// Records the residual; @returns true if the iteration continues.
 template <FrameGroup G>
 bool StaticNewton<G>::check(NewtonResult& result) {
   const double residual = equations_.residual();
@@ -112,7 +112,7 @@ bool StaticNewton<G>::check(NewtonResult& result) {
 
 /// Does an element turn by pi, where its strain has no unique value?
 template <FrameGroup G>
-bool StaticNewton<G>::folded(const State<G>& s) const {
+bool StaticNewton<G>::turns_by_pi(const State<G>& s) const {
   for (size_t b = 0; b < model_.bodies.size(); ++b) {
     const int first = model_.first_node(static_cast<int>(b));
     for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
@@ -126,7 +126,7 @@ bool StaticNewton<G>::folded(const State<G>& s) const {
 template <FrameGroup G>
 void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   if (!result.converged) return;
-  if (folded(trial_)) {
+  if (turns_by_pi(trial_)) {
     result.converged = false;
     result.failure = "an element turns by pi: use more elements";
     return;
@@ -134,7 +134,7 @@ void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   for (auto& H : trial_.H) H.orthonormalize();
   model_.complete(trial_);
   trial_.t = load;
-  equations_.observe(trial_, s.q, trial_.q);
+  equations_.observe(trial_, s.rows, trial_.rows);
   std::swap(s, trial_);
 }
 
@@ -157,7 +157,7 @@ NewtonResult StaticNewton<G>::solve(State<G>& s, double load) {
     system_.lu().solve(rhs_.col(0));
     correct(rhs_.col(0));
     ++result.iterations;
-    equations_.observe(trial_, trial_.q, trial_.q);
+    equations_.observe(trial_, trial_.rows, trial_.rows);
     evaluate(trial_, load);
   }
   finish(s, load, result);
@@ -207,7 +207,7 @@ NewtonResult StaticNewton<G>::follow(State<G>& s, double ds, const Eigen::Vector
     rhs_.col(0) += change * rhs_.col(1);
     correct(rhs_.col(0));
     ++result.iterations;
-    equations_.observe(trial_, trial_.q, trial_.q);
+    equations_.observe(trial_, trial_.rows, trial_.rows);
     evaluate(trial_, load);
   } while (check(result));
   finish(s, load, result);

@@ -42,7 +42,7 @@ using LoadProgress = std::function<bool(double load)>;
 /// options.arc_length: the path is followed by linearised arc length past limit points, which are
 /// located to 1e-5 of the load factor, until max_load, -max_load or 500 steps.
 /// options.critical: loads where the number of negative eigenvalues changes between two records
-/// are located to 1e-5; the first is told in Report::warnings.
+/// are located to 1e-5; the first is reported in Report::warnings.
 ///
 /// Singular: something can move freely at the start, with the body's name and the motion;
 /// Inconsistent: cannot be assembled. Never throws for non-convergence; no record holds a NaN.

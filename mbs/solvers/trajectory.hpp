@@ -18,7 +18,7 @@ class Trajectory {
     vdot_.resize(s.v.size(), records);
     w_.resize(s.w.size(), records);
     lambda_.resize(s.lambda.size(), records);
-    q_.resize(s.q.size(), records);
+    rows_.resize(s.rows.size(), records);
   }
 
   void record(const State<G>& s) {
@@ -30,7 +30,7 @@ class Trajectory {
     vdot_.col(n) = s.vdot;
     w_.col(n) = s.w;
     lambda_.col(n) = s.lambda;
-    q_.col(n) = s.q;
+    rows_.col(n) = s.rows;
   }
 
   int size() const { return static_cast<int>(t_.size()); }
@@ -40,7 +40,7 @@ class Trajectory {
   auto vdot(int n) const { return vdot_.col(n); }
   auto w(int n) const { return w_.col(n); }
   auto lambda(int n) const { return lambda_.col(n); }
-  auto q(int n) const { return q_.col(n); }
+  auto rows(int n) const { return rows_.col(n); }
 
   /// Copies record n into a state.
   void read(int n, State<G>& s) const {
@@ -50,7 +50,7 @@ class Trajectory {
     s.vdot = vdot_.col(n);
     s.w = w_.col(n);
     s.lambda = lambda_.col(n);
-    s.q = q_.col(n);
+    s.rows = rows_.col(n);
   }
 
  private:
@@ -60,14 +60,14 @@ class Trajectory {
     vdot_.conservativeResize(s.v.size(), records);
     w_.conservativeResize(s.w.size(), records);
     lambda_.conservativeResize(s.lambda.size(), records);
-    q_.conservativeResize(s.q.size(), records);
+    rows_.conservativeResize(s.rows.size(), records);
     nodes_ = static_cast<int>(s.H.size());
   }
 
   int nodes_ = 0;
   std::vector<double> t_;
   Frames<G> H_;
-  Eigen::MatrixXd v_, vdot_, w_, lambda_, q_;
+  Eigen::MatrixXd v_, vdot_, w_, lambda_, rows_;
 };
 
 }  // namespace liesl

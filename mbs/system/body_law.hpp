@@ -3,6 +3,7 @@
 /// Section laws of a beam in the axes of a group of frames.
 
 #include "mbs/bodies/law_derivative.hpp"
+#include "mbs/sections/section_law.hpp"
 #include "mbs/system/plane.hpp"
 
 namespace liesl {

@@ -62,11 +62,11 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
       model.couplings.push_back(build_force(mechanism, static_cast<int>(f), ports));
   for (const auto& l : mechanism.loads)
     model.loads.push_back(build_load(l, mechanism, model, ports));
-  std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.equations.empty(); });
-  model.reach = model.length;
+  std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.rows.empty(); });
+  model.extent = model.length;
   for (const auto& body : model.bodies)
     for (const G& H : body->reference)
-      model.reach = std::max(model.reach, model.length + H.x.norm());
+      model.extent = std::max(model.extent, model.length + H.x.norm());
   model.set_initial_velocity(mechanism);
   model.finish();
   model.leave_out_redundant_rows();
@@ -101,7 +101,7 @@ void Model<G>::leave_out_redundant_rows() {
   dead_point = std::move(found.dead_point);
   if (found.rows.empty()) return;
   for (const auto& [coupling, equation] : found.rows)
-    couplings[coupling].equations[equation].role = Role::Redundant;
+    couplings[coupling].rows[equation].role = Role::Redundant;
   finish();
 }
 
@@ -120,17 +120,18 @@ void Model<G>::finish() {
   for (auto& c : couplings) {
     place(c.a);
     place(c.b);
-    std::stable_sort(c.equations.begin(), c.equations.end(),
-                     [](const Equation<G>& a, const Equation<G>& b) { return a.role < b.role; });
+    std::stable_sort(
+        c.rows.begin(), c.rows.end(),
+        [](const CouplingRow<G>& a, const CouplingRow<G>& b) { return a.role < b.role; });
     c.first_row = rows_;
     c.first_constraint = constraints_;
     c.constraints = c.active = c.acting = 0;
-    for (const auto& e : c.equations) {
+    for (const auto& e : c.rows) {
       c.constraints += e.role == Role::Constraint;
       c.active += e.role <= Role::Compliant;
       c.acting += e.role <= Role::Actuator;
     }
-    rows_ += static_cast<int>(c.equations.size());
+    rows_ += static_cast<int>(c.rows.size());
     constraints_ += c.constraints;
   }
 }
@@ -162,7 +163,7 @@ State<G> Model<G>::initial_state() const {
   s.a.setZero(size());
   s.w.setZero(size());
   s.lambda.setZero(constraints_);
-  s.q.setZero(rows_);
+  s.rows.setZero(rows_);
   return s;
 }
 

@@ -6,6 +6,7 @@
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/model/parameter.hpp"
+#include "mbs/sections/section_law.hpp"
 #include "mbs/system/body_law.hpp"
 
 namespace liesl {
@@ -28,7 +29,7 @@ std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, con
     if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
     return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
   }
-  if (formalism == Formalism::Decoupled || formalism == Formalism::Classical)
+  if (formalism == Formalism::R3SO3 || formalism == Formalism::Classical)
     return std::make_unique<ReissnerBeam<G>>(name, std::move(nodes), sections, beam.damping);
   return std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
 }

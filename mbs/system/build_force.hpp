@@ -8,7 +8,7 @@ namespace liesl {
 
 /// Gives an equation the law of force number `index`, and the role that goes with it.
 template <FrameGroup G>
-void set_force(Equation<G>& equation, const ForceSpec& force, int index) {
+void set_force(CouplingRow<G>& equation, const ForceSpec& force, int index) {
   equation.force = index;
   equation.law = {force.stiffness, force.damping, force.rest, force.force};
   const bool actuator = force.stiffness == 0 && force.damping == 0;
@@ -24,8 +24,8 @@ Coupling<G> build_force(const Mechanism& mechanism, int index, const Ports<G>& p
   c.is_joint = false;
   c.a = ports.of(force.a);
   c.b = ports.of(force.b);
-  c.equations.push_back({Row<G>::distance(), Role::Constraint, TimeFunction(), {}, 0});
-  set_force(c.equations.front(), force, index);
+  c.rows.push_back({Row<G>::distance(), Role::Constraint, TimeFunction(), {}, 0});
+  set_force(c.rows.front(), force, index);
   return c;
 }
 

@@ -40,11 +40,11 @@ std::optional<Row<G>> row_on(const JointRow& row, const Mat3& axes, double pitch
     return std::all_of(list.begin(), list.end(), [&](int i) { return e(i).norm() > 0.5; });
   };
   switch (row.kind) {
-    case JointRow::Kind::Along:
-      if (seen({row.m})) return Row<G>::along(e(row.m));
+    case JointRow::Kind::Displacement:
+      if (seen({row.m})) return Row<G>::displacement(e(row.m));
       break;
-    case JointRow::Kind::Normal:
-      if (seen({row.m, row.n})) return Row<G>::normal(e(row.m), e(row.n));
+    case JointRow::Kind::Perpendicular:
+      if (seen({row.m, row.n})) return Row<G>::perpendicular(e(row.m), e(row.n));
       break;
     case JointRow::Kind::Angle:
       if (seen({row.m, row.n, row.k})) return Row<G>::angle(e(row.m), e(row.n), e(row.k), e(row.k));
@@ -68,8 +68,8 @@ void check_pitch(const JointSpec& joint) {
 }
 
 template <FrameGroup G>
-Equation<G>* find_coordinate(Coupling<G>& c, int coordinate) {
-  for (auto& e : c.equations)
+CouplingRow<G>* find_coordinate(Coupling<G>& c, int coordinate) {
+  for (auto& e : c.rows)
     if (e.coordinate == coordinate) return &e;
   return nullptr;
 }
@@ -92,11 +92,11 @@ void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports
 }  // namespace
 
 template <FrameGroup G>
-std::vector<Equation<G>> joint_rows(const JointSpec& joint, const Space<G>& space) {
+std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, const Space<G>& space) {
   check_pitch<G>(joint);
   const JointKind& kind = kind_of(joint.type);
   const Mat3 axes = axes_of(joint, space);
-  std::vector<Equation<G>> out;
+  std::vector<CouplingRow<G>> out;
   for (const JointRow& row : kind.constraints)
     if (const auto r = row_on(row, axes, joint.pitch, space))
       out.push_back({*r, Role::Constraint, TimeFunction(), {}, -1});
@@ -114,29 +114,29 @@ Coupling<G> build_joint(const Mechanism& mechanism, int index, const Space<G>& s
   Coupling<G> c;
   c.name = j.name;
   place(mechanism, j, ports, c);
-  c.equations = joint_rows(j, space);
+  c.rows = joint_rows(j, space);
   for (size_t d = 0; d < mechanism.drives.size(); ++d)
     if (const DriveSpec& drive = mechanism.drives[d]; drive.joint == index)
-      if (Equation<G>* e = find_coordinate(c, drive.coordinate)) {
+      if (CouplingRow<G>* e = find_coordinate(c, drive.coordinate)) {
         e->role = Role::Constraint;
         e->target = drive.motion;
         e->drive = static_cast<int>(d);
       }
   for (size_t i = 0; i < mechanism.forces.size(); ++i)
     if (const ForceSpec& f = mechanism.forces[i]; f.joint == index)
-      if (const Equation<G>* e = find_coordinate(c, f.coordinate)) {
-        Equation<G> force = *e;
+      if (const CouplingRow<G>* e = find_coordinate(c, f.coordinate)) {
+        CouplingRow<G> force = *e;
         set_force(force, f, static_cast<int>(i));
         force.drive = -1;
         force.coordinate = -1;
-        c.equations.push_back(force);
+        c.rows.push_back(force);
       }
   return c;
 }
 
 template Coupling<SE2> build_joint(const Mechanism&, int, const Space<SE2>&, const Ports<SE2>&);
 template Coupling<SE3> build_joint(const Mechanism&, int, const Space<SE3>&, const Ports<SE3>&);
-template std::vector<Equation<SE2>> joint_rows(const JointSpec&, const Space<SE2>&);
-template std::vector<Equation<SE3>> joint_rows(const JointSpec&, const Space<SE3>&);
+template std::vector<CouplingRow<SE2>> joint_rows(const JointSpec&, const Space<SE2>&);
+template std::vector<CouplingRow<SE3>> joint_rows(const JointSpec&, const Space<SE3>&);
 
 }  // namespace liesl

@@ -13,7 +13,7 @@ namespace liesl {
 /// left out, as are coordinates out of it.
 /// @throws std::invalid_argument for a screw without pitch, or in a plane
 template <FrameGroup G>
-std::vector<Equation<G>> joint_rows(const JointSpec& joint, const Space<G>& space);
+std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, const Space<G>& space);
 
 /// Joint number `index` of the mechanism with its drives and the forces on its coordinates.
 template <FrameGroup G>

@@ -5,7 +5,7 @@
 namespace liesl {
 namespace {
 
-constexpr double kBeside = 0.02;    // of the mechanism's length
+constexpr double kPerturbation = 0.02;  // of the mechanism's length
 constexpr double kRepeated = 1e-7;  // relative pivots below are those of rows that repeat others
 constexpr double kClosed = 1e-9;    // of the mechanism's length
 constexpr double kDamping = 1e-12;  // least, of Levenberg and Marquardt
@@ -24,7 +24,7 @@ ConstraintMatrix<G>::ConstraintMatrix(const Model<G>& model) : model_(model), eq
       nodes_.push_back(port->node);
     }
     for (int k = 0; k < c.constraints; ++k)
-      rows_.push_back({static_cast<int>(i), k, c.equations[k].coordinate >= 0});
+      rows_.push_back({static_cast<int>(i), k, c.rows[k].coordinate >= 0});
   }
   J_.setZero(static_cast<long>(rows_.size()), G::dim * static_cast<long>(nodes_.size()));
   phi_.setZero(J_.rows());
@@ -34,7 +34,7 @@ template <FrameGroup G>
 const Eigen::MatrixXd& ConstraintMatrix<G>::evaluate(const State<G>& s) {
   State<G> at = s;
   at.lambda.setZero(model_.constraints());
-  equations_.evaluate(at, s.q, {s.t, 1});
+  equations_.evaluate(at, s.rows, {s.t, 1});
   J_.setZero();
   for (long i = 0; i < J_.rows(); ++i) {
     const Row& row = rows_[i];
@@ -66,7 +66,7 @@ void ConstraintMatrix<G>::move(State<G>& s, const Eigen::VectorXd& step) const {
 /// solutions where rows repeat each other, too (N. Yamashita, M. Fukushima, On the rate of
 /// convergence of the Levenberg-Marquardt method, Computing Suppl. 15 (2001) 239-249).
 template <FrameGroup G>
-std::optional<State<G>> ConstraintMatrix<G>::beside(const State<G>& s, int direction) {
+std::optional<State<G>> ConstraintMatrix<G>::perturbed(const State<G>& s, int direction) {
   State<G> at = s;
   const auto joints_alone = [&] {
     evaluate(at);
@@ -80,7 +80,7 @@ std::optional<State<G>> ConstraintMatrix<G>::beside(const State<G>& s, int direc
         std::sin(1.0 + 0.7 * static_cast<double>(i) + 1.3 * direction * static_cast<double>(i + 1));
   motion -= linalg::shortest_least_squares(J_, J_ * motion, kRepeated);
   if (motion.norm() < 1e-6) return {};
-  const double distance = kBeside * model_.length;
+  const double distance = kPerturbation * model_.length;
   move(at, distance * motion.normalized());
   Eigen::VectorXd moved = distance * motion.normalized();
   for (int i = 0; i < kIterations; ++i) {

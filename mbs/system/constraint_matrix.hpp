@@ -23,10 +23,10 @@ class ConstraintMatrix {
   /// [rows x columns] at the frames of `s`.
   const Eigen::MatrixXd& evaluate(const State<G>& s);
 
-  /// Another configuration where all joints hold and drives are let go, kBeside of the mechanism's
-  /// length from `s` along a motion that the joints leave there (`direction` = 0, 1, ... picks one
-  /// of them), then Levenberg-Marquardt. Empty if nothing moves, or nothing is found.
-  std::optional<State<G>> beside(const State<G>& s, int direction);
+  /// Another configuration where all joints hold and drives are let go, kPerturbation of the
+  /// mechanism's length from `s` along a motion that the joints leave there (`direction` = 0, 1,
+  /// ... picks one of them), then Levenberg-Marquardt. Empty if nothing moves, or nothing is found.
+  std::optional<State<G>> perturbed(const State<G>& s, int direction);
 
  private:
   void move(State<G>& s, const Eigen::VectorXd& step) const;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kDependent = 1e-7;  // what is left of a unit row that others span
 constexpr double kContradiction = 1e-6;
-constexpr int kDirections = 2;  // in which to look for configurations beside the start
+constexpr int kDirections = 2;  // in which to look for configurations near the start
 
 /// Rows one after the other against an orthonormal basis of those before.
 class Basis {
@@ -71,15 +71,15 @@ std::vector<Dependency> dependencies(const Eigen::MatrixXd& J) {
   return out;
 }
 
-/// Takes out of `rows` what is independent beside the start. @returns the couplings of those.
+/// Takes out of `rows` what is independent near the start. @returns the couplings of those.
 template <FrameGroup G>
 std::set<int> singular_here_only(ConstraintMatrix<G>& matrix, const State<G>& s,
                                  std::vector<Dependency>& rows) {
   std::set<int> couplings;
   for (int direction = 0; direction < kDirections; ++direction) {
-    const auto beside = matrix.beside(s, direction);
-    if (!beside) continue;
-    const auto there = dependencies(matrix.evaluate(*beside));
+    const auto perturbed = matrix.perturbed(s, direction);
+    if (!perturbed) continue;
+    const auto there = dependencies(matrix.evaluate(*perturbed));
     for (size_t i = 0; i < rows.size(); ++i) {
       if (!rows[i].dependent || there[i].dependent) continue;
       rows[i].dependent = false;
@@ -95,7 +95,7 @@ template <FrameGroup G>
 RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
   RedundantRows out;
   ConstraintMatrix<G> matrix(model);
-  Equations<G>(model).observe(s, s.q, s.q);
+  Equations<G>(model).observe(s, s.rows, s.rows);
   std::vector<Dependency> rows = dependencies(matrix.evaluate(s));
   const auto any = [&] {
     return std::any_of(rows.begin(), rows.end(), [](const auto& r) { return r.dependent; });
@@ -103,8 +103,8 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
   if (!any()) return out;
   if (const auto dead = singular_here_only(matrix, s, rows); !dead.empty()) {
     out.dead_point = fmt::format(
-        "joint '{}' depends on the others in the start position, but not beside it: a dead point, "
-        "where the mechanism may go on in more than one way; start it a little beside",
+        "joint '{}' depends on the others in the start position, but not near it: a dead point, "
+        "where the mechanism may continue in more than one way; start it slightly away from it",
         model.couplings[*dead.begin()].name);
     return out;
   }
@@ -134,12 +134,13 @@ template <FrameGroup G>
 std::string contradiction(const Model<G>& model, const State<G>& s) {
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
-    for (size_t i = 0; i < c.equations.size(); ++i) {
-      const auto& e = c.equations[i];
+    for (size_t i = 0; i < c.rows.size(); ++i) {
+      const auto& e = c.rows[i];
       if (e.role != Role::Redundant) continue;
       const double off =
-          e.row.value(motion, s.q[c.first_row + static_cast<int>(i)]) - e.target(s.t);
-      const bool length = e.row.kind() == RowKind::Along || e.row.kind() == RowKind::Distance;
+          e.row.value(motion, s.rows[c.first_row + static_cast<int>(i)]) - e.target(s.t);
+      const bool length =
+          e.row.kind() == RowKind::Displacement || e.row.kind() == RowKind::Distance;
       if (std::abs(off) > kContradiction * (length ? model.length : 1))
         return fmt::format(
             "joint '{}' repeats other joints and contradicts them by {:.3g} {} at t = {:.6g} s; "
@@ -158,7 +159,7 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   for (const auto& c : model.couplings) {
     const G a = c.a.frame(s.H), b = c.b.frame(s.H);
     const RelativeMotion<G> motion(a, b);
-    for (const auto& e : c.equations) {
+    for (const auto& e : c.rows) {
       if (e.role != Role::Constraint && e.role != Role::Redundant) continue;
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);

@@ -20,7 +20,7 @@ struct RedundantRows {
 };
 
 /// Constraint rows that depend on earlier ones at state `s` (Gram-Schmidt, rotations scaled by the
-/// size of the mechanism) and beside it.
+/// size of the mechanism) and near it.
 template <FrameGroup G>
 RedundantRows redundant_rows(const Model<G>& model, State<G> s);
 

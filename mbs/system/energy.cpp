@@ -26,10 +26,10 @@ BodyEnergy mechanical_energy(const Model<G>& model, const State<G>& s) {
     sum.potential += e.potential;
   }
   for (const auto& c : model.couplings)
-    for (std::size_t i = 0; i < c.equations.size(); ++i)
-      if (c.equations[i].role == Role::Compliant) {
-        const double stretch = s.q[c.first_row + static_cast<int>(i)] - c.equations[i].law.rest;
-        sum.elastic += 0.5 * c.equations[i].law.stiffness * stretch * stretch;
+    for (std::size_t i = 0; i < c.rows.size(); ++i)
+      if (c.rows[i].role == Role::Compliant) {
+        const double stretch = s.rows[c.first_row + static_cast<int>(i)] - c.rows[i].law.rest;
+        sum.elastic += 0.5 * c.rows[i].law.stiffness * stretch * stretch;
       }
   return sum;
 }
@@ -39,12 +39,12 @@ double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
   double p = 0;
   for (const auto& c : model.couplings)
     for (int i = 0; i < c.constraints; ++i)
-      p -= s.lambda[c.first_constraint + i] * c.equations[i].target.rate(s.t);
-  eq.evaluate(s, s.q, {s.t, 1});
+      p -= s.lambda[c.first_constraint + i] * c.rows[i].target.rate(s.t);
+  eq.evaluate(s, s.rows, {s.t, 1});
   for (std::size_t k = 0; k < model.couplings.size(); ++k) {
     const auto& c = model.couplings[k];
     for (int i = c.constraints; i < c.acting; ++i) {
-      const ForceLaw& law = c.equations[i].law;
+      const ForceLaw& law = c.rows[i].law;
       const double rate = eq.couplings[k].rate[i];
       p += (law.force(s.t) - law.damping * rate) * rate;
     }

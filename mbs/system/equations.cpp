@@ -18,19 +18,19 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
   }
   for (const auto& body : m.bodies) work_.push_back(body->make_workspace());
   for (const auto& body : m.bodies)
-    round_off_ = std::max(
-        round_off_, 4 * std::numeric_limits<double>::epsilon() * body->axial_stiffness() * m.reach);
+    round_off_ = std::max(round_off_, 4 * std::numeric_limits<double>::epsilon() *
+                                          body->axial_stiffness() * m.extent);
 }
 
 template <FrameGroup G>
-void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& near,
+void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
                             const LoadLevel& level) {
   for (auto& scale : scales_) scale = {};
   r.setZero();
   add_bodies(s, level);
   add_loads(s, level);
   for (size_t c = 0; c < couplings.size(); ++c)
-    add_coupling(model.couplings[c], couplings[c], s, near, level);
+    add_coupling(model.couplings[c], couplings[c], s, previous, level);
   ForceScale sum;
   for (const auto& scale : scales_) {
     sum.force += scale.force;
@@ -103,13 +103,13 @@ void Equations<G>::add_load(const Model<G>& model, const Load<G>& load, double f
 
 template <FrameGroup G>
 void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
-                                const Eigen::VectorXd& near, const LoadLevel& level) {
+                                const Eigen::VectorXd& previous, const LoadLevel& level) {
   using Segment = Eigen::Matrix<double, dim, 1>;
   const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
   Segment on_a = Segment::Zero(), on_b = Segment::Zero();
   typename Row<G>::Gradient g;
   for (int i = 0; i < c.acting; ++i) {
-    const Equation<G>& e = c.equations[i];
+    const CouplingRow<G>& e = c.rows[i];
     e.row.gradient(motion, g);
     auto B = data.B.row(i);
     if (c.a.body < 0)
@@ -120,7 +120,7 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
       B.template tail<dim>().setZero();
     else
       B.template tail<dim>().noalias() = g.template tail<dim>().transpose() * c.b.J;
-    const double value = e.row.value(motion, near[c.first_row + i]);
+    const double value = e.row.value(motion, previous[c.first_row + i]);
     double f;
     if (e.role == Role::Constraint) {
       phi[c.first_constraint + i] = value - e.target(level.t);
@@ -149,13 +149,13 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
 }
 
 template <FrameGroup G>
-void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& near,
-                           Eigen::VectorXd& q) const {
+void Equations<G>::observe(const State<G>& s, const Eigen::VectorXd& previous,
+                           Eigen::VectorXd& rows) const {
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
-    for (size_t i = 0; i < c.equations.size(); ++i) {
+    for (size_t i = 0; i < c.rows.size(); ++i) {
       const int row = c.first_row + static_cast<int>(i);
-      q[row] = c.equations[i].row.value(motion, near[row]);
+      rows[row] = c.rows[i].row.value(motion, previous[row]);
     }
   }
 }
@@ -187,8 +187,7 @@ double Equations<G>::norm_of(int first, int nodes) const {
 template <FrameGroup G>
 void Equations<G>::velocity_target(double t, Eigen::VectorXd& rate) const {
   for (const auto& c : model.couplings)
-    for (int i = 0; i < c.constraints; ++i)
-      rate[c.first_constraint + i] = c.equations[i].target.rate(t);
+    for (int i = 0; i < c.constraints; ++i) rate[c.first_constraint + i] = c.rows[i].target.rate(t);
 }
 
 template <FrameGroup G>
@@ -200,7 +199,7 @@ void Equations<G>::acceleration_target(const State<G>& s, double t, Eigen::Vecto
     if (c.b.body >= 0) v.template tail<dim>() = c.b.J * s.v.template segment<dim>(dim * c.b.node);
     for (int i = 0; i < c.constraints; ++i)
       rate[c.first_constraint + i] =
-          c.equations[i].target.acceleration(t) - v.dot(c.equations[i].row.hessian(motion) * v);
+          c.rows[i].target.acceleration(t) - v.dot(c.rows[i].row.hessian(motion) * v);
   }
 }
 

@@ -22,12 +22,12 @@ class Equations {
 
   explicit Equations(const Model<G>& model);
 
-  /// Fills r, phi, B, the scales. `near`: coupling rows at the last accepted state (angles go on
-  /// from there).
-  void evaluate(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level);
+  /// Fills r, phi, B, the scales. `previous`: coupling rows at the last accepted state (angles are
+  /// continued from there).
+  void evaluate(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level);
 
-  /// Values of all coupling rows at a state, into q.
-  void observe(const State<G>& s, const Eigen::VectorXd& near, Eigen::VectorXd& q) const;
+  /// Values of all coupling rows at a state, into `rows`.
+  void observe(const State<G>& s, const Eigen::VectorXd& previous, Eigen::VectorXd& rows) const;
 
   /// Power of the loads at a state (dynamics), W. Overwrites r, and adds the loads to the
   /// scales: evaluate() comes next.
@@ -66,7 +66,7 @@ class Equations {
   void add_bodies(const State<G>& s, const LoadLevel& level);
   void add_loads(const State<G>& s, const LoadLevel& level);
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
-                    const Eigen::VectorXd& near, const LoadLevel& level);
+                    const Eigen::VectorXd& previous, const LoadLevel& level);
   double norm_of(int first, int nodes) const;
   std::vector<ForceScale> scales_;                    ///< by body
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< by body

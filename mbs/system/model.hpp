@@ -63,7 +63,7 @@ class Model {
             s.w.data() + G::dim * n};
   }
 
-  Formalism formalism = Formalism::Lie;
+  Formalism formalism = Formalism::SE3;
   Space<G> space;
   Vector gravity = Vector::Zero();
   std::vector<std::unique_ptr<Body<G>>> bodies;
@@ -73,10 +73,10 @@ class Model {
   std::vector<std::vector<int>> coupled_nodes;
   /// One sentence a joint of which rows repeat others and are left out (Role::Redundant).
   std::vector<std::string> redundant;
-  /// Not empty: the start is a dead point, where rows depend on others though not beside it.
+  /// Not empty: the start is a dead point, where rows depend on others though not near it.
   std::string dead_point;
   double length = 1;  ///< size of the mechanism, m: makes moments and forces comparable
-  double reach =
+  double extent =
       1;  ///< farthest from the origin that its nodes may be, m: what positions round off to
 
  private:

@@ -87,10 +87,10 @@ template <FrameGroup G>
 template <class Matches>
 void ParameterResidual<G>::add_rows(RowDerivative part, Matches matches) {
   for (const auto& c : model_.couplings)
-    for (size_t i = 0; i < c.equations.size(); ++i)
-      if (matches(c.equations[i])) {
+    for (size_t i = 0; i < c.rows.size(); ++i)
+      if (matches(c.rows[i])) {
         part.coupling = &c;
-        part.equation = &c.equations[i];
+        part.equation = &c.rows[i];
         part.row = static_cast<int>(i);
         rows_.push_back(part);
       }
@@ -102,7 +102,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
   if (part.force < 0 || part.force >= static_cast<int>(mechanism.forces.size()))
     return expected("force", part.force);
   add_rows({nullptr, nullptr, 0, part, 0},
-           [&](const Equation<G>& e) { return e.force == part.force; });
+           [&](const CouplingRow<G>& e) { return e.force == part.force; });
   return "";
 }
 
@@ -111,7 +111,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
                                            const DriveDerivative& part) {
   if (part.drive < 0 || part.drive >= static_cast<int>(mechanism.drives.size()))
     return expected("drive", part.drive);
-  add_rows({nullptr, nullptr, 0, {}, part.factor}, [&](const Equation<G>& e) {
+  add_rows({nullptr, nullptr, 0, {}, part.factor}, [&](const CouplingRow<G>& e) {
     return e.drive == part.drive && e.role == Role::Constraint;
   });
   return "";
@@ -126,7 +126,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism&, const LoadDerivativ
 }
 
 template <FrameGroup G>
-void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& near,
+void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                                const LoadLevel& level, Eigen::VectorXd& r_p,
                                Eigen::VectorXd& phi_p) const {
   const typename Model<G>::Vector gravity = level.factor * model_.gravity;
@@ -143,7 +143,7 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& near,
     Equations<G>::add_load(model_, *l.load, l.factor * load_value(l.load->scale, level), s, r_p,
                            unused);
   for (const RowDerivative& row : rows_)
-    if (row.equation->role != Role::Constraint) add_force(row, s, near, level, r_p);
+    if (row.equation->role != Role::Constraint) add_force(row, s, previous, level, r_p);
   add_target(level.t, 0, phi_p);
 }
 
@@ -161,7 +161,7 @@ void ParameterResidual<G>::add_target(double t, int order, Eigen::VectorXd& phi_
 
 template <FrameGroup G>
 void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s,
-                                     const Eigen::VectorXd& near, const LoadLevel& level,
+                                     const Eigen::VectorXd& previous, const LoadLevel& level,
                                      Eigen::VectorXd& r_p) const {
   using Tangent = typename G::Tangent;
   const Coupling<G>& c = *row.coupling;
@@ -174,7 +174,7 @@ void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s
   double rate = 0;
   if (c.a.body >= 0) rate += B_a.dot(s.v.template segment<dim>(dim * c.a.node));
   if (c.b.body >= 0) rate += B_b.dot(s.v.template segment<dim>(dim * c.b.node));
-  const double q = row.equation->row.value(motion, near[c.first_row + row.row]);
+  const double q = row.equation->row.value(motion, previous[c.first_row + row.row]);
   const double f = row.law.stiffness * (q - law.rest) + row.law.damping * rate -
                    law.stiffness * row.law.rest - row.law.factor * load_value(law.force, level);
   if (c.a.body >= 0) r_p.template segment<dim>(dim * c.a.node) += f * B_a;

@@ -25,9 +25,9 @@ class ParameterResidual {
   ParameterResidual(const Mechanism& mechanism, const Model<G>& model, const Parameter& parameter);
 
   /// r_p += dr/dp [size of the model, N and N m per unit of p, nodal local frames] and
-  /// phi_p += dPhi/dp [constraints] at a state. `near`: coupling rows at the last accepted state,
-  /// as in Equations::evaluate.
-  void add(const State<G>& s, const Eigen::VectorXd& near, const LoadLevel& level,
+  /// phi_p += dPhi/dp [constraints] at a state. `previous`: coupling rows at the last accepted
+  /// state, as in Equations::evaluate.
+  void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
   /// phi_p += the time derivative of dPhi/dp of order 0, 1 or 2 at t, constant state: only targets
   /// of drives depend on parameters, Phi_p = -d(target)/dp.
@@ -42,7 +42,7 @@ class ParameterResidual {
   /// A row of a coupling whose law or target depends on p.
   struct RowDerivative {
     const Coupling<G>* coupling;
-    const Equation<G>* equation;
+    const CouplingRow<G>* equation;
     int row;              ///< in the coupling
     ForceDerivative law;  ///< of a force
     double target = 0;    ///< factor of a drive
@@ -61,7 +61,7 @@ class ParameterResidual {
   std::string set_body(int body, const LawDerivative<G>& law);
   template <class Matches>
   void add_rows(RowDerivative part, Matches matches);
-  void add_force(const RowDerivative& row, const State<G>& s, const Eigen::VectorXd& near,
+  void add_force(const RowDerivative& row, const State<G>& s, const Eigen::VectorXd& previous,
                  const LoadLevel& level, Eigen::VectorXd& r_p) const;
 
   const Model<G>& model_;

@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "mbs/sections/section_law.hpp"
+
 namespace liesl {
 namespace {
 
@@ -227,7 +229,7 @@ class Search {
     const JointKind& kind = kind_of(j.type);
     if (coordinate >= kind.coordinate_count()) return false;
     const JointRow& row = kind.coordinates[static_cast<std::size_t>(coordinate)];
-    if (row.kind == JointRow::Kind::Along) return normal_to(j.axis) != (row.m == 0);
+    if (row.kind == JointRow::Kind::Displacement) return normal_to(j.axis) != (row.m == 0);
     return normal_to(row.about() == 0 ? j.axis : j.axis2);
   }
   /// Does the joint leave one rotation and nothing else?

@@ -151,7 +151,7 @@ void ResponseValues<G>::add_coordinate(const ResponseSpec& r, const At& at, Cota
   const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
   if (!c) return;
   const RelativeMotion<G> motion(c->a.frame(at.s.H), c->b.frame(at.s.H));
-  for (const Equation<G>& e : c->equations) {
+  for (const CouplingRow<G>& e : c->rows) {
     if (e.coordinate != r.coordinate) continue;
     typename Row<G>::Gradient g;
     e.row.gradient(motion, g);
@@ -171,7 +171,7 @@ void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cot
   typename Row<G>::Vector f = Row<G>::Vector::Zero();
   const auto lambda = at.s.lambda.segment(c->first_constraint, c->constraints);
   for (int i = 0; i < c->constraints; ++i) {
-    c->equations[i].row.gradient(motion, g[i]);
+    c->rows[i].row.gradient(motion, g[i]);
     f -= lambda[i] * g[i].template segment<sd>(dim);
   }
   if (f.norm() == 0) return;
@@ -179,7 +179,7 @@ void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cot
   typename Row<G>::Gradient turns = Row<G>::Gradient::Zero();
   for (int i = 0; i < c->constraints; ++i) {
     out.lambda[c->first_constraint + i] -= a.dot(g[i].template segment<sd>(dim));
-    const auto hessian = c->equations[i].row.hessian(motion);
+    const auto hessian = c->rows[i].row.hessian(motion);
     turns -= lambda[i] * hessian.template middleRows<sd>(dim).transpose() * a;
   }
   add_row(out.h, *c, turns);
@@ -220,12 +220,12 @@ void ResponseValues<G>::add_energy(const ResponseSpec&, const At& at, Cotangent&
     add_body_energy(static_cast<int>(b), {1, 1, 1}, at, out);
   for (const auto& c : model_.couplings) {
     const RelativeMotion<G> motion(c.a.frame(at.s.H), c.b.frame(at.s.H));
-    for (size_t i = 0; i < c.equations.size(); ++i) {
-      const Equation<G>& e = c.equations[i];
+    for (size_t i = 0; i < c.rows.size(); ++i) {
+      const CouplingRow<G>& e = c.rows[i];
       if (e.role != Role::Compliant) continue;
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);
-      const double stretch = at.s.q[c.first_row + static_cast<int>(i)] - e.law.rest;
+      const double stretch = at.s.rows[c.first_row + static_cast<int>(i)] - e.law.rest;
       add_row(out.h, c, e.law.stiffness * stretch * g);
     }
   }
@@ -271,10 +271,10 @@ double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
   for (const auto& part : parameter.parameter().parts)
     if (const auto* by = std::get_if<ForceDerivative>(&part))
       for (const auto& c : model_.couplings)
-        for (size_t i = 0; i < c.equations.size(); ++i) {
-          const Equation<G>& e = c.equations[i];
+        for (size_t i = 0; i < c.rows.size(); ++i) {
+          const CouplingRow<G>& e = c.rows[i];
           if (e.force != by->force || e.role != Role::Compliant) continue;
-          const double stretch = s.q[c.first_row + static_cast<int>(i)] - e.law.rest;
+          const double stretch = s.rows[c.first_row + static_cast<int>(i)] - e.law.rest;
           sum += (0.5 * by->stiffness * stretch - e.law.stiffness * by->rest) * stretch;
         }
   return sum;

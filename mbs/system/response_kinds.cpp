@@ -166,7 +166,7 @@ SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int 
   typename G::Tangent f = G::Tangent::Zero();
   for (int i = 0; i < c->constraints; ++i) {
     typename Row<G>::Gradient g;
-    c->equations[i].row.gradient(motion, g);
+    c->rows[i].row.gradient(motion, g);
     f -= s.lambda[c->first_constraint + i] * g.template tail<G::dim>();
   }
   // The joint's port has the inertial axes at the start; turn into the port's own.
@@ -185,9 +185,9 @@ std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>
                                       const State<G>& s) {
   std::vector<double> q(kind_of(mechanism.joints[joint].type).coordinates.size(), 0.0);
   if (const Coupling<G>* c = find_joint(mechanism, model, joint))
-    for (size_t i = 0; i < c->equations.size(); ++i)
-      if (const int k = c->equations[i].coordinate; k >= 0)
-        q[k] = s.q[c->first_row + static_cast<int>(i)];
+    for (size_t i = 0; i < c->rows.size(); ++i)
+      if (const int k = c->rows[i].coordinate; k >= 0)
+        q[k] = s.rows[c->first_row + static_cast<int>(i)];
   return q;
 }
 

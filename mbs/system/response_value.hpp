@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "mbs/model/response.hpp"
+#include "mbs/sections/stress.hpp"
 #include "mbs/system/parameter_residual.hpp"
 #include "mbs/system/spatial_view.hpp"
 

@@ -23,8 +23,8 @@ struct State {
   Eigen::VectorXd w;     ///< what is integrated as a vector, dim a node: rotation vectors of the
                          ///< classical formalism (last components), modal amplitudes; else zero
   Eigen::VectorXd
-      lambda;         ///< multipliers of the constraints; the force on the bodies is -B^T lambda
-  Eigen::VectorXd q;  ///< values of all coupling rows (joint coordinates, distances, residuals)
+      lambda;            ///< multipliers of the constraints; the force on the bodies is -B^T lambda
+  Eigen::VectorXd rows;  ///< values of all coupling rows (joint coordinates, distances, residuals)
 };
 
 }  // namespace liesl

@@ -2,6 +2,9 @@
 
 #include <cmath>
 
+#include "mbs/sections/section_law.hpp"
+#include "mbs/sections/stress.hpp"
+
 namespace liesl {
 namespace {
 

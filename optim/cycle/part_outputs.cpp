@@ -1,6 +1,7 @@
 #include "optim/cycle/part_outputs.hpp"
 
 #include "esl/static_part.hpp"
+#include "mbs/sections/stress.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {

@@ -1,5 +1,6 @@
 /// @file
 /// First and second derivatives of the static problem.
+#include "mbs/sections/stress.hpp"
 #include "optim/cycle/static_sizing.hpp"
 
 namespace liesl {

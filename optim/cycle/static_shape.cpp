@@ -70,7 +70,7 @@ bool StaticShape::solve(const VectorXd& x) {
   frequencies_.reset();
   const VectorXd p = task_.design->parameters(x);
   task_.shape->set(p);
-  obstacle_ = task_.shape->flaw();
+  obstacle_ = task_.shape->error();
   if (!obstacle_.empty()) return false;
   fractions_ = volume_fractions(task_.model->mesh(), *task_.shape);
   fractions_.derivative = FractionGradient(fractions_.derivative * task_.design->jacobian());

@@ -14,9 +14,10 @@ namespace liesl {
 struct SolidLimit {
   std::string name;
   SolidResponse response = SolidResponse::Output;
-  int first = 0, count = 1;               ///< Output: columns of C; Frequency: `count`
-  double limit = 0;                       ///< > 0
-  std::optional<LimitedResponse> motion = {};  ///< Output: what it is the image of; none: fixed loads
+  int first = 0, count = 1;  ///< Output: columns of C; Frequency: `count`
+  double limit = 0;          ///< > 0
+  std::optional<LimitedResponse> motion =
+      {};  ///< Output: what it is the image of; none: fixed loads
 };
 
 /// A meshed part, what it has to carry and what it has to meet. Nothing is copied but data: what is

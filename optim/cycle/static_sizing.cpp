@@ -19,8 +19,8 @@ std::vector<int> beams_among(const std::vector<int>& bodies, const Mechanism& me
 template <FrameGroup G>
 std::optional<Model<G>> beams_of(const Analysis<G>& at) {
   Mechanism m = at.mechanism;
-  bool same = m.formalism == Formalism::Lie;
-  m.formalism = Formalism::Lie;
+  bool same = m.formalism == Formalism::SE3;
+  m.formalism = Formalism::SE3;
   for (auto& body : m.bodies)
     if (auto* beam = std::get_if<BeamSpec>(&body.kind)) {
       same = same && beam->as == BeamModel::AsFormalism;
@@ -70,8 +70,8 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
       second_derivatives_ &= kind != ResponseKind::Stress && kind != ResponseKind::Compliance;
     }
     const auto support = study_.supports.find(loads.body);
-    HeldPart held = read_support(support == study_.supports.end() ? Support{} : support->second,
-                                 at.mechanism, model_, loads.body);
+    PartSupport held = read_support(support == study_.supports.end() ? Support{} : support->second,
+                                    at.mechanism, model_, loads.body);
     StaticPart<G> problem(beam, std::move(held), outputs.C);
     Part part{loads.body, &loads, std::move(outputs), std::move(problem), {}, {}, {}, {}, {}};
     for (int e = 0; e < beam.elements(); ++e)

@@ -104,7 +104,7 @@ void ShapeDesign::check_bounds(const ShapeVariableSpec& v, int j,
               "{} {:g}",
               q.name, p[k], q.above < 0 ? ">=" : ">", std::max(q.above, 0.0));
     shape_.set(p);
-    if (flaw.empty()) flaw = shape_.flaw();
+    if (flaw.empty()) flaw = shape_.error();
     shape_.set(p0_);
     if (!flaw.empty())
       errors.push_back(fmt::format("'{}' at its bound {:g}: {}", v.name, bound, flaw));

@@ -6,6 +6,7 @@
 #include <map>
 #include <stdexcept>
 
+#include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 

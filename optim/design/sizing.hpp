@@ -4,6 +4,7 @@
 
 #include "mbs/model/mechanism.hpp"
 #include "mbs/model/parameter.hpp"
+#include "mbs/sections/section_law.hpp"
 #include "optim/nlp/problem.hpp"
 #include "optim/study/study.hpp"
 

@@ -6,7 +6,6 @@
 #include <cmath>
 
 #include "optim/nlp/elastic.hpp"
-#include "optim/nlp/ipopt_driver.hpp"
 
 namespace liesl {
 
@@ -44,13 +43,14 @@ std::string describe(const std::vector<NlpViolation>& conflict) {
 
 }  // namespace
 
-LeastViolation least_violation(Problem& problem, const VectorXd& scale, const VectorXd& start,
-                               double start_violation, const NlpOptions& options) {
+LeastViolation least_violation(NlpSolver solve, Problem& problem, const VectorXd& scale,
+                               const VectorXd& start, double start_violation,
+                               const NlpOptions& options) {
   ElasticProblem relaxed(problem, {0, 1}, scale, start, start_violation);
   NlpOptions inner = options;
   inner.explain_infeasible = false;
   inner.progress = nullptr;
-  const NlpResult r = solve_ipopt(relaxed, inner);
+  const NlpResult r = solve(relaxed, inner, nullptr);
 
   LeastViolation out;
   out.iterations = r.iterations;

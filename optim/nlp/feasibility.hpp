@@ -26,9 +26,12 @@ struct LeastViolation {
   std::string reason;  ///< sentence that names the conflict, or why it is unknown
 };
 
-/// @param scale of the constraints, all > 0. Solved by Ipopt from `start`, which has the scaled
+/// What solves the problem above: `solve_ipopt`, which asks for least violations itself.
+using NlpSolver = NlpResult (*)(Problem&, const NlpOptions&, const NlpWarmStart*);
+
+/// @param scale of the constraints, all > 0. Solved by `solve` from `start`, which has the scaled
 /// violation `start_violation`.
-LeastViolation least_violation(Problem& problem, const Eigen::VectorXd& scale,
+LeastViolation least_violation(NlpSolver solve, Problem& problem, const Eigen::VectorXd& scale,
                                const Eigen::VectorXd& start, double start_violation,
                                const NlpOptions& options);
 

@@ -318,7 +318,7 @@ std::optional<NlpResult> hopeless(Evaluator& e, const NlpOptions& options,
   const double violation = largest_violation(e.point().g, e.scaling().g);
   if (!options.explain_infeasible || violation <= kFar) return {};
   LeastViolation least =
-      least_violation(e.problem(), violation * e.scaling().g, e.point().x, 1, options);
+      least_violation(solve_ipopt, e.problem(), violation * e.scaling().g, e.point().x, 1, options);
   if (!least.solved || least.violation <= kHopeless) {
     start = least.x.cwiseQuotient(e.scaling().x);
     return {};
@@ -333,7 +333,7 @@ std::optional<NlpResult> hopeless(Evaluator& e, const NlpOptions& options,
 /// The constraints in conflict, or a second run from a feasible point.
 NlpResult explain(Evaluator& e, const NlpOptions& options, NlpResult r) {
   const LeastViolation least =
-      least_violation(e.problem(), e.scaling().g, r.x, r.violation, options);
+      least_violation(solve_ipopt, e.problem(), e.scaling().g, r.x, r.violation, options);
   if (least.solved && least.violation <= options.feasibility) {
     const VectorXd start = least.x.cwiseQuotient(e.scaling().x);
     NlpResult again = run_once(e, options, nullptr, &start);

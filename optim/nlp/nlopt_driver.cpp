@@ -11,6 +11,7 @@
 
 #include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/feasibility.hpp"
+#include "optim/nlp/ipopt_driver.hpp"
 #include "optim/nlp/kkt.hpp"
 
 namespace liesl {
@@ -144,7 +145,8 @@ void judge(Evaluator& e, nlopt_result code, const NlpOptions& o, NlpResult& r) {
 }
 
 void explain(Evaluator& e, const NlpOptions& o, NlpResult& r) {
-  const LeastViolation least = least_violation(e.problem(), e.scaling().g, r.x, r.violation, o);
+  const LeastViolation least =
+      least_violation(solve_ipopt, e.problem(), e.scaling().g, r.x, r.violation, o);
   r.reason = least.reason;
   r.conflict = least.conflict;
   r.stationarity = 1;

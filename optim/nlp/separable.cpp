@@ -123,7 +123,7 @@ bool Sequence::solve_model() {
     lambda_[model.kept()[k]] = r.multipliers.at(model.constraints()[k].id);
   if (relaxed_) {
     const VectorXd ones = VectorXd::Ones(static_cast<int>(model.kept().size()));
-    const LeastViolation least = least_violation(model, ones, r.x, r.violation, inner);
+    const LeastViolation least = least_violation(solve_ipopt, model, ones, r.x, r.violation, inner);
     if (!least.solved) reason_ = least.reason;
     if (!least.solved) return false;
     r.x = least.x;
@@ -269,7 +269,8 @@ NlpResult Sequence::result() {
     r.multipliers[e_.problem().constraints()[static_cast<std::size_t>(i)].id] =
         lambda_[i] * s.f / s.g[i];
   if (r.status != NlpStatus::Infeasible || !o_.explain_infeasible) return r;
-  const LeastViolation least = least_violation(e_.problem(), s.g, r.x, r.violation, o_);
+  const LeastViolation least =
+      least_violation(solve_ipopt, e_.problem(), s.g, r.x, r.violation, o_);
   r.conflict = least.conflict;
   r.stationarity = 1;
   r.reason = least.reason;

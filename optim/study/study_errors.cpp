@@ -5,6 +5,8 @@
 #include <set>
 #include <stdexcept>
 
+#include "mbs/sections/shape_dimensions.hpp"
+
 namespace liesl {
 namespace {
 

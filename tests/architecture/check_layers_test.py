@@ -70,13 +70,20 @@ class CheckLayers(unittest.TestCase):
         short = text.replace(lines, "", 1)
         self.assertEqual(errors_of({"mbs/model/a.hpp": short}), [])
 
-    def test_known_flaws_that_are_mended(self):
-        texts = {"mbs/model/a.hpp": '#include "mbs/model/b.hpp"\n', "mbs/model/b.hpp": ""}
-        known = {("mbs/model/a", "mbs/model/b")}
-        self.assertIn("take it out", check_layers.check_modules(texts, known)[0])
-        texts["mbs/model/b.hpp"] = '#include "mbs/model/a.hpp"\n'
-        self.assertEqual(check_layers.check_modules(texts, known), [])
-        self.assertIn("take it out", check_layers.check_classes({}, {("mbs/a.hpp", "A")})[0])
+    def test_test_that_stands_on_apps(self):
+        apps = {"apps/scene/scene.hpp": "", "tests/reference/shipped.hpp":
+                '#include "apps/scene/scene.hpp"\n'}
+        bad = {"tests/mbs/model/a_test.cpp": '#include "reference/shipped.hpp"\n'}
+        self.refuses({**apps, **bad}, "a test of mbs includes", "by tests/reference/shipped.hpp")
+        good = {"tests/optim/cycle/a_test.cpp": '#include "reference/shipped.hpp"\n'}
+        self.assertEqual(errors_of({**apps, **good}), [])
+
+    def test_test_in_no_folder_of_the_sources(self):
+        self.refuses({"tests/mbs/a_test.cpp": ""}, "no folder 'mbs' of sources")
+        self.assertEqual(errors_of({"tests/mbs/a_test.cpp": "", "tests/mbs/a.hpp": ""}), [])
+
+    def test_second_namespace_of_tests(self):
+        self.refuses({"tests/mbs/run.hpp": "namespace liesl::cases {\n}\n"}, "liesl::cases")
 
     def test_unknown_folder(self):
         self.refuses({"mbs/stuff/a.hpp": ""}, "'mbs/stuff' is not in LAYERS")
@@ -88,7 +95,7 @@ class CheckLayers(unittest.TestCase):
         self.refuses({"esl/a.cpp": "#include <cholmod.h>\n"}, "belongs to mbs/linalg")
 
     def test_long_file(self):
-        self.refuses({"tests/mbs/a_test.cpp": "// line\n" * 701}, "701 lines")
+        self.refuses({"tests/mbs/model/a_test.cpp": "// line\n" * 701}, "701 lines")
         self.refuses({"apps/plot/a.py": "x = 1\n" * 701}, "701 lines")
 
     def test_long_function(self):

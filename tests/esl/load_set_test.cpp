@@ -8,24 +8,25 @@
 #include <cmath>
 
 #include "esl/static_part.hpp"
-#include "reference/shipped.hpp"
+#include "mbs/motion.hpp"
 
 namespace liesl {
 namespace {
 
-using test::Changes;
 using test::Motion;
 
 constexpr int kCrank = 0, kRod = 1;
 
-Scene slider_crank(Changes changes = {}) {
-  changes.push_back("simulation.duration=0.06");
-  return test::shipped_scene("slider_crank", changes);
+Mechanism slider_crank(double E = 210e9) {
+  Mechanism m = test::slider_crank();
+  m.gravity = {0, -9.81, 0};
+  for (const int body : {kCrank, kRod}) std::get<BeamSpec>(m.bodies[body].kind).material.E = E;
+  return m;
 }
 
 template <FrameGroup G>
-Motion<G> run(const Scene& scene) {
-  return Motion<G>(scene.mechanism, scene.simulation);
+Motion<G> run(const Mechanism& m, double step = 1e-4) {
+  return Motion<G>(m, test::options(0.06, step));
 }
 
 template <class G>
@@ -70,8 +71,8 @@ struct LinearError {
 };
 
 template <FrameGroup G>
-LinearError linear_error(const Scene& scene) {
-  const auto motion = run<G>(scene);
+LinearError linear_error(const Mechanism& m) {
+  const auto motion = run<G>(m);
   const LoadSet loads = extract_loads(motion.model, motion.trajectory(), kRod);
   const auto& beam = dynamic_cast<const Beam<G>&>(*motion.model.bodies[kRod]);
   Eigen::MatrixXd C(beam.size(), 0);
@@ -102,41 +103,18 @@ LinearError linear_error(const Scene& scene) {
 
 TYPED_TEST(Loads, GiveTheDeformationBackToFirstOrderInStrainInTheLinearProblem) {
   // The stiffer, the smaller the strain; the motion stays about the same.
-  const LinearError soft = linear_error<TypeParam>(slider_crank({"materials.steel.E=8.4e11"}));
-  const LinearError stiff = linear_error<TypeParam>(slider_crank({"materials.steel.E=8.4e13"}));
+  const LinearError soft = linear_error<TypeParam>(slider_crank(8.4e11));
+  const LinearError stiff = linear_error<TypeParam>(slider_crank(8.4e13));
   const double slope = std::log(soft.error / stiff.error) / std::log(soft.strain / stiff.strain);
   EXPECT_GT(soft.strain / stiff.strain, 10);
   EXPECT_NEAR(slope, 1, 0.15) << soft.strain << " " << soft.error << ", " << stiff.strain << " "
                               << stiff.error;
 }
 
-/// The whole scene moved by g.
-Mechanism moved(Mechanism m, const SE3& g) {
-  m.gravity = g.R * m.gravity;
-  for (auto& body : m.bodies) {
-    body.velocity = g.R * body.velocity;
-    body.angular_velocity = g.R * body.angular_velocity;
-    if (auto* beam = std::get_if<BeamSpec>(&body.kind))
-      for (auto& node : beam->nodes) node = g * node;
-    if (auto* rigid = std::get_if<RigidSpec>(&body.kind)) {
-      rigid->frame = g * rigid->frame;
-      for (auto& [name, x] : rigid->points) x = g.R * x + g.x;
-    }
-  }
-  for (auto& joint : m.joints) {
-    joint.axis = g.R * joint.axis;
-    joint.axis2 = g.R * joint.axis2;
-    for (Port* port : {&joint.a, &joint.b})
-      if (port->body < 0) port->offset = g * port->offset;
-  }
-  return m;
-}
-
 TYPED_TEST(Loads, DoNotChangeWhenTheSceneIsMoved) {
-  const Scene scene = slider_crank();
   const SE3 g = SE3::exp((SE3::Tangent() << 0.1, -0.2, 0.15, 0.9, -0.4, 1.3).finished());
-  const Motion<TypeParam> here(scene.mechanism, scene.simulation);
-  const Motion<TypeParam> there(moved(scene.mechanism, g), scene.simulation);
+  const auto here = run<TypeParam>(slider_crank());
+  const auto there = run<TypeParam>(test::moved(slider_crank(), g));
   ASSERT_TRUE(here.good() && there.good());
   for (const int body : {kCrank, kRod}) {
     const LoadSet a = extract_loads(here.model, here.trajectory(), body);
@@ -146,12 +124,12 @@ TYPED_TEST(Loads, DoNotChangeWhenTheSceneIsMoved) {
 }
 
 TEST(LoadSets, ArePlanarAsInSpace) {
-  const Scene scene = slider_crank();
-  const auto plane = run<SE2>(scene);
-  const auto space = run<SE3>(scene);
+  const Mechanism m = slider_crank();
+  const auto plane = run<SE2>(m);
+  const auto space = run<SE3>(m);
   const LoadSet flat = extract_loads(plane.model, plane.trajectory(), kRod);
   const LoadSet full = extract_loads(space.model, space.trajectory(), kRod);
-  const auto& beam = std::get<BeamSpec>(scene.mechanism.bodies[kRod].kind);
+  const auto& beam = std::get<BeamSpec>(m.bodies[kRod].kind);
   Eigen::MatrixXd lifted(full.f.rows(), full.f.cols());
   for (int k = 0; k < static_cast<int>(beam.nodes.size()); ++k)
     for (int n = 0; n < full.f.cols(); ++n)
@@ -174,7 +152,7 @@ TEST(LoadSets, ChangeIsRelativeWithMomentsOverLength) {
 }
 
 TEST(LoadSets, RigidBodiesHaveNone) {
-  const auto motion = run<SE2>(slider_crank({"simulation.step=1e-3"}));
+  const auto motion = run<SE2>(slider_crank(), 1e-3);
   EXPECT_THROW(extract_loads(motion.model, motion.trajectory(), 2), std::invalid_argument);
 }
 

@@ -14,7 +14,7 @@ namespace liesl {
 namespace {
 
 struct Moved {
-  Mechanism mechanism = reference::slider_crank_with_mesh(30, 3, 5);
+  Mechanism mechanism = test::slider_crank_with_mesh(30, 3, 5);
   Model<SE2> model = Model<SE2>::build(mechanism, *find_plane(mechanism).plane);
   DynamicResult<SE2> result;
   SolidLoadSet loads;

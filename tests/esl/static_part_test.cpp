@@ -8,7 +8,8 @@
 #include <cmath>
 #include <memory>
 
-#include "reference/shipped.hpp"
+#include "mbs/run.hpp"
+#include "mbs/static_cases.hpp"
 
 namespace liesl {
 namespace {
@@ -16,7 +17,7 @@ namespace {
 using Matrix = Eigen::MatrixXd;
 using Vector = Eigen::VectorXd;
 
-/// One beam of a shipped scene: curved in space (bend45), straight in the plane (slider_crank).
+/// One beam: curved in space (45 degree bend), straight in the plane (rod of the slider-crank).
 template <FrameGroup G>
 struct Sample {
   Mechanism mechanism;
@@ -25,17 +26,14 @@ struct Sample {
   const Beam<G>& beam;
 
   static constexpr bool planar = G::dim == 3;
-  Sample()
-      : Sample(planar ? test::shipped_scene("slider_crank").mechanism
-                      : test::shipped_scene("bend45", {"materials.soft.rho=1000"}).mechanism,
-               planar ? 1 : 0) {}
+  Sample() : Sample(planar ? test::slider_crank() : test::bend45(8, 600), planar ? 1 : 0) {}
   Sample(const Mechanism& m, int b)
       : mechanism(m),
         model(Model<G>::build(mechanism, test::space_of<G>(mechanism))),
         body(b),
         beam(dynamic_cast<const Beam<G>&>(*model.bodies[b])) {}
 
-  HeldPart held(const std::vector<std::string>& support) const {
+  PartSupport held(const std::vector<std::string>& support) const {
     return read_support(support, mechanism, model, body);
   }
   typename StaticPart<G>::Law law() const {
@@ -93,7 +91,7 @@ TYPED_TEST(Part, SolvesAsADenseMatrixDoes) {
   const Sample<TypeParam> sample;
   const int n = sample.beam.size();
   for (const auto& support : supports(sample.planar)) {
-    const HeldPart held = sample.held(support);
+    const PartSupport held = sample.held(support);
     StaticPart<TypeParam> part(sample.beam, held, random(n, 2, 1));
     Matrix f = random(n, 3, 2);
     part.set_loads(f);
@@ -242,7 +240,12 @@ TEST(InertiaRelief, PulledBarCarriesTheForceThatItsMassBehindNeeds) {
 
 TEST(LongSlenderPart, KeepsItsDigits) {
   // 100 elements with shear made rigid: factoring the stiffness would lose nine digits.
-  const Sample<SE2> sample(test::shipped_scene("svanberg_cantilever").mechanism, 0);
+  const Box wall{0.05002, 0.05002, 2e-5};
+  const Section stiff_in_shear{"wall", wall, {20, 20}};
+  Mechanism m = test::cantilever(
+      test::straight_beam({0, 0, 0}, {5, 0, 0}, 100, stiff_in_shear, test::steel()));
+  m.loads.push_back(test::tip_load(m, {0, -0.042, 0}));  // makes it planar
+  const Sample<SE2> sample(m, 0);
   const double force = 0.042, L = 5, h = 0.05;
   const auto K = sample.law();
   Matrix C = Matrix::Zero(sample.beam.size(), 1);
@@ -274,7 +277,10 @@ TEST(Support, BadOnesAreRefusedWithText) {
 }
 
 TEST(Support, InertiaReliefNeedsMass) {
-  const Sample<SE3> massless(test::shipped_scene("bend45").mechanism, 0);
+  Mechanism m = test::bend45(8, 600);
+  for (Section& s : std::get<BeamSpec>(m.bodies[0].kind).sections)
+    std::get<FullSection>(s.shape).inertia.setZero();
+  const Sample<SE3> massless(m, 0);
   EXPECT_THROW(massless.held({"inertia_relief"}), std::invalid_argument);
 }
 

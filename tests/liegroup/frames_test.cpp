@@ -7,7 +7,7 @@
 
 #include "sampling.hpp"
 
-namespace liesl::testing_support {
+namespace liesl::test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -188,4 +188,4 @@ TEST(ProductGroup, StacksItsFactors) {
 }
 
 }  // namespace
-}  // namespace liesl::testing_support
+}  // namespace liesl::test

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The property suite every group of liesl passes: DESIGN notation, identities of Sonneville,
+/// The property suite every group of liesl passes: identities of Sonneville,
 /// Cardona, Brüls (2014). Instantiate with
 ///   INSTANTIATE_TYPED_TEST_SUITE_P(Name, GroupProperties, testing::Types<G...>);
 ///
@@ -16,7 +16,7 @@
 #include "liegroup/numdiff.hpp"
 #include "sampling.hpp"
 
-namespace liesl::testing_support {
+namespace liesl::test {
 
 template <class G>
 class GroupProperties : public testing::Test {
@@ -187,4 +187,4 @@ REGISTER_TYPED_TEST_SUITE_P(GroupProperties, IsAGroup, ExpAndLog, SmallTangentsA
                             Adjoint, TangentOperator, DerivativeIdentities,
                             DerivativesAgainstDifferences);
 
-}  // namespace liesl::testing_support
+}  // namespace liesl::test

@@ -15,7 +15,7 @@
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
 
-namespace liesl::testing_support {
+namespace liesl::test {
 
 using Rng = std::mt19937_64;
 
@@ -76,4 +76,4 @@ inline std::vector<double> angle_sweep() {
 /// max_norm for all expressions in one instantiation; NaN counts as infinite and fails every bound.
 inline double size_of(const Eigen::Ref<const Eigen::MatrixXd>& A) { return max_norm(A); }
 
-}  // namespace liesl::testing_support
+}  // namespace liesl::test

@@ -27,7 +27,7 @@ void operator delete(void* p) noexcept { std::free(p); }
 void operator delete(void* p, std::size_t) noexcept { std::free(p); }
 void operator delete(void* p, const std::nothrow_t&) noexcept { std::free(p); }
 
-namespace liesl::testing {
+namespace liesl::test {
 
 long allocation_count() { return allocations; }
 
@@ -37,4 +37,4 @@ TEST(AllocationCount, SeesAnAllocation) {
   EXPECT_EQ(allocation_count(), before + 1);
 }
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

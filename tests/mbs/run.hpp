@@ -7,13 +7,26 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <stdexcept>
 
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/plane.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
+
+/// Space, or the plane of a mechanism that has one.
+template <FrameGroup G>
+Space<G> space_of(const Mechanism& m) {
+  if constexpr (G::space_dim == 2) {
+    const PlaneSearch found = find_plane(m);
+    if (!found.plane) throw std::runtime_error("not planar: " + found.reason);
+    return *found.plane;
+  } else {
+    return {};
+  }
+}
 
 template <class G>
 struct Run {
@@ -37,9 +50,7 @@ inline Run<SE3> run_spatial(const Mechanism& m, const SimulationOptions& options
   return run<SE3>(m, {}, options);
 }
 inline Run<SE2> run_planar(const Mechanism& m, const SimulationOptions& options) {
-  const auto search = find_plane(m);
-  if (!search.plane) throw std::runtime_error("not planar: " + search.reason);
-  return run<SE2>(m, *search.plane, options);
+  return run<SE2>(m, space_of<SE2>(m), options);
 }
 
 inline SimulationOptions options(double duration, double step, double rho = 0.8,
@@ -56,8 +67,8 @@ inline SimulationOptions options(double duration, double step, double rho = 0.8,
 template <class G>
 int row_of(const Model<G>& model, int coupling, int coordinate) {
   const auto& c = model.couplings[std::size_t(coupling)];
-  for (std::size_t i = 0; i < c.equations.size(); ++i)
-    if (c.equations[i].coordinate == coordinate) return c.first_row + int(i);
+  for (std::size_t i = 0; i < c.rows.size(); ++i)
+    if (c.rows[i].coordinate == coordinate) return c.first_row + int(i);
   return -1;
 }
 
@@ -71,7 +82,7 @@ typename G::Tangent joint_wrench(const Model<G>& model, const G* H, const Eigen:
   typename G::Tangent wrench = G::Tangent::Zero();
   for (int i = 0; i < c.constraints; ++i) {
     typename Row<G>::Gradient g;
-    c.equations[std::size_t(i)].row.gradient(motion, g);
+    c.rows[std::size_t(i)].row.gradient(motion, g);
     wrench -= lambda[c.first_constraint + i] * g.template tail<G::dim>();
   }
   return wrench;
@@ -120,4 +131,4 @@ class Random {
   std::uniform_real_distribution<double> distribution_{-1, 1};
 };
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

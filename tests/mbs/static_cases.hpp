@@ -7,7 +7,7 @@
 #include "mbs/model/curves.hpp"
 #include "mbs/solvers/statics.hpp"
 
-namespace liesl::cases {
+namespace liesl::test {
 
 /// Section by its stiffness [EA, GA_y, GA_z, GJ, EI_y, EI_z] and inertia (unit density by default).
 inline Section section(const SE3::Tangent& stiffness,
@@ -78,21 +78,6 @@ inline Mechanism bend45(int n, double P, double shear_factor = 1, double J = 1. 
   return m;
 }
 
-/// The same scene after a rigid motion.
-inline Mechanism moved(Mechanism m, const SE3& H) {
-  for (auto& body : m.bodies)
-    for (auto& node : std::get<BeamSpec>(body.kind).nodes) node = H * node;
-  for (auto& joint : m.joints) {
-    joint.axis = H.R * joint.axis;
-    joint.axis2 = H.R * joint.axis2;
-  }
-  for (auto& load : m.loads) {
-    load.force = H.R * load.force;
-    load.moment = H.R * load.moment;
-  }
-  return m;
-}
-
 template <FrameGroup G>
 struct Solved {
   StaticResult<G> result;
@@ -127,4 +112,4 @@ Value richardson(const Value& coarse, const Value& fine) {
   return fine + (fine - coarse) / 3;
 }
 
-}  // namespace liesl::cases
+}  // namespace liesl::test

@@ -9,7 +9,7 @@
 #include <functional>
 #include <string>
 
-namespace liesl::testing {
+namespace liesl::test {
 
 using VectorOf = std::function<Eigen::VectorXd(double)>;
 
@@ -45,4 +45,4 @@ inline VectorOf central_second(const VectorOf& f, double x) {
   return [=](double h) -> Eigen::VectorXd { return (f(x + h) - 2 * f(x) + f(x - h)) / (h * h); };
 }
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

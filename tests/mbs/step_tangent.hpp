@@ -1,13 +1,85 @@
 #pragma once
 /// @file
-/// The iteration matrix of a step against differences of the residual, at a state of a motion.
+/// The iteration matrix against differences of the residual: of a step at a state of a motion, and
+/// of statics; its solutions against its transposed solutions.
 
 #include <gtest/gtest.h>
 
+#include "mbs/run.hpp"
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/solvers/iteration_matrix.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
+
+/// Columns that are unknowns: not of nodes that follow others, nor what pads amplitudes.
+template <FrameGroup G>
+std::vector<int> unknowns(const Model<G>& model) {
+  std::vector<int> out;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body<G>& body = *model.bodies[b];
+    const int first = G::dim * model.first_node(static_cast<int>(b));
+    for (int i = 0; i < body.size() - body.padding(); ++i)
+      if (body.kind(i / G::dim) != NodeKind::Follower) out.push_back(first + i);
+  }
+  for (int i = 0; i < model.constraints(); ++i) out.push_back(model.size() + i);
+  return out;
+}
+
+/// Error of column j of A against differences of the residual, relative to the column (absolute if
+/// it is zero): the best of the steps 1e-1 ... 1e-10.
+template <class Residual>
+double column_error(const Eigen::SparseMatrix<double>& A, int j, const Residual& residual) {
+  double best = 1;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
+  const Eigen::VectorXd column = A.col(j);
+  const double size = column.norm() > 0 ? column.norm() : 1;
+  for (double h = 0.1; h > 5e-11; h /= 10) {
+    x[j] = h;
+    const Eigen::VectorXd up = residual(x), down = residual(-x);
+    best = std::min(best, ((up - down) / (2 * h) - column).norm() / size);
+  }
+  return best;
+}
+
+/// At most about `most` columns, spread over all, within 1e-7 of their differences.
+template <class Residual>
+void expect_derivative(const Eigen::SparseMatrix<double>& A, const std::vector<int>& columns,
+                       int most, const Residual& residual, const std::string& what) {
+  ASSERT_FALSE(columns.empty()) << what;
+  const std::size_t every = std::max<std::size_t>(1, columns.size() / std::size_t(most));
+  double worst = 0;
+  int at = 0;
+  for (std::size_t j = 0; j < columns.size(); j += every)
+    if (const double error = column_error(A, columns[j], residual); !(error <= worst))
+      worst = error, at = columns[j];
+  EXPECT_LE(worst, 1e-7) << what << ": column " << at << " of " << A.cols();
+}
+
+constexpr int kAllColumns = 1 << 30;
+
+/// The matrix of statics at a state at rest.
+template <FrameGroup G>
+void expect_exact_statics(const Model<G>& model, const State<G>& s, const LoadLevel& level,
+                          const std::string& what, int most = kAllColumns) {
+  State<G> still = s;
+  still.v.setZero();
+  still.vdot.setZero();
+  Equations<G> equations(model);
+  equations.evaluate(still, s.rows, level);
+  IterationMatrix<G> statics(model);
+  statics.take_prestress(equations, still);
+  const Eigen::SparseMatrix<double> K = statics.assemble(equations, still, level);
+  const auto residual = [&](const Eigen::VectorXd& x) {
+    State<G> at = still;
+    model.retract(at, x.head(model.size()));
+    at.lambda += x.tail(model.constraints());
+    equations.evaluate(at, s.rows, level);
+    Eigen::VectorXd out(x.size());
+    out << equations.r, equations.phi;
+    return out;
+  };
+  expect_derivative(K, unknowns(model), most, residual, what + ", statics");
+}
 
 /// A model after some steps of a simulation: the last two states and what the last step was made
 /// of.
@@ -19,7 +91,7 @@ class StepTangent {
     o.rescale = false;  // rotation vectors stay those of the step
     s_ = model.initial_state();
     const InitialState start = make_consistent(model, o, s_);
-    EXPECT_EQ(start.status, SolveStatus::Converged) << start.reason;
+    if (start.status != SolveStatus::Converged) throw std::runtime_error(start.reason);
     GeneralizedAlpha<G> integrator(model, o);
     integrator.start(s_);
     double h = o.step;
@@ -31,12 +103,13 @@ class StepTangent {
     weights_ = AlphaWeights(o.rho_inf).at(h);
     coordinates_.difference(old_, s_, dq_);
     coordinates_.rates(s_, u_, udot_);
-    equations_.evaluate(s_, s_.q, {s_.t, 1});
+    equations_.evaluate(s_, s_.rows, {s_.t, 1});
     coordinates_.rate_tangents(s_, dq_, u_, udot_, weights_, rates_);
     matrix_.take_prestress(equations_, s_);
     S_ = matrix_.assemble(equations_, s_, {s_.t, 1}, &rates_);
   }
 
+  const State<G>& state() const { return s_; }
   const Eigen::SparseMatrix<double>& S() const { return S_; }
   IterationMatrix<G>& matrix() { return matrix_; }
 
@@ -47,47 +120,32 @@ class StepTangent {
     State<G> at = s_;
     coordinates_.place(old_, dq_ + e, u_ + weights_.damping * e, udot_ + weights_.mass * e, at);
     at.lambda += x.tail(model_.constraints());
-    equations_.evaluate(at, s_.q, {s_.t, 1});
+    equations_.evaluate(at, s_.rows, {s_.t, 1});
     Eigen::VectorXd out(x.size());
     out << equations_.r, equations_.phi;
     return out;
   }
 
-  /// Largest error of a column, relative to it: the best of steps 1e-3 ... 1e-7.
-  double column_error(int j) {
-    double best = 1;
-    Eigen::VectorXd x = Eigen::VectorXd::Zero(S_.cols());
-    const Eigen::VectorXd column = S_.col(j);
-    for (double h = 1e-3; h > 5e-8; h /= 10) {
-      x[j] = h;
-      const Eigen::VectorXd up = residual(x), down = residual(-x);
-      best = std::min(best, ((up - down) / (2 * h) - column).norm() / column.norm());
-    }
-    return best;
+  void expect_exact(const std::string& what, int most = kAllColumns) {
+    expect_derivative(
+        S_, unknowns(model_), most, [this](const Eigen::VectorXd& x) { return residual(x); }, what);
   }
 
-  /// Columns that are unknowns: not of nodes that follow others, nor what pads amplitudes.
-  std::vector<int> columns() const {
-    std::vector<int> out;
-    for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
-      const Body<G>& body = *model_.bodies[b];
-      const int first = G::dim * model_.first_node(static_cast<int>(b));
-      for (int i = 0; i < body.size() - body.padding(); ++i)
-        if (body.kind(i / G::dim) != NodeKind::Follower) out.push_back(first + i);
-    }
-    for (int i = 0; i < model_.constraints(); ++i) out.push_back(model_.size() + i);
-    return out;
-  }
-
-  /// Every `every`-th column within 1e-7 of its difference.
-  void expect_exact(const std::string& what, int every = 1) {
-    const std::vector<int> all = columns();
-    double worst = 0;
-    int at = 0;
-    for (std::size_t j = 0; j < all.size(); j += static_cast<std::size_t>(every))
-      if (const double error = column_error(all[j]); !(error <= worst)) worst = error, at = all[j];
-    EXPECT_LE(worst, 1e-7) << what << ": column " << at << " of " << S_.cols() << " (node "
-                           << at / G::dim << ", component " << at % G::dim << ")";
+  /// S x = a and S^T y = b: <x, b> = <a, y> within what rounding leaves of backward stable
+  /// solutions, |y|^T (|S| |x| + |a|) and |x|^T (|S^T| |y| + |b|).
+  void expect_transposed(const std::string& what) {
+    ASSERT_TRUE(matrix_.factor()) << what;
+    Random random{5};
+    const int n = static_cast<int>(S_.rows());
+    const Eigen::VectorXd a = random.vector(n), b = random.vector(n);
+    Eigen::MatrixXd x = a, y = b;
+    matrix_.lu().solve(x);
+    matrix_.lu().solve_transposed(y);
+    const Eigen::SparseMatrix<double> size = S_.cwiseAbs();
+    const double bound =
+        y.col(0).cwiseAbs().dot(size * x.cwiseAbs().col(0) + a.cwiseAbs()) +
+        x.col(0).cwiseAbs().dot(size.transpose() * y.cwiseAbs().col(0) + b.cwiseAbs());
+    EXPECT_LE(std::abs(x.col(0).dot(b) - y.col(0).dot(a)), 1e-12 * bound) << what;
   }
 
  private:
@@ -102,4 +160,4 @@ class StepTangent {
   Eigen::SparseMatrix<double> S_;
 };
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -11,7 +11,7 @@
 #include <functional>
 #include <vector>
 
-namespace liesl::reference {
+namespace liesl::test {
 
 /// Stiffness of a unit square for E = 1 and thickness 1, corners counter-clockwise from lower left.
 inline Eigen::Matrix<double, 8, 8> bilinear_square(double nu) {
@@ -111,4 +111,4 @@ inline double least_compliance(int nx, int ny, double nu, double P, int n, doubl
   return bound;
 }
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -11,7 +11,7 @@
 
 #include "optim/nlp/problem.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 class ManyLoadCases : public Problem {
  public:
@@ -51,4 +51,4 @@ class ManyLoadCases : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -7,7 +7,7 @@
 #include "mbs/model/curves.hpp"
 #include "mbs/model/mechanism.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 inline Material steel() { return {"steel", 210e9, 0.3, 7850}; }
 
@@ -42,7 +42,8 @@ inline RigidSpec block(const Vec3& at, double mass, double inertia) {
   return r;
 }
 
-/// Slider-crank of DESIGN section 5 and BENCHMARKS section 3; crank 20 mm, from the dead point.
+/// Slider-crank of data/scenes/slider_crank.toml, without gravity: crank 20 mm, from the dead
+/// point.
 struct SliderCrank {
   int elements = 8;
   double crank = 0.020, rod = 0.010;
@@ -64,7 +65,7 @@ inline Mechanism slider_crank(const SliderCrank& p = {}) {
   return m;
 }
 
-/// Flexible pendulum of BENCHMARKS section 3.
+/// Flexible pendulum of data/scenes/pendulum.toml.
 inline Mechanism pendulum(int n) {
   Section s;
   s.shape = Rectangle{0.01, 0.01};
@@ -78,7 +79,7 @@ inline Mechanism pendulum(int n) {
   return m;
 }
 
-/// Heavy top of Bruels, Cardona, Arnold 2012 (BENCHMARKS section 3); its frame is at the centre of
+/// Heavy top of Bruels, Cardona, Arnold 2012; its frame is at the centre of
 /// mass.
 inline Mechanism heavy_top() {
   RigidSpec r;
@@ -94,7 +95,7 @@ inline Mechanism heavy_top() {
   return m;
 }
 
-/// Free-flying beam in 3-D of Simo & Vu-Quoc 1988 (BENCHMARKS section 3); A = node 0 is loaded.
+/// Free-flying beam in 3-D of Simo & Vu-Quoc 1988; A = node 0 is loaded.
 inline Mechanism flying_beam(int n) {
   SE3::Tangent K, M;
   K << 1e4, 1e4, 1e4, 500, 500, 500;
@@ -112,7 +113,7 @@ inline Mechanism flying_beam(int n) {
   return m;
 }
 
-/// Spin-up of Kane, Ryan, Banerjee 1987 (BENCHMARKS section 3).
+/// Spin-up of Kane, Ryan, Banerjee 1987.
 inline Mechanism spin_up(int n) {
   SE3::Tangent K, M;
   K << 2.8e7, 1e7, 1e7, 1e4, 1.4e4, 1.4e4;
@@ -185,4 +186,4 @@ inline SE3 oblique() {
   return SE3::exp(h);
 }
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -4,7 +4,7 @@
 
 #include "reference/mechanisms.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 inline constexpr double kRodLength = 0.3, kRodHeight = 0.014, kRodThickness = 0.01;
 
@@ -57,4 +57,4 @@ inline Mechanism slider_crank_with_beam(int n = 16) {
                            n);
 }
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -1,11 +1,11 @@
 #pragma once
 /// @file
-/// Published and independently recomputed values of dynamics (BENCHMARKS section 3).
+/// Published and independently recomputed values of dynamics.
 
 #include <Eigen/Core>
 #include <array>
 
-namespace liesl::reference {
+namespace liesl::test {
 
 /// O. Bruels, A. Cardona, M. Arnold, "Lie group generalized-alpha time integration of constrained
 /// flexible multibody systems", Mech. Mach. Theory 48 (2012): heavy top. Values of an adaptive
@@ -61,4 +61,4 @@ struct SliderCrankRow {
   double step, rod, offset, offset_tolerance, slider, slider_tolerance;
 };
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

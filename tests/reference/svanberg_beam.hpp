@@ -11,7 +11,7 @@
 
 #include "optim/nlp/problem.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 class SvanbergBeam : public Problem {
  public:
@@ -60,4 +60,4 @@ class SvanbergBeam : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -18,7 +18,7 @@
 
 #include "optim/nlp/problem.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 class TenBarTruss : public Problem {
  public:
@@ -115,4 +115,4 @@ class TenBarTruss : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

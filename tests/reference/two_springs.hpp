@@ -12,7 +12,7 @@
 
 #include "optim/nlp/problem.hpp"
 
-namespace liesl::reference {
+namespace liesl::test {
 
 class TwoSprings : public Problem {
  public:
@@ -43,4 +43,4 @@ class TwoSprings : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-}  // namespace liesl::reference
+}  // namespace liesl::test

@@ -278,11 +278,14 @@ std::vector<fs::path> shipped(const char* folder) {
 }
 
 TEST_F(Cli, ChecksEveryShippedFile) {
-  for (const char* folder : {"scenes", "studies", "stability", "stability/studies"})
+  for (const char* folder : {"scenes", "studies", "stability", "stability/studies"}) {
+    ASSERT_FALSE(shipped(folder).empty()) << folder;
     for (const auto& file : shipped(folder)) EXPECT_EQ(run({"check", file}).code, 0) << file;
+  }
 }
 
 TEST_F(Cli, RunsEveryShippedScene) {
+  ASSERT_GE(shipped("scenes").size(), 15u);
   for (const auto& file : shipped("scenes")) {
     const Outcome o = run({"run", file, "-o", results(), "-f", "-q"});
     EXPECT_EQ(o.code, 0) << file << "\n" << o.err;

@@ -1,7 +1,7 @@
 /// @file
 /// `liesl optimize --nucleate`: what it prints, writes and refuses.
 #include "apps/program.hpp"
-#include "apps/study/study.hpp"
+#include "apps/study/load_study.hpp"
 
 namespace {
 

@@ -41,7 +41,7 @@ TEST_F(SolidRun, SaysHowFarTheModesReach) {
   }
 }
 
-/// The line of the issue, on the scenes that are shipped.
+/// Shipped parts keep enough modes for what excites them.
 TEST_F(SolidRun, ShippedPartsAreRightUpToTwiceTheirHighestHarmonic) {
   for (const char* name : {"meshed_slider_crank", "connecting_rod"}) {
     ASSERT_EQ(run({"run", scene(name), "-o", results(), "--force"}).code, 0);

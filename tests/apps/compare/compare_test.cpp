@@ -7,8 +7,9 @@
 #include "apps/batch/case_table.hpp"
 #include "apps/compare/comparison.hpp"
 #include "apps/compare/conserved.hpp"
+#include "apps/input/document.hpp"
 #include "apps/program.hpp"
-#include "apps/scene/scene.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/system/energy.hpp"
 
@@ -274,7 +275,7 @@ TEST_F(Compare, RunsThatStopAreRows) {
   EXPECT_EQ(summary()["ended"]["stopped"], stopped);
 }
 
-/// A tangent taken again is a recovery where it should be constant, and the rule elsewhere.
+/// A refactorised tangent is a recovery where it should be constant, and the rule elsewhere.
 TEST_F(Compare, WhatIsARecoveryDependsOnTheTangentOfTheFormalism) {
   EXPECT_EQ(compare(head("pendulum", "tip") +
                     "[grid]\nformalism = [\"se3\", \"r3so3\", \"floating\"]\nstep = [5e-3]\n"

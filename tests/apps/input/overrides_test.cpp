@@ -5,7 +5,9 @@
 #include <filesystem>
 
 #include "apps/good_scene.hpp"
-#include "apps/study/study.hpp"
+#include "apps/input/document.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
 namespace liesl {

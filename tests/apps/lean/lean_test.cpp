@@ -8,10 +8,12 @@
 #include <map>
 #include <set>
 
+#include "apps/input/document.hpp"
 #include "apps/input/rewrite.hpp"
 #include "apps/lean/setting.hpp"
 #include "apps/lean/trial.hpp"
 #include "apps/program.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "mbs/solvers/richardson.hpp"
 
 namespace {

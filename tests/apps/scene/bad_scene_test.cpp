@@ -7,7 +7,7 @@
 #include <tuple>
 
 #include "apps/good_scene.hpp"
-#include "apps/scene/scene.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "reference/places.hpp"
 
 namespace liesl {

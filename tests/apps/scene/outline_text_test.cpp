@@ -6,7 +6,7 @@
 
 #include <algorithm>
 
-#include "apps/scene/scene.hpp"
+#include "apps/scene/load_scene.hpp"
 
 namespace liesl {
 namespace {

@@ -1,7 +1,5 @@
 /// @file
 /// Scenes: the right numbers, all problems at once, files that are none.
-#include "apps/scene/scene.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +8,8 @@
 #include <random>
 
 #include "apps/good_scene.hpp"
+#include "apps/input/document.hpp"
+#include "apps/scene/load_scene.hpp"
 
 namespace liesl {
 namespace {

@@ -7,7 +7,11 @@
 #include <filesystem>
 
 #include "apps/batch/batch.hpp"
-#include "apps/study/study.hpp"
+#include "apps/input/document.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
+#include "mbs/sections/section_law.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 #include "reference/places.hpp"
 
 namespace liesl {

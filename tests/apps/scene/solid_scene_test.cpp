@@ -9,7 +9,7 @@
 #include <numbers>
 
 #include "apps/good_scene.hpp"
-#include "apps/scene/scene.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 

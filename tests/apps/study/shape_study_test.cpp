@@ -6,7 +6,7 @@
 #include <filesystem>
 
 #include "apps/good_scene.hpp"
-#include "apps/study/study.hpp"
+#include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
 namespace liesl {

@@ -1,13 +1,12 @@
 /// @file
 /// Studies: the right numbers, and faults at their places.
-#include "apps/study/study.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 
 #include "apps/good_scene.hpp"
+#include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
 namespace liesl {

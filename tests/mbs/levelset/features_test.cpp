@@ -5,7 +5,7 @@
 #include "liegroup/numdiff.hpp"
 #include "mbs/levelset/shapes.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 using Eigen::Vector3d;
@@ -37,7 +37,7 @@ class EveryShape : public ::testing::TestWithParam<NamedShape> {};
 TEST_P(EveryShape, GradientsPassTheStepSweep) {
   const LevelSetPtr shape = GetParam().make();
   const VectorXd p0 = shape->start();
-  ASSERT_EQ(shape->flaw(), "");
+  ASSERT_EQ(shape->error(), "");
   const auto points = smooth_points(*shape, 12);
   ASSERT_GE(points.size(), 6u);
   int with_slope = 0;
@@ -128,13 +128,13 @@ TEST(LevelSet, SplineGoesThroughItsPointsEitherWayRound) {
 
 TEST(LevelSet, SplineThroughPointsOfACircleConvergesWithOrderFour) {
   double previous = 0;
-  for (int n : {8, 16, 32}) {
+  for (int n : {16, 32}) {
     const LevelSetPtr s = closed_curve(CurveKind::Spline, ring(n, 1, 0));
     double worst = 0;
     for (double a = 0; a < 6.28; a += 0.01)
       worst = std::max(worst, std::abs(s->value({std::cos(a), std::sin(a), 0})));
     if (previous > 0) {
-      EXPECT_NEAR(std::log2(previous / worst), 4, 0.3);
+      EXPECT_NEAR(std::log2(previous / worst), 4, 0.05);
     }
     previous = worst;
   }
@@ -156,15 +156,15 @@ TEST(LevelSet, NurbsFollowsItsWeights) {
 }
 
 TEST(LevelSet, FlawsAreNamed) {
-  EXPECT_NE(turned(circle(-0.1))->flaw().find("radius"), std::string::npos);
-  EXPECT_NE(rectangle(1, 0.2, 0.15)->flaw().find("fillet"), std::string::npos);
+  EXPECT_NE(turned(circle(-0.1))->error().find("radius"), std::string::npos);
+  EXPECT_NE(rectangle(1, 0.2, 0.15)->error().find("fillet"), std::string::npos);
   const LevelSetPtr eight = closed_curve(CurveKind::Polyline, {{0, 0}, {1, 1}, {1, 0}, {0, 1}});
-  EXPECT_NE(eight->flaw().find("crosses itself"), std::string::npos);
+  EXPECT_NE(eight->error().find("crosses itself"), std::string::npos);
   const LevelSetPtr tree = subtract(pair(rectangle(1, 1), circle(-0.1)));
-  EXPECT_EQ(tree->flaw().substr(0, 2), "b:");
+  EXPECT_EQ(tree->error().substr(0, 2), "b:");
   EXPECT_THROW(closed_curve(CurveKind::Spline, ring(3, 1)), std::invalid_argument);
   EXPECT_THROW(closed_curve(CurveKind::Nurbs, ring(5, 1), {1, 2}), std::invalid_argument);
 }
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -58,13 +58,13 @@ TEST(ShapeSpec, NamesEveryFlaw) {
     change(spec.features);
     EXPECT_THROW(make_shape(spec), std::invalid_argument);
     std::string text;
-    for (const auto& flaw : flaws(spec)) text += flaw.feature + " " + flaw.text + "; ";
+    for (const auto& error : shape_errors(spec)) text += error.feature + " " + error.text + "; ";
     return text;
   };
   const auto has = [](const std::string& text, const char* part) {
     return text.find(part) != std::string::npos;
   };
-  EXPECT_TRUE(flaws(plate_with_holes()).empty());
+  EXPECT_TRUE(shape_errors(plate_with_holes()).empty());
   EXPECT_TRUE(has(flaws_with([](auto& f) { f[3].operands[0] = "lift"; }), "'lift'"));
   EXPECT_TRUE(has(flaws_with([](auto& f) { f[4].operands.push_back("left"); }),
                   "left is used by more than one operation"));
@@ -84,7 +84,7 @@ TEST(ShapeSpec, MirrorsOneFeatureAtAPlacement) {
   ShapeSpec spec = plate_with_holes();
   spec.features[3] = {"pair", FeatureKind::Mirror, {0.1, 0, 1.5}, {"left"}};
   spec.features[4].operands = {"plate", "pair", "right"};
-  ASSERT_TRUE(flaws(spec).empty());
+  ASSERT_TRUE(shape_errors(spec).empty());
   const auto shape = make_shape(spec);
   EXPECT_EQ(shape->parameters()[9].name, "left.radius");
   EXPECT_EQ(shape->parameters()[12].name, "pair.angle");
@@ -100,8 +100,8 @@ TEST(ShapeSpec, MirrorsOneFeatureAtAPlacement) {
   EXPECT_EQ(feature_parameters(FeatureKind::Mirror, 3).size(), 6u);
   spec.features[3].operands = {"left", "right"};
   spec.features[4].operands = {"plate", "pair"};
-  ASSERT_EQ(flaws(spec).size(), 1u);
-  EXPECT_EQ(flaws(spec)[0].text, "mirrors more than one feature: unite them first");
+  ASSERT_EQ(shape_errors(spec).size(), 1u);
+  EXPECT_EQ(shape_errors(spec)[0].text, "mirrors more than one feature: unite them first");
   spec.features[3].operands = {"left"};
   spec.features[4].operands.push_back("right");
   spec.features[3].values.pop_back();

@@ -12,7 +12,7 @@
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 
 using namespace levelset;
 
@@ -104,4 +104,4 @@ inline std::vector<NamedShape> all_shapes() {
   };
 }
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -10,7 +10,7 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/solids/mesh.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 using namespace levelset;
@@ -153,4 +153,4 @@ TEST(Part, IsFoundByNameAndByPathWithItsSignAndFirstParameter) {
 }
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -9,13 +9,13 @@
 #include "mbs/run.hpp"
 #include "mbs/sensitivity/motion_sensitivity.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 
 /// Of a plastic: differences of simulations are as exact as what EA/L makes of the round-off in
 /// positions, which is small beside the forces of inertia then. Under its weight, with a load on
 /// the rod and a spring with a damper between crank and rod.
 inline Mechanism sensitive_machine() {
-  Mechanism m = reference::slider_crank({.elements = 3, .crank = 0.02, .rod = 0.016, .ramp = 0.02});
+  Mechanism m = test::slider_crank({.elements = 3, .crank = 0.02, .rod = 0.016, .ramp = 0.02});
   for (std::size_t b : {0, 1})
     std::get<BeamSpec>(m.bodies[b].kind).material = {"plastic", 7e9, 0.3, 1200};
   m.gravity = {0, -9.81, 0};
@@ -84,14 +84,6 @@ inline SimulationOptions tight(double duration, double step) {
   return o;
 }
 
-template <FrameGroup G>
-Space<G> space_of(const Mechanism& m) {
-  if constexpr (G::space_dim == 2)
-    return find_plane(m).plane.value();
-  else
-    return {};
-}
-
 /// A simulation with its tape.
 template <FrameGroup G>
 struct Taped {
@@ -149,4 +141,4 @@ inline Eigen::VectorXd sizes(Eigen::VectorXd own, const std::vector<int>& groups
   return own;
 }
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

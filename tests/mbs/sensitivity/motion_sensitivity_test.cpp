@@ -10,8 +10,8 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using testing::Quantity;
-using testing::Taped;
+using test::Quantity;
+using test::Taped;
 
 /// What is asked of a state: position, velocity and acceleration of a node in the rod, and all
 /// multipliers; and the derivatives by the state.
@@ -61,9 +61,9 @@ TYPED_TEST_SUITE(MotionSensitivity, Groups);
 /// counts against the sum of |weight dy_i/dp|, and against the largest |dy_i/dp|.
 template <class G>
 void expect_direct_equals_adjoint(int steps) {
-  const Mechanism machine = testing::sensitive_machine();
-  const Taped<G> run(machine, testing::tight(steps * 2e-4, 2e-4));
-  const auto parameters = run.parameters(testing::quantities(machine));
+  const Mechanism machine = test::sensitive_machine();
+  const Taped<G> run(machine, test::tight(steps * 2e-4, 2e-4));
+  const auto parameters = run.parameters(test::quantities(machine));
   const Outputs<G> outputs(run.model);
   const int n = outputs.size(), n_p = int(parameters.size());
   const auto weight = [](long step) { return std::sin(0.3 + 0.1 * double(step)); };
@@ -89,8 +89,8 @@ void expect_direct_equals_adjoint(int steps) {
   ASSERT_TRUE(end.complete()) << end.reason;
   double worst = 0;
   for (int p = 0; p < n_p; ++p) {
-    const VectorXd size = testing::sizes(sum_size.col(p), outputs.groups),
-                   size_at_end = testing::sizes(last_size.col(p), outputs.groups);
+    const VectorXd size = test::sizes(sum_size.col(p), outputs.groups),
+                   size_at_end = test::sizes(last_size.col(p), outputs.groups);
     for (int i = 0; i < n; ++i) {
       const double error = std::abs(sum(i, p) - gradient(p, i)) / size[i],
                    error_at_end = std::abs(last(i, p) - gradient(p, n + i)) / size_at_end[i];
@@ -109,9 +109,9 @@ TYPED_TEST(MotionSensitivity, DirectEqualsAdjoint) {
 /// At every step of the motion, relative to the largest value over it.
 TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
   using G = TypeParam;
-  const Mechanism machine = testing::sensitive_machine();
-  const auto o = testing::tight(0.02, 4e-4);
-  const auto all = testing::quantities(machine);
+  const Mechanism machine = test::sensitive_machine();
+  const auto o = test::tight(0.02, 4e-4);
+  const auto all = test::quantities(machine);
   const Taped<G> run(machine, o);
   const auto parameters = run.parameters(all);
   const Outputs<G> outputs(run.model);
@@ -138,11 +138,11 @@ TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
       }
       return y;
     };
-    const VectorXd size = testing::sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), outputs.groups);
+    const VectorXd size = test::sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), outputs.groups);
     const auto error = [&](const MatrixXd& y) {
       return (y - exact[p]).cwiseAbs().rowwise().maxCoeff().cwiseQuotient(size).maxCoeff();
     };
-    const testing::Differences differences(motion, 0.16, 6);
+    const test::Differences differences(motion, 0.16, 6);
     const double best = differences.least(error);
     EXPECT_LT(best, 1e-7) << all[p].parameter.name;
     ::testing::Test::RecordProperty("best_" + std::to_string(p), std::to_string(1e9 * best));
@@ -156,11 +156,11 @@ TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
 TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
   using G = TypeParam;
   const auto direct = [&](const Mechanism& m) {
-    const Taped<G> run(m, testing::options(1e-3, 1e-4));
-    direct_sensitivity<G>(run.model, run.tape, run.parameters(testing::quantities(m)),
+    const Taped<G> run(m, test::options(1e-3, 1e-4));
+    direct_sensitivity<G>(run.model, run.tape, run.parameters(test::quantities(m)),
                           [](long, const State<G>&, const StateSensitivity&) {});
   };
-  Mechanism jerked = testing::sensitive_machine();
+  Mechanism jerked = test::sensitive_machine();
   jerked.drives = {{0, 0, TimeFunction::rate(150, 0)}};
   EXPECT_THROW(direct(jerked), std::invalid_argument);
   jerked.bodies[0].angular_velocity = {0, 0, 150};
@@ -172,10 +172,10 @@ TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
   } catch (const std::invalid_argument& e) {
     EXPECT_NE(std::string(e.what()).find("a drive with a factor"), std::string::npos) << e.what();
   }
-  Mechanism classical = testing::sensitive_machine();
+  Mechanism classical = test::sensitive_machine();
   classical.formalism = Formalism::Classical;
   EXPECT_THROW(direct(classical), std::invalid_argument);
-  EXPECT_NO_THROW(direct(testing::sensitive_machine()));
+  EXPECT_NO_THROW(direct(test::sensitive_machine()));
 }
 
 }  // namespace

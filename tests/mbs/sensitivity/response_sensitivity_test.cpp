@@ -10,7 +10,7 @@ namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-using testing::Taped;
+using test::Taped;
 
 /// Responses of each way to depend on the motion: frames, velocities, multipliers, the law itself.
 std::vector<ResponseSpec> responses() {
@@ -94,10 +94,10 @@ MatrixXd adjoint(const Taped<G>& run, const Parameters<G>& parameters,
 
 TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
   using G = TypeParam;
-  const Mechanism machine = testing::sensitive_machine();
-  const auto o = testing::tight(0.02, 4e-4);
+  const Mechanism machine = test::sensitive_machine();
+  const auto o = test::tight(0.02, 4e-4);
   const Taped<G> run(machine, o);
-  const auto all = testing::quantities(machine);
+  const auto all = test::quantities(machine);
   const auto parameters = run.parameters(all);
   const ResponseValues<G> values(run.mechanism, run.model);
   std::vector<ResponseSensitivity<G>> sensitivities;
@@ -112,8 +112,8 @@ TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
   const long half = run.tape.steps() / 2;
   for (std::size_t p = 0; p < all.size(); ++p) {
     const MatrixXd second = exact[p].rightCols(exact[p].cols() - half);
-    const VectorXd sum_size = testing::sizes(second.cwiseAbs().rowwise().sum(), groups),
-                   size = testing::sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), groups);
+    const VectorXd sum_size = test::sizes(second.cwiseAbs().rowwise().sum(), groups),
+                   size = test::sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), groups);
     const VectorXd gap = second.rowwise().sum() - gradient.row(long(p)).transpose();
     EXPECT_LT(gap.cwiseAbs().cwiseQuotient(sum_size).maxCoeff(), 1e-10) << all[p].parameter.name;
     const auto motion = [&](double change) {
@@ -129,7 +129,7 @@ TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
       }
       return y;
     };
-    const testing::Differences differences(motion, 0.16, 6);
+    const test::Differences differences(motion, 0.16, 6);
     const double best = differences.least([&](const MatrixXd& y) {
       const MatrixXd error = (y / all[p].nominal - exact[p]).cwiseAbs();
       return error.rowwise().maxCoeff().cwiseQuotient(size).maxCoeff();

@@ -8,7 +8,7 @@
 #include "mbs/solids/mesh.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -133,7 +133,7 @@ TEST(Cantilever, BendsAsAThinBeamWithOrderTwo) {
   for (int n : {4, 8, 16}) {
     const double error = std::abs(cantilever(2, 100, 1, n, 1) - 1);
     if (previous > 0) {
-      EXPECT_NEAR(std::log2(previous / error), 2, 0.3);
+      EXPECT_NEAR(std::log2(previous / error), 2, 0.02);
     }
     previous = error;
   }
@@ -164,12 +164,12 @@ TEST(CooksMembrane, ConvergesToTheKnownValue) {
   EXPECT_GT(cooks_membrane(2), 0.85 * 23.96);  // a plain bilinear element: 11.8
   EXPECT_NEAR(cooks_membrane(4), 23.0, 0.35);
   EXPECT_NEAR(cooks_membrane(64), 23.96, 0.02);
-  // Order between 1.2 and 2: the corner at the clamp is singular.
+  // Order below 2: the corner at the clamp is singular.
   const double a = cooks_membrane(8), b = cooks_membrane(16), c = cooks_membrane(32);
   const double order = std::log2((b - a) / (c - b));
-  EXPECT_GT(order, 1.2);
-  EXPECT_LT(order, 2.2);
+  EXPECT_GT(order, 1.7);
+  EXPECT_LT(order, 1.9);
 }
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -10,7 +10,7 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 Eigen::Vector2d displacement(int ny, double x, double radius, ErsatzLaw law) {
@@ -91,4 +91,4 @@ TEST(Ersatz, SlopeIsTheDerivative) {
 }
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -8,7 +8,7 @@
 
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 
 /// Rings round the origin, square cells that grow outwards, with a circle of `radius` among the
 /// rings; the rim has the radius 1 about `centre`. What is left out in the middle is a hundredth
@@ -96,4 +96,4 @@ struct HoledDisc {
   }
 };
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

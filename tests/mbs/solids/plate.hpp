@@ -9,7 +9,7 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 
 inline constexpr double kScale =
     0.004;  ///< largest change of a parameter in a sweep is 0.05 of this, m or 1
@@ -90,4 +90,4 @@ struct Plate {
   }
 };
 
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -9,7 +9,7 @@
 #include "mbs/linalg/symmetric_modes.hpp"
 #include "mbs/solids/plate.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -79,7 +79,7 @@ TEST_P(PlateReduction, FreeFrequenciesAreThoseOfTheMesh) {
     const VectorXd f = free_frequencies(r, rigid, 6);
     for (int i = 0; i < 6; ++i) {
       EXPECT_GE(f[i], full[i] * (1 - 1e-7));  // Ritz: from above
-      EXPECT_LE(f[i], full[i] * 1.01) << i;   // the figure of the issue
+      EXPECT_LE(f[i], full[i] * 1.01) << i;
     }
     const VectorXd fewer = free_frequencies(reduce(plate.model, v, kind, 5), rigid, 2);
     EXPECT_GE(fewer[0], f[0] * (1 - 1e-9));
@@ -141,11 +141,11 @@ TEST_P(PlateReduction, FrequencyGradientsPassTheStepSweep) {
   const StepSweep sweep =
       step_sweep(along, VectorXd::Zero(1).eval(), MatrixXd((g.gradient * d).cwiseProduct(unit)));
   EXPECT_LE(sweep.best_error, 1e-6);
-  EXPECT_NEAR(sweep.slope, 2, 0.7);
+  EXPECT_NEAR(sweep.slope, 2, 0.6);  // 1 would be one-sided, 0 wrong
 }
 
 INSTANTIATE_TEST_SUITE_P(Solids, PlateReduction, ::testing::ValuesIn(plate_cases()),
                          [](const auto& c) { return c.param.name(); });
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -6,7 +6,7 @@
 
 #include "mbs/levelset/shapes.hpp"
 
-namespace liesl::testing {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
@@ -51,7 +51,7 @@ TEST(VolumeFraction, ErrorFallsWithTheSquareOfTheSubCellThatOfTheDerivativeNearl
   const DiscError a = disc_error(20, 2), b = disc_error(20, 4), c = disc_error(20, 16);
   EXPECT_NEAR(std::log2(a.volume / b.volume), 2, 0.1);
   EXPECT_NEAR(std::log2(b.volume / c.volume) / 2, 2, 0.1);
-  EXPECT_GT(std::log2(a.derivative / c.derivative) / 3, 1.1);
+  EXPECT_GT(std::log2(a.derivative / c.derivative) / 3, 1.35);
 }
 
 TEST(VolumeFraction, HalfSpaceIsExactOnSkewCells) {
@@ -82,7 +82,7 @@ TEST(VolumeFraction, BallInHexahedraConvergesWithOrderTwo) {
       error += std::abs(V / (4 * kPi / 3 * std::pow(0.33 + 0.003 * place, 3)) - 1) / 4;
     }
     if (previous > 0) {
-      EXPECT_NEAR(std::log2(previous / error), 2, 0.2);
+      EXPECT_NEAR(std::log2(previous / error), 2, 0.01);
     }
     previous = error;
   }
@@ -155,7 +155,7 @@ TEST_P(EveryShapeOnAMesh, FractionGradientsPassTheStepSweep) {
       return e[8];
     };
     if (median(0) > 1e-9) {  // else it is round-off
-      EXPECT_GT(std::log2(median(0) / median(3)) / 3, 1.6) << dim;
+      EXPECT_GT(std::log2(median(0) / median(3)) / 3, 1.9) << dim;
     }
     shape->set(p0);
   }
@@ -170,4 +170,4 @@ INSTANTIATE_TEST_SUITE_P(VolumeFraction, EveryShapeOnAMesh, ::testing::ValuesIn(
                          });
 
 }  // namespace
-}  // namespace liesl::testing
+}  // namespace liesl::test

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// What the readers of a meshed part share; private to the folder.
+
+#include <fmt/format.h>
+
+#include <optional>
+#include <string>
+
+#include "apps/scene/reader.hpp"
+
+namespace liesl {
+
+/// State of reading one meshed part.
+struct PartReader {
+  Reader& reader;
+  const std::string& name;
+  toml::table& table;
+  SolidSpec solid = {};
+  bool ok = true;  ///< false: it cannot be built
+
+  /// "part 'rod' <what>" as a problem at a place of the file.
+  template <class Place>
+  void refuse(const Place& at, const std::string& what, const std::string& expected,
+              const std::string& hint = "") {
+    reader.problems.add(at, fmt::format("part '{}' {}", name, what), expected, hint);
+    ok = false;
+  }
+  toml::table& table_of(const char* key) { return *table.get(key)->as_table(); }
+  int dim() const { return solid.mesh.dim; }
+  /// A point in the coordinates of the mesh, [x, y] or [x, y, z]; empty (and reported) if it has
+  /// another number of coordinates.
+  std::optional<Vec3> point(const toml::table& in, const char* key, int dim);
+};
+
+/// Where an entry of a table inside of a body is written.
+inline const toml::key& key_of(const toml::table& table, const std::string& name) {
+  return table.find(name)->first;
+}
+
+// Parts of a part, in this order.
+void read_mesh(PartReader& part);
+void read_interfaces(PartReader& part);
+void read_outline(PartReader& part);
+
+}  // namespace liesl

@@ -1,0 +1,116 @@
+/// @file
+/// Interfaces of meshed parts: which nodes, held how.
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "apps/scene/part_reader.hpp"
+#include "mbs/solids/interface_map.hpp"
+
+namespace liesl {
+
+namespace {
+
+constexpr double kSlack = 1e-9;  // of a region's size: nodes on its edge are inside
+
+double cell_width(const PartReader& part) {
+  return std::pow(part.solid.mesh.cell_size(0), 1.0 / part.dim());
+}
+
+bool in_circle(PartReader& part, const toml::table& circle, Interface& interface) {
+  const auto centre = part.point(circle, "centre", part.dim());
+  if (!centre) return false;
+  const double radius = number(circle, "radius"), inner = number(circle, "inner");
+  if (inner >= radius) {
+    part.refuse(*circle.get("inner"), "has an empty ring", "'inner' below 'radius'");
+    return false;
+  }
+  if (part.dim() == 2 && written(*circle.get("axis"))) {
+    part.refuse(*circle.get("axis"), "has an 'axis' of a circle in a planar mesh", "no 'axis'");
+    return false;
+  }
+  const Vec3 axis = part.dim() == 2 ? Vec3(Vec3::UnitZ()) : direction(part.reader, circle, "axis");
+  interface.nodes = nodes_where(part.solid.mesh, [&](const Vec3& x) {
+    const double r = axis.cross(x - *centre).norm();
+    return r <= radius * (1 + kSlack) && r >= inner * (1 - kSlack);
+  });
+  interface.point = *centre;
+  return true;
+}
+
+bool in_box(PartReader& part, const toml::table& box, Interface& interface) {
+  const auto from = part.point(box, "from", part.dim()), to = part.point(box, "to", part.dim());
+  if (!from || !to) return false;
+  const Vec3 low = from->cwiseMin(*to), high = from->cwiseMax(*to);
+  const double slack = kSlack * (high - low).norm();
+  interface.nodes = nodes_where(part.solid.mesh, [&](const Vec3& x) {
+    return (x - low).minCoeff() >= -slack && (high - x).minCoeff() >= -slack;
+  });
+  interface.point = 0.5 * (low + high);
+  return true;
+}
+
+/// Fills in nodes and point; the value that says which, nothing if something is wrong.
+const toml::node* find_nodes(PartReader& part, const toml::table& table, Interface& interface) {
+  const SolidMesh& mesh = part.solid.mesh;
+  if (const toml::node* set = table.get("set")) {
+    const auto found = mesh.sets.find(set->value_or(std::string()));
+    if (found == mesh.sets.end()) {
+      std::vector<std::string> known;
+      for (const auto& [name, nodes] : mesh.sets) known.push_back(name);
+      part.refuse(*set, fmt::format("has no set of nodes '{}'", set->value_or(std::string())),
+                  "a side of the grid or a physical group",
+                  suggestion(set->value_or(std::string()), known));
+      return nullptr;
+    }
+    interface.nodes = found->second;
+    for (const int node : interface.nodes)
+      interface.point += mesh.nodes.col(node) / static_cast<double>(interface.nodes.size());
+    return set;
+  }
+  const bool round = table.contains("circle");
+  const toml::node& node = *table.get(round ? "circle" : "box");
+  return (round ? in_circle(part, *node.as_table(), interface)
+                : in_box(part, *node.as_table(), interface))
+             ? &node
+             : nullptr;
+}
+
+}  // namespace
+
+std::optional<Vec3> PartReader::point(const toml::table& in, const char* key, int dim) {
+  const auto given = numbers(*in.get(key));
+  if (static_cast<int>(given.size()) == dim)
+    return Vec3(given[0], given[1], dim == 3 ? given[2] : 0);
+  refuse(*in.get(key), fmt::format("has {} numbers in '{}'", given.size(), key),
+         dim == 2 ? "[x, y]: the mesh is planar" : "[x, y, z]: the mesh is in space");
+  return {};
+}
+
+void read_interfaces(PartReader& part) {
+  toml::table& all = part.table_of("interfaces");
+  for (const Entry& entry : entries_of(all)) {
+    Interface interface;
+    interface.name = entry.name;
+    interface.tie = text(*entry.table, "tie") == "rigid" ? Tie::Rigid : Tie::Averaged;
+    const toml::node* region = find_nodes(part, *entry.table, interface);
+    if (!region) continue;
+    if (entry.table->contains("point"))
+      if (const auto at = part.point(*entry.table, "point", part.dim())) interface.point = *at;
+    part.solid.interfaces.push_back(interface);
+    try {
+      interface_map(part.solid.mesh, part.solid.interfaces);
+    } catch (const std::invalid_argument& error) {
+      part.solid.interfaces.pop_back();
+      part.refuse(*region, fmt::format("cannot be held: {}", error.what()),
+                  part.dim() == 2
+                      ? "two nodes or more that no other interface has"
+                      : "three nodes or more, not in a line, that no other interface has",
+                  fmt::format("the cells are about {:.3g} m wide", cell_width(part)));
+    }
+  }
+  if (all.empty()) part.refuse(all, "has no interfaces", "at least one");
+}
+
+}  // namespace liesl

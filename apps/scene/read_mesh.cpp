@@ -1,0 +1,68 @@
+/// @file
+/// Meshes of parts: grids and files.
+
+#include <cmath>
+
+#include "apps/input/document.hpp"
+#include "apps/mesh/gmsh_mesh.hpp"
+#include "apps/scene/part_reader.hpp"
+
+namespace liesl {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr double kMostCells = 1e6;
+
+void read_file(PartReader& part, const toml::node& node) {
+  const fs::path given(node.value_or(std::string()));
+  const fs::path path =
+      given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
+  try {
+    const std::string text = load_text(path, "a Gmsh mesh");
+    part.solid.mesh = read_gmsh(path.lexically_normal().string(), text);
+    part.reader.scene.input += text;
+  } catch (const InputError& error) {
+    part.ok = false;
+    for (const InputProblem& problem : error.problems)
+      if (problem.line > 0)
+        part.reader.problems.add(problem);
+      else
+        part.refuse(node, "has no mesh: " + problem.file + ": " + problem.what, problem.expected,
+                    "paths are relative to the scene");
+  }
+}
+
+}  // namespace
+
+void read_mesh(PartReader& part) {
+  const toml::table& mesh = part.table_of("mesh");
+  if (const toml::node* file = mesh.get("file")) return read_file(part, *file);
+  for (const char* key : {"to", "cells"})
+    if (!mesh.get(key))
+      return part.refuse(mesh, fmt::format("has a grid without '{}'", key),
+                         "'from', 'to' and 'cells'",
+                         "as in mesh = { from = [0, 0], to = [0.2, 0.03], cells = [100, 15] }");
+  const int dim = static_cast<int>(numbers(*mesh.get("from")).size());
+  const auto from = part.point(mesh, "from", dim), to = part.point(mesh, "to", dim),
+             cells = part.point(mesh, "cells", dim);
+  if (!from || !to || !cells) return;
+  double count = 1;
+  for (int i = 0; i < dim; ++i) {
+    if (!((*to)[i] > (*from)[i]))
+      return part.refuse(*mesh.get("to"), "has an empty grid",
+                         "'to' above 'from' in each direction");
+    if ((*cells)[i] != std::floor((*cells)[i]))
+      return part.refuse(*mesh.get("cells"), "has a number of cells that is not whole", "integers");
+    count *= (*cells)[i];
+  }
+  if (count > kMostCells)
+    return part.refuse(*mesh.get("cells"), fmt::format("has {:.3g} cells", count),
+                       fmt::format("at most {:.0e}", kMostCells));
+  const Eigen::Vector3i n = cells->cast<int>();
+  part.solid.mesh = dim == 2 ? quad_grid(from->head<2>(), to->head<2>(), n[0], n[1])
+                             : hex_grid(*from, *to, n[0], n[1], n[2]);
+}
+
+}  // namespace liesl

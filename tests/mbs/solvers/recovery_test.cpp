@@ -1,0 +1,127 @@
+/// @file
+/// Stepping under difficulty: refreshed tangents, halved and adaptive steps, reasons, no NaN.
+
+#include "mbs/run.hpp"
+
+namespace liesl {
+namespace {
+
+using test::options;
+
+template <class G>
+void expect_finite(const test::Run<G>& r) {
+  for (int i = 0; i < r.trajectory().size(); ++i) {
+    ASSERT_TRUE(r.trajectory().v(i).allFinite()) << i;
+    ASSERT_TRUE(r.trajectory().vdot(i).allFinite()) << i;
+    ASSERT_TRUE(r.trajectory().lambda(i).allFinite()) << i;
+    for (int k = 0; k < r.model->nodes(); ++k)
+      ASSERT_TRUE(r.trajectory().frames(i)[k].x.allFinite() &&
+                  r.trajectory().frames(i)[k].R.allFinite());
+  }
+}
+
+/// 6 mm links, slider 0.5 kg, thrown at 150 rad/s: driven past their buckling load.
+Mechanism buckling() {
+  test::SliderCrank p;
+  p.crank = p.rod = 0.006;
+  p.slider = 0.5;
+  p.ramp = 0;
+  return test::slider_crank(p);
+}
+
+TEST(Recovery, BucklingLinksAreReported) {
+  for (const double h : {1e-4, 2.5e-5}) {
+    const auto r = test::run_planar(buckling(), options(0.12, h));
+    expect_finite(r);
+    EXPECT_GT(r.report().tangent_refreshes, 0);
+    if (r.report().status == SolveStatus::Converged) {
+      EXPECT_NEAR(r.trajectory().time(r.last()), 0.12, 1e-12);
+      if (r.report().rejected_steps > 0) {
+        EXPECT_FALSE(r.report().warnings.empty());
+      }
+    } else {
+      EXPECT_EQ(r.report().status, SolveStatus::NotConverged);
+      EXPECT_NE(r.report().reason.find("t = "), std::string::npos) << r.report().reason;
+    }
+  }
+}
+
+TEST(Recovery, BucklingLinksInSpace) {
+  const auto r = test::run_spatial(buckling(), options(0.06, 1e-4));
+  expect_finite(r);
+  EXPECT_GT(r.report().tangent_refreshes, 0);
+}
+
+TEST(Recovery, FailedStepsAreHalvedAndTheRestOfTheGridIsKept) {
+  auto m = test::slider_crank();
+  m.drives = {{0, 0, TimeFunction::rate(150, 1e-3)}};  // a jerk that long steps do not follow
+  SimulationOptions o = options(0.02, 1e-3);
+  o.max_iterations = 5;
+  const auto r = test::run_planar(m, o);
+  ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  EXPECT_GT(r.report().rejected_steps, 0);
+  EXPECT_LT(r.report().smallest_step, 1e-3);
+  EXPECT_FALSE(r.report().warnings.empty());
+  ASSERT_EQ(r.trajectory().size(), 21);
+  for (int i = 0; i < 21; ++i) EXPECT_NEAR(r.trajectory().time(i), 1e-3 * i, 1e-12);
+  expect_finite(r);
+}
+
+TEST(Recovery, SmallestStepEndsTheRunWithTimeAndReason) {
+  SimulationOptions o = options(0.12, 1e-3);
+  o.max_iterations = 3;
+  o.tolerance = 1e-13;
+  o.step_min = 5e-4;
+  auto m = test::slider_crank();
+  m.drives = {{0, 0, TimeFunction::rate(150, 1e-3)}};
+  const auto r = test::run_planar(m, o);
+  EXPECT_EQ(r.report().status, SolveStatus::NotConverged);
+  EXPECT_NE(r.report().reason.find("smallest step 0.0005 s"), std::string::npos)
+      << r.report().reason;
+  EXPECT_GE(r.trajectory().size(), 1);
+  expect_finite(r);
+}
+
+TEST(Recovery, InterruptKeepsTheRecords) {
+  auto model = Model<SE2>::build(test::pendulum(4), {});
+  const auto r = simulate(model, options(1, 1e-3), [](double t) { return t < 0.1 - 1e-9; });
+  EXPECT_EQ(r.report.status, SolveStatus::Interrupted);
+  EXPECT_EQ(r.trajectory.size(), 101);
+}
+
+TEST(Adaptive, ErrorFollowsTheTolerance) {
+  const auto fine = test::run_planar(test::pendulum(8), options(1, 1e-5));
+  const auto tip = [](const test::Run<SE2>& r) {
+    return Eigen::Vector2d(r.trajectory().frames(r.last())[8].x);
+  };
+  double before = 1;
+  for (const double tolerance : {1e-5, 1e-6, 1e-7}) {
+    SimulationOptions o = options(1, 1e-2);
+    o.adaptive = true;
+    o.error_tolerance = tolerance;
+    const auto r = test::run_planar(test::pendulum(8), o);
+    ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    const double error = (tip(r) - tip(fine)).norm();
+    EXPECT_LT(error, tolerance * double(r.report().steps));  // local errors add up
+    EXPECT_LT(error, before);
+    EXPECT_NEAR(r.trajectory().time(r.last()), 1, 1e-12);
+    EXPECT_EQ(r.trajectory().size(), 101);
+    before = error;
+  }
+}
+
+TEST(Records, OutputEveryKeepsEveryNthStep) {
+  SimulationOptions o = options(0.1, 1e-3);
+  const auto all = test::run_planar(test::pendulum(4), o);
+  o.output_every = 7;
+  const auto some = test::run_planar(test::pendulum(4), o);
+  ASSERT_EQ(some.trajectory().size(), 2 + 100 / 7);
+  EXPECT_NEAR(some.trajectory().time(some.last()), 0.1, 1e-13) << "the end is always kept";
+  for (int i = 0; i < some.last(); ++i) {
+    EXPECT_NEAR(some.trajectory().time(i), 7e-3 * i, 1e-13);
+    EXPECT_EQ(some.trajectory().v(i), all.trajectory().v(7 * i));
+  }
+}
+
+}  // namespace
+}  // namespace liesl

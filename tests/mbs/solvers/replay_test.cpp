@@ -1,0 +1,118 @@
+/// @file
+/// A tape gives the states of its simulation again, bit for bit, from every checkpoint.
+
+#include "mbs/solvers/replay.hpp"
+
+#include <gtest/gtest.h>
+
+#include "mbs/run.hpp"
+#include "reference/mechanisms.hpp"
+
+namespace liesl {
+namespace {
+
+template <FrameGroup G>
+void expect_same_bits(const State<G>& a, const State<G>& b) {
+  EXPECT_EQ(a.t, b.t);
+  for (std::size_t k = 0; k < a.H.size(); ++k) {
+    EXPECT_EQ(a.H[k].R, b.H[k].R) << "node " << k << " at t = " << a.t;
+    EXPECT_EQ(a.H[k].x, b.H[k].x) << "node " << k << " at t = " << a.t;
+  }
+  EXPECT_EQ(a.v, b.v);
+  EXPECT_EQ(a.vdot, b.vdot);
+  EXPECT_EQ(a.a, b.a);
+  EXPECT_EQ(a.w, b.w);
+  EXPECT_EQ(a.lambda, b.lambda);
+  EXPECT_EQ(a.rows, b.rows);
+}
+
+/// Stretches from the last to the first, by one replay; every state that was recorded is met.
+template <FrameGroup G>
+Report expect_replay(const Mechanism& m, const Space<G>& space, const SimulationOptions& o,
+                     int every = 0) {
+  const auto model = Model<G>::build(m, space);
+  Tape<G> tape;
+  tape.every = every;
+  const auto run = simulate(model, o, {}, &tape);
+  EXPECT_EQ(run.report.status, SolveStatus::Converged) << run.report.reason;
+  EXPECT_EQ(tape.steps(), run.report.steps);
+  EXPECT_EQ(static_cast<long>(tape.attempts.size()), run.report.steps + run.report.rejected_steps);
+  Replay<G> replay(model, tape);
+  EXPECT_GT(replay.stretches(), 2);
+  std::map<double, State<G>> recorded;
+  for (int n = 0; n < run.trajectory.size(); ++n)
+    run.trajectory.read(n, recorded[run.trajectory.time(n)]);
+  long steps = 0;
+  std::size_t met = 0;
+  for (int i = replay.stretches() - 1; i >= 0; --i) {
+    State<G> last;
+    replay.run(i, [&](const State<G>&, const State<G>& after, double) {
+      ++steps;
+      last = after;
+      if (const auto found = recorded.find(after.t); found != recorded.end()) {
+        State<G> seen = after;
+        model.complete(seen);
+        found->second.a = seen.a;  // is not recorded
+        expect_same_bits(seen, found->second);
+        ++met;
+      }
+    });
+    if (last.H.empty()) continue;  // a checkpoint at the end
+    const bool end = i + 1 == replay.stretches();
+    expect_same_bits(last, end ? tape.end : tape.checkpoints[std::size_t(i) + 1].s);
+  }
+  EXPECT_EQ(steps, run.report.steps);
+  EXPECT_EQ(met + 1, recorded.size());  // but the start
+  return run.report;
+}
+
+TEST(Replay, WholeSteps) {
+  expect_replay<SE2>(test::slider_crank({.elements = 4}), *find_plane(test::slider_crank()).plane,
+                     test::options(0.01, 1e-4));
+  expect_replay<SE3>(test::pendulum(4), {}, test::options(0.1, 1e-3), 7);
+}
+
+test::SliderCrank slender() {
+  test::SliderCrank p;
+  p.elements = 4;
+  p.crank = p.rod = 0.004;
+  p.slider = 0.5;
+  p.ramp = 0;
+  return p;
+}
+
+/// Refactorised tangents and halved steps: both are part of what the next steps depend on.
+TEST(Replay, HalvedStepsAndOtherTangents) {
+  auto o = test::options(0.04, 1e-3);
+  o.max_iterations = 4;
+  const auto report = expect_replay<SE2>(test::slider_crank(slender()),
+                                         *find_plane(test::slider_crank()).plane, o, 5);
+  EXPECT_GT(report.rejected_steps, 0);
+  EXPECT_GT(report.tangent_refreshes, 0);
+}
+
+TEST(Replay, AdaptiveSteps) {
+  auto o = test::options(0.5, 1e-2);
+  o.adaptive = true;
+  o.error_tolerance = 1e-5;
+  const auto report = expect_replay<SE3>(test::pendulum(4), {}, o);
+  EXPECT_LT(report.smallest_step, o.step);
+}
+
+/// Rotation vectors that pass pi are changed after a step.
+TEST(Replay, RescaledRotationVectors) {
+  Mechanism m = test::slider_crank({.elements = 2});
+  m.formalism = Formalism::Classical;
+  m.drives = {{0, 0, TimeFunction::rate(150, 0)}};
+  expect_replay<SE3>(m, {}, test::options(0.04, 2e-4));
+}
+
+TEST(Replay, AdaptiveTangentOfTheDecoupledFormalism) {
+  Mechanism m = test::slider_crank(slender());
+  m.formalism = Formalism::R3SO3;
+  const auto report = expect_replay<SE3>(m, {}, test::options(0.01, 2e-4), 6);
+  EXPECT_GT(report.tangent_refreshes, 0);
+}
+
+}  // namespace
+}  // namespace liesl

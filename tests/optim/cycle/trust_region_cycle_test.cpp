@@ -1,0 +1,210 @@
+/// @file
+/// The cycle that ends at the optimum of the motion, against a descent that knows nothing of it.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optim/cycle/corrected_problem.hpp"
+#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_problem.hpp"
+#include "optim/nlp/check_derivatives.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+using test::Changes;
+
+Study rod(Changes changes = {}) { return test::shipped_study("slider_crank_rod", changes); }
+
+/// A study whose designs can be simulated; sensitivities need converged states.
+struct Simulated {
+  explicit Simulated(Study s) : study(std::move(s)) {
+    study.spec.cycle.method = CycleMethod::Esl1;
+    simulator.emplace(study.scene.mechanism, space, study.scene.simulation, study.spec);
+  }
+  CycleResult<SE2> optimise(const CycleHooks& hooks = {}, const std::vector<Cycle>& resume = {}) {
+    return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks,
+                          resume);
+  }
+  Study study;
+  Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  std::optional<DesignSimulator<SE2>> simulator;
+};
+
+/// Largest limit violation of a design.
+double worst(const Simulated& s, const VectorXd& x) { return s.simulator->run(x).worst; }
+
+/// The lightest rod by simulations alone: along each direction that exchanges mass between two
+/// groups the common scale is found by bisection, the exchange by golden sections; until no
+/// exchange helps. No gradient, no static problem.
+double lightest_by_search(const Simulated& s, VectorXd x) {
+  const auto mass_on_limit = [&](const VectorXd& shape) {
+    double low = 0.7, high = 1.4;
+    while (high - low > 1e-7) {
+      const double scale = 0.5 * (low + high);
+      (worst(s, scale * shape) > 0 ? low : high) = scale;
+    }
+    return (high * shape).squaredNorm();
+  };
+  double best = mass_on_limit(x);
+  for (double step = 0.03; step > 5e-4; step /= 2)
+    for (bool moved = true; moved;) {
+      moved = false;
+      for (int i = 0; i < x.size(); ++i)
+        for (const double factor : {1 + step, 1 - step}) {
+          VectorXd y = x;
+          y[i] *= factor;
+          const double mass = mass_on_limit(y);
+          if (mass >= best * (1 - 1e-8)) continue;
+          best = mass;
+          x = y;
+          moved = true;
+        }
+    }
+  return 7850 * M_PI / 4 * 0.3 / static_cast<double>(x.size()) * best;
+}
+
+TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
+  Simulated s(rod());
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  const auto run = s.simulator->run(x);
+  ASSERT_TRUE(run.good());
+  auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
+  const MotionGradients<SE2> motion(s.simulator->design(), run, x, inner->responses());
+  ASSERT_TRUE(motion.reason().empty()) << motion.reason();
+  const auto images = inner->images();
+  CorrectedProblem<SE2> problem(std::move(inner), motion, x);
+  const auto m = static_cast<int>(problem.constraints().size());
+  ASSERT_GT(m, 0);
+  double f = 0;
+  VectorXd g(m), df(4);
+  RowMatrix dg(m, 4);
+  problem.values(x, f, g);
+  problem.gradients(x, df, dg);
+  const double limit = s.study.spec.constraints[0].limit;
+  for (int i = 0; i < m; ++i) {
+    const auto [response, record] = images[static_cast<std::size_t>(i)];
+    const double v = motion.value(response, record) / limit;
+    EXPECT_NEAR(g[i] + 1, v, 1e-6 * v);
+    if (const VectorXd* dv = motion.gradient(response, record)) {
+      EXPECT_LT((dg.row(i).transpose() - *dv / limit).norm(), 1e-5 * dg.row(i).norm());
+    }
+  }
+  DerivativeCheckOptions options;
+  options.every_variable = true;
+  const VectorXd away = x.cwiseProduct((VectorXd(4) << 1.05, 0.97, 1.02, 1.04).finished());
+  const DerivativeReport report = check_derivatives(problem, away, options);
+  EXPECT_TRUE(report.right) << report.text();
+}
+
+TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
+  Simulated s(rod({"simulation.tolerance=1e-11"}));
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  const auto run = s.simulator->run(x);
+  auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
+  const MotionGradients<SE2> motion(s.simulator->design(), run, x, statics->responses());
+  int peak = 0;
+  for (int n = 0; n < motion.records(); ++n)
+    if (motion.value(0, n) > motion.value(0, peak)) peak = n;
+  const VectorXd* dv = motion.gradient(0, peak);
+  ASSERT_TRUE(dv);
+  for (int i = 0; i < 4; ++i) {
+    double error[2];
+    for (const int k : {0, 1}) {
+      const double h = x[i] * (k == 0 ? 4e-3 : 2e-3);
+      VectorXd up = x, down = x;
+      up[i] += h;
+      down[i] -= h;
+      const double d = (s.simulator->run(up).limits[0].values[peak] -
+                        s.simulator->run(down).limits[0].values[peak]) /
+                       (2 * h);
+      error[k] = std::abs(d - (*dv)[i]) / dv->norm();
+    }
+    EXPECT_LT(error[1], 2e-4) << i;
+    EXPECT_NEAR(std::log2(error[0] / error[1]), 2, 0.1) << i;
+  }
+}
+
+TEST(TrustRegionCycle, EndsAtTheOptimumOfTheMotionFromEveryStart) {
+  double mass = 0;
+  for (const char* start : {"0.010", "0.008", "0.016"}) {
+    Simulated s(rod({std::string("design.rod_diameters.start=") + start}));
+    const auto r = s.optimise();
+    ASSERT_EQ(r.status, CycleStatus::Optimal) << start << ": " << r.reason;
+    EXPECT_LE(r.history.size(), 7u) << start;
+    EXPECT_LE(r.worst, 1e-4) << start;
+    EXPECT_LE(r.optimality->residual->stationarity, 1e-2) << start;
+    EXPECT_EQ(r.optimality->simulations, 0);
+    if (mass == 0) mass = r.mass;
+    EXPECT_NEAR(r.mass, mass, 2e-4 * mass) << start;
+  }
+}
+
+TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
+  Simulated s(rod());
+  const auto r = s.optimise();
+  ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  const double searched =
+      lightest_by_search(s, r.x.cwiseProduct((VectorXd(4) << 1.02, 0.98, 1.01, 0.99).finished()));
+  EXPECT_LE(r.mass, searched * (1 + 5e-4)) << searched;
+  EXPECT_GE(r.mass, searched * (1 - 5e-4)) << searched;
+}
+
+TEST(TrustRegionCycle, PriceOfALimitIsWhatAWiderOneSaves) {
+  Simulated s(rod());
+  const auto r = s.optimise();
+  ASSERT_TRUE(r.optimality);
+  ASSERT_EQ(r.optimality->prices.size(), 1u);
+  EXPECT_EQ(r.optimality->prices[0].name, "bending");
+  const auto wider = Simulated(rod({"constraints.bending.limit=1.01e-3"})).optimise();
+  const auto tighter = Simulated(rod({"constraints.bending.limit=0.99e-3"})).optimise();
+  const double saved = (tighter.mass - wider.mass) / 0.02;
+  EXPECT_NEAR(r.optimality->prices[0].price, saved, 0.03 * saved);
+}
+
+TEST(TrustRegionCycle, LimitsHoldAtStepsThatAreNotRecorded) {
+  Simulated all(rod()), thinned(rod({"simulation.output_every=25"}));
+  const auto r = thinned.optimise();
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_LE(worst(all, r.x), 1e-4);
+}
+
+TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
+  Simulated s(rod({"design.rod_diameters.start=0.008"}));
+  const auto whole = s.optimise();
+  for (const std::size_t stop : {1u, 3u}) {
+    std::vector<Cycle> kept;
+    CycleHooks hooks;
+    hooks.on_cycle = [&](const std::vector<Cycle>& history) { kept = history; };
+    hooks.keep_going = [&] { return kept.size() < stop; };
+    const auto part = s.optimise(hooks);
+    EXPECT_EQ(part.status, CycleStatus::Interrupted) << part.reason;
+    const auto r = s.optimise({}, kept);
+    EXPECT_EQ(r.status, whole.status) << r.reason;
+    EXPECT_LT((r.x - whole.x).norm(), 1e-4 * whole.x.norm()) << stop;
+  }
+}
+
+TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
+  Simulated s(rod({"constraints.bending.limit=1e-5"}));
+  const auto r = s.optimise();
+  EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
+  EXPECT_NE(r.reason.find("'bending'"), std::string::npos) << r.reason;
+}
+
+TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
+  Study study = rod({"simulation.duration=0.05"});
+  study.scene.mechanism.formalism = Formalism::R3SO3;
+  const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
+  EXPECT_TRUE(closed(r.status)) << r.reason;
+  ASSERT_FALSE(r.warnings.empty());
+  study.spec.cycle.method = CycleMethod::Esl1;
+  EXPECT_THROW(run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace liesl

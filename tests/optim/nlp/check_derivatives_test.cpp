@@ -1,0 +1,139 @@
+#include "optim/nlp/check_derivatives.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "optim/nlp/elastic.hpp"
+#include "optim/nlp/evaluator.hpp"
+#include "optim/nlp/separable.hpp"
+#include "reference/many_load_cases.hpp"
+#include "reference/svanberg_beam.hpp"
+#include "reference/ten_bar_truss.hpp"
+
+namespace liesl {
+namespace {
+
+using test::SvanbergBeam;
+using test::TenBarTruss;
+
+void expect_right(Problem& p, const Eigen::VectorXd& x) {
+  const DerivativeReport report = check_derivatives(p, x);
+  EXPECT_TRUE(report.right) << report.text();
+  int slopes = 0;
+  for (const auto& c : report.checks)
+    if (c.slope) {
+      EXPECT_NEAR(*c.slope, 2, 0.1) << c.function;
+      ++slopes;
+    }
+  EXPECT_GE(slopes, 1) << report.text();
+}
+
+TEST(CheckDerivatives, SlopeTwoForRightOnes) {
+  SvanbergBeam beam;
+  TenBarTruss truss;
+  test::ManyLoadCases cases(6, 40);
+  expect_right(beam, start_of(beam));
+  expect_right(truss, start_of(truss));
+  expect_right(cases, start_of(cases));
+}
+
+TEST(CheckDerivatives, LinearFunctionsHaveNoSlope) {
+  SvanbergBeam beam;
+  const DerivativeReport report = check_derivatives(beam, start_of(beam));
+  EXPECT_EQ(report.checks[0].function, "objective");
+  EXPECT_FALSE(report.checks[0].slope.has_value());
+  EXPECT_TRUE(report.checks[0].right);
+}
+
+TEST(CheckDerivatives, FindsAWrongGradientAndHessian) {
+  class Wrong : public SvanbergBeam {
+   public:
+    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+      SvanbergBeam::gradients(x, df, dg);
+      dg(0, 3) *= 1.001;
+    }
+  } wrong;
+  DerivativeCheckOptions each;
+  each.every_variable = true;
+  each.hessian = false;
+  const DerivativeReport report = check_derivatives(wrong, start_of(wrong), each);
+  EXPECT_FALSE(report.right);
+  for (const auto& c : report.checks)
+    EXPECT_EQ(c.right, !(c.direction == "x4" && c.function == "tip displacement")) << c.direction;
+  ASSERT_NE(report.worst(), nullptr);
+  EXPECT_EQ(report.worst()->direction, "x4");
+  EXPECT_NEAR(report.worst()->slope.value_or(9), 0, 0.5);
+  EXPECT_NE(report.text().find("WRONG"), std::string::npos);
+
+  class WrongHessian : public SvanbergBeam {
+   public:
+    void hessian(const Eigen::VectorXd& x, double s, const Eigen::VectorXd& l,
+                 Eigen::MatrixXd& h) override {
+      SvanbergBeam::hessian(x, s, l, h);
+      h *= 1.01;
+    }
+  } curved;
+  const DerivativeReport second = check_derivatives(curved, start_of(curved));
+  EXPECT_FALSE(second.right);
+  EXPECT_EQ(second.worst()->function, "Hessian of the Lagrangian");
+}
+
+TEST(CheckDerivatives, StaysWithinTheBounds) {
+  class Guarded : public SvanbergBeam {
+   public:
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      EXPECT_GE(x.minCoeff(), 1 - 1e-12);
+      EXPECT_LE(x.maxCoeff(), 10 + 1e-12);
+      SvanbergBeam::values(x, f, g);
+    }
+  } beam;
+  EXPECT_TRUE(check_derivatives(beam, Eigen::VectorXd::Ones(5)).right);
+}
+
+TEST(CheckDerivatives, RefusesInvalidInput) {
+  SvanbergBeam beam;
+  EXPECT_THROW(check_derivatives(beam, Eigen::VectorXd::Ones(4)), std::invalid_argument);
+  DerivativeCheckOptions o;
+  o.largest_step = 2;
+  EXPECT_THROW(check_derivatives(beam, start_of(beam), o), std::invalid_argument);
+}
+
+TEST(SeparableModel, FirstOrderAtItsPointAndRightDerivatives) {
+  TenBarTruss truss(HessianShape::None, 3);
+  NlpOptions o;
+  Evaluator e(truss, o);
+  SeparableModel::Expansion at;
+  at.y = e.start();
+  ASSERT_TRUE(e.gradients(at.y));
+  at.l = at.y.array() - 0.3, at.u = at.y.array() + 0.3;
+  at.alpha = (at.y.array() - 0.05).matrix(), at.beta = (at.y.array() + 0.2).matrix();
+  at.f = e.F(), at.df = e.dF(), at.g = e.G(), at.dg = e.dG();
+  at.f_rho = 0.1;
+  at.g_rho.setConstant(e.m(), 0.1);
+  SeparableModel model(truss, at);
+  ASSERT_GT(model.kept().size(), 0u);
+  const int m = static_cast<int>(model.kept().size());
+  double f = 0;
+  Eigen::VectorXd g(m), df(e.n());
+  RowMatrix dg(m, e.n());
+  model.values(at.y, f, g);
+  model.gradients(at.y, df, dg);
+  EXPECT_NEAR(f, at.f, 1e-12);
+  EXPECT_LE((df - at.df).cwiseAbs().maxCoeff(), 1e-12);
+  for (int k = 0; k < m; ++k) {
+    EXPECT_NEAR(g[k], at.g[model.kept()[k]], 1e-10);
+    EXPECT_LE((dg.row(k) - at.dg.row(model.kept()[k])).cwiseAbs().maxCoeff(), 1e-10);
+  }
+  expect_right(model, at.y);
+}
+
+TEST(ElasticProblem, RightDerivatives) {
+  TenBarTruss truss;
+  const Eigen::VectorXd x = start_of(truss);
+  ElasticProblem p(truss, {0.8, 30}, Eigen::VectorXd::Constant(36, 0.7), x, 0.5);
+  expect_right(p, start_of(p));
+}
+
+}  // namespace
+}  // namespace liesl
