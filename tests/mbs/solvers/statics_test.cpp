@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "mbs/static_cases.hpp"
+#include "reference/mechanisms.hpp"
 
 namespace liesl {
 namespace {
