@@ -103,8 +103,8 @@ TYPED_TEST(ModalBodyTest, InertiaHasThePowerOfTheKineticEnergy) {
     const double h = 1e-5, rate = (this->energy(h).kinetic - this->energy(-h).kinetic) / (2 * h);
     return std::abs(g.dot(this->v) - rate) / std::abs(rate);
   };
-  const double coarse = off(0.02), fine = off(0.01);
-  EXPECT_NEAR(std::log2(coarse / fine), 1, 0.25);
+  const double coarse = off(0.002), fine = off(0.001);
+  EXPECT_NEAR(std::log2(coarse / fine), 1, 0.05);
   this->body = this->make({0}, -1);
   EXPECT_LT(off(0.1), 1e-7);
 }
