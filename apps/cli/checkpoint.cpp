@@ -36,7 +36,8 @@ void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle
                   {"mass", c.mass},
                   {"worst", c.worst},
                   {"worst_constraint", c.worst_constraint},
-                  {"worst_time", c.worst_time},
+                  {"worst_at", c.worst_at},
+                  {"objective", c.objective},
                   {"load_cases", c.load_cases},
                   {"iterations", c.iterations},
                   {"move", c.move},
@@ -78,7 +79,8 @@ std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
       c.mass = j.at("mass");
       c.worst = j.at("worst");
       c.worst_constraint = j.at("worst_constraint");
-      c.worst_time = j.at("worst_time");
+      c.worst_at = j.at("worst_at");
+      c.objective = j.at("objective");
       if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
       c.load_cases = j.at("load_cases");
       c.iterations = j.at("iterations");

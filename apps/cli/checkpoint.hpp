@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 
 namespace liesl {
 

@@ -29,7 +29,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/write_results.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
-#include "optim/cycle/trust_region_cycle.hpp"
+#include "optim/cycle/design_model.hpp"
 
 namespace liesl {
 namespace {
@@ -51,8 +51,11 @@ void write_end(const OptimizeOutcome& out, const Scene& scene,
                const std::filesystem::path& folder) {
   if (out.simulated) {
     output::write_results(folder, out.results);
-    write_series(folder / "responses_initial.csv", out.initial.times, out.initial.responses, scene);
-    write_series(folder / "responses_final.csv", out.final.times, out.final.responses, scene);
+    for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
+      for (const LimitRecords& r : *motions)
+        write_series(folder / fmt::format("responses_{}{}{}.csv", name,
+                                          r.scenario.empty() ? "" : "_", r.scenario),
+                     r.times, r.responses, scene);
   }
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
   for (const PartOutcome& part : out.parts) write_part(folder, part);

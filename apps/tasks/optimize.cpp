@@ -21,12 +21,16 @@ void describe_cycles(output::OptimizeSummary& summary, const std::vector<Cycle>&
         {c.number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds});
 }
 
-std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits,
-                                           const Mechanism& mechanism, const StudySpec& spec) {
-  std::vector<output::ResponseResult> out;
-  for (size_t i = 0; i < limits.size(); ++i)
-    out.push_back(
-        {limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
+std::vector<LimitRecords> records(const std::vector<MotionLimits>& motions,
+                                  const Mechanism& mechanism, const StudySpec& spec) {
+  std::vector<LimitRecords> out;
+  for (std::size_t s = 0; s < motions.size(); ++s) {
+    out.push_back({spec.scenarios.empty() ? "" : spec.scenarios[s], motions[s].times, {}});
+    const auto& limits = motions[s].limits;
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      out.back().responses.push_back(
+          {limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
+  }
   return out;
 }
 
@@ -45,30 +49,40 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
   return rows;
 }
 
+/// Every limit in every scenario.
+template <FrameGroup G>
+void describe_limits(output::OptimizeSummary& summary, const Study& study,
+                     const CycleResult<G>& r) {
+  for (std::size_t s = 0; s < r.final.size(); ++s)
+    for (std::size_t i = 0; i < r.final[s].limits.size(); ++i) {
+      const LimitSeries& last = r.final[s].limits[i];
+      const auto& spec = study.spec.constraints[i].response;
+      const LimitedResponse which{static_cast<int>(i), spec, static_cast<int>(s)};
+      const double initial = s < r.initial.size() ? r.initial[s].limits[i].largest : 0;
+      summary.constraints.push_back({limit_name(study.spec, which), name_of(spec.kind),
+                                     unit(spec, study.scene.mechanism), last.limit, initial,
+                                     last.largest, last.at_time, last.largest / last.limit - 1});
+    }
+}
+
 template <FrameGroup G>
 void describe_result(output::OptimizeSummary& summary, const Study& study, const Design& design,
                      const CycleResult<G>& r) {
   describe_cycles(summary, r.history);
   summary.status = to_string(r.status);
   summary.reason = r.reason;
-  summary.steps = static_cast<int>(r.steps);
-  summary.newton_iterations = r.newton_iterations;
-  summary.stepping_s = r.stepping_s;
+  summary.steps = static_cast<int>(r.effort.steps);
+  summary.newton_iterations = r.effort.newton_iterations;
+  summary.stepping_s = r.effort.stepping_s;
   summary.mass_initial = r.mass_initial;
   summary.mass_final = r.mass;
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
-  for (size_t b = 0; b < r.factorizations.size(); ++b)
-    summary.factorizations.emplace_back(bodies[b].name, r.factorizations[b]);
+  for (size_t b = 0; b < r.effort.factorizations.size(); ++b)
+    summary.factorizations.emplace_back(bodies[b].name, r.effort.factorizations[b]);
   summary.design = design_figures(design.variables(), design.units(), r.x);
-  for (size_t i = 0; i < r.final.size(); ++i) {
-    const auto& spec = study.spec.constraints[i].response;
-    summary.constraints.push_back(
-        {r.final[i].name, name_of(spec.kind), unit(spec, study.scene.mechanism), r.final[i].limit,
-         i < r.initial.size() ? r.initial[i].largest : 0, r.final[i].largest, r.final[i].at_time,
-         r.final[i].largest / r.final[i].limit - 1});
-  }
+  describe_limits(summary, study, r);
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
     identity[bodies[body].name] = {
@@ -135,8 +149,8 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   describe_responses(out.summary, out.results);
   describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
-  out.initial = {r.times_initial, series(r.initial, scene.mechanism, study.spec)};
-  out.final = {r.times, series(r.final, scene.mechanism, study.spec)};
+  out.initial = records(r.initial, scene.mechanism, study.spec);
+  out.final = records(r.final, scene.mechanism, study.spec);
   if (sizing.size() > 0) out.design = design_rows(sizing, scene.mechanism, r.x);
   for (int k = 0; k < design->parts(); ++k) out.parts.push_back(part_of(design, k, study, r));
 }

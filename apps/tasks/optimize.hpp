@@ -10,7 +10,7 @@
 #include "apps/study/study.hpp"
 #include "apps/tasks/holes.hpp"
 #include "apps/tasks/part_fields.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/shape_cycle.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
@@ -18,6 +18,7 @@ namespace liesl {
 
 /// Limited responses over a motion.
 struct LimitRecords {
+  std::string scenario;  ///< empty: the only one
   std::vector<double> times;
   std::vector<output::ResponseResult> responses;
 };
@@ -25,10 +26,10 @@ struct LimitRecords {
 struct OptimizeOutcome {
   CycleStatus status = CycleStatus::Converged;
   output::OptimizeSummary summary;
-  bool simulated = false;                 ///< there is a final motion: records and limits of it
-  output::Results results;                ///< of the final motion
-  LimitRecords initial, final;            ///< of the first and the final motion
-  std::vector<output::DesignRow> design;  ///< of beam sections
+  bool simulated = false;                    ///< there is a final motion: records and limits of it
+  output::Results results;                   ///< of the final motion
+  std::vector<LimitRecords> initial, final;  ///< of the first and the final motions, by scenario
+  std::vector<output::DesignRow> design;     ///< of beam sections
   std::vector<PartOutcome> parts;
   std::optional<Holes> holes;  ///< of studies of outlines
 };

@@ -1,5 +1,7 @@
 #include "optim/cycle/design_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
@@ -80,7 +82,7 @@ void DesignSimulator<G>::measure_walls(DesignRun<G>& r, const Eigen::VectorXd& x
     for (int i = 0; i < walls.size(); ++i)
       if (walls[i] > r.worst) {
         r.worst = walls[i];
-        r.worst_time = 0;
+        r.worst_at.clear();
         r.worst_constraint = part.design.wall_names()[static_cast<std::size_t>(i)];
       }
   }
@@ -108,7 +110,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   for (const auto& series : r.limits)
     if (const double g = series.largest / series.limit - 1; g > r.worst) {
       r.worst = g;
-      r.worst_time = series.at_time;
+      r.worst_at = fmt::format("t = {:.6g} s", series.at_time);
       r.worst_constraint = series.name;
     }
 }

@@ -34,8 +34,8 @@ struct DesignRun {
   std::vector<SolidLoadSet> solid_loads;  ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;        ///< one for each constraint
   double worst = -1;                      ///< largest |r|/limit - 1 over all records and limits
-  double worst_time = 0;                  ///< s
   std::string worst_constraint;
+  std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
   bool good() const { return simulation.report.status == SolveStatus::Converged; }
   std::vector<double> times() const;  ///< of the records, s

@@ -26,17 +26,16 @@ template <FrameGroup G>
 void keep_initial(const CycleResult<G>& first, CycleResult<G>& next) {
   next.mass_initial = first.mass_initial;
   next.initial = first.initial;
-  next.times_initial = first.times_initial;
 }
 
 /// The effort of another round counts, too.
 template <FrameGroup G>
 void add_effort(const CycleResult<G>& round, CycleResult<G>& total) {
-  total.steps += round.steps;
-  total.newton_iterations += round.newton_iterations;
-  total.stepping_s += round.stepping_s;
-  for (std::size_t b = 0; b < round.factorizations.size(); ++b)
-    total.factorizations[b] += round.factorizations[b];
+  total.effort.steps += round.effort.steps;
+  total.effort.newton_iterations += round.effort.newton_iterations;
+  total.effort.stepping_s += round.effort.stepping_s;
+  for (std::size_t b = 0; b < round.effort.factorizations.size(); ++b)
+    total.effort.factorizations[b] += round.effort.factorizations[b];
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 /// ESL cycles in rounds: cycle, insert a hole where the topological derivative under the loads of
 /// the final motion says that one pays, cycle again. Experimental.
 
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/topology_cycle.hpp"
 
 namespace liesl {

@@ -85,7 +85,7 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
   task.outputs.resize(part.model.size(), 0);
   for (std::size_t i = 0; i < study.constraints.size(); ++i) {
     const ConstraintSpec& c = study.constraints[i];
-    if (limited_body(c.response) != part.body) continue;
+    if (!c.has_image || limited_body(c.response) != part.body) continue;
     const MatrixXd C = outputs_of(c.response, part.model);
     const auto first = task.outputs.cols();
     task.outputs.conservativeResize(Eigen::NoChange, first + C.cols());

@@ -28,6 +28,8 @@ struct DesignSpec {
 struct ConstraintSpec {
   ResponseSpec response;  ///< its name is the constraint's name
   double limit = 0;       ///< |response| <= limit at every time step
+  /// Whether static problems of parts tell it; else it is known by its gradient alone.
+  bool has_image = true;
 };
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
@@ -150,6 +152,7 @@ inline int limited_body(const ResponseSpec& r) {
 
 struct StudySpec {
   std::string name;
+  std::vector<std::string> scenarios;  ///< names; empty: one motion, which has none
   std::vector<DesignSpec> design;
   std::vector<int> mass_of;  ///< objective: mass of these bodies
   std::vector<ConstraintSpec> constraints;
@@ -163,12 +166,16 @@ struct StudySpec {
   CycleOptions cycle;
 };
 
-/// Bodies that carry limits, each once.
+/// Can the static problem of a part tell this response? Deformations of one beam; elongations and
+/// displacements of one meshed part.
+bool has_static_image(const ResponseSpec& response, const Mechanism& mechanism);
+
+/// Bodies that carry limits with a static image, each once.
 inline std::vector<int> limited_bodies(const StudySpec& study) {
   std::vector<int> bodies;
   for (const auto& c : study.constraints)
     if (const int b = limited_body(c.response);
-        std::find(bodies.begin(), bodies.end(), b) == bodies.end())
+        c.has_image && std::find(bodies.begin(), bodies.end(), b) == bodies.end())
       bodies.push_back(b);
   return bodies;
 }

@@ -1,6 +1,6 @@
 /// @file
 /// Several static problems as one: the sums and blocks of its members.
-#include "optim/cycle/joint_problem.hpp"
+#include "optim/cycle/combined_problem.hpp"
 
 #include <gtest/gtest.h>
 
@@ -49,19 +49,19 @@ class Wells final : public StaticProblem {
 struct Joined {
   Wells* first;
   Wells* second;
-  JointProblem problem;
+  CombinedProblem problem;
 
   static Joined make() {
     auto a = std::make_unique<Wells>("a", 2, 1.0), b = std::make_unique<Wells>("b", 3, 5.0);
     Wells *first = a.get(), *second = b.get();
-    std::vector<JointProblem::Member> members;
-    members.push_back({std::move(a), 1});
-    members.push_back({std::move(b), 0.5});
-    return {first, second, JointProblem(std::move(members))};
+    std::vector<CombinedProblem::Member> members;
+    members.push_back({std::move(a), 1, 0});
+    members.push_back({std::move(b), 0.5, 2});
+    return {first, second, CombinedProblem(std::move(members))};
   }
 };
 
-TEST(JointProblem, AddsObjectivesAndStacksLimits) {
+TEST(CombinedProblem, AddsObjectivesAndStacksLimits) {
   Joined j = Joined::make();
   EXPECT_EQ(j.problem.variables().size(), 5u);
   EXPECT_EQ(j.problem.add_violated(Eigen::VectorXd::Constant(5, 2), 0), 2);
@@ -75,7 +75,7 @@ TEST(JointProblem, AddsObjectivesAndStacksLimits) {
   EXPECT_LE((g - Eigen::Vector4d(0, -0.5, 1 / 3. - 1, 1)).norm(), 1e-15);
 }
 
-TEST(JointProblem, HasUniqueIdsAndRightDerivatives) {
+TEST(CombinedProblem, HasUniqueIdsAndRightDerivatives) {
   Joined j = Joined::make();
   j.problem.add_violated(Eigen::VectorXd::Constant(5, 2), 0);
   std::set<ConstraintId> ids;
@@ -86,7 +86,7 @@ TEST(JointProblem, HasUniqueIdsAndRightDerivatives) {
   EXPECT_TRUE(report.right) << report.text();
 }
 
-TEST(JointProblem, TellsWhichMemberHasNoValue) {
+TEST(CombinedProblem, TellsWhichMemberHasNoValue) {
   Joined j = Joined::make();
   EXPECT_EQ(j.problem.obstacle(), "");
   j.second->obstacle_ = "cut";
@@ -94,7 +94,7 @@ TEST(JointProblem, TellsWhichMemberHasNoValue) {
 }
 
 /// Nothing couples the members: the joint optimum is theirs.
-TEST(JointProblem, HasTheOptimaOfItsMembers) {
+TEST(CombinedProblem, HasTheOptimaOfItsMembers) {
   Joined j = Joined::make();
   for (int round = 0; round < 3; ++round)
     j.problem.add_violated(Eigen::VectorXd::Constant(5, 2), 0);
