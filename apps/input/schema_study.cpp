@@ -33,7 +33,7 @@ std::vector<Key> study_keys() {
     {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms.", 0, "mass compliance stress"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
 
-    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress, compliance."},
+    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a part otherwise."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},

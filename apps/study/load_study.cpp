@@ -40,6 +40,7 @@ void read_study_parts(StudyReader& reader) {
   read_supports(reader);
   read_parts_of_study(reader);
   read_cycle(reader);
+  check_images(reader);
   check_shapes(reader);
 }
 

@@ -23,7 +23,6 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
-    c.has_image = has_static_image(c.response, mechanism);
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
   }
