@@ -22,8 +22,8 @@ Step FixedPointRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
   move_ *= 0.5;
   if (record.history().empty() || move_ < kSmallestMove)
     return {x, CycleEnd{CycleStatus::SimulationFailed,
-                        "the simulation of a design failed: " + failed.reason}};
-  record.warn("a design could not be simulated and was taken back half-way: " + failed.reason);
+                        "a design cannot be analysed: " + failed.reason}};
+  record.warn("a design could not be analysed and was taken back half-way: " + failed.reason);
   return {0.5 * (x + record.history().back().x), {}};
 }
 

@@ -46,10 +46,7 @@ CycleResult<G> described(MotionModel<G>& model, LoopResult loop) {
   CycleResult<G> out;
   static_cast<LoopResult&>(out) = std::move(loop);
   out.effort = model.effort();
-  if (out.first) {
-    out.mass_initial = out.first->mass;
-    out.initial = dynamic_cast<const MotionAnalysis<G>&>(*out.first).limits;
-  }
+  start_with(out, out);
   if (!out.history.empty()) out.load_change = out.history.back().load_change;
   if (!out.best) return out;
   auto& best = dynamic_cast<MotionAnalysis<G>&>(*out.best);

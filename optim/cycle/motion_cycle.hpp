@@ -7,12 +7,6 @@
 
 namespace liesl {
 
-/// Where a new hole would pay in a meshed part under the loads of its final motion.
-struct PartProposal {
-  int body = 0;
-  HoleProposal hole;
-};
-
 /// `x` is the final design: the lightest that meets the limits, else the least bad. What belongs to
 /// a motion is that of the first scenario.
 template <FrameGroup G>
@@ -30,6 +24,14 @@ struct CycleResult : LoopResult {
   /// changes.
   std::vector<PartProposal> proposals;
 };
+
+/// What was before earlier rounds: the start of the first one.
+template <FrameGroup G>
+void start_with(CycleResult<G>& result, const LoopResult& first) {
+  if (!first.first) return;
+  result.mass_initial = first.first->mass;
+  result.initial = dynamic_cast<const MotionAnalysis<G>&>(*first.first).limits;
+}
 
 /// Runs the study by the method that study.cycle.method asks for (trust_region_rule.hpp,
 /// fixed_point_rule.hpp). `resume`: the cycles of an interrupted run with the same study.

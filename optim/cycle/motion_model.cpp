@@ -51,13 +51,14 @@ MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const Stu
   effort_.factorizations.assign(scenarios.front().mechanism.bodies.size(), 0);
 }
 
-template <FrameGroup G>
-void MotionModel<G>::count(const Report& report) {
-  effort_.steps += report.steps;
-  effort_.newton_iterations += report.newton_iterations;
-  effort_.stepping_s += report.stepping_s;
-  for (std::size_t b = 0; b < report.factorizations.size(); ++b)
-    effort_.factorizations[b] += report.factorizations[b];
+SimulationEffort& SimulationEffort::operator+=(const SimulationEffort& more) {
+  steps += more.steps;
+  newton_iterations += more.newton_iterations;
+  stepping_s += more.stepping_s;
+  factorizations.resize(std::max(factorizations.size(), more.factorizations.size()));
+  for (std::size_t b = 0; b < more.factorizations.size(); ++b)
+    factorizations[b] += more.factorizations[b];
+  return *this;
 }
 
 template <FrameGroup G>
@@ -72,7 +73,10 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
   };
   tbb::parallel_for(std::size_t{0}, simulators_.size(),
                     [&](std::size_t s) { out->runs[s] = simulators_[s]->run(x, shared); });
-  for (const DesignRun<G>& run : out->runs) count(run.simulation.report);
+  for (const DesignRun<G>& run : out->runs) {
+    const Report& r = run.simulation.report;
+    effort_ += {r.steps, r.newton_iterations, r.stepping_s, r.factorizations};
+  }
   judge(*out);
   return out;
 }

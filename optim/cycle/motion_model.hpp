@@ -34,6 +34,8 @@ struct SimulationEffort {
   long steps = 0, newton_iterations = 0;
   double stepping_s = 0;
   std::vector<int> factorizations;  ///< by body
+
+  SimulationEffort& operator+=(const SimulationEffort& more);
 };
 
 template <FrameGroup G>
@@ -67,7 +69,6 @@ class MotionModel final : public DesignModel {
  private:
   using Members = std::vector<CombinedProblem::Member>;
   void judge(MotionAnalysis<G>& analysis) const;
-  void count(const Report& report);
   /// Static problems of all scenarios, and responses that they do not tell.
   Members static_members(const MotionAnalysis<G>& at, const Eigen::VectorXd& x, double move) const;
   std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at,

@@ -62,8 +62,8 @@ Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
                               const Eigen::VectorXd& x) {
   if (!surrogate_.problem)
     return {x, CycleEnd{CycleStatus::SimulationFailed,
-                        "the simulation of a design failed: " + failed.reason}};
-  record.warn("a design could not be simulated: " + failed.reason);
+                        "a design cannot be analysed: " + failed.reason}};
+  record.warn("a design could not be analysed: " + failed.reason);
   judge(nullptr);
   return propose(record, nullptr);
 }
