@@ -11,6 +11,10 @@ std::vector<Key> study_keys() {
     {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the study."},
     {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in this study, as in \"simulation.step\" = 5e-5."},
     {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
+    {"scenarios", Type::Named, "", kOptional, kAny, "Motions that one design has to stand, by name: speeds, payloads, loads. Every limit holds in each of them; without this table there is one, that of the scene."},
+    {"scenarios.*", Type::Table, "", kOptional, kAny, "One motion: the scene with some keys changed."},
+    {"scenarios.*.set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in it, after those of `set`; none: the scene itself."},
+    {"scenarios.*.set.*", Type::Any, "", kOptional, kAny, "Value of a scene key; bodies and their meshes stay."},
 
     {"design", Type::Named, "", kRequired, kAny, "What may change, by name."},
     {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, or one parameter of the outline of a meshed part."},

@@ -34,7 +34,8 @@ std::string without_sensitivities(const StudyReader& reader) {
   if (reader.root.contains("loads")) return "loads that stay move nothing";
   if (reader.scene.scene.simulation.type != SimulationType::Dynamic)
     return "statics has no sensitivities";
-  if (reader.spec.cycle.method == CycleMethod::Esl) return "the method \"esl\" uses static problems only";
+  if (reader.spec.cycle.method == CycleMethod::Esl)
+    return "the method \"esl\" uses static problems only";
   return "";
 }
 

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
@@ -117,16 +118,35 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   for (int k = 0; k < design->parts(); ++k) out.parts.push_back(part_of(design, k, study, r));
 }
 
+/// The motions of all scenarios.
+template <FrameGroup G>
+std::vector<Scenario<G>> motions_of(const Study& study, const Space<G>& space) {
+  std::vector<Scenario<G>> out{{study.scene.mechanism, space, study.scene.simulation}};
+  for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+    const Scene& scene = study.scenarios[s];
+    const ChosenSpace chosen = choose_space(scene);
+    if (!std::holds_alternative<Space<G>>(chosen.space))
+      throw InputError({{study.file, 0, 0,
+                         "scenario '" + study.spec.scenarios[s + 1] + "' is " + chosen.name +
+                             ", the first one is not",
+                         "all scenarios planar, or all spatial", "simulation.space = \"spatial\""}});
+    out.push_back({scene.mechanism, std::get<Space<G>>(chosen.space), scene.simulation});
+  }
+  return out;
+}
+
 template <FrameGroup G>
 void optimize_on(const Study& given, const Space<G>& space, int nucleate,
                  const OptimizeHooks& hooks, const RoundHistory& resume, OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
   SimulationEffort effort;
+  auto motions = motions_of(given, space);
   const OptimiseRound<CycleResult<G>> optimise =
       [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,
           const std::vector<Cycle>& cycles) {
-        auto end = run_cycle<G>(mechanism, space, scene.simulation, study, cycle, cycles);
+        motions.front().mechanism = mechanism;
+        auto end = run_cycle<G>(motions, study, cycle, cycles);
         effort += end.effort;
         return end;
       };
