@@ -41,6 +41,8 @@ std::vector<Key> study_keys() {
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},
+    {"constraints.*.treatment", Type::Choice, "", "\"auto\"", kAny, "Which constraints a limit over a motion becomes: \"auto\", load cases near the largest and those that turn out to violate it; \"all\", every step above half of the largest value; \"maxima\", \"neighbours\" (with three steps on either side), \"worst\", the largest alone; \"ks\", a smooth maximum about each. \"functional\" limits the mean excess, \"p_norm\" the mean of order `p` instead of the largest. All but \"auto\" need cycle.method \"esl1\" or \"full\".", 0, "auto all maxima neighbours worst functional p_norm ks"},
+    {"constraints.*.p", Type::Number, "-", "2", {1, 100}, "Exponent; 2: root mean square.", 0, "", "treatment=p_norm"},
   };
   for (Key& key : response_keys("constraints.*")) keys.push_back(std::move(key));
   const std::vector<Key> rest{

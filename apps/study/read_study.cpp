@@ -39,6 +39,13 @@ std::string without_sensitivities(const StudyReader& reader) {
   return "";
 }
 
+/// In the order of Treatment.
+Treatment read_treatment(const std::string& name) {
+  const auto names = words("auto all maxima neighbours worst functional p_norm ks");
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Treatment::Auto : static_cast<Treatment>(found - names.begin());
+}
+
 /// Number of directions that "node:xyz,rx" holds, -1 if it is not of that form.
 int held(const std::string& text) {
   const auto colon = text.find(':');
@@ -115,7 +122,10 @@ void read_constraints(StudyReader& reader) {
     auto response = response_of(reader, entry);
     if (!response) continue;
     const bool image = has_static_image(*response, reader.scene.scene.mechanism);
-    reader.spec.constraints.push_back({std::move(*response), number(*entry.table, "limit"), image});
+    ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
+    limit.treatment = read_treatment(text(*entry.table, "treatment"));
+    if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
+    reader.spec.constraints.push_back(std::move(limit));
   }
   for (const char* group : {"constraints", "part_limits", "walls"})
     if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
@@ -192,13 +202,16 @@ void check_images(StudyReader& reader) {
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
   for (const ConstraintSpec& c : reader.spec.constraints)
-    if (!c.has_image) {
+    if (!c.has_image || c.treatment != Treatment::Auto) {
       const toml::table& table = *reader.root["constraints"][c.response.name].as_table();
       const toml::node* use = table.get("use");
+      const bool treated = c.has_image;
       reader.scene.problems.add(
-          use ? *use : *table.get("response"),
-          fmt::format("constraint '{}' is not on the deformation of a part, and {}",
-                      c.response.name, why),
+          treated ? *table.get("treatment") : use ? *use : *table.get("response"),
+          fmt::format("constraint '{}' {}, and {}", c.response.name,
+                      treated ? "is treated by the motion's own gradients"
+                              : "is not on the deformation of a part",
+                      why),
           "a displacement, deflection, elongation, stress or compliance of a beam, a displacement "
           "or elongation of a meshed part",
           "limits on any response need a motion and cycle.method \"esl1\" or \"full\"");

@@ -54,7 +54,7 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
       const double initial = s < r.initial.size() ? r.initial[s].limits[i].largest : 0;
       summary.constraints.push_back({limit_name(study.spec, which), name_of(spec.kind),
                                      unit(spec, study.scene.mechanism), last.limit, initial,
-                                     last.largest, last.at_time, last.largest / last.limit - 1});
+                                     last.largest, last.at_time, last.measure / last.limit - 1});
     }
 }
 

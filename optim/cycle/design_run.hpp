@@ -20,6 +20,7 @@ struct LimitSeries {
   double limit = 0;
   std::vector<double> values;
   double largest = 0, at_time = 0;
+  double measure = 0;  ///< what is compared with the limit: the largest, or what its treatment says
 };
 
 /// Everything after `simulation` is empty or zero unless the simulation converged.

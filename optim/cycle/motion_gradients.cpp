@@ -34,12 +34,32 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
       const VectorXd y = values(responses[r].response, completed);
       const double v = y.norm();
       series_[r].value[static_cast<Eigen::Index>(record)] = v;
-      if (v > 0 && v >= kKept * run.limits[responses[r].constraint].largest)
+      if (v > 0 && v >= responses[r].kept * run.limits[responses[r].constraint].largest)
         series_[r].gradient[static_cast<int>(record)] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
   };
   reason_ = direct_sensitivity<G>(model, run.tape, parameters, take).reason;
+}
+
+void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) {
+  const Series of = at(response);
+  auto times = std::make_shared<std::vector<double>>();
+  Series& to = series_[static_cast<std::size_t>(response)];
+  to.value.resize(static_cast<Eigen::Index>(by.size()));
+  to.gradient.clear();
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    times->push_back((*of.times)[static_cast<std::size_t>(by[k].record)]);
+    to.value[static_cast<Eigen::Index>(k)] = by[k].value;
+    for (const auto& [record, weight] : by[k].weight) {
+      const auto dv = of.gradient.find(record);
+      if (dv == of.gradient.end()) continue;
+      VectorXd& sum = to.gradient.emplace(static_cast<int>(k), VectorXd::Zero(dv->second.size()))
+                          .first->second;
+      sum += weight * dv->second;
+    }
+  }
+  to.times = std::move(times);
 }
 
 void MotionGradients::append(MotionGradients other) {

@@ -13,12 +13,10 @@ namespace liesl {
 
 /// v_rn = |y_r(t_n)| of each response r at the records n of its motion, and dv_rn/dx by the direct
 /// form of the sensitivities (mbs/sensitivity), exact but for the tolerance of the simulation.
-/// Gradients are kept where v_rn is at least `kKept` of the largest value of its limit: less does
+/// Gradients are kept where v_rn is at least `kept` of the largest value of its limit: less does
 /// not bound the design.
 class MotionGradients {
  public:
-  static constexpr double kKept = 0.5;
-
   MotionGradients() = default;
   /// @param run of the design x, with a tape
   /// @throws std::invalid_argument if this motion has no sensitivities: formalism, start moved
@@ -29,6 +27,15 @@ class MotionGradients {
 
   /// Puts those of another motion of the same design behind these.
   void append(MotionGradients other);
+
+  /// Replaces the records of a response by fewer, each of them a function of all: values v_k of
+  /// the records n_k with dv_k = sum_n weight_kn dv_n.
+  struct Aggregate {
+    int record = 0;
+    double value = 0;
+    std::map<int, double> weight;  ///< by record
+  };
+  void aggregate(int response, const std::vector<Aggregate>& by);
 
   /// Why there are none; empty if all steps were differentiated.
   const std::string& reason() const { return reason_; }

@@ -7,6 +7,7 @@
 #include <mutex>
 
 #include "optim/cycle/motion_rows.hpp"
+#include "optim/cycle/treatment.hpp"
 #include "optim/study/study_errors.hpp"
 
 namespace liesl {
@@ -23,6 +24,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
+    if (c.treatment != Treatment::Auto) c.has_image = false;
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
   }
@@ -30,6 +32,24 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     throw std::invalid_argument("limits that the static problem of a part cannot tell:" + without +
                                 "; expected cycle.method = \"esl1\" or \"full\"");
   return study;
+}
+
+/// The responses whose rows a limit has: one a point, or where their largest is aggregated, that.
+std::vector<ResponseSpec> rows_of(const ConstraintSpec& limit, const Mechanism& mechanism) {
+  if (aggregates(limit.treatment)) return {limit.response};
+  return at_every_point(limit.response, mechanism);
+}
+
+/// Replaces records by what the treatment of their limit makes of them.
+void aggregate(const StudySpec& study, int r, MotionGradients& gradients) {
+  const ConstraintSpec& limit = study.constraints[gradients.response(r).constraint];
+  if (!aggregates(limit.treatment)) return;
+  std::vector<double> times, values;
+  for (int n = 0; n < gradients.records(r); ++n) {
+    times.push_back(gradients.time(r, n));
+    values.push_back(gradients.value(r, n));
+  }
+  gradients.aggregate(r, aggregates_of(limit, times, values));
 }
 
 }  // namespace
@@ -145,10 +165,12 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)
-        for (auto& r : at_every_point(study_.constraints[c].response, run.mechanism))
-          responses.push_back({static_cast<int>(c), std::move(r)});
+        for (auto& r : rows_of(study_.constraints[c], run.mechanism))
+          responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
+                               aggregates(study_.constraints[c].treatment) ? 0 : 0.5});
     for (auto& r : responses) r.scenario = static_cast<int>(s);
     p.gradients = MotionGradients(simulators_[s]->design(), run, x, responses);
+    for (int r = p.imaged; r < p.gradients.responses(); ++r) aggregate(study_, r, p.gradients);
   });
   Members members;
   for (Part& p : parts) {

@@ -7,23 +7,19 @@
 
 #include "mbs/sections/stress.hpp"
 #include "optim/cycle/part_outputs.hpp"
+#include "optim/cycle/treatment.hpp"
 
 namespace liesl {
 namespace {
 
 using Eigen::VectorXd;
 
-/// Maxima over time above half of the largest, with their neighbours.
-std::set<int> maxima(const std::vector<double>& v) {
-  std::set<int> out;
-  const int size = static_cast<int>(v.size());
-  const double least = 0.5 * *std::max_element(v.begin(), v.end());
-  for (int n = 0; n < size; ++n) {
-    const bool rises = n == 0 || v[n] >= v[n - 1], falls = n + 1 == size || v[n] > v[n + 1];
-    if (!rises || !falls || v[n] < least) continue;
-    for (int k = n - MotionRows::kNeighbours; k <= n + MotionRows::kNeighbours; ++k)
-      if (k >= 0 && k < size) out.insert(k);
-  }
+/// The records that become rows of a limit.
+std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& near,
+                         const std::vector<double>& v) {
+  if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
+  std::set<int> out(near.begin(), near.end());
+  if (!many) out.merge(treated_records(Treatment::Neighbours, v));
   return out;
 }
 
@@ -46,9 +42,8 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
   const CasesByLimit near = near_largest(values, limits, study.cycle);
   std::vector<double> g;
   for (int l = 0; l < count; ++l) {
-    std::set<int> records(near[l].begin(), near[l].end());
-    if (!limits[l].many) records.merge(maxima(values[l]));
-    for (const int n : records) {
+    const ConstraintSpec& limit = study.constraints[limits[l].constraint];
+    for (const int n : records_of(limit, limits[l].many, near[l], values[l])) {
       const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
       constraints_.push_back(
           {id,

@@ -10,11 +10,10 @@ namespace liesl {
 
 /// Rows v_rn/limit_r - 1 that keep the value of the analysed design whatever x is; a
 /// CorrectedProblem gives them their slope. Retained: records near the largest (case_screen.hpp),
-/// and every maximum over time above half of the largest with its neighbours. The objective is 0.
+/// and every maximum over time above half of the largest with its neighbours; or what the treatment
+/// of the limit says (treatment.hpp). The objective is 0.
 class MotionRows final : public StaticProblem {
  public:
-  static constexpr int kNeighbours = 3;  ///< records on either side of a maximum
-
   /// @param motion gradients that contain those of these rows
   /// @param first, count of their responses in `motion`  @param variables of the whole design
   MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,

@@ -16,6 +16,7 @@ struct LimitedResponse {
   int constraint = 0;  ///< of the study
   ResponseSpec response;
   int scenario = 0;  ///< of the study: which motion
+  double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
 };
 
 /// What a limit is called in reports: its name, and the scenario if there are several.

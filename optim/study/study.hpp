@@ -25,11 +25,29 @@ struct DesignSpec {
   std::vector<double> start;    ///< empty = as in the scene; else one value or one a group
 };
 
+/// How a limit over all of a motion becomes constraints (thesis section 3.3.2); of what the motion
+/// says itself, with its gradients.
+enum class Treatment {
+  Auto,        ///< images in static problems with their screening; else as Neighbours, and what is
+               ///< near the largest
+  All,         ///< every record above half of the largest
+  Maxima,      ///< local maxima over time above half of the largest
+  Neighbours,  ///< the same with three records on either side
+  Worst,       ///< the largest alone
+  Functional,  ///< mean excess, (1/T) int <v/limit - 1> dt <= 0
+  PNorm,       ///< (mean of v^p)^(1/p) <= limit; p = 2: root mean square
+  Ks           ///< Kreisselmeier-Steinhauser function about each maximum, scaled to the maximum
+};
+/// One number, or one a maximum, instead of many records.
+inline bool aggregates(Treatment t) { return t >= Treatment::Functional; }
+
 struct ConstraintSpec {
   ResponseSpec response;  ///< its name is the constraint's name
   double limit = 0;       ///< |response| <= limit at every time step
   /// Whether static problems of parts tell it; else it is known by its gradient alone.
   bool has_image = true;
+  Treatment treatment = Treatment::Auto;
+  double p = 2;  ///< exponent of Treatment::PNorm
 };
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
