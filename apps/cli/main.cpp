@@ -28,6 +28,24 @@ std::string version_text() {
   return text;
 }
 
+void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
+  command
+      .add_option("--by", o.by,
+                  "Keys of the scene to differentiate by, as in sections.rod.diameter (a study has "
+                  "its variables)")
+      ->delimiter(',');
+  command.add_option("--method", o.method, "Form of the sensitivities")
+      ->check(CLI::IsMember({"auto", "direct", "adjoint"}))
+      ->default_val("auto");
+  command
+      .add_option("--functionals", o.functionals,
+                  "Of each response: peak, integral, mean, rms, at=TIME, p=P, ks=RHO")
+      ->delimiter(',')
+      ->default_val(std::vector<std::string>{"peak", "integral", "mean", "rms"});
+  command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
+  command.get_option("--output")->required(false);
+}
+
 /// The commands with their options; the chosen one is stored in `run`.
 void add_commands(CLI::App& app, liesl::CommandOptions& o,
                   int (*&run)(const liesl::CommandOptions&)) {
@@ -41,6 +59,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
+      {"sensitivity", "FILE", "Derivatives of the responses of a motion by parameters",
+       liesl::sensitivity_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
@@ -83,6 +103,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
           ->check(CLI::Range(1, 100));
       command->get_option("--output")->required(false);
     }
+    if (std::string(entry.name) == "sensitivity") add_sensitivity_options(*command, o);
     if (std::string(entry.name) == "batch") {
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
           ->check(CLI::Range(0, 10000));
@@ -151,8 +172,9 @@ int main(int argc, char** argv) {
     if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
   }
-  if (run == liesl::optimize_command && options.out.empty() && !options.check_derivatives) {
-    std::cerr << "liesl optimize: -o DIR is missing: where shall the results go?\n";
+  const bool stops = options.check_derivatives || options.check;
+  if (run != liesl::check_command && run != liesl::plot_command && options.out.empty() && !stops) {
+    std::cerr << "liesl: -o DIR is missing: where shall the results go?\n";
     return kRefused;
   }
   liesl::output::catch_interrupts();
