@@ -7,6 +7,7 @@
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
 #include "optim/cycle/motion_topology.hpp"
@@ -160,6 +161,12 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
                  OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
+  for (int k = 0; k < first.parts(); ++k) {
+    const PartShape& part = first.part(k);
+    for (auto& text :
+         start_warnings(scene.mechanism.bodies[static_cast<size_t>(part.body)].name, part))
+      out.summary.warnings.push_back(std::move(text));
+  }
   bool with_holes = false;
   CycleHooks cycle;
   cycle.progress = hooks.progress;

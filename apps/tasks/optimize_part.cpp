@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/tasks/optimize.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "optim/cycle/topology_cycle.hpp"
 
@@ -113,6 +114,8 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
                     r.proposal.reason,
                     quantity(goal).unit};
   describe_result(out.summary, solid_task(study.spec, *r.part), r.shape);
+  const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
+  for (auto& text : start_warnings(name, start)) out.summary.warnings.push_back(std::move(text));
   describe_holes(out.summary, *out.holes);
   if (r.shape.x.size() == 0) return out;
   PartFields fields{r.shape.fractions, r.shape.displacements, r.shape.von_mises, r.proposal.gain,
