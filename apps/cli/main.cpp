@@ -6,6 +6,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <new>
@@ -107,7 +108,10 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     if (std::string(entry.name) == "batch") {
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
           ->check(CLI::Range(0, 10000));
-      command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
+      command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on")
+          ->check([](const std::string& text) {
+            return text.empty() ? std::string("expected i/n, as in --shard 3/20") : std::string();
+          });
     }
     if (std::string(entry.name) == "lean") {
       command->add_option("--response", o.response, "Response of the scene that has to be right")
@@ -148,6 +152,8 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
     std::cerr << "liesl: " << e.what() << "\n";
   } catch (const liesl::output::Interrupted&) {
     std::cerr << "liesl: interrupted\n";
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::cerr << "liesl: cannot use '" << e.path1().string() << "': " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "liesl: out of memory; use fewer elements, a larger step or output_every\n";
   } catch (const std::exception& e) {

@@ -8,6 +8,7 @@
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
 
@@ -140,6 +141,12 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
                  const OptimizeHooks& hooks, const RoundHistory& resume, OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
+  for (int k = 0; k < first.parts(); ++k) {
+    const PartShape& part = first.part(k);
+    for (auto& text :
+         start_warnings(scene.mechanism.bodies[static_cast<size_t>(part.body)].name, part))
+      out.summary.warnings.push_back(std::move(text));
+  }
   SimulationEffort effort;
   auto motions = motions_of(given, space);
   const OptimiseRound<CycleResult<G>> optimise =

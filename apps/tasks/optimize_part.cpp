@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/tasks/optimize.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
@@ -93,6 +94,9 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
   out.status = end.status;
   out.holes = holes_of(rounds, study.scene.mechanism, quantity(goal).unit);
   describe_end(out.summary, rounds);
+  const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
+  const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  for (auto& text : start_warnings(name, start)) out.summary.warnings.push_back(std::move(text));
   describe_holes(out.summary, *out.holes);
   if (!end.best) return out;
   PartFields fields{end.fractions, end.displacements, end.von_mises, {}, out.holes->unit + "/m^3"};

@@ -312,5 +312,47 @@ tip = { response = "position", at = "bar.end" }
   EXPECT_GT(summary_["responses"]["tip"]["final"][1], 0.7);  // bent far
 }
 
+/// Edges on lines of the grid: the check of derivatives moves off and says so, and so does a run.
+TEST_F(TrapFigures, EdgesOnGridLinesAreNamed) {
+  write("scene.toml", R"toml([bodies.plate.solid]
+mesh = { from = [0, -0.04], to = [0.16, 0.04], cells = [16, 8] }
+material = "steel"
+thickness = 0.01
+ersatz = { ratio = 1e-3 }
+interfaces = { wall = { set = "x_min" }, tip = { set = "x_max", tie = "averaged" } }
+[bodies.plate.solid.outline]
+bar = { type = "rectangle", x = 0.1, width = 0.4, height = 0.06 }
+)toml" + kMaterials);
+  const std::string study = write("study.toml", R"toml(scene = "scene.toml"
+[design]
+height = { of = "plate", parameters = "bar.height", bounds = [0.03, 0.078] }
+[objective]
+minimize = "mass"
+of = "plate"
+[part_limits]
+soft = { of = "plate", quantity = "compliance", limit = 0.02 }
+[loads]
+f = { at = "plate.tip", force = [0, 1000, 0] }
+)toml");
+  const Words shifted{"--set", "design.height.start=0.0612"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const Words check{"optimize", study, "--check-derivatives"};
+  const Outcome on_line = run(check), beside = run(with(check, shifted));
+  EXPECT_EQ(on_line.code, 0) << on_line.out << on_line.err;
+  EXPECT_NE(on_line.out.find("along height:"), std::string::npos) << on_line.out;
+  EXPECT_NE(on_line.out.find("checked, 0 wrong"), std::string::npos) << on_line.out;
+  EXPECT_EQ(beside.code, 0) << beside.out << beside.err;
+  EXPECT_EQ(beside.out.find("kink"), std::string::npos) << beside.out;
+  const Words optimize{"optimize", study, "-o", results(), "--force"};
+  const char* words = "edges of the part 'plate' that height moves lie on grid lines at the start";
+  run(optimize);
+  EXPECT_NE(summary()["warnings"].dump().find(words), std::string::npos) << summary()["warnings"];
+  run(with(optimize, shifted));
+  EXPECT_EQ(summary()["warnings"].dump().find(words), std::string::npos);
+}
+
 }  // namespace
 }  // namespace liesl::test
