@@ -149,6 +149,7 @@ int optimize_command(const CommandOptions& options) {
   write_end(out, study.scene, folder.path());
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
+  add_report(folder.path(), options);
   folder.commit();
   const auto print = fixed_loads ? print_part_result : print_result;
   print(out.summary, options.out, options.quiet);

@@ -3,6 +3,7 @@
 #include "apps/tasks/optimize.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
@@ -17,8 +18,18 @@ namespace {
 void describe_cycles(output::OptimizeSummary& summary, const std::vector<Cycle>& history) {
   summary.history.clear();
   for (const auto& c : history)
-    summary.history.push_back(
-        {c.number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds});
+    summary.history.push_back({c.number,
+                               c.mass,
+                               c.worst,
+                               c.load_change,
+                               c.load_cases,
+                               c.iterations,
+                               c.move,
+                               c.seconds,
+                               {},
+                               {c.x.data(), c.x.data() + c.x.size()},
+                               c.worst_constraint,
+                               c.worst_time});
 }
 
 std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits,
@@ -40,7 +51,8 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
       for (int e = 0; e < at.element; ++e) s += element_length(beam, e);
       const auto& v = sizing.variables()[i];
       rows.push_back({v.name, mechanism.bodies[at.body].name, at.element, s,
-                      s + element_length(beam, at.element), v.start, x[i], v.lower, v.upper, "m"});
+                      s + element_length(beam, at.element), v.start, x[i], v.lower, v.upper, "m",
+                      fmt::format("{}", fmt::join(sizing.dimensions(i), "+"))});
     }
   return rows;
 }

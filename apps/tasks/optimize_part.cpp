@@ -33,9 +33,16 @@ void describe_steps(output::OptimizeSummary& summary, SolidResponse goal,
   summary.history.clear();
   for (const auto& s : history) {
     const bool mass = goal == SolidResponse::Mass;
-    summary.history.push_back({s.number, s.check.mass, s.check.worst, std::nullopt, s.load_cases,
-                               s.iterations, 0, s.seconds,
-                               mass ? std::nullopt : std::optional(s.check.goal)});
+    summary.history.push_back({s.number,
+                               s.check.mass,
+                               s.check.worst,
+                               std::nullopt,
+                               s.load_cases,
+                               s.iterations,
+                               0,
+                               s.seconds,
+                               mass ? std::nullopt : std::optional(s.check.goal),
+                               {s.x.data(), s.x.data() + s.x.size()}});
   }
   summary.mass_initial = history.front().check.mass;
   summary.mass_final = history.back().check.mass;
