@@ -1,7 +1,8 @@
 // A beam as a solid: each element with its own section, between its nodes a cubic.
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Mesh, Vector3 } from 'three';
 import { paint } from './colors.js';
+import { surface } from './materials.js';
 import { Chord } from './motion.js';
 import { outline, radius } from './sections.js';
 
@@ -13,8 +14,7 @@ export class BeamView {
     this.chord = new Chord(body);
     this.fallback = 0.006 * modelSize;
     this.parts = Math.max(1, Math.min(6, Math.floor(kMostStations / body.elements.length / 2)));
-    this.material = new MeshLambertMaterial({ vertexColors: true, side: DoubleSide });
-    this.mesh = new Mesh(new BufferGeometry(), this.material);
+    this.mesh = new Mesh(new BufferGeometry(), surface());
     this.mesh.frustumCulled = false;
     this.value = new Float32Array(body.nodes);
     this.setSections(null);

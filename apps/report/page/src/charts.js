@@ -57,7 +57,7 @@ function axes(d) {
     grid: { stroke: () => theme('line'), width: 1 } };
   const label = d.abscissa_unit && d.abscissa_unit !== '-' ? `${d.abscissa} [${d.abscissa_unit}]` : d.abscissa;
   return [
-    { ...style, size: 34, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2 },
+    { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2 },
     { ...style, size: 48, values: (_, v) => v.map((x) => number(x, 3)) },
   ];
 }

@@ -1,7 +1,7 @@
 // Colours of values: viridis for sizes, blue-grey-red for signs.
 
 const kViridis = [
-  [0.267, 0.005, 0.329], [0.283, 0.141, 0.458], [0.254, 0.265, 0.530], [0.207, 0.372, 0.553],
+  [0.278, 0.085, 0.410], [0.283, 0.161, 0.468], [0.254, 0.265, 0.530], [0.207, 0.372, 0.553],
   [0.164, 0.471, 0.558], [0.128, 0.567, 0.551], [0.135, 0.659, 0.518], [0.267, 0.749, 0.441],
   [0.478, 0.821, 0.318], [0.741, 0.873, 0.150], [0.993, 0.906, 0.144],
 ];
@@ -21,11 +21,9 @@ function table(stops) {
 }
 const kTables = { size: table(kViridis), signed: table(kSigned) };
 
-/** Writes the colour of a share 0 .. 1 into out at `at`, as linear light for the renderer. */
-const kLinear = Object.fromEntries(
-  Object.entries(kTables).map(([name, t]) => [name, t.map((c) => c ** 2.2)]));
+/** Writes the colour of a share 0 .. 1 into out at `at`. */
 export function paint(map, share, out, at) {
-  const t = kLinear[map], i = 3 * Math.max(0, Math.min(255, Math.round(255 * share)));
+  const t = kTables[map], i = 3 * Math.max(0, Math.min(255, Math.round(255 * share)));
   out[at] = t[i];
   out[at + 1] = t[i + 1];
   out[at + 2] = t[i + 2];

@@ -13,7 +13,7 @@ function page() {
   const data = load(), s = data.summary;
   document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
-  const player = data.motion ? new Player(data.motion, clock) : null;
+  const player = data.motion ? new Player(data.motion, clock, worstInstant(s)) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });
   const main = el('main', {}, left, right);
   document.body.append(themeButton(), tables.head(data), main, el('footer', {}, `liesl ${s.versions?.liesl ?? ''} \u00b7 ${s.command ?? ''}`));
@@ -39,7 +39,13 @@ function page() {
     if (typing || sliding || pressing || event.ctrlKey || event.metaKey || event.altKey) return;
     if (player?.key(event)) event.preventDefault();
   });
-  document.documentElement.dataset.ready = 'yes';
+  requestAnimationFrame(() => (document.documentElement.dataset.ready = Math.round(performance.now())));
+}
+
+/** When the limit is reached that is violated most, or has least to spare. */
+function worstInstant(s) {
+  const worst = Object.values(s.constraints ?? {}).sort((a, b) => b.violation - a.violation)[0];
+  return worst?.at_time > 0 ? worst.at_time : undefined;
 }
 
 function themeButton() {

@@ -9,8 +9,9 @@ const kWholeMotion = 8;  // seconds that the whole motion takes to play
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Player {
-  constructor(motion, clock) {
-    Object.assign(this, { motion, clock, playing: false, speed: 1, phase: 0, frames: [] });
+  /** @param first instant to begin with; none: that of the largest deformation */
+  constructor(motion, clock, first) {
+    Object.assign(this, { motion, clock, first, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
     this.stage = el('div', { class: 'stage' }, this.canvas);
@@ -28,8 +29,9 @@ export class Player {
       return;
     }
     this.fillColours();
-    this.setScale(this.modes ? 1 : 1);
+    this.setScale(this.modes ? 1 : this.view.goodScale());
     this.clock.listen(() => this.show());
+    if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
     if (this.modes) this.toggle(true);
     const loop = (now) => {
       this.advance(now);
@@ -54,10 +56,10 @@ export class Player {
     return el('div', { class: 'controls' },
       this.button, el('label', { for: 'time' }, this.modes ? 'mode' : this.motion.abscissa.replace('_', ' ')), this.slider, this.label,
       el('span', {}), el('label', { for: 'scale' }, this.modes ? 'amplitude' : 'deformation'), this.scaler, this.scaleLabel,
-      el('span', {}), el('label', { for: 'colour' }, 'colour'), this.colours,
-      el('span', { class: 'small' }, this.rate,
-        el('button', { id: 'fit', title: 'whole motion (F)', onclick: () => this.view?.fit() }, 'fit'),
-        el('button', { id: 'good', title: 'deformation that can be seen (D)', onclick: () => this.goodScale() }, 'magnify')));
+      el('span', {}), el('label', { for: 'colour' }, 'colour'),
+      el('span', { class: 'small' }, this.colours, this.rate,
+        el('button', { id: 'good', title: 'true shape, or deformation that can be seen (D)', onclick: () => this.goodScale() }, this.modes ? '\u00d7 1' : 'true / magnified'),
+        el('button', { id: 'fit', title: 'whole motion (F)', onclick: () => this.view?.fit() }, 'fit')));
   }
 
   hint() {

@@ -1,9 +1,10 @@
 // What stands about the bodies: rigid bodies, joints, the grid.
 
 import {
-  BoxGeometry, ConeGeometry, CylinderGeometry, GridHelper, Group, Mesh, MeshLambertMaterial, Quaternion,
+  BoxGeometry, BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, Group, LineSegments, Mesh, Quaternion,
   SphereGeometry, Vector3,
 } from 'three';
+import { lines, surface } from './materials.js';
 
 const kUp = new Vector3(0, 1, 0);
 const kA = new Vector3(), kB = new Vector3(), kQ = new Quaternion();
@@ -12,9 +13,9 @@ const kA = new Vector3(), kB = new Vector3(), kQ = new Quaternion();
 export class RigidView {
   constructor(body, places, size) {
     this.body = body;
-    this.material = new MeshLambertMaterial({ color: 0x8a929c });
+    this.material = surface(0x8a929c);
     this.mesh = new Group();
-    const centre = new Vector3(...body.points.slice(0, 3)), r = 0.018 * size;
+    const centre = new Vector3(...body.points.slice(0, 3)), r = 0.013 * size;
     const block = new Mesh(new BoxGeometry(2 * r, 2 * r, 2 * r), this.material);
     block.position.copy(centre);
     this.mesh.add(block);
@@ -46,7 +47,7 @@ const kShapes = {
   planar: (r) => new CylinderGeometry(2 * r, 2 * r, 0.4 * r, 20),
   spherical: (r) => new SphereGeometry(1.2 * r, 20, 12),
   universal: (r) => new SphereGeometry(1.1 * r, 8, 6),
-  fixed: (r) => new BoxGeometry(2.2 * r, 2.2 * r, 2.2 * r),
+  fixed: (r) => new BoxGeometry(1.7 * r, 1.7 * r, 1.7 * r),
 };
 
 /** A joint at its second port, by the shape of its motion; a foot below where it is tied to the
@@ -56,14 +57,14 @@ export class JointView {
   constructor(joint, radius, up) {
     this.joint = joint;
     this.mesh = new Group();
-    const material = new MeshLambertMaterial({ color: 0xd9822b });
+    const material = surface(0xd9822b);
     const shape = (kShapes[joint.type] ?? kShapes.spherical)(radius);
     this.glyph = new Mesh(shape, material);
     this.axis = new Vector3(...(joint.axis.length ? joint.axis : [0, 0, 1]));
     this.mesh.add(this.glyph);
     this.grounded = joint.bodies.indexOf('ground');
     if (this.grounded >= 0) {
-      this.foot = new Mesh(new ConeGeometry(2.2 * radius, 2.6 * radius, 4), new MeshLambertMaterial({ color: 0x6b7480 }));
+      this.foot = new Mesh(new ConeGeometry(2.2 * radius, 2.6 * radius, 4), surface(0x6b7480));
       const down = joint.type === 'prismatic' ? 2.2 * radius : 1.3 * radius;
       this.foot.quaternion.setFromUnitVectors(kUp, up);
       this.offset = up.clone().multiplyScalar(-down - 0.4 * radius);
@@ -90,9 +91,11 @@ export function grid(box, up, low, colour) {
   const size = box.getSize(new Vector3()).length(), raw = size / 12;
   const power = 10 ** Math.floor(Math.log10(raw));
   const step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= raw);
-  const helper = new GridHelper(24 * step, 24, colour, colour);
-  helper.material.transparent = true;
-  helper.material.opacity = 0.55;
+  const half = 12, ends = [];
+  for (let i = -half; i <= half; ++i) ends.push(-half, 0, i, half, 0, i, i, 0, -half, i, 0, half);
+  const geometry = new BufferGeometry();
+  geometry.setAttribute('position', new BufferAttribute(Float32Array.from(ends, (x) => x * step), 3));
+  const helper = new LineSegments(geometry, lines(colour, 0.55));
   helper.quaternion.setFromUnitVectors(kUp, up);
   const centre = box.getCenter(new Vector3()).divideScalar(step).round().multiplyScalar(step);
   helper.position.copy(centre).addScaledVector(up, low - centre.dot(up));

@@ -1,9 +1,10 @@
 // A meshed part: what is material of its mesh, moved by its amplitudes in the frame of its first
 // interface.
 
-import { BufferAttribute, BufferGeometry, DoubleSide, Mesh, MeshLambertMaterial, Quaternion, Vector3 } from 'three';
+import { BufferAttribute, BufferGeometry, Mesh, Quaternion, Vector3 } from 'three';
 import { array, components } from './data.js';
 import { paint } from './colors.js';
+import { surface } from './materials.js';
 
 const kC = new Vector3(), kE = new Vector3(), kP = new Vector3(), kQ = new Quaternion(), kU = new Quaternion();
 
@@ -42,7 +43,7 @@ export class SolidView {
     geometry.setAttribute('position', new BufferAttribute(new Float32Array(3 * all), 3));
     geometry.setAttribute('color', new BufferAttribute(new Float32Array(3 * all), 3));
     geometry.setIndex(new BufferAttribute(new Uint32Array(index), 1));
-    this.mesh = new Mesh(geometry, new MeshLambertMaterial({ vertexColors: true, side: DoubleSide, flatShading: true }));
+    this.mesh = new Mesh(geometry, surface(0xffffff, true));
     this.mesh.frustumCulled = false;
   }
 

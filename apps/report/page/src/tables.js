@@ -20,6 +20,10 @@ const kMeaning = {
   inaccurate: 'The end was reached, but the time integration lost or made too much energy.',
 };
 
+function sentence(text) {
+  return text && !/[.!?]$/.test(text) ? `${text}.` : text;
+}
+
 function tile(label, value, note, kind) {
   return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
 }
@@ -43,7 +47,7 @@ export function head(data) {
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
-    el('p', { class: 'reason' }, s.reason, kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status]) : null),
+    el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status]) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, w))) : null,
     el('div', { class: 'tiles' }, tiles));
 }

@@ -1,7 +1,7 @@
 // The picture in space: bodies at an instant, deformation to scale, colours, camera.
 
 import {
-  AmbientLight, Box3, Color, DirectionalLight, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer,
+  Box3, Color, PerspectiveCamera, Quaternion, Scene, Vector3, WebGLRenderer,
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BeamView } from './beams.js';
@@ -29,7 +29,6 @@ export class View {
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
     this.measure();
-    this.addLights();
     this.addBodies();
     this.addRanges();
     this.controls = new OrbitControls(this.camera, canvas);
@@ -62,16 +61,6 @@ export class View {
     if (this.planar && normal === 1) this.normal.negate();
   }
 
-  addLights() {
-    this.scene.add(new AmbientLight(0xffffff, 1.5));
-    this.lights = [new DirectionalLight(0xffffff, 1.9), new DirectionalLight(0xffffff, 0.7)];
-    for (const light of this.lights) this.camera.add(light, light.target);
-    this.lights[0].position.set(-0.5, 0.8, 1);
-    this.lights[1].position.set(0.9, -0.4, 0.5);
-    for (const light of this.lights) light.target.position.set(0, 0, -1);
-    this.scene.add(this.camera);
-  }
-
   addBodies() {
     const { motion, size } = this;
     this.parts = [];  // {view, body, plain}
@@ -98,14 +87,16 @@ export class View {
 
   jointRadius(joint) {
     const around = joint.bodies.map((name, end) => this.viewOf.get(name)?.radiusAt?.(joint.nodes[end]) ?? 0);
-    return Math.max(0.008 * this.size, Math.min(1.12 * Math.max(...around), 0.03 * this.size));
+    return Math.max(0.0095 * this.size, Math.min(1.12 * Math.max(...around), 0.03 * this.size));
   }
 
   /** Ranges of colours: forces and stresses from the records, deformations by looking at some. */
   addRanges() {
     let size = 0;
     const n = this.t.length;
+    this.largest = 0;  // instant of the largest deformation
     for (let i = 0; i < n; i += Math.max(1, Math.floor(n / 60))) {
+      const before = size;
       this.moveBodies(i, 0, 1);
       for (const { view, body } of this.parts) {
         if (view.chord) {
@@ -117,6 +108,7 @@ export class View {
           }
         }
       }
+      if (size > before) this.largest = i;
     }
     this.deformed = size;
     const deformation = { key: 'displacement', label: 'deformation', unit: 'm', map: 'size', size, low: 0, high: size };
@@ -196,15 +188,21 @@ export class View {
     return true;
   }
 
+  /** The camera as near as the whole motion allows. */
   fit() {
-    const centre = this.box.getCenter(new Vector3()), r = 0.5 * this.size * 1.12;
+    const centre = this.box.getCenter(new Vector3()), margin = 0.035 * this.size;
     const from = this.planar
-      ? this.normal.clone().addScaledVector(this.up, 0.22).addScaledVector(kV.crossVectors(this.up, this.normal), -0.12)
+      ? this.normal.clone().addScaledVector(this.up, 0.2).addScaledVector(kV.crossVectors(this.up, this.normal), -0.1)
       : new Vector3(0.75, -1, 0.55);
+    const w = from.normalize(), u = new Vector3().crossVectors(this.up, w).normalize(), v = new Vector3().crossVectors(w, u);
+    const tan = Math.tan(((this.camera.fov / 2) * Math.PI) / 180), aspect = this.camera.aspect || 1;
+    let away = 0;
+    for (let corner = 0; corner < 8; ++corner) {
+      kV.set(...[0, 1, 2].map((c) => ((corner >> c) & 1 ? this.box.max : this.box.min).getComponent(c))).sub(centre);
+      away = Math.max(away, (Math.abs(kV.dot(u)) + margin) / (tan * aspect) + kV.dot(w), (Math.abs(kV.dot(v)) + margin) / tan + kV.dot(w));
+    }
     this.camera.up.copy(this.up);
-    const narrow = Math.min(1, this.camera.aspect || 1), half = ((this.camera.fov / 2) * Math.PI) / 180;
-    const away = r / Math.sin(Math.atan(Math.tan(half) * narrow)) * (this.planar ? 0.86 : 1);
-    this.camera.position.copy(centre).addScaledVector(from.normalize(), away);
+    this.camera.position.copy(centre).addScaledVector(w, away);
     this.camera.near = away / 100;
     this.camera.far = away * 20;
     this.camera.updateProjectionMatrix();
