@@ -70,13 +70,16 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::compare_command, true},
       {"lean", "SCENE", "Find the cheapest model of a scene that is good enough",
        liesl::lean_command, true},
+      {"report", "DIR", "Write report.html, a page to look at what a results folder holds",
+       liesl::report_command, false},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
     auto* command = app.add_subcommand(entry.name, entry.what);
     command->add_option(entry.file, o.file, "file or folder")->required();
     command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
-    if (std::string(entry.name) != "plot")
+    const std::string name = entry.name;
+    if (name != "plot" && name != "report")
       command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")
           ->allow_extra_args(false);
     if (entry.writes) {
@@ -85,6 +88,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")
           ->check(CLI::Range(0, kMostThreads));
     }
+    if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
+      command->add_flag("--no-report", o.no_report, "Write no report.html");
     if (std::string(entry.name) == "optimize") {
       command->add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");
       command->add_flag("--check-derivatives", o.check_derivatives,

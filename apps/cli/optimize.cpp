@@ -138,6 +138,7 @@ int optimize_command(const CommandOptions& options) {
   write_end(out, study.scene, folder.path());
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
+  add_report(folder.path(), options);
   folder.commit();
   print_result(out.summary, options.out, options.quiet);
   if (!options.quiet && out.holes) print_holes(*out.holes, options.nucleate);

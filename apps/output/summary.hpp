@@ -70,6 +70,9 @@ struct CycleRecord {
   double move_limit = 0;
   double wall_s = 0;
   std::optional<double> objective = {};  ///< where it is not the mass
+  std::vector<double> design = {};       ///< that was simulated, in the order of `design`
+  std::string worst_limit = {};          ///< which one `worst_constraint` is of
+  double worst_time = 0;                 ///< and when
 };
 
 struct OptimizeSummary : RunSummary {

@@ -3,6 +3,7 @@
 #include "apps/tasks/optimize.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
@@ -38,7 +39,8 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
       for (int e = 0; e < at.element; ++e) s += element_length(beam, e);
       const auto& v = sizing.variables()[i];
       rows.push_back({v.name, mechanism.bodies[at.body].name, at.element, s,
-                      s + element_length(beam, at.element), v.start, x[i], v.lower, v.upper, "m"});
+                      s + element_length(beam, at.element), v.start, x[i], v.lower, v.upper, "m",
+                      fmt::format("{}", fmt::join(sizing.dimensions(i), "+"))});
     }
   return rows;
 }
