@@ -129,10 +129,11 @@ std::vector<Scenario<G>> motions_of(const Study& study, const Space<G>& space) {
     const Scene& scene = study.scenarios[s];
     const ChosenSpace chosen = choose_space(scene);
     if (!std::holds_alternative<Space<G>>(chosen.space))
-      throw InputError({{study.file, 0, 0,
-                         "scenario '" + study.spec.scenarios[s + 1] + "' is " + chosen.name +
-                             ", the first one is not",
-                         "all scenarios planar, or all spatial", "simulation.space = \"spatial\""}});
+      throw InputError(
+          {{study.file, 0, 0,
+            "scenario '" + study.spec.scenarios[s + 1] + "' is " + chosen.name +
+                ", the first one is not",
+            "all scenarios planar, or all spatial", "simulation.space = \"spatial\""}});
     out.push_back({scene.mechanism, std::get<Space<G>>(chosen.space), scene.simulation});
   }
   return out;
@@ -217,8 +218,18 @@ void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& round
   for (const auto& round : rounds)
     for (const Cycle& c : round)
       summary.history.push_back(
-          {++number, c.mass, c.worst, c.load_change, c.load_cases, c.iterations, c.move, c.seconds,
-           goal == SolidResponse::Mass ? std::nullopt : std::optional(c.objective)});
+          {++number,
+           c.mass,
+           c.worst,
+           c.load_change,
+           c.load_cases,
+           c.iterations,
+           c.move,
+           c.seconds,
+           goal == SolidResponse::Mass ? std::nullopt : std::optional(c.objective),
+           {c.x.data(), c.x.data() + c.x.size()},
+           c.worst_constraint,
+           c.worst_at});
 }
 
 void describe_optimality(output::OptimizeSummary& summary,
