@@ -184,7 +184,7 @@ int main(int argc, char** argv) {
     return app.exit(e) == 0 ? 0 : kRefused;
   }
   const bool stops = options.check_derivatives || options.check;
-  if (run != liesl::check_command && run != liesl::plot_command && options.out.empty() && !stops) {
+  if (run == liesl::optimize_command && options.out.empty() && !stops) {
     std::cerr << "liesl: -o DIR is missing: where shall the results go?\n";
     return kRefused;
   }
