@@ -86,7 +86,7 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
   hooks.on_cycle = [&study, &folder, &line, &options, save](const output::OptimizeSummary& so_far,
                                                             const RoundHistory& rounds) {
     line.clear();
-    print_cycle(rounds.back().back(), study.spec.goal, options.quiet);
+    print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
     write_checkpoint(folder.path() / "checkpoint.json", rounds, so_far.input_sha256);
     save(so_far);
   };

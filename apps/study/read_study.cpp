@@ -104,9 +104,9 @@ void read_objective(StudyReader& reader) {
     varied = varied || reader.spec.shapes.contains(*body);
   }
   const std::string quantity = text(*table, "minimize");
-  reader.spec.goal = quantity == "compliance" ? SolidResponse::Compliance
-                     : quantity == "stress"   ? SolidResponse::Stress
-                                              : SolidResponse::Mass;
+  reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
+                          : quantity == "stress"   ? SolidResponse::Stress
+                                                   : SolidResponse::Mass;
 
   const toml::table* design = reader.root["design"].as_table();
   std::size_t entries_read = reader.spec.design.size();
@@ -207,7 +207,9 @@ void check_images(StudyReader& reader) {
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(
-          treated ? *table.get("treatment") : use ? *use : *table.get("response"),
+          treated ? *table.get("treatment")
+          : use   ? *use
+                  : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
                       treated ? "is treated by the motion's own gradients"
                               : "is not on the deformation of a part",

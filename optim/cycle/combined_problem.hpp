@@ -8,8 +8,8 @@
 
 namespace liesl {
 
-/// minimise sum_k w_k f_k(x_k) subject to g_k(x_k) <= 0, where x_k is a segment of x: that of a part,
-/// or all of x for what is said of the whole design. Members that share variables share the
+/// minimise sum_k w_k f_k(x_k) subject to g_k(x_k) <= 0, where x_k is a segment of x: that of a
+/// part, or all of x for what is said of the whole design. Members that share variables share the
 /// narrowest of their bounds. Second derivatives if every member has them.
 class CombinedProblem final : public StaticProblem {
  public:
@@ -25,7 +25,7 @@ class CombinedProblem final : public StaticProblem {
   int load_cases() const override;
   std::vector<LimitedResponse> responses() const override;
   std::vector<RowImage> images() const override;
-  std::string obstacle() const override;  ///< the first of a member
+  std::string undefined_reason() const override;  ///< the first of a member
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }

@@ -15,7 +15,7 @@ namespace liesl {
 struct LimitedResponse {
   int constraint = 0;  ///< of the study
   ResponseSpec response;
-  int scenario = 0;  ///< of the study: which motion
+  int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
 };
 
@@ -42,7 +42,7 @@ class StaticProblem : public Problem {
     return std::vector<RowImage>(constraints().size());
   }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
-  virtual std::string obstacle() const { return {}; }
+  virtual std::string undefined_reason() const { return {}; }
 };
 
 /// The answer of an optimiser with all load cases met that the problem knows.
