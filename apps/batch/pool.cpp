@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 
 /// The command that runs a case; a user may give it by hand.
 std::vector<std::string> command_of(const Batch& batch, std::size_t row, const CaseFolder& folder,
-                                    int threads) {
+                                    const PoolOptions& options) {
   const bool go_on = batch.optimize && folder.has_checkpoint();
   std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
                                     batch.optimize ? "optimize" : "run",
@@ -27,7 +27,8 @@ std::vector<std::string> command_of(const Batch& batch, std::size_t row, const C
                                     go_on ? "--resume" : "--force",
                                     "--quiet",
                                     "--threads",
-                                    std::to_string(threads)};
+                                    std::to_string(options.threads)};
+  if (!options.reports) words.push_back("--no-report");
   for (const std::string& change : batch.changes(row)) {
     words.push_back("--set");
     words.push_back(change);
@@ -109,7 +110,7 @@ class Pool {
       return;
     }
     if (const auto end = folder.settle()) return count(folder, *end);
-    Worker worker(command_of(batch_, row, folder, options_.threads), lock.file(), limits_);
+    Worker worker(command_of(batch_, row, folder, options_), lock.file(), limits_);
     running_.push_back({std::move(folder), std::move(lock), std::move(worker)});
   }
 

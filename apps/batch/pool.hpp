@@ -12,6 +12,7 @@ struct PoolOptions {
   int threads = 1;  ///< of each process
   Shard shard;
   bool quiet = false;
+  bool reports = true;  ///< each case writes its report.html
 };
 
 struct PoolReport {

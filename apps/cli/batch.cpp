@@ -85,7 +85,7 @@ void prepare(const fs::path& folder, const Batch& batch, const std::string& hash
   for (std::size_t row = 0; row < batch.cases.rows.size(); ++row)
     json["cases"][batch.cases.rows[row].name] = batch.changes(row);
   output::mark_files(folder, {FolderLock::kName, "batch.json", "cases", "results.csv", "results.h5",
-                              "summary.json"});
+                              "summary.json", "report.html"});
   output::replace_file(plan, json.dump(1, ' ', false, Json::error_handler_t::replace) + "\n");
 }
 
@@ -151,6 +151,9 @@ void print_result(const output::BatchSummary& s, const PoolReport& report, const
              batch.cases.columns.front().name, batch.optimize ? "mass_final" : "steps");
 }
 
+/// Batches of more cases leave their pages out: half a megabyte each.
+constexpr std::size_t kMostReports = 100;
+
 }  // namespace
 
 int batch_command(const CommandOptions& options) {
@@ -165,6 +168,7 @@ int batch_command(const CommandOptions& options) {
                                : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   pool.threads = std::max(1, options.threads);
   pool.quiet = options.quiet;
+  pool.reports = !options.no_report && batch.cases.rows.size() <= kMostReports;
   const fs::path folder = fs::absolute(options.out).lexically_normal();
   output::BatchSummary summary;
   summary.overrides = options.set;
@@ -174,6 +178,7 @@ int batch_command(const CommandOptions& options) {
   prepare(folder, batch, summary.input_sha256, options.force);
   const PoolReport report = run_cases(batch, folder, pool);
   summary = write_batch(folder, batch, report, summary, clock);
+  add_report(folder, options);
   if (!options.quiet) print_result(summary, report, batch, options.out);
   return report.interrupted || any_failed(batch, folder, pool.shard) ? 1 : 0;
 }

@@ -4,6 +4,7 @@
 /// is infeasible. Input that is refused throws InputError (2), files that cannot be read or written
 /// output::IoError (3).
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,18 +24,29 @@ struct CommandOptions {
   std::vector<std::string> set;    ///< key.path=value
   int jobs = 0;                    ///< batch: processes at once, 0 = a processor each
   std::string shard;               ///< batch: "i/n", only every n-th case from the i-th on
+  bool no_report = false;          ///< commands that write results: leave report.html out
   std::string x, y;                ///< plot: columns of a batch
   std::string response;            ///< lean: name of a response of the scene
   std::string tolerance;           ///< lean: "1%" or "0.01"
+  std::vector<std::string> by;     ///< sensitivity: keys of the scene
+  std::string method;              ///< sensitivity: "auto", "direct" or "adjoint"
+  std::vector<std::string> functionals;  ///< sensitivity: "peak", "p=8", ...
+  bool check = false;                    ///< sensitivity: compare with differences and stop
 };
 
 int check_command(const CommandOptions& options);
 int run_command(const CommandOptions& options);
 int esl_command(const CommandOptions& options);
+int sensitivity_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
 int batch_command(const CommandOptions& options);
 int compare_command(const CommandOptions& options);
 int lean_command(const CommandOptions& options);
 int plot_command(const CommandOptions& options);
+int report_command(const CommandOptions& options);
+
+/// The page of results at the end of a command, unless its options leave it out, into the folder
+/// that holds them now. A page that cannot be written is a note on the terminal; the results stay.
+void add_report(const std::filesystem::path& folder, const CommandOptions& options);
 
 }  // namespace liesl

@@ -96,7 +96,7 @@ class Run {
     if (fs::exists(folder_ / "rows.csv")) table_.read(folder_ / "rows.csv");
     before_ = table_.size();
     save("running");
-    output::mark_files(folder_, {"rows.csv", "summary.json"});
+    output::mark_files(folder_, {"rows.csv", "summary.json", "report.html"});
   }
 
   int operator()() {
@@ -106,6 +106,7 @@ class Run {
     } catch (const output::Interrupted&) {
       save("interrupted");
     }
+    add_report(folder_, options_);
     if (!options_.quiet) print();
     return summary_.status == "done" ? 0 : 1;
   }

@@ -29,6 +29,24 @@ std::string version_text() {
   return text;
 }
 
+void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
+  command
+      .add_option("--by", o.by,
+                  "Keys of the scene to differentiate by, as in sections.rod.diameter (a study has "
+                  "its variables)")
+      ->delimiter(',');
+  command.add_option("--method", o.method, "Form of the sensitivities")
+      ->check(CLI::IsMember({"auto", "direct", "adjoint"}))
+      ->default_val("auto");
+  command
+      .add_option("--functionals", o.functionals,
+                  "Of each response: peak, integral, mean, rms, at=TIME, p=P, ks=RHO")
+      ->delimiter(',')
+      ->default_val(std::vector<std::string>{"peak", "integral", "mean", "rms"});
+  command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
+  command.get_option("--output")->required(false);
+}
+
 /// The commands with their options; the chosen one is stored in `run`.
 void add_commands(CLI::App& app, liesl::CommandOptions& o,
                   int (*&run)(const liesl::CommandOptions&)) {
@@ -42,6 +60,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
+      {"sensitivity", "FILE", "Derivatives of the responses of a motion by parameters",
+       liesl::sensitivity_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
@@ -50,13 +70,16 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::compare_command, true},
       {"lean", "SCENE", "Find the cheapest model of a scene that is good enough",
        liesl::lean_command, true},
+      {"report", "DIR", "Write report.html, a page to look at what a results folder holds",
+       liesl::report_command, false},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
   };
   for (const auto& entry : kEntries) {
     auto* command = app.add_subcommand(entry.name, entry.what);
     command->add_option(entry.file, o.file, "file or folder")->required();
     command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
-    if (std::string(entry.name) != "plot")
+    const std::string name = entry.name;
+    if (name != "plot" && name != "report")
       command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")
           ->allow_extra_args(false);
     if (entry.writes) {
@@ -65,6 +88,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")
           ->check(CLI::Range(0, kMostThreads));
     }
+    if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
+      command->add_flag("--no-report", o.no_report, "Write no report.html");
     if (std::string(entry.name) == "optimize") {
       command->add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");
       command->add_flag("--check-derivatives", o.check_derivatives,
@@ -84,6 +109,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
           ->check(CLI::Range(1, 100));
       command->get_option("--output")->required(false);
     }
+    if (std::string(entry.name) == "sensitivity") add_sensitivity_options(*command, o);
     if (std::string(entry.name) == "batch") {
       command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
           ->check(CLI::Range(0, 10000));
@@ -157,8 +183,9 @@ int main(int argc, char** argv) {
     if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
   }
-  if (run == liesl::optimize_command && options.out.empty() && !options.check_derivatives) {
-    std::cerr << "liesl optimize: -o DIR is missing: where shall the results go?\n";
+  const bool stops = options.check_derivatives || options.check;
+  if (run != liesl::check_command && run != liesl::plot_command && options.out.empty() && !stops) {
+    std::cerr << "liesl: -o DIR is missing: where shall the results go?\n";
     return kRefused;
   }
   liesl::output::catch_interrupts();

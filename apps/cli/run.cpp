@@ -19,6 +19,7 @@ int run_command(const CommandOptions& options) {
   if (!out.results.times.empty()) output::write_results(folder.path(), out.results);
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
+  add_report(folder.path(), options);
   folder.commit();
   print_figures(out.summary, options.out, options.quiet);
   return out.status == SolveStatus::Converged ? 0 : 1;

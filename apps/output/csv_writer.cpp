@@ -135,11 +135,12 @@ std::string columns_csv(const std::vector<TextColumn>& columns) {
 }
 
 void write_design_csv(const std::filesystem::path& path, const std::vector<DesignRow>& rows) {
-  std::string out = "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit\n";
+  std::string out =
+      "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit,dimension\n";
   for (const auto& r : rows) {
-    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{}\n", field(r.variable),
+    fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{},{},{},{},{}\n", field(r.variable),
                    field(r.body), r.element, r.s0, r.s1, r.initial, r.final, r.lower, r.upper,
-                   field(r.unit));
+                   field(r.unit), field(r.dimensions));
   }
   write_file(path, out);
 }

@@ -43,9 +43,10 @@ struct DesignRow {
   double s0 = 0, s1 = 0;  ///< m, along the undeformed axis
   double initial = 0, final = 0, lower = 0, upper = 0;
   std::string unit = "m";
+  std::string dimensions = {};  ///< of the section that it is: "diameter", "width+height", ...
 };
 
-/// `variable, body, element, s0 [m], s1 [m], initial, final, lower, upper, unit`.
+/// `variable, body, element, s0 [m], s1 [m], initial, final, lower, upper, unit, dimension`.
 void write_design_csv(const std::filesystem::path& path, const std::vector<DesignRow>& rows);
 
 }  // namespace liesl::output

@@ -46,11 +46,30 @@ void write_body(const Hdf5File& file, const BodyResult& body, hsize_t n) {
   put(file, group + "/strain", body.strains, {n, E, 6}, "-, 1/m");
   put(file, group + "/section_force", body.section_forces, {n, E, 12}, "N, N m");
   put(file, group + "/node_force", at_nodes(body, n), {n, N, 6}, "N, N m");
+  put(file, group + "/stress", body.stresses, {n, E, 2}, "Pa");
+  put(file, group + "/reference_position", body.reference_positions, {N, 3}, "m");
+  put(file, group + "/reference_rotation", body.reference_rotations, {N, 9}, "-");
+  put(file, group + "/dimension", body.dimensions, {E, kMostDimensions}, "m");
+  put(file, group + "/point", body.points, {body.points.size() / 3, 3}, "m");
+  if (!body.shapes.empty()) file.write(group + "/shape", body.shapes);
   std::vector<int> elements;
   for (const auto& element : body.elements) {
     elements.insert(elements.end(), element.begin(), element.end());
   }
   if (E > 0) file.write(group + "/elements", elements, {E, 2});
+}
+
+/// A mesh at rest, and how it moves with its amplitudes.
+void write_coordinates(const Hdf5File& file, const MeshResult& mesh, const std::string& group) {
+  const hsize_t N = mesh.reference.size() / 3;
+  if (N == 0) return;
+  const hsize_t k = mesh.basis.size() / (3 * N);
+  put(file, group + "/reference", mesh.reference, {N, 3}, "m");
+  put(file, group + "/level", mesh.level, {N}, "m");
+  put(file, group + "/interface", mesh.interfaces, {mesh.interfaces.size() / 3, 3}, "m");
+  put(file, group + "/thickness", {mesh.thickness}, {1}, "m");
+  put(file, group + "/basis", mesh.basis, {k, N, 3}, "-");
+  if (k > 0) put(file, group + "/amplitude", mesh.amplitudes, {mesh.amplitudes.size() / k, k}, "-");
 }
 
 void write_mesh(const Hdf5File& file, const MeshResult& mesh) {
@@ -59,6 +78,7 @@ void write_mesh(const Hdf5File& file, const MeshResult& mesh) {
   file.group(group);
   file.write(group + "/cells", mesh.cells, {mesh.cells.size() / C, C});
   put(file, group + "/fraction", mesh.fractions, {mesh.fractions.size()}, "-");
+  write_coordinates(file, mesh, group);
   file.write(group + "/record", mesh.records, {r});
   if (r == 0) return;
   const Hdf5File::Shape shape = {r, mesh.positions.size() / r / 3, 3};
@@ -74,6 +94,12 @@ void write_joint(const Hdf5File& file, const JointResult& joint, hsize_t n) {
   file.attribute(group, "type", joint.type);
   put(file, group + "/coordinate", joint.coordinates, {n, joint.units.size()}, units);
   put(file, group + "/force", joint.forces, {n, 6}, "N, N m");
+  if (joint.places.empty()) return;
+  file.attribute(group, "a", joint.bodies[0]);
+  file.attribute(group, "b", joint.bodies[1]);
+  file.write(group + "/node", std::vector<int>(joint.nodes.begin(), joint.nodes.end()), {2});
+  put(file, group + "/place", joint.places, {2, 3}, "m");
+  put(file, group + "/axis", joint.axis, {3}, "-");
 }
 
 void write_energies(const Hdf5File& file, const Energies& energies, hsize_t n) {

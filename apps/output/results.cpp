@@ -22,6 +22,10 @@ void check_body(const BodyResult& body, std::size_t n) {
   check_block(body.velocities, n * N * 6, body.name + ".velocities");
   check_block(body.strains, n * E * 6, body.name + ".strains");
   check_block(body.section_forces, n * E * 12, body.name + ".section_forces");
+  check_block(body.stresses, n * E * 2, body.name + ".stresses");
+  check_block(body.reference_positions, N * 3, body.name + ".reference_positions");
+  check_block(body.reference_rotations, N * 9, body.name + ".reference_rotations");
+  check_block(body.dimensions, E * kMostDimensions, body.name + ".dimensions");
   for (const auto& element : body.elements) {
     for (const int node : element) {
       if (node < 0 || node >= body.nodes) {
@@ -32,7 +36,7 @@ void check_body(const BodyResult& body, std::size_t n) {
   }
 }
 
-void check_mesh(const MeshResult& mesh) {
+void check_mesh(const MeshResult& mesh, std::size_t n) {
   const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
   check_block(mesh.fractions, M, mesh.name + ".fractions");
   int nodes = 0;
@@ -40,6 +44,11 @@ void check_mesh(const MeshResult& mesh) {
   const std::size_t vectors = mesh.records.size() * static_cast<std::size_t>(nodes) * 3;
   check_block(mesh.positions, vectors, mesh.name + ".positions");
   check_block(mesh.displacements, vectors, mesh.name + ".displacements");
+  const std::size_t N = static_cast<std::size_t>(nodes);
+  check_block(mesh.reference, N * 3, mesh.name + ".reference");
+  check_block(mesh.level, N, mesh.name + ".level");
+  if (mesh.reference.empty()) return;
+  check_block(mesh.amplitudes, n * (mesh.basis.size() / (N * 3)), mesh.name + ".amplitudes");
 }
 
 }  // namespace
@@ -47,7 +56,7 @@ void check_mesh(const MeshResult& mesh) {
 void check_shapes(const Results& results) {
   const std::size_t n = results.times.size();
   for (const auto& body : results.bodies) check_body(body, n);
-  for (const auto& mesh : results.meshes) check_mesh(mesh);
+  for (const auto& mesh : results.meshes) check_mesh(mesh, n);
   for (const auto& joint : results.joints) {
     check_block(joint.coordinates, n * joint.units.size(), joint.name + ".coordinates");
     check_block(joint.forces, n * 6, joint.name + ".forces");

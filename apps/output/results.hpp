@@ -11,6 +11,9 @@
 
 namespace liesl::output {
 
+/// Numbers that describe the shape of a section, at most.
+inline constexpr int kMostDimensions = 4;
+
 /// n records, N nodes, E elements.
 struct BodyResult {
   std::string name;
@@ -24,6 +27,14 @@ struct BodyResult {
   /// n x E x 12, [N, V_y, V_z, M_x, M_y, M_z] at the first node of the element and at its last, in
   /// the axes of that node, N, N m.
   std::vector<double> section_forces;
+  /// n x E x 2, largest von Mises stress of the section at both ends of the element, Pa.
+  std::vector<double> stresses = {};
+  std::vector<double> reference_positions = {};  ///< N x 3, at rest, inertial, m
+  std::vector<double> reference_rotations = {};  ///< N x 9, at rest
+  std::vector<std::string> shapes = {};          ///< E, kind of section: "circle", "box", ...
+  std::vector<double> dimensions = {};           ///< E x 4, of the shape in its order, then 0; m
+  /// P x 3, of a rigid body: centre of mass and named points, in body axes from its origin, m.
+  std::vector<double> points = {};
 };
 
 /// A meshed part of N nodes and M cells, at r of the records.
@@ -36,15 +47,25 @@ struct MeshResult {
   std::vector<double> positions;  ///< r x N x 3, deformed, inertial, m
   /// r x N x 3, what of it is deformation, seen from the first interface; inertial axes, m.
   std::vector<double> displacements;
+  std::vector<double> reference = {};  ///< N x 3, at rest, in the axes of the first interface, m
+  std::vector<double> level = {};  ///< N, level set of the outline, > 0: material; empty: all is
+  std::vector<double> basis = {};  ///< k x N x 3, displacement by amplitude, axes of the above
+  std::vector<double> amplitudes = {};  ///< n x k; position = x_0 + R_0 (reference + basis)
+  std::vector<double> interfaces = {};  ///< I x 3, at rest, as `reference`
+  double thickness = 0;                 ///< of a planar mesh, m
 };
 
 /// K coordinates.
 struct JointResult {
   std::string name;
-  std::string type;                 ///< "revolute", ...
-  std::vector<std::string> units;   ///< K, "m" or "rad"
-  std::vector<double> coordinates;  ///< n x K; angles count beyond pi
-  std::vector<double> forces;       ///< n x 6, [F; M] on port b, in b's axes, N, N m
+  std::string type;                      ///< "revolute", ...
+  std::vector<std::string> units;        ///< K, "m" or "rad"
+  std::vector<double> coordinates;       ///< n x K; angles count beyond pi
+  std::vector<double> forces;            ///< n x 6, [F; M] on port b, in b's axes, N, N m
+  std::vector<std::string> bodies = {};  ///< 2, of ports a and b; "ground"
+  std::array<int, 2> nodes = {};         ///< of these bodies that the ports hold on to
+  std::vector<double> places = {};       ///< 2 x 3, of the ports in the axes of those nodes, m
+  std::vector<double> axis = {};         ///< 3, in the axes of the node of port b; empty: has none
 };
 
 /// n numbers each, in J.

@@ -90,6 +90,10 @@ Json history_json(const std::vector<CycleRecord>& history) {
                     {"move_limit", h.move_limit},
                     {"wall_s", h.wall_s}});
     if (h.objective) json.back()["objective"] = *h.objective;
+    if (!h.design.empty()) json.back()["design"] = h.design;
+    if (h.worst_limit.empty()) continue;
+    json.back()["worst_limit"] = h.worst_limit;
+    json.back()["worst_at"] = h.worst_at;
   }
   return json;
 }

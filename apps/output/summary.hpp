@@ -70,6 +70,9 @@ struct CycleRecord {
   double move_limit = 0;
   double wall_s = 0;
   std::optional<double> objective = {};  ///< where it is not the mass
+  std::vector<double> design = {};       ///< that was simulated, in the order of `design`
+  std::string worst_limit = {};          ///< which one `worst_constraint` is of
+  std::string worst_at = {};             ///< and where: "t = 0.1 s", a load case
 };
 
 struct OptimizeSummary : RunSummary {

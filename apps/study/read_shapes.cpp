@@ -136,7 +136,8 @@ void check_motion(StudyReader& reader) {
                  "constraints on responses of the motion");
   for (const ConstraintSpec& c : spec.constraints) {
     const int body = limited_body(c.response);
-    if (changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body))) continue;
+    if (!c.has_image || changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body)))
+      continue;
     problems.add(
         *reader.root["constraints"][c.response.name].node(),
         fmt::format("constraint '{}' is of '{}', which no variable changes", c.response.name,

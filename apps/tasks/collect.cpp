@@ -4,7 +4,9 @@
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
+#include "apps/tasks/collect_reference.hpp"
 #include "mbs/bodies/solid_body.hpp"
+#include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/energy.hpp"
@@ -35,9 +37,16 @@ output::BodyResult empty_body(const BodySpec& spec) {
   return body;
 }
 
+output::JointResult empty_joint(const JointSpec& spec) {
+  output::JointResult joint;
+  joint.name = spec.name;
+  joint.type = kind_of(spec.type).name;
+  return joint;
+}
+
 template <FrameGroup G>
 void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const State<G>& s,
-              output::BodyResult& out) {
+              const SectionStress& stress, output::BodyResult& out) {
   for (int k = 0; k < out.nodes; ++k) {
     const SE3 H = view.node(s.H.data(), b, k);
     append(out.positions, H.x);
@@ -48,10 +57,32 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
     const BodyState<G> state = model.body_state(s, b);
     append(out.strains,
            view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
-    for (const auto end : {ElementPlace::First, ElementPlace::Last})
-      append(out.section_forces,
-             view.local(model.bodies[b]->section_force(state, static_cast<int>(e), end), b,
-                        static_cast<int>(e) + node_of(end)));
+    for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
+      const SE3::Tangent force =
+          view.local(model.bodies[b]->section_force(state, static_cast<int>(e), end), b,
+                     static_cast<int>(e) + node_of(end));
+      append(out.section_forces, force);
+      if (!stress.empty()) out.stresses.push_back(stress(e, force));
+    }
+  }
+}
+
+/// The mesh at rest, seen from its first interface, and the displacements phi of its amplitudes.
+void add_mesh_at_rest(const SolidSpec& solid, const Eigen::MatrixXd& phi, output::MeshResult& out) {
+  const Eigen::Vector3d origin = solid.interfaces[0].point;
+  const int dim = solid.mesh.dim, N = solid.mesh.node_count();
+  for (int i = 0; i < N; ++i) append(out.reference, solid.mesh.nodes.col(i) - origin);
+  for (const Interface& interface : solid.interfaces)
+    append(out.interfaces, interface.point - origin);
+  if (dim == 2) out.thickness = solid.thickness;
+  if (!solid.outline.features.empty()) {
+    const levelset::LevelSetPtr shape = levelset::make_shape(solid.outline);
+    for (int i = 0; i < N; ++i) out.level.push_back(shape->value(solid.mesh.nodes.col(i)));
+  }
+  for (Eigen::Index k = 0; k < phi.cols(); ++k) {
+    Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, N);
+    u.topRows(dim) = Eigen::Map<const Eigen::MatrixXd>(phi.col(k).data(), dim, N);
+    append(out.basis, Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()));
   }
 }
 
@@ -72,7 +103,12 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
   Eigen::MatrixXd phi;
   if (body) phi = solid_model(solid).T() * body->basis();
   const int dim = solid.mesh.dim;
+  add_mesh_at_rest(solid, phi, out);
   State<G> s = model.initial_state();
+  for (int n = 0; body && n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    append(out.amplitudes, body->coordinates(model.body_state(s, b)));
+  }
   for (const int n : out.records) {
     trajectory.read(n, s);
     const SE3 H = view.node(s.H.data(), b, 0);
@@ -202,8 +238,7 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
     r.abscissa_unit = "-";
   }
   for (const auto& body : mechanism.bodies) r.bodies.push_back(empty_body(body));
-  for (const auto& j : mechanism.joints)
-    r.joints.push_back({j.name, std::string(kind_of(j.type).name), {}, {}, {}});
+  for (const auto& j : mechanism.joints) r.joints.push_back(empty_joint(j));
 
   for (size_t b = 0; b < mechanism.bodies.size(); ++b)
     if (std::holds_alternative<SolidSpec>(mechanism.bodies[b].kind))
@@ -211,13 +246,17 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
 
   const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();
+  model.complete(s);
+  add_reference(mechanism, model, s, r);
+  std::vector<SectionStress> stresses;
+  for (const auto& body : mechanism.bodies) stresses.emplace_back(body);
   StepRecorder<G> of_records(scene, mechanism, model);
   const bool all_steps = seen && !seen->empty();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
     for (size_t b = 0; b < r.bodies.size(); ++b)
-      add_body(model, view, static_cast<int>(b), s, r.bodies[b]);
+      add_body(model, view, static_cast<int>(b), s, stresses[b], r.bodies[b]);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
       append(r.joints[j].coordinates,

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "apps/tasks/collect.hpp"
+#include "apps/tasks/collect_reference.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/bodies/solid_body.hpp"
@@ -75,6 +76,7 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
     shapes.record(s);
   }
   out.results = collect(scene, scene.mechanism, model, shapes);
+  add_reference(scene.mechanism, model, modes.equilibrium, out.results);
   out.results.abscissa = "frequency";
   out.results.abscissa_unit = "Hz";
 }

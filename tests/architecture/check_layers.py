@@ -36,6 +36,7 @@ LAYERS = [
     ("optim/design",),
     ("optim/cycle",),
     ("apps/input", "apps/output"),
+    ("apps/report",),
     ("apps/mesh",),
     ("apps/scene",),
     ("apps/study",),

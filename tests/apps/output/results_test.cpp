@@ -221,10 +221,11 @@ TEST(Csv, JointsEnergiesAndFrames) {
 
 TEST(Csv, Design) {
   const TemporaryFolder place;
-  write_design_csv(place / "d.csv", {{"d[0]", "rod", 3, 0.1, 0.2, 0.01, 0.02, 0.004, 0.05, "m"}});
+  write_design_csv(place / "d.csv",
+                   {{"d[0]", "rod", 3, 0.1, 0.2, 0.01, 0.02, 0.004, 0.05, "m", "diameter"}});
   EXPECT_EQ(read_file(place / "d.csv"),
-            "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit\n"
-            "d[0],rod,3,0.1,0.2,0.01,0.02,0.004,0.05,m\n");
+            "variable,body,element,s0 [m],s1 [m],initial,final,lower,upper,unit,dimension\n"
+            "d[0],rod,3,0.1,0.2,0.01,0.02,0.004,0.05,m,diameter\n");
 }
 
 TEST(SpreadRecords, FirstAndLastAreAmongThem) {

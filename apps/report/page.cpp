@@ -1,0 +1,49 @@
+#include "apps/report/page.hpp"
+
+#include <vector>
+
+#include "apps/output/file.hpp"
+#include "apps/report/blob.hpp"
+
+namespace liesl::report {
+namespace {
+
+/// "sha256-..." as a Content-Security-Policy names a text.
+std::string source_hash(std::string_view text) {
+  const std::string hex = output::sha256(text);
+  std::vector<unsigned char> bytes;
+  for (std::size_t i = 0; i < hex.size(); i += 2)
+    bytes.push_back(static_cast<unsigned char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+  return "'sha256-" + base64(bytes.data(), bytes.size()) + "'";
+}
+
+/// JSON that may stand in a script element: no "</script>" and no "<!--" in its texts.
+std::string inside_script(const nlohmann::ordered_json& data) {
+  const std::string text =
+      data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
+  std::string out;
+  for (const char c : text) c == '<' ? out += "\\u003c" : out += c;
+  return out;
+}
+
+}  // namespace
+
+std::string page(const nlohmann::ordered_json& data, const std::string& blob) {
+  std::string out = "<!doctype html>\n<!--\n";
+  out += kNotices;
+  out += "-->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
+  out += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
+         source_hash(kScript) + "; style-src " + source_hash(kStyle) +
+         "; base-uri 'none'; form-action 'none'\">\n";
+  out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
+  out += "<meta name=\"color-scheme\" content=\"light dark\">\n<title>liesl</title>\n<style>";
+  out += kStyle;
+  out += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript.</noscript>\n";
+  out += "<script type=\"application/json\" id=\"data\">" + inside_script(data) + "</script>\n";
+  out += "<script type=\"text/plain\" id=\"blob\">" + blob + "</script>\n<script>";
+  out += kScript;
+  out += "</script>\n</body>\n</html>\n";
+  return out;
+}
+
+}  // namespace liesl::report

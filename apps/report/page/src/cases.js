@@ -1,0 +1,157 @@
+// Cases of a batch and rows of a comparison: a table to sort and filter, and points of two columns.
+
+import { card, el } from './dom.js';
+import { badge } from './tables.js';
+import { number, quantity } from './format.js';
+import { kSeries } from './colors.js';
+import { swatch } from './charts.js';
+import { Scatter } from './scatter.js';
+
+const kMostRows = 400;  // shown at once
+
+export function cases(data) {
+  const columns = data.cases.columns, compare = data.summary.command === 'compare';
+  const table = new CaseTable(columns, data, compare);
+  return [compare ? precision(table) : pairs(table), table.card()];
+}
+
+class CaseTable {
+  constructor(columns, data, compare) {
+    Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
+    this.count = columns.length ? columns[0].cells.length : 0;
+    this.rows = [...Array(this.count).keys()];
+  }
+  column(name) { return this.columns.find((c) => c.name === name); }
+  numeric() { return this.columns.filter((c) => c.number); }
+  label(c) { return c.unit && c.unit !== '-' ? `${c.name} [${c.unit}]` : c.name; }
+  cell(c, row) {
+    const x = c.cells[row];
+    return x === null || x === '' ? '\u2013' : c.number ? (c.unit && c.unit !== '-' ? quantity(x, c.unit) : number(x, 4)) : x;
+  }
+
+  card() {
+    this.filter = el('input', { type: 'search', id: 'filter', placeholder: 'filter: text, or column > value', oninput: () => this.update() });
+    this.head = el('tr', {}, this.columns.map((c) => el('th', { class: c.number ? 'n' : '', tabindex: 0, title: 'sort',
+      onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, c.name)));
+    this.body = el('tbody', {});
+    this.note = el('p', { class: 'note', 'aria-live': 'polite' });
+    const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note),
+      el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
+    node.classList.add('wide');
+    this.update();
+    return node;
+  }
+
+  sort(column) {
+    this.down = this.sorted === column ? !this.down : false;
+    this.sorted = column;
+    this.update();
+  }
+
+  /** Rows that the filter leaves: every term, each a text or `column > value`. */
+  matches(row) {
+    return this.filter.value.split(/\s*;\s*|\s+and\s+/).filter(Boolean).every((term) => {
+      const [, name, sign, value] = term.match(/^(.*?)\s*(<=|>=|<|>|=)\s*(\S.*)$/) ?? [];
+      const column = name && this.column(name.trim());
+      if (!column) return this.columns.some((c) => String(c.cells[row] ?? '').toLowerCase().includes(term.toLowerCase().trim()));
+      const x = column.cells[row], y = column.number ? Number(value) : value;
+      if (x === null) return false;
+      return { '<': x < y, '>': x > y, '<=': x <= y, '>=': x >= y, '=': x === y }[sign];
+    });
+  }
+
+  update() {
+    this.rows = [...Array(this.count).keys()].filter((row) => this.matches(row));
+    if (this.sorted) {
+      const value = (row) => this.sorted.cells[row] ?? (this.sorted.number ? Infinity : '');
+      this.rows.sort((a, b) => (value(a) < value(b) ? -1 : value(a) > value(b) ? 1 : 0) * (this.down ? -1 : 1));
+    }
+    [...this.head.children].forEach((th, i) =>
+      th.setAttribute('aria-sort', this.columns[i] === this.sorted ? (this.down ? 'descending' : 'ascending') : 'none'));
+    this.body.replaceChildren(...this.rows.slice(0, kMostRows).map((row) => this.line(row)));
+    const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : '';
+    this.note.textContent = `${this.rows.length} of ${this.count}${more}`;
+    for (const listener of this.listeners) listener();
+  }
+
+  line(row) {
+    const opens = this.address(row);
+    return el('tr', { class: opens ? 'opens' : '', onclick: () => this.open(row) }, this.columns.map((c, i) => {
+      const text = this.cell(c, row);
+      const content = c.name === 'status' ? badge(text) : i === 0 && opens ? el('a', { href: opens }, text) : text;
+      return el('td', { class: c.number ? 'n' : '' }, content);
+    }));
+  }
+
+  /** Page of a case, if it has one. */
+  address(row) {
+    const name = String(this.columns[0].cells[row]);
+    return this.data.reported?.includes(name) ? `cases/${encodeURIComponent(name)}/report.html` : null;
+  }
+  open(row) {
+    const address = this.address(row);
+    if (address) location.href = address;
+  }
+
+  describe(row, names) {
+    const title = this.columns[0];
+    return [`${title.name} ${title.cells[row]}`, ...this.columns.filter((c) => names.includes(c.name)).map((c) => `${c.name}: ${this.cell(c, row)}`)];
+  }
+}
+
+const choose = (id, columns, chosen, change) => {
+  const node = el('select', { id, onchange: change }, columns.map((c) => el('option', { value: c.name, selected: c.name === chosen }, c.name)));
+  return node;
+};
+
+/** A batch: any two columns, coloured by a third. */
+function pairs(table) {
+  const columns = table.numeric();
+  if (columns.length < 2) return card('', el('p', { class: 'note' }, 'No two columns of numbers to compare.'));
+  const inputs = columns.filter((c) => new Set(c.cells).size > 1);
+  const first = inputs[0] ?? columns[0], goal = table.column('mass_final') ?? inputs[inputs.length - 1] ?? columns[1];
+  const third = inputs.find((c) => c !== first && c !== goal) ?? first;
+  const scatter = new Scatter({
+    describe: (row) => table.describe(row, [x.value, y.value, shade.value, 'status', ...table.columns.slice(1, 5).map((c) => c.name)]),
+    open: (row) => table.open(row),
+  });
+  const update = () => {
+    const cx = table.column(x.value), cy = table.column(y.value), cs = table.column(shade.value);
+    const values = cs.cells.filter((v) => v !== null), low = Math.min(...values), high = Math.max(...values);
+    key.replaceChildren(shadeKey(cs, low, high));
+    scatter.set(table.rows.map((row) => ({ x: cx.cells[row] ?? NaN, y: cy.cells[row] ?? NaN, row, shade: (cs.cells[row] - low) / (high - low || 1) })),
+      { xlabel: table.label(cx), ylabel: table.label(cy), shade: true });
+  };
+  const x = choose('scatter-x', columns, first.name, update), y = choose('scatter-y', columns, goal.name, update),
+    shade = choose('scatter-c', columns, third.name, update), key = el('span', { class: 'colours inline' });
+  table.listeners.push(update);
+  const node = card('Any two columns', el('div', { class: 'controls row' },
+    el('label', { for: 'scatter-x' }, 'across'), x, el('label', { for: 'scatter-y' }, 'upwards'), y, el('label', { for: 'scatter-c' }, 'colour'), shade, key), scatter.node);
+  node.classList.add('wide');
+  return node;
+}
+
+function shadeKey(column, low, high) {
+  const strip = el('span', { class: 'strip viridis' });
+  return el('span', {}, number(low, 3), ' ', strip, ' ', number(high, 3), column.unit ? ` ${column.unit}` : '');
+}
+
+/** A comparison: error against time, the fewer of both the better. */
+function precision(table) {
+  const error = table.column('error'), time = table.column('cpu_s');
+  if (!error || !time) return null;
+  const group = table.column('formalism') ?? table.columns[1];
+  const groups = [...new Set(group.cells.map(String))];
+  const known = new Set(['run', 'error', 'cpu_s', 'cpu_spread', 'steps', 'newton_iterations', 'tangent_refreshes', 'rejected_steps',
+    'factorizations', 'energy_drift', 'momentum_drift', 'angular_momentum_drift', 'constraint_residual', 'floor', 'reason']);
+  const varied = table.columns.filter((c) => !known.has(c.name)).map((c) => c.name);
+  const scatter = new Scatter({ describe: (row) => table.describe(row, [...varied, 'error', 'cpu_s', 'steps']) });
+  table.listeners.push(() => scatter.set(
+    table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: error.cells[row] ?? NaN, row, group: String(group.cells[row]) })),
+    { xlabel: table.label(time), ylabel: table.label(error), logx: true, logy: true, groups, lines: true }));
+  const legend = el('div', { class: 'legend' }, groups.map((g, i) => el('span', {}, swatch(kSeries[i % kSeries.length]), g)));
+  const node = card('Error against time', legend, scatter.node,
+    el('p', { class: 'note' }, 'Each point is a row of the table; lines join those that no other of the same kind beats in both.'));
+  node.classList.add('wide');
+  return node;
+}

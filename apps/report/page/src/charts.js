@@ -1,0 +1,142 @@
+// Lines over time, with a cursor at the instant shown.
+
+import uPlot from 'uplot';
+import { array, valueAt } from './data.js';
+import { card, el, isDark, onTheme, theme } from './dom.js';
+import { kSeries } from './colors.js';
+import { number, percent, quantity, scaleOf } from './format.js';
+
+const kPlots = [];
+onTheme(() => kPlots.forEach((p) => p.redraw(false)));
+addEventListener('beforeprint', () => kPlots.forEach((p) => p.redraw()));
+
+const kDashed = { initial: [5, 4] };
+const colourOf = (label, i) => (label === 'initial' ? kSeries[1] : label === 'final' ? kSeries[0] : kSeries[i % kSeries.length]);
+
+/** A chart of the page's data as a card; the clock may be null. */
+export function timeChart(d, clock) {
+  const lines = d.lines.map((l) => ({ label: l.label, x: array(l.x), y: array(l.y) }));
+  let size = d.limit ?? 0;
+  for (const l of lines) for (const y of l.y) size = Math.max(size, Math.abs(y));
+  const scale = scaleOf(size, d.unit);
+  const legend = el('div', { class: 'legend' });
+  const holder = el('div', { class: 'plot' });
+  const over = lines.map((l) => peak(l.y) / d.limit - 1);
+  const head = el('h2', {}, d.title, el('span', { class: 'unit' }, scale.unit ? ` [${scale.unit}]` : ''));
+  const box = el('section', { class: 'card chart', 'data-chart': d.title }, head, legend, holder);
+  const values = lines.map((line, i) => {
+    const value = el('b', {});
+    const note = d.limit ? el('i', { class: over[i] > 1e-3 ? 'bad' : '' }, ` peak ${percent(over[i])}`) : null;
+    legend.append(el('span', {}, swatch(colourOf(line.label, i)), line.label, ' ', value, note));
+    return value;
+  });
+  if (d.limit)
+    legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, number(d.limit / scale.factor))));
+  const plot = draw(holder, lines, d, scale);
+  if (clock) follow(plot, clock, (t) => lines.forEach((l, i) => {
+    values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4);
+  }));
+  return box;
+}
+
+function peak(y) {
+  let most = 0;
+  for (const v of y) most = Math.max(most, Math.abs(v));
+  return most;
+}
+
+export function swatch(colour, dashed = false) {
+  const node = el('span', { class: dashed ? 'swatch dashed' : 'swatch' });
+  node.style.background = dashed ? 'none' : colour;
+  if (dashed) node.style.borderColor = colour;
+  return node;
+}
+
+function axes(d) {
+  const style = { stroke: () => theme('soft'), font: '11px system-ui, sans-serif', ticks: { show: false },
+    grid: { stroke: () => theme('line'), width: 1 } };
+  const label = d.abscissa_unit && d.abscissa_unit !== '-' ? `${d.abscissa} [${d.abscissa_unit}]` : d.abscissa;
+  return [
+    { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2 },
+    { ...style, size: 48, values: (_, v) => v.map((x) => number(x, 3)) },
+  ];
+}
+
+function draw(holder, lines, d, scale) {
+  const tables = lines.map((l) => [l.x, l.y.map((y) => y / scale.factor)]);
+  const data = tables.length > 1 ? uPlot.join(tables.map((t) => t.map((c) => Array.from(c)))) : tables[0];
+  const plot = new uPlot({
+    width: 400, height: d.height ?? 190, padding: [8, 10, 0, 0],
+    legend: { show: false },
+    cursor: { points: { size: 6 }, drag: { x: true, y: false }, y: false },
+    scales: { x: { time: false }, y: { range: (_, low, high) => range(low, high, d.limit ? d.limit / scale.factor : null) } },
+    axes: axes(d),
+    series: [{}, ...lines.map((l, i) => ({
+      stroke: colourOf(l.label, i), width: 1.6, spanGaps: true, dash: kDashed[l.label], points: { show: !!d.points, size: 6 },
+    }))],
+    hooks: { draw: [(u) => drawLimit(u, d.limit ? d.limit / scale.factor : null)] },
+  }, data, holder);
+  new ResizeObserver(() => {
+    if (holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: d.height ?? 190 });
+  }).observe(holder);
+  kPlots.push(plot);
+  return plot;
+}
+
+function range(low, high, limit) {
+  if (low === null || high === null) return [0, 1];
+  const top = limit ? Math.max(high, 1.08 * limit) : high;
+  const pad = 0.06 * (top - low || Math.abs(top) || 1);
+  return [low >= 0 && low < 0.3 * top ? 0 : low - pad, top + pad];
+}
+
+/** A dashed line, and a shade where the limit is broken. */
+function drawLimit(u, limit) {
+  if (!limit) return;
+  const { ctx, bbox } = u, y = u.valToPos(limit, 'y', true);
+  ctx.save();
+  ctx.fillStyle = isDark() ? 'rgba(255,90,80,.10)' : 'rgba(200,40,30,.07)';
+  ctx.fillRect(bbox.left, bbox.top, bbox.width, Math.max(0, y - bbox.top));
+  ctx.strokeStyle = theme('bad');
+  ctx.setLineDash([6, 4]);
+  ctx.beginPath();
+  ctx.moveTo(bbox.left, y);
+  ctx.lineTo(bbox.left + bbox.width, y);
+  ctx.stroke();
+  ctx.restore();
+}
+
+/** A line at the clock's instant; a click goes there. */
+function follow(plot, clock, show) {
+  const cursor = el('div', { class: 'now' });
+  plot.over.append(cursor);
+  const place = (t) => {
+    const x = plot.valToPos(t, 'x');
+    cursor.style.transform = `translateX(${x.toFixed(1)}px)`;
+    cursor.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+  };
+  clock.listen((t) => {
+    place(t);
+    show(t);
+  });
+  plot.hooks.setSize = [() => place(clock.at)];
+  plot.hooks.setScale = [() => place(clock.at)];
+  let down = 0;
+  plot.over.addEventListener('mousedown', (event) => (down = event.clientX));
+  plot.over.addEventListener('click', (event) => {
+    if (Math.abs(event.clientX - down) > 3) return;
+    clock.set(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, 'x'));
+  });
+}
+
+/** One figure over the cycles, with a mark at the chosen one. */
+export function cycleChart(title, unit, cycles, values, choice) {
+  const d = { title, unit, abscissa: choice.word, abscissa_unit: '', height: 130, points: true };
+  const scale = scaleOf(peak(values), unit);
+  const holder = el('div', { class: 'plot' });
+  const plot = draw(holder, [{ label: 'final', x: Float64Array.from(cycles), y: Float64Array.from(values) }], d, scale);
+  follow(plot, choice, () => {});
+  return el('div', { class: 'chart' }, el('h3', {}, title, el('span', { class: 'unit' }, scale.unit ? ` [${scale.unit}]` : '')), holder);
+}
+
+export { card, quantity };

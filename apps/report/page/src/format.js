@@ -1,0 +1,66 @@
+// Numbers as a reader wants them: a unit of the right size, few digits, signs that show.
+
+const kMinus = '\u2212', kTimes = '\u00d7', kThin = '\u202f', kMicro = '\u00b5';
+
+// SI unit -> [factor, name], from the largest on; the first whose factor the value reaches is taken.
+const kUnits = {
+  m: [[1, 'm'], [1e-3, 'mm'], [1e-6, kMicro + 'm']],
+  kg: [[1, 'kg'], [1e-3, 'g'], [1e-6, 'mg']],
+  s: [[1, 's'], [1e-3, 'ms'], [1e-6, kMicro + 's']],
+  Pa: [[1e9, 'GPa'], [1e6, 'MPa'], [1e3, 'kPa'], [1, 'Pa']],
+  N: [[1e3, 'kN'], [1, 'N'], [1e-3, 'mN']],
+  'N m': [[1e3, 'kN m'], [1, 'N m'], [1e-3, 'mN m']],
+  J: [[1e3, 'kJ'], [1, 'J'], [1e-3, 'mJ']],
+  Hz: [[1e3, 'kHz'], [1, 'Hz']],
+};
+// Below a metre engineers speak of millimetres, below a kilogram of grams.
+const kFrom = { m: 1, kg: 1, s: 0.1 };
+
+/** {factor, unit}: shown value = value / factor. */
+export function scaleOf(size, unit) {
+  const list = kUnits[unit];
+  if (!list || !(size > 0)) return { factor: 1, unit: unit || '' };
+  for (const [factor, name] of list)
+    if (size >= factor * (factor === 1 ? (kFrom[unit] ?? 1) : 1) * 0.999) return { factor, unit: name };
+  const [factor, name] = list[list.length - 1];
+  return { factor, unit: name };
+}
+
+/** A number with so many digits that count, without exponents where they are not needed. */
+export function number(x, digits = 4) {
+  if (x === null || x === undefined || Number.isNaN(x)) return '\u2013';
+  if (!Number.isFinite(x)) return x > 0 ? '\u221e' : kMinus + '\u221e';
+  if (x === 0) return '0';
+  const size = Math.abs(x);
+  let text;
+  if (size >= 1e6 || size < 1e-4) {
+    const [mantissa, exponent] = x.toExponential(digits - 1).split('e');
+    text = Number(mantissa) + kTimes + '10' + superscript(Number(exponent));
+  } else {
+    const places = Math.max(0, digits - 1 - Math.floor(Math.log10(size)));
+    text = Number.isInteger(x) && size < 1e6 ? String(x) : x.toFixed(Math.min(places, 8));
+  }
+  return text.replace(/-/g, kMinus);
+}
+
+function superscript(exponent) {
+  const digits = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
+  const sign = exponent < 0 ? '\u207b' : '';
+  return sign + [...String(Math.abs(exponent))].map((d) => digits[Number(d)]).join('');
+}
+
+/** "12.4 mm" */
+export function quantity(x, unit, digits = 4) {
+  if (x === null || x === undefined || Number.isNaN(x)) return '\u2013';
+  const { factor, unit: name } = scaleOf(Math.abs(x), unit === '-' ? '' : unit);
+  return number(x / factor, digits) + (name ? '\u00a0' + name : '');
+}
+
+/** "+26 %", "\u22120.4 %"; what is next to nothing is "0 %". */
+export function percent(share) {
+  if (share === null || share === undefined || Number.isNaN(share)) return '\u2013';
+  const x = 100 * share, size = Math.abs(x);
+  if (size < 5e-4) return '0' + kThin + '%';
+  const digits = size >= 100 ? 0 : size >= 10 ? 1 : size >= 1 ? 2 : 3;
+  return (x > 0 ? '+' : kMinus) + size.toFixed(digits) + kThin + '%';
+}

@@ -1,0 +1,168 @@
+// The picture with its controls: play, time, deformation, colours.
+
+import { el } from './dom.js';
+import { css } from './colors.js';
+import { quantity, number } from './format.js';
+import { View } from './view.js';
+
+const kWholeMotion = 8;  // seconds that the whole motion takes to play
+const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
+
+export class Player {
+  /** @param first instant to begin with; none: that of the largest deformation */
+  constructor(motion, clock, first) {
+    Object.assign(this, { motion, clock, first, playing: false, speed: 1, phase: 0, frames: [] });
+    this.modes = motion.abscissa === 'frequency';
+    this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
+    this.stage = el('div', { class: 'stage' }, this.canvas);
+    this.bar = el('div', { class: 'colours' });
+    this.node = el('section', { class: 'card viewer' }, this.stage, this.bar, this.controls());
+    this.hint();
+  }
+
+  /** Once the node is on the page, so that it has a size. */
+  start() {
+    try {
+      this.view = new View(this.canvas, this.motion);
+    } catch (error) {
+      this.stage.replaceChildren(el('p', { class: 'note' }, 'No picture in space: this browser has no WebGL here.'));
+      return;
+    }
+    this.fillColours();
+    this.setScale(this.modes ? 1 : this.view.goodScale());
+    this.clock.listen(() => this.show());
+    if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
+    if (this.modes) this.toggle(true);
+    const loop = (now) => {
+      this.advance(now);
+      if (this.view.draw()) this.count(now);
+      requestAnimationFrame(loop);
+    };
+    requestAnimationFrame(loop);
+  }
+
+  controls() {
+    const { clock } = this, range = (id, attributes) => el('input', { type: 'range', id, ...attributes });
+    this.button = el('button', { class: 'play', id: 'play', title: 'play or stop (space)', onclick: () => this.toggle() }, '\u25b6');
+    this.slider = range('time', { min: 0, max: this.modes ? clock.t.length - 1 : 1, step: this.modes ? 1 : 'any', value: 0,
+      oninput: () => this.seek(Number(this.slider.value)) });
+    this.label = el('output', { for: 'time', id: 'instant' });
+    this.scaler = range('scale', { min: 0, max: 4, step: 0.01, value: 0,
+      oninput: () => this.setScale(roundScale(10 ** Number(this.scaler.value))) });
+    this.scaleLabel = el('output', { for: 'scale' });
+    this.colours = el('select', { id: 'colour', onchange: () => this.setColour(this.colours.value) });
+    this.rate = el('select', { id: 'speed', title: 'speed', onchange: () => (this.speed = Number(this.rate.value)) },
+      kSpeeds.map((s) => el('option', { value: s, selected: s === 1 }, `\u00d7 ${s}`)));
+    return el('div', { class: 'controls' },
+      this.button, el('label', { for: 'time' }, this.modes ? 'mode' : this.motion.abscissa.replace('_', ' ')), this.slider, this.label,
+      el('span', {}), el('label', { for: 'scale' }, this.modes ? 'amplitude' : 'deformation'), this.scaler, this.scaleLabel,
+      el('span', {}), el('label', { for: 'colour' }, 'colour'),
+      el('span', { class: 'small' }, this.colours, this.rate,
+        el('button', { id: 'good', title: 'true shape, or deformation that can be seen (D)', onclick: () => this.goodScale() }, this.modes ? '\u00d7 1' : 'true / magnified'),
+        el('button', { id: 'fit', title: 'whole motion (F)', onclick: () => this.view?.fit() }, 'fit')));
+  }
+
+  hint() {
+    const { records, t } = this.motion, shown = t.n;
+    if (this.modes) return;
+    const text = shown < records ? `${shown} of ${records} recorded instants, evenly spread; charts keep every peak` : `${records} instants`;
+    this.node.append(el('p', { class: 'hint' }, text,
+      ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 deformation, C colour, F fits'));
+  }
+
+  fillColours() {
+    this.colours.append(el('option', { value: '' }, 'bodies'));
+    for (const q of this.view.quantities) this.colours.append(el('option', { value: q.key }, q.label));
+    const first = this.view.quantities.find((q) => q.key === 'stress') ?? this.view.quantities[0];
+    this.setColour(first?.key ?? '');
+  }
+
+  setColour(key) {
+    const q = this.view.quantities.find((x) => x.key === key) ?? null;
+    this.colours.value = key;
+    this.view.set({ colour: q });
+    this.bar.replaceChildren();
+    if (!q) return;
+    const stops = [0, 0.25, 0.5, 0.75, 1].map((s) => css(q.map, s)).join(',');
+    const strip = el('span', { class: 'strip' });
+    strip.style.background = `linear-gradient(to right, ${stops})`;
+    this.bar.append(el('span', {}, q.label), el('span', {}, quantity(q.low, q.unit, 3)), strip, el('span', {}, quantity(q.high, q.unit, 3)));
+  }
+
+  nextColour() {
+    const keys = [...this.colours.options].map((o) => o.value);
+    this.setColour(keys[(keys.indexOf(this.colours.value) + 1) % keys.length]);
+  }
+
+  setScale(scale) {
+    this.scale = Math.max(1, Math.min(1e4, scale));
+    this.scaler.value = Math.log10(this.scale);
+    this.scaleLabel.textContent = `\u00d7 ${number(this.scale, 3)}`;
+    this.view?.set({ scale: this.scale });
+  }
+  goodScale() {
+    this.setScale(this.modes ? 1 : this.scale > 1 ? 1 : this.view.goodScale());
+  }
+
+  seek(share) {
+    const { clock } = this;
+    if (this.modes) return clock.set(clock.t[share]);
+    clock.set(clock.first + share * (clock.last - clock.first));
+  }
+
+  show() {
+    const { clock } = this;
+    this.view.set({ instant: this.modes ? Math.round(clock.record()) : clock.record() });
+    const share = (clock.at - clock.first) / (clock.last - clock.first || 1);
+    this.slider.value = this.modes ? Math.round(clock.record()) : share;
+    this.label.textContent = this.motion.unit === '-' ? number(clock.at, 4) : quantity(clock.at, this.motion.unit, 4);
+  }
+
+  toggle(on = !this.playing) {
+    this.playing = on;
+    this.before = null;
+    this.frames = [];
+    this.button.textContent = on ? '\u275a\u275a' : '\u25b6';
+    if (on && !this.modes && this.clock.at >= this.clock.last) this.clock.set(this.clock.first);
+  }
+
+  advance(now) {
+    if (!this.playing) return;
+    const passed = this.before === null ? 0 : Math.min(now - this.before, 200) / 1000;
+    this.before = now;
+    if (this.modes) {
+      this.phase += 2 * Math.PI * 0.5 * passed * this.speed;
+      return this.view.set({ phase: Math.sin(this.phase) });
+    }
+    const { clock } = this, whole = clock.last - clock.first;
+    let at = clock.at + (whole / kWholeMotion) * passed * this.speed;
+    if (at > clock.last) at = clock.first;
+    clock.set(at);
+  }
+
+  /** Pictures a second, over the last ones; for whoever measures: `data-fps`. */
+  count(now) {
+    this.frames.push(now);
+    if (this.frames.length > 60) this.frames.shift();
+    if (this.frames.length > 10)
+      this.canvas.dataset.fps = ((1000 * (this.frames.length - 1)) / (now - this.frames[0])).toFixed(1);
+    this.canvas.dataset.drawn = Number(this.canvas.dataset.drawn ?? 0) + 1;
+  }
+
+  key(event) {
+    const act = {
+      ' ': () => this.toggle(), ArrowLeft: () => this.clock.step(-1), ArrowRight: () => this.clock.step(1),
+      '+': () => this.setScale(roundScale(this.scale * 1.5)), '-': () => this.setScale(roundScale(this.scale / 1.5)),
+      f: () => this.view.fit(), c: () => this.nextColour(), d: () => this.goodScale(),
+    }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!act || !this.view) return false;
+    act();
+    return true;
+  }
+}
+
+/** Two digits: what a slider says is what is shown. */
+function roundScale(x) {
+  const power = 10 ** (Math.floor(Math.log10(x)) - 1);
+  return Math.max(1, Math.round(x / power) * power);
+}

@@ -1,0 +1,140 @@
+// Figures of a summary as tables: head, limits, design, provenance.
+
+import { card, el } from './dom.js';
+import { number, percent, quantity } from './format.js';
+
+const kGood = ['done', 'optimal', 'converged'];
+const kMiddling = ['running', 'incomplete', 'cycle limit', 'interrupted'];
+
+export function badge(status) {
+  const kind = kGood.includes(status) ? 'good' : kMiddling.includes(status) ? 'fair' : 'poor';
+  return el('span', { class: `badge ${kind}` }, status);
+}
+
+const kMeaning = {
+  optimal: 'The optimality conditions of the motion hold, and all limits are met.',
+  converged: 'Loads and design agree; whether the design is optimal for the motion, the residual below tells.',
+  'cycle limit': 'As many cycles as allowed, without agreement; the best design so far is shown.',
+  oscillating: 'The designs went to and fro; the best one is shown.',
+  infeasible: 'No design within the bounds meets all limits.',
+  inaccurate: 'The end was reached, but the time integration lost or made too much energy.',
+};
+
+function sentence(text) {
+  return text && !/[.!?]$/.test(text) ? `${text}.` : text;
+}
+
+function tile(label, value, note, kind) {
+  return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
+}
+
+/** Name, status, reason, and the figures that matter most. */
+export function head(data) {
+  const s = data.summary;
+  const tiles = [];
+  if (s.mass_initial !== undefined)
+    tiles.push(tile('mass', `${quantity(s.mass_initial, 'kg')} \u2192 ${quantity(s.mass_final, 'kg')}`, percent(s.mass_final / s.mass_initial - 1)));
+  if (s.objective)
+    tiles.push(tile(s.objective.quantity, `${quantity(s.objective.initial, s.objective.unit)} \u2192 ${quantity(s.objective.final, s.objective.unit)}`,
+      percent(s.objective.final / s.objective.initial - 1)));
+  if (s.worst_constraint !== undefined && s.worst_constraint !== null)
+    tiles.push(tile('worst limit', percent(s.worst_constraint), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
+  if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
+  if (s.kkt_residual !== undefined)
+    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? 'optimal for the motion' : 'not optimal for the motion'));
+  if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
+  if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
+  if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response));
+  return el('header', {},
+    el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
+    el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status]) : null),
+    s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, w))) : null,
+    el('div', { class: 'tiles' }, tiles));
+}
+
+function table(heading, rows, kinds = []) {
+  const cell = (tag, x, i) => el(tag, { class: kinds[i] ?? '' }, x);
+  return el('div', { class: 'scroll' }, el('table', {},
+    el('thead', {}, el('tr', {}, heading.map((h, i) => cell('th', h, i)))),
+    el('tbody', {}, rows.map((row) => el('tr', {}, row.map((x, i) => cell('td', x, i)))))));
+}
+
+export function limits(s) {
+  const entries = Object.entries(s.constraints ?? {});
+  if (entries.length === 0) return null;
+  const price = (name) => s.prices?.[name];
+  const rows = entries.map(([name, c]) => [
+    name, quantity(c.limit, c.unit), quantity(c.max_abs_initial, c.unit), quantity(c.max_abs_final, c.unit),
+    el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, percent(c.violation)),
+    c.at_time ? quantity(c.at_time, 's', 3) : '\u2013',
+    price(name) === undefined ? '\u2013' : quantity(price(name) / 100, 'kg', 3),
+  ]);
+  return card('Limits',
+    table(['limit', 'allowed', 'before', 'after', 'above it', 'at', '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
+    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the motion: ${s.kkt}.`) : null);
+}
+
+/** Bounds as a line, the start as a tick, the end as a dot. */
+export function boundsBar(d) {
+  const share = (x) => Math.max(0, Math.min(1, (x - d.lower) / (d.upper - d.lower || 1)));
+  const start = el('i', { class: 'start' }), end = el('i', { class: 'end' });
+  start.style.left = `${100 * share(d.initial)}%`;
+  end.style.left = `${100 * share(d.final)}%`;
+  return el('span', { class: 'bounds', title: `${quantity(d.lower, d.unit)} \u2026 ${quantity(d.upper, d.unit)}` }, start, end);
+}
+
+export function design(s) {
+  const names = Object.keys(s.design ?? {});
+  if (names.length === 0) return null;
+  const rows = names.map((name) => {
+    const d = { ...s.design_range[name], final: s.design[name] };
+    const change = d.initial ? percent(d.final / d.initial - 1) : '';
+    return [name, quantity(d.initial, d.unit), quantity(d.final, d.unit), change, boundsBar(d)];
+  });
+  return card('Design', table(['variable', 'start', 'end', 'change', 'between its bounds'], rows, ['', 'n', 'n', 'n', '']));
+}
+
+export function responses(s) {
+  const entries = Object.entries(s.responses ?? {});
+  if (entries.length === 0) return null;
+  const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit), number(r.at_time, 4),
+    [r.final].flat().map((x) => quantity(x, r.unit)).join(', ')]);
+  return card('Responses', table(['response', 'largest', 'at', 'at the end'], rows, ['', 'n', 'n', 'n']));
+}
+
+export function references(s) {
+  if (!s.references?.length) return null;
+  const rows = s.references.map((r) => [r.changes.join(', ') || 'as the scene', r.formalisms.join(', '), quantity(r.size, s.unit), quantity(r.floor, s.unit, 2), number(r.floor / r.size, 2)]);
+  const ratios = (s.ratios ?? []).map((r) => [r.formalism, r.to, r.pairs, r.error === null ? '\u2013' : '\u00d7 ' + number(r.error, 3), r.time === null ? '\u2013' : '\u00d7 ' + number(r.time, 3)]);
+  return card('References and ratios',
+    table(['motion', 'references', 'size', 'difference', 'relative'], rows, ['', '', 'n', 'n', 'n']),
+    ratios.length ? table(['formalism', 'against', 'pairs', 'error', 'time'], ratios, ['', '', 'n', 'n', 'n']) : null);
+}
+
+/** Frequencies, parts, critical loads: what a run says besides. */
+export function further(s) {
+  const blocks = [];
+  if (s.frequencies_hz?.length)
+    blocks.push(table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['n', 'n']));
+  if (s.critical_loads?.length)
+    blocks.push(table(['critical load', 'kind'], s.critical_loads.map((c) => [number(c.load, 5), c.limit_point ? 'limit point' : 'bifurcation']), ['n', '']));
+  const parts = Object.entries(s.parts ?? {});
+  if (parts.length)
+    blocks.push(table(['part', 'cells', 'modes', 'mass', 'right up to'],
+      parts.map(([name, p]) => [name, p.cells, p.modes, quantity(p.mass, 'kg'), quantity(p.right_up_to_hz, 'Hz', 3)]), ['', 'n', 'n', 'n', 'n']));
+  return blocks.length ? card('Modes, loads and parts', ...blocks) : null;
+}
+
+export function provenance(data) {
+  const s = data.summary, list = el('dl', {});
+  const add = (name, value) => value && list.append(el('dt', {}, name), el('dd', {}, value));
+  add('command', `liesl ${s.command}${s.input ? ' ' + s.input : ''}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
+  add('folder', data.folder);
+  add('input (SHA-256)', s.input_sha256);
+  if (s.space) add('computed', `${s.space}: ${s.space_reason}`);
+  if (s.wall_s) add('time', `${quantity(s.wall_s, 's', 3)}${s.cpu_s ? `, processors ${quantity(s.cpu_s, 's', 3)}` : ''}`);
+  if (s.newton_iterations) add('corrections', `${s.newton_iterations} in ${s.steps} steps`);
+  if (s.peak_memory_mb) add('memory', `${number(s.peak_memory_mb, 3)} MB`);
+  add('versions', Object.entries(s.versions ?? {}).map(([n, v]) => `${n} ${v}`).join(' \u00b7 '));
+  return card('Where it comes from', list);
+}

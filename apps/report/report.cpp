@@ -1,0 +1,76 @@
+#include "apps/report/report.hpp"
+
+#include <algorithm>
+
+#include "apps/output/file.hpp"
+#include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
+#include "apps/report/motion.hpp"
+#include "apps/report/page.hpp"
+#include "apps/report/series.hpp"
+
+namespace fs = std::filesystem;
+
+namespace liesl::report {
+namespace {
+
+Json read_summary(const fs::path& folder) {
+  const fs::path path = folder / "summary.json";
+  if (!fs::is_directory(folder)) throw output::IoError("report", folder, "there is no such folder");
+  if (!fs::exists(path))
+    throw output::IoError("report", folder, "it holds no result of liesl (no summary.json)");
+  Json summary = Json::parse(output::read_file(path), nullptr, false);
+  if (!summary.is_object() || !summary.contains("versions") ||
+      !summary["versions"].contains("liesl"))
+    throw output::IoError("report", path, "it is not of liesl, or not whole");
+  return summary;
+}
+
+/// Cases of a batch that have a page of their own.
+Json reported_cases(const fs::path& folder) {
+  Json names = Json::array();
+  std::error_code none;
+  for (const auto& entry : fs::directory_iterator(folder / "cases", none))
+    if (fs::exists(entry.path() / kReport)) names.push_back(entry.path().filename().string());
+  return names;
+}
+
+}  // namespace
+
+std::string page_of(const fs::path& folder, const std::string& name) {
+  Blob blob;
+  const Json summary = read_summary(folder);
+  Json data = {{"folder", name}, {"summary", summary}};
+  try {
+    if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
+      data["motion"] = motion(folder / "results.h5", blob);
+    data["charts"] = charts(folder, summary, blob);
+    data["sized"] = sized_elements(folder);
+    data["outlines"] = outlines(folder, blob);
+    for (const char* table : {"results.csv", "rows.csv"})
+      if (fs::exists(folder / table)) data["cases"] = cases(folder / table);
+    if (fs::exists(folder / "cases")) data["reported"] = reported_cases(folder);
+  } catch (const Json::exception& error) {
+    throw output::IoError("report", folder / "summary.json", error.what());
+  } catch (const std::out_of_range&) {
+    throw output::IoError("report", folder, "its files do not fit each other; run it again");
+  }
+  return page(data, blob.base64());
+}
+
+fs::path write_report(const fs::path& folder) {
+  if (fs::exists(folder / kReport)) {
+    const auto foreign = output::foreign_files(folder);
+    if (std::find(foreign.begin(), foreign.end(), kReport) != foreign.end())
+      throw output::IoError("replace", folder / kReport,
+                            "liesl did not write it; move it elsewhere");
+  }
+  std::error_code none;
+  const fs::path named = fs::weakly_canonical(folder, none);
+  const std::string text = page_of(folder, named.filename().string());
+  output::replace_file(folder / kReport, text);
+  output::mark_files(folder, {kReport});
+  return folder / kReport;
+}
+
+}  // namespace liesl::report

@@ -1,0 +1,224 @@
+#include "apps/report/series.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "apps/report/table.hpp"
+
+namespace fs = std::filesystem;
+
+namespace liesl::report {
+namespace {
+
+/// Records that a line of a chart keeps: all, or smallest and largest of each stretch.
+std::vector<std::size_t> kept(const std::vector<double>& y) {
+  std::vector<std::size_t> out;
+  const std::size_t n = y.size(), stretches = kMostPoints / 2;
+  if (n <= kMostPoints) {
+    for (std::size_t i = 0; i < n; ++i) out.push_back(i);
+    return out;
+  }
+  std::set<std::size_t> chosen = {0, n - 1};
+  for (std::size_t s = 0; s < stretches; ++s) {
+    const auto from = y.begin() + static_cast<long>(s * n / stretches),
+               to = y.begin() + static_cast<long>((s + 1) * n / stretches);
+    const auto [low, high] = std::minmax_element(from, to);
+    chosen.insert(static_cast<std::size_t>(low - y.begin()));
+    chosen.insert(static_cast<std::size_t>(high - y.begin()));
+  }
+  return {chosen.begin(), chosen.end()};
+}
+
+Json line(const std::string& label, const std::vector<double>& x, const std::vector<double>& y,
+          Blob& blob) {
+  std::vector<double> xs, ys;
+  for (const std::size_t i : kept(y)) {
+    xs.push_back(x[i]);
+    ys.push_back(y[i]);
+  }
+  return {{"label", label}, {"x", blob.f32(xs)}, {"y", blob.f32(ys)}};
+}
+
+Json chart(const std::string& title, const std::string& unit, const Table::Column& abscissa) {
+  return {{"title", title},
+          {"unit", unit},
+          {"abscissa", abscissa.name},
+          {"abscissa_unit", abscissa.unit},
+          {"lines", Json::array()}};
+}
+
+/// A limit before and after, a chart each.
+Json limit_charts(const fs::path& folder, const Json& summary, Blob& blob) {
+  const Table initial = read_table(folder / "responses_initial.csv"),
+              final = read_table(folder / "responses_final.csv");
+  Json list = Json::array();
+  for (std::size_t c = 1; c < final.columns.size(); ++c) {
+    const Table::Column& after = final.columns[c];
+    Json one = chart(after.name, after.unit, final.columns[0]);
+    if (const auto* before = initial.column(after.name); before && !initial.empty())
+      one["lines"].push_back(line("initial", numbers(initial.columns[0]), numbers(*before), blob));
+    one["lines"].push_back(line("final", numbers(final.columns[0]), numbers(after), blob));
+    const Json& limits = summary.value("constraints", Json::object());
+    if (limits.contains(after.name)) {
+      one["limit"] = limits[after.name]["limit"];
+      one["at"] = limits[after.name]["at_time"];
+    }
+    list.push_back(std::move(one));
+  }
+  return list;
+}
+
+/// The response that a column is of: "tip.x" of "tip".
+std::string owner(const std::string& column, const Json& responses) {
+  if (responses.contains(column)) return column;
+  const std::size_t dot = column.rfind('.');
+  return dot != std::string::npos && responses.contains(column.substr(0, dot))
+             ? column.substr(0, dot)
+             : column;
+}
+
+Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
+  const Table table = read_table(file);
+  const Json responses = summary.value("responses", Json::object());
+  Json list = Json::array();
+  for (std::size_t c = 1; c < table.columns.size(); ++c) {
+    const Table::Column& column = table.columns[c];
+    const std::string title = owner(column.name, responses);
+    if (list.empty() || list.back()["title"] != title)
+      list.push_back(chart(title, column.unit, table.columns[0]));
+    list.back()["lines"].push_back(
+        line(column.name, numbers(table.columns[0]), numbers(column), blob));
+  }
+  return list;
+}
+
+Json energy_chart(const fs::path& file, Blob& blob) {
+  const Table table = read_table(file);
+  Json one = chart("energies", "J", table.columns.at(0));
+  for (std::size_t c = 1; c < table.columns.size(); ++c)
+    if (table.columns[c].unit == "J")
+      one["lines"].push_back(
+          line(table.columns[c].name, numbers(table.columns[0]), numbers(table.columns[c]), blob));
+  return one;
+}
+
+/// Lines of the steps that are kept: evenly spread, first and last among them.
+Json outline_steps(const Table& table, Blob& blob) {
+  const auto step = numbers(table.columns.at(0)), which = numbers(table.columns.at(1)),
+             x = numbers(table.columns.at(2)), y = numbers(table.columns.at(3));
+  const double last = step.back();
+  const double every = std::max(1.0, (last - 1) / static_cast<double>(kMostOutlines - 1));
+  Json steps = Json::array();
+  double next = 1;
+  for (std::size_t i = 0; i < step.size();) {
+    const double now = step[i];
+    const bool keep = now >= next - 0.5 || now == last;
+    if (keep) {
+      while (next <= now + 0.5) next += every;
+      steps.push_back({{"step", now}, {"lines", Json::array()}});
+    }
+    while (i < step.size() && step[i] == now) {
+      const double here = which[i];
+      std::vector<double> points;
+      for (; i < step.size() && step[i] == now && which[i] == here; ++i)
+        points.insert(points.end(), {x[i], y[i]});
+      if (keep) steps.back()["lines"].push_back(blob.i16(points));
+    }
+  }
+  return steps;
+}
+
+/// Corners [M, 4, 2] and stresses [M] of the cells that are at least half material.
+void add_cells(const fs::path& file, Json& part, Blob& blob) {
+  const Table table = read_table(file);
+  const auto* fraction = table.column("fraction");
+  const auto* stress = table.column("stress");
+  if (!fraction || !stress || table.columns.size() < 8) return;
+  std::vector<std::vector<double>> corners;
+  for (std::size_t c = 0; c < 8; ++c) corners.push_back(numbers(table.columns[c]));
+  const auto share = numbers(*fraction), all = numbers(*stress);
+  std::vector<double> places, values;
+  for (std::size_t e = 0; e < share.size(); ++e) {
+    if (share[e] <= 0) continue;
+    for (const auto& column : corners) places.push_back(column[e]);
+    values.push_back(all[e]);
+  }
+  part["cells"] = blob.i16(places);
+  part["stress"] = blob.i16(values);
+}
+
+}  // namespace
+
+Json charts(const fs::path& folder, const Json& summary, Blob& blob) {
+  Json list = Json::array();
+  if (fs::exists(folder / "responses_final.csv"))
+    list = limit_charts(folder, summary, blob);
+  else if (fs::exists(folder / "responses.csv"))
+    list = response_charts(folder / "responses.csv", summary, blob);
+  if (fs::exists(folder / "energies.csv"))
+    list.push_back(energy_chart(folder / "energies.csv", blob));
+  return list;
+}
+
+Json sized_elements(const fs::path& folder) {
+  Json list = Json::array();
+  if (!fs::exists(folder / "design.csv")) return list;
+  const Table table = read_table(folder / "design.csv");
+  const auto *variable = table.column("variable"), *body = table.column("body"),
+             *element = table.column("element"), *dimension = table.column("dimension");
+  if (!variable || !body || !element || !dimension) return list;
+  const auto numbered = numbers(*element);
+  for (std::size_t i = 0; i < table.rows(); ++i)
+    list.push_back({{"variable", variable->cells[i]},
+                    {"body", body->cells[i]},
+                    {"element", static_cast<int>(numbered[i])},
+                    {"dimensions", dimension->cells[i]}});
+  return list;
+}
+
+Json outlines(const fs::path& folder, Blob& blob) {
+  constexpr std::string_view kEnd = "_outlines.csv";
+  std::vector<std::string> parts;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.ends_with(kEnd)) parts.push_back(name.substr(0, name.size() - kEnd.size()));
+  }
+  std::sort(parts.begin(), parts.end());
+  Json list = Json::array();
+  for (const std::string& name : parts) {
+    const Table table = read_table(folder / (name + std::string(kEnd)));
+    if (table.empty()) continue;
+    Json part = {{"part", name}, {"steps", outline_steps(table, blob)}};
+    if (const fs::path cells = folder / (name + "_cells.csv"); fs::exists(cells))
+      add_cells(cells, part, blob);
+    list.push_back(std::move(part));
+  }
+  return list;
+}
+
+Json cases(const fs::path& file) {
+  const Table table = read_table(file);
+  Json columns = Json::array();
+  for (const Table::Column& column : table.columns) {
+    const auto values = numbers(column);
+    const bool number =
+        std::all_of(column.cells.begin(), column.cells.end(),
+                    [&, i = std::size_t{0}](const std::string& cell) mutable {
+                      return !std::isnan(values[i++]) || cell.empty();
+                    }) &&
+        std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
+    Json cells = Json::array();
+    for (std::size_t i = 0; i < values.size(); ++i)
+      cells.push_back(!number                 ? Json(column.cells[i])
+                      : std::isnan(values[i]) ? Json(nullptr)
+                                              : Json(values[i]));
+    columns.push_back({{"name", column.name},
+                       {"unit", column.unit},
+                       {"number", number},
+                       {"cells", std::move(cells)}});
+  }
+  return {{"columns", std::move(columns)}};
+}
+
+}  // namespace liesl::report

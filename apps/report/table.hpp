@@ -1,0 +1,31 @@
+#pragma once
+/// @file
+/// Tables (CSV) of a results folder, read back.
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace liesl::report {
+
+/// Columns "name [unit]" of texts, as the file has them.
+struct Table {
+  struct Column {
+    std::string name, unit;
+    std::vector<std::string> cells;
+  };
+  std::vector<Column> columns;
+
+  std::size_t rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
+  bool empty() const { return rows() == 0; }
+  /// Null if there is none of that name.
+  const Column* column(const std::string& name) const;
+};
+
+/// @throws output::IoError for a file that is no table
+Table read_table(const std::filesystem::path& path);
+
+/// NaN where a cell is no number.
+std::vector<double> numbers(const Table::Column& column);
+
+}  // namespace liesl::report

@@ -1,0 +1,33 @@
+#pragma once
+/// @file
+/// What a picture needs beside the motion: shapes at rest, sections, places of joints.
+
+#include "apps/output/results.hpp"
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+/// Largest von Mises stress of a section under [N, V_y, V_z, M_x, M_y, M_z], at its stress points;
+/// none for a section without a shape.
+class SectionStress {
+ public:
+  /// One an element of a beam; empty for other bodies.
+  explicit SectionStress(const BodySpec& body);
+  bool empty() const { return points_.empty(); }
+  double operator()(std::size_t element, const SE3::Tangent& force) const;
+
+ private:
+  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> points_;  ///< by element
+};
+
+/// Fills in frames at rest (those of the state `rest`), sections, points and ports.
+template <FrameGroup G>
+void add_reference(const Mechanism& mechanism, const Model<G>& model, const State<G>& rest,
+                   output::Results& results);
+
+extern template void add_reference(const Mechanism&, const Model<SE2>&, const State<SE2>&,
+                                   output::Results&);
+extern template void add_reference(const Mechanism&, const Model<SE3>&, const State<SE3>&,
+                                   output::Results&);
+
+}  // namespace liesl

@@ -1,0 +1,256 @@
+/// Pages of results folders: what they hold, what they refuse.
+#include "apps/report/report.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/output/file.hpp"
+#include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
+#include "apps/program.hpp"
+#include "apps/report/blob.hpp"
+#include "apps/report/cut_mesh.hpp"
+#include "apps/report/page.hpp"
+#include "apps/report/table.hpp"
+
+namespace liesl::test {
+namespace {
+
+using report::Blob;
+using report::cut_mesh;
+using report::CutMesh;
+
+std::vector<unsigned char> bytes(const std::string& text) { return {text.begin(), text.end()}; }
+
+TEST(ReportBlob, Base64OfTheStandard) {  // RFC 4648, section 10
+  const std::vector<std::pair<std::string, std::string>> known = {{"", ""},
+                                                                  {"f", "Zg=="},
+                                                                  {"fo", "Zm8="},
+                                                                  {"foo", "Zm9v"},
+                                                                  {"foob", "Zm9vYg=="},
+                                                                  {"fooba", "Zm9vYmE="},
+                                                                  {"foobar", "Zm9vYmFy"}};
+  for (const auto& [plain, coded] : known) {
+    const auto data = bytes(plain);
+    EXPECT_EQ(report::base64(data.data(), data.size()), coded);
+  }
+}
+
+TEST(ReportBlob, ArraysAreDescribedAndAligned) {
+  Blob blob;
+  const auto a = blob.i16({1, -2, 0.5});
+  const auto b = blob.f32({1, 2});
+  EXPECT_EQ(a["n"], 3);
+  EXPECT_NEAR(a["scale"].get<double>(), 2 / 32767.0, 1e-12);
+  EXPECT_EQ(b["at"].get<std::size_t>() % 4, 0u);
+  EXPECT_EQ(b["at"], 8);
+  EXPECT_EQ(blob.bytes(), 16u);
+}
+
+TEST(ReportBlob, AComponentThatStaysIsOneNumber) {
+  Blob blob;
+  const auto c = blob.components({1, 7, 2, 7}, 2, Blob::Digits::Seven);
+  EXPECT_TRUE(c[0].is_object());
+  EXPECT_EQ(c[1], 7);
+}
+
+/// n x n squares of side 1/n, and the level of a function at their nodes.
+struct Squares {
+  std::vector<int> cells;
+  std::vector<double> nodes, level;
+  template <class Level>
+  Squares(int n, const Level& phi) {
+    for (int j = 0; j <= n; ++j)
+      for (int i = 0; i <= n; ++i) {
+        const double x = double(i) / n, y = double(j) / n;
+        nodes.insert(nodes.end(), {x, y, 0});
+        level.push_back(phi(x, y));
+      }
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int a = j * (n + 1) + i;
+        cells.insert(cells.end(), {a, a + 1, a + n + 2, a + n + 1});
+      }
+  }
+};
+
+Eigen::Vector3d place(const CutMesh& mesh, const std::vector<double>& nodes, std::uint32_t v) {
+  const auto& p = mesh.vertices[v];
+  const auto at = [&](int i) { return Eigen::Vector3d::Map(&nodes[3 * std::size_t(i)]); };
+  return (1 - p.t) * at(p.i) + p.t * at(p.j);
+}
+
+double area(const CutMesh& mesh, const std::vector<double>& nodes) {
+  double sum = 0;
+  for (const auto& t : mesh.triangles) {
+    const Eigen::Vector3d a = place(mesh, nodes, t[0]);
+    sum += 0.5 * (place(mesh, nodes, t[1]) - a).cross(place(mesh, nodes, t[2]) - a)[2];
+  }
+  return sum;
+}
+
+TEST(ReportCutMesh, ALineIsCutExactlyWhateverTheMesh) {
+  for (const int n : {1, 2, 5, 8}) {
+    const Squares s(n, [](double x, double y) { return 0.8 - x - 0.5 * y; });
+    const CutMesh mesh = cut_mesh(4, s.cells, s.nodes, s.level);
+    EXPECT_NEAR(area(mesh, s.nodes), 0.55, 1e-12) << n;  // x < 0.8 - y/2 of the unit square
+  }
+}
+
+TEST(ReportCutMesh, ADiscIsApproachedWithTheSquareOfTheCells) {
+  const auto error = [](int n) {
+    const Squares s(n, [](double x, double y) { return 0.3 - std::hypot(x - 0.5, y - 0.5); });
+    return std::abs(area(cut_mesh(4, s.cells, s.nodes, s.level), s.nodes) - M_PI * 0.09);
+  };
+  EXPECT_NEAR(std::log2(error(20) / error(80)) / 2, 2, 0.3);
+}
+
+TEST(ReportCutMesh, SidesAreTheOutlineAndClosed) {
+  const Squares s(8, [](double x, double y) { return std::hypot(x - 0.5, y - 0.5) - 0.3; });
+  const CutMesh mesh = cut_mesh(4, s.cells, s.nodes, s.level);
+  std::vector<int> ends(mesh.vertices.size(), 0);
+  double length = 0;
+  for (const auto& [a, b] : mesh.sides) {
+    ++ends[a];
+    --ends[b];
+    length += (place(mesh, s.nodes, b) - place(mesh, s.nodes, a)).norm();
+  }
+  EXPECT_EQ(ends, std::vector<int>(ends.size(), 0)) << "as many sides leave a point as reach it";
+  EXPECT_NEAR(length, 4 + 2 * M_PI * 0.3, 0.03);
+}
+
+/// Volume by the divergence theorem: right only if the surface is closed and turned outward.
+TEST(ReportCutMesh, TheSurfaceInSpaceIsClosedAndTurnedOutward) {
+  std::vector<double> nodes, level;
+  const int n = 6, m = n + 1;
+  for (int k = 0; k < m; ++k)
+    for (int j = 0; j < m; ++j)
+      for (int i = 0; i < m; ++i) {
+        nodes.insert(nodes.end(), {double(i) / n, double(j) / n, double(k) / n});
+        level.push_back(0.9 - double(i) / n - 0.3 * double(j) / n - 0.2 * double(k) / n);
+      }
+  std::vector<int> cells;
+  for (int k = 0; k < n; ++k)
+    for (int j = 0; j < n; ++j)
+      for (int i = 0; i < n; ++i) {
+        const int a = (k * m + j) * m + i, up = m * m;
+        cells.insert(cells.end(),
+                     {a, a + 1, a + m + 1, a + m, a + up, a + up + 1, a + up + m + 1, a + up + m});
+      }
+  const CutMesh mesh = cut_mesh(8, cells, nodes, level);
+  double volume = 0;
+  for (const auto& t : mesh.triangles)
+    volume +=
+        place(mesh, nodes, t[0]).dot(place(mesh, nodes, t[1]).cross(place(mesh, nodes, t[2]))) / 6;
+  EXPECT_NEAR(volume, 0.65, 1e-12);  // mean of 0.9 - 0.3 y - 0.2 z
+}
+
+TEST(ReportTable, ReadsQuotesAndUnits) {
+  const fs::path file = fs::temp_directory_path() / ("liesl_table_" + std::to_string(getpid()));
+  output::write_file(file, "time [s],\"a, \"\"b\"\"\",n\n0,x,\n1,\"y\nz\",2.5\n");
+  const report::Table table = report::read_table(file);
+  ASSERT_EQ(table.columns.size(), 3u);
+  EXPECT_EQ(table.columns[0].unit, "s");
+  EXPECT_EQ(table.columns[1].name, "a, \"b\"");
+  EXPECT_EQ(table.columns[1].cells, (std::vector<std::string>{"x", "y\nz"}));
+  EXPECT_TRUE(std::isnan(report::numbers(table.columns[2])[0]));
+  EXPECT_EQ(report::numbers(table.columns[2])[1], 2.5);
+  output::write_file(file, "a,b\n1\n");
+  EXPECT_THROW(report::read_table(file), output::IoError);
+  fs::remove(file);
+}
+
+class ReportProgram : public Program {};
+
+/// The JSON of a page.
+Json data_of(const std::string& page) {
+  const std::string open = "id=\"data\">";
+  const std::size_t from = page.find(open) + open.size();
+  return Json::parse(page.substr(from, page.find("</script>", from) - from));
+}
+
+TEST_F(ReportProgram, RunWritesAPageThatLoadsNothing) {
+  const Outcome o = run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
+                         results().string(), "--set", "simulation.duration=0.01"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  const std::string page = text_of(results() / "report.html");
+  EXPECT_LT(page.size(), 1'000'000u);
+  EXPECT_NE(page.find("default-src 'none'"), std::string::npos);
+  for (const char* address : {"src=\"http", "href=\"http", "url(http", "@import"})
+    EXPECT_EQ(page.find(address), std::string::npos) << address;
+  const Json data = data_of(page);
+  EXPECT_EQ(data["motion"]["bodies"].size(), 3u);
+  EXPECT_EQ(data["motion"]["joints"].size(), 4u);
+  EXPECT_EQ(data["motion"]["bodies"][1]["shapes"][0], "circle");
+  EXPECT_EQ(data["charts"].back()["title"], "energies");
+  EXPECT_TRUE(output::foreign_files(results()).empty()) << "the page is liesl's own file";
+}
+
+TEST_F(ReportProgram, InstantsOfALongRunAreThinnedAndSaid) {
+  const Outcome o = run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
+                         results().string(), "--set", "simulation.step=2e-5"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  const std::string page = text_of(results() / "report.html");
+  EXPECT_LT(page.size(), 1'000'000u);
+  const Json motion = data_of(page)["motion"];
+  EXPECT_EQ(motion["records"], 6001);
+  EXPECT_LE(motion["t"]["n"].get<int>(), 600);
+}
+
+TEST_F(ReportProgram, CanBeLeftOutAndWrittenLater) {
+  const Words words = {"run",        (kData / "scenes/pendulum.toml").string(),
+                       "-o",         results(),
+                       "--set",      "simulation.duration=0.01",
+                       "--no-report"};
+  EXPECT_EQ(run(words).code, 0);
+  EXPECT_FALSE(fs::exists(results() / "report.html"));
+  const Outcome o = run({"report", results().string()});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(fs::exists(results() / "report.html"));
+  EXPECT_EQ(run({"report", results().string()}).code, 0) << "its own page is replaced";
+}
+
+TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
+  const auto refused = [&](const std::string& folder, const std::string& why) {
+    const Outcome o = run({"report", folder});
+    EXPECT_EQ(o.code, 3);
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+    EXPECT_FALSE(fs::exists(fs::path(folder) / "report.html"));
+  };
+  refused((dir_ / "none").string(), "no such folder");
+  fs::create_directories(dir_ / "empty");
+  refused((dir_ / "empty").string(), "no summary.json");
+  fs::create_directories(dir_ / "foreign");
+  output::write_file(dir_ / "foreign/summary.json", "{\"a\": 1}");
+  refused((dir_ / "foreign").string(), "not of liesl");
+  ASSERT_EQ(run({"run", (kData / "scenes/pendulum.toml").string(), "-o", results().string(),
+                 "--set", "simulation.duration=0.01", "--no-report"})
+                .code,
+            0);
+  fs::resize_file(results() / "results.h5", 3000);
+  refused(results().string(), "results.h5");
+  fs::copy(results(), dir_ / "half", fs::copy_options::recursive);
+  output::write_file(dir_ / "half/summary.json", "{\"versions\": {\"liesl\"");
+  refused((dir_ / "half").string(), "not whole");
+}
+
+TEST_F(ReportProgram, APageOfTheUserStays) {
+  ASSERT_EQ(run({"run", (kData / "scenes/pendulum.toml").string(), "-o", results().string(),
+                 "--set", "simulation.duration=0.01", "--no-report"})
+                .code,
+            0);
+  output::write_file(results() / "report.html", "mine");
+  const Outcome o = run({"report", results().string()});
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("liesl did not write it"), std::string::npos) << o.err;
+  EXPECT_EQ(text_of(results() / "report.html"), "mine");
+}
+
+TEST(ReportPage, TextsCannotEndTheScript) {
+  const nlohmann::ordered_json data = {{"name", "</script><script>alert(1)</script><!--"}};
+  const std::string page = report::page(data, "");
+  EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
+  EXPECT_EQ(data_of(page)["name"], data["name"]);
+}
+
+}  // namespace
+}  // namespace liesl::test

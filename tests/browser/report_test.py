@@ -1,0 +1,262 @@
+#!/usr/bin/env python3
+"""report_test.py PROGRAM DATA: pages of `liesl report` in a real browser.
+
+Every page: ready in time, nothing on the console, one request. Then what each kind is for: the picture
+follows its sliders and is coloured, charts follow the instant, light and dark, phone width, tables and
+scatter of a batch, rows of a comparison, shapes of vibration. Ends with 77 (skipped) without a browser.
+With LIESL_PICTURES=DIR a screenshot of every page goes there.
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from pathlib import Path
+
+sys.dont_write_bytecode = True
+from driver import Browser, programs  # noqa: E402
+
+PROGRAM, DATA = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+WORK = tempfile.TemporaryDirectory(prefix="liesl-browser-")
+FOLDER = Path(WORK.name)
+MARGIN = 10  # times what a quiet machine takes: times are printed, only a wrong order fails
+
+BATCH = """name = "four rods"
+study = "{study}"
+[grid]
+speed = {{ key = "joints.motor.drive.rate", values = [120, 150] }}
+limit = {{ key = "constraints.bending.limit", values = [0.9e-3, 1.1e-3] }}
+"""
+COMPARE = """name = "two formalisms"
+scene = "{scene}"
+repeats = 1
+set = {{ "simulation.duration" = 0.01 }}
+[quantity]
+response = "bend"
+norm = "rms"
+[reference]
+formalisms = ["r3so3", "se3"]
+elements = 16
+step = 5e-5
+[grid]
+formalism = ["se3", "r3so3"]
+elements = [4, 8]
+step = [4e-4, 2e-4]
+"""
+
+HASH = """const c = document.querySelector('.stage canvas');
+const d = c.toDataURL(); let h = 0;
+for (let i = 0; i < d.length; ++i) h = (31 * h + d.charCodeAt(i)) | 0; return h;"""
+SLIDE = """const s = document.getElementById(arguments[0]);
+s.value = arguments[1]; s.dispatchEvent(new Event(s.tagName === 'SELECT' ? 'change' : 'input', { bubbles: true }));"""
+SATURATED = """const c = document.querySelector('.stage canvas'), n = document.createElement('canvas');
+n.width = c.width; n.height = c.height; const x = n.getContext('2d'); x.drawImage(c, 0, 0);
+const d = x.getImageData(0, 0, n.width, n.height).data; let coloured = 0;
+for (let i = 0; i < d.length; i += 4)
+  if (Math.max(d[i], d[i + 1], d[i + 2]) - Math.min(d[i], d[i + 1], d[i + 2]) > 60) ++coloured;
+return coloured;"""
+
+
+def liesl(*words):
+    return subprocess.run([PROGRAM, *words], capture_output=True, text=True)
+
+
+def folder_of(name, *words):
+    """A results folder with its page, made once."""
+    folder = FOLDER / name
+    if not folder.exists():
+        done = liesl(*words, "-o", str(folder), "--quiet")
+        assert (folder / "report.html").exists(), done.stderr
+    return folder
+
+
+def rod():
+    return folder_of("rod", "optimize", str(DATA / "studies/slider_crank_rod.toml"))
+
+
+class Pages(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(*programs())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
+
+    def show(self, folder, seconds=2.0, name=None):
+        """Opens a page and checks what holds for every page."""
+        browser = self.browser
+        browser.call("POST", "/window/rect", {"width": 1280, "height": 1000})
+        took = browser.open(folder / "report.html")
+        self.assertLess(took / 1000, MARGIN * seconds, "ready in time")
+        size = (folder / "report.html").stat().st_size / 1e6
+        print(f"{folder.name}: {size:.2f} MB, ready after {took} ms")
+        self.assertEqual([entry["message"] for entry in browser.log("browser")], [])
+        requests = browser.requests()
+        self.assertEqual(len(requests), 1, requests)
+        if os.environ.get("LIESL_PICTURES"):
+            browser.frames()
+            browser.picture(Path(os.environ["LIESL_PICTURES"]) / f"{name or folder.name}.png")
+
+    def slide(self, name, value):
+        self.browser.run(SLIDE, name, value)
+        self.browser.frames()
+
+    def picture(self):
+        self.browser.frames()
+        return self.browser.run(HASH)
+
+    def cursor(self):
+        """Share of the width of the first chart at which its cursor stands."""
+        return self.browser.run("""const c = document.querySelector('.now'), o = c.parentElement;
+            return new DOMMatrix(getComputedStyle(c).transform).e / o.clientWidth;""")
+
+    def test_rod_follows_its_sliders(self):
+        self.show(rod())
+        self.assertLess((rod() / "report.html").stat().st_size, 1e6)
+        self.assertGreater(self.browser.run(SATURATED), 1500, "beams have the colours of stress")
+        seen = [self.picture()]
+        for name, value in (("time", 0.2), ("time", 0.45), ("scale", 0), ("scale", 2), ("colour", "M"),
+                            ("cycle", 0), ("colour", "")):
+            self.slide(name, value)
+            seen.append(self.picture())
+        self.assertEqual(len(set(seen)), len(seen), "each change shows")
+
+    def test_cursor_follows_the_instant_and_the_click(self):
+        self.show(rod())
+        for share in (0.25, 0.75):
+            self.slide("time", share)
+            self.assertAlmostEqual(self.cursor(), share, delta=0.01)
+        box = self.browser.run("""const r = document.querySelector('.u-over').getBoundingClientRect();
+            return [r.x, r.y, r.width, r.height];""")
+        self.browser.click(box[0] + 0.5 * box[2], box[1] + 0.5 * box[3])
+        self.browser.frames()
+        self.assertAlmostEqual(self.cursor(), 0.5, delta=0.01)
+        at = self.browser.run("return Number(document.getElementById('time').value)")
+        self.assertAlmostEqual(at, 0.5, delta=0.01)
+
+    def test_keys_play_and_step(self):
+        self.show(rod())
+        self.slide("time", 0.1)
+        key = "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: arguments[0], bubbles: true}))"
+        before = self.cursor()
+        self.browser.run(key, "ArrowRight")
+        self.assertGreater(self.cursor(), before)
+        self.browser.run(key, " ")
+        time.sleep(2.5)
+        rate = float(self.browser.run("return document.querySelector('.stage canvas').dataset.fps"))
+        self.browser.run(key, " ")
+        print(f"rod: {rate:.0f} frames a second while playing")
+        self.assertGreater(rate, 30 / MARGIN)
+        self.assertGreater(self.cursor(), before + 0.05)
+
+    def test_cycles_show_design_and_figures(self):
+        self.show(rod())
+        figure = "return document.querySelector('.figures').textContent + document.querySelector('.bars').textContent"
+        last = self.browser.run(figure)
+        self.slide("cycle", 0)
+        first = self.browser.run(figure)
+        self.assertNotEqual(first, last)
+        self.assertIn("11.38", first, "every group starts at 11.38 mm")
+
+    def test_dark_and_narrow(self):
+        self.show(rod())
+        light = self.picture()
+        paper = "return getComputedStyle(document.body).backgroundColor"
+        before = self.browser.run(paper)
+        self.browser.run("document.getElementById('theme').click()")
+        self.assertNotEqual(self.browser.run(paper), before)
+        self.assertNotEqual(self.picture(), light)
+        self.browser.devtools("Emulation.setEmulatedMedia",
+                              features=[{"name": "prefers-color-scheme", "value": "dark"}])
+        self.show(rod(), name="rod_dark")
+        self.assertNotEqual(self.browser.run(paper), before, "as the system asks")
+        self.browser.devtools("Emulation.setEmulatedMedia", features=[])
+        self.browser.devtools("Emulation.setDeviceMetricsOverride", width=390, height=844,
+                              deviceScaleFactor=1, mobile=True)
+        self.show(rod(), name="rod_phone")
+        wide = self.browser.run("return [document.documentElement.scrollWidth, innerWidth]")
+        self.browser.devtools("Emulation.clearDeviceMetricsOverride")
+        self.assertLessEqual(wide[0], 390)
+
+    def test_meshed_part_moves_and_is_coloured(self):
+        folder = folder_of("meshed", "run", str(DATA / "scenes/meshed_slider_crank.toml"),
+                           "--set", "simulation.duration=0.03")
+        self.show(folder, 4)
+        self.assertGreater(self.browser.run(SATURATED), 3000)
+        seen = [self.picture()]
+        for name, value in (("time", 0.3), ("scale", 0), ("colour", "")):
+            self.slide(name, value)
+            seen.append(self.picture())
+        self.assertEqual(len(set(seen)), len(seen))
+
+    def test_modes_swing(self):
+        folder = folder_of("modes", "run", str(DATA / "scenes/four_bar.toml"), "--set",
+                           'simulation.type="modes"')
+        self.show(folder)
+        first = self.picture()
+        time.sleep(0.5)
+        self.assertNotEqual(self.picture(), first)
+        name = self.browser.run("return document.getElementById('instant').textContent")
+        self.slide("time", 1)
+        self.assertNotEqual(self.browser.run("return document.getElementById('instant').textContent"), name)
+
+    def test_batch_filters_sorts_and_opens(self):
+        file = FOLDER / "batch.toml"
+        file.write_text(BATCH.format(study=DATA / "studies/slider_crank_rod.toml"))
+        self.show(folder_of("batch", "batch", str(file)))
+        rows = "return document.querySelectorAll('#cases tbody tr').length"
+        self.assertEqual(self.browser.run(rows), 4)
+        self.slide("filter", "speed > 130")
+        self.assertEqual(self.browser.run(rows), 2)
+        self.slide("filter", "")
+        masses = """const h = [...document.querySelectorAll('#cases th')], i = h.findIndex((x) => x.textContent === 'mass_final');
+            h[i].click(); return [...document.querySelectorAll('#cases tbody tr')].map((r) => parseFloat(r.children[i].textContent));"""
+        sorted_up = self.browser.run(masses)
+        self.assertEqual(sorted_up, sorted(sorted_up))
+        self.assertEqual(self.browser.run(masses), sorted(sorted_up, reverse=True))
+        before = self.browser.run("return document.querySelector('canvas.scatter').toDataURL()")
+        self.slide("scatter-y", "cycles")
+        self.assertNotEqual(self.browser.run("return document.querySelector('canvas.scatter').toDataURL()"), before)
+        self.browser.run("document.querySelector('#cases tbody tr').click()")
+        self.browser.wait(lambda: "/cases/" in self.browser.run("return location.href"), "the case")
+        self.browser.wait(lambda: self.browser.run("return document.documentElement.dataset.ready"), "its page")
+
+    def test_comparison_tells_its_points(self):
+        file = FOLDER / "compare.toml"
+        file.write_text(COMPARE.format(scene=DATA / "scenes/slider_crank.toml"))
+        self.show(folder_of("compare", "compare", str(file)))
+        tip = self.browser.run("""const c = document.querySelector('canvas.scatter'), r = c.getBoundingClientRect();
+            for (let y = 0; y < r.height; y += 4) for (let x = 0; x < r.width; x += 4) {
+              c.dispatchEvent(new MouseEvent('mousemove', { clientX: r.x + x, clientY: r.y + y, bubbles: true }));
+              const t = document.querySelector('.tip'); if (!t.hidden) return t.textContent; }
+            return '';""")
+        self.assertIn("error", tip)
+        self.assertIn("formalism", tip)
+
+    def test_text_of_a_scene_stays_text(self):
+        evil = "</script><img src=x onerror=document.title='run'>"
+        scene = (DATA / "scenes/pendulum.toml").read_text()
+        file = FOLDER / "evil.toml"
+        lines = [line for line in scene.splitlines() if not line.startswith("name")]
+        file.write_text("\n".join([f'name = "{evil}"', *lines]) + "\n")
+        self.show(folder_of("evil", "run", str(file), "--set", "simulation.duration=0.01"))
+        self.assertEqual(self.browser.run("return document.querySelectorAll('img').length"), 0)
+        self.assertIn(evil, self.browser.run("return document.querySelector('h1').textContent"))
+
+    def test_nothing_may_be_loaded(self):
+        self.show(rod())
+        blocked = self.browser.call("POST", "/execute/async", {"script": """
+            const done = arguments[0];
+            document.addEventListener('securitypolicyviolation', (e) => done(e.effectiveDirective));
+            fetch('data:text/plain,x').catch(() => {}); setTimeout(() => done(''), 2000);""", "args": []})
+        self.assertEqual(blocked, "connect-src")
+
+
+if __name__ == "__main__":
+    if programs() is None:
+        print("skipped: no chromium with its driver; apt-get install chromium chromium-driver", file=sys.stderr)
+        sys.exit(77)
+    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)
