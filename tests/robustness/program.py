@@ -18,8 +18,11 @@ class Outcome:
         return lines[-1][:200] if lines else ""
 
 
-def run(words, seconds, memory_mb=None, cwd=None):
-    """Runs a command in a group of its own; ends the whole group after `seconds`."""
+def run(words, seconds, memory_mb=None, cwd=None, ask_after=None):
+    """Runs a command in a group of its own; ends the whole group after `seconds`.
+
+    With `ask_after` it is asked to stop (SIGINT) after so many seconds, and has `seconds` from then on.
+    """
 
     def limit():
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
@@ -36,6 +39,11 @@ def run(words, seconds, memory_mb=None, cwd=None):
         preexec_fn=limit,
     )
     hung = False
+    if ask_after is not None:
+        try:
+            process.communicate(timeout=ask_after)
+        except subprocess.TimeoutExpired:
+            process.send_signal(signal.SIGINT)
     try:
         out, _ = process.communicate(timeout=seconds)
     except subprocess.TimeoutExpired:
