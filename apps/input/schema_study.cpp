@@ -17,13 +17,13 @@ std::vector<Key> study_keys() {
     {"scenarios.*.set.*", Type::Any, "", kOptional, kAny, "Value of a scene key; bodies and their meshes stay."},
 
     {"design", Type::Named, "", kRequired, kAny, "What may change, by name."},
-    {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, or one parameter of the outline of a meshed part."},
-    {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; or a meshed part."},
-    {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value."},
+    {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, one parameter of the outline of a meshed part, or a constant of a force or rigid body."},
+    {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; a meshed part; a force of the scene or a rigid body."},
+    {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value. Of a force `stiffness`, `damping` or `rest`, of a rigid body `mass` (its inertia stays); these need the sensitivities of a motion."},
     {"design.*.parameters", Type::Texts, "", kOneOf, kAny, "Parameter of the outline, as \"hole1.a\", or several: the others change with the first."},
     {"design.*.factors", Type::NumberOrList, "-", kOptional, kAny, "Change of each parameter over that of the variable, -1 of a mirror image. Default: 1 each."},
     {"design.*.groups", Type::Integer, "", "1", {.lower = 1}, "Runs of neighbouring elements with a value each, as even as possible."},
-    {"design.*.bounds", Type::Vector, "of the value", kRequired, kAny, "Least and largest value; above 0 for dimensions of sections.", 2},
+    {"design.*.bounds", Type::Vector, "of the value", kRequired, kAny, "Least and largest value; above 0 for dimensions of sections, stiffness, damping and mass.", 2},
     {"design.*.start", Type::NumberOrList, "of the value", kOptional, kAny, "First value, or one a group. Default: as in the scene."},
 
     {"walls", Type::Named, "", kOptional, kAny, "Material that is left between features of a meshed part, by name."},

@@ -220,6 +220,8 @@ void read_design(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "design"))
     if (entry.table->contains("parameters"))
       read_shape_variable(reader, entry);
+    else if (names_constant(reader, *entry.table))
+      read_constant(reader, entry);
     else if (auto design = DesignReader(reader, entry).read())
       reader.spec.design.push_back(std::move(*design));
   check_walls(reader);

@@ -102,6 +102,7 @@ void read_objective(StudyReader& reader) {
     for (const DesignSpec& design : reader.spec.design)
       varied = varied || std::count(design.bodies.begin(), design.bodies.end(), *body);
     varied = varied || reader.spec.shapes.contains(*body);
+    for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == *body;
   }
   const std::string quantity = text(*table, "minimize");
   reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
@@ -109,7 +110,7 @@ void read_objective(StudyReader& reader) {
                                                    : SolidResponse::Mass;
 
   const toml::table* design = reader.root["design"].as_table();
-  std::size_t entries_read = reader.spec.design.size();
+  std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
   for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
   const bool read = design && design->size() == entries_read;
   if (!varied && complete && read)
@@ -201,6 +202,12 @@ void read_cycle(StudyReader& reader) {
 void check_images(StudyReader& reader) {
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
+  for (const ConstantSpec& c : reader.spec.constants)
+    reader.scene.problems.add(
+        *reader.root["design"][c.name].node(),
+        fmt::format("'{}' changes a constant of the motion, and {}", c.name, why),
+        "dimensions of sections or parameters of an outline",
+        "constants need a motion and cycle.method \"esl1\" or \"full\"");
   for (const ConstraintSpec& c : reader.spec.constraints)
     if (!c.has_image || c.treatment != Treatment::Auto) {
       const toml::table& table = *reader.root["constraints"][c.response.name].as_table();

@@ -18,6 +18,9 @@ struct StudyReader {
 void read_design(StudyReader& reader);
 /// An entry of [design] that moves parameters of an outline.
 void read_shape_variable(StudyReader& reader, const Entry& entry);
+/// Does an entry of [design] mean a constant of a force or of a rigid body?
+bool names_constant(const StudyReader& reader, const toml::table& table);
+void read_constant(StudyReader& reader, const Entry& entry);
 /// Walls, limits, fixed loads and stress norm of meshed parts.
 void read_parts_of_study(StudyReader& reader);
 /// What only shows when the parts are made: bounds that leave no shape, unknown features.

@@ -31,6 +31,47 @@ bool touches_peak(const std::vector<double>& v, std::size_t n) {
   return is_peak(v, n) || (n > 0 && is_peak(v, n - 1)) || (n + 1 < v.size() && is_peak(v, n + 1));
 }
 
+std::vector<double> values_of(const MotionGradients& motion, int r) {
+  std::vector<double> v;
+  for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
+  return v;
+}
+
+/// Peaks at records, and the records beside them.
+void add_peaks_of_records(const MotionGradients& motion, int r, const std::string& name,
+                          double limit, double active, std::vector<Peak>& peaks) {
+  const std::vector<double> v = values_of(motion, r);
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const int record = static_cast<int>(n);
+    if (v[n] < (1 - active) * limit || !touches_peak(v, n)) continue;
+    if (const VectorXd* dv = motion.gradient(r, record))
+      peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, *dv / limit});
+  }
+}
+
+/// Peaks where the parabola through three records has its own, with the gradient there: that of the
+/// largest value, whose time moves with the design.
+void add_peaks_between(const MotionGradients& motion, int r, const std::string& name, double limit,
+                       double active, std::vector<Peak>& peaks) {
+  const std::vector<double> v = values_of(motion, r);
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    const int record = static_cast<int>(n);
+    if (v[n] < (1 - active) * limit || !is_peak(v, n)) continue;
+    const VectorXd* dv = motion.gradient(r, record);
+    if (!dv) continue;
+    VectorXd dg = *dv / limit;
+    const bool inner = n > 0 && n + 1 < v.size();
+    const double bend = inner ? v[n - 1] - 2 * v[n] + v[n + 1] : 0;
+    const VectorXd* before = inner ? motion.gradient(r, record - 1) : nullptr;
+    const VectorXd* after = inner ? motion.gradient(r, record + 1) : nullptr;
+    if (bend < 0 && before && after) {
+      const double s = (v[n - 1] - v[n + 1]) / (2 * bend);  // in steps from the record
+      dg = (s * (s - 1) / 2 * *before + (1 - s * s) * *dv + s * (s + 1) / 2 * *after) / limit;
+    }
+    peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, std::move(dg)});
+  }
+}
+
 /// Peaks and what is not of the motion as one problem for kkt_residual; values come with the point.
 class RowProblem final : public Problem {
  public:
@@ -123,22 +164,18 @@ DynamicOptimality check_optimality(const StudySpec& study,
   DynamicOptimality out;
   out.reason = motion.reason();
   if (!out.reason.empty()) return out;
-  std::vector<Peak> peaks;
+  std::vector<Peak> between, records;
   for (int r = 0; r < motion.responses(); ++r) {
-    const LimitedResponse& response = motion.response(r);
-    const double limit = study.constraints[response.constraint].limit;
-    std::vector<double> v;
-    for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
-    for (std::size_t n = 0; n < v.size(); ++n) {
-      const int record = static_cast<int>(n);
-      if (v[n] < (1 - active) * limit || !touches_peak(v, n)) continue;
-      if (const VectorXd* dv = motion.gradient(r, record))
-        peaks.push_back(
-            {limit_name(study, response), motion.time(r, record), v[n] / limit - 1, *dv / limit});
-    }
+    const double limit = study.constraints[motion.response(r).constraint].limit;
+    const std::string name = limit_name(study, motion.response(r));
+    add_peaks_between(motion, r, name, limit, active, between);
+    add_peaks_of_records(motion, r, name, limit, active, records);
   }
-  evaluate(variables, x, peaks, statics, active, out);
-  return out;
+  evaluate(variables, x, between, statics, active, out);
+  if (out.holds()) return out;
+  DynamicOptimality at_records;
+  evaluate(variables, x, records, statics, active, at_records);
+  return at_records.residual->stationarity < out.residual->stationarity ? at_records : out;
 }
 
 template <FrameGroup G>

@@ -39,8 +39,8 @@ struct DynamicOptimality {
 ///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n,
 ///     walls, limits of the parts and bounds
 /// at the design x. Each peak over time that is within `active` of its limit is
-/// a constraint, and so are the records beside it; at a peak the derivative of the largest value is
-/// that at its instant. A response
+/// a constraint, with the derivative at its instant between the records; where two records share a
+/// peak at a design that is optimal for the records, these are the constraints instead. A response
 /// that is the largest over several points is a constraint at each of them.
 ///
 /// @param variables of the design, with the bounds of the study

@@ -28,6 +28,10 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
   }
+  if (!study.constants.empty() && study.cycle.method == CycleMethod::Esl)
+    throw std::invalid_argument("'" + study.constants.front().name +
+                                "' changes a constant of the motion, which no static problem "
+                                "has; expected cycle.method = \"esl1\" or \"full\"");
   if (!without.empty() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument("limits that the static problem of a part cannot tell:" + without +
                                 "; expected cycle.method = \"esl1\" or \"full\"");

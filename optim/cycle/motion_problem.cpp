@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/constants_problem.hpp"
 #include "optim/cycle/static_sizing.hpp"
 
 namespace liesl {
@@ -64,6 +65,10 @@ std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
                                                      design.of_part(k, x), cells, move),
                        counted > 0 ? 1.0 : 0.0, design.first(k)});
   }
+  if (const int n = design.constants().size(); n > 0)
+    members.push_back(
+        {std::make_unique<ConstantsProblem>(design.constants(), study.mass_of, x.tail(n), move), 1,
+         design.first_constant()});
   return members;
 }
 

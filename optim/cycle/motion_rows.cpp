@@ -18,9 +18,8 @@ using Eigen::VectorXd;
 std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& near,
                          const std::vector<double>& v) {
   if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
-  std::set<int> out(near.begin(), near.end());
-  if (!many) out.merge(treated_records(Treatment::Neighbours, v));
-  return out;
+  if (many) return {near.begin(), near.end()};
+  return treated_records(Treatment::Maxima, v);
 }
 
 }  // namespace

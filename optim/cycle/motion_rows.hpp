@@ -9,9 +9,10 @@
 namespace liesl {
 
 /// Rows v_rn/limit_r - 1 that keep the value of the analysed design whatever x is; a
-/// CorrectedProblem gives them their slope. Retained: records near the largest (case_screen.hpp),
-/// and every maximum over time above half of the largest with its neighbours; or what the treatment
-/// of the limit says (treatment.hpp). The objective is 0.
+/// CorrectedProblem gives them their slope. Retained: every
+/// maximum over time above half of the largest (of hundreds of points the records near the largest,
+/// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Records beside a
+/// maximum bound the design before the maximum moves away from them. The objective is 0.
 class MotionRows final : public StaticProblem {
  public:
   /// @param motion gradients that contain those of these rows

@@ -11,6 +11,7 @@ void start_from(const Eigen::VectorXd& x, const Mechanism& mechanism, StudySpec&
   int j = Sizing(study.design, mechanism).size();
   for (auto& [body, shape] : study.shapes)
     for (ShapeVariableSpec& v : shape.variables) v.start = x[j++];
+  for (ConstantSpec& c : study.constants) c.start = x[j++];
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 namespace liesl {
 
 Design::Design(const StudySpec& study, const Mechanism& mechanism)
-    : sizing_(checked(study, mechanism).design, mechanism), variables_(sizing_.variables()) {
+    : sizing_(checked(study, mechanism).design, mechanism),
+      constants_(study.constants, mechanism),
+      variables_(sizing_.variables()) {
   units_.assign(variables_.size(), "m");
   for (const auto& [body, spec] : study.shapes) {
     const auto& added = parts_.emplace_back(std::make_unique<PartShape>(mechanism, body, spec));
@@ -14,6 +16,10 @@ Design::Design(const StudySpec& study, const Mechanism& mechanism)
     first_.push_back(static_cast<int>(variables_.size()));
     variables_.insert(variables_.end(), variables.begin(), variables.end());
     units_.insert(units_.end(), units.begin(), units.end());
+  }
+  for (int i = 0; i < constants_.size(); ++i) {
+    variables_.push_back(constants_.variables()[static_cast<std::size_t>(i)]);
+    units_.push_back(constants_.unit(i));
   }
 }
 
@@ -24,7 +30,7 @@ Eigen::VectorXd Design::start() const {
 }
 
 Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
-  if (parts_.empty()) return {};
+  if (parts_.empty() && constants_.size() == 0) return {};
   Eigen::VectorXd unit = x;
   for (int i = sizing_.size(); i < x.size(); ++i)
     unit[i] = variables_[i].upper - variables_[i].lower;
@@ -41,6 +47,7 @@ std::vector<Parameter> Design::parameters(const Mechanism& designed,
     for (int j = 0; j < by.cols(); ++j)
       all.push_back({p.design.variables()[j].name, {SolidDerivative{p.body, by.col(j)}}});
   }
+  for (int i = 0; i < constants_.size(); ++i) all.push_back(constants_.parameter(i));
   return all;
 }
 
@@ -48,6 +55,7 @@ Mechanism Design::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) co
   Mechanism designed = mechanism;
   sizing_.apply(x, designed);
   for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), designed);
+  constants_.apply(x.tail(constants_.size()), designed);
   return designed;
 }
 

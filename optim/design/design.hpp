@@ -1,16 +1,17 @@
 #pragma once
 /// @file
-/// All that a study may change: sections of beams and outlines of meshed parts.
+/// All that a study may change: sections of beams, outlines of meshed parts, constants.
 
 #include <memory>
 
+#include "optim/design/constants.hpp"
 #include "optim/design/part_shape.hpp"
 #include "optim/design/sizing.hpp"
 
 namespace liesl {
 
-/// Variables x: those of the sizing, then those of each part in the order of the bodies. Neither
-/// copied nor moved, as its parts.
+/// Variables x: those of the sizing, then those of each part in the order of the bodies, then the
+/// constants. Neither copied nor moved, as its parts.
 class Design {
  public:
   /// @throws std::invalid_argument for a study with errors (study_errors.hpp), and as Sizing and
@@ -27,11 +28,15 @@ class Design {
     return x.segment(first(k), part(k).design.size());
   }
 
+  const Constants& constants() const { return constants_; }
+  int first_constant() const { return static_cast<int>(variables_.size()) - constants_.size(); }
+
   const std::vector<NlpVariable>& variables() const { return variables_; }
   const std::vector<std::string>& units() const { return units_; }
   Eigen::VectorXd start() const;
-  /// What a change of each variable is measured by if there are parts: sections by themselves at x,
-  /// outlines by the range of the variable. Empty if there are none: all by the size of x.
+  /// What a change of each variable is measured by: sections by themselves at x, outlines and
+  /// constants by the range of the variable. Empty if there are sections only: all by the size of
+  /// x.
   Eigen::VectorXd unit(const Eigen::VectorXd& x) const;
 
   /// The variables as parameters of the mechanism with the design x. Outlines: by the fractions of
@@ -44,6 +49,7 @@ class Design {
  private:
   Sizing sizing_;
   std::vector<std::unique_ptr<PartShape>> parts_;
+  Constants constants_;
   std::vector<int> first_;
   std::vector<NlpVariable> variables_;
   std::vector<std::string> units_;

@@ -25,11 +25,23 @@ struct DesignSpec {
   std::vector<double> start;    ///< empty = as in the scene; else one value or one a group
 };
 
+/// A constant of a mechanism that may change.
+enum class ConstantQuantity { Stiffness, Damping, Rest, Mass };
+struct ConstantSpec {
+  std::string name;
+  ConstantQuantity quantity = ConstantQuantity::Stiffness;
+  int force = -1;      ///< Stiffness, Damping, Rest: number in Mechanism::forces
+  bool turns = false;  ///< of an angle: units N m/rad, ...
+  int body = -1;       ///< Mass: a rigid body; its inertia about the centre stays
+  double lower = 0, upper = 0;
+  std::optional<double> start;  ///< none: as in the scene
+};
+
 /// How a limit over all of a motion becomes constraints (thesis section 3.3.2); of what the motion
 /// says itself, with its gradients.
 enum class Treatment {
-  Auto,        ///< images in static problems with their screening; else as Neighbours, and what is
-               ///< near the largest
+  Auto,        ///< images in static problems with their screening; else Maxima, of one of many
+               ///< points the records near the largest
   All,         ///< every record above half of the largest
   Maxima,      ///< local maxima over time above half of the largest
   Neighbours,  ///< the same with three records on either side
@@ -175,6 +187,7 @@ struct StudySpec {
   std::vector<int> mass_of;  ///< objective: mass of these bodies
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
+  std::vector<ConstantSpec> constants;
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;

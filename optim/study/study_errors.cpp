@@ -15,10 +15,13 @@ using Errors = std::vector<std::string>;
 class StudyCheck {
  public:
   StudyCheck(const StudySpec& study, const Mechanism& mechanism)
-      : study_(study), bodies_(mechanism.bodies) {}
+      : study_(study),
+        bodies_(mechanism.bodies),
+        forces_(static_cast<int>(mechanism.forces.size())) {}
 
   Errors run() {
     for (const DesignSpec& d : study_.design) check(d);
+    for (const ConstantSpec& c : study_.constants) check(c);
     check_objective();
     for (const ConstraintSpec& c : study_.constraints) {
       const std::string place = "constraint '" + c.response.name + "'";
@@ -101,6 +104,17 @@ class StudyCheck {
         }
   }
 
+  void check(const ConstantSpec& c) {
+    const std::string place = "design '" + c.name + "'";
+    if (!(c.lower < c.upper))
+      errors_.push_back(fmt::format("{}: expected bounds lower < upper, got [{:g}, {:g}]", place,
+                                    c.lower, c.upper));
+    if (c.quantity == ConstantQuantity::Mass)
+      of_kind<RigidSpec>(place, c.body, "a rigid body");
+    else
+      expect(c.force >= 0 && c.force < forces_, place, "a force of the scene", c.force);
+  }
+
   void check_objective() {
     std::set<int> counted;
     for (const int index : study_.mass_of) {
@@ -112,6 +126,7 @@ class StudyCheck {
 
   const StudySpec& study_;
   const std::vector<BodySpec>& bodies_;
+  const int forces_;
   Errors errors_;
 };
 
