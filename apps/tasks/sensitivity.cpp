@@ -161,7 +161,7 @@ SensitivityProblem study_problem(const std::string& file, const std::vector<std:
 }
 
 SensitivityMethod faster_method(std::size_t parameters, std::size_t functionals) {
-  return parameters > 4 * functionals + 8 ? SensitivityMethod::Adjoint : SensitivityMethod::Direct;
+  return parameters > functionals + 4 ? SensitivityMethod::Adjoint : SensitivityMethod::Direct;
 }
 
 SensitivityOutcome sensitivity_task(const SensitivityProblem& problem, const ChosenSpace& space,

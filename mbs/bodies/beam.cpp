@@ -12,12 +12,19 @@ ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
     : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
   this->M_.resize(this->nodes());
   this->K_.resize(this->nodes());
+  int lawless = -1;  // slot of the element without a law
   for (int e = 0; e + 1 < this->nodes(); ++e) {
-    elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K,
-                           sections[e].M);
-    this->M_.add_element(e, elements_[e].mass());
-    this->K_.add_element(e, elements_[e].constant_tangent());
-    if (!sections[e].K.isZero(0) || !sections[e].M.isZero(0)) acting_.push_back(e);
+    const bool acts = !sections[e].K.isZero(0) || !sections[e].M.isZero(0);
+    if (acts || lawless < 0) {
+      elements_.emplace_back(this->reference[e], this->reference[e + 1], sections[e].K,
+                             sections[e].M);
+      if (!acts) lawless = static_cast<int>(elements_.size()) - 1;
+    }
+    slot_.push_back(acts ? static_cast<int>(elements_.size()) - 1 : lawless);
+    if (!acts) continue;
+    acting_.push_back(e);
+    this->M_.add_element(e, element(e).mass());
+    this->K_.add_element(e, element(e).constant_tangent());
   }
 }
 
@@ -32,8 +39,8 @@ void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, 
                                                    : apparent_acceleration<G>(s, e, gravity);
     known = e + 1;
     acceleration.template tail<dim>() = apparent_acceleration<G>(s, e + 1, gravity);
-    elements_[e].inertia_force(s.H[e], s.H[e + 1], s.v + dim * e, acceleration, g);
-    if (heavy) elements_[e].add_weight_curvature(s.H[e], s.H[e + 1], gravity, g);
+    element(e).inertia_force(s.H[e], s.H[e + 1], s.v + dim * e, acceleration, g);
+    if (heavy) element(e).add_weight_curvature(s.H[e], s.H[e + 1], gravity, g);
     Eigen::Map<Pair>(r + dim * e) += g;
     scale.add<G>(g.template head<dim>());
     scale.add<G>(g.template tail<dim>());
@@ -44,7 +51,7 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
   Pair g;
   for (const int e : acting_) {
-    elements_[e].internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g);
+    element(e).internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g);
     Eigen::Map<Pair>(r + dim * e) += g;
     scale.add<G>(g.template head<dim>());
   }
@@ -54,7 +61,7 @@ void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale&
 template <FrameGroup G, class E>
 auto ChainBeam<G, E>::element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
                                         const Vector& gravity) const -> PairMatrix {
-  const Element& element = elements_[e];
+  const Element& element = this->element(e);
   const G &A = s.H[e], &B = s.H[e + 1];
   const double* v = s.v + dim * e;
   PairMatrix k = element.inertia_stiffness(A, B, v, a, gravity);
@@ -73,7 +80,7 @@ void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity
                                     const Tangent* stress, Matrices& A) const {
   A.set_zero();
   for (int e = 0; e < elements(); ++e) {
-    const Element& element = elements_[e];
+    const Element& element = this->element(e);
     const G &a = s.H[e], &b = s.H[e + 1];
     PairMatrix k = PairMatrix::Zero();
     if (w.stiffness != 0) {
@@ -98,7 +105,7 @@ void ChainBeam<G, E>::add_spread_curvature(const BodyState<G>& s, const Vector& 
                                            double* r) const {
   if constexpr (Element::kTurnsSpreadLoads)
     for (int e = 0; e < elements(); ++e)
-      Eigen::Map<Pair>(r + dim * e) += elements_[e].spread_curvature(s.H[e], s.H[e + 1], q);
+      Eigen::Map<Pair>(r + dim * e) += element(e).spread_curvature(s.H[e], s.H[e + 1], q);
 }
 
 template <FrameGroup G, class E>
@@ -106,26 +113,25 @@ void ChainBeam<G, E>::add_spread_curvature_tangent(const BodyState<G>& s, const 
                                                    Matrices& A) const {
   if constexpr (Element::kTurnsSpreadLoads)
     for (int e = 0; e < elements(); ++e)
-      A.add_element(e, elements_[e].spread_curvature_tangent(s.H[e], s.H[e + 1], q));
+      A.add_element(e, element(e).spread_curvature_tangent(s.H[e], s.H[e + 1], q));
 }
 
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Matrices ChainBeam<G, E>::load_distribution() const {
   Matrices W(this->nodes());
-  for (int e = 0; e < elements(); ++e)
-    W.add_element(e, elements_[e].integral(G::Matrix::Identity()));
+  for (int e = 0; e < elements(); ++e) W.add_element(e, element(e).integral(G::Matrix::Identity()));
   return W;
 }
 
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::strain(const BodyState<G>& s, int e) const {
-  return elements_[e].strain(s.H[e], s.H[e + 1]);
+  return element(e).strain(s.H[e], s.H[e + 1]);
 }
 
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s, int e,
                                                                  ElementPlace at) const {
-  const Tangent n = elements_[e].section_stiffness() * strain(s, e);
+  const Tangent n = element(e).section_stiffness() * strain(s, e);
   if (at == ElementPlace::Middle) return n;
   const auto P = Element::P(Element::relative(s.H[e], s.H[e + 1]));
   if (at == ElementPlace::First) return -P.template leftCols<dim>().transpose() * n;
@@ -136,7 +142,7 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::extrapolate_stress(const BodyState<G>& s, const double* delta,
                                          Tangent* stress) const {
   for (int e = 0; e < elements(); ++e) {
-    const Element& element = elements_[e];
+    const Element& element = this->element(e);
     const Tangent d = Element::relative(s.H[e], s.H[e + 1]);
     const Tangent change = Element::P(d) * Eigen::Map<const Pair>(delta + dim * e);
     stress[e] = element.section_stiffness() * (d - element.d0() + change) / element.length();
@@ -147,7 +153,7 @@ template <FrameGroup G, class E>
 BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity) const {
   BodyEnergy energy;
   for (int e = 0; e < elements(); ++e) {
-    const Element& element = elements_[e];
+    const Element& element = this->element(e);
     const Eigen::Map<const Pair> v(s.v + dim * e);
     const Tangent eps = strain(s, e);
     energy.kinetic += 0.5 * v.dot(element.mass(s.H[e], s.H[e + 1]) * v);
@@ -161,7 +167,7 @@ template <FrameGroup G, class E>
 double ChainBeam<G, E>::dissipation(const BodyState<G>& s) const {
   double power = 0;
   for (int e = 0; e < elements() && damping_ > 0; ++e) {
-    const Element& element = elements_[e];
+    const Element& element = this->element(e);
     const Tangent rate =
         Element::P(Element::relative(s.H[e], s.H[e + 1])) * Eigen::Map<const Pair>(s.v + dim * e);
     power += damping_ / element.length() * rate.dot(element.section_stiffness() * rate);
@@ -187,7 +193,7 @@ double ChainBeam<G, E>::axial_stiffness() const {
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_section_force_gradient(const BodyState<G>& s, int e, ElementPlace at,
                                                  const Tangent& f, double* h) const {
-  const Element& element = elements_[e];
+  const Element& element = this->element(e);
   const G &A = s.H[e], &B = s.H[e + 1];
   Eigen::Map<Pair> on_h(h + dim * e);
   if (at == ElementPlace::Middle) {
@@ -207,7 +213,7 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
                                           const BodyEnergy& weight, double* h, double* v) const {
   for (int e = 0; e < elements(); ++e) {
-    const Element& element = elements_[e];
+    const Element& element = this->element(e);
     const G &A = s.H[e], &B = s.H[e + 1];
     const Eigen::Map<const Pair> V(s.v + dim * e);
     Eigen::Map<Pair> on_h(h + dim * e), on_v(v + dim * e);

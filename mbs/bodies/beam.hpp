@@ -25,8 +25,8 @@ class ChainBeam final : public Body<G> {
   ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
             const std::vector<ElementSection<G>>& sections, double damping);
 
-  const Element& element(int e) const { return elements_[e]; }
-  int elements() const override { return static_cast<int>(elements_.size()); }
+  const Element& element(int e) const { return elements_[slot_[e]]; }
+  int elements() const override { return static_cast<int>(slot_.size()); }
   double damping() const override { return damping_; }
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
@@ -58,7 +58,9 @@ class ChainBeam final : public Body<G> {
   PairMatrix element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
                                const Vector& gravity) const;
 
+  /// Those without a law, of which a derivative by a section has many, share one.
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;
+  std::vector<int> slot_;    ///< by element of the chain: in elements_
   std::vector<int> acting_;  ///< elements with a law: in a derivative by a section, those it is of
   double damping_;
 };

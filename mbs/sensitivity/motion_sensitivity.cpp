@@ -10,7 +10,8 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kMoved = 1e-9;  // of the mechanism's length; of its speeds
+constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
+constexpr double kResting = 1e-4;  // accelerations of an equilibrium, lengths/s^2: its round-off
 
 /// r_p and Phi_p of all parameters.
 template <FrameGroup G>
@@ -18,24 +19,33 @@ class Derivatives {
  public:
   Derivatives(const Model<G>& model, const Parameters<G>& parameters) : parameters_(parameters) {
     const auto n_p = static_cast<Eigen::Index>(parameters.size());
-    by_p_ = {MatrixXd::Zero(model.size(), n_p), MatrixXd::Zero(model.constraints(), n_p)};
+    std::vector<Eigen::Triplet<double>> entries;
+    for (Eigen::Index i = 0; i < n_p; ++i)
+      for (const int node : parameters[static_cast<std::size_t>(i)].nodes())
+        for (int j = G::dim * node; j < G::dim * (node + 1); ++j) entries.emplace_back(j, i, 0);
+    by_p_.r.resize(model.size(), n_p);
+    by_p_.r.setFromTriplets(entries.begin(), entries.end());
+    by_p_.phi = MatrixXd::Zero(model.constraints(), n_p);
     r_p_.setZero(model.size());
     phi_p_.setZero(model.constraints());
   }
   /// At the state after a step. @param previous coupling rows at the state before
   const ResidualDerivative& at(const State<G>& s, const VectorXd& previous) {
     for (size_t i = 0; i < parameters_.size(); ++i) {
-      r_p_.setZero();
       phi_p_.setZero();
       parameters_[i].add(s, previous, {s.t, 1}, r_p_, phi_p_);
-      by_p_.r.col(static_cast<Eigen::Index>(i)) = r_p_;
-      by_p_.phi.col(static_cast<Eigen::Index>(i)) = phi_p_;
+      const auto column = static_cast<Eigen::Index>(i);
+      by_p_.phi.col(column) = phi_p_;
+      for (Eigen::SparseMatrix<double>::InnerIterator it(by_p_.r, column); it; ++it) {
+        it.valueRef() = r_p_[it.row()];
+        r_p_[it.row()] = 0;
+      }
     }
     return by_p_;
   }
-  const ResidualDerivative& at_start(const State<G>& s) {
+  const ResidualDerivative& at_start(const State<G>& s, bool in_equilibrium) {
     at(s, s.rows);
-    set_target(s.t, 2);
+    if (!in_equilibrium) set_target(s.t, 2);
     return by_p_;
   }
   /// Largest time derivative of Phi_p of this order.
@@ -58,7 +68,7 @@ class Derivatives {
   VectorXd r_p_, phi_p_;
 };
 
-/// The start must not depend on the parameters.
+/// The start must not depend on the parameters, or be an equilibrium at rest.
 template <FrameGroup G>
 void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives<G>& derivatives) {
   const InitialState& start = tape.start;
@@ -68,11 +78,14 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
     throw std::invalid_argument(
         "the start depends on a parameter: a drive with a factor has to start from zero and from "
         "rest, its motion and the rate of its motion 0 at the start");
-  if (tape.options.start == StartChoice::Equilibrium)
+  const bool in_equilibrium = tape.options.start == StartChoice::Equilibrium;
+  const State<G>& first = tape.checkpoints.at(0).s;
+  if (in_equilibrium && (first.v.norm() > 0 ||
+                         first.vdot.template lpNorm<Eigen::Infinity>() > kResting * model.length))
     throw std::invalid_argument(
-        "sensitivities need a start that does not depend on the parameters, not an equilibrium: "
-        "simulation.start = \"assembled\"");
-  if (start.moved > kMoved * model.length)
+        "sensitivities of a start in equilibrium need one at rest: no velocities, and drives that "
+        "begin without velocity and acceleration");
+  if (!in_equilibrium && start.moved > kMoved * model.length)
     throw std::invalid_argument(fmt::format(
         "sensitivities need a start that joints leave where it is; the bodies were moved by {:.3g} "
         "m to close the joints: give assembled positions",
@@ -84,13 +97,21 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
         start.velocity_change));
 }
 
+template <FrameGroup G>
+bool take_start(StepSensitivity<G>& sensitivity, const Tape<G>& tape) {
+  const State<G>& first = tape.checkpoints.at(0).s;
+  return tape.options.start == StartChoice::Equilibrium ? sensitivity.start_in_equilibrium(first)
+                                                        : sensitivity.start(first);
+}
+
 SensitivityEnd singular(double t) {
   return {fmt::format("the equations of the step to t = {:.6g} s are singular", t)};
 }
 
+/// The end of a step; it began where the one before ended.
 template <FrameGroup G>
-struct StepRecord {
-  State<G> before, after;
+struct StepEnd {
+  State<G> s;
   double h;
 };
 
@@ -110,8 +131,8 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
     at(step++, s, ds);
   };
   const State<G>& first = tape.checkpoints.at(0).s;
-  if (!sensitivity.start(first)) return singular(first.t);
-  advance(first, derivatives.at_start(first));
+  if (!take_start(sensitivity, tape)) return singular(first.t);
+  advance(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
   Replay<G> replay(model, tape);
   for (int i = 0; i < replay.stretches() && end.complete(); ++i)
     replay.run(i, [&](const State<G>& before, const State<G>& after, double h) {
@@ -139,21 +160,23 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
     sensitivity.backward(by_p, bars, gradient);
   };
   Replay<G> replay(model, tape);
-  std::vector<StepRecord<G>> stretch;
+  std::vector<StepEnd<G>> stretch;
   for (int i = replay.stretches() - 1; i >= 0; --i) {
     stretch.clear();
-    replay.run(i, [&](const State<G>& before, const State<G>& after, double h) {
-      stretch.push_back({before, after, h});
+    replay.run(i, [&](const State<G>&, const State<G>& after, double h) {
+      stretch.push_back({after, h});
     });
-    for (auto record = stretch.rbegin(); record != stretch.rend(); ++record) {
-      if (!sensitivity.step(record->before, record->after, record->h))
-        return singular(record->after.t);
-      go_back(record->after, derivatives.at(record->after, record->before.rows));
+    for (auto k = stretch.size(); k-- > 0;) {
+      const StepEnd<G>& end = stretch[k];
+      const State<G>& before =
+          k > 0 ? stretch[k - 1].s : tape.checkpoints[static_cast<size_t>(i)].s;
+      if (!sensitivity.step(before, end.s, end.h)) return singular(end.s.t);
+      go_back(end.s, derivatives.at(end.s, before.rows));
     }
   }
   const State<G>& first = tape.checkpoints.at(0).s;
-  if (!sensitivity.start(first)) return singular(first.t);
-  go_back(first, derivatives.at_start(first));
+  if (!take_start(sensitivity, tape)) return singular(first.t);
+  go_back(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
   return {};
 }
 

@@ -32,7 +32,8 @@ using SensitivityAt = std::function<void(long step, const State<G>& s, const Sta
 
 /// Direct form: one factorisation and n_p solutions a step.
 /// @throws std::invalid_argument if the start depends on the parameters: it was moved onto joints
-/// or drives, or a drive that depends on them does not start from zero and from rest
+/// or drives, or a drive that depends on them does not start from zero and from rest. A static
+/// equilibrium is differentiated; the motion has to start from rest there
 template <FrameGroup G>
 SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at);

@@ -79,23 +79,24 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
 
 template <FrameGroup G>
 bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& previous,
-                                   const RateTangents<G>& rates) {
+                                   const RateTangents<G>& rates, bool factor) {
   equations_.evaluate(s, previous, {s.t, 1});
   matrix_.take_prestress(equations_, s);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
   M_ = matrix_.mass();
   C_ = matrix_.damping();
-  return at_start_ || matrix_.factor();
+  return !factor || matrix_.factor();
 }
 
 /// [M B^T; B 0], nodes that follow others held by the identity.
 template <FrameGroup G>
 bool StepSensitivity<G>::start(const State<G>& s) {
   at_start_ = true;
+  in_equilibrium_ = false;
   const auto n = static_cast<size_t>(model_.nodes());
   rates_.v.assign(n, G::Matrix::Zero());
   rates_.vdot.assign(n, G::Matrix::Zero());
-  linearise(s, s.rows, rates_);
+  linearise(s, s.rows, rates_, false);
   const auto& S = matrix_.matrix();
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < S.outerSize(); ++j)
@@ -117,7 +118,18 @@ bool StepSensitivity<G>::start(const State<G>& s) {
 }
 
 template <FrameGroup G>
-bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, double h) {
+bool StepSensitivity<G>::start_in_equilibrium(const State<G>& s) {
+  at_start_ = in_equilibrium_ = true;
+  equations_.evaluate(s, s.rows, {s.t, 1});
+  matrix_.take_prestress(equations_, s);
+  start_matrix_ = matrix_.assemble(equations_, s, {s.t, 1});
+  start_lu_ = SparseLu();
+  return start_lu_.factor(start_matrix_);
+}
+
+template <FrameGroup G>
+bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, double h,
+                              bool factor) {
   at_start_ = false;
   h_ = h;
   Eigen::VectorXd dq, u, udot;
@@ -130,7 +142,7 @@ bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, dou
   ahead_ = T.v;
   coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
   back_ = T.v;
-  return linearise(after, before.rows, rates_);
+  return linearise(after, before.rows, rates_, factor);
 }
 
 template <FrameGroup G>
@@ -154,24 +166,44 @@ MatrixXd StepSensitivity<G>::scaled_transposed(const Blocks& T, const MatrixXd& 
 }
 
 template <FrameGroup G>
+auto StepSensitivity<G>::known(const StateSensitivity& s) const -> Known {
+  const auto& [am, af, gamma, beta] = weights_;
+  Known k;
+  k.x0 = scaled(back_, s.eta);
+  k.a0 = -s.v / (beta * h_) - (1 / (2 * beta) - 1) * s.a;
+  k.v0 = (1 - gamma / beta) * s.v + h_ * (1 - gamma / (2 * beta)) * s.a;
+  k.w0 = ((1 - am) * k.a0 + am * s.a - af * s.w) / (1 - af);
+  return k;
+}
+
+template <FrameGroup G>
+void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
+                                StateSensitivity& s) const {
+  const TangentWeights w = weights_.at(h_);
+  s.eta = solution.topRows(model_.size());
+  s.lambda = solution.bottomRows(model_.constraints());
+  const MatrixXd x = scaled(ahead_, s.eta) - k.x0;
+  s.a = x / (weights_.beta * h_ * h_) + k.a0;
+  s.v = w.damping * x + k.v0;
+  s.w = w.mass * x + k.w0;
+}
+
+template <FrameGroup G>
+void StepSensitivity<G>::solve(MatrixXd& x) const {
+  liesl::solve(matrix_.lu(), matrix_.matrix(), false, x);
+}
+
+template <FrameGroup G>
 void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   if (at_start_) return start_forward(by_p, s);
-  const auto& [am, af, gamma, beta] = weights_;
   const TangentWeights w = weights_.at(h_);
-  const MatrixXd x0 = scaled(back_, s.eta);
-  const MatrixXd a0 = -s.v / (beta * h_) - (1 / (2 * beta) - 1) * s.a;
-  const MatrixXd v0 = (1 - gamma / beta) * s.v + h_ * (1 - gamma / (2 * beta)) * s.a;
-  const MatrixXd w0 = ((1 - am) * a0 + am * s.a - af * s.w) / (1 - af);
-  const auto n = model_.size(), m = model_.constraints();
-  MatrixXd rhs(n + m, by_p.r.cols());
-  rhs << -(by_p.r + M_ * (w0 - w.mass * x0) + C_ * (v0 - w.damping * x0)), -by_p.phi;
-  solve(matrix_.lu(), matrix_.matrix(), false, rhs);
-  s.eta = rhs.topRows(n);
-  s.lambda = rhs.bottomRows(m);
-  const MatrixXd x = scaled(ahead_, s.eta) - x0;
-  s.a = x / (beta * h_ * h_) + a0;
-  s.v = w.damping * x + v0;
-  s.w = w.mass * x + w0;
+  const Known k = known(s);
+  const auto n = model_.size();
+  MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
+  rhs << -(M_ * (k.w0 - w.mass * k.x0) + C_ * (k.v0 - w.damping * k.x0)), -by_p.phi;
+  rhs.topRows(n) -= by_p.r;
+  solve(rhs);
+  finish(k, rhs, s);
 }
 
 template <FrameGroup G>
@@ -184,7 +216,7 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  solve(matrix_.lu(), matrix_.matrix(), true, rhs);
+  liesl::solve(matrix_.lu(), matrix_.matrix(), true, rhs);
   const MatrixXd mu = rhs.topRows(n), Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
@@ -196,15 +228,16 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
 }
 
 /// M w' + B^T lambda' = -r_p, B w' = -d^2/dt^2 Phi_p, a' = w': positions and velocities are those
-/// of the scene.
+/// of the scene; or the equilibrium.
 template <FrameGroup G>
 void StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, by_p.r.cols());
-  rhs << -by_p.r, -by_p.phi;
-  solve(start_lu_, start_matrix_, false, rhs);
+  rhs << -MatrixXd(by_p.r), -by_p.phi;
+  liesl::solve(start_lu_, start_matrix_, false, rhs);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
-  s.w = s.a = rhs.topRows(n);
+  (in_equilibrium_ ? s.eta : s.w) = rhs.topRows(n);
+  s.a = s.w;
   s.lambda = rhs.bottomRows(m);
 }
 
@@ -213,8 +246,8 @@ void StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSen
                                         MatrixXd& p) {
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, s.w.cols());
-  rhs << s.w + s.a, s.lambda;
-  solve(start_lu_, start_matrix_, true, rhs);
+  rhs << (in_equilibrium_ ? s.eta : MatrixXd(s.w + s.a)), s.lambda;
+  liesl::solve(start_lu_, start_matrix_, true, rhs);
   p -= by_p.r.transpose() * rhs.topRows(n) + by_p.phi.transpose() * rhs.bottomRows(m);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
 }

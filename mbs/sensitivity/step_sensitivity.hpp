@@ -33,8 +33,8 @@ struct StateSensitivity {
 
 /// Derivatives of the equations of motion by n_p parameters at constant state, a column each.
 struct ResidualDerivative {
-  Eigen::MatrixXd r;    ///< n x n_p, dr/dp
-  Eigen::MatrixXd phi;  ///< m x n_p, dPhi/dp; at the start d^2/dt^2 of it
+  Eigen::SparseMatrix<double> r;  ///< n x n_p, dr/dp: a parameter acts on few nodes
+  Eigen::MatrixXd phi;            ///< m x n_p, dPhi/dp; at the start d^2/dt^2 of it
 };
 
 template <FrameGroup G>
@@ -48,12 +48,27 @@ class StepSensitivity {
   /// At the start, where accelerations and multipliers follow from M w + B^T lambda = ...
   /// @returns false if that has no solution, here and below
   bool start(const State<G>& s);
-  /// At the step from `before` to `after` of size h.
-  bool step(const State<G>& before, const State<G>& after, double h);
+  /// At a start in static equilibrium and at rest: [K B^T; B 0] [eta; lambda'] = -[r_p; Phi_p],
+  /// v' = w' = 0. @pre v = w = 0
+  bool start_in_equilibrium(const State<G>& s);
+  /// At the step from `before` to `after` of size h. @param factor false: `solve` is not used
+  bool step(const State<G>& before, const State<G>& after, double h, bool factor = true);
 
   /// x: of the state before on entry, of the state after on return; at the start what it is on
   /// entry does not count. @param by_p at the state after
   void forward(const ResidualDerivative& by_p, StateSensitivity& x);
+
+  /// What the state before says of the one after: x0, a0, v0, w0 of the file's head.
+  struct Known {
+    Eigen::MatrixXd x0, a0, v0, w0;
+  };
+  Known known(const StateSensitivity& before) const;
+  /// The state after from the solution [eta; lambda'] of its equations.
+  void finish(const Known& k, const Eigen::MatrixXd& solution, StateSensitivity& x) const;
+  /// x <- S^-1 x
+  void solve(Eigen::MatrixXd& x) const;
+  TangentWeights weights() const { return weights_.at(h_); }
+  bool at_start() const { return at_start_; }
 
   /// x: cotangents of the state after on entry, of the state before on return; of the start zero.
   /// @param p cotangents of the parameters, n_p x columns: p -= r_p^T mu + Phi_p^T nu
@@ -62,7 +77,8 @@ class StepSensitivity {
   const IterationMatrix<G>& matrix() const { return matrix_; }
 
  private:
-  bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates);
+  bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates,
+                 bool factor);
   void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// y = diag(T_k) x or diag(T_k^T) x, block by block.
@@ -76,7 +92,7 @@ class StepSensitivity {
   Equations<G> equations_;
   IterationMatrix<G> matrix_;
   Eigen::SparseMatrix<double> M_, C_;
-  bool at_start_ = false;
+  bool at_start_ = false, in_equilibrium_ = false;
   double h_ = 0;
   Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
   RateTangents<G> rates_;

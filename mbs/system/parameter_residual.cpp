@@ -1,5 +1,6 @@
 #include "mbs/system/parameter_residual.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "mbs/solids/solid_model.hpp"
@@ -48,6 +49,18 @@ ParameterResidual<G>::ParameterResidual(const Mechanism& mechanism, const Model<
   }
   if (!problems.empty())
     throw std::invalid_argument("parameter '" + parameter.name + "': " + problems);
+  std::sort(nodes_.begin(), nodes_.end());
+  nodes_.erase(std::unique(nodes_.begin(), nodes_.end()), nodes_.end());
+}
+
+template <FrameGroup G>
+void ParameterResidual<G>::add_nodes(int first, int count) {
+  for (int k = first; k < first + count; ++k) nodes_.push_back(k);
+}
+
+template <FrameGroup G>
+void ParameterResidual<G>::add_nodes_of(int body) {
+  add_nodes(model_.first_node(body), model_.bodies[body]->nodes());
 }
 
 template <FrameGroup G>
@@ -67,6 +80,14 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Bea
     return "expected section laws of " + std::to_string(beam->sections.size()) +
            " elements of beam '" + mechanism.bodies[part.body].name + "', got " +
            std::to_string(part.laws.size());
+  const Body<G>& body = *model_.bodies[part.body];
+  bool chain = body.elements() + 1 == body.nodes() && body.elements() > 0;  // of elements
+  for (int k = 0; k < body.nodes(); ++k) chain = chain && body.kind(k) == NodeKind::Frame;
+  if (!chain) add_nodes_of(part.body);
+  for (int e = 0; chain && e < body.elements(); ++e)
+    if (const SectionLaw& law = part.laws[static_cast<size_t>(e)];
+        !law.K.isZero(0) || !law.M.isZero(0))
+      add_nodes(model_.first_node(part.body) + e, 2);
   return set_body(part.body, reduce_laws(*beam, part.laws, model_.space));
 }
 
@@ -75,6 +96,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
                                            const RigidDerivative& part) {
   const auto* rigid = kind_of<RigidSpec>(mechanism, part.body);
   if (!rigid) return expected("rigid body", part.body);
+  add_nodes_of(part.body);
   const SE3 align = model_.space.alignment(rigid->frame);
   return set_body(part.body, typename G::Matrix(model_.space.reduce_law(
                                  generalized_inertia_derivative(*rigid, part), align)));
@@ -89,6 +111,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
     return "expected fractions of " + std::to_string(solid->mesh.cell_count()) +
            " cells of part '" + mechanism.bodies[part.body].name + "', got " +
            std::to_string(part.fractions.size());
+  add_nodes_of(part.body);
   SolidModel model = solid_model(*solid);
   return set_body(part.body,
                   FractionDerivative{&model, solid_fractions(*solid).value, part.fractions});
@@ -104,6 +127,9 @@ void ParameterResidual<G>::add_rows(RowDerivative part, Matches matches) {
         part.equation = &c.rows[i];
         part.row = static_cast<int>(i);
         rows_.push_back(part);
+        if (c.rows[i].role == Role::Constraint) continue;
+        if (c.a.body >= 0) add_nodes(c.a.node, 1);
+        if (c.b.body >= 0) add_nodes(c.b.node, 1);
       }
 }
 
@@ -133,6 +159,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Loa
   if (part.load < 0 || part.load >= static_cast<int>(model_.loads.size()))
     return expected("load", part.load);
   const Load<G>& load = model_.loads[part.load];
+  add_nodes_of(mechanism.loads[part.load].port.body);
   LoadChange change{&load, part.factor, part.scale, load,
                     !part.force.isZero(0) || !part.moment.isZero(0)};
   const SE3::Tangent wrench = (SE3::Tangent() << part.force, part.moment).finished();

@@ -38,6 +38,8 @@ class ParameterResidual {
   /// the derivatives of those of the body.
   const Body<G>* body(int body) const { return bodies_[body].get(); }
   const Parameter& parameter() const { return parameter_; }
+  /// Nodes of the model that dr/dp acts on, growing; zero at all others.
+  const std::vector<int>& nodes() const { return nodes_; }
 
  private:
   /// A row of a coupling whose law or target depends on p.
@@ -64,6 +66,8 @@ class ParameterResidual {
   std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
   std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);
   std::string set_body(int body, const LawDerivative<G>& law);
+  void add_nodes(int first, int count);
+  void add_nodes_of(int body);
   template <class Matches>
   void add_rows(RowDerivative part, Matches matches);
   void add_force(const RowDerivative& row, const State<G>& s, const Eigen::VectorXd& previous,
@@ -71,6 +75,7 @@ class ParameterResidual {
 
   const Model<G>& model_;
   Parameter parameter_;
+  std::vector<int> nodes_;
   std::vector<std::unique_ptr<Body<G>>> bodies_;
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< of bodies_
   std::vector<RowDerivative> rows_;

@@ -153,6 +153,70 @@ TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
   }
 }
 
+/// From static equilibrium under its weight, its loads and its spring: every parameter moves the
+/// start.
+TYPED_TEST(MotionSensitivity, FromEquilibrium) {
+  using G = TypeParam;
+  const Mechanism machine = test::sensitive_machine();
+  auto o = test::tight(0.02, 4e-4);
+  o.start = StartChoice::Equilibrium;
+  const auto all = test::quantities(machine);
+  const Taped<G> run(machine, o);
+  const auto parameters = run.parameters(all);
+  const Outputs<G> outputs(run.model);
+  const int n = outputs.size(), steps = int(run.tape.steps());
+  std::vector<MatrixXd> exact(all.size(), MatrixXd(n, steps + 1));
+  const auto end = direct_sensitivity<G>(run.model, run.tape, parameters,
+                                         [&](long step, const State<G>& s, const auto& ds) {
+                                           const MatrixXd dy = outputs.derivatives(s, ds);
+                                           for (std::size_t p = 0; p < all.size(); ++p)
+                                             exact[p].col(step) = dy.col(long(p));
+                                         });
+  ASSERT_TRUE(end.complete()) << end.reason;
+  MatrixXd gradient;
+  const auto back = adjoint_sensitivity<G>(
+      run.model, run.tape, parameters, n,
+      [&](long, const State<G>& s, StateSensitivity& bars, MatrixXd&) {
+        for (int i = 0; i < n; ++i) outputs.add_cotangents(s, i, 1, i, bars);
+      },
+      gradient);
+  ASSERT_TRUE(back.complete()) << back.reason;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const VectorXd sum_size = test::sizes(exact[p].cwiseAbs().rowwise().sum(), outputs.groups),
+                   size = test::sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), outputs.groups);
+    const VectorXd gap = exact[p].rowwise().sum() - gradient.row(long(p)).transpose();
+    EXPECT_LT(gap.cwiseAbs().cwiseQuotient(sum_size).maxCoeff(), 1e-10) << all[p].parameter.name;
+    const auto motion = [&](double change) {
+      Mechanism changed = machine;
+      all[p].set(changed, all[p].nominal * (1 + change));
+      const Taped<G> at(changed, o);
+      EXPECT_EQ(at.run.report.rejected_steps, 0);
+      State<G> s = at.model.initial_state();
+      MatrixXd y(n, steps + 1);
+      for (int i = 0; i <= steps; ++i) {
+        at.run.trajectory.read(i, s);
+        y.col(i) = outputs.values(s);
+      }
+      return y;
+    };
+    const test::Differences differences(motion, 0.16, 6);
+    // Accelerations and multipliers: the round-off of the equilibrium, divided by the square of
+    // the step, ends the fall of the error of differences below 1e-6.
+    const int smooth = Outputs<G>::sd + Outputs<G>::dim;
+    const auto least = [&](int first, int count) {
+      return differences.least([&](const MatrixXd& y) {
+        const MatrixXd error = (y / all[p].nominal - exact[p]).cwiseAbs();
+        const VectorXd worst = error.rowwise().maxCoeff().cwiseQuotient(size);
+        return worst.segment(first, count).maxCoeff();
+      });
+    };
+    const double best = least(0, smooth);
+    EXPECT_LT(best, 1e-7) << all[p].parameter.name;
+    EXPECT_LT(least(smooth, n - smooth), 2e-6) << all[p].parameter.name;
+    ::testing::Test::RecordProperty("best_" + std::to_string(p), std::to_string(1e9 * best));
+  }
+}
+
 TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
   using G = TypeParam;
   const auto direct = [&](const Mechanism& m) {

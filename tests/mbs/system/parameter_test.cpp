@@ -198,6 +198,10 @@ void expect_derivatives(const Mechanism& m, const Space<G>& space) {
     VectorXd r_p = VectorXd::Zero(run.model->size()),
              phi_p = VectorXd::Zero(run.model->constraints());
     derivative.add(s, s.rows, {s.t, 1}, r_p, phi_p);
+    VectorXd elsewhere = r_p;
+    for (const int node : derivative.nodes())
+      elsewhere.template segment<G::dim>(G::dim * node).setZero();
+    EXPECT_EQ(elsewhere.norm(), 0) << "acts on other nodes than it says: " << c.parameter.name;
     VectorXd exact(r_p.size() + phi_p.size());
     exact << r_p, phi_p;
     const auto at = [&](double p) {
