@@ -207,7 +207,9 @@ void check_images(StudyReader& reader) {
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(
-          treated ? *table.get("treatment") : use ? *use : *table.get("response"),
+          treated ? *table.get("treatment")
+          : use   ? *use
+                  : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
                       treated ? "is treated by the motion's own gradients"
                               : "is not on the deformation of a part",

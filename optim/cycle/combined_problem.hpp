@@ -8,8 +8,8 @@
 
 namespace liesl {
 
-/// minimise sum_k w_k f_k(x_k) subject to g_k(x_k) <= 0, where x_k is a segment of x: that of a part,
-/// or all of x for what is said of the whole design. Members that share variables share the
+/// minimise sum_k w_k f_k(x_k) subject to g_k(x_k) <= 0, where x_k is a segment of x: that of a
+/// part, or all of x for what is said of the whole design. Members that share variables share the
 /// narrowest of their bounds. Second derivatives if every member has them.
 class CombinedProblem final : public StaticProblem {
  public:

@@ -95,7 +95,8 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   const ResponseValues<G> values(r.mechanism, *r.model);
   const auto& trajectory = r.simulation.trajectory;
   State<G> s = r.model->initial_state();
-  for (const auto& c : study_.constraints) r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0});
+  for (const auto& c : study_.constraints)
+    r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0});
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     for (size_t i = 0; i < study_.constraints.size(); ++i) {

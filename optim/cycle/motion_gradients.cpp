@@ -54,8 +54,8 @@ void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) 
     for (const auto& [record, weight] : by[k].weight) {
       const auto dv = of.gradient.find(record);
       if (dv == of.gradient.end()) continue;
-      VectorXd& sum = to.gradient.emplace(static_cast<int>(k), VectorXd::Zero(dv->second.size()))
-                          .first->second;
+      VectorXd& sum =
+          to.gradient.emplace(static_cast<int>(k), VectorXd::Zero(dv->second.size())).first->second;
       sum += weight * dv->second;
     }
   }

@@ -15,7 +15,7 @@ namespace liesl {
 struct LimitedResponse {
   int constraint = 0;  ///< of the study
   ResponseSpec response;
-  int scenario = 0;  ///< of the study: which motion
+  int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
 };
 

@@ -65,8 +65,7 @@ Aggregate p_norm(const std::vector<double>& t, const std::vector<double>& v, dou
   for (std::size_t n = 0; n < v.size(); ++n) sum += w[n] * std::pow(v[n] / most, p);
   out.value = most * std::pow(sum, 1 / p);
   for (std::size_t n = 0; n < v.size(); ++n)
-    if (v[n] > 0)
-      out.weight[static_cast<int>(n)] = w[n] * std::pow(v[n] / out.value, p - 1);
+    if (v[n] > 0) out.weight[static_cast<int>(n)] = w[n] * std::pow(v[n] / out.value, p - 1);
   return out;
 }
 
