@@ -30,6 +30,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/study/design_scene.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/sensitivity.hpp"
 #include "optim/cycle/design_model.hpp"
 
 namespace liesl {
@@ -91,7 +92,7 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
   hooks.on_cycle = [&study, &folder, &line, &options, save](const output::OptimizeSummary& so_far,
                                                             const RoundHistory& rounds) {
     line.clear();
-    print_cycle(rounds.back().back(), study.spec.goal, options.quiet);
+    print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
     write_checkpoint(folder.path() / "checkpoint.json", rounds, output::sha256(study.resumable));
     save(so_far);
   };
@@ -99,6 +100,38 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
     print_hole(feature, n, options.quiet);
   };
   return hooks;
+}
+
+/// Gradients of the motion's limits against differences. True: right, or not to be judged.
+bool check_motion_derivatives(const Study& study, const ChosenSpace& space,
+                              const CommandOptions& options) {
+  fmt::print("\nthe motion: largest value of each response, by sensitivities\n");
+  SensitivityCheck check;
+  try {
+    SensitivityRequest peaks;
+    peaks.functionals = {{FunctionalKind::Peak, 0}};
+    check = sensitivity_check(study_problem(options.file, options.set), space, peaks);
+  } catch (const std::invalid_argument& error) {
+    fmt::print("  not checked: {}\n", error.what());
+    return true;
+  }
+  fmt::print("{}", check.text);
+  if (study.spec.shapes.empty()) return check.right;
+  fmt::print(
+      "  not judged: outlines have kinks on grid lines, and modes of a meshed part are frozen "
+      "between designs (docs/theory.md)\n");
+  return true;
+}
+
+bool check_all_derivatives(const Study& study, const ChosenSpace& space,
+                           const CommandOptions& options) {
+  fmt::print("the static problem of the start design\n");
+  const DerivativeReport report = derivatives_task(study, space);
+  fmt::print("{}", report.text());
+  const bool moves =
+      study.spec.loads.empty() && study.scene.simulation.type == SimulationType::Dynamic;
+  const bool right = !moves || check_motion_derivatives(study, space, options);
+  return report.right && right;
 }
 
 }  // namespace
@@ -111,11 +144,7 @@ int optimize_command(const CommandOptions& options) {
         {{study.scene.file, 0, 0, "simulation.type = \"modes\" has no loads to size a part for",
           "\"dynamic\" or \"static\"", ""}});
   const ChosenSpace space = choose_space(study.scene);
-  if (options.check_derivatives) {
-    const DerivativeReport report = derivatives_task(study, space);
-    fmt::print("{}", report.text());
-    return report.right ? 0 : 1;
-  }
+  if (options.check_derivatives) return check_all_derivatives(study, space, options) ? 0 : 1;
   check_options(study, options);
   output::OptimizeSummary summary;
   summary.command = "optimize";

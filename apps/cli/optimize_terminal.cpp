@@ -6,10 +6,10 @@
 
 namespace liesl {
 
-void print_cycle(const Cycle& c, SolidResponse goal, bool quiet) {
+void print_cycle(const Cycle& c, SolidResponse objective, bool quiet) {
   if (quiet) return;
-  const bool other = goal != SolidResponse::Mass;
-  const Quantity q = quantity(goal);
+  const bool other = objective != SolidResponse::Mass;
+  const Quantity q = quantity(objective);
   if (c.number == 1)
     fmt::print(" cycle     mass [kg]{}   worst limit   load change   cases   iterations\n",
                other ? fmt::format(" {:>15}", fmt::format("{} [{}]", q.name, q.unit)) : "");

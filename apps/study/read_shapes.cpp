@@ -231,7 +231,7 @@ void check_shapes(StudyReader& reader) {
                  "shape variables of one part",
                  "fixed loads do not couple parts: a study for each");
   if (spec.loads.empty()) check_motion(reader);
-  if (spec.loads.empty() && spec.goal != SolidResponse::Mass)
+  if (spec.loads.empty() && spec.objective != SolidResponse::Mass)
     problems.add(*reader.root.get("objective"),
                  "compliance and stress are minimised under loads "
                  "that stay",

@@ -104,9 +104,9 @@ void read_objective(StudyReader& reader) {
     varied = varied || reader.spec.shapes.contains(*body);
   }
   const std::string quantity = text(*table, "minimize");
-  reader.spec.goal = quantity == "compliance" ? SolidResponse::Compliance
-                     : quantity == "stress"   ? SolidResponse::Stress
-                                              : SolidResponse::Mass;
+  reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
+                          : quantity == "stress"   ? SolidResponse::Stress
+                                                   : SolidResponse::Mass;
 
   const toml::table* design = reader.root["design"].as_table();
   std::size_t entries_read = reader.spec.design.size();

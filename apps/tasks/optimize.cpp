@@ -214,7 +214,7 @@ DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space) 
 }
 
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
-                     SolidResponse goal) {
+                     SolidResponse objective) {
   summary.history.clear();
   int number = 0;
   for (const auto& round : rounds)
@@ -228,7 +228,7 @@ void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& round
            c.iterations,
            c.move,
            c.seconds,
-           goal == SolidResponse::Mass ? std::nullopt : std::optional(c.objective),
+           objective == SolidResponse::Mass ? std::nullopt : std::optional(c.objective),
            {c.x.data(), c.x.data() + c.x.size()},
            c.worst_constraint,
            c.worst_at});
@@ -245,15 +245,15 @@ void describe_optimality(output::OptimizeSummary& summary,
 }
 
 TopologyHooks round_hooks(const output::OptimizeSummary& summary, const OptimizeHooks& hooks,
-                          SolidResponse goal) {
+                          SolidResponse objective) {
   TopologyHooks out;
   out.progress = hooks.progress;
   out.keep_going = hooks.keep_going;
   out.on_hole = hooks.on_hole;
   if (!hooks.on_cycle) return out;
-  out.on_round_cycle = [summary, goal, on_cycle = hooks.on_cycle](const RoundHistory& rounds) {
+  out.on_round_cycle = [summary, objective, on_cycle = hooks.on_cycle](const RoundHistory& rounds) {
     output::OptimizeSummary so_far = summary;
-    describe_cycles(so_far, rounds, goal);
+    describe_cycles(so_far, rounds, objective);
     so_far.status = "running";
     so_far.reason = fmt::format("{} cycles so far; continue with --resume", so_far.history.size());
     so_far.mass_initial = rounds.front().front().mass;

@@ -68,13 +68,13 @@ DerivativeReport part_derivatives_task(const Study& study);
 
 /// Fills in the cycles so far, numbered through.
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
-                     SolidResponse goal);
+                     SolidResponse objective);
 /// Fills in the residual of the KKT conditions and what the limits cost.
 void describe_optimality(output::OptimizeSummary& summary,
                          const std::optional<DynamicOptimality>& optimality);
 /// The hooks of rounds: a summary "running" after each cycle.
 TopologyHooks round_hooks(const output::OptimizeSummary& summary, const OptimizeHooks& hooks,
-                          SolidResponse goal);
+                          SolidResponse objective);
 /// The figures of new holes.
 template <class End>
 Holes holes_of(const Topology<End>& rounds, const Mechanism& mechanism, const std::string& unit) {

@@ -57,17 +57,17 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   if (!end.best) return;
   const SolidTask task = solid_task(rounds.last.study, *end.part);
   const SolidCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
-  describe_cycles(summary, {rounds.before, end.history}, task.goal);
+  describe_cycles(summary, {rounds.before, end.history}, task.objective);
   summary.mass_initial = initial.mass;
   summary.mass_final = end.final.mass;
   summary.worst_constraint = end.final.worst;
   describe_limits(summary, task, initial, end.final);
   describe_design(summary, task, rounds);
   auto& more = summary.more;
-  more["objective"] = {{"quantity", quantity(task.goal).name},
-                       {"unit", quantity(task.goal).unit},
-                       {"initial", initial.goal},
-                       {"final", end.final.goal}};
+  more["objective"] = {{"quantity", quantity(task.objective).name},
+                       {"unit", quantity(task.objective).unit},
+                       {"initial", initial.objective},
+                       {"final", end.final.objective}};
   describe_optimality(summary, end.optimality);
   more["load_cases"] = task.cases;
   summary.warnings.insert(summary.warnings.end(), end.warnings.begin(), end.warnings.end());
@@ -79,7 +79,7 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
                                    int nucleate, const OptimizeHooks& hooks,
                                    const RoundHistory& resume) {
   const int body = study.spec.shapes.begin()->first;
-  const SolidResponse goal = study.spec.goal;
+  const SolidResponse objective = study.spec.objective;
   const OptimiseRound<PartEnd> optimise = [body](const StudySpec& spec, const Mechanism& mechanism,
                                                  const CycleHooks& cycle,
                                                  const std::vector<Cycle>& cycles) {
@@ -87,12 +87,12 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
   };
   Topology<PartEnd> rounds =
       optimise_in_rounds<PartEnd>(study.spec, study.scene.mechanism, nucleate, optimise,
-                                  round_hooks(summary, hooks, goal), resume);
+                                  round_hooks(summary, hooks, objective), resume);
   PartEnd& end = rounds.last.end;
   OptimizeOutcome out;
   out.summary = summary;
   out.status = end.status;
-  out.holes = holes_of(rounds, study.scene.mechanism, quantity(goal).unit);
+  out.holes = holes_of(rounds, study.scene.mechanism, quantity(objective).unit);
   describe_end(out.summary, rounds);
   const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
   const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
@@ -116,8 +116,8 @@ DerivativeReport part_derivatives_task(const Study& study) {
   const SolidTask task = solid_task(study.spec, part);
   StaticShape problem(task, part.design.start(), study.spec.cycle.move_cells,
                       study.spec.cycle.move_limit);
-  if (!problem.obstacle().empty())
-    throw std::runtime_error("the start design has no part: " + problem.obstacle());
+  if (!problem.undefined_reason().empty())
+    throw std::runtime_error("the start design has no part: " + problem.undefined_reason());
   DerivativeCheckOptions options;
   options.every_variable = true;
   return check_derivatives(problem, part.design.start(), options);

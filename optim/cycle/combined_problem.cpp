@@ -85,9 +85,9 @@ std::vector<RowImage> CombinedProblem::images() const {
   return all;
 }
 
-std::string CombinedProblem::obstacle() const {
+std::string CombinedProblem::undefined_reason() const {
   for (const Member& m : members_)
-    if (std::string text = m.problem->obstacle(); !text.empty()) return text;
+    if (std::string text = m.problem->undefined_reason(); !text.empty()) return text;
   return {};
 }
 

@@ -24,7 +24,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
   SolidTask task = solid_task(study, part);
   const SolidLoadSet& loads = loads_of(run.solid_loads, part.body);
   task.loads = loads.shapes;
-  task.mix = loads.e;
+  task.combination = loads.e;
   for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
 
   const ResponseValues<G> values(run.mechanism, *run.model);

@@ -26,11 +26,11 @@ std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Prog
   auto check = problem.check(x);
   if (!check) {
     out->status = SolveStatus::Inconsistent;
-    out->reason = problem.obstacle();
+    out->reason = problem.undefined_reason();
     return out;
   }
   out->check = std::move(*check);
-  out->objective = out->check.goal;
+  out->objective = out->check.objective;
   out->mass = out->check.mass;
   out->worst = out->check.worst;
   out->worst_constraint = out->check.worst_limit;

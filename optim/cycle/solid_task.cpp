@@ -98,7 +98,7 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
   }
   for (const PartLimitSpec& l : study.part_limits)
     if (l.body == part.body) task.limits.push_back({l.name, l.quantity, 0, l.count, l.limit, {}});
-  task.goal = study.goal;
+  task.objective = study.objective;
   task.stress = {study.stress.p, study.stress.relaxation};
   task.cycle = study.cycle;
   task.loads.resize(part.model.size(), 0);

@@ -42,7 +42,7 @@ class StaticProblem : public Problem {
     return std::vector<RowImage>(constraints().size());
   }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
-  virtual std::string obstacle() const { return {}; }
+  virtual std::string undefined_reason() const { return {}; }
 };
 
 /// The answer of an optimiser with all load cases met that the problem knows.

@@ -176,7 +176,7 @@ struct StudySpec {
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
-  SolidResponse goal = SolidResponse::Mass;
+  SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;
   std::vector<FixedLoad> loads;  ///< if there are any, nothing is simulated
   StressSpec stress;

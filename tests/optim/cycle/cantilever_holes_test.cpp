@@ -47,7 +47,7 @@ TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {
   // What liesl says of its design: the force on three nodes, an element with incompatible modes.
   const VectorXd& v = r.fractions;
   const VectorXd law = (1e-3 + (1 - 1e-3) * v.array()).matrix();
-  const double own = normalised(study.spec, solid, r.final.goal);
+  const double own = normalised(study.spec, solid, r.final.objective);
   EXPECT_NEAR(own / test::cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 1, law), 1, 0.01)
       << "the plain element agrees";
 

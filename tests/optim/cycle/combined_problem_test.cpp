@@ -25,7 +25,7 @@ class Wells final : public StaticProblem {
     return 1;
   }
   int load_cases() const override { return static_cast<int>(constraints_.size()); }
-  std::string obstacle() const override { return obstacle_; }
+  std::string undefined_reason() const override { return undefined_reason_; }
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
@@ -37,7 +37,7 @@ class Wells final : public StaticProblem {
     dg.setZero();
     for (int i = 0; i < dg.rows(); ++i) dg(i, i) = -1 / (x[i] * x[i]);
   }
-  std::string obstacle_;
+  std::string undefined_reason_;
 
  private:
   void add() { constraints_.push_back({constraints_.size(), "limit", 1}); }
@@ -88,9 +88,9 @@ TEST(CombinedProblem, HasUniqueIdsAndRightDerivatives) {
 
 TEST(CombinedProblem, TellsWhichMemberHasNoValue) {
   Joined j = Joined::make();
-  EXPECT_EQ(j.problem.obstacle(), "");
-  j.second->obstacle_ = "cut";
-  EXPECT_EQ(j.problem.obstacle(), "cut");
+  EXPECT_EQ(j.problem.undefined_reason(), "");
+  j.second->undefined_reason_ = "cut";
+  EXPECT_EQ(j.problem.undefined_reason(), "cut");
 }
 
 /// Nothing couples the members: the joint optimum is theirs.

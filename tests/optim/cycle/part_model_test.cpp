@@ -55,7 +55,7 @@ struct QuarterPlate {
 /// (1974); L. T. Wheeler, Int. J. Solids Struct. 12 (1976)).
 TEST(PartModel, HoleInAPlateTakesTheAxesRatioOfTheLoads) {
   QuarterPlate plate(80, 0.15, 0.15, 0.5);
-  plate.task.goal = SolidResponse::Compliance;
+  plate.task.objective = SolidResponse::Compliance;
   plate.task.cycle.move_cells = 3;
   const PartResult r = optimise_part(plate.task);
   EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
