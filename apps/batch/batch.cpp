@@ -177,7 +177,12 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.name = *root["name"].value<std::string>();
   batch.file = document.file;
   batch.optimize = root.contains("study");
-  batch.of = relative_to(path, *root[batch.optimize ? "study" : "scene"].value<std::string>());
+  const toml::node& of = *root.get(batch.optimize ? "study" : "scene");
+  batch.of = relative_to(path, *of.value<std::string>());
+  std::error_code error;
+  if (!fs::exists(batch.of, error))
+    problems.add(of, "there is no file " + batch.of.string(), "a scene or study in TOML",
+                 "paths are relative to the batch");
   batch.time = root["limits"]["time"].value<double>();
   batch.memory = root["limits"]["memory"].value<double>();
   batch.cases = read_case_list(document, problems);

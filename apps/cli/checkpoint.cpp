@@ -19,6 +19,36 @@ Eigen::VectorXd vector(const Json& list) {
   return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<long>(v.size()));
 }
 
+Json to_json(const NlpWarmStart& warm) {
+  Json ids = Json::array(), multipliers = Json::array();
+  for (const auto& [id, multiplier] : warm.multipliers) {
+    ids.push_back(id);
+    multipliers.push_back(multiplier);
+  }
+  return {{"ids", ids},
+          {"multipliers", multipliers},
+          {"lower", numbers(warm.lower)},
+          {"upper", numbers(warm.upper)}};
+}
+
+NlpWarmStart read_warm(const Json& j) {
+  NlpWarmStart warm;
+  const auto ids = j.at("ids").get<std::vector<ConstraintId>>();
+  const auto multipliers = j.at("multipliers").get<std::vector<double>>();
+  for (std::size_t k = 0; k < ids.size() && k < multipliers.size(); ++k)
+    warm.multipliers[ids[k]] = multipliers[k];
+  warm.lower = vector(j.at("lower"));
+  warm.upper = vector(j.at("upper"));
+  return warm;
+}
+
+Json to_json(const SimulationEffort& e) {
+  return {{"steps", e.steps},
+          {"newton_iterations", e.newton_iterations},
+          {"stepping_s", e.stepping_s},
+          {"factorizations", e.factorizations}};
+}
+
 Json to_json(const Cycle& c) {
   Json cycle = {{"number", c.number},
                 {"x", numbers(c.x)},
@@ -37,6 +67,8 @@ Json to_json(const Cycle& c) {
                 {"move", c.move},
                 {"taken", c.taken},
                 {"penalty", c.penalty},
+                {"warm", to_json(c.warm)},
+                {"effort", to_json(c.effort)},
                 {"seconds", c.seconds}};
   if (c.load_change) cycle["load_change"] = *c.load_change;
   return cycle;
@@ -62,6 +94,10 @@ Cycle read_cycle(const Json& j) {
   c.move = j.at("move");
   c.taken = j.at("taken");
   c.penalty = j.at("penalty");
+  c.warm = read_warm(j.at("warm"));
+  const Json& effort = j.at("effort");
+  c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),
+              effort.at("factorizations")};
   c.seconds = j.at("seconds");
   return c;
 }

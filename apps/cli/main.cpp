@@ -47,6 +47,15 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
   command.get_option("--output")->required(false);
 }
 
+void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
+  command.add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
+      ->check(CLI::Range(0, 10000));
+  command.add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on")
+      ->check([](const std::string& text) {
+        return text.empty() ? std::string("expected i/n, as in --shard 3/20") : std::string();
+      });
+}
+
 /// The commands with their options; the chosen one is stored in `run`.
 void add_commands(CLI::App& app, liesl::CommandOptions& o,
                   int (*&run)(const liesl::CommandOptions&)) {
@@ -110,14 +119,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       command->get_option("--output")->required(false);
     }
     if (std::string(entry.name) == "sensitivity") add_sensitivity_options(*command, o);
-    if (std::string(entry.name) == "batch") {
-      command->add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
-          ->check(CLI::Range(0, 10000));
-      command->add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on")
-          ->check([](const std::string& text) {
-            return text.empty() ? std::string("expected i/n, as in --shard 3/20") : std::string();
-          });
-    }
+    if (std::string(entry.name) == "batch") add_batch_options(*command, o);
     if (std::string(entry.name) == "lean") {
       command->add_option("--response", o.response, "Response of the scene that has to be right")
           ->required();

@@ -27,6 +27,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/write_results.hpp"
+#include "apps/study/design_scene.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/sensitivity.hpp"
@@ -48,8 +49,9 @@ void write_series(const std::filesystem::path& path, const std::vector<double>& 
 }
 
 /// All that an optimisation leaves behind.
-void write_end(const OptimizeOutcome& out, const Scene& scene,
+void write_end(const OptimizeOutcome& out, const Study& study,
                const std::filesystem::path& folder) {
+  const Scene& scene = study.scene;
   if (out.simulated) {
     output::write_results(folder, out.results);
     for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
@@ -59,6 +61,10 @@ void write_end(const OptimizeOutcome& out, const Scene& scene,
                      r.times, r.responses, scene);
   }
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
+  std::map<std::string, levelset::ShapeSpec> outlines;
+  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
+  if (out.simulated)
+    output::write_file(folder / "design.toml", design_scene(study, out.mechanism, outlines));
   for (const PartOutcome& part : out.parts) write_part(folder, part);
 }
 
@@ -87,7 +93,7 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
                                                             const RoundHistory& rounds) {
     line.clear();
     print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
-    write_checkpoint(folder.path() / "checkpoint.json", rounds, so_far.input_sha256);
+    write_checkpoint(folder.path() / "checkpoint.json", rounds, output::sha256(study.resumable));
     save(so_far);
   };
   hooks.on_hole = [&options](const std::string& feature, const Nucleus& n) {
@@ -149,7 +155,7 @@ int optimize_command(const CommandOptions& options) {
   RoundHistory resume;
   if (options.resume)
     resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
-                             summary.input_sha256);
+                             output::sha256(study.resumable));
   output::AtomicFolder folder(options.out, options.force || options.resume);
   SimulationLine line(study.scene.simulation, options.quiet);
   OptimizeOutcome out = [&] {
@@ -164,7 +170,7 @@ int optimize_command(const CommandOptions& options) {
     }
   }();
   line.clear();
-  write_end(out, study.scene, folder.path());
+  write_end(out, study, folder.path());
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
   add_report(folder.path(), options);

@@ -56,6 +56,18 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
   return false;
 }
 
+/// A beam that is simulated as a rigid body has no deformation and no internal forces.
+void warn_of_rigid(Reader& reader, int body, const ResponseSpec& response) {
+  const Mechanism& mechanism = reader.scene.mechanism;
+  const BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
+  const auto* beam = std::get_if<BeamSpec>(&spec.kind);
+  const bool as_all = beam && beam->as == BeamModel::AsFormalism;
+  if (beam && (beam->as == BeamModel::Rigid || (as_all && mechanism.formalism == Formalism::Rigid)))
+    reader.scene.warnings.push_back(
+        fmt::format("response '{}' is 0 by definition: '{}' is simulated as a rigid body",
+                    response.name, spec.name));
+}
+
 bool is_rigid(const BodySpec& body) { return std::holds_alternative<RigidSpec>(body.kind); }
 
 bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
@@ -75,7 +87,10 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
   const auto& bodies = reader.scene.mechanism.bodies;
   const BodySpec& body = bodies[static_cast<std::size_t>(port->body)];
   const bool rigid = is_rigid(body);
-  if (!rigid && port->node > 0) return true;
+  if (!rigid && port->node > 0) {
+    warn_of_rigid(reader, port->body, response);
+    return true;
+  }
   reader.problems.add(
       at,
       fmt::format("the displacement of '{}' is 0 by definition: {}", at.value_or(std::string()),
@@ -99,6 +114,7 @@ bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& res
     const auto beam = reader.beam(*of);
     if (!beam) return false;
     response.body = *beam;
+    warn_of_rigid(reader, *beam, response);
     const auto& bodies = reader.scene.mechanism.bodies;
     const auto& spec = std::get<BeamSpec>(bodies[static_cast<std::size_t>(*beam)].kind);
     response.at = {*beam, 0, SE3::identity()};
@@ -134,10 +150,7 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   const auto& spec =
       std::get<BeamSpec>(reader.scene.mechanism.bodies[static_cast<std::size_t>(*beam)].kind);
   const int n = static_cast<int>(spec.sections.size());
-  if (spec.as == BeamModel::Rigid)
-    reader.scene.warnings.push_back(
-        fmt::format("response '{}' is 0 by definition: '{}' is simulated as a rigid body",
-                    response.name, text(table, "of")));
+  warn_of_rigid(reader, *beam, response);
   if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
   if (response.kind == ResponseKind::Stress) {
     const bool full = std::any_of(spec.sections.begin(), spec.sections.end(), [](const Section& s) {

@@ -1,6 +1,7 @@
 #include "apps/study/load_study.hpp"
 
 #include <algorithm>
+#include <sstream>
 
 #include "apps/input/document.hpp"
 #include "apps/study/study_reader.hpp"
@@ -122,6 +123,35 @@ void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study&
   }
 }
 
+std::string content(const toml::table& table) {
+  std::ostringstream text;
+  text << table << "\n";
+  return text.str();
+}
+
+/// A scene that may lie in another folder.
+toml::table with_whole_paths(const Document& scene) {
+  toml::table copy = scene.root;
+  if (toml::table* bodies = copy["bodies"].as_table())
+    for (auto&& [name, body] : *bodies) {
+      auto file = toml::node_view<toml::node>(body)["solid"]["mesh"]["file"];
+      const auto path = file.value<std::string>();
+      if (path && file.is_string())
+        *file.as_string() =
+            fs::absolute(fs::path(scene.file).parent_path() / *path).lexically_normal().string();
+    }
+  return copy;
+}
+
+/// A study without what says when its cycles end.
+std::string without_ends(const toml::table& study) {
+  toml::table copy = study;
+  if (toml::table* cycle = copy["cycle"].as_table())
+    for (const char* key : {"max", "tolerance", "objective_tolerance", "optimality"})
+      cycle->erase(key);
+  return content(copy);
+}
+
 Study read_document(Document document, const fs::path& folder,
                     const std::vector<std::string>& overrides) {
   Problems problems(document.file);
@@ -138,12 +168,16 @@ Study read_document(Document document, const fs::path& folder,
   Document& first = scenarios.front().scene;
   study.scene.file = first.file;
   study.scene.input = first.text;
+  study.scene_text = content(with_whole_paths(first));
   const Broken scene_broken = validate(first.root, FileKind::Scene, problems);
   Reader scene{first.root, scene_broken, problems, study.scene, {}, {}};
   scene.fixed_loads = document.root.contains("loads");
   read_parts(scene);
   study.input = document.text + study.scene.input;
   for (const std::string& text : overrides) study.input += "\n--set " + text;
+  study.resumable = without_ends(document.root) + content(first.root);
+  for (std::size_t s = 1; s < scenarios.size(); ++s)
+    study.resumable += content(scenarios[s].scene.root);
   read_scenarios(scenarios, problems, study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);

@@ -16,6 +16,10 @@ struct Study {
   StudySpec spec;
   std::string file;
   std::string input;  ///< text of study and scene and the overrides, for the input's hash
+  /// The same without layout, and without what only says when a run ends: what a run that goes on
+  /// has to share with the interrupted one.
+  std::string resumable;
+  std::string scene_text;  ///< of the first scenario with all changes, without layout
 };
 
 }  // namespace liesl

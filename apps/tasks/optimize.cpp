@@ -111,6 +111,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
                  const CycleResult<G>& r, OptimizeOutcome& out) {
   const Scene& scene = study.scene;
   out.simulated = true;
+  out.mechanism = r.mechanism;
   out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   describe_responses(out.summary, out.results);
   describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
@@ -151,6 +152,7 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
       out.summary.warnings.push_back(std::move(text));
   }
   SimulationEffort effort;
+  for (std::size_t r = 0; r + 1 < resume.size(); ++r) effort += resume[r].back().effort;
   auto motions = motions_of(given, space);
   const OptimiseRound<CycleResult<G>> optimise =
       [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,

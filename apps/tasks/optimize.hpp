@@ -29,6 +29,7 @@ struct OptimizeOutcome {
   output::Results results;                   ///< of the final motion
   std::vector<LimitRecords> initial, final;  ///< of the first and the final motions, by scenario
   std::vector<output::DesignRow> design;     ///< of beam sections
+  Mechanism mechanism;                       ///< at the final design, of a motion
   std::vector<PartOutcome> parts;
   std::optional<Holes> holes;  ///< of studies of outlines
 };

@@ -7,7 +7,9 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/simulation_effort.hpp"
 #include "optim/nlp/problem.hpp"
+#include "optim/nlp/result.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {
@@ -49,6 +51,9 @@ struct Cycle {
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
   bool taken = true;       ///< trust region: the next cycle starts from here
   double penalty = 0;      ///< trust region: of the merit function
+  /// Multipliers that the optimiser starts from: trust region: in this cycle; else in the next one.
+  NlpWarmStart warm;
+  SimulationEffort effort;  ///< of all simulations so far
 };
 /// Size of the step from the simulated design to y: |y - x| / |x|, or |(y - x) / unit|.
 double step_size(const Cycle& cycle, const Eigen::VectorXd& y);

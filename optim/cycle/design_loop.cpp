@@ -21,6 +21,7 @@ Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
   c.worst_at = analysis->worst_at;
   if (last_) c.load_change = model_.load_change(*analysis, *last_);
   c.unit = model_.unit(x);
+  c.effort = model_.effort();
   if (!result_.first) result_.first = analysis->figures();
   last_ = analysis;
   result_.history.push_back(c);
@@ -60,6 +61,12 @@ void CycleRecord::keep(const Analysis& analysis, const VectorXd& x) {
   last_ = analysis;
 }
 
+void CycleRecord::go_on() {
+  const bool any = !history().empty();
+  if (any) last_ = analyse(history().back().x);
+  model_.take_over(any ? history().back().effort : SimulationEffort());
+}
+
 LoopResult CycleRecord::finish(const CycleEnd& end) {
   result_.status = end.status;
   result_.reason = end.reason;
@@ -96,6 +103,7 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
   if (!resume.empty()) {
     record.restore(resume);
     step = rule.resume(record);
+    record.go_on();
   }
   while (!step.end) {
     const auto start = Clock::now();

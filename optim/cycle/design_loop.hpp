@@ -46,6 +46,11 @@ class CycleRecord {
   Cycle& add(const Analysis& analysis, const Eigen::VectorXd& x);
   /// Takes over the cycles of an interrupted run; analyses its first and its best design.
   void restore(const std::vector<Cycle>& resume);
+  /// The last cycle is begun again.
+  void drop_last() { result_.history.pop_back(); }
+  /// As if there had been no interruption: the next design is compared with the last one, and
+  /// simulating again counts as no effort.
+  void go_on();
 
   /// Keeps a design if it is the lightest that meets the limits, or violates them least.
   void keep_if_better(const Analysis& analysis, const Eigen::VectorXd& x);

@@ -10,6 +10,7 @@
 #include "mbs/solvers/report.hpp"
 #include "optim/cycle/corrected_problem.hpp"
 #include "optim/cycle/dynamic_optimality.hpp"
+#include "optim/cycle/simulation_effort.hpp"
 
 namespace liesl {
 
@@ -70,6 +71,13 @@ class DesignModel {
   /// Relative change of the loads between two designs; none if they cannot be compared, or stay.
   virtual std::optional<double> load_change(const DesignAnalysis& now,
                                             const DesignAnalysis& before) const = 0;
+
+  const SimulationEffort& effort() const { return effort_; }
+  /// A loop that goes on has the effort of the interrupted one, not that of simulating again.
+  void take_over(SimulationEffort effort) { effort_ = std::move(effort); }
+
+ protected:
+  SimulationEffort effort_;
 };
 
 /// The motion cannot be differentiated.

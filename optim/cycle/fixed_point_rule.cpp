@@ -11,9 +11,13 @@ constexpr int kFewIterations = 20;
 }  // namespace
 
 Step FixedPointRule::resume(CycleRecord& record) {
-  const Cycle& at = record.history().back();
+  const Cycle at = record.history().back();
   move_ = at.move;
-  return {at.next.size() == at.x.size() ? at.next : at.x, {}};
+  warm_ = at.warm;
+  if (at.next.size() == at.x.size()) return {at.next, {}};
+  record.drop_last();  // it has no answer
+  if (!record.history().empty()) warm_ = record.history().back().warm;
+  return {at.x, {}};
 }
 
 /// A design whose simulation fails is half-way taken back.
@@ -76,6 +80,7 @@ void FixedPointRule::solve(CycleRecord& record, StaticProblem& problem, Cycle& c
   cycle.load_cases = problem.load_cases();
   cycle.move = move_;
   cycle.answer = answer.result.x;
+  cycle.warm = warm_;
 }
 
 }  // namespace liesl

@@ -75,16 +75,6 @@ MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const Stu
   effort_.factorizations.assign(scenarios.front().mechanism.bodies.size(), 0);
 }
 
-SimulationEffort& SimulationEffort::operator+=(const SimulationEffort& more) {
-  steps += more.steps;
-  newton_iterations += more.newton_iterations;
-  stepping_s += more.stepping_s;
-  factorizations.resize(std::max(factorizations.size(), more.factorizations.size()));
-  for (std::size_t b = 0; b < more.factorizations.size(); ++b)
-    factorizations[b] += more.factorizations[b];
-  return *this;
-}
-
 template <FrameGroup G>
 std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
                                                         const Progress& progress) {

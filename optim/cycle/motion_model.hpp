@@ -29,15 +29,6 @@ struct MotionAnalysis final : DesignAnalysis {
   std::shared_ptr<DesignAnalysis> figures() const override;
 };
 
-/// Effort of all simulations.
-struct SimulationEffort {
-  long steps = 0, newton_iterations = 0;
-  double stepping_s = 0;
-  std::vector<int> factorizations;  ///< by body
-
-  SimulationEffort& operator+=(const SimulationEffort& more);
-};
-
 template <FrameGroup G>
 class MotionModel final : public DesignModel {
  public:
@@ -64,7 +55,6 @@ class MotionModel final : public DesignModel {
   const DesignSimulator<G>& simulator(int scenario) const {
     return *simulators_[static_cast<std::size_t>(scenario)];
   }
-  const SimulationEffort& effort() const { return effort_; }
 
  private:
   using Members = std::vector<CombinedProblem::Member>;
@@ -77,7 +67,6 @@ class MotionModel final : public DesignModel {
 
   StudySpec study_;  ///< with what its method takes from static problems
   std::vector<std::unique_ptr<DesignSimulator<G>>> simulators_;
-  SimulationEffort effort_;
 };
 
 extern template struct MotionAnalysis<SE2>;

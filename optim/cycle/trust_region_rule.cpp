@@ -19,13 +19,15 @@ constexpr double kClose = 0.1, kCloser = 0.9;  // of the allowed violation; of t
 constexpr double kCounts = 0.1;    // share of objective_tolerance that a decrease must have
 constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
 constexpr double kActive = 2e-3;   // limits that may carry a multiplier
+constexpr double kSame = 1e-6;     // two answers of one surrogate
 
 }  // namespace
 
 TrustRegionRule::TrustRegionRule(const CycleOptions& options)
     : largest_(options.move_limit), radius_(largest_), penalty_(kPenalty) {}
 
-double TrustRegionRule::merit(const DesignAnalysis& a) const {
+template <class Figures>
+double TrustRegionRule::merit(const Figures& a) const {
   return a.objective / objective_0_ + penalty_ * std::max(0.0, a.worst);
 }
 
@@ -33,21 +35,39 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   const History& history = record.history();
   const auto taken =
       std::find_if(history.rbegin(), history.rend(), [](const Cycle& c) { return c.taken; });
+  const std::vector<Cycle> rejected(taken.base(), history.end());
   objective_0_ = history.front().objective;
-  radius_ = history.back().move;
-  penalty_ = std::max(kPenalty, history.back().penalty);
+  radius_ = taken->move;
+  penalty_ = taken->penalty;
+  warm_ = taken->warm;
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
   record.keep(at_, x_);
-  return propose(record, nullptr);
+  return repeat(record, rejected);
+}
+
+Step TrustRegionRule::repeat(CycleRecord& record, const std::vector<Cycle>& rejected) {
+  Step step = propose(record, nullptr);
+  for (const Cycle& c : rejected) {
+    if (step.end) break;
+    if ((step.x - c.x).norm() > kSame * c.x.norm()) {  // other options, another machine
+      radius_ = rejected.back().move;
+      penalty_ = rejected.back().penalty;
+      return propose(record, nullptr);
+    }
+    judge(merit(c));
+    step = propose(record, nullptr);
+  }
+  return step;
 }
 
 Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& analysis,
                            Cycle& cycle) {
   if (!at_) objective_0_ = analysis->objective;
-  cycle.taken = !at_ || judge(analysis.get());
+  cycle.taken = !at_ || judge(merit(*analysis));
   cycle.penalty = penalty_;
+  cycle.warm = warm_;
   cycle.move = radius_;
   if (cycle.taken) {
     x_ = cycle.x;
@@ -64,13 +84,12 @@ Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
     return {x, CycleEnd{CycleStatus::SimulationFailed,
                         "a design cannot be analysed: " + failed.reason}};
   record.warn("a design could not be analysed: " + failed.reason);
-  judge(nullptr);
+  judge({});
   return propose(record, nullptr);
 }
 
-/// @param trial null: the answer has no analysis
-bool TrustRegionRule::judge(const DesignAnalysis* trial) {
-  const double ratio = trial ? (merit(*at_) - merit(*trial)) / predicted_ : -1;
+bool TrustRegionRule::judge(std::optional<double> trial) {
+  const double ratio = trial ? (merit(*at_) - *trial) / predicted_ : -1;
   if (ratio < kTake)
     radius_ *= kShrink;
   else if (ratio > kGood && on_bound())

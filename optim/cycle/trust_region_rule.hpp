@@ -26,9 +26,13 @@ class TrustRegionRule final : public StepRule {
   Step resume(CycleRecord& record) override;
 
  private:
-  double merit(const DesignAnalysis& a) const;
-  /// Judges the answer by what it really brings: taken?
-  bool judge(const DesignAnalysis* trial);
+  /// phi of an analysis or a cycle.
+  template <class Figures>
+  double merit(const Figures& a) const;
+  /// Judges the answer by what it really brings: taken? @param merit none: it has no analysis
+  bool judge(std::optional<double> merit);
+  /// Solves and judges again what an interrupted run did from x_k on; no design is analysed.
+  Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
   Step trial_step(CycleRecord& record, Cycle* cycle);
   void solve(CycleRecord& record);

@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
 """Mutations of every shipped file: fuzz_test.py PROGRAM DATA COUNT [--first N] [--seconds S] [--keep DIR]
 
-Each mutation goes through check and, if that accepts it, through run, esl or optimize; after S seconds the
-command is asked to stop. Asserted: no signal, no hang (an end within 20 s of the request), exit codes 0 to
-3, a place in each refusal, no internal error, and no NaN in what is called done. Mutation n is the same on
-every machine.
+Each mutation goes through check and, if that accepts it, through run, esl or optimize; after S
+seconds the command is asked to stop. Asserted: no signal, no hang (an end within 20 s of the request),
+exit codes 0 to 3, a place in each refusal, no internal error, and no NaN in what is called done.
+Mutation n is the same on every machine. Seconds are those of the processor (program.wait).
 """
 
 import argparse

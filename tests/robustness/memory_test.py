@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
 """Commands under limits of the address space: memory_test.py PROGRAM DATA [MB ...]
 
-Each command must end by itself within 60 s, with a result or with "out of memory" (exit code 3). Where not
-even the shared libraries fit, the system's loader says so (127). Default: 64, 128, 256, 512 MB.
+Each command must end by itself within 60 s, with a result or with "out of memory" (exit code 3).
+Where not even the shared libraries fit, the system's loader says so (127). Default: 64, 128, 256,
+512 MB.
 """
 
 import sys

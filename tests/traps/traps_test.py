@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
 """The table of traps: traps_test.py PROGRAM ROOT [--all] [--write] [--show]
 
-Runs every trap of traps.toml under se3, with --all under every formalism, and compares exit code, status
-and words. Without a program to run (PROGRAM "-") and always besides: docs/traps.md is the page of the
-table; --write makes it. --show prints every ending as it is.
+Runs every trap of traps.toml under se3, with --all under every formalism, and compares exit code,
+status and words. Without a program to run (PROGRAM "-") and always besides: docs/traps.md is the page
+of the table; --write makes it. --show prints every ending as it is.
 """
 
 import argparse
@@ -56,8 +56,8 @@ def page(traps):
         scene = Path(trap["scene"])
         change = "".join(f"<br>`{cell(s)}`" for s in trap.get("set", []))
         other = [
-            f"{formalism}: {status[0]}" + (f', "{cell(status[1])}"' if len(status) > 1 and status[1] else "")
-            for formalism, status in trap.get("under", {}).items()
+            f"{formalism}: {end[0]}" + (f', "{cell(end[1])}"' if len(end) > 1 else "")
+            for formalism, end in trap.get("under", {}).items()
         ]
         words = f'"{cell(trap["words"])}"' if trap.get("words") else "—"
         lines.append(
@@ -116,13 +116,13 @@ def main():
         for trap in chosen:
             for formalism in FORMALISMS if options.all else FORMALISMS[:1]:
                 out = Path(folder) / f"{trap['name']}_{formalism}"
-                code, status, said = ending(options.program, options.root.resolve(), trap, formalism, out)
+                end = ending(options.program, options.root.resolve(), trap, formalism, out)
                 count += 1
-                wrong = flaw(code, status, said, *expected(trap, formalism))
+                wrong = flaw(*end, *expected(trap, formalism))
                 if wrong:
                     failures.append(f"{trap['name']} under {formalism} {wrong}")
                 if options.show:
-                    print(f"{trap['name']:32s} {formalism:10s} {code} {status}", wrong or "", flush=True)
+                    print(f"{trap['name']:32s} {formalism:10s}", *end[:2], wrong or "", flush=True)
     return verdict("traps", failures, count)
 
 

@@ -38,8 +38,10 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
       << misspelt.err;
   const Outcome strange = run({"zzzzzzzz"});
   EXPECT_EQ(strange.code, 2);
-  EXPECT_NE(strange.err.find("known: check, run, esl, sensitivity, optimize, batch, compare, lean, report, plot"),
-            std::string::npos)
+  EXPECT_NE(
+      strange.err.find(
+          "known: check, run, esl, sensitivity, optimize, batch, compare, lean, report, plot"),
+      std::string::npos)
       << strange.err;
 }
 
@@ -272,9 +274,62 @@ TEST_F(Cli, CheckpointOfAnotherStudyIsRefused) {
   const Words first = {"optimize",   study("slider_crank_rod"), "-o", results(), "--set",
                        "cycle.max=1"};
   ASSERT_EQ(run(first).code, 1);
-  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--resume"});
+  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--resume",
+                         "--set", "constraints.bending.limit=2e-3"});
   EXPECT_EQ(o.code, 2);
   EXPECT_NE(o.err.find("another input"), std::string::npos) << o.err;
+}
+
+/// More cycles and other tolerances go on, and end where a run without a break does.
+TEST_F(Cli, ResumesWithMoreCyclesAndOtherTolerances) {
+  for (const char* method : {"esl1", "esl"}) {
+    const auto words = [&](const fs::path& out, const Words& more) {
+      Words all = {"optimize", study("slider_crank_rod"),  "-o",       out,
+                   "--set",    "simulation.duration=0.02", "--method", method};
+      all.insert(all.end(), more.begin(), more.end());
+      return all;
+    };
+    ASSERT_EQ(run(words(dir_ / "whole", {"--force"})).code, 0);
+    ASSERT_EQ(run(words(results(), {"--force", "--set", "cycle.max=2"})).code, 1);
+    EXPECT_EQ(summary()["status"], "cycle limit");
+    const Outcome o = run(
+        words(results(), {"--resume", "--set", "cycle.max=40", "--set", "cycle.tolerance=1e-3"}));
+    EXPECT_EQ(o.code, 0) << o.err;
+    const Json whole = Json::parse(text_of(dir_ / "whole" / "summary.json"));
+    for (const char* key : {"status", "design", "cycles", "steps", "newton_iterations"})
+      EXPECT_EQ(summary()[key], whole[key]) << method << key;
+  }
+}
+
+/// The final design is a scene that runs at once, with the figures of the optimisation, as far as
+/// simulation.tolerance, 1e-6, lets two simulations agree.
+TEST_F(Cli, FinalDesignIsAScene) {
+  const Words shorter = {"--set", "simulation.duration=0.02"};
+  for (const char* name : {"slider_crank_rod", "connecting_rod"}) {
+    Words words = {"optimize", study(name), "-o", results(), "--force", "--set", "cycle.max=1"};
+    words.insert(words.end(), shorter.begin(), shorter.end());
+    run(words);
+    const Json optimised = summary();
+    const Outcome o = run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});
+    ASSERT_EQ(o.code, 0) << o.err;
+    const Json again = Json::parse(text_of(dir_ / "again" / "summary.json"));
+    for (const auto& [response, figures] : optimised["responses"].items()) {
+      const double value = figures["max_abs"];
+      EXPECT_NEAR(again["responses"][response]["max_abs"].get<double>(), value, 1e-6 * value)
+          << name << response;
+    }
+  }
+  const Outcome sized = run({"optimize", study("slider_crank_rod"), "-o", results(), "--force",
+                             "--set", "simulation.duration=0.02"});
+  ASSERT_EQ(sized.code, 0);
+  const Json end = summary();
+  run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});
+  const Json again = Json::parse(text_of(dir_ / "again" / "summary.json"));
+  ASSERT_FALSE(end["responses"].empty());
+  for (const auto& [response, figures] : end["responses"].items()) {
+    const double value = figures["max_abs"];
+    EXPECT_NEAR(again["responses"][response]["max_abs"].get<double>(), value, 1e-6 * value);
+  }
 }
 
 /// Shipped files of a folder.

@@ -1,0 +1,68 @@
+#include "apps/study/design_scene.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "apps/input/document.hpp"
+#include "apps/scene/outline_text.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
+
+namespace liesl {
+
+namespace {
+
+/// The table of a section with other dimensions.
+toml::table section_table(const toml::table& sections, const Section& section) {
+  toml::table table;
+  if (const toml::table* given = sections[section.name].as_table()) table = *given;
+  for (const auto name : dimensions(section.shape))
+    table.insert_or_assign(name, dimension(section.shape, name));
+  return table;
+}
+
+/// Gives every element of a beam its section; equal ones share an entry.
+void write_sections(toml::table& scene, const BodySpec& body) {
+  toml::table& sections = *scene["sections"].as_table();
+  toml::array names;
+  std::map<std::string, std::string> known;  // text of a section -> its name
+  int number = 0;
+  for (const Section& section : std::get<BeamSpec>(body.kind).sections) {
+    const toml::table table = section_table(sections, section);
+    std::ostringstream text;
+    text << table;
+    std::string& name = known[text.str()];
+    if (name.empty()) {
+      do name = fmt::format("{}_{}", body.name, ++number);
+      while (sections.contains(name));
+      sections.insert(name, table);
+    }
+    names.push_back(name);
+  }
+  scene["bodies"][body.name]["beam"].as_table()->insert_or_assign("section", std::move(names));
+}
+
+void write_outline(toml::table& scene, const std::string& part,
+                   const levelset::ShapeSpec& outline) {
+  Document document = parse_document(outline_text(part, outline), "the outline");
+  const toml::table& table = *document.root["bodies"][part]["solid"]["outline"].as_table();
+  scene["bodies"][part]["solid"].as_table()->insert_or_assign("outline", table);
+}
+
+}  // namespace
+
+std::string design_scene(const Study& study, const Mechanism& final,
+                         const std::map<std::string, levelset::ShapeSpec>& outlines) {
+  Document document = parse_document(study.scene_text, study.scene.file);
+  std::set<int> sized;
+  for (const DesignSpec& d : study.spec.design) sized.insert(d.bodies.begin(), d.bodies.end());
+  for (const int body : sized)
+    write_sections(document.root, final.bodies[static_cast<std::size_t>(body)]);
+  for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
+  std::ostringstream text;
+  text << "# The final design of the study '" << study.spec.name << "'. SI units.\n\n"
+       << document.root << "\n";
+  return text.str();
+}
+
+}  // namespace liesl

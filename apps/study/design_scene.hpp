@@ -1,0 +1,22 @@
+#pragma once
+/// @file
+/// The final design of a study as a scene that runs.
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "apps/study/study.hpp"
+#include "mbs/levelset/shape_spec.hpp"
+
+namespace liesl {
+
+/// The study's scene (that of the first scenario) with the sections and outlines of a design. Each
+/// different section of a beam has an entry of its own, `rod_1`, `rod_2`, ...; a key of a section
+/// that the study does not change stays.
+/// @param final the mechanism at the design
+/// @param outlines of the meshed parts whose outline changes, by body
+std::string design_scene(const Study& study, const Mechanism& final,
+                         const std::map<std::string, levelset::ShapeSpec>& outlines);
+
+}  // namespace liesl

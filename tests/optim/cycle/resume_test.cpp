@@ -1,0 +1,52 @@
+/// @file
+/// An interrupted run that goes on is the run without the interruption: the same designs to the
+/// last bit, and the same effort.
+#include <gtest/gtest.h>
+
+#include "apps/scene/space.hpp"
+#include "apps/study/load_study.hpp"
+#include "optim/cycle/motion_cycle.hpp"
+#include "reference/places.hpp"
+
+namespace liesl::test {
+namespace {
+
+class Resume : public testing::TestWithParam<const char*> {
+ protected:
+  const Study study_ =
+      load_study(std::string(kDataDir) + "/studies/slider_crank_rod.toml",
+                 {"simulation.duration=0.02", std::string("cycle.method=") + GetParam()});
+  CycleResult<SE2> optimise(const CycleHooks& hooks, const std::vector<Cycle>& resume) const {
+    const ChosenSpace space = choose_space(study_.scene);
+    return run_cycle<SE2>(study_.scene.mechanism, std::get<Space<SE2>>(space.space),
+                          study_.scene.simulation, study_.spec, hooks, resume);
+  }
+};
+
+TEST_P(Resume, IsBitEqualFromEveryCycle) {
+  std::vector<std::vector<Cycle>> states;
+  CycleHooks hooks;
+  hooks.on_cycle = [&](const std::vector<Cycle>& history) { states.push_back(history); };
+  const CycleResult<SE2> whole = optimise(hooks, {});
+  ASSERT_TRUE(closed(whole.status)) << whole.reason;
+  ASSERT_GE(states.size(), 3u);
+  states.pop_back();  // after the last one it has ended
+  for (const auto& state : states) {
+    const CycleResult<SE2> resumed = optimise({}, state);
+    EXPECT_EQ(resumed.status, whole.status) << state.size();
+    EXPECT_EQ(resumed.reason, whole.reason) << state.size();
+    EXPECT_EQ(resumed.x, whole.x) << state.size() << ": " << (resumed.x - whole.x).norm();
+    EXPECT_EQ(resumed.mass, whole.mass);
+    EXPECT_EQ(resumed.load_change, whole.load_change);
+    ASSERT_EQ(resumed.history.size(), whole.history.size());
+    EXPECT_EQ(resumed.effort.steps, whole.effort.steps);
+    EXPECT_EQ(resumed.effort.newton_iterations, whole.effort.newton_iterations);
+    EXPECT_EQ(resumed.effort.factorizations, whole.effort.factorizations);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Methods, Resume, testing::Values("esl1", "esl"),
+                         [](const auto& of) { return std::string(of.param); });
+
+}  // namespace
+}  // namespace liesl::test
