@@ -4,15 +4,37 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "apps/cli/terminal.hpp"
+
 namespace liesl {
+
+namespace {
+
+/// A share that has no sign.
+std::string size_percent(double share) {
+  const std::string text = signed_percent(share);
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+/// A line a variable, numbers under each other.
+void print_design(const std::vector<output::DesignFigure>& design) {
+  std::size_t width = 0;
+  for (const auto& d : design) width = std::max(width, d.name.size());
+  for (const auto& d : design)
+    fmt::print("  {:<{}} {:>12.6g} -> {:>12.6g} {}\n", d.name, width, d.initial, d.final, d.unit);
+}
+
+}  // namespace
 
 void print_cycle(const Cycle& c, bool quiet) {
   if (quiet) return;
   if (c.number == 1)
     fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
   const bool sized = c.load_cases > 0;  // the first, or the last, only simulates
-  fmt::print("{:6} {:13.6g} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass, c.worst,
-             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
+  fmt::print("{:6} {:13.6g} {:>13} {:>13} {:>7} {:>12}\n", c.number, c.mass,
+             signed_percent(c.worst), c.load_change ? size_percent(*c.load_change) : "-",
              sized ? std::to_string(c.load_cases) : "-",
              sized ? std::to_string(c.iterations) : "-");
   std::fflush(stdout);
@@ -23,8 +45,8 @@ void print_step(const ShapeStep& s, SolidResponse goal, bool quiet) {
   if (s.number == 1)
     fmt::print(" step     mass [kg] {:>15}   worst limit   cases   iterations\n",
                fmt::format("{} [{}]", quantity(goal).name, quantity(goal).unit));
-  fmt::print("{:5} {:13.6g} {:15.7g} {:+13.3e} {:>7} {:>12}\n", s.number, s.check.mass,
-             s.check.goal, s.check.worst, s.load_cases, s.iterations);
+  fmt::print("{:5} {:13.6g} {:15.7g} {:>13} {:>7} {:>12}\n", s.number, s.check.mass, s.check.goal,
+             signed_percent(s.check.worst), s.load_cases, s.iterations);
   std::fflush(stdout);
 }
 
@@ -53,15 +75,16 @@ void print_holes(const Holes& holes, int most) {
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
   if (quiet) return;
   fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
-  fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
-             s.mass_final, s.worst_constraint, s.wall_s);
-  fmt::print("  KKT conditions of the dynamic problem: {}\n", s.more["kkt"].get<std::string>());
+  fmt::print("  mass {:.6g} kg -> {:.6g} kg ({}), worst limit {}, {:.3g} s\n", s.mass_initial,
+             s.mass_final, signed_percent(s.mass_final / s.mass_initial - 1),
+             signed_percent(s.worst_constraint), s.wall_s);
+  if (const auto kkt = s.more["kkt"].get<std::string>(); s.reason.find(kkt) == std::string::npos)
+    fmt::print("  KKT conditions of the dynamic problem: {}\n", kkt);
   for (const auto& [name, price] : s.more["prices"].items())
     fmt::print("  {}: 1 % more allowed saves {:.3g} g\n", name, 10 * price.get<double>());
-  for (const auto& d : s.design)
-    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
+  print_design(s.design);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
-  fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+  print_folder(folder);
 }
 
 void print_part_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
@@ -70,15 +93,13 @@ void print_part_result(const output::OptimizeSummary& s, const std::string& fold
   if (s.more.contains("objective")) {
     const auto& o = s.more["objective"];
     fmt::print(
-        "  {} {:.7g} {} -> {:.7g} {}, mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, "
-        "{:.3g} s\n",
+        "  {} {:.7g} {} -> {:.7g} {}, mass {:.6g} kg -> {:.6g} kg, worst limit {}, {:.3g} s\n",
         o["quantity"].get<std::string>(), o["initial"].get<double>(), o["unit"].get<std::string>(),
         o["final"].get<double>(), o["unit"].get<std::string>(), s.mass_initial, s.mass_final,
-        s.worst_constraint, s.wall_s);
+        signed_percent(s.worst_constraint), s.wall_s);
   }
-  for (const auto& d : s.design)
-    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
-  fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+  print_design(s.design);
+  print_folder(folder);
 }
 
 }  // namespace liesl
