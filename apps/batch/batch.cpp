@@ -95,6 +95,23 @@ void check_columns(const Batch& batch, Problems& problems) {
   }
 }
 
+/// A key that an axis or a column sets in every case cannot be changed for all of them.
+void check_changes(const Batch& batch, Problems& problems) {
+  const auto is_in = [](const std::string& key, const std::string& other) {
+    return key == other || key.starts_with(other + ".");
+  };
+  for (const std::string& change : batch.set)
+    for (const CaseColumn& column : batch.cases.columns)
+      for (const std::string& key : column.keys) {
+        const std::string path = change.substr(0, change.find('='));
+        if (!is_in(key, path) && !is_in(path, key)) continue;
+        problems.add({"--set " + change, 0, 0,
+                      fmt::format("'{}' sets '{}' in every case", column.name, key),
+                      "a key that no axis and no column sets",
+                      fmt::format("change its values, or leave '{}' out", column.name)});
+      }
+}
+
 /// Where the value of a change "--set key=text" stands.
 const InputPlace* place_of(const Batch& batch, std::size_t row, const std::string& source) {
   for (std::size_t c = 0; c < batch.cases.columns.size(); ++c)
@@ -164,6 +181,7 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.time = root["limits"]["time"].value<double>();
   batch.memory = root["limits"]["memory"].value<double>();
   batch.cases = read_case_list(document, problems);
+  check_changes(batch, problems);
   problems.throw_if_any();
   check_cases(batch, problems);
   return batch;

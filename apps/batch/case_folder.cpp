@@ -41,14 +41,35 @@ Json read_json(const fs::path& path) {
   }
 }
 
-/// End of a case by its summary; empty if the summary tells of none.
-std::optional<CaseEnd> end_of(const Json& summary) {
+/// End of a case by its summary; empty if the summary tells of none, or is damaged.
+std::optional<CaseEnd> end_of(const Json& summary) try {
   const std::string status = summary.is_object() ? summary.value("status", "running") : "running";
   if (unfinished(status)) return {};
   CaseEnd end{status, summary.value("reason", ""), !good(status), true, 0, 0, 0};
   end.wall_s = summary.value("wall_s", 0.0);
   end.peak_memory_mb = summary.value("peak_memory_mb", 0.0);
   return end;
+} catch (const Json::exception&) {
+  return {};
+}
+
+/// End of a case by its mark; empty without one, or if it is damaged.
+std::optional<CaseEnd> marked_end(const Json& mark) try {
+  if (!mark.is_object()) return {};
+  return CaseEnd{mark.at("status"),
+                 mark.value("reason", ""),
+                 mark.value("failed", true),
+                 mark.value("figures", false),
+                 mark.value("wall_s", 0.0),
+                 mark.value("cpu_s", 0.0),
+                 mark.value("peak_memory_mb", 0.0)};
+} catch (const Json::exception&) {
+  return {};
+}
+
+/// A place that could not be read or written: may not come again.
+bool of_the_environment(const std::string& log) {
+  return log.find("liesl: cannot ") != std::string::npos;
 }
 
 /// The words of a process that failed.
@@ -65,7 +86,7 @@ CaseEnd failure(const WorkerEnd& end, const Worker::Limits& limits, const std::s
     out.status = "killed";
     out.reason = "by signal 9 from outside: the system was out of memory, or someone stopped it";
   } else if (memory) {
-    out.status = "out of memory";
+    out.status = limits.memory ? "out of memory" : "no memory";
     if (limits.memory)
       out.reason = fmt::format("needs more than limits.memory = {} MB", *limits.memory);
   } else if (end.signal != 0) {
@@ -73,7 +94,10 @@ CaseEnd failure(const WorkerEnd& end, const Worker::Limits& limits, const std::s
     out.reason = fmt::format("signal {}: {}", end.signal, ::strsignal(end.signal));
   } else {
     const bool full = log.find("the disk is full") != std::string::npos;
-    out.status = end.exit_code == 2 ? "refused" : full ? "disk full" : "failed";
+    out.status = end.exit_code == 2        ? "refused"
+                 : full                    ? "disk full"
+                 : of_the_environment(log) ? "not written"
+                                           : "failed";
   }
   return out;
 }
@@ -84,13 +108,9 @@ CaseFolder::CaseFolder(const fs::path& batch, const std::string& name)
     : path_(batch / "cases" / name), log_(batch / "cases" / ("." + name + ".log")) {}
 
 std::optional<CaseEnd> CaseFolder::end() const {
-  const Json mark = read_json(mark_path());
-  if (mark.is_object())
-    return CaseEnd{mark.value("status", ""),         mark.value("reason", ""),
-                   mark.value("failed", true),       mark.value("figures", false),
-                   mark.value("wall_s", 0.0),        mark.value("cpu_s", 0.0),
-                   mark.value("peak_memory_mb", 0.0)};
-  return {};
+  std::optional<CaseEnd> end = marked_end(read_json(mark_path()));
+  if (end && end->figures && !end_of(summary())) return {};  // lost since: it is run again
+  return end;
 }
 
 nlohmann::json CaseFolder::summary() const { return read_json(path_ / "summary.json"); }

@@ -21,7 +21,10 @@ struct CaseEnd {
   double wall_s = 0, cpu_s = 0, peak_memory_mb = 0;
 
   /// True if the case may end otherwise on the same input: the next command tries it again.
-  bool tried_again() const { return status == "disk full" || status == "killed"; }
+  bool tried_again() const {
+    return status == "disk full" || status == "not written" || status == "killed" ||
+           status == "no memory";
+  }
 };
 
 /// `<batch>/cases/<name>`, and the log of the running process beside it, which is its lock.

@@ -11,6 +11,7 @@
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
 #include "apps/output/hdf5_writer.hpp"
+#include "apps/output/io_error.hpp"
 
 namespace liesl {
 
@@ -58,7 +59,7 @@ constexpr std::pair<const char*, const char*> kScalars[] = {
     {"stepping_s", "s"},
 };
 
-void add_summary(Figures& figures, const Json& summary) {
+void add_figures(Figures& figures, const Json& summary) {
   for (const auto& [name, unit] : kScalars) figures.add(name, unit, member(summary, name));
   for (const auto& [name, value] : member(summary, "design").items())
     figures.add(name,
@@ -80,6 +81,15 @@ void add_summary(Figures& figures, const Json& summary) {
   const Json& frequencies = member(summary, "frequencies_hz");
   for (std::size_t m = 0; m < frequencies.size(); ++m)
     figures.add(fmt::format("frequency[{}]", m), "Hz", frequencies[m]);
+}
+
+void add_summary(Figures& figures, const CaseFolder& folder) try {
+  add_figures(figures, folder.summary());
+} catch (const Json::exception& error) {
+  throw output::IoError("read", folder.path() / "summary.json",
+                        fmt::format("it is no summary of liesl ({}); remove the folder of the case "
+                                    "and run the batch again",
+                                    error.what()));
 }
 
 /// All cells as numbers, NaN for an empty one (a case without the figure); empty if one is a word.
@@ -123,7 +133,7 @@ BatchTable collect_cases(const Batch& batch, const fs::path& folder) {
     ++table.statuses[end->status];
     table.failed += end->failed;
     table.cpu_s += end->cpu_s;
-    if (end->figures) add_summary(figures, place.summary());
+    if (end->figures) add_summary(figures, place);
     figures.add("wall_s", "s", end->wall_s);
     figures.add("cpu_s", "s", end->cpu_s);
     figures.add("peak_memory_mb", "MB", end->peak_memory_mb);

@@ -13,7 +13,7 @@
 #include "mbs/solvers/simulation.hpp"
 
 #ifdef LIESL_OPTIM
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/static_sizing.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #endif

@@ -69,7 +69,8 @@ void prepare(const fs::path& folder, const Batch& batch, const std::string& hash
   }
   if (fs::exists(plan)) {
     const Json earlier = Json::parse(output::read_file(plan), nullptr, false);
-    if (earlier.is_object() && earlier.value("input_sha256", "") == hash) return;
+    const bool known = earlier.is_object() && earlier.contains("input_sha256");
+    if (known && earlier.at("input_sha256") == hash) return;
     throw InputError({{folder.string(), 0, 0, "the folder belongs to another batch",
                        "a new folder, or one of the same study, scene and cases",
                        "choose another folder; --force begins again in this one"}});

@@ -19,38 +19,67 @@ Eigen::VectorXd vector(const Json& list) {
   return Eigen::Map<const Eigen::VectorXd>(v.data(), static_cast<long>(v.size()));
 }
 
+Json to_json(const Cycle& c) {
+  Json cycle = {{"number", c.number},
+                {"x", numbers(c.x)},
+                {"answer", numbers(c.answer)},
+                {"next", numbers(c.next)},
+                {"lower", numbers(c.lower)},
+                {"upper", numbers(c.upper)},
+                {"unit", numbers(c.unit)},
+                {"mass", c.mass},
+                {"objective", c.objective},
+                {"worst", c.worst},
+                {"worst_constraint", c.worst_constraint},
+                {"worst_at", c.worst_at},
+                {"load_cases", c.load_cases},
+                {"iterations", c.iterations},
+                {"move", c.move},
+                {"taken", c.taken},
+                {"penalty", c.penalty},
+                {"seconds", c.seconds}};
+  if (c.load_change) cycle["load_change"] = *c.load_change;
+  return cycle;
+}
+
+Cycle read_cycle(const Json& j) {
+  Cycle c;
+  c.number = j.at("number");
+  c.x = vector(j.at("x"));
+  c.answer = vector(j.at("answer"));
+  c.next = vector(j.at("next"));
+  c.lower = vector(j.at("lower"));
+  c.upper = vector(j.at("upper"));
+  c.unit = vector(j.at("unit"));
+  c.mass = j.at("mass");
+  c.objective = j.at("objective");
+  c.worst = j.at("worst");
+  c.worst_constraint = j.at("worst_constraint");
+  c.worst_at = j.at("worst_at");
+  if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
+  c.load_cases = j.at("load_cases");
+  c.iterations = j.at("iterations");
+  c.move = j.at("move");
+  c.taken = j.at("taken");
+  c.penalty = j.at("penalty");
+  c.seconds = j.at("seconds");
+  return c;
+}
+
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const std::vector<Cycle>& history,
+void write_checkpoint(const std::filesystem::path& path, const RoundHistory& rounds,
                       const std::string& input_sha256) {
   Json file;
   file["input_sha256"] = input_sha256;
-  for (const auto& c : history) {
-    Json cycle = {{"number", c.number},
-                  {"x", numbers(c.x)},
-                  {"answer", numbers(c.answer)},
-                  {"next", numbers(c.next)},
-                  {"lower", numbers(c.lower)},
-                  {"upper", numbers(c.upper)},
-                  {"unit", numbers(c.unit)},
-                  {"mass", c.mass},
-                  {"worst", c.worst},
-                  {"worst_constraint", c.worst_constraint},
-                  {"worst_time", c.worst_time},
-                  {"load_cases", c.load_cases},
-                  {"iterations", c.iterations},
-                  {"move", c.move},
-                  {"taken", c.taken},
-                  {"penalty", c.penalty},
-                  {"seconds", c.seconds}};
-    if (c.load_change) cycle["load_change"] = *c.load_change;
-    file["cycles"].push_back(cycle);
+  for (const auto& round : rounds) {
+    Json& cycles = file["rounds"].emplace_back(Json::array());
+    for (const Cycle& c : round) cycles.push_back(to_json(c));
   }
   output::write_file(path, file.dump(1));
 }
 
-std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
-                                   const std::string& input_sha256) {
+RoundHistory read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256) {
   const auto refuse = [&](const std::string& what) {
     throw InputError({{path.string(), 0, 0, what,
                        "the checkpoint of an interrupted run with the same study, scene and --set",
@@ -62,36 +91,18 @@ std::vector<Cycle> read_checkpoint(const std::filesystem::path& path,
           "the folder (-o) of an interrupted run, with its checkpoint.json",
           "to begin anew, run without --resume"}});
   const std::string text = output::read_file(path);
-  std::vector<Cycle> history;
+  RoundHistory rounds;
   try {
     const Json file = Json::parse(text);
     if (file.at("input_sha256") != input_sha256) refuse("the checkpoint belongs to another input");
-    for (const auto& j : file.at("cycles")) {
-      Cycle c;
-      c.number = j.at("number");
-      c.x = vector(j.at("x"));
-      c.answer = vector(j.at("answer"));
-      c.next = vector(j.at("next"));
-      c.lower = vector(j.at("lower"));
-      c.upper = vector(j.at("upper"));
-      c.unit = vector(j.at("unit"));
-      c.mass = j.at("mass");
-      c.worst = j.at("worst");
-      c.worst_constraint = j.at("worst_constraint");
-      c.worst_time = j.at("worst_time");
-      if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
-      c.load_cases = j.at("load_cases");
-      c.iterations = j.at("iterations");
-      c.move = j.at("move");
-      c.taken = j.value("taken", true);
-      c.penalty = j.value("penalty", 0.0);
-      c.seconds = j.at("seconds");
-      history.push_back(c);
+    for (const auto& cycles : file.at("rounds")) {
+      auto& round = rounds.emplace_back();
+      for (const auto& j : cycles) round.push_back(read_cycle(j));
     }
   } catch (const Json::exception& e) {
     refuse(std::string("the checkpoint cannot be read: ") + e.what());
   }
-  return history;
+  return rounds;
 }
 
 }  // namespace liesl

@@ -30,11 +30,16 @@ struct CommandOptions {
   std::string tolerance;           ///< lean: "1%" or "0.01"
   std::string to;                  ///< export: "xdmf"
   std::string like;                ///< new: name of a shipped scene or study
+  std::vector<std::string> by;     ///< sensitivity: keys of the scene
+  std::string method;              ///< sensitivity: "auto", "direct" or "adjoint"
+  std::vector<std::string> functionals;  ///< sensitivity: "peak", "p=8", ...
+  bool check = false;                    ///< sensitivity: compare with differences and stop
 };
 
 int check_command(const CommandOptions& options);
 int run_command(const CommandOptions& options);
 int esl_command(const CommandOptions& options);
+int sensitivity_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
 int batch_command(const CommandOptions& options);
 int compare_command(const CommandOptions& options);

@@ -37,6 +37,23 @@ struct Entry {
   bool writes;
 };
 
+void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
+  command
+      .add_option("--by", o.by,
+                  "Keys of the scene to differentiate by, as in sections.rod.diameter (a study has "
+                  "its variables)")
+      ->delimiter(',');
+  command.add_option("--method", o.method, "Form of the sensitivities")
+      ->check(CLI::IsMember({"auto", "direct", "adjoint"}))
+      ->default_val("auto");
+  command
+      .add_option("--functionals", o.functionals,
+                  "Of each response: peak, integral, mean, rms, at=TIME, p=P, ks=RHO")
+      ->delimiter(',')
+      ->default_val(std::vector<std::string>{"peak", "integral", "mean", "rms"});
+  command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
+}
+
 /// Options that one command has, or few.
 void add_options(CLI::App& command, const std::string& name, liesl::CommandOptions& o) {
   if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
@@ -57,10 +74,14 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
                   "(experimental)")
         ->check(CLI::Range(1, 100));
   }
+  if (name == "sensitivity") add_sensitivity_options(command, o);
   if (name == "batch") {
     command.add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
         ->check(CLI::Range(0, 10000));
-    command.add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on");
+    command.add_option("--shard", o.shard, "i/n: only every n-th case, from the i-th on")
+        ->check([](const std::string& text) {
+          return text.empty() ? std::string("expected i/n, as in --shard 3/20") : std::string();
+        });
   }
   if (name == "lean") {
     command.add_option("--response", o.response, "Response of the scene that has to be right")
@@ -92,6 +113,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
+      {"sensitivity", "FILE", "Derivatives of the responses of a motion by parameters",
+       liesl::sensitivity_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
@@ -155,8 +178,8 @@ constexpr const char* kOverview =
 /// Does a command write a results folder?
 bool writes_folder(int (*run)(const liesl::CommandOptions&)) {
   using namespace liesl;
-  for (auto* command :
-       {run_command, esl_command, optimize_command, batch_command, compare_command, lean_command})
+  for (auto* command : {run_command, esl_command, sensitivity_command, optimize_command,
+                        batch_command, compare_command, lean_command})
     if (run == command) return true;
   return false;
 }
@@ -192,6 +215,8 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
     std::cerr << "liesl: " << e.what() << "\n";
   } catch (const liesl::output::Interrupted&) {
     std::cerr << "liesl: interrupted\n";
+  } catch (const std::filesystem::filesystem_error& e) {
+    std::cerr << "liesl: cannot use '" << e.path1().string() << "': " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
     std::cerr << "liesl: out of memory; use fewer elements, a larger step or output_every\n";
   } catch (const std::exception& e) {

@@ -29,7 +29,8 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/output/write_results.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
-#include "optim/cycle/trust_region_cycle.hpp"
+#include "apps/tasks/sensitivity.hpp"
+#include "optim/cycle/design_model.hpp"
 
 namespace liesl {
 namespace {
@@ -51,8 +52,11 @@ void write_end(const OptimizeOutcome& out, const Scene& scene,
                const std::filesystem::path& folder) {
   if (out.simulated) {
     output::write_results(folder, out.results);
-    write_series(folder / "responses_initial.csv", out.initial.times, out.initial.responses, scene);
-    write_series(folder / "responses_final.csv", out.final.times, out.final.responses, scene);
+    for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
+      for (const LimitRecords& r : *motions)
+        write_series(folder / fmt::format("responses_{}{}{}.csv", name,
+                                          r.scenario.empty() ? "" : "_", r.scenario),
+                     r.times, r.responses, scene);
   }
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
   for (const PartOutcome& part : out.parts) write_part(folder, part);
@@ -66,9 +70,6 @@ void check_options(const Study& study, const CommandOptions& options) {
   if (options.nucleate > 0 && study.spec.shapes.empty())
     refuse("--nucleate: the study changes no outline", "a study with variables of a meshed part",
            "run without --nucleate");
-  if (options.nucleate > 0 && options.resume)
-    refuse("--nucleate: rounds with new holes are not resumed", "--resume or --nucleate",
-           "run without --resume");
 }
 
 /// Lines on the terminal, and a folder that is complete after every cycle.
@@ -82,24 +83,49 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
     output::write_summary(folder.path() / "summary.json", output::to_json(so_far));
     folder.commit();
   };
-  hooks.on_cycle = [&folder, &line, &options, save](const output::OptimizeSummary& so_far,
-                                                    const std::vector<Cycle>& history,
-                                                    bool checkpoint) {
+  hooks.on_cycle = [&study, &folder, &line, &options, save](const output::OptimizeSummary& so_far,
+                                                            const RoundHistory& rounds) {
     line.clear();
-    print_cycle(history.back(), options.quiet);
-    if (checkpoint)
-      write_checkpoint(folder.path() / "checkpoint.json", history, so_far.input_sha256);
-    save(so_far);
-  };
-  hooks.on_step = [&study, &options, save](const output::OptimizeSummary& so_far,
-                                           const std::vector<ShapeStep>& history) {
-    print_step(history.back(), study.spec.goal, options.quiet);
+    print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
+    write_checkpoint(folder.path() / "checkpoint.json", rounds, so_far.input_sha256);
     save(so_far);
   };
   hooks.on_hole = [&options](const std::string& feature, const Nucleus& n) {
     print_hole(feature, n, options.quiet);
   };
   return hooks;
+}
+
+/// Gradients of the motion's limits against differences. True: right, or not to be judged.
+bool check_motion_derivatives(const Study& study, const ChosenSpace& space,
+                              const CommandOptions& options) {
+  fmt::print("\nthe motion: largest value of each response, by sensitivities\n");
+  SensitivityCheck check;
+  try {
+    SensitivityRequest peaks;
+    peaks.functionals = {{FunctionalKind::Peak, 0}};
+    check = sensitivity_check(study_problem(options.file, options.set), space, peaks);
+  } catch (const std::invalid_argument& error) {
+    fmt::print("  not checked: {}\n", error.what());
+    return true;
+  }
+  fmt::print("{}", check.text);
+  if (study.spec.shapes.empty()) return check.right;
+  fmt::print(
+      "  not judged: outlines have kinks on grid lines, and modes of a meshed part are frozen "
+      "between designs (docs/theory.md)\n");
+  return true;
+}
+
+bool check_all_derivatives(const Study& study, const ChosenSpace& space,
+                           const CommandOptions& options) {
+  fmt::print("the static problem of the start design\n");
+  const DerivativeReport report = derivatives_task(study, space);
+  fmt::print("{}", report.text());
+  const bool moves =
+      study.spec.loads.empty() && study.scene.simulation.type == SimulationType::Dynamic;
+  const bool right = !moves || check_motion_derivatives(study, space, options);
+  return report.right && right;
 }
 
 }  // namespace
@@ -111,13 +137,8 @@ int optimize_command(const CommandOptions& options) {
     throw InputError(
         {{study.scene.file, 0, 0, "simulation.type = \"modes\" has no loads to size a part for",
           "\"dynamic\" or \"static\"", ""}});
-  const bool fixed_loads = !study.spec.loads.empty();
   const ChosenSpace space = choose_space(study.scene);
-  if (options.check_derivatives) {
-    const DerivativeReport report = derivatives_task(study, space);
-    fmt::print("{}", report.text());
-    return report.right ? 0 : 1;
-  }
+  if (options.check_derivatives) return check_all_derivatives(study, space, options) ? 0 : 1;
   check_options(study, options);
   output::OptimizeSummary summary;
   summary.command = "optimize";
@@ -125,13 +146,10 @@ int optimize_command(const CommandOptions& options) {
   describe(summary, study.scene, space);
   summary.name = study.spec.name;
   summary.input_sha256 = output::sha256(study.input);
-  std::vector<Cycle> resume;
+  RoundHistory resume;
   if (options.resume)
     resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
                              summary.input_sha256);
-  if (options.resume && fixed_loads)
-    throw InputError({{study.file, 0, 0, "--resume: steps under fixed loads are not resumed",
-                       "a study of a motion", "run without --resume"}});
   output::AtomicFolder folder(options.out, options.force || options.resume);
   SimulationLine line(study.scene.simulation, options.quiet);
   OptimizeOutcome out = [&] {
@@ -152,8 +170,7 @@ int optimize_command(const CommandOptions& options) {
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
   add_report(folder.path(), options);
   folder.commit();
-  const auto print = fixed_loads ? print_part_result : print_result;
-  print(out.summary, options.out, options.quiet);
+  print_result(out.summary, options.out, options.quiet);
   if (!options.quiet && out.holes) print_holes(*out.holes, options.nucleate);
   return closed(out.status) ? 0 : 1;
 }

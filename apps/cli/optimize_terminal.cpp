@@ -28,25 +28,19 @@ void print_design(const std::vector<output::DesignFigure>& design) {
 
 }  // namespace
 
-void print_cycle(const Cycle& c, bool quiet) {
+void print_cycle(const Cycle& c, SolidResponse objective, bool quiet) {
   if (quiet) return;
+  const bool other = objective != SolidResponse::Mass;
+  const Quantity q = quantity(objective);
   if (c.number == 1)
-    fmt::print(" cycle     mass [kg]   worst limit   load change   cases   iterations\n");
+    fmt::print(" cycle     mass [kg]{}   worst limit   load change   cases   iterations\n",
+               other ? fmt::format(" {:>15}", fmt::format("{} [{}]", q.name, q.unit)) : "");
   const bool sized = c.load_cases > 0;  // the first, or the last, only simulates
-  fmt::print("{:6} {:13.6g} {:>13} {:>13} {:>7} {:>12}\n", c.number, c.mass,
-             signed_percent(c.worst), c.load_change ? size_percent(*c.load_change) : "-",
+  fmt::print("{:6} {:13.6g}{} {:>13} {:>13} {:>7} {:>12}\n", c.number, c.mass,
+             other ? fmt::format(" {:15.7g}", c.objective) : "", signed_percent(c.worst),
+             c.load_change ? size_percent(*c.load_change) : "-",
              sized ? std::to_string(c.load_cases) : "-",
              sized ? std::to_string(c.iterations) : "-");
-  std::fflush(stdout);
-}
-
-void print_step(const ShapeStep& s, SolidResponse goal, bool quiet) {
-  if (quiet) return;
-  if (s.number == 1)
-    fmt::print(" step     mass [kg] {:>15}   worst limit   cases   iterations\n",
-               fmt::format("{} [{}]", quantity(goal).name, quantity(goal).unit));
-  fmt::print("{:5} {:13.6g} {:15.7g} {:>13} {:>7} {:>12}\n", s.number, s.check.mass, s.check.goal,
-             signed_percent(s.check.worst), s.load_cases, s.iterations);
   std::fflush(stdout);
 }
 
@@ -60,7 +54,7 @@ void print_holes(const Holes& holes, int most) {
   for (const HoleRound& h : holes.tried)
     fmt::print("  {} in '{}': {:.6g} {} -> {:.6g} {}, {}\n", h.feature,
                holes.bodies[std::size_t(h.body)], h.before, holes.unit, h.after, holes.unit,
-               h.pays ? "kept" : "taken out again (" + h.reason + ")");
+               h.kept ? "kept" : "taken out again (" + h.reason + ")");
   if (const auto& n = holes.next)
     fmt::print(
         "  a hole in '{}' would reduce the objective at ({:.4g}, {:.4g}, {:.4g}) m, {:.4g} {} per "
@@ -72,33 +66,37 @@ void print_holes(const Holes& holes, int most) {
     fmt::print("  no hole is proposed: {}\n", holes.reason);
 }
 
+namespace {
+
+/// What a hundredth more of a limit is worth.
+void print_price(const output::OptimizeSummary& s, const std::string& name, double price) {
+  if (!s.more.contains("objective") || s.more["objective"]["quantity"] == "mass")
+    fmt::print("  {}: 1 % more allowed saves {:.3g} g\n", name, 10 * price);
+  else
+    fmt::print("  {}: 1 % more allowed saves {:.3g} {}\n", name, 0.01 * price,
+               s.more["objective"]["unit"].get<std::string>());
+}
+
+}  // namespace
+
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
   if (quiet) return;
   fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
+  if (s.more.contains("objective") && s.more["objective"]["quantity"] != "mass") {
+    const auto& o = s.more["objective"];
+    const auto text = [&o](const char* key) { return o[key].get<std::string>(); };
+    fmt::print("  {} {:.7g} {} -> {:.7g} {}\n", text("quantity"), o["initial"].get<double>(),
+               text("unit"), o["final"].get<double>(), text("unit"));
+  }
   fmt::print("  mass {:.6g} kg -> {:.6g} kg ({}), worst limit {}, {:.3g} s\n", s.mass_initial,
              s.mass_final, signed_percent(s.mass_final / s.mass_initial - 1),
              signed_percent(s.worst_constraint), s.wall_s);
-  if (const auto kkt = s.more["kkt"].get<std::string>(); s.reason.find(kkt) == std::string::npos)
-    fmt::print("  KKT conditions of the dynamic problem: {}\n", kkt);
-  for (const auto& [name, price] : s.more["prices"].items())
-    fmt::print("  {}: 1 % more allowed saves {:.3g} g\n", name, 10 * price.get<double>());
+  const std::string kkt = s.more.value("kkt", "not checked");
+  if (s.reason.find(kkt) == std::string::npos) fmt::print("  KKT conditions: {}\n", kkt);
+  if (s.more.contains("prices"))
+    for (const auto& [name, price] : s.more["prices"].items()) print_price(s, name, price);
   print_design(s.design);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
-  print_folder(folder);
-}
-
-void print_part_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
-  if (quiet) return;
-  fmt::print("{}: {} after {} steps ({})\n", s.name, s.status, s.history.size(), s.reason);
-  if (s.more.contains("objective")) {
-    const auto& o = s.more["objective"];
-    fmt::print(
-        "  {} {:.7g} {} -> {:.7g} {}, mass {:.6g} kg -> {:.6g} kg, worst limit {}, {:.3g} s\n",
-        o["quantity"].get<std::string>(), o["initial"].get<double>(), o["unit"].get<std::string>(),
-        o["final"].get<double>(), o["unit"].get<std::string>(), s.mass_initial, s.mass_final,
-        signed_percent(s.worst_constraint), s.wall_s);
-  }
-  print_design(s.design);
   print_folder(folder);
 }
 

@@ -19,7 +19,7 @@ std::vector<Key> batch_keys() {
 
     {"limits", Type::Table, "", kOptional, kAny, "What one case may use; a case that needs more is a failed row."},
     {"limits.time", Type::Number, "s", kOptional, kPositive, "Wall time. Default: no limit."},
-    {"limits.memory", Type::Number, "MB", kOptional, kPositive, "Address space of the process. Default: no limit."},
+    {"limits.memory", Type::Number, "MB", kOptional, kPositive, "Address space of the process, of which libraries take 100 MB and linear algebra 128 MB a thread. Default: no limit."},
   };
 }
 // clang-format on

@@ -11,6 +11,10 @@ std::vector<Key> study_keys() {
     {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the study."},
     {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in this study, as in \"simulation.step\" = 5e-5."},
     {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
+    {"scenarios", Type::Named, "", kOptional, kAny, "Motions that one design has to stand, by name: speeds, payloads, loads. Every limit holds in each of them; without this table there is one, that of the scene."},
+    {"scenarios.*", Type::Table, "", kOptional, kAny, "One motion: the scene with some keys changed."},
+    {"scenarios.*.set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in it, after those of `set`; none: the scene itself."},
+    {"scenarios.*.set.*", Type::Any, "", kOptional, kAny, "Value of a scene key; bodies and their meshes stay."},
 
     {"design", Type::Named, "", kRequired, kAny, "What may change, by name."},
     {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, or one parameter of the outline of a meshed part."},
@@ -33,10 +37,12 @@ std::vector<Key> study_keys() {
     {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms.", 0, "mass compliance stress"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
 
-    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of displacement, deflection, elongation, stress, compliance."},
+    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a part otherwise."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},
+    {"constraints.*.treatment", Type::Choice, "", "\"auto\"", kAny, "Which constraints a limit over a motion becomes: \"auto\", load cases near the largest and those that turn out to violate it; \"all\", every step above half of the largest value; \"maxima\", \"neighbours\" (with three steps on either side), \"worst\", the largest alone; \"ks\", a smooth maximum about each. \"functional\" limits the mean excess, \"p_norm\" the mean of order `p` instead of the largest. All but \"auto\" need cycle.method \"esl1\" or \"full\".", 0, "auto all maxima neighbours worst functional p_norm ks"},
+    {"constraints.*.p", Type::Number, "-", "2", {1, 100}, "Exponent; 2: root mean square.", 0, "", "treatment=p_norm"},
   };
   for (Key& key : response_keys("constraints.*")) keys.push_back(std::move(key));
   const std::vector<Key> rest{

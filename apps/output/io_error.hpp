@@ -20,9 +20,15 @@ class IoError : public std::runtime_error {
   const std::string& reason() const { return reason_; }
 
  private:
+  /// What the system says: of HDF5's report the part in quotes after "error message".
   static std::string plain(const std::string& reason) {
-    const bool full = reason.find("No space left on device") != std::string::npos;
-    return full ? "the disk is full (" + reason + "); make room or choose another folder" : reason;
+    constexpr const char *kQuote = "error message = '", *kFull = "No space left on device";
+    if (reason.find(kFull) != std::string::npos)
+      return std::string("the disk is full (") + kFull + "); make room or choose another folder";
+    const auto quote = reason.find(kQuote);
+    if (quote == std::string::npos) return reason;
+    const auto begin = quote + std::char_traits<char>::length(kQuote);
+    return reason.substr(begin, reason.find('\'', begin) - begin);
   }
 
   std::filesystem::path path_;

@@ -93,7 +93,7 @@ Json history_json(const std::vector<CycleRecord>& history) {
     if (!h.design.empty()) json.back()["design"] = h.design;
     if (h.worst_limit.empty()) continue;
     json.back()["worst_limit"] = h.worst_limit;
-    json.back()["worst_time"] = h.worst_time;
+    json.back()["worst_at"] = h.worst_at;
   }
   return json;
 }

@@ -72,7 +72,7 @@ struct CycleRecord {
   std::optional<double> objective = {};  ///< where it is not the mass
   std::vector<double> design = {};       ///< that was simulated, in the order of `design`
   std::string worst_limit = {};          ///< which one `worst_constraint` is of
-  double worst_time = 0;                 ///< and when
+  std::string worst_at = {};             ///< and where: "t = 0.1 s", a load case
 };
 
 struct OptimizeSummary : RunSummary {

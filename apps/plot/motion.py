@@ -72,19 +72,33 @@ def draw_energies(folder, pictures, _summary):
     pictures.save(figure, "energies", "energies")
 
 
+def limit_tables(folder):
+    """(scenario, initial, final) of each motion of an optimisation; "" where there is one."""
+    found = []
+    for path in sorted(folder.glob("responses_final*.csv")):
+        scenario = path.stem[len("responses_final"):]
+        before, after = table(folder, f"responses_initial{scenario}.csv"), table(folder, path.name)
+        if before is not None and after is not None:
+            found.append((scenario[1:], before, after))
+    return found
+
+
 def draw_before_after(folder, pictures, summary):
-    before, after = table(folder, "responses_initial.csv"), table(folder, "responses_final.csv")
-    if before is None or after is None:
-        return
     constraints = summary.get("constraints", {})
-    groups = grouped_columns(after)
-    chosen = [stem for stem in groups if stem in constraints] or list(groups)
-    figure, axes = stacked(len(chosen), 2.9)
-    for ax, stem in zip(axes, chosen):
-        before_after(ax, before, after, stem, groups[stem], constraints.get(stem, {}).get("limit"))
+    panels = []
+    for scenario, before, after in limit_tables(folder):
+        groups = grouped_columns(after)
+        names = {stem: f"{stem} ({scenario})" if scenario else stem for stem in groups}
+        chosen = [stem for stem in groups if names[stem] in constraints] or list(groups)
+        panels += [(before, after, stem, groups[stem], names[stem]) for stem in chosen]
+    if not panels:
+        return
+    figure, axes = stacked(len(panels), 2.9)
+    for ax, (before, after, stem, columns, name) in zip(axes, panels):
+        before_after(ax, before, after, name, columns, constraints.get(name, {}).get("limit"))
         legend(ax)
+        ax.margins(x=0.01)
     axes[-1].set_xlabel(label(after.names[0], after.units[0]))
-    axes[-1].margins(x=0.01)
     pictures.save(figure, "response_before_after", "responses against their limits")
 
 

@@ -18,6 +18,7 @@ from batches import draw_batch, draw_pair  # noqa: E402
 from comparisons import draw_comparison  # noqa: E402
 from motion import draw_before_after, draw_energies, draw_mechanism, draw_responses  # noqa: E402
 from parts import draw_cells, draw_outlines  # noqa: E402
+from sensitivities import draw_gradients, draw_sensitivities  # noqa: E402
 from sizing import draw_design, draw_history, draw_overview  # noqa: E402
 from style import STYLE, Pictures  # noqa: E402
 from tables import NothingToDraw, table  # noqa: E402
@@ -48,7 +49,8 @@ def main():
         elif cases:
             draw_batch(cases, pictures)
         for draw in (draw_overview, draw_history, draw_before_after, draw_design, draw_responses,
-                     draw_energies, draw_mechanism, draw_outlines, draw_cells):
+                     draw_energies, draw_mechanism, draw_outlines, draw_cells, draw_sensitivities,
+                     draw_gradients):
             draw(arguments.folder, pictures, summary)
         if not pictures.paths:
             raise NothingToDraw(f"{arguments.folder} has no table to draw")

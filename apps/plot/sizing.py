@@ -6,7 +6,8 @@ import re
 import matplotlib.pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
-from motion import before_after, grouped_columns, mechanism, read_frames, shown_axes
+from motion import (before_after, grouped_columns, limit_tables, mechanism, read_frames,
+                    shown_axes)
 from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
 from tables import table
 
@@ -107,13 +108,15 @@ def draw_steps(ax, rows, variable, body):
 
 def draw_overview(folder, pictures, summary):
     """Of an optimisation, in one picture: the mechanism, the first limit, the first design."""
-    before, after = table(folder, "responses_initial.csv"), table(folder, "responses_final.csv")
+    motions = limit_tables(folder)
     design = table(folder, "design.csv")
-    if before is None or after is None or design is None or not (folder / "frames.csv").exists():
+    if not motions or design is None or not (folder / "frames.csv").exists():
         return
+    scenario, before, after = motions[0]
     instants, time_label = read_frames(folder / "frames.csv")
     groups, constraints = grouped_columns(after), summary.get("constraints", {})
-    stems = [stem for stem in groups if stem in constraints]
+    names = {stem: f"{stem} ({scenario})" if scenario else stem for stem in groups}
+    stems = [stem for stem in groups if names[stem] in constraints]
     if not instants or not stems or len(shown_axes(instants)) == 3:
         return
     figure = plt.figure(figsize=(11, 4.6), layout="constrained")
@@ -121,7 +124,8 @@ def draw_overview(folder, pictures, summary):
     ax = figure.add_subplot(grid[:, 0])
     mechanism(ax, instants, shown_axes(instants), time_label)
     ax = figure.add_subplot(grid[0, 1])
-    before_after(ax, before, after, stems[0], groups[stems[0]], constraints[stems[0]].get("limit"))
+    name = names[stems[0]]
+    before_after(ax, before, after, name, groups[stems[0]], constraints[name].get("limit"))
     ax.set_xlabel(label(after.names[0], after.units[0]))
     ax.margins(x=0.01)
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 0.98), ncols=3)

@@ -48,25 +48,39 @@ Json chart(const std::string& title, const std::string& unit, const Table::Colum
           {"lines", Json::array()}};
 }
 
-/// A limit before and after, a chart each.
-Json limit_charts(const fs::path& folder, const Json& summary, Blob& blob) {
-  const Table initial = read_table(folder / "responses_initial.csv"),
-              final = read_table(folder / "responses_final.csv");
-  Json list = Json::array();
+/// What scenarios add to the names of files with limits: "_fast"; of a single motion "".
+std::vector<std::string> scenarios_in(const fs::path& folder) {
+  const std::string start = "responses_final", end = ".csv";
+  std::vector<std::string> out;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(start) && name.ends_with(end))
+      out.push_back(name.substr(start.size(), name.size() - start.size() - end.size()));
+  }
+  std::sort(out.begin(), out.end());
+  return out;
+}
+
+/// A limit before and after, a chart each. @param scenario "_fast"; "" of a single motion
+void add_limit_charts(const fs::path& folder, const std::string& scenario, const Json& summary,
+                      Blob& blob, Json& list) {
+  const Table initial = read_table(folder / ("responses_initial" + scenario + ".csv")),
+              final = read_table(folder / ("responses_final" + scenario + ".csv"));
   for (std::size_t c = 1; c < final.columns.size(); ++c) {
     const Table::Column& after = final.columns[c];
-    Json one = chart(after.name, after.unit, final.columns[0]);
+    const std::string name =
+        scenario.empty() ? after.name : after.name + " (" + scenario.substr(1) + ")";
+    Json one = chart(name, after.unit, final.columns[0]);
     if (const auto* before = initial.column(after.name); before && !initial.empty())
       one["lines"].push_back(line("initial", numbers(initial.columns[0]), numbers(*before), blob));
     one["lines"].push_back(line("final", numbers(final.columns[0]), numbers(after), blob));
     const Json& limits = summary.value("constraints", Json::object());
-    if (limits.contains(after.name)) {
-      one["limit"] = limits[after.name]["limit"];
-      one["at"] = limits[after.name]["at_time"];
+    if (limits.contains(name)) {
+      one["limit"] = limits[name]["limit"];
+      one["at"] = limits[name]["at_time"];
     }
     list.push_back(std::move(one));
   }
-  return list;
 }
 
 /// The response that a column is of: "tip.x" of "tip".
@@ -152,9 +166,10 @@ void add_cells(const fs::path& file, Json& part, Blob& blob) {
 
 Json charts(const fs::path& folder, const Json& summary, Blob& blob) {
   Json list = Json::array();
-  if (fs::exists(folder / "responses_final.csv"))
-    list = limit_charts(folder, summary, blob);
-  else if (fs::exists(folder / "responses.csv"))
+  const std::vector<std::string> scenarios = scenarios_in(folder);
+  for (const std::string& scenario : scenarios)
+    add_limit_charts(folder, scenario, summary, blob, list);
+  if (scenarios.empty() && fs::exists(folder / "responses.csv"))
     list = response_charts(folder / "responses.csv", summary, blob);
   if (fs::exists(folder / "energies.csv"))
     list.push_back(energy_chart(folder / "energies.csv", blob));

@@ -227,7 +227,7 @@ std::string defect_of(const Mat3& J) {
 
 std::optional<RigidSpec> read_rigid(Reader& reader, const std::string& name, toml::table& table) {
   RigidSpec rigid;
-  rigid.frame = SE3(SO3::exp(vec3(table, "orientation")).R, vec3(table, "at"));
+  rigid.frame = SE3(SO3::exp(orientation(reader, table)).R, vec3(table, "at"));
   rigid.mass = number(table, "mass");
   rigid.inertia = matrix(*table.get("inertia"), 3);
   rigid.centre = vec3(table, "centre");

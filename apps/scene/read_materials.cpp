@@ -44,6 +44,18 @@ std::string defect_of(const Eigen::MatrixXd& M) {
   return "";
 }
 
+/// Why the inertia of a section is of no distribution of mass, empty if it may be: about the centre
+/// of mass no principal value is larger than the sum of the others.
+std::string impossible(const Eigen::MatrixXd& M) {
+  const double m = M(0, 0);
+  const Eigen::Matrix3d coupling = M.bottomLeftCorner<3, 3>();
+  const Eigen::Matrix3d J = M.bottomRightCorner<3, 3>() - coupling * coupling.transpose() / m;
+  const Eigen::VectorXd p = linalg::symmetric_eigenvalues(J);
+  if (p[2] <= (p[0] + p[1]) * (1 + 1e-9)) return "";
+  return fmt::format("is of no section: {:.4g} is more than {:.4g} + {:.4g} kg m", p[2], p[0],
+                     p[1]);
+}
+
 FullSection full_section(Reader& reader, const toml::table& table) {
   FullSection full;
   full.stiffness = matrix(*table.get("stiffness"), 6);
@@ -56,6 +68,10 @@ FullSection full_section(Reader& reader, const toml::table& table) {
     full.inertia = matrix(*inertia, 6);
     if (const auto what = defect_of(full.inertia); !what.empty())
       reader.problems.add(*inertia, fmt::format("'inertia' {}", what), symmetric);
+    else if (const auto why = impossible(full.inertia); !why.empty())
+      reader.problems.add(*inertia, fmt::format("'inertia' {}", why),
+                          "rotational inertias each at most the sum of the others",
+                          "of an area I_y, I_z the diagonal is rho [A, A, A, I_y + I_z, I_y, I_z]");
   }
   return full;
 }

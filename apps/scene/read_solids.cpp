@@ -60,7 +60,7 @@ void check_connection(PartReader& part) {
 
 std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, toml::table& table) {
   PartReader part{reader, name, table};
-  part.solid.frame = SE3(SO3::exp(vec3(part.table, "orientation")).R, vec3(part.table, "at"));
+  part.solid.frame = SE3(SO3::exp(orientation(part.reader, part.table)).R, vec3(part.table, "at"));
   part.solid.modes = integer(part.table, "modes");
   part.solid.damping = number(part.table, "damping");
   if (const toml::table* ersatz = part.table["ersatz"].as_table())

@@ -124,4 +124,16 @@ Vec3 direction(Reader& reader, const toml::table& table, std::string_view key) {
   return Vec3::UnitZ();
 }
 
+Vec3 orientation(Reader& reader, const toml::table& table) {
+  const Vec3 given = vec3(table, "orientation");
+  const double angle = given.norm();
+  if (angle > 2 * M_PI)
+    reader.problems.add(
+        *table.get("orientation"),
+        fmt::format("'orientation' turns by {:.4g} rad, more than a whole turn", angle),
+        "a rotation vector in rad, of at most 2 pi",
+        fmt::format("{:g} degrees are {:.6g} rad", angle, angle * M_PI / 180));
+  return given;
+}
+
 }  // namespace liesl

@@ -52,6 +52,9 @@ std::vector<Entry> entries(const Reader& reader, std::string_view group);
 /// Direction of unit length; a zero vector is reported.
 Vec3 direction(Reader& reader, const toml::table& table, std::string_view key);
 
+/// Rotation vector "orientation", rad; more than a turn is reported: it looks like degrees.
+Vec3 orientation(Reader& reader, const toml::table& table);
+
 /// Number, expression or table.
 TimeFunction read_function(Reader& reader, const toml::node& node);
 

@@ -2,6 +2,7 @@
 /// Values that are possible but look like another unit than SI.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
@@ -61,6 +62,23 @@ std::string pitch(const JointSpec& joint, double size) {
                      joint.pitch, 1e-3 * joint.pitch);
 }
 
+/// Rates of drives: faster than 10,000 turns a minute, as rpm mistaken for rad/s are.
+std::string rate_of(const Mechanism& mechanism, const DriveSpec& drive, double duration) {
+  constexpr double kFast = 1000;  // rad/s
+  const JointSpec& joint = mechanism.joints[static_cast<std::size_t>(drive.joint)];
+  const JointKind& kind = kind_of(joint.type);
+  const bool there = drive.coordinate < kind.coordinate_count();  // or it is refused
+  if (!there || kind.unit(drive.coordinate) != std::string_view("rad")) return "";
+  constexpr int kSamples = 32;
+  double rate = 0;
+  for (int k = 0; k <= kSamples; ++k)
+    rate = std::max(rate, std::abs(drive.motion.rate(duration * k / kSamples)));
+  if (rate < kFast) return "";
+  return fmt::format(
+      "joints.{}.drive turns at {:g} rad/s, that is {:.4g} rpm: {:g} rpm is {:.4g} rad/s",
+      joint.name, rate, rate * 30 / M_PI, rate, rate * M_PI / 30);
+}
+
 }  // namespace
 
 std::vector<std::string> unit_warnings(const Reader& reader) {
@@ -76,6 +94,8 @@ std::vector<std::string> unit_warnings(const Reader& reader) {
   for (const auto& [name, section] : reader.sections)
     if (size > 0) add(breadth(section, size));
   for (const JointSpec& joint : reader.scene.mechanism.joints) add(pitch(joint, size));
+  for (const DriveSpec& drive : reader.scene.mechanism.drives)
+    add(rate_of(reader.scene.mechanism, drive, reader.scene.simulation.duration));
   if (const double g = reader.scene.mechanism.gravity.norm(); g > kStrongestGravity)
     add(fmt::format("gravity = {:g} m/s^2: {:g} mm/s^2 is {:g} m/s^2", g, g, 1e-3 * g));
   return warnings;

@@ -1,5 +1,7 @@
 #include "apps/study/load_study.hpp"
 
+#include <algorithm>
+
 #include "apps/input/document.hpp"
 #include "apps/study/study_reader.hpp"
 
@@ -40,7 +42,84 @@ void read_study_parts(StudyReader& reader) {
   read_supports(reader);
   read_parts_of_study(reader);
   read_cycle(reader);
+  check_images(reader);
   check_shapes(reader);
+}
+
+/// The scene of one scenario, with what the study and its scenario change.
+struct ScenarioText {
+  std::string name;
+  Document scene;
+  const toml::node* node = nullptr;  ///< in the study, for messages; null: there are no scenarios
+};
+
+/// The scene of each scenario; without scenarios the scene itself. Each reads the file anew: copies
+/// of a table do not know their lines. Empty (and said) if the scene cannot be read.
+std::vector<ScenarioText> scenarios_of(Document& study, const fs::path& folder,
+                                       const std::vector<std::string>& overrides,
+                                       const Broken& broken, Problems& problems) {
+  std::vector<ScenarioText> out;
+  const auto add = [&](const std::string& name, toml::node* node) {
+    auto scene = scene_of(study.root, folder, problems);
+    if (!scene) return;
+    if (toml::table* set = study.root["set"].as_table()) apply_set(*set, scene->root, problems);
+    apply_overrides(scene->root, FileKind::Scene, overrides, problems);
+    if (toml::table* set = node ? node->as_table()->get_as<toml::table>("set") : nullptr)
+      apply_set(*set, scene->root, problems);
+    out.push_back({name, std::move(*scene), node});
+  };
+  toml::table* table = study.root["scenarios"].as_table();
+  if (!table || broken.contains("scenarios")) {
+    add("", nullptr);
+    return out;
+  }
+  for (auto&& [key, value] : *table)
+    if (const std::string name(key.str());
+        !broken.contains("scenarios." + name) && (out.empty() || problems.count() == 0))
+      add(name, &value);
+  if (table->empty())
+    problems.add(*table, "there is no scenario", "an entry in [scenarios], or no such table");
+  if (table->size() > 1 && study.root.contains("loads"))
+    problems.add(*table, "fixed loads move nothing, in no scenario",
+                 "several load cases in [loads]");
+  return out;
+}
+
+/// One design fits all scenarios: the same bodies with the same nodes.
+bool same_bodies(const Mechanism& a, const Mechanism& b) {
+  const auto same = [](const BodySpec& x, const BodySpec& y) {
+    const auto *beam_x = std::get_if<BeamSpec>(&x.kind), *beam_y = std::get_if<BeamSpec>(&y.kind);
+    return x.name == y.name && x.kind.index() == y.kind.index() &&
+           (!beam_x || beam_x->nodes.size() == beam_y->nodes.size());
+  };
+  return std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), same);
+}
+
+Scene read_scenario(ScenarioText& from, Problems& problems) {
+  const Broken broken = validate(from.scene.root, FileKind::Scene, problems);
+  Scene scene;
+  scene.file = from.scene.file;
+  scene.input = from.scene.text;
+  Reader reader{from.scene.root, broken, problems, scene, {}, {}};
+  read_parts(reader);
+  return scene;
+}
+
+/// The scenarios after the first.
+void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study& study) {
+  for (std::size_t s = 0; s < texts.size(); ++s) {
+    if (texts[s].node) study.spec.scenarios.push_back(texts[s].name);
+    if (s == 0 || problems.count() > 0) continue;  // what is wrong in one is said once
+    study.scenarios.push_back(read_scenario(texts[s], problems));
+    const Scene& scene = study.scenarios.back();
+    if (!same_bodies(scene.mechanism, study.scene.mechanism))
+      problems.add(*texts[s].node,
+                   "scenario '" + texts[s].name + "' has other bodies than '" + texts[0].name + "'",
+                   "speeds, masses, loads, times; the same beams with the same elements");
+    if (scene.simulation.type != SimulationType::Dynamic)
+      problems.add(*texts[s].node, "scenario '" + texts[s].name + "' is no motion",
+                   "simulation.type = \"dynamic\"");
+  }
 }
 
 Study read_document(Document document, const fs::path& folder,
@@ -51,21 +130,21 @@ Study read_document(Document document, const fs::path& folder,
   apply_overrides(document.root, FileKind::Study, parts.study, problems);
   const Broken broken = validate(document.root, FileKind::Study, problems);
 
-  auto inner = scene_of(document.root, folder, problems);
-  if (!inner) problems.throw_if_any();
-  if (toml::table* set = document.root["set"].as_table()) apply_set(*set, inner->root, problems);
-  apply_overrides(inner->root, FileKind::Scene, parts.scene, problems);
-  const Broken scene_broken = validate(inner->root, FileKind::Scene, problems);
+  auto scenarios = scenarios_of(document, folder, parts.scene, broken, problems);
+  if (scenarios.empty()) problems.throw_if_any();
 
   Study study;
   study.file = document.file;
-  study.scene.file = inner->file;
-  study.scene.input = inner->text;
-  Reader scene{inner->root, scene_broken, problems, study.scene, {}, {}};
+  Document& first = scenarios.front().scene;
+  study.scene.file = first.file;
+  study.scene.input = first.text;
+  const Broken scene_broken = validate(first.root, FileKind::Scene, problems);
+  Reader scene{first.root, scene_broken, problems, study.scene, {}, {}};
   scene.fixed_loads = document.root.contains("loads");
   read_parts(scene);
   study.input = document.text + study.scene.input;
   for (const std::string& text : overrides) study.input += "\n--set " + text;
+  read_scenarios(scenarios, problems, study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
   problems.throw_if_any();

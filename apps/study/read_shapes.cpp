@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 #include <stdexcept>
 
 #include "apps/study/study_reader.hpp"
@@ -56,6 +57,11 @@ void read_walls(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "walls")) {
     const auto body = part(reader, *entry.table->get("of"), true);
     if (!body) continue;
+    if (text(*entry.table, "feature") == text(*entry.table, "to"))
+      reader.scene.problems.add(
+          *entry.table->get("to"),
+          fmt::format("wall '{}' is between '{}' and itself", entry.name, text(*entry.table, "to")),
+          "another feature, or an interface");
     reader.spec.shapes[*body].walls.push_back({entry.name, text(*entry.table, "feature"),
                                                text(*entry.table, "to"),
                                                number(*entry.table, "least")});
@@ -130,7 +136,8 @@ void check_motion(StudyReader& reader) {
                  "constraints on responses of the motion");
   for (const ConstraintSpec& c : spec.constraints) {
     const int body = limited_body(c.response);
-    if (changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body))) continue;
+    if (!c.has_image || changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body)))
+      continue;
     problems.add(
         *reader.root["constraints"][c.response.name].node(),
         fmt::format("constraint '{}' is of '{}', which no variable changes", c.response.name,
@@ -152,6 +159,9 @@ void read_shape_variable(StudyReader& reader, const Entry& entry) {
   }
   const auto body = part(reader, *names.front(), true);
   if (!body) return;
+  if (const toml::node* groups = table.get("groups"); written(*groups))
+    problems.add(*groups, fmt::format("'{}' moves an outline, which has no groups", entry.name),
+                 "'groups' for dimensions of the sections of a beam", "leave it out");
   const auto known = parameter_names(*solid_of(reader, *body));
   const auto bounds = numbers(*table.get("bounds"));
   ShapeVariableSpec v{entry.name, {}, bounds[0], bounds[1], {}};
@@ -187,6 +197,31 @@ void read_parts_of_study(StudyReader& reader) {
     reader.spec.stress = {number(*table, "p"), number(*table, "relaxation")};
 }
 
+namespace {
+
+/// Errors of a part, a line each below a headline: each at the entry of the study that it names in
+/// quotes first, or at [design].
+void add_at_their_places(StudyReader& reader, const std::string& errors) {
+  const char* const expected = "variables, walls, supports and loads that fit the part";
+  std::istringstream lines(errors);
+  std::string headline, line;
+  std::getline(lines, headline);
+  bool any = false;
+  for (; std::getline(lines, line); any = true) {
+    line.erase(0, line.find_first_not_of(' '));
+    const toml::node* at = reader.root.get("design");
+    if (line.starts_with('\''))
+      for (const char* table : {"walls", "design"})
+        if (const toml::node* found =
+                reader.root[table][line.substr(1, line.find('\'', 1) - 1)].node())
+          at = found;
+    reader.scene.problems.add(*at, line, expected);
+  }
+  if (!any) reader.scene.problems.add(*reader.root.get("design"), headline, expected);
+}
+
+}  // namespace
+
 void check_shapes(StudyReader& reader) {
   Problems& problems = reader.scene.problems;
   if (problems.count() > 0) return;
@@ -196,7 +231,7 @@ void check_shapes(StudyReader& reader) {
                  "shape variables of one part",
                  "fixed loads do not couple parts: a study for each");
   if (spec.loads.empty()) check_motion(reader);
-  if (spec.loads.empty() && spec.goal != SolidResponse::Mass)
+  if (spec.loads.empty() && spec.objective != SolidResponse::Mass)
     problems.add(*reader.root.get("objective"),
                  "compliance and stress are minimised under loads "
                  "that stay",
@@ -206,8 +241,7 @@ void check_shapes(StudyReader& reader) {
       PartShape made(reader.scene.scene.mechanism, body, shape);
       solid_task(spec, made);
     } catch (const std::invalid_argument& error) {
-      problems.add(*reader.root.get("design"), error.what(),
-                   "variables, walls, supports and loads that fit the part");
+      add_at_their_places(reader, error.what());
     }
 #endif
 }

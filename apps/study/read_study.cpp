@@ -29,30 +29,21 @@ std::optional<ResponseSpec> response_of(StudyReader& reader, const Entry& entry)
   return {};  // broken, said before
 }
 
-/// Can the static problem of a part tell this response?
-void check_static(StudyReader& reader, const Entry& entry, const ResponseSpec& response) {
-  const bool of_beam =
-      response.kind == ResponseKind::Deflection || response.kind == ResponseKind::Elongation ||
-      response.kind == ResponseKind::Stress || response.kind == ResponseKind::Compliance;
-  const toml::node* at = entry.table->get("use");
-  if (!at) at = entry.table->get("response");
-  if (!of_beam && response.kind != ResponseKind::Displacement) {
-    reader.scene.problems.add(
-        *at, fmt::format("constraint '{}' is not on the deformation of a part", entry.name),
-        "a displacement, deflection, elongation, stress or compliance");
-    return;
-  }
-  const int body = of_beam ? response.body : response.at.body;
-  const bool solid =
-      body >= 0 && std::holds_alternative<SolidSpec>(body_of(reader, body).kind) &&
-      (response.kind == ResponseKind::Elongation || response.kind == ResponseKind::Displacement);
-  if (body < 0)
-    reader.scene.problems.add(*at, fmt::format("constraint '{}' is of two bodies", entry.name),
-                              "two ports of one body");
-  else if (!solid && !std::holds_alternative<BeamSpec>(body_of(reader, body).kind))
-    reader.scene.problems.add(
-        *at, fmt::format("body '{}' is rigid and does not deform", body_of(reader, body).name),
-        "a beam");
+/// Why a limit needs the sensitivities of a motion, and this study has none; empty: it has.
+std::string without_sensitivities(const StudyReader& reader) {
+  if (reader.root.contains("loads")) return "loads that stay move nothing";
+  if (reader.scene.scene.simulation.type != SimulationType::Dynamic)
+    return "statics has no sensitivities";
+  if (reader.spec.cycle.method == CycleMethod::Esl)
+    return "the method \"esl\" uses static problems only";
+  return "";
+}
+
+/// In the order of Treatment.
+Treatment read_treatment(const std::string& name) {
+  const auto names = words("auto all maxima neighbours worst functional p_norm ks");
+  const auto found = std::find(names.begin(), names.end(), name);
+  return found == names.end() ? Treatment::Auto : static_cast<Treatment>(found - names.begin());
 }
 
 /// Number of directions that "node:xyz,rx" holds, -1 if it is not of that form.
@@ -113,9 +104,9 @@ void read_objective(StudyReader& reader) {
     varied = varied || reader.spec.shapes.contains(*body);
   }
   const std::string quantity = text(*table, "minimize");
-  reader.spec.goal = quantity == "compliance" ? SolidResponse::Compliance
-                     : quantity == "stress"   ? SolidResponse::Stress
-                                              : SolidResponse::Mass;
+  reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
+                          : quantity == "stress"   ? SolidResponse::Stress
+                                                   : SolidResponse::Mass;
 
   const toml::table* design = reader.root["design"].as_table();
   std::size_t entries_read = reader.spec.design.size();
@@ -130,8 +121,11 @@ void read_constraints(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "constraints")) {
     auto response = response_of(reader, entry);
     if (!response) continue;
-    check_static(reader, entry, *response);
-    reader.spec.constraints.push_back({std::move(*response), number(*entry.table, "limit")});
+    const bool image = has_static_image(*response, reader.scene.scene.mechanism);
+    ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
+    limit.treatment = read_treatment(text(*entry.table, "treatment"));
+    if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
+    reader.spec.constraints.push_back(std::move(limit));
   }
   for (const char* group : {"constraints", "part_limits", "walls"})
     if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
@@ -202,6 +196,28 @@ void read_cycle(StudyReader& reader) {
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never
                                     : OptimalityCheck::Auto;
+}
+
+void check_images(StudyReader& reader) {
+  const std::string why = without_sensitivities(reader);
+  if (why.empty()) return;
+  for (const ConstraintSpec& c : reader.spec.constraints)
+    if (!c.has_image || c.treatment != Treatment::Auto) {
+      const toml::table& table = *reader.root["constraints"][c.response.name].as_table();
+      const toml::node* use = table.get("use");
+      const bool treated = c.has_image;
+      reader.scene.problems.add(
+          treated ? *table.get("treatment")
+          : use   ? *use
+                  : *table.get("response"),
+          fmt::format("constraint '{}' {}, and {}", c.response.name,
+                      treated ? "is treated by the motion's own gradients"
+                              : "is not on the deformation of a part",
+                      why),
+          "a displacement, deflection, elongation, stress or compliance of a beam, a displacement "
+          "or elongation of a meshed part",
+          "limits on any response need a motion and cycle.method \"esl1\" or \"full\"");
+    }
 }
 
 }  // namespace liesl

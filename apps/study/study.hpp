@@ -3,6 +3,7 @@
 /// A study as data: a scene and what to vary, to limit and to minimise. Read by load_study.hpp.
 
 #include <string>
+#include <vector>
 
 #include "apps/scene/scene.hpp"
 #include "optim/study/study.hpp"
@@ -10,7 +11,8 @@
 namespace liesl {
 
 struct Study {
-  Scene scene;
+  Scene scene;                   ///< of the first scenario
+  std::vector<Scene> scenarios;  ///< further ones, with the same bodies; names: spec.scenarios
   StudySpec spec;
   std::string file;
   std::string input;  ///< text of study and scene and the overrides, for the input's hash

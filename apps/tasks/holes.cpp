@@ -24,10 +24,10 @@ void describe_holes(output::OptimizeSummary& summary, const Holes& holes) {
   for (const HoleRound& h : holes.tried) {
     Json hole = {{"part", holes.bodies[std::size_t(h.body)]},
                  {"feature", h.feature},
-                 {"kept", h.pays},
+                 {"kept", h.kept},
                  {"objective_before", h.before},
                  {"objective", h.after},
-                 {"steps", h.steps},
+                 {"cycles", h.cycles},
                  {"reason", h.reason}};
     hole.update(of_nucleus(h.nucleus));
     tried.push_back(hole);

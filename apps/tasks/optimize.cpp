@@ -5,39 +5,27 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
-#include "optim/cycle/motion_topology.hpp"
 
 namespace liesl {
 namespace {
 
-void describe_cycles(output::OptimizeSummary& summary, const std::vector<Cycle>& history) {
-  summary.history.clear();
-  for (const auto& c : history)
-    summary.history.push_back({c.number,
-                               c.mass,
-                               c.worst,
-                               c.load_change,
-                               c.load_cases,
-                               c.iterations,
-                               c.move,
-                               c.seconds,
-                               {},
-                               {c.x.data(), c.x.data() + c.x.size()},
-                               c.worst_constraint,
-                               c.worst_time});
-}
-
-std::vector<output::ResponseResult> series(const std::vector<LimitSeries>& limits,
-                                           const Mechanism& mechanism, const StudySpec& spec) {
-  std::vector<output::ResponseResult> out;
-  for (size_t i = 0; i < limits.size(); ++i)
-    out.push_back(
-        {limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
+std::vector<LimitRecords> records(const std::vector<MotionLimits>& motions,
+                                  const Mechanism& mechanism, const StudySpec& spec) {
+  std::vector<LimitRecords> out;
+  for (std::size_t s = 0; s < motions.size(); ++s) {
+    out.push_back({spec.scenarios.empty() ? "" : spec.scenarios[s], motions[s].times, {}});
+    const auto& limits = motions[s].limits;
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      out.back().responses.push_back(
+          {limits[i].name, unit(spec.constraints[i].response, mechanism), 1, limits[i].values});
+  }
   return out;
 }
 
@@ -57,65 +45,45 @@ std::vector<output::DesignRow> design_rows(const Sizing& sizing, const Mechanism
   return rows;
 }
 
+/// Every limit in every scenario.
+template <FrameGroup G>
+void describe_limits(output::OptimizeSummary& summary, const Study& study,
+                     const CycleResult<G>& r) {
+  for (std::size_t s = 0; s < r.final.size(); ++s)
+    for (std::size_t i = 0; i < r.final[s].limits.size(); ++i) {
+      const LimitSeries& last = r.final[s].limits[i];
+      const auto& spec = study.spec.constraints[i].response;
+      const LimitedResponse which{static_cast<int>(i), spec, static_cast<int>(s)};
+      const double initial = s < r.initial.size() ? r.initial[s].limits[i].largest : 0;
+      summary.constraints.push_back({limit_name(study.spec, which), name_of(spec.kind),
+                                     unit(spec, study.scene.mechanism), last.limit, initial,
+                                     last.largest, last.at_time, last.measure / last.limit - 1});
+    }
+}
+
 template <FrameGroup G>
 void describe_result(output::OptimizeSummary& summary, const Study& study, const Design& design,
                      const CycleResult<G>& r) {
-  describe_cycles(summary, r.history);
   summary.status = to_string(r.status);
   summary.reason = r.reason;
-  summary.steps = static_cast<int>(r.steps);
-  summary.newton_iterations = r.newton_iterations;
-  summary.stepping_s = r.stepping_s;
+  summary.steps = static_cast<int>(r.effort.steps);
+  summary.newton_iterations = r.effort.newton_iterations;
+  summary.stepping_s = r.effort.stepping_s;
   summary.mass_initial = r.mass_initial;
   summary.mass_final = r.mass;
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
-  for (size_t b = 0; b < r.factorizations.size(); ++b)
-    summary.factorizations.emplace_back(bodies[b].name, r.factorizations[b]);
+  for (size_t b = 0; b < r.effort.factorizations.size(); ++b)
+    summary.factorizations.emplace_back(bodies[b].name, r.effort.factorizations[b]);
   summary.design = design_figures(design.variables(), design.units(), r.x);
-  for (size_t i = 0; i < r.final.size(); ++i) {
-    const auto& spec = study.spec.constraints[i].response;
-    summary.constraints.push_back(
-        {r.final[i].name, name_of(spec.kind), unit(spec, study.scene.mechanism), r.final[i].limit,
-         i < r.initial.size() ? r.initial[i].largest : 0, r.final[i].largest, r.final[i].at_time,
-         r.final[i].largest / r.final[i].limit - 1});
-  }
+  describe_limits(summary, study, r);
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
     identity[bodies[body].name] = {
         {"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
-  const KktResidual* kkt =
-      r.optimality && r.optimality->residual ? &*r.optimality->residual : nullptr;
-  summary.more["kkt_residual"] = kkt ? nlohmann::json(kkt->stationarity) : nlohmann::json(nullptr);
-  auto& prices = summary.more["prices"] = nlohmann::ordered_json::object();
-  if (r.optimality)
-    for (const LimitPrice& p : r.optimality->prices) prices[p.name] = p.price;
-  summary.more["kkt"] = r.optimality ? r.optimality->brief() : "not checked";
+  describe_optimality(summary, r.optimality);
   summary.warnings.insert(summary.warnings.end(), r.warnings.begin(), r.warnings.end());
-}
-
-/// New holes of a study, which is `study` with those that stayed.
-template <FrameGroup G>
-Holes holes_of(const MotionTopology<G>& rounds, const Study& study) {
-  const CycleResult<G>& end = rounds.cycle;
-  Holes holes{body_names(study.scene.mechanism), rounds.holes, {}, 0, "", "kg"};
-  if (rounds.next) {
-    holes.next = rounds.next->hole.nucleus;
-    holes.body = rounds.next->body;
-  } else if (end.status == CycleStatus::Interrupted) {
-    holes.reason = end.reason;
-  } else if (!rounds.holes.empty() && !rounds.holes.back().pays) {
-    holes.reason =
-        "'" + rounds.holes.back().feature + "', the last one tried, does not reduce the objective";
-  } else if (!closed(end.status)) {
-    holes.reason = "there is no converged cycle to start from";
-  } else if (end.proposals.empty()) {
-    holes.reason = "no part whose outline changes counts in the objective";
-  } else {
-    holes.reason = end.proposals.front().hole.reason;
-  }
-  return holes;
 }
 
 /// What is left of part k, whose outline the study changed.
@@ -147,66 +115,80 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   describe_responses(out.summary, out.results);
   describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
-  out.initial = {r.times_initial, series(r.initial, scene.mechanism, study.spec)};
-  out.final = {r.times, series(r.final, scene.mechanism, study.spec)};
+  out.initial = records(r.initial, scene.mechanism, study.spec);
+  out.final = records(r.final, scene.mechanism, study.spec);
   if (sizing.size() > 0) out.design = design_rows(sizing, scene.mechanism, r.x);
   for (int k = 0; k < design->parts(); ++k) out.parts.push_back(part_of(design, k, study, r));
 }
 
-/// The summary of a run that has not ended.
-output::OptimizeSummary running(const output::OptimizeSummary& summary,
-                                const std::vector<Cycle>& history) {
-  output::OptimizeSummary so_far = summary;
-  describe_cycles(so_far, history);
-  so_far.status = "running";
-  so_far.reason = fmt::format("{} cycles so far; continue with --resume", history.size());
-  so_far.mass_initial = history.front().mass;
-  so_far.mass_final = history.back().mass;
-  so_far.worst_constraint = history.back().worst;
-  return so_far;
+/// The motions of all scenarios.
+template <FrameGroup G>
+std::vector<Scenario<G>> motions_of(const Study& study, const Space<G>& space) {
+  std::vector<Scenario<G>> out{{study.scene.mechanism, space, study.scene.simulation}};
+  for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
+    const Scene& scene = study.scenarios[s];
+    const ChosenSpace chosen = choose_space(scene);
+    if (!std::holds_alternative<Space<G>>(chosen.space))
+      throw InputError(
+          {{study.file, 0, 0,
+            "scenario '" + study.spec.scenarios[s + 1] + "' is " + chosen.name +
+                ", the first one is not",
+            "all scenarios planar, or all spatial", "simulation.space = \"spatial\""}});
+    out.push_back({scene.mechanism, std::get<Space<G>>(chosen.space), scene.simulation});
+  }
+  return out;
 }
 
 template <FrameGroup G>
 void optimize_on(const Study& given, const Space<G>& space, int nucleate,
-                 const OptimizeHooks& hooks, const std::vector<Cycle>& resume,
-                 OptimizeOutcome& out) {
+                 const OptimizeHooks& hooks, const RoundHistory& resume, OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
-  bool with_holes = false;
-  CycleHooks cycle;
-  cycle.progress = hooks.progress;
-  cycle.keep_going = hooks.keep_going;
-  cycle.on_cycle = [&](const std::vector<Cycle>& history) {
-    if (hooks.on_cycle) hooks.on_cycle(running(out.summary, history), history, !with_holes);
-  };
-  const auto on_hole = [&](const std::string& feature, const Nucleus& n) {
-    with_holes = true;
-    if (hooks.on_hole) hooks.on_hole(feature, n);
-  };
-  const MotionTopology<G> rounds = optimise_motion_topology<G>(
-      scene.mechanism, space, scene.simulation, given.spec, nucleate, cycle, on_hole, resume);
+  for (int k = 0; k < first.parts(); ++k) {
+    const PartShape& part = first.part(k);
+    for (auto& text :
+         start_warnings(scene.mechanism.bodies[static_cast<size_t>(part.body)].name, part))
+      out.summary.warnings.push_back(std::move(text));
+  }
+  SimulationEffort effort;
+  auto motions = motions_of(given, space);
+  const OptimiseRound<CycleResult<G>> optimise =
+      [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,
+          const std::vector<Cycle>& cycles) {
+        motions.front().mechanism = mechanism;
+        auto end = run_cycle<G>(motions, study, cycle, cycles);
+        effort += end.effort;
+        return end;
+      };
+  Topology<CycleResult<G>> rounds = optimise_in_rounds<CycleResult<G>>(
+      given.spec, scene.mechanism, nucleate, optimise,
+      round_hooks(out.summary, hooks, SolidResponse::Mass), resume);
+  CycleResult<G>& end = rounds.last.end;
+  end.effort = effort;
+  start_with(end, rounds.first);
   Study study = given;  // with the holes that stayed
-  study.spec = rounds.study;
-  study.scene.mechanism = rounds.mechanism;
+  study.spec = rounds.last.study;
+  study.scene.mechanism = rounds.last.mechanism;
   const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
-  describe_result(out.summary, study, *design, rounds.cycle);
+  describe_cycles(out.summary, {rounds.before, end.history}, SolidResponse::Mass);
+  describe_result(out.summary, study, *design, end);
   for (auto& figure : out.summary.design)
     for (const NlpVariable& v : first.variables())
       if (v.name == figure.name) figure.initial = v.start;
   if (design->parts() > 0) {
-    out.holes = holes_of(rounds, study);
+    out.holes = holes_of(rounds, scene.mechanism, "kg");
     describe_holes(out.summary, *out.holes);
   }
-  if (rounds.cycle.model) collect_end(study, first.sizing(), design, rounds.cycle, out);
-  out.status = rounds.cycle.status;
+  if (end.model) collect_end(study, first.sizing(), design, end, out);
+  out.status = end.status;
 }
 
 }  // namespace
 
 OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
                               const output::OptimizeSummary& summary, int nucleate,
-                              const OptimizeHooks& hooks, const std::vector<Cycle>& resume) {
-  if (!study.spec.loads.empty()) return optimize_part_task(study, summary, nucleate, hooks);
+                              const OptimizeHooks& hooks, const RoundHistory& resume) {
+  if (!study.spec.loads.empty()) return optimize_part_task(study, summary, nucleate, hooks, resume);
   OptimizeOutcome out;
   out.summary = summary;
   std::visit([&](const auto& s) { optimize_on(study, s, nucleate, hooks, resume, out); },
@@ -227,6 +209,57 @@ DerivativeReport derivatives_on(const Study& study, const Space<G>& space) {
 DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space) {
   if (!study.spec.loads.empty()) return part_derivatives_task(study);
   return std::visit([&](const auto& s) { return derivatives_on(study, s); }, space.space);
+}
+
+void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
+                     SolidResponse objective) {
+  summary.history.clear();
+  int number = 0;
+  for (const auto& round : rounds)
+    for (const Cycle& c : round)
+      summary.history.push_back(
+          {++number,
+           c.mass,
+           c.worst,
+           c.load_change,
+           c.load_cases,
+           c.iterations,
+           c.move,
+           c.seconds,
+           objective == SolidResponse::Mass ? std::nullopt : std::optional(c.objective),
+           {c.x.data(), c.x.data() + c.x.size()},
+           c.worst_constraint,
+           c.worst_at});
+}
+
+void describe_optimality(output::OptimizeSummary& summary,
+                         const std::optional<DynamicOptimality>& optimality) {
+  const KktResidual* kkt = optimality && optimality->residual ? &*optimality->residual : nullptr;
+  summary.more["kkt_residual"] = kkt ? nlohmann::json(kkt->stationarity) : nlohmann::json(nullptr);
+  auto& prices = summary.more["prices"] = nlohmann::ordered_json::object();
+  if (optimality)
+    for (const LimitPrice& p : optimality->prices) prices[p.name] = p.price;
+  summary.more["kkt"] = optimality ? optimality->brief() : "not checked";
+}
+
+TopologyHooks round_hooks(const output::OptimizeSummary& summary, const OptimizeHooks& hooks,
+                          SolidResponse objective) {
+  TopologyHooks out;
+  out.progress = hooks.progress;
+  out.keep_going = hooks.keep_going;
+  out.on_hole = hooks.on_hole;
+  if (!hooks.on_cycle) return out;
+  out.on_round_cycle = [summary, objective, on_cycle = hooks.on_cycle](const RoundHistory& rounds) {
+    output::OptimizeSummary so_far = summary;
+    describe_cycles(so_far, rounds, objective);
+    so_far.status = "running";
+    so_far.reason = fmt::format("{} cycles so far; continue with --resume", so_far.history.size());
+    so_far.mass_initial = rounds.front().front().mass;
+    so_far.mass_final = rounds.back().back().mass;
+    so_far.worst_constraint = rounds.back().back().worst;
+    on_cycle(so_far, rounds);
+  };
+  return out;
 }
 
 std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>& variables,

@@ -10,14 +10,14 @@
 #include "apps/study/study.hpp"
 #include "apps/tasks/holes.hpp"
 #include "apps/tasks/part_fields.hpp"
-#include "optim/cycle/esl_cycle.hpp"
-#include "optim/cycle/shape_cycle.hpp"
+#include "optim/cycle/topology_cycle.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
 namespace liesl {
 
 /// Limited responses over a motion.
 struct LimitRecords {
+  std::string scenario;  ///< empty: the only one
   std::vector<double> times;
   std::vector<output::ResponseResult> responses;
 };
@@ -25,10 +25,10 @@ struct LimitRecords {
 struct OptimizeOutcome {
   CycleStatus status = CycleStatus::Converged;
   output::OptimizeSummary summary;
-  bool simulated = false;                 ///< there is a final motion: records and limits of it
-  output::Results results;                ///< of the final motion
-  LimitRecords initial, final;            ///< of the first and the final motion
-  std::vector<output::DesignRow> design;  ///< of beam sections
+  bool simulated = false;                    ///< there is a final motion: records and limits of it
+  output::Results results;                   ///< of the final motion
+  std::vector<LimitRecords> initial, final;  ///< of the first and the final motions, by scenario
+  std::vector<output::DesignRow> design;     ///< of beam sections
   std::vector<PartOutcome> parts;
   std::optional<Holes> holes;  ///< of studies of outlines
 };
@@ -37,21 +37,18 @@ struct OptimizeOutcome {
 struct OptimizeHooks {
   Progress progress;
   std::function<bool()> keep_going;
-  /// After each cycle of a motion; without a checkpoint once holes are inserted.
-  std::function<void(const output::OptimizeSummary&, const std::vector<Cycle>&, bool checkpoint)>
-      on_cycle;
-  /// After each step under fixed loads.
-  std::function<void(const output::OptimizeSummary&, const std::vector<ShapeStep>&)> on_step;
+  /// After each cycle, with those of all rounds.
+  std::function<void(const output::OptimizeSummary&, const RoundHistory&)> on_cycle;
   std::function<void(const std::string& feature, const Nucleus&)> on_hole;
 };
 
 /// Optimises under the loads of the motion, or under fixed ones if the study has them.
 /// @param summary what is known before  @param nucleate new holes at most
-/// @param resume cycles of an interrupted run of the same study; motions only
+/// @param resume rounds of an interrupted run of the same study
 /// @throws std::invalid_argument for designs that do not fit the mechanism
 OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
                               const output::OptimizeSummary& summary, int nucleate,
-                              const OptimizeHooks& hooks, const std::vector<Cycle>& resume = {});
+                              const OptimizeHooks& hooks, const RoundHistory& resume = {});
 
 /// Gradients of the first static problem against finite differences.
 DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space);
@@ -64,8 +61,28 @@ Quantity quantity(SolidResponse response);
 
 // Under fixed loads; see above.
 OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSummary& summary,
-                                   int nucleate, const OptimizeHooks& hooks);
+                                   int nucleate, const OptimizeHooks& hooks,
+                                   const RoundHistory& resume);
 DerivativeReport part_derivatives_task(const Study& study);
+
+/// Fills in the cycles so far, numbered through.
+void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
+                     SolidResponse objective);
+/// Fills in the residual of the KKT conditions and what the limits cost.
+void describe_optimality(output::OptimizeSummary& summary,
+                         const std::optional<DynamicOptimality>& optimality);
+/// The hooks of rounds: a summary "running" after each cycle.
+TopologyHooks round_hooks(const output::OptimizeSummary& summary, const OptimizeHooks& hooks,
+                          SolidResponse objective);
+/// The figures of new holes.
+template <class End>
+Holes holes_of(const Topology<End>& rounds, const Mechanism& mechanism, const std::string& unit) {
+  Holes holes{body_names(mechanism), rounds.holes, {}, 0, rounds.reason, unit};
+  if (!rounds.next) return holes;
+  holes.next = rounds.next->hole.nucleus;
+  holes.body = rounds.next->body;
+  return holes;
+}
 
 /// The variables of a design, from the start to x (empty: none).
 std::vector<output::DesignFigure> design_figures(const std::vector<NlpVariable>& variables,

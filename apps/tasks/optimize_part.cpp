@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 
 #include "apps/tasks/optimize.hpp"
+#include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/solid_task.hpp"
-#include "optim/cycle/topology_cycle.hpp"
 
 namespace liesl {
 
@@ -28,104 +28,85 @@ Quantity quantity(SolidResponse r) {
 
 namespace {
 
-void describe_steps(output::OptimizeSummary& summary, SolidResponse goal,
-                    const std::vector<ShapeStep>& history) {
-  summary.history.clear();
-  for (const auto& s : history) {
-    const bool mass = goal == SolidResponse::Mass;
-    summary.history.push_back({s.number,
-                               s.check.mass,
-                               s.check.worst,
-                               std::nullopt,
-                               s.load_cases,
-                               s.iterations,
-                               0,
-                               s.seconds,
-                               mass ? std::nullopt : std::optional(s.check.goal),
-                               {s.x.data(), s.x.data() + s.x.size()}});
-  }
-  summary.mass_initial = history.front().check.mass;
-  summary.mass_final = history.back().check.mass;
-  summary.worst_constraint = history.back().check.worst;
-}
-
 void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
-                     const ShapeResult& r) {
-  const auto &first = r.history.front().check.limits, &last = r.history.back().check.limits;
-  for (std::size_t i = 0; i < last.size(); ++i) {
+                     const SolidCheck& initial, const SolidCheck& final) {
+  for (std::size_t i = 0; i < final.limits.size(); ++i) {
     const bool wall = i >= task.limits.size();
     const Quantity q = wall ? Quantity{"wall", "-"} : quantity(task.limits[i].response);
-    summary.constraints.push_back({last[i].name, q.name, q.unit, last[i].limit, first[i].value,
-                                   last[i].value, 0, last[i].excess});
+    const LimitCheck& last = final.limits[i];
+    const double first = i < initial.limits.size() ? initial.limits[i].value : last.value;
+    summary.constraints.push_back(
+        {last.name, q.name, q.unit, last.limit, first, last.value, 0, last.excess});
   }
 }
 
-void describe_result(output::OptimizeSummary& summary, const SolidTask& task,
-                     const ShapeResult& r) {
-  summary.status = to_string(r.status);
-  summary.reason = r.reason;
-  if (r.history.empty()) return;
-  describe_steps(summary, task.goal, r.history);
-  describe_limits(summary, task, r);
-  summary.design = design_figures(task.design->variables(), task.design->units(), r.x);
-  for (auto step = r.history.rbegin(); step != r.history.rend(); ++step)  // new holes come later
-    for (Eigen::Index j = 0; j < std::min(step->x.size(), r.x.size()); ++j)
-      summary.design[static_cast<std::size_t>(j)].initial = step->x[j];
+/// Of a variable that a new hole brought with it, the start is where it was inserted.
+void describe_design(output::OptimizeSummary& summary, const SolidTask& task,
+                     const Topology<PartEnd>& rounds) {
+  const PartEnd& end = rounds.last.end;
+  summary.design = design_figures(task.design->variables(), task.design->units(), end.x);
+  const Eigen::VectorXd& first = rounds.first.history.front().x;
+  for (Eigen::Index j = 0; j < std::min(first.size(), end.x.size()); ++j)
+    summary.design[static_cast<std::size_t>(j)].initial = first[j];
+}
+
+void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rounds) {
+  const PartEnd& end = rounds.last.end;
+  summary.status = to_string(end.status);
+  summary.reason = end.reason;
+  if (!end.best) return;
+  const SolidTask task = solid_task(rounds.last.study, *end.part);
+  const SolidCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
+  describe_cycles(summary, {rounds.before, end.history}, task.objective);
+  summary.mass_initial = initial.mass;
+  summary.mass_final = end.final.mass;
+  summary.worst_constraint = end.final.worst;
+  describe_limits(summary, task, initial, end.final);
+  describe_design(summary, task, rounds);
   auto& more = summary.more;
-  more["objective"] = {{"quantity", quantity(task.goal).name},
-                       {"unit", quantity(task.goal).unit},
-                       {"initial", r.history.front().check.goal},
-                       {"final", r.history.back().check.goal}};
-  more["kkt_residual"] = r.stationarity;
+  more["objective"] = {{"quantity", quantity(task.objective).name},
+                       {"unit", quantity(task.objective).unit},
+                       {"initial", initial.objective},
+                       {"final", end.final.objective}};
+  describe_optimality(summary, end.optimality);
   more["load_cases"] = task.cases;
-}
-
-/// Since the last hole that was kept.
-std::vector<Eigen::VectorXd> designs(const TopologyResult& r) {
-  std::vector<Eigen::VectorXd> x;
-  for (std::size_t i = r.round; i < r.shape.history.size(); ++i) x.push_back(r.shape.history[i].x);
-  return x;
-}
-
-output::OptimizeSummary running(const output::OptimizeSummary& summary, SolidResponse goal,
-                                const std::vector<ShapeStep>& history) {
-  output::OptimizeSummary so_far = summary;
-  describe_steps(so_far, goal, history);
-  so_far.status = "running";
-  so_far.reason = fmt::format("{} steps so far", history.size());
-  return so_far;
+  summary.warnings.insert(summary.warnings.end(), end.warnings.begin(), end.warnings.end());
 }
 
 }  // namespace
 
 OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSummary& summary,
-                                   int nucleate, const OptimizeHooks& given) {
+                                   int nucleate, const OptimizeHooks& hooks,
+                                   const RoundHistory& resume) {
   const int body = study.spec.shapes.begin()->first;
-  const SolidResponse goal = study.spec.goal;
-  TopologyHooks hooks;
-  hooks.keep_going = given.keep_going;
-  hooks.on_step = [&](const std::vector<ShapeStep>& history) {
-    if (given.on_step) given.on_step(running(summary, goal, history), history);
+  const SolidResponse objective = study.spec.objective;
+  const OptimiseRound<PartEnd> optimise = [body](const StudySpec& spec, const Mechanism& mechanism,
+                                                 const CycleHooks& cycle,
+                                                 const std::vector<Cycle>& cycles) {
+    return optimise_outline(spec, mechanism, body, cycle, cycles);
   };
-  hooks.on_hole = given.on_hole;
-  TopologyResult r = optimise_topology(study.spec, study.scene.mechanism, body, nucleate, hooks);
-  const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  Topology<PartEnd> rounds =
+      optimise_in_rounds<PartEnd>(study.spec, study.scene.mechanism, nucleate, optimise,
+                                  round_hooks(summary, hooks, objective), resume);
+  PartEnd& end = rounds.last.end;
   OptimizeOutcome out;
   out.summary = summary;
-  out.status = r.shape.status;
-  out.holes = Holes{body_names(study.scene.mechanism),
-                    r.holes,
-                    r.proposal.nucleus,
-                    body,
-                    r.proposal.reason,
-                    quantity(goal).unit};
-  describe_result(out.summary, solid_task(study.spec, *r.part), r.shape);
+  out.status = end.status;
+  out.holes = holes_of(rounds, study.scene.mechanism, quantity(objective).unit);
+  describe_end(out.summary, rounds);
+  const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
+  const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  for (auto& text : start_warnings(name, start)) out.summary.warnings.push_back(std::move(text));
   describe_holes(out.summary, *out.holes);
-  if (r.shape.x.size() == 0) return out;
-  PartFields fields{r.shape.fractions, r.shape.displacements, r.shape.von_mises, r.proposal.gain,
-                    out.holes->unit + "/m^3"};
-  std::vector<Eigen::VectorXd> history = designs(r);
-  out.parts.push_back({name, std::move(r.part), std::move(history), std::move(fields), r.outline});
+  if (!end.best) return out;
+  PartFields fields{end.fractions, end.displacements, end.von_mises, {}, out.holes->unit + "/m^3"};
+  if (!end.proposals.empty()) fields.hole_gain = end.proposals.front().hole.gain;
+  std::vector<Eigen::VectorXd> history;
+  for (const Cycle& c : end.history) history.push_back(c.x);
+  if (end.history.back().x != end.x) history.push_back(end.x);
+  const BodySpec& final = end.mechanism.bodies[static_cast<std::size_t>(body)];
+  out.parts.push_back({final.name, end.part, std::move(history), std::move(fields),
+                       std::get<SolidSpec>(final.kind).outline});
   return out;
 }
 
@@ -135,8 +116,8 @@ DerivativeReport part_derivatives_task(const Study& study) {
   const SolidTask task = solid_task(study.spec, part);
   StaticShape problem(task, part.design.start(), study.spec.cycle.move_cells,
                       study.spec.cycle.move_limit);
-  if (!problem.obstacle().empty())
-    throw std::runtime_error("the start design has no part: " + problem.obstacle());
+  if (!problem.undefined_reason().empty())
+    throw std::runtime_error("the start design has no part: " + problem.undefined_reason());
   DerivativeCheckOptions options;
   options.every_variable = true;
   return check_derivatives(problem, part.design.start(), options);

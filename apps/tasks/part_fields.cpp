@@ -21,7 +21,7 @@ PartFields fields_of_motion(const StudySpec& study, PartShape& part, const Eigen
   const std::set<int> chosen = spread_cases(loads.e, kCases);
   SolidTask task = solid_task(study, part);
   task.loads = loads.shapes;
-  task.mix = loads.e(Eigen::all, std::vector<int>(chosen.begin(), chosen.end()));
+  task.combination = loads.e(Eigen::all, std::vector<int>(chosen.begin(), chosen.end()));
   for (const int n : chosen) task.cases.push_back(fmt::format("t = {:.6g} s", loads.t[n]));
   StaticShape problem(task, x, study.cycle.move_cells);
   if (!problem.show_all(x)) return {};

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <atomic>
-#include <stdexcept>
+#include <new>
 
 #include "mbs/linalg/blas_threads.hpp"
 
@@ -98,9 +98,9 @@ bool SparseCholesky::factor(const Matrix& A) {
   view.dtype = CHOLMOD_DOUBLE;
   view.sorted = view.packed = 1;
   if (!f.L) f.L = cholmod_analyze(&view, &f.common);
-  if (!f.L) throw std::runtime_error("CHOLMOD could not analyse a matrix (out of memory)");
+  if (!f.L) throw std::bad_alloc();
   cholmod_factorize(&view, f.L, &f.common);
-  if (f.common.status < CHOLMOD_OK) throw std::runtime_error("CHOLMOD ran out of memory");
+  if (f.common.status < CHOLMOD_OK) throw std::bad_alloc();
   f.valid = f.common.status == CHOLMOD_OK && f.L->minor == f.L->n;
   return f.valid;
 }
@@ -120,7 +120,7 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
     solve_block(0);
   else
     tbb::parallel_for(Eigen::Index{0}, (b.cols() + kBlock - 1) / kBlock, solve_block);
-  if (!solved) throw std::runtime_error("CHOLMOD could not solve: out of memory");
+  if (!solved) throw std::bad_alloc();
   return {f.x.data(), b.rows(), b.cols()};
 }
 

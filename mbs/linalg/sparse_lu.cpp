@@ -2,6 +2,7 @@
 
 #include <klu.h>
 
+#include <new>
 #include <vector>
 
 namespace liesl {
@@ -51,7 +52,10 @@ struct SparseLu::Factors {
       if (diagonal[k] == 0) return symbolic->Q[k];
     return -1;
   }
+  /// No factor: singular at a column.
+  /// @throws std::bad_alloc if memory is what was missing
   bool drop(int column) {
+    if (common.status == KLU_OUT_OF_MEMORY) throw std::bad_alloc();
     klu_free_numeric(&numeric, &common);
     singular = column;
     return false;

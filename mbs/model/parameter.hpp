@@ -38,20 +38,33 @@ struct SolidDerivative {
   Eigen::VectorXd fractions;  ///< by cell
 };
 
-/// Spring, damper and rest value of a force law, and a factor on its F(t).
+/// df/dp of a function of time, as a sum of weights times functions.
+struct WeightedFunction {
+  double weight = 0;
+  TimeFunction function;
+};
+using FunctionDerivative = std::vector<WeightedFunction>;
+
+/// Spring, damper and rest value of a force law; of its F(t) a factor and any change in time.
 struct ForceDerivative {
   int force = -1;  ///< number in Mechanism::forces
   double stiffness = 0, damping = 0, rest = 0, factor = 0;
+  FunctionDerivative function = {};  ///< N per unit of p
 };
 
-/// A factor on the scale of a load; on the motion of a drive.
+/// Of the scale s(t) of a load a factor and any change in time; its components.
 struct LoadDerivative {
   int load = -1;
   double factor = 1;
+  FunctionDerivative scale = {};
+  Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< axes as in LoadSpec
 };
+
+/// Of the motion of a drive a factor and any change in time.
 struct DriveDerivative {
   int drive = -1;
   double factor = 1;
+  FunctionDerivative motion = {};  ///< m or rad per unit of p
 };
 
 struct Parameter {

@@ -12,9 +12,10 @@ ResponseSensitivity<G>::ResponseSensitivity(const Model<G>& model, const Respons
 
 template <FrameGroup G>
 MatrixXd ResponseSensitivity<G>::by_parameters(const State<G>& s, Index components) const {
+  MatrixXd y_p = MatrixXd::Zero(components, static_cast<Index>(parameters_.size()));
+  if (!ResponseValues<G>::depends_on_law(response_.kind)) return y_p;
   State<G> completed = s;
   model_.complete(completed);
-  MatrixXd y_p(components, static_cast<Index>(parameters_.size()));
   for (size_t i = 0; i < parameters_.size(); ++i)
     y_p.col(static_cast<Index>(i)) = values_.by_parameter(response_, completed, parameters_[i]);
   return y_p;
@@ -36,20 +37,22 @@ MatrixXd ResponseSensitivity<G>::operator()(const State<G>& s, const StateSensit
 }
 
 template <FrameGroup G>
-void ResponseSensitivity<G>::add_cotangents(const State<G>& s, const Eigen::VectorXd& weight,
-                                            int column, StateSensitivity& bars,
-                                            MatrixXd& gradient) const {
+void ResponseSensitivity<G>::add_cotangents(const State<G>& s, const MatrixXd& weights, int column,
+                                            StateSensitivity& bars, MatrixXd& gradient) const {
   const auto y_h = values_.gradient(response_, s);
+  const auto k = weights.cols();
   for (size_t c = 0; c < y_h.size(); ++c) {
-    const double factor = weight[static_cast<Index>(c)];
+    const auto factors = weights.row(static_cast<Index>(c));
     for (const auto& node : y_h[c].nodes) {
-      bars.eta.col(column).template segment<G::dim>(G::dim * node.node) += factor * node.h;
-      bars.v.col(column).template segment<G::dim>(G::dim * node.node) += factor * node.v;
+      const auto first = G::dim * node.node;
+      bars.eta.block(first, column, G::dim, k) += node.h * factors;
+      bars.v.block(first, column, G::dim, k) += node.v * factors;
     }
     for (const auto& multiplier : y_h[c].lambda)
-      bars.lambda(multiplier.row, column) += factor * multiplier.value;
+      bars.lambda.row(multiplier.row).segment(column, k) += multiplier.value * factors;
   }
-  gradient.col(column) += by_parameters(s, weight.size()).transpose() * weight;
+  if (ResponseValues<G>::depends_on_law(response_.kind))
+    gradient.middleCols(column, k) += by_parameters(s, weights.rows()).transpose() * weights;
 }
 
 template class ResponseSensitivity<SE2>;

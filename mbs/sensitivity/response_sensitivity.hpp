@@ -20,9 +20,9 @@ class ResponseSensitivity {
   /// dy/dp, components x n_p, unit of the response per unit of p.
   Eigen::MatrixXd operator()(const State<G>& s, const StateSensitivity& ds) const;
 
-  /// Adds the cotangents of weight . y to a column of `bars` and of `gradient`, see CotangentsAt.
-  /// @param weight by component
-  void add_cotangents(const State<G>& s, const Eigen::VectorXd& weight, int column,
+  /// Adds the cotangents of weights^T y to the columns of `bars` and of `gradient` from `column`
+  /// on, see CotangentsAt. @param weights components x functionals
+  void add_cotangents(const State<G>& s, const Eigen::MatrixXd& weights, int column,
                       StateSensitivity& bars, Eigen::MatrixXd& gradient) const;
 
  private:

@@ -16,6 +16,17 @@ const Kind* kind_of(const Mechanism& mechanism, int body) {
   return known ? std::get_if<Kind>(&mechanism.bodies[body].kind) : nullptr;
 }
 
+/// f, df/dt or d^2f/dt^2.
+double derivative(const TimeFunction& f, double t, int order) {
+  return order == 0 ? f(t) : order == 1 ? f.rate(t) : f.acceleration(t);
+}
+
+double value(const FunctionDerivative& by_p, double t, int order = 0) {
+  double sum = 0;
+  for (const WeightedFunction& f : by_p) sum += f.weight * derivative(f.function, t, order);
+  return sum;
+}
+
 std::string expected(const char* what, int number) {
   return "expected the number of a " + std::string(what) + ", got " + std::to_string(number);
 }
@@ -111,17 +122,25 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
                                            const DriveDerivative& part) {
   if (part.drive < 0 || part.drive >= static_cast<int>(mechanism.drives.size()))
     return expected("drive", part.drive);
-  add_rows({nullptr, nullptr, 0, {}, part.factor}, [&](const CouplingRow<G>& e) {
+  add_rows({nullptr, nullptr, 0, {}, part.factor, part.motion}, [&](const CouplingRow<G>& e) {
     return e.drive == part.drive && e.role == Role::Constraint;
   });
   return "";
 }
 
 template <FrameGroup G>
-std::string ParameterResidual<G>::add_part(const Mechanism&, const LoadDerivative& part) {
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const LoadDerivative& part) {
   if (part.load < 0 || part.load >= static_cast<int>(model_.loads.size()))
     return expected("load", part.load);
-  loads_.push_back({&model_.loads[part.load], part.factor});
+  const Load<G>& load = model_.loads[part.load];
+  LoadChange change{&load, part.factor, part.scale, load,
+                    !part.force.isZero(0) || !part.moment.isZero(0)};
+  const SE3::Tangent wrench = (SE3::Tangent() << part.force, part.moment).finished();
+  const SE3 frame = mechanism.frame(mechanism.loads[part.load].port);
+  change.components.wrench = load.follower
+                                 ? model_.space.reduce_local(wrench, model_.space.alignment(frame))
+                                 : model_.space.reduce_wrench(part.force, part.moment);
+  loads_.push_back(std::move(change));
   return "";
 }
 
@@ -139,9 +158,12 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previou
     bodies_[b]->add_internal(state, out, unused);
     bodies_[b]->add_inertia(state, gravity, out, unused);
   }
-  for (const LoadFactor& l : loads_)
-    Equations<G>::add_load(model_, *l.load, l.factor * load_value(l.load->scale, level), s, r_p,
-                           unused);
+  for (const LoadChange& l : loads_) {
+    const double scale = load_value(l.load->scale, level);
+    Equations<G>::add_load(
+        model_, *l.load, l.factor * scale + level.factor * value(l.scale, level.t), s, r_p, unused);
+    if (l.of_components) Equations<G>::add_load(model_, l.components, scale, s, r_p, unused);
+  }
   for (const RowDerivative& row : rows_)
     if (row.equation->role != Role::Constraint) add_force(row, s, previous, level, r_p);
   add_target(level.t, 0, phi_p);
@@ -151,11 +173,8 @@ template <FrameGroup G>
 void ParameterResidual<G>::add_target(double t, int order, Eigen::VectorXd& phi_p) const {
   for (const RowDerivative& row : rows_) {
     if (row.equation->role != Role::Constraint) continue;
-    const TimeFunction& target = row.equation->target;
     phi_p[row.coupling->first_constraint + row.row] -=
-        row.target * (order == 0   ? target(t)
-                      : order == 1 ? target.rate(t)
-                                   : target.acceleration(t));
+        row.target * derivative(row.equation->target, t, order) + value(row.motion, t, order);
   }
 }
 
@@ -176,7 +195,8 @@ void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s
   if (c.b.body >= 0) rate += B_b.dot(s.v.template segment<dim>(dim * c.b.node));
   const double q = row.equation->row.value(motion, previous[c.first_row + row.row]);
   const double f = row.law.stiffness * (q - law.rest) + row.law.damping * rate -
-                   law.stiffness * row.law.rest - row.law.factor * load_value(law.force, level);
+                   law.stiffness * row.law.rest - row.law.factor * load_value(law.force, level) -
+                   level.factor * value(row.law.function, level.t);
   if (c.a.body >= 0) r_p.template segment<dim>(dim * c.a.node) += f * B_a;
   if (c.b.body >= 0) r_p.template segment<dim>(dim * c.b.node) += f * B_b;
 }

@@ -14,7 +14,8 @@ namespace liesl {
 ///
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
-/// df/dq_0 = -k, and -F(t) for its factor. A load gives the load itself, a drive -target(t).
+/// df/dq_0 = -k, -F(t) for its factor, -dF/dp. A load gives the load itself for its factor, or that
+/// of its components; a drive -target(t), or -d(target)/dp.
 template <FrameGroup G>
 class ParameterResidual {
  public:
@@ -43,13 +44,17 @@ class ParameterResidual {
   struct RowDerivative {
     const Coupling<G>* coupling;
     const CouplingRow<G>* equation;
-    int row;              ///< in the coupling
-    ForceDerivative law;  ///< of a force
-    double target = 0;    ///< factor of a drive
+    int row;                         ///< in the coupling
+    ForceDerivative law;             ///< of a force
+    double target = 0;               ///< factor of a drive
+    FunctionDerivative motion = {};  ///< of a drive
   };
-  struct LoadFactor {
+  struct LoadChange {
     const Load<G>* load;
-    double factor;
+    double factor;  ///< of its scale
+    FunctionDerivative scale;
+    Load<G> components;  ///< the load with the derivative of its wrench
+    bool of_components;
   };
 
   std::string add_part(const Mechanism& mechanism, const BeamDerivative& part);
@@ -69,7 +74,7 @@ class ParameterResidual {
   std::vector<std::unique_ptr<Body<G>>> bodies_;
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< of bodies_
   std::vector<RowDerivative> rows_;
-  std::vector<LoadFactor> loads_;
+  std::vector<LoadChange> loads_;
 };
 
 extern template class ParameterResidual<SE2>;

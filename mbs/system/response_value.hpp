@@ -77,6 +77,8 @@ class ResponseValues {
   int in_plane(int body) const;
 
   static const ResponseColumns& columns(ResponseKind kind) { return row(kind).columns; }
+  /// Has this kind an explicit derivative by a law? Else by_parameter is zero.
+  static bool depends_on_law(ResponseKind kind) { return row(kind).by_parameter != nullptr; }
 
  private:
   using Tangent = typename G::Tangent;

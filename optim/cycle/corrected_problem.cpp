@@ -32,20 +32,17 @@ struct Growth {
 
 }  // namespace
 
-template <FrameGroup G>
-CorrectedProblem<G>::CorrectedProblem(std::unique_ptr<StaticProblem> inner,
-                                      const MotionGradients<G>& gradients, const VectorXd& x_k,
-                                      Approximation approximation)
+CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
+                                   const VectorXd& x_k, Approximation approximation)
     : inner_(std::move(inner)),
-      motion_(gradients),
+      motion_(std::move(gradients)),
       x_k_(x_k),
       linear_(approximation == Approximation::Linear),
       variables_(inner_->variables()) {
   correct_rows();
 }
 
-template <FrameGroup G>
-void CorrectedProblem<G>::narrow(double share) {
+void CorrectedProblem::narrow(double share) {
   const auto& widest = inner_->variables();
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     const double x = x_k_[static_cast<int>(i)];
@@ -54,8 +51,7 @@ void CorrectedProblem<G>::narrow(double share) {
   }
 }
 
-template <FrameGroup G>
-auto CorrectedProblem<G>::steps(const VectorXd& x) const -> Steps {
+auto CorrectedProblem::steps(const VectorXd& x) const -> Steps {
   const auto n = x.size();
   Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
   for (int i = 0; i < n; ++i) {
@@ -68,8 +64,7 @@ auto CorrectedProblem<G>::steps(const VectorXd& x) const -> Steps {
 }
 
 /// @pre `inner` has just been made, or has taken cases
-template <FrameGroup G>
-void CorrectedProblem<G>::correct_rows() {
+void CorrectedProblem::correct_rows() {
   const auto m = static_cast<int>(constraints().size()), n = static_cast<int>(x_k_.size());
   c_.setZero(m, n);
   g_.resize(m);
@@ -91,15 +86,13 @@ void CorrectedProblem<G>::correct_rows() {
   }
 }
 
-template <FrameGroup G>
-int CorrectedProblem<G>::add_violated(const VectorXd& x, double tolerance) {
+int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
   const int added = inner_->add_violated(x, tolerance - kLift);
   if (added > 0) correct_rows();
   return added;
 }
 
-template <FrameGroup G>
-void CorrectedProblem<G>::values(const VectorXd& x, double& f, VectorXd& g) {
+void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   inner_->values(x, f, g);
   g_ = g;
   const VectorXd power = c_ * steps(x).s;
@@ -107,8 +100,7 @@ void CorrectedProblem<G>::values(const VectorXd& x, double& f, VectorXd& g) {
     if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], linear_).value - 1;
 }
 
-template <FrameGroup G>
-void CorrectedProblem<G>::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
+void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   inner_->gradients(x, df, dg);
   dg_ = dg;
   const Steps t = steps(x);
@@ -122,9 +114,8 @@ void CorrectedProblem<G>::gradients(const VectorXd& x, VectorXd& df, RowMatrix& 
 
 /// Of v^ = v_s e(p), dp = q = c s':
 ///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T.
-template <FrameGroup G>
-void CorrectedProblem<G>::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
-                                  MatrixXd& h) {
+void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
+                               MatrixXd& h) {
   const Steps t = steps(x);
   const VectorXd power = c_ * t.s;
   VectorXd weight = lambda;
@@ -138,11 +129,8 @@ void CorrectedProblem<G>::hessian(const VectorXd& x, double sigma, const VectorX
     MatrixXd add = e.first * dv * q.transpose();
     add += e.first * q * dv.transpose() + e.second * v * q * q.transpose();
     add.diagonal() += e.first * v * c.cwiseProduct(t.second);
-    h.template triangularView<Eigen::Lower>() += lambda[i] * add;
+    h.triangularView<Eigen::Lower>() += lambda[i] * add;
   }
 }
-
-template class CorrectedProblem<SE2>;
-template class CorrectedProblem<SE3>;
 
 }  // namespace liesl

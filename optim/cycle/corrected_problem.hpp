@@ -15,12 +15,11 @@ namespace liesl {
 /// so that value and gradient at x_k are those of the motion (AMMO: Alexandrov, Lewis 2001,
 /// "First-order model management", Optim. Eng. 2), and exact where loads are powers of the
 /// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k). A row without size has no correction.
-template <FrameGroup G>
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
-  /// @param gradients of the motion at x_k, of inner.responses(); outlives this
-  CorrectedProblem(std::unique_ptr<StaticProblem> inner, const MotionGradients<G>& gradients,
+  /// @param gradients of the motion at x_k, of inner.responses(); none needed if it has no images
+  CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
                    const Eigen::VectorXd& x_k, Approximation approximation = Approximation::Power);
 
   /// Narrows the bounds to this share, in (0, 1], of those of `inner` about x_k.
@@ -30,7 +29,7 @@ class CorrectedProblem final : public StaticProblem {
   int load_cases() const override { return inner_->load_cases(); }
   std::vector<LimitedResponse> responses() const override { return inner_->responses(); }
   std::vector<RowImage> images() const override { return inner_->images(); }
-  std::string obstacle() const override { return inner_->obstacle(); }
+  std::string undefined_reason() const override { return inner_->undefined_reason(); }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return inner_->constraints(); }
@@ -49,7 +48,7 @@ class CorrectedProblem final : public StaticProblem {
   void correct_rows();
 
   std::unique_ptr<StaticProblem> inner_;
-  const MotionGradients<G>& motion_;
+  const MotionGradients motion_;
   const Eigen::VectorXd x_k_;
   const bool linear_;
   std::vector<NlpVariable> variables_;
@@ -57,8 +56,5 @@ class CorrectedProblem final : public StaticProblem {
   Eigen::VectorXd g_;  ///< of `inner`, at the latest x
   RowMatrix dg_;       ///< of `inner`, at the latest x
 };
-
-extern template class CorrectedProblem<SE2>;
-extern template class CorrectedProblem<SE3>;
 
 }  // namespace liesl

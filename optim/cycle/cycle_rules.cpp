@@ -42,13 +42,13 @@ double step_size(const Cycle& c, const Eigen::VectorXd& y) {
 std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
   if (h.size() < 2) return {};
   const Cycle &now = h.back(), &before = h[h.size() - 2];
-  const double mass_change = std::abs(now.mass - before.mass);
+  const double change = std::abs(now.objective - before.objective);
   if (!now.load_change || *now.load_change >= o.tolerance || now.worst > o.feasibility ||
-      mass_change > o.objective_tolerance * now.mass)
+      change > o.objective_tolerance * now.objective)
     return {};
   return CycleEnd{CycleStatus::Converged,
                   fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}",
-                              *now.load_change, mass_change / before.mass, now.worst)};
+                              *now.load_change, change / before.objective, now.worst)};
 }
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
@@ -62,11 +62,11 @@ std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
 bool oscillates(const History& h, const CycleOptions& o) {
   if (h.size() < 4) return false;
   const auto change = [&](size_t back) {
-    return h[h.size() - back].mass - h[h.size() - back - 1].mass;
+    return h[h.size() - back].objective - h[h.size() - back - 1].objective;
   };
   return change(1) * change(2) < 0 && change(2) * change(3) < 0 &&
          std::abs(change(1)) > kShrinks * std::abs(change(3)) &&
-         std::abs(change(1)) > o.objective_tolerance * h.back().mass;
+         std::abs(change(1)) > o.objective_tolerance * h.back().objective;
 }
 
 std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
@@ -85,9 +85,10 @@ std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {
   const std::string stays = cycle.worst < 10 ? fmt::format("{:.3g} % above", 100 * cycle.worst)
                                              : fmt::format("at {:.3g} times", 1 + cycle.worst);
   return CycleEnd{CycleStatus::Infeasible,
-                  fmt::format("'{}' cannot be met within the bounds: it stays {} its limit at t = "
-                              "{:.6g} s; widen the bounds or the limit",
-                              cycle.worst_constraint, stays, cycle.worst_time)};
+                  fmt::format("'{}' cannot be met within the bounds: it stays {} its limit{}; "
+                              "widen the bounds or the limit",
+                              cycle.worst_constraint, stays,
+                              cycle.worst_at.empty() ? "" : " at " + cycle.worst_at)};
 }
 
 bool on_move_limit(const Cycle& cycle, const std::vector<NlpVariable>& variables) {

@@ -30,11 +30,12 @@ inline bool closed(CycleStatus s) {
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
   int number = 0;
-  Eigen::VectorXd x;  ///< simulated design
-  double mass = 0;    ///< kg
-  double worst = 0;   ///< largest |r|/limit - 1 over all steps and limits
+  Eigen::VectorXd x;     ///< simulated design
+  double mass = 0;       ///< kg
+  double objective = 0;  ///< what is minimised; often the mass
+  double worst = 0;      ///< largest |r|/limit - 1 over all steps and limits
   std::string worst_constraint;
-  double worst_time = 0;  ///< s
+  std::string worst_at;  ///< "t = 0.1 s", a load case; empty: everywhere
   std::optional<double>
       load_change;               ///< against the cycle before, if its records have the same times
   int load_cases = 0;            ///< retained by the screening

@@ -1,8 +1,11 @@
 #include "optim/cycle/design_run.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/treatment.hpp"
 
 namespace liesl {
 namespace {
@@ -80,7 +83,7 @@ void DesignSimulator<G>::measure_walls(DesignRun<G>& r, const Eigen::VectorXd& x
     for (int i = 0; i < walls.size(); ++i)
       if (walls[i] > r.worst) {
         r.worst = walls[i];
-        r.worst_time = 0;
+        r.worst_at.clear();
         r.worst_constraint = part.design.wall_names()[static_cast<std::size_t>(i)];
       }
   }
@@ -92,7 +95,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   const ResponseValues<G> values(r.mechanism, *r.model);
   const auto& trajectory = r.simulation.trajectory;
   State<G> s = r.model->initial_state();
-  for (const auto& c : study_.constraints) r.limits.push_back({c.response.name, c.limit, {}, 0, 0});
+  for (const auto& c : study_.constraints) r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0});
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     for (size_t i = 0; i < study_.constraints.size(); ++i) {
@@ -105,10 +108,13 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
       }
     }
   }
+  const std::vector<double> times = r.times();
+  for (std::size_t i = 0; i < r.limits.size(); ++i)
+    r.limits[i].measure = treated_value(study_.constraints[i], times, r.limits[i].values);
   for (const auto& series : r.limits)
-    if (const double g = series.largest / series.limit - 1; g > r.worst) {
+    if (const double g = series.measure / series.limit - 1; g > r.worst) {
       r.worst = g;
-      r.worst_time = series.at_time;
+      r.worst_at = fmt::format("t = {:.6g} s", series.at_time);
       r.worst_constraint = series.name;
     }
 }

@@ -20,6 +20,7 @@ struct LimitSeries {
   double limit = 0;
   std::vector<double> values;
   double largest = 0, at_time = 0;
+  double measure = 0;  ///< what is compared with the limit: the largest, or what its treatment says
 };
 
 /// Everything after `simulation` is empty or zero unless the simulation converged.
@@ -34,8 +35,8 @@ struct DesignRun {
   std::vector<SolidLoadSet> solid_loads;  ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;        ///< one for each constraint
   double worst = -1;                      ///< largest |r|/limit - 1 over all records and limits
-  double worst_time = 0;                  ///< s
   std::string worst_constraint;
+  std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
   bool good() const { return simulation.report.status == SolveStatus::Converged; }
   std::vector<double> times() const;  ///< of the records, s

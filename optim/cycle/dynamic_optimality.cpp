@@ -17,7 +17,7 @@ constexpr double kPaid = 1e-6;         // of the largest price: what counts as n
 
 /// A peak over time of a limited response that is near its limit.
 struct Peak {
-  int constraint = 0;
+  std::string limit;
   double time = 0, g = 0;  ///< g = value/limit - 1
   VectorXd dg;             ///< by the variables
 };
@@ -68,7 +68,7 @@ std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktR
   return out;
 }
 
-void evaluate(const StudySpec& study, const std::vector<NlpVariable>& variables, const VectorXd& x,
+void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
               const std::vector<Peak>& peaks, StaticProblem& statics, double active,
               DynamicOptimality& out) {
   const auto n = x.size(), m = static_cast<Eigen::Index>(statics.constraints().size());
@@ -80,7 +80,7 @@ void evaluate(const StudySpec& study, const std::vector<NlpVariable>& variables,
   RowProblem problem(variables);
   std::vector<std::string> names;
   for (const Peak& p : peaks) {
-    names.push_back(study.constraints[p.constraint].response.name);
+    names.push_back(p.limit);
     problem.add(point, fmt::format("{} at t = {:.6g} s", names.back(), p.time), p.g, p.dg);
   }
   const std::vector<RowImage> image = statics.images();
@@ -116,45 +116,47 @@ std::string DynamicOptimality::brief() const {
                      residual->worst_variable, residual->worst_slope < 0 ? "grow" : "shrink");
 }
 
-template <FrameGroup G>
-DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const StudySpec& study,
-                                   const VectorXd& x, const MotionGradients<G>& motion,
-                                   StaticProblem& statics, double active) {
+DynamicOptimality check_optimality(const StudySpec& study,
+                                   const std::vector<NlpVariable>& variables, const VectorXd& x,
+                                   const MotionGradients& motion, StaticProblem& statics,
+                                   double active) {
   DynamicOptimality out;
   out.reason = motion.reason();
   if (!out.reason.empty()) return out;
   std::vector<Peak> peaks;
-  for (std::size_t r = 0; r < motion.responses().size(); ++r) {
-    const int c = motion.responses()[r].constraint, number = static_cast<int>(r);
-    const double limit = study.constraints[c].limit;
+  for (int r = 0; r < motion.responses(); ++r) {
+    const LimitedResponse& response = motion.response(r);
+    const double limit = study.constraints[response.constraint].limit;
     std::vector<double> v;
-    for (int n = 0; n < motion.records(); ++n) v.push_back(motion.value(number, n));
+    for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
     for (std::size_t n = 0; n < v.size(); ++n) {
       const int record = static_cast<int>(n);
       if (v[n] < (1 - active) * limit || !touches_peak(v, n)) continue;
-      if (const VectorXd* dv = motion.gradient(number, record))
-        peaks.push_back({c, motion.time(record), v[n] / limit - 1, *dv / limit});
+      if (const VectorXd* dv = motion.gradient(r, record))
+        peaks.push_back(
+            {limit_name(study, response), motion.time(r, record), v[n] / limit - 1, *dv / limit});
     }
   }
-  evaluate(study, simulator.design().variables(), x, peaks, statics, active, out);
+  evaluate(variables, x, peaks, statics, active, out);
   return out;
 }
 
 template <FrameGroup G>
 DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simulator,
-                                                  const StudySpec& study, const DesignRun<G>& at,
-                                                  const VectorXd& x, StaticProblem& statics,
-                                                  double active, const Progress& progress) {
+                                                  const DesignRun<G>& at, const VectorXd& x,
+                                                  StaticProblem& statics, double active,
+                                                  const Progress& progress) {
   DynamicOptimality out;
   const std::vector<double> times = at.times();
   std::vector<Peak> peaks;
-  std::vector<std::size_t> record;
+  std::vector<std::size_t> record, limit_of;  // by peak
   for (std::size_t c = 0; c < at.limits.size(); ++c) {
     const auto& v = at.limits[c].values;
     for (std::size_t n = 0; n < v.size(); ++n) {
       if (v[n] < (1 - active) * at.limits[c].limit || !is_peak(v, n)) continue;
       peaks.push_back(
-          {static_cast<int>(c), times[n], v[n] / at.limits[c].limit - 1, VectorXd::Zero(x.size())});
+          {at.limits[c].name, times[n], v[n] / at.limits[c].limit - 1, VectorXd::Zero(x.size())});
+      limit_of.push_back(c);
       record.push_back(n);
     }
   }
@@ -175,7 +177,7 @@ DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simu
       if (!out.reason.empty()) return out;
       place[side] = moved[j];
       for (std::size_t i = 0; i < peaks.size(); ++i) {
-        const LimitSeries& series = run.limits[peaks[i].constraint];
+        const LimitSeries& series = run.limits[limit_of[i]];
         g[side][i] = series.values[record[i]] / series.limit - 1;
       }
     }
@@ -183,23 +185,15 @@ DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simu
     for (std::size_t i = 0; i < peaks.size(); ++i)
       peaks[i].dg[j] = (g[1][i] - g[0][i]) / (place[1] - place[0]);
   }
-  evaluate(study, variables, x, peaks, statics, active, out);
+  evaluate(variables, x, peaks, statics, active, out);
   return out;
 }
 
-template DynamicOptimality check_optimality(const DesignSimulator<SE2>&, const StudySpec&,
-                                            const VectorXd&, const MotionGradients<SE2>&,
-                                            StaticProblem&, double);
-template DynamicOptimality check_optimality(const DesignSimulator<SE3>&, const StudySpec&,
-                                            const VectorXd&, const MotionGradients<SE3>&,
-                                            StaticProblem&, double);
 template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE2>&,
-                                                           const StudySpec&, const DesignRun<SE2>&,
-                                                           const VectorXd&, StaticProblem&, double,
-                                                           const Progress&);
+                                                           const DesignRun<SE2>&, const VectorXd&,
+                                                           StaticProblem&, double, const Progress&);
 template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE3>&,
-                                                           const StudySpec&, const DesignRun<SE3>&,
-                                                           const VectorXd&, StaticProblem&, double,
-                                                           const Progress&);
+                                                           const DesignRun<SE3>&, const VectorXd&,
+                                                           StaticProblem&, double, const Progress&);
 
 }  // namespace liesl

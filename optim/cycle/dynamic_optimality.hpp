@@ -38,40 +38,38 @@ struct DynamicOptimality {
 /// First-order optimality conditions of the dynamic problem
 ///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n,
 ///     walls, limits of the parts and bounds
-/// at the design x, whose run is `at`. Each peak over time that is within `active` of its limit is
+/// at the design x. Each peak over time that is within `active` of its limit is
 /// a constraint, and so are the records beside it; at a peak the derivative of the largest value is
 /// that at its instant. A response
 /// that is the largest over several points is a constraint at each of them.
 ///
-/// @param motion gradients at x  @param statics the static problem of `at`, for what is not of the
-/// motion: the objective, walls, limits of the parts
-template <FrameGroup G>
-DynamicOptimality check_optimality(const DesignSimulator<G>& simulator, const StudySpec& study,
-                                   const Eigen::VectorXd& x, const MotionGradients<G>& motion,
+/// @param variables of the design, with the bounds of the study
+/// @param motion gradients at x; empty under fixed loads
+/// @param statics the static problem at x, for what is not of the motion: the objective, walls,
+/// limits of the parts
+DynamicOptimality check_optimality(const StudySpec& study,
+                                   const std::vector<NlpVariable>& variables,
+                                   const Eigen::VectorXd& x, const MotionGradients& motion,
                                    StaticProblem& statics, double active);
 
-/// The same by central differences of whole simulations, 2 a variable with steps of 1e-3 of it,
-/// one-sided at a bound: for motions without sensitivities. Here a response that is the largest
-/// over several points counts as one function.
+/// The same by central differences of whole simulations of one motion, 2 a variable with steps of
+/// 1e-3 of it, one-sided at a bound: for motions without sensitivities. Here a response that is the
+/// largest over several points counts as one function.
 template <FrameGroup G>
 DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simulator,
-                                                  const StudySpec& study, const DesignRun<G>& at,
-                                                  const Eigen::VectorXd& x, StaticProblem& statics,
-                                                  double active, const Progress& progress = {});
+                                                  const DesignRun<G>& at, const Eigen::VectorXd& x,
+                                                  StaticProblem& statics, double active,
+                                                  const Progress& progress = {});
 
-extern template DynamicOptimality check_optimality(const DesignSimulator<SE2>&, const StudySpec&,
-                                                   const Eigen::VectorXd&,
-                                                   const MotionGradients<SE2>&, StaticProblem&,
-                                                   double);
-extern template DynamicOptimality check_optimality(const DesignSimulator<SE3>&, const StudySpec&,
-                                                   const Eigen::VectorXd&,
-                                                   const MotionGradients<SE3>&, StaticProblem&,
-                                                   double);
-extern template DynamicOptimality check_optimality_by_differences(
-    const DesignSimulator<SE2>&, const StudySpec&, const DesignRun<SE2>&, const Eigen::VectorXd&,
-    StaticProblem&, double, const Progress&);
-extern template DynamicOptimality check_optimality_by_differences(
-    const DesignSimulator<SE3>&, const StudySpec&, const DesignRun<SE3>&, const Eigen::VectorXd&,
-    StaticProblem&, double, const Progress&);
+extern template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE2>&,
+                                                                  const DesignRun<SE2>&,
+                                                                  const Eigen::VectorXd&,
+                                                                  StaticProblem&, double,
+                                                                  const Progress&);
+extern template DynamicOptimality check_optimality_by_differences(const DesignSimulator<SE3>&,
+                                                                  const DesignRun<SE3>&,
+                                                                  const Eigen::VectorXd&,
+                                                                  StaticProblem&, double,
+                                                                  const Progress&);
 
 }  // namespace liesl

@@ -7,60 +7,86 @@
 
 namespace liesl {
 
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 template <FrameGroup G>
-MotionGradients<G>::MotionGradients(const Design& design, const DesignRun<G>& run,
-                                    const VectorXd& x, std::vector<LimitedResponse> responses)
-    : responses_(std::move(responses)), times_(run.times()), gradient_(responses_.size()) {
-  value_.setZero(static_cast<Eigen::Index>(responses_.size()), records());
+MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, const VectorXd& x,
+                                 const std::vector<LimitedResponse>& responses) {
+  const auto times = std::make_shared<const std::vector<double>>(run.times());
+  const auto records = times->size();
   const Model<G>& model = *run.model;
   Parameters<G> parameters;
   for (const Parameter& p : design.parameters(run.mechanism, x))
     parameters.emplace_back(run.mechanism, model, p);
   const ResponseValues<G> values(run.mechanism, model);
   std::vector<ResponseSensitivity<G>> sensitivities;
-  for (const auto& r : responses_)
+  for (const auto& r : responses) {
     sensitivities.emplace_back(model, values, r.response, parameters);
+    series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(records)), {}});
+  }
   State<G> completed;
-  int record = 0;
+  std::size_t record = 0;
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
-    if (record == records() || s.t != times_[static_cast<std::size_t>(record)]) return;
+    if (record == records || s.t != (*times)[record]) return;
     completed = s;
     model.complete(completed);
-    for (std::size_t r = 0; r < responses_.size(); ++r) {
-      const VectorXd y = values(responses_[r].response, completed);
+    for (std::size_t r = 0; r < series_.size(); ++r) {
+      const VectorXd y = values(responses[r].response, completed);
       const double v = y.norm();
-      value_(static_cast<int>(r), record) = v;
-      if (v > 0 && v >= kKept * run.limits[responses_[r].constraint].largest)
-        gradient_[r][record] = sensitivities[r](s, ds).transpose() * y / v;
+      series_[r].value[static_cast<Eigen::Index>(record)] = v;
+      if (v > 0 && v >= responses[r].kept * run.limits[responses[r].constraint].largest)
+        series_[r].gradient[static_cast<int>(record)] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
   };
   reason_ = direct_sensitivity<G>(model, run.tape, parameters, take).reason;
 }
 
-template <FrameGroup G>
-const VectorXd* MotionGradients<G>::gradient(int response, int record) const {
-  const auto& kept = gradient_[static_cast<std::size_t>(response)];
+void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) {
+  const Series of = at(response);
+  auto times = std::make_shared<std::vector<double>>();
+  Series& to = series_[static_cast<std::size_t>(response)];
+  to.value.resize(static_cast<Eigen::Index>(by.size()));
+  to.gradient.clear();
+  for (std::size_t k = 0; k < by.size(); ++k) {
+    times->push_back((*of.times)[static_cast<std::size_t>(by[k].record)]);
+    to.value[static_cast<Eigen::Index>(k)] = by[k].value;
+    for (const auto& [record, weight] : by[k].weight) {
+      const auto dv = of.gradient.find(record);
+      if (dv == of.gradient.end()) continue;
+      VectorXd& sum = to.gradient.emplace(static_cast<int>(k), VectorXd::Zero(dv->second.size()))
+                          .first->second;
+      sum += weight * dv->second;
+    }
+  }
+  to.times = std::move(times);
+}
+
+void MotionGradients::append(MotionGradients other) {
+  if (reason_.empty()) reason_ = other.reason_;
+  std::move(other.series_.begin(), other.series_.end(), std::back_inserter(series_));
+}
+
+const VectorXd* MotionGradients::gradient(int response, int record) const {
+  const auto& kept = at(response).gradient;
   const auto found = kept.find(record);
   return found == kept.end() ? nullptr : &found->second;
 }
 
-template <FrameGroup G>
-const VectorXd* MotionGradients<G>::nearest_gradient(int response, int record, int* at) const {
-  const auto& kept = gradient_[static_cast<std::size_t>(response)];
+const VectorXd* MotionGradients::nearest_gradient(int response, int record, int* found) const {
+  const auto& kept = at(response).gradient;
   if (kept.empty()) return nullptr;
   auto next = kept.lower_bound(record);
   if (next == kept.end() ||
       (next != kept.begin() && next->first - record > record - std::prev(next)->first))
     --next;
-  *at = next->first;
+  *found = next->first;
   return &next->second;
 }
 
-template class MotionGradients<SE2>;
-template class MotionGradients<SE3>;
+template MotionGradients::MotionGradients(const Design&, const DesignRun<SE2>&, const VectorXd&,
+                                          const std::vector<LimitedResponse>&);
+template MotionGradients::MotionGradients(const Design&, const DesignRun<SE3>&, const VectorXd&,
+                                          const std::vector<LimitedResponse>&);
 
 }  // namespace liesl

@@ -3,6 +3,7 @@
 /// Gradients of the limited responses of a motion by the design variables, record by record.
 
 #include <map>
+#include <memory>
 #include <string>
 
 #include "optim/cycle/design_run.hpp"
@@ -10,43 +11,64 @@
 
 namespace liesl {
 
-/// v_rn = |y_r(t_n)| of each response r at the records n of the motion, and dv_rn/dx by the direct
+/// v_rn = |y_r(t_n)| of each response r at the records n of its motion, and dv_rn/dx by the direct
 /// form of the sensitivities (mbs/sensitivity), exact but for the tolerance of the simulation.
-/// Gradients are kept where v_rn is at least `kKept` of the largest value of its limit: less does
+/// Gradients are kept where v_rn is at least `kept` of the largest value of its limit: less does
 /// not bound the design.
-template <FrameGroup G>
 class MotionGradients {
  public:
-  static constexpr double kKept = 0.5;
-
+  MotionGradients() = default;
   /// @param run of the design x, with a tape
   /// @throws std::invalid_argument if this motion has no sensitivities: formalism, start moved
   /// by the joints
+  template <FrameGroup G>
   MotionGradients(const Design& design, const DesignRun<G>& run, const Eigen::VectorXd& x,
-                  std::vector<LimitedResponse> responses);
+                  const std::vector<LimitedResponse>& responses);
+
+  /// Puts those of another motion of the same design behind these.
+  void append(MotionGradients other);
+
+  /// Replaces the records of a response by fewer, each of them a function of all: values v_k of
+  /// the records n_k with dv_k = sum_n weight_kn dv_n.
+  struct Aggregate {
+    int record = 0;
+    double value = 0;
+    std::map<int, double> weight;  ///< by record
+  };
+  void aggregate(int response, const std::vector<Aggregate>& by);
 
   /// Why there are none; empty if all steps were differentiated.
   const std::string& reason() const { return reason_; }
-  const std::vector<LimitedResponse>& responses() const { return responses_; }
-  int records() const { return static_cast<int>(times_.size()); }
-  double time(int record) const { return times_[static_cast<std::size_t>(record)]; }
-
-  double value(int response, int record) const { return value_(response, record); }
+  int responses() const { return static_cast<int>(series_.size()); }
+  const LimitedResponse& response(int r) const { return at(r).response; }
+  int records(int response) const { return static_cast<int>(at(response).times->size()); }
+  double time(int response, int record) const {
+    return (*at(response).times)[static_cast<std::size_t>(record)];
+  }
+  double value(int response, int record) const { return at(response).value[record]; }
   /// By the variables; null where it was not kept.
   const Eigen::VectorXd* gradient(int response, int record) const;
-  /// The same, or that at the nearest record that has one, scaled by the values; null: there is
-  /// none.
-  const Eigen::VectorXd* nearest_gradient(int response, int record, int* at) const;
+  /// The same, or that at the nearest record that has one; null: there is none.
+  const Eigen::VectorXd* nearest_gradient(int response, int record, int* found) const;
 
  private:
-  std::vector<LimitedResponse> responses_;
-  std::vector<double> times_;
-  Eigen::MatrixXd value_;                                 ///< responses x records
-  std::vector<std::map<int, Eigen::VectorXd>> gradient_;  ///< by response and record
+  struct Series {
+    LimitedResponse response;
+    std::shared_ptr<const std::vector<double>> times;
+    Eigen::VectorXd value;                    ///< by record
+    std::map<int, Eigen::VectorXd> gradient;  ///< by record
+  };
+  const Series& at(int response) const { return series_[static_cast<std::size_t>(response)]; }
+
+  std::vector<Series> series_;
   std::string reason_;
 };
 
-extern template class MotionGradients<SE2>;
-extern template class MotionGradients<SE3>;
+extern template MotionGradients::MotionGradients(const Design&, const DesignRun<SE2>&,
+                                                 const Eigen::VectorXd&,
+                                                 const std::vector<LimitedResponse>&);
+extern template MotionGradients::MotionGradients(const Design&, const DesignRun<SE3>&,
+                                                 const Eigen::VectorXd&,
+                                                 const std::vector<LimitedResponse>&);
 
 }  // namespace liesl

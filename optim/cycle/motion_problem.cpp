@@ -5,7 +5,6 @@
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
-#include "optim/cycle/joint_problem.hpp"
 #include "optim/cycle/static_sizing.hpp"
 
 namespace liesl {
@@ -25,7 +24,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
   SolidTask task = solid_task(study, part);
   const SolidLoadSet& loads = loads_of(run.solid_loads, part.body);
   task.loads = loads.shapes;
-  task.mix = loads.e;
+  task.combination = loads.e;
   for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
 
   const ResponseValues<G> values(run.mechanism, *run.model);
@@ -35,7 +34,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
     run.simulation.trajectory.read(n, s);
     int first = 0;
     for (const ConstraintSpec& c : study.constraints) {
-      if (limited_body(c.response) != part.body) continue;
+      if (!c.has_image || limited_body(c.response) != part.body) continue;
       const Eigen::VectorXd v = values(c.response, s);
       task.measured.col(n).segment(first, v.size()) = v;
       first += static_cast<int>(v.size());
@@ -45,17 +44,17 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
 }
 
 template <FrameGroup G>
-std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
-                                              const DesignSimulator<G>& simulator,
-                                              const DesignRun<G>& run, const Eigen::VectorXd& x,
-                                              double move) {
+std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
+                                                  const DesignSimulator<G>& simulator,
+                                                  const DesignRun<G>& run, const Eigen::VectorXd& x,
+                                                  double move) {
   const Design& design = simulator.design();
-  std::vector<JointProblem::Member> members;
+  std::vector<CombinedProblem::Member> members;
   if (design.sizing().size() > 0) {
     const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, &run.loads};
     members.push_back({std::make_unique<StaticSizing<G>>(at, design.sizing(), study,
                                                          x.head(design.sizing().size()), move),
-                       1});
+                       1, 0});
   }
   const double cells = study.cycle.move_cells * move / study.cycle.move_limit;
   for (int k = 0; k < design.parts(); ++k) {
@@ -63,23 +62,22 @@ std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
         std::count(study.mass_of.begin(), study.mass_of.end(), design.part(k).body);
     members.push_back({std::make_unique<StaticShape>(motion_task(study, simulator, k, run),
                                                      design.of_part(k, x), cells, move),
-                       counted > 0 ? 1.0 : 0.0});
+                       counted > 0 ? 1.0 : 0.0, design.first(k)});
   }
-  if (members.size() == 1) return std::move(members.front().problem);
-  return std::make_unique<JointProblem>(std::move(members));
+  return members;
 }
 
 template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE2>&, int,
                                const DesignRun<SE2>&);
 template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, int,
                                const DesignRun<SE3>&);
-template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
-                                                       const DesignSimulator<SE2>&,
-                                                       const DesignRun<SE2>&,
-                                                       const Eigen::VectorXd&, double);
-template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
-                                                       const DesignSimulator<SE3>&,
-                                                       const DesignRun<SE3>&,
-                                                       const Eigen::VectorXd&, double);
+template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
+                                                           const DesignSimulator<SE2>&,
+                                                           const DesignRun<SE2>&,
+                                                           const Eigen::VectorXd&, double);
+template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
+                                                           const DesignSimulator<SE3>&,
+                                                           const DesignRun<SE3>&,
+                                                           const Eigen::VectorXd&, double);
 
 }  // namespace liesl

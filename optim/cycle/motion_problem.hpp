@@ -2,6 +2,7 @@
 /// @file
 /// The static problem of a design under the loads of its motion, whatever its parts are made of.
 
+#include "optim/cycle/combined_problem.hpp"
 #include "optim/cycle/design_run.hpp"
 #include "optim/cycle/solid_task.hpp"
 
@@ -18,22 +19,31 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
 /// study.cycle.move_cells cells at the first move limit, study.cycle.move_limit, less as `move`
 /// shrinks. @pre everything outlives the problem
 template <FrameGroup G>
+std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
+                                                  const DesignSimulator<G>& simulator,
+                                                  const DesignRun<G>& run, const Eigen::VectorXd& x,
+                                                  double move);
+
+/// The same as one problem.
+template <FrameGroup G>
 std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
                                               const DesignSimulator<G>& simulator,
                                               const DesignRun<G>& run, const Eigen::VectorXd& x,
-                                              double move);
+                                              double move) {
+  return combined(static_parts(study, simulator, run, x, move));
+}
 
 extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE2>&, int,
                                       const DesignRun<SE2>&);
 extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, int,
                                       const DesignRun<SE3>&);
-extern template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
-                                                              const DesignSimulator<SE2>&,
-                                                              const DesignRun<SE2>&,
-                                                              const Eigen::VectorXd&, double);
-extern template std::unique_ptr<StaticProblem> motion_problem(const StudySpec&,
-                                                              const DesignSimulator<SE3>&,
-                                                              const DesignRun<SE3>&,
-                                                              const Eigen::VectorXd&, double);
+extern template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
+                                                                  const DesignSimulator<SE2>&,
+                                                                  const DesignRun<SE2>&,
+                                                                  const Eigen::VectorXd&, double);
+extern template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
+                                                                  const DesignSimulator<SE3>&,
+                                                                  const DesignRun<SE3>&,
+                                                                  const Eigen::VectorXd&, double);
 
 }  // namespace liesl

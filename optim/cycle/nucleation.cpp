@@ -108,8 +108,8 @@ HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& wa
                           const VectorXd& x) {
   HoleProposal out;
   StaticShape problem(task, x, 1);
-  if (!problem.obstacle().empty()) {
-    out.reason = problem.obstacle();
+  if (!problem.undefined_reason().empty()) {
+    out.reason = problem.undefined_reason();
     return out;
   }
   const KktResidual kkt = kkt_residual(problem, x);

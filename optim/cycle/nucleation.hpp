@@ -25,6 +25,12 @@ struct HoleProposal {
   std::string reason;  ///< why there is no nucleus; empty if there is one
 };
 
+/// Where a new hole would reduce the objective in one meshed part.
+struct PartProposal {
+  int body = 0;
+  HoleProposal hole;
+};
+
 /// The cell with the largest gain round whose centre a hole of kHoleCells cells' radius leaves
 /// kClearCells cells, and the largest `least` of the walls, to the surface of the mesh, interfaces,
 /// held nodes and all that is not full. Evaluates the static problem at x once.

@@ -63,7 +63,7 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
   for (size_t i = 0; i < study.constraints.size(); ++i) {
     const ResponseSpec& r = study.constraints[i].response;
     const int index = static_cast<int>(i);
-    if (limited_body(r) != body) continue;
+    if (!study.constraints[i].has_image || limited_body(r) != body) continue;
     if (r.kind == ResponseKind::Stress) {
       const auto& spec = std::get<BeamSpec>(mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {

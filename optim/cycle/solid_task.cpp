@@ -83,20 +83,22 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
                               : support->second)
     add_support(text, part.model, task.support);
   task.outputs.resize(part.model.size(), 0);
+  const bool moves = study.loads.empty();
   for (std::size_t i = 0; i < study.constraints.size(); ++i) {
     const ConstraintSpec& c = study.constraints[i];
-    if (limited_body(c.response) != part.body) continue;
+    if (!c.has_image || limited_body(c.response) != part.body) continue;
     const MatrixXd C = outputs_of(c.response, part.model);
     const auto first = task.outputs.cols();
     task.outputs.conservativeResize(Eigen::NoChange, first + C.cols());
     task.outputs.rightCols(C.cols()) = C;
-    task.limits.push_back({c.response.name, SolidResponse::Output, static_cast<int>(first),
-                           static_cast<int>(C.cols()), c.limit,
-                           LimitedResponse{static_cast<int>(i), c.response}});
+    task.limits.push_back(
+        {c.response.name, SolidResponse::Output, static_cast<int>(first),
+         static_cast<int>(C.cols()), c.limit,
+         moves ? std::optional(LimitedResponse{static_cast<int>(i), c.response}) : std::nullopt});
   }
   for (const PartLimitSpec& l : study.part_limits)
     if (l.body == part.body) task.limits.push_back({l.name, l.quantity, 0, l.count, l.limit, {}});
-  task.goal = study.goal;
+  task.objective = study.objective;
   task.stress = {study.stress.p, study.stress.relaxation};
   task.cycle = study.cycle;
   task.loads.resize(part.model.size(), 0);

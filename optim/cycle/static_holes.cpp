@@ -10,9 +10,9 @@ HoleDerivative StaticShape::hole_derivative(
     const std::map<ConstraintId, double>& multipliers) const {
   const double rho = task_.model->material().rho;
   HoleDerivative out{VectorXd::Zero(task_.model->mesh().cell_count()), {}};
-  if (task_.goal == SolidResponse::Mass) out.value.setConstant(-rho);
-  if (task_.goal == SolidResponse::Stress) out.missing = "the stress that is minimised";
-  if (task_.goal == SolidResponse::Compliance)
+  if (task_.objective == SolidResponse::Mass) out.value.setConstant(-rho);
+  if (task_.objective == SolidResponse::Stress) out.missing = "the stress that is minimised";
+  if (task_.objective == SolidResponse::Compliance)
     out.value +=
         compliance_of_holes(statics_, VectorXd::Constant(statics_.cases(), 1.0 / statics_.cases()));
 
@@ -21,7 +21,7 @@ HoleDerivative StaticShape::hole_derivative(
     const auto at = multipliers.find(constraints_[row++].id);
     return at == multipliers.end() ? 0.0 : at->second;
   };
-  std::vector<VectorXd> weights(task_.limits.size(), VectorXd::Zero(mix_.cols()));
+  std::vector<VectorXd> weights(task_.limits.size(), VectorXd::Zero(combination_.cols()));
   for (const auto& r : retained_.rows)
     weights[static_cast<std::size_t>(limit_of_[r.limit])][r.kept] = next_multiplier();
   for (std::size_t i = 0; i < task_.limits.size(); ++i) {
@@ -30,8 +30,8 @@ HoleDerivative StaticShape::hole_derivative(
     switch (l.response) {
       case SolidResponse::Output:
         for (int k = 0; k < l.count && !w.isZero(0); ++k)
-          out.value +=
-              output_of_holes(statics_, l.first + k, mix_ * shares(l).col(k).cwiseProduct(w));
+          out.value += output_of_holes(statics_, l.first + k,
+                                       combination_ * shares(l).col(k).cwiseProduct(w));
         break;
       case SolidResponse::Compliance:
         if (!w.isZero(0)) out.value += compliance_of_holes(statics_, w);

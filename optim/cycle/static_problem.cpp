@@ -39,6 +39,12 @@ NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmSta
 
 }  // namespace
 
+std::string limit_name(const StudySpec& study, const LimitedResponse& r) {
+  const std::string& name = study.constraints[static_cast<std::size_t>(r.constraint)].response.name;
+  if (study.scenarios.empty()) return name;
+  return name + " (" + study.scenarios[static_cast<std::size_t>(r.scenario)] + ")";
+}
+
 StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, NlpWarmStart& warm,
                           const std::function<bool()>& keep_going, int max_iterations) {
   StaticAnswer answer;

@@ -15,7 +15,12 @@ namespace liesl {
 struct LimitedResponse {
   int constraint = 0;  ///< of the study
   ResponseSpec response;
+  int scenario = 0;   ///< of the study: which motion
+  double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
 };
+
+/// What a limit is called in reports: its name, and the scenario if there are several.
+std::string limit_name(const StudySpec& study, const LimitedResponse& response);
 
 /// Where a row comes from: response number `response` of the problem at a record of the motion;
 /// -1: from the design alone (a wall, a mass, a frequency).
@@ -37,7 +42,7 @@ class StaticProblem : public Problem {
     return std::vector<RowImage>(constraints().size());
   }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
-  virtual std::string obstacle() const { return {}; }
+  virtual std::string undefined_reason() const { return {}; }
 };
 
 /// The answer of an optimiser with all load cases met that the problem knows.

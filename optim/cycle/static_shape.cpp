@@ -36,50 +36,52 @@ StaticShape::StaticShape(const SolidTask& task, const VectorXd& x0, double cells
   const auto needs_all = [](SolidResponse r) {
     return r == SolidResponse::Compliance || r == SolidResponse::Stress;
   };
-  expanded_ = needs_all(task_.goal);
+  expanded_ = needs_all(task_.objective);
   for (const SolidLimit& l : task_.limits) expanded_ |= needs_all(l.response);
-  if (task_.mix.size() == 0) task_.mix = MatrixXd::Identity(task_.loads.cols(), task_.loads.cols());
+  if (task_.combination.size() == 0)
+    task_.combination = MatrixXd::Identity(task_.loads.cols(), task_.loads.cols());
   variables_ = task_.design->variables();
-  correction_ = MatrixXd::Zero(statics_.outputs(), task_.mix.cols());
+  correction_ = MatrixXd::Zero(statics_.outputs(), task_.combination.cols());
   keep_all();
   const bool solved = solve(x0);
   narrow(x0, cells, share);
   if (!solved) return;
   if (task_.measured.size() > 0) correction_ = task_.measured - corrected();
-  if (task_.goal == SolidResponse::Mass) keep(near_largest(all_values(), screened(), task_.cycle));
+  if (task_.objective == SolidResponse::Mass)
+    keep(near_largest(all_values(), screened(), task_.cycle));
 }
 
 void StaticShape::narrow(const VectorXd& x0, double cells, double share) {
-  VectorXd reach = VectorXd::Constant(x0.size(), std::numeric_limits<double>::infinity());
-  if (obstacle_.empty()) {
+  VectorXd farthest = VectorXd::Constant(x0.size(), std::numeric_limits<double>::infinity());
+  if (undefined_reason_.empty()) {
     const Fractions f = volume_fractions(task_.model->mesh(), *task_.shape);
-    reach = task_.design->reach(f.derivative, cells);
+    farthest = task_.design->step_bounds(f.derivative, cells);
   }
   for (int j = 0; j < x0.size(); ++j) {
     NlpVariable& v = variables_[j];
-    const double most = std::min(reach[j], share * (v.upper - v.lower));
+    const double most = std::min(farthest[j], share * (v.upper - v.lower));
     v.start = x0[j];
     v.lower = std::max(v.lower, x0[j] - most);
     v.upper = std::min(v.upper, x0[j] + most);
   }
 }
 
-/// Fractions and displacements at x; false: there are none, and `obstacle_` says why.
+/// Fractions and displacements at x; false: there are none, and `undefined_reason_` says why.
 bool StaticShape::solve(const VectorXd& x) {
   stress_.reset();
   frequencies_.reset();
   const VectorXd p = task_.design->parameters(x);
   task_.shape->set(p);
-  obstacle_ = task_.shape->error();
-  if (!obstacle_.empty()) return false;
+  undefined_reason_ = task_.shape->error();
+  if (!undefined_reason_.empty()) return false;
   fractions_ = volume_fractions(task_.model->mesh(), *task_.shape);
   fractions_.derivative = FractionGradient(fractions_.derivative * task_.design->jacobian());
   if (const auto cut = cut_interface(*task_.model, fractions_.value))
-    obstacle_ = cut->text;
+    undefined_reason_ = cut->text;
   else if (const SolidStatus status = statics_.solve(fractions_.value);
            status != SolidStatus::Solved)
-    obstacle_ = reason(status);
-  return obstacle_.empty();
+    undefined_reason_ = reason(status);
+  return undefined_reason_.empty();
 }
 
 std::vector<ScreenedLimit> StaticShape::screened() const {
@@ -89,19 +91,19 @@ std::vector<ScreenedLimit> StaticShape::screened() const {
 }
 
 void StaticShape::keep_all() {
-  std::vector<int> all(static_cast<std::size_t>(task_.mix.cols()));
+  std::vector<int> all(static_cast<std::size_t>(task_.combination.cols()));
   std::iota(all.begin(), all.end(), 0);
   keep(CasesByLimit(limit_of_.size(), all));
-  if (limit_of_.empty()) {  // the goal asks for them
+  if (limit_of_.empty()) {  // the objective asks for them
     retained_.kept[0] = all;
     take_loads();
   }
 }
 
 void StaticShape::take_loads() {
-  mix_ = kept_columns(task_.mix, retained_.kept[0]);
-  statics_.set_loads(expanded_ ? MatrixXd(task_.loads * mix_) : task_.loads);
-  if (expanded_) mix_.setIdentity(mix_.cols(), mix_.cols());
+  combination_ = kept_columns(task_.combination, retained_.kept[0]);
+  statics_.set_loads(expanded_ ? MatrixXd(task_.loads * combination_) : task_.loads);
+  if (expanded_) combination_.setIdentity(combination_.cols(), combination_.cols());
 }
 
 void StaticShape::keep(const CasesByLimit& cases) {
@@ -155,7 +157,7 @@ ValuesByLimit StaticShape::all_values() {
 }
 
 int StaticShape::add_violated(const VectorXd& x, double tolerance) {
-  if (task_.goal != SolidResponse::Mass || limit_of_.empty()) return 0;  // all are kept
+  if (task_.objective != SolidResponse::Mass || limit_of_.empty()) return 0;  // all are kept
   CasesByLimit cases = retained_.cases(screened());
   keep_all();
   const int added = solve(x) ? liesl::add_violated(all_values(), screened(), tolerance, cases) : 0;
@@ -171,7 +173,7 @@ bool StaticShape::show_all(const VectorXd& x) {
 
 /// y of the retained cases.
 MatrixXd StaticShape::corrected() const {
-  return statics_.y() * mix_ + kept_columns(correction_, retained_.kept[0]);
+  return statics_.y() * combination_ + kept_columns(correction_, retained_.kept[0]);
 }
 
 const StressNorm& StaticShape::stress(bool with_gradient) {
@@ -228,7 +230,7 @@ MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
       MatrixXd out = MatrixXd::Zero(share.rows(), dv.cols());
       for (int i = 0; i < l.count; ++i)
         out += share.col(i).asDiagonal() *
-               (mix_.transpose() * statics_.output_gradient(l.first + i, dv));
+               (combination_.transpose() * statics_.output_gradient(l.first + i, dv));
       return out;
     }
     case SolidResponse::Compliance:
@@ -243,8 +245,8 @@ MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
   return {};
 }
 
-double StaticShape::goal() {
-  switch (task_.goal) {
+double StaticShape::objective() {
+  switch (task_.objective) {
     case SolidResponse::Compliance:
       return statics_.compliance().mean();
     case SolidResponse::Stress: {
@@ -287,7 +289,7 @@ std::optional<SolidCheck> StaticShape::check(const VectorXd& x) {
   std::optional<SolidCheck> out;
   if (solve(x)) {
     out.emplace();
-    out->goal = goal();
+    out->objective = objective();
     out->mass = task_.model->total_mass(fractions_.value);
     for (const SolidLimit& l : task_.limits) out->limits.push_back(check_limit(l));
     if (auto walls = check_walls()) out->limits.push_back(*walls);
@@ -297,7 +299,7 @@ std::optional<SolidCheck> StaticShape::check(const VectorXd& x) {
       out->worst_limit = l.name;
     }
   }
-  if (task_.goal == SolidResponse::Mass && !limit_of_.empty()) keep(cases);
+  if (task_.objective == SolidResponse::Mass && !limit_of_.empty()) keep(cases);
   return out;
 }
 
@@ -307,7 +309,7 @@ void StaticShape::values(const VectorXd& x, double& f, VectorXd& g) {
     g.setConstant(kNone);
     return;
   }
-  f = goal();
+  f = objective();
   std::vector<VectorXd> by_limit;
   for (const int i : limit_of_) by_limit.push_back(values_of(task_.limits[i]));
   int row = 0;
@@ -324,12 +326,12 @@ void StaticShape::values(const VectorXd& x, double& f, VectorXd& g) {
 }
 
 void StaticShape::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
-  switch (task_.goal) {
+  switch (task_.objective) {
     case SolidResponse::Compliance:
       df = statics_.compliance_gradient(fractions_.derivative).colwise().mean();
       break;
     case SolidResponse::Stress: {
-      const double f = goal(), p = task_.stress.p;
+      const double f = objective(), p = task_.stress.p;
       const StressNorm& s = stress(true);
       df.setZero();
       if (f > 0)

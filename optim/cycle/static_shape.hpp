@@ -29,16 +29,16 @@ struct SolidTask {
   SolidSupport support;
   Eigen::MatrixXd outputs;         ///< C, q x m
   std::vector<std::string> cases;  ///< what the load cases are called
-  Eigen::MatrixXd loads;           ///< q x cases, or q x k, combined by `mix`
-  /// k x cases: the loads of the cases are loads * mix, so that outputs take k solutions, however
-  /// many cases there are. Empty: `loads` are the cases.
-  Eigen::MatrixXd mix;
+  Eigen::MatrixXd loads;           ///< q x cases, or q x k, combined by `combination`
+  /// k x cases: the loads of the cases are loads * combination, so that outputs take k solutions,
+  /// however many cases there are. Empty: `loads` are the cases.
+  Eigen::MatrixXd combination;
   /// What the motion says of the outputs at the analysed design, m x cases; y is moved by the
   /// constant that makes it agree there, as in StaticSizing. Empty: y as it is.
   Eigen::MatrixXd measured;
   std::vector<SolidLimit> limits;
-  SolidResponse goal = SolidResponse::Mass;  ///< Mass; Compliance, the mean of the cases; or
-                                             ///< Stress, their p-mean
+  SolidResponse objective = SolidResponse::Mass;  ///< Mass; Compliance, the mean of the cases; or
+                                                  ///< Stress, their p-mean
   StressOptions stress;
   CycleOptions cycle;  ///< for the screening of cases
 };
@@ -53,7 +53,7 @@ struct LimitCheck {
 
 /// One design, measured in all load cases.
 struct SolidCheck {
-  double goal = 0;
+  double objective = 0;
   double mass = 0;                 ///< kg
   std::vector<LimitCheck> limits;  ///< those of the task, then the worst wall if there are walls
   double worst = -1;               ///< largest excess
@@ -62,14 +62,15 @@ struct SolidCheck {
 
 /// What a small round hole does to the Lagrangian.
 struct HoleDerivative {
-  Eigen::VectorXd value;  ///< at the centres of the cells, unit of the goal / m^3; of full cells
-  std::string missing;    ///< what counts and has no such derivative: stress, frequencies
+  Eigen::VectorXd
+      value;            ///< at the centres of the cells, unit of the objective / m^3; of full cells
+  std::string missing;  ///< what counts and has no such derivative: stress, frequencies
 };
 
-/// minimise goal(x) subject to value/limit - 1 <= 0 in the retained cases (all cases if the goal
-/// depends on them), mass and frequency limits, and the walls of the design. Gradients by adjoints;
-/// no second derivatives. At an x that leaves no part (a cut interface, a flaw of the shape) there
-/// is no value, and `obstacle` says why.
+/// minimise objective(x) subject to value/limit - 1 <= 0 in the retained cases (all cases if the
+/// objective depends on them), mass and frequency limits, and the walls of the design. Gradients by
+/// adjoints; no second derivatives. At an x that leaves no part (a cut interface, a defect of the
+/// shape) there is no value, and `undefined_reason` says why.
 class StaticShape final : public StaticProblem {
  public:
   /// @param x0 the analysed design
@@ -81,21 +82,21 @@ class StaticShape final : public StaticProblem {
   int load_cases() const override { return static_cast<int>(retained_.kept[0].size()); }
   std::vector<LimitedResponse> responses() const override;
   std::vector<RowImage> images() const override;
-  std::string obstacle() const override { return obstacle_; }
+  std::string undefined_reason() const override { return undefined_reason_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
-  /// The part at x in all load cases; nothing if there is none (see `obstacle`).
+  /// The part at x in all load cases; nothing if there is none (see `undefined_reason`).
   std::optional<SolidCheck> check(const Eigen::VectorXd& x);
   /// Solves every case at x, for `statics`; false if there is no part there.
   bool show_all(const Eigen::VectorXd& x);
   const SolidStatics& statics() const { return statics_; }  ///< at the latest x
-  /// d(goal + sum lambda_i g_i)/dV of holes with a free edge
-  /// (mbs/solids/topological_derivative.hpp) at the latest x, for multipliers lambda, unit goal /
-  /// g. Walls do not see new holes.
+  /// d(objective + sum lambda_i g_i)/dV of holes with a free edge
+  /// (mbs/solids/topological_derivative.hpp) at the latest x, for multipliers lambda, unit
+  /// objective / g. Walls do not see new holes.
   HoleDerivative hole_derivative(const std::map<ConstraintId, double>& multipliers) const;
 
  private:
@@ -116,21 +117,21 @@ class StaticShape final : public StaticProblem {
   Eigen::MatrixXd corrected() const;
   const StressNorm& stress(bool with_gradient);
   const FrequencyGradient& frequencies();
-  double goal();
+  double objective();
   LimitCheck check_limit(const SolidLimit& limit);
   std::optional<LimitCheck> check_walls() const;
 
   SolidTask task_;
-  bool expanded_ = false;      ///< every case is solved: compliance or stress is asked for
-  Eigen::MatrixXd mix_;        ///< of the retained cases
-  std::vector<int> limit_of_;  ///< of the task, by screened limit
+  bool expanded_ = false;        ///< every case is solved: compliance or stress is asked for
+  Eigen::MatrixXd combination_;  ///< of the retained cases
+  std::vector<int> limit_of_;    ///< of the task, by screened limit
   SolidStatics statics_;
   Fractions fractions_;  ///< derivative with respect to the variables
   Eigen::MatrixXd correction_;
   RetainedCases retained_;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
-  std::string obstacle_;
+  std::string undefined_reason_;
   std::optional<StressNorm> stress_;  ///< at the latest x
   bool stress_gradient_ = false;
   RowMatrix wall_gradient_;  ///< found together with the walls

@@ -1,13 +1,11 @@
 #pragma once
 /// @file
-/// Shape optimisation under loads that stay, in rounds: optimise, insert a hole where the
-/// topological derivative says that one pays, optimise again. Experimental.
-
-#include <memory>
+/// Optimisation in rounds: optimise, insert a hole where the topological derivative says that one
+/// reduces the objective, optimise again. Experimental.
 
 #include "mbs/model/mechanism.hpp"
-#include "optim/cycle/nucleation.hpp"
-#include "optim/cycle/shape_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
+#include "optim/cycle/part_model.hpp"
 #include "optim/design/part_shape.hpp"
 
 namespace liesl {
@@ -18,30 +16,123 @@ struct HoleRound {
   std::string feature;  ///< "new_hole1"
   Nucleus nucleus;
   double before = 0, after = 0;  ///< objective
-  int steps = 0;
-  bool pays = false;  ///< kept: all limits are met and the objective fell by more than
+  int cycles = 0;
+  bool kept = false;  ///< all limits are met and the objective fell by more than
                       ///< `cycle.objective_tolerance`
   std::string reason;
 };
 
-struct TopologyResult {
-  std::unique_ptr<PartShape> part;  ///< with the holes that pay
-  levelset::ShapeSpec outline;      ///< its tree at the final design
-  ShapeResult shape;                ///< history: all steps of the rounds that pay
-  std::size_t round = 0;            ///< where the last of them begins in the history
-  std::vector<HoleRound> holes;     ///< all that were tried
-  HoleProposal proposal;            ///< where the next hole would pay
+/// Where a round begins, and how it ended.
+template <class End>
+struct Round {
+  StudySpec study;      ///< starts where the round begins
+  Mechanism mechanism;  ///< there
+  End end;
 };
 
-struct TopologyHooks : ShapeHooks {
+/// The cycles of each round so far, those of a hole that was not kept among them.
+using RoundHistory = std::vector<std::vector<Cycle>>;
+
+struct TopologyHooks : CycleHooks {
+  /// Instead of `on_cycle`.
+  std::function<void(const RoundHistory&)> on_round_cycle;
   std::function<void(const std::string& feature, const Nucleus&)> on_hole;
 };
 
-/// @param body whose outline the study changes  @param most holes to insert; 0: only propose
-/// A hole that does not pay is taken out again and ends the rounds; so do an interruption and an
-/// optimum without a proposal.
+template <class End>
+struct Topology {
+  Round<End> last;                   ///< the last round that was kept
+  std::vector<Cycle> before;         ///< of the kept rounds before it
+  LoopResult first;                  ///< how the first round began: its history and `first`
+  std::vector<HoleRound> holes;      ///< all that were tried
+  std::optional<PartProposal> next;  ///< the hole that would reduce the objective most
+  std::string reason;                ///< why there is none
+};
+
+/// The hole with the largest gain of all proposals; the reason if there is none.
+std::optional<PartProposal> best_proposal(const LoopResult& end,
+                                          const std::vector<PartProposal>& proposals,
+                                          std::string& reason);
+
+/// Inserts a hole into study and mechanism, whose variables then start where `end` ended.
+/// @param designed the mechanism with the final design
+HoleRound insert_into(const LoopResult& end, const PartProposal& proposal,
+                      const Mechanism& designed, StudySpec& study, Mechanism& mechanism);
+
+/// Judges the round of a hole: kept?
+bool judge_round(const LoopResult& end, double objective_tolerance, HoleRound& hole);
+
+/// One round. @throws std::invalid_argument for bounds that do not fit a hole that has moved
+template <class End>
+using OptimiseRound = std::function<End(const StudySpec&, const Mechanism&, const CycleHooks&,
+                                        const std::vector<Cycle>& resume)>;
+
+/// @param most holes to insert; 0: only propose. A hole that does not reduce the objective is taken
+/// out again and ends the rounds; so do an interruption and an optimum without a proposal.
+/// @param resume rounds of an interrupted run of the same study
+/// End: a LoopResult with `mechanism`, final, and `proposals`
+template <class End>
+Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechanism, int most,
+                                 const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
+                                 const RoundHistory& resume = {}) {
+  RoundHistory rounds;
+  const auto run = [&](Round<End>& round) {
+    rounds.emplace_back();
+    CycleHooks cycle = hooks;
+    cycle.on_cycle = [&](const std::vector<Cycle>& history) {
+      rounds.back() = history;
+      if (hooks.on_round_cycle) hooks.on_round_cycle(rounds);
+    };
+    const bool known = rounds.size() <= resume.size();
+    round.end = optimise(round.study, round.mechanism, cycle,
+                         known ? resume[rounds.size() - 1] : std::vector<Cycle>());
+  };
+  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}};
+  run(out.last);
+  out.first.history = out.last.end.history;
+  out.first.first = out.last.end.first;
+  out.next = best_proposal(out.last.end, out.last.end.proposals, out.reason);
+  while (static_cast<int>(out.holes.size()) < most && out.next) {
+    Round<End> next{out.last.study, out.last.mechanism, {}};
+    HoleRound hole =
+        insert_into(out.last.end, *out.next, out.last.end.mechanism, next.study, next.mechanism);
+    if (hooks.on_hole) hooks.on_hole(hole.feature, hole.nucleus);
+    try {
+      run(next);
+    } catch (const std::invalid_argument& error) {  // bounds that were right before the hole moved
+      next.end.reason = error.what();
+    }
+    const bool kept = judge_round(next.end, study.cycle.objective_tolerance, hole);
+    out.holes.push_back(hole);
+    if (!kept) {
+      out.next.reset();
+      out.reason = "'" + hole.feature + "', the last one tried, does not reduce the objective";
+      if (next.end.status == CycleStatus::Interrupted) {
+        out.last.end.status = next.end.status;
+        out.reason = next.end.reason;
+        out.last.end.reason =
+            next.end.reason + "; this is the design before '" + hole.feature + "'";
+      }
+      break;
+    }
+    const auto& history = out.last.end.history;
+    out.before.insert(out.before.end(), history.begin(), history.end());
+    out.last = std::move(next);
+    out.next = best_proposal(out.last.end, out.last.end.proposals, out.reason);
+  }
+  return out;
+}
+
+/// A part under loads that stay, its shape and its final place.
+struct PartEnd : PartResult {
+  Mechanism mechanism;              ///< final
+  std::shared_ptr<PartShape> part;  ///< what was optimised
+  std::vector<PartProposal> proposals;
+};
+
+/// Optimises the outline of `body` under the loads of the study.
 /// @throws std::invalid_argument as PartShape and solid_task do
-TopologyResult optimise_topology(const StudySpec& study, const Mechanism& mechanism, int body,
-                                 int most, const TopologyHooks& hooks = {});
+PartEnd optimise_outline(const StudySpec& study, const Mechanism& mechanism, int body,
+                         const CycleHooks& hooks = {}, const std::vector<Cycle>& resume = {});
 
 }  // namespace liesl

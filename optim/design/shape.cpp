@@ -95,19 +95,19 @@ void ShapeDesign::check_bounds(const ShapeVariableSpec& v, int j,
     VectorXd x = start();
     x[j] = bound;
     const VectorXd p = parameters(x);
-    std::string flaw;
+    std::string defect;
     for (const auto& d : v.drives)
       for (int k = 0; k < shape_.size(); ++k)
         if (const auto& q = shape_.parameters()[k]; q.name == d.name && !(p[k] > q.above))
-          flaw = fmt::format(
+          defect = fmt::format(
               "'{}' becomes {:g}, which turns the feature inside out; it has to be "
               "{} {:g}",
               q.name, p[k], q.above < 0 ? ">=" : ">", std::max(q.above, 0.0));
     shape_.set(p);
-    if (flaw.empty()) flaw = shape_.error();
+    if (defect.empty()) defect = shape_.error();
     shape_.set(p0_);
-    if (!flaw.empty())
-      errors.push_back(fmt::format("'{}' at its bound {:g}: {}", v.name, bound, flaw));
+    if (!defect.empty())
+      errors.push_back(fmt::format("'{}' at its bound {:g}: {}", v.name, bound, defect));
   }
 }
 
@@ -158,7 +158,7 @@ VectorXd ShapeDesign::start() const {
 
 VectorXd ShapeDesign::parameters(const VectorXd& x) const { return p0_ + jacobian_ * (x - x0_); }
 
-VectorXd ShapeDesign::reach(const FractionGradient& dv, double cells) const {
+VectorXd ShapeDesign::step_bounds(const FractionGradient& dv, double cells) const {
   const SolidMesh& mesh = model_.mesh();
   VectorXd speed = VectorXd::Zero(size()), dp(shape_.size());
   for (int e = 0; e < mesh.cell_count(); ++e) {

@@ -17,7 +17,7 @@ class ShapeDesign {
   /// `shape` and `model` must outlive this; the shape is left as it was made.
   /// @throws std::invalid_argument that lists all of: unknown parameters, features and interfaces,
   /// parameters that follow two variables, bounds out of order, bounds within which a feature turns
-  /// inside out or has another flaw, walls that are not above zero
+  /// inside out or has another defect, walls that are not above zero
   ShapeDesign(ShapeDesignSpec spec, levelset::LevelSet& shape, const SolidModel& model);
 
   const std::vector<NlpVariable>& variables() const { return variables_; }
@@ -33,7 +33,7 @@ class ShapeDesign {
   /// cells: cells h / max_e |d phi/dx_j| / |d phi/dx| over the cells e that the outline crosses
   /// (with entries in `dv`), h the mean length of a cell; infinite if nothing moves.
   /// @pre the shape is set to where `dv` was computed
-  Eigen::VectorXd reach(const FractionGradient& dv, double cells) const;
+  Eigen::VectorXd step_bounds(const FractionGradient& dv, double cells) const;
 
   /// Rows 1 - thickness/least <= 0 of the walls at the parameters set; an interface has one row a
   /// node. `dg` [rows x variables] if not null.

@@ -101,6 +101,16 @@ std::optional<double> truncation_slope(const std::vector<double>& h, const std::
   return (count * sxy - sx * sy) / (count * sxx - sx * sx);
 }
 
+/// Left and right derivative of one function: the smallest difference over the steps, those where
+/// round-off rules left out. At a kink it does not vanish with the step.
+double one_sided_jump(const std::vector<double>& h, const std::vector<double>& gaps) {
+  constexpr double kSmallest = 1e-6;
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < h.size(); ++k)
+    if (h[k] >= kSmallest) least = std::min(least, gaps[k]);
+  return std::isfinite(least) ? least : 0;
+}
+
 /// Point from which all steps stay within the bounds.
 VectorXd inside(const Problem& problem, VectorXd x, const VectorXd& range, double step) {
   for (int j = 0; j < x.size(); ++j) {
@@ -114,7 +124,12 @@ VectorXd inside(const Problem& problem, VectorXd x, const VectorXd& range, doubl
 class Sweep {
  public:
   Sweep(Stack& stack, const DerivativeCheckOptions& o, DerivativeReport& report)
-      : stack_(stack), o_(o), report_(report), given_(given_derivatives(stack, report.x)) {
+      : stack_(stack),
+        o_(o),
+        report_(report),
+        here_(stack(report.x)),
+        given_(given_derivatives(stack, report.x)) {
+    if (!stack.finite) throw std::runtime_error("check_derivatives: a value is not finite at x");
     if (!given_.allFinite())
       throw std::runtime_error("check_derivatives: a derivative is not finite at x");
     norms_ = given_.rowwise().norm();
@@ -125,7 +140,7 @@ class Sweep {
   void along(const VectorXd& d, const std::string& name) {
     const VectorXd exact = given_ * d;
     std::vector<double> steps;
-    std::vector<VectorXd> errors;  // by step, each by function
+    std::vector<VectorXd> errors, gaps;  // by step, each by function
     for (int k = 0; k < o_.steps; ++k) {
       const double h = o_.largest_step * std::pow(10.0, -0.5 * k);
       const VectorXd shift = h * d.cwiseProduct(stack_.range);
@@ -136,8 +151,14 @@ class Sweep {
       if (!finite || !stack_.finite) continue;
       steps.push_back(h);
       errors.push_back(((after - before) / (2 * h) - exact).cwiseAbs());
+      gaps.push_back(((after - here_) - (here_ - before)).cwiseAbs() / h);
     }
-    for (int i = 0; i < stack_.functions(); ++i) add(i, 1, name, steps, errors);
+    DerivativeKink kink{name};
+    for (int i = 0; i < stack_.functions(); ++i) {
+      add(i, 1, name, steps, errors);
+      note_kink(i, steps, gaps, kink);
+    }
+    if (kink.functions > 0) report_.kinks.push_back(kink);
     if (stack_.hessian)
       add(stack_.functions(), static_cast<int>(stack_.range.size()), name, steps, errors);
   }
@@ -166,12 +187,48 @@ class Sweep {
     report_.checks.push_back(std::move(c));
   }
 
+  /// Is the check that was added last wrong because the function has a kink?
+  void note_kink(int row, const std::vector<double>& steps, const std::vector<VectorXd>& gaps,
+                 DerivativeKink& kink) {
+    constexpr double kFirstOrder = 0.3, kSecondOrder = 1.7;  // slope of an error that falls with h
+    DerivativeCheck& check = report_.checks.back();
+    if (check.right) return;
+    std::vector<double> gap;
+    for (const VectorXd& g : gaps) gap.push_back(g[row] / (norms_[row] > 0 ? norms_[row] : 1));
+    const double jump = one_sided_jump(steps, gap);
+    const bool jumps = jump > 10 * o_.tolerance;
+    const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder;
+    if (!jumps && !bends) return;
+    ++kink.functions;
+    check.kink = true;
+    if (jumps) kink.jump = std::max(kink.jump, jump);
+  }
+
   Stack& stack_;
   const DerivativeCheckOptions& o_;
   DerivativeReport& report_;
+  VectorXd here_;
   Eigen::MatrixXd given_;
   VectorXd norms_;
 };
+
+/// Every variable or one random direction, at report.x.
+void sweep_all(Stack& stack, const DerivativeCheckOptions& o, std::mt19937 random,
+               DerivativeReport& report) {
+  std::uniform_real_distribution<double> around(0.5, 1.5);
+  Sweep sweep(stack, o, report);
+  const int n = static_cast<int>(report.x.size());
+  VectorXd random_direction(n);
+  for (int j = 0; j < n; ++j) {
+    const auto& v = stack.problem.variables()[static_cast<std::size_t>(j)];
+    const bool is_free = v.lower < v.upper;
+    random_direction[j] = !is_free ? 0 : (random() % 2 ? 1 : -1) * (around(random) - 0.5);
+    if (o.every_variable && is_free) sweep.along(VectorXd::Unit(n, j), v.name);
+  }
+  if (!o.every_variable) sweep.along(random_direction, "random");
+  report.right = std::all_of(report.checks.begin(), report.checks.end(),
+                             [](const DerivativeCheck& c) { return c.right; });
+}
 
 void refuse_invalid(const Problem& problem, const VectorXd& x, const DerivativeCheckOptions& o) {
   refuse_if("invalid options of the derivative check:", o.errors());
@@ -199,22 +256,26 @@ DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
   }
   DerivativeReport report;
   report.x = inside(problem, x, stack.range, o.largest_step);
-  stack(report.x);
-  if (!stack.finite) throw std::runtime_error("check_derivatives: a value is not finite at x");
-
-  Sweep sweep(stack, o, report);
-  const int n = static_cast<int>(x.size());
-  VectorXd random_direction(n);
-  for (int j = 0; j < n; ++j) {
-    const auto& v = problem.variables()[static_cast<std::size_t>(j)];
-    const bool is_free = v.lower < v.upper;
-    random_direction[j] = !is_free ? 0 : (random() % 2 ? 1 : -1) * (around(random) - 0.5);
-    if (o.every_variable && is_free) sweep.along(VectorXd::Unit(n, j), v.name);
+  sweep_all(stack, o, random, report);
+  if (report.kinks.empty()) return report;
+  if (!o.beside_kinks) {
+    report.right = std::all_of(report.checks.begin(), report.checks.end(),
+                               [](const DerivativeCheck& c) { return c.right || c.kink; });
+    return report;
   }
-  if (!o.every_variable) sweep.along(random_direction, "random");
-  report.right = std::all_of(report.checks.begin(), report.checks.end(),
-                             [](const DerivativeCheck& c) { return c.right; });
-  return report;
+  VectorXd beside = report.x;
+  for (int j = 0; j < beside.size(); ++j) {
+    const auto& v = problem.variables()[static_cast<std::size_t>(j)];
+    if (v.lower < v.upper)
+      beside[j] += (random() % 2 ? 1 : -1) * around(random) * o.largest_step * stack.range[j];
+  }
+  DerivativeReport moved;
+  moved.x = inside(problem, beside, stack.range, o.largest_step);
+  sweep_all(stack, o, random, moved);
+  moved.failed_evaluations += report.failed_evaluations;
+  moved.kinks = std::move(report.kinks);
+  for (DerivativeCheck& c : moved.checks) c.kink = false;
+  return moved;
 }
 
 const DerivativeCheck* DerivativeReport::worst() const {
@@ -232,16 +293,35 @@ std::string DerivativeReport::text(int rows) const {
   });
   std::string out = fmt::format("{:<36} {:<16} {:>10} {:>10} {:>6}\n", "function", "direction",
                                 "error", "at step", "slope");
-  int wrong = 0;
+  int wrong = 0, unjudged = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DerivativeCheck& c = *order[k];
-    wrong += !c.right;
+    wrong += !c.right && !c.kink;
+    unjudged += c.kink;
     if (c.right && static_cast<int>(k) >= rows) continue;
     out += fmt::format("{:<36} {:<16} {:>10.2e} {:>10.1e} {:>6}{}\n", c.function, c.direction,
                        c.best_error, c.best_step, c.slope ? fmt::format("{:.2f}", *c.slope) : "-",
-                       c.right ? "" : "  WRONG");
+                       c.right  ? ""
+                       : c.kink ? "  kink, not judged"
+                                : "  WRONG");
   }
-  return out + fmt::format("{} derivatives checked, {} wrong\n", order.size(), wrong);
+  out += fmt::format("{} derivatives checked, {} wrong\n", order.size(), wrong);
+  if (kinks.empty()) return out;
+  if (unjudged > 0)
+    return out + fmt::format(
+                     "{} of them have a kink at this point, as a peak that another one passes: "
+                     "no difference tells\n",
+                     unjudged);
+  out += "at the given point functions have kinks, so they were checked at a point beside it:\n";
+  for (const DerivativeKink& k : kinks) {
+    out += fmt::format("  along {}: {} functions", k.direction, k.functions);
+    out += k.jump > 0 ? fmt::format(", left and right derivative differ by up to {:.2g}\n", k.jump)
+                      : ", the derivative bends\n";
+  }
+  return out +
+         "fractions of cells have a kink where an edge or corner of an outline lies on a grid "
+         "line; "
+         "shift the start or the grid by part of a cell\n";
 }
 
 }  // namespace liesl

@@ -21,6 +21,7 @@ struct DerivativeCheckOptions {
   int steps = 17;              ///< each 10^(-1/2) of the one before, >= 3
   double tolerance = 1e-6;     ///< best relative error that counts as right, in (0, 1)
   bool hessian = true;         ///< check it too if the problem has one
+  bool beside_kinks = true;    ///< check at a point beside kinks; false: do not judge them
 
   std::vector<std::string> errors() const;
 };
@@ -35,10 +36,21 @@ struct DerivativeCheck {
   std::optional<double> slope;  ///< of log e over log h where truncation rules: 2 if right; none if
                                 ///< the error is round-off at every step (linear functions)
   bool right = false;           ///< best_error <= tolerance
+  bool kink = false;            ///< the function has a kink there: no difference tells
+};
+
+/// A direction in which functions have no derivative at the given point: theirs from the left and
+/// from the right differ, or the derivative itself has a kink there.
+struct DerivativeKink {
+  std::string direction;
+  int functions = 0;  ///< how many
+  double jump =
+      0;  ///< largest difference of the two, relative to |dr/dx D|_2; 0 in the second case
 };
 
 struct DerivativeReport {
-  Eigen::VectorXd x;                    ///< where: the given point, moved off bounds
+  Eigen::VectorXd x;                    ///< where: the given point, moved off bounds and kinks
+  std::vector<DerivativeKink> kinks;    ///< of the given point
   std::vector<DerivativeCheck> checks;  ///< objective, constraints, Hessian
   int failed_evaluations = 0;           ///< points of the sweep without a finite value
   bool right = false;                   ///< all are
@@ -50,7 +62,10 @@ struct DerivativeReport {
 };
 
 /// At x, moved inside so that all steps stay within the bounds. Fixed variables are left alone.
-/// The Hessian is checked with sigma = 1 and random lambda in [0.5, 1.5] over the scales of g.
+/// Where functions have a kink at x, as fractions of cells have when an edge lies on a grid line,
+/// no difference tells whether a derivative is right: they are checked at a point beside it
+/// (`kinks`), or not judged if the options say so. The Hessian is checked with sigma = 1 and random lambda in [0.5, 1.5] over the scales
+/// of g.
 /// @throws std::invalid_argument for invalid input, std::runtime_error without finite values at x
 DerivativeReport check_derivatives(Problem& problem, const Eigen::VectorXd& x,
                                    const DerivativeCheckOptions& options = {});

@@ -102,9 +102,9 @@ void Sequence::move_asymptotes() {
   }
   at_.l = at_.y - width_;
   at_.u = at_.y + width_;
-  const VectorXd reach = (0.9 * width_).cwiseMin(s_.move * range_);
-  at_.alpha = (at_.y - reach).cwiseMax(lower_);
-  at_.beta = (at_.y + reach).cwiseMin(upper_);
+  const VectorXd step = (0.9 * width_).cwiseMin(s_.move * range_);
+  at_.alpha = (at_.y - step).cwiseMax(lower_);
+  at_.beta = (at_.y + step).cwiseMin(upper_);
 }
 
 bool Sequence::solve_model() {

@@ -25,9 +25,29 @@ struct DesignSpec {
   std::vector<double> start;    ///< empty = as in the scene; else one value or one a group
 };
 
+/// How a limit over all of a motion becomes constraints (thesis section 3.3.2); of what the motion
+/// says itself, with its gradients.
+enum class Treatment {
+  Auto,        ///< images in static problems with their screening; else as Neighbours, and what is
+               ///< near the largest
+  All,         ///< every record above half of the largest
+  Maxima,      ///< local maxima over time above half of the largest
+  Neighbours,  ///< the same with three records on either side
+  Worst,       ///< the largest alone
+  Functional,  ///< mean excess, (1/T) int <v/limit - 1> dt <= 0
+  PNorm,       ///< (mean of v^p)^(1/p) <= limit; p = 2: root mean square
+  Ks           ///< Kreisselmeier-Steinhauser function about each maximum, scaled to the maximum
+};
+/// One number, or one a maximum, instead of many records.
+inline bool aggregates(Treatment t) { return t >= Treatment::Functional; }
+
 struct ConstraintSpec {
   ResponseSpec response;  ///< its name is the constraint's name
   double limit = 0;       ///< |response| <= limit at every time step
+  /// Whether static problems of parts tell it; else it is known by its gradient alone.
+  bool has_image = true;
+  Treatment treatment = Treatment::Auto;
+  double p = 2;  ///< exponent of Treatment::PNorm
 };
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
@@ -150,12 +170,13 @@ inline int limited_body(const ResponseSpec& r) {
 
 struct StudySpec {
   std::string name;
+  std::vector<std::string> scenarios;  ///< names; empty: one motion, which has none
   std::vector<DesignSpec> design;
   std::vector<int> mass_of;  ///< objective: mass of these bodies
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
-  SolidResponse goal = SolidResponse::Mass;
+  SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;
   std::vector<FixedLoad> loads;  ///< if there are any, nothing is simulated
   StressSpec stress;
@@ -163,12 +184,31 @@ struct StudySpec {
   CycleOptions cycle;
 };
 
-/// Bodies that carry limits, each once.
+/// Can the static problem of a part tell this response? Deformations of one beam; elongations and
+/// displacements of one meshed part.
+inline bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) {
+  const int body = limited_body(r);
+  if (body < 0 || body >= static_cast<int>(mechanism.bodies.size())) return false;
+  const auto& kind = mechanism.bodies[static_cast<std::size_t>(body)].kind;
+  switch (r.kind) {
+    case ResponseKind::Displacement:
+    case ResponseKind::Elongation:
+      return !std::holds_alternative<RigidSpec>(kind);
+    case ResponseKind::Deflection:
+    case ResponseKind::Stress:
+    case ResponseKind::Compliance:
+      return std::holds_alternative<BeamSpec>(kind);
+    default:
+      return false;
+  }
+}
+
+/// Bodies that carry limits with a static image, each once.
 inline std::vector<int> limited_bodies(const StudySpec& study) {
   std::vector<int> bodies;
   for (const auto& c : study.constraints)
     if (const int b = limited_body(c.response);
-        std::find(bodies.begin(), bodies.end(), b) == bodies.end())
+        c.has_image && std::find(bodies.begin(), bodies.end(), b) == bodies.end())
       bodies.push_back(b);
   return bodies;
 }

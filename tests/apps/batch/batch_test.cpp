@@ -203,6 +203,30 @@ TEST_F(BatchProgram, CaseThatFailedByAFullDiskIsTriedAgain) {
   EXPECT_EQ(table().at("status"), (Words{"done", "done"}));
 }
 
+/// Emptied and mistyped files are no results: their cases are run again, or they are named.
+TEST_F(BatchProgram, DamagedFilesAreNoResults) {
+  const fs::path file = simulations();
+  const Words fewer = {"--set", "grid.rate.values=[100]", "--set", "simulation.duration=0.01"};
+  ASSERT_EQ(batch(file, fewer).code, 0);
+  const fs::path first = results() / "cases" / "1" / "summary.json";
+  const std::string steps = table().at("steps [-]")[0];
+  for (const std::string text : {"", "[1]", R"({"status": 3})", R"({"st)"})
+    for (const fs::path& damaged : {mark("1"), first}) {
+      std::ofstream(damaged) << text;
+      const Outcome o = batch(file, fewer);
+      EXPECT_EQ(o.code, 0) << damaged << text << o.err;
+      EXPECT_EQ(table().at("status"), (Words{"done", "done"}));
+      EXPECT_EQ(table().at("steps [-]")[0], steps) << "its figures are back";
+    }
+  std::ofstream(first) << R"({"status": "done", "responses": [1]})";
+  const Outcome o = batch(file, fewer);
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("cases/1/summary.json': it is no summary of liesl"), std::string::npos)
+      << o.err;
+  std::ofstream(results() / "batch.json") << R"({"input_sha256": 4})";
+  EXPECT_EQ(batch(file, fewer).code, 2);
+}
+
 /// Nothing lost, nothing twice, and the same designs as without a kill.
 TEST_F(BatchProgram, KilledBatchGoesOn) {
   const fs::path file = sizings();

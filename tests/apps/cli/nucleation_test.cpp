@@ -78,7 +78,7 @@ TEST_F(Nucleation, RefusesWhatItCannotDo) {
   const Outcome resumed =
       run({"optimize", study("connecting_rod"), "-o", results(), "--nucleate", "--resume"});
   EXPECT_EQ(resumed.code, 2);
-  EXPECT_NE(resumed.err.find("not resumed"), std::string::npos) << resumed.err;
+  EXPECT_NE(resumed.err.find("no interrupted run"), std::string::npos) << resumed.err;
 }
 
 }  // namespace

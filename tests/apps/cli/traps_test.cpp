@@ -1,6 +1,6 @@
 /// @file
-/// What would be wrong without a word: each trap with its exit code, its status and the words that
-/// tell it. A row is a scene, in whole or as a change of a slider-crank.
+/// What would be wrong without a word, and is a figure: a value that must not depend on what is
+/// recorded, on axes, on space. What is said in words is in tests/traps/traps.toml.
 #include <cmath>
 
 #include "apps/program.hpp"
@@ -45,24 +45,6 @@ std::string slider_crank(const std::string& drive, const std::string& guide = ""
   return text + kMaterials;
 }
 
-/// A cantilever with further tables.
-std::string cantilever(const std::string& more) {
-  return R"toml([bodies]
-b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "thick", material = "steel", elements = 4 } }
-lump = { rigid = { at = [1, 0, 0], mass = 1, inertia = [1, 1, 1], points = { ear = [1, 0.1, 0] } } }
-[joints]
-clamp = { fixed = ["ground", "b.start"] }
-held = { fixed = ["b.end", "lump.origin"] }
-)toml" + kMaterials +
-         more;
-}
-const std::string kPull = "[loads]\nf = { at = \"b.end\", force = [0, 10, 0], SCALE }\n";
-std::string pull(const std::string& scale) {
-  std::string text = kPull;
-  return text.replace(text.find("SCALE"), 5, scale);
-}
-const std::string kStatic = "[simulation]\ntype = \"static\"\n";
-
 /// A right-angle frame, weak out of its plane.
 const std::string kFrame = R"toml([sections]
 strip = { type = "rectangle", width = 0.02, height = 0.005 }
@@ -79,102 +61,7 @@ type = "modes"
 modes = 4
 )toml";
 
-/// A meshed bar of 1 m, 20 mm square: Euler load 27.6 kN between hinges.
-std::string meshed_bar(const std::string& force) {
-  return R"toml([materials]
-steel = { E = 210e9, nu = 0.3, rho = 7850 }
-[bodies.bar.solid]
-mesh = { from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }
-material = "steel"
-thickness = 0.02
-modes = 2
-[bodies.bar.solid.interfaces]
-left = { set = "x_min" }
-right = { set = "x_max" }
-[joints]
-clamp = { fixed = ["ground", "bar.left"] }
-[simulation]
-type = "static"
-[loads]
-f = { at = "bar.right", force = )toml" +
-         force + " }\n";
-}
-
-struct Trap {
-  const char* name;
-  std::string scene;
-  int code;
-  const char* status;  ///< of summary.json; none if the scene is refused
-  const char* words;   ///< in a warning, the reason or the refusal
-  Words set = {};      ///< --set arguments
-};
-void PrintTo(const Trap& trap, std::ostream* out) { *out << trap.name; }
-
-const Trap kTraps[] = {
-    {"DeflectionAtTheEnd",
-     cantilever(kStatic + pull("scale = 1") +
-                "[responses]\nv = { response = \"deflection\", of = \"b\", at = \"end\" }\n"),
-     2, nullptr, "is 0 by definition: it is measured from the chord"},
-    {"DisplacementOfTheFirstNode",
-     cantilever(kStatic + pull("scale = 1") +
-                "[responses]\nu = { response = \"displacement\", at = \"b.start\" }\n"),
-     2, nullptr, "is 0 by definition: it is seen from the first node"},
-    {"DisplacementOfARigidBody",
-     cantilever(kStatic + pull("scale = 1") +
-                "[responses]\nu = { response = \"displacement\", at = \"lump.ear\" }\n"),
-     2, nullptr, "is 0 by definition: its body is rigid"},
-    {"ElongationOfARigidBody",
-     cantilever(kStatic + pull("scale = 1") +
-                "[responses]\nu = { response = \"elongation\", between = [\"lump.origin\", "
-                "\"lump.ear\"] }\n"),
-     2, nullptr, "both ports are of one rigid piece"},
-    {"DriveJumps", slider_crank("expression = \"(t<0.01005)?0:1\""), 2, nullptr,
-     "the drive of 'motor' jumps by 1 at t = 0.01005 s"},
-    {"DriveStartsElsewhere", slider_crank("expression = \"0.5+100*t\""), 0, "done",
-     "a drive is not at its joint's position at t = 0"},
-    {"DriveWithoutRamp", slider_crank("rate = 100"), 0, "done", "drives move at once at t = 0"},
-    {"LoadBetweenTheSteps",
-     cantilever("[simulation]\nduration = 0.1\nstep = 1e-3\n" +
-                pull("scale = \"sin(2*pi*1000*t)\"")),
-     0, "done", "the scale of load 'f' changes within a step"},
-    {"PulseBetweenTheSteps",
-     cantilever("[simulation]\nduration = 0.1\nstep = 1e-3\n" +
-                pull("scale = \"(t>0.0502) && (t<0.0506) ? 1 : 0\"")),
-     0, "done", "the scale of load 'f' changes within a step"},
-    {"Overdriven", slider_crank("rate = 20, ramp = 0.01", ", drive = { rate = 0.05, ramp = 0.01 }"),
-     0, "done", "the drive of 'guide' repeats other joints and drives"},
-    {"DampingOfASecond", slider_crank("rate = 100, ramp = 0.01", "", "damping = 1"), 0, "done",
-     "of the critical damping of its first bending mode"},
-    {"LooseTolerance",
-     slider_crank("rate = 100, ramp = 0.01"),
-     0,
-     "done",
-     "simulation.tolerance = 0.01 leaves that share of the forces unbalanced",
-     {"simulation.tolerance=0.01"}},
-    {"ElementTurnsByPi",
-     "[bodies]\nb = { beam = { from = [0, 0, 0], to = [10, 0, 0], section = \"strip\", elements = "
-     "2 "
-     "} }\n[sections]\nstrip = { type = \"full\", stiffness = [1e4, 1e4, 1e4, 100, 100, 100], "
-     "inertia = [1, 1, 1, 1, 1, 1] }\n[joints]\nclamp = { fixed = [\"ground\", \"b.start\"] "
-     "}\n[loads]\nbending = { at = \"b.end\", moment = [0, 0, 90], scale = \"t/20\" "
-     "}\n[simulation]\nduration = 20\nstep = 0.02\n",
-     1, "not_converged", "use more elements"},
-    {"StepTooLong",
-     "gravity = [0, -9.81, 0]\n[bodies]\nb = { rigid = { at = [0, 0, 0], mass = 1, inertia = "
-     "[0.01, 0.01, 0.01], points = { a = [-0.3, 0, 0], c = [0.3, 0.1, 0] } } }\nd = { rigid = { at "
-     "= [1, 0, 0], mass = 0.5, inertia = [0.01, 0.01, 0.01] } }\n[joints]\nh = { revolute = "
-     "[\"ground\", \"b.a\"] }\n[forces]\ns = { between = [\"b.c\", \"ground\"], stiffness = 4e3 "
-     "}\nr = { between = [\"b.origin\", \"d.origin\"], stiffness = 1e4, rest = 0.5 "
-     "}\n[simulation]\nduration = 2\nstep = 0.02\n",
-     1, "inaccurate", "compare with a smaller simulation.step"},
-    {"MeshedBarAboveATenthOfItsEulerLoad", meshed_bar("[-13.8e3, 0, 0]"), 0, "done",
-     "the part 'bar' carries up to 0.5 of its Euler load"},
-    {"MeshedBarFarBent", meshed_bar("[0, 1600, 0]"), 0, "done",
-     "rad between its interfaces, but its deformation is linear"},
-    {"ModesLeaveThePlane", kFrame, 0, "done", "modes may leave the plane"},
-};
-
-class Traps : public Program, public testing::WithParamInterface<Trap> {
+class TrapFigures : public Program {
  protected:
   Outcome run_scene(const std::string& text, const Words& set = {}) {
     Words words{"run", write("scene.toml", text), "-o", results(), "--force"};
@@ -184,28 +71,8 @@ class Traps : public Program, public testing::WithParamInterface<Trap> {
     if (fs::exists(results() / "summary.json")) summary_ = summary();
     return out;
   }
-  /// Everything that the program says of a run.
-  std::string said(const Outcome& out) const {
-    return out.err + summary_.value("reason", "") + summary_.value("space_reason", "") +
-           (summary_.contains("warnings") ? summary_["warnings"].dump() : "");
-  }
   Json summary_ = Json::object();
 };
-
-TEST_P(Traps, IsTold) {
-  const Trap& trap = GetParam();
-  const Outcome out = run_scene(trap.scene, trap.set);
-  EXPECT_EQ(out.code, trap.code) << said(out);
-  if (trap.status) {
-    EXPECT_EQ(summary_.value("status", ""), trap.status) << said(out);
-  }
-  EXPECT_NE(said(out).find(trap.words), std::string::npos) << said(out);
-}
-
-INSTANTIATE_TEST_SUITE_P(Scenes, Traps, testing::ValuesIn(kTraps),
-                         [](const auto& of) { return std::string(of.param.name); });
-
-using TrapFigures = Traps;
 
 /// A plane frame of flat bars, weak out of its plane, that its own plane sees as stable.
 TEST_F(TrapFigures, BucklingOutOfThePlaneIsSeen) {
@@ -310,6 +177,48 @@ tip = { response = "position", at = "bar.end" }
   EXPECT_EQ(summary_["rejected_steps"], 0);
   EXPECT_LT(summary_["newton_iterations"], 5000);
   EXPECT_GT(summary_["responses"]["tip"]["final"][1], 0.7);  // bent far
+}
+
+/// Edges on lines of the grid: the check of derivatives moves off and says so, and so does a run.
+TEST_F(TrapFigures, EdgesOnGridLinesAreNamed) {
+  write("scene.toml", R"toml([bodies.plate.solid]
+mesh = { from = [0, -0.04], to = [0.16, 0.04], cells = [16, 8] }
+material = "steel"
+thickness = 0.01
+ersatz = { ratio = 1e-3 }
+interfaces = { wall = { set = "x_min" }, tip = { set = "x_max", tie = "averaged" } }
+[bodies.plate.solid.outline]
+bar = { type = "rectangle", x = 0.1, width = 0.4, height = 0.06 }
+)toml" + kMaterials);
+  const std::string study = write("study.toml", R"toml(scene = "scene.toml"
+[design]
+height = { of = "plate", parameters = "bar.height", bounds = [0.03, 0.078] }
+[objective]
+minimize = "mass"
+of = "plate"
+[part_limits]
+soft = { of = "plate", quantity = "compliance", limit = 0.02 }
+[loads]
+f = { at = "plate.tip", force = [0, 1000, 0] }
+)toml");
+  const Words shifted{"--set", "design.height.start=0.0612"};
+  const auto with = [](Words words, const Words& more) {
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  };
+  const Words check{"optimize", study, "--check-derivatives"};
+  const Outcome on_line = run(check), beside = run(with(check, shifted));
+  EXPECT_EQ(on_line.code, 0) << on_line.out << on_line.err;
+  EXPECT_NE(on_line.out.find("along height:"), std::string::npos) << on_line.out;
+  EXPECT_NE(on_line.out.find("checked, 0 wrong"), std::string::npos) << on_line.out;
+  EXPECT_EQ(beside.code, 0) << beside.out << beside.err;
+  EXPECT_EQ(beside.out.find("kink"), std::string::npos) << beside.out;
+  const Words optimize{"optimize", study, "-o", results(), "--force"};
+  const char* words = "edges of the part 'plate' that height moves lie on grid lines at the start";
+  run(optimize);
+  EXPECT_NE(summary()["warnings"].dump().find(words), std::string::npos) << summary()["warnings"];
+  run(with(optimize, shifted));
+  EXPECT_EQ(summary()["warnings"].dump().find(words), std::string::npos);
 }
 
 }  // namespace

@@ -192,7 +192,11 @@ TEST(WriteFile, FullDiskIsNamed) {
 TEST(IoError, FullDiskIsNamedWhicheverLibrarySaysIt) {
   const IoError hdf5("write", "results.h5",
                      "file write failed: errno = 28, error message = 'No space left on device'");
-  EXPECT_EQ(hdf5.reason().find("the disk is full ("), 0u) << hdf5.reason();
+  EXPECT_EQ(hdf5.reason(),
+            "the disk is full (No space left on device); make room or choose another folder");
+  const IoError quota("write", "results.h5",
+                      "write failed: errno = 122, error message = 'Disk quota exceeded', buf = 1");
+  EXPECT_EQ(quota.reason(), "Disk quota exceeded");
   EXPECT_EQ(IoError("write", "file", "Permission denied").reason(), "Permission denied");
 }
 

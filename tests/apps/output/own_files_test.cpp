@@ -193,6 +193,13 @@ TEST(CaseEnd, OfAFullDiskIsTriedAgain) {
   const CaseEnd full = folder.judge(end, {});
   EXPECT_EQ(full.status, "disk full");
   EXPECT_TRUE(full.failed && full.tried_again());
+  put(place / "cases/.1.log", "liesl: cannot write 'x': Disk quota exceeded");
+  EXPECT_EQ(folder.judge(end, {}).status, "not written");
+  EXPECT_TRUE(folder.judge(end, {}).tried_again());
+  put(place / "cases/.1.log", "liesl: out of memory; use fewer elements");
+  EXPECT_EQ(folder.judge(end, {}).status, "no memory");
+  EXPECT_TRUE(folder.judge(end, {}).tried_again());
+  EXPECT_FALSE(folder.judge(end, {{}, 64.0}).tried_again()) << "the batch's own limit";
   put(place / "cases/.1.log", "liesl: internal error: no");
   const CaseEnd failed = folder.judge(end, {});
   EXPECT_EQ(failed.status, "failed");

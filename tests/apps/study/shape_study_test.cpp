@@ -60,7 +60,7 @@ TEST(ShapeStudy, HasTheDataOfTheFile) {
   EXPECT_EQ(shape.variables[0].drives[1].name, "hole.b");
   EXPECT_EQ(shape.variables[0].drives[1].factor, -0.5);
   EXPECT_EQ(shape.walls.at(0).to, "right");
-  EXPECT_EQ(spec.goal, SolidResponse::Compliance);
+  EXPECT_EQ(spec.objective, SolidResponse::Compliance);
   ASSERT_EQ(spec.part_limits.size(), 2u);
   EXPECT_EQ(spec.part_limits[1].count, 2);
   ASSERT_EQ(spec.loads.size(), 2u);

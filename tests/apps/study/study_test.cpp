@@ -35,6 +35,7 @@ crank = "inertia_relief"
 [cycle]
 max = 12
 optimizer = "mma"
+method = "esl"
 )";
 
 const std::filesystem::path kScenes = std::filesystem::path(test::kDataDir) / "scenes";

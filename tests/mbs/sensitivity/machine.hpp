@@ -11,9 +11,15 @@
 
 namespace liesl::test {
 
+/// A scale with kinks, as a function of its second value.
+inline TimeFunction pulse(double top) {
+  return TimeFunction::table({0, 0.007, 0.013, 0.03}, {0.2, top, 0.4, 0.5},
+                             TimeFunction::Interpolation::Linear);
+}
 /// Of a plastic: differences of simulations are as exact as what EA/L makes of the round-off in
 /// positions, which is small beside the forces of inertia then. Under its weight, with a load on
-/// the rod and a spring with a damper between crank and rod.
+/// the rod, one that varies by a table, a spring with a damper between crank and rod, and a disc on
+/// the crank whose centre of mass is off it.
 inline Mechanism sensitive_machine() {
   Mechanism m = test::slider_crank({.elements = 3, .crank = 0.02, .rod = 0.016, .ramp = 0.02});
   for (std::size_t b : {0, 1})
@@ -25,12 +31,21 @@ inline Mechanism sensitive_machine() {
   spring.joint = 1;
   spring.stiffness = 20;
   spring.damping = 0.1;
+  spring.rest = 0.01;
   m.forces = {spring};
   LoadSpec load;
   load.name = "load";
   load.port = {1, 2};
   load.force = {3, -8, 0};
-  m.loads = {load};
+  LoadSpec pulsing = load;
+  pulsing.name = "pulsing";
+  pulsing.port = {1, 1};
+  pulsing.scale = pulse(1);
+  m.loads = {load, pulsing};
+  RigidSpec disc = block({0.05, 0, 0}, 0.05, 1e-4);
+  disc.centre = {0.01, 0.02, 0};
+  m.bodies.push_back({"disc", disc});
+  m.joints.push_back({"bolt", JointType::Fixed, {0, 1}, {3, 0}});
   return m;
 }
 
@@ -68,6 +83,21 @@ inline std::vector<Quantity> quantities(const Mechanism& m) {
       {0.1,
        [](Mechanism& c, double p) { c.forces[0].damping = p; },
        {"damper", {ForceDerivative{.force = 0, .damping = 1}}}},
+      {0.1,
+       [](Mechanism& c, double p) { c.forces[0].rest = p - 0.09; },
+       {"rest", {ForceDerivative{.force = 0, .rest = 1}}}},
+      {1e-4,
+       [](Mechanism& c, double p) { std::get<RigidSpec>(c.bodies[3].kind).inertia(2, 2) = p; },
+       {"inertia of the disc", {RigidDerivative{3, 0, Vec3::Zero(), Vec3(0, 0, 1).asDiagonal()}}}},
+      {0.02,
+       [](Mechanism& c, double p) { std::get<RigidSpec>(c.bodies[3].kind).centre.y() = p; },
+       {"centre of the disc", {RigidDerivative{3, 0, {0, 1, 0}}}}},
+      {-8,
+       [](Mechanism& c, double p) { c.loads[0].force.y() = p; },
+       {"component of the load", {LoadDerivative{0, 0, {}, {0, 1, 0}}}}},
+      {1,
+       [](Mechanism& c, double p) { c.loads[1].scale = pulse(p); },
+       {"value of the table", {LoadDerivative{1, 0, {{0.5, pulse(2)}, {-0.5, pulse(0)}}}}}},
       {1,
        [](Mechanism& c, double p) { c.loads[0].scale = TimeFunction::constant(p); },
        {"load", {LoadDerivative{0, 1}}}},

@@ -23,6 +23,13 @@ TimeFunction wave(double amplitude, double rate) {
                                   "*t))");
 }
 
+TimeFunction sum_of_waves(double a, double rate_a, double b, double rate_b) {
+  const auto term = [](double amplitude, double rate) {
+    return std::to_string(amplitude) + "*(1.3+sin(" + std::to_string(rate) + "*t))";
+  };
+  return TimeFunction::expression(term(a, rate_a) + "+" + term(b, rate_b));
+}
+
 /// A slider-crank with all that has parameters: springs on a joint and between ports, an actuator,
 /// loads of all kinds, weight, a slider whose centre of mass is off its frame.
 Mechanism machine(Formalism formalism) {
@@ -75,8 +82,42 @@ struct Case {
 BeamSpec& beam(Mechanism& m, int b) { return std::get<BeamSpec>(m.bodies[std::size_t(b)].kind); }
 RigidSpec& slider(Mechanism& m) { return std::get<RigidSpec>(m.bodies[2].kind); }
 
-std::vector<Case> cases(const Mechanism& m) {
+/// Components of loads; functions of time.
+std::vector<Case> changes_of_loads_and_functions() {
   std::vector<Case> all;
+  for (int l = 0; l < 4; ++l) {
+    const LoadDerivative by{l, 0, {{0.5, wave(2, 90)}}, {1, 2, 0}, {0, 0, 0.1}};
+    all.push_back({[by, l](Mechanism& c, double p) {
+                     LoadSpec& load = c.loads[std::size_t(l)];
+                     load.force += p * by.force;
+                     load.moment += p * by.moment;
+                   },
+                   {"components of load " + std::to_string(l),
+                    {LoadDerivative{l, 0, {}, by.force, by.moment}}},
+                   0.1});
+    all.push_back({[l](Mechanism& c, double p) {
+                     c.loads[std::size_t(l)].scale = sum_of_waves(1, 50, 0.5 * p * 2, 90);
+                   },
+                   {"scale of load " + std::to_string(l), {LoadDerivative{l, 0, by.scale}}},
+                   0.1});
+  }
+  for (int f : {1, 2})
+    all.push_back({[f](Mechanism& c, double p) {
+                     c.forces[std::size_t(f)].force =
+                         sum_of_waves(f == 1 ? 3 : 20, f == 1 ? 40 : 70, 3 * p, 20);
+                   },
+                   {"function of force " + std::to_string(f),
+                    {ForceDerivative{f, 0, 0, 0, 0, {{3, wave(1, 20)}}}}},
+                   0.1});
+  all.push_back(
+      {[](Mechanism& c, double p) { c.drives[0].motion = TimeFunction::rate(60 + 7 * p, 0.02); },
+       {"motion of the drive", {DriveDerivative{0, 0, {{7, TimeFunction::rate(1, 0.02)}}}}},
+       0.1});
+  return all;
+}
+
+std::vector<Case> cases(const Mechanism& m) {
+  std::vector<Case> all = changes_of_loads_and_functions();
   all.push_back({[](Mechanism& c, double p) {
                    for (int e : {1, 2})
                      std::get<Circle>(beam(c, 1).sections[std::size_t(e)].shape).diameter += p;

@@ -12,7 +12,7 @@ const std::vector<NlpVariable> kVariable{{"x", 0.1, 10, 1}};
 Cycle cycle(double x, double answer, double move = 0.5) {
   Cycle c;
   c.x = Eigen::VectorXd::Constant(1, x);
-  c.mass = x;
+  c.mass = c.objective = x;
   c.answer = Eigen::VectorXd::Constant(1, answer);
   c.next = c.answer;
   c.move = move;
@@ -95,7 +95,7 @@ TEST(Ends, AgreementNeedsLoadsMassAndLimits) {
   h.back().load_change = 2e-3;
   EXPECT_FALSE(agreement(h, o));
   h.back().load_change = 0.5e-3;
-  h.front().mass = 0.99;
+  h.front().objective = 0.99;
   EXPECT_FALSE(agreement(h, o));
 }
 

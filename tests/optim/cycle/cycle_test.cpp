@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "mbs/system/response_value.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_problem.hpp"
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
@@ -245,7 +245,7 @@ TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
   const auto check = [&](const Eigen::VectorXd& x) {
     const auto run = simulator.run(x);
     const auto statics = motion_problem(study.spec, simulator, run, x, 0.5);
-    return check_optimality_by_differences(simulator, study.spec, run, x, *statics, 1e-2);
+    return check_optimality_by_differences(simulator, run, x, *statics, 1e-2);
   };
   const DynamicOptimality right = check(1e-3 * kStolpesOptimum);
   ASSERT_TRUE(right.residual) << right.reason;

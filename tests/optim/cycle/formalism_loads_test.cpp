@@ -7,7 +7,7 @@
 #include <cmath>
 
 #include "esl/load_set.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl {

@@ -1,9 +1,8 @@
 /// @file
 /// New holes under the loads of a motion: the arm of a robot, without its openings.
-#include "optim/cycle/motion_topology.hpp"
-
 #include <gtest/gtest.h>
 
+#include "optim/cycle/topology_cycle.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl {
@@ -29,21 +28,31 @@ TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
   const Study study = plain_arm();
   const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
   const Space<SE2> space = test::space_of<SE2>(mechanism);
-  const auto proposed = optimise_motion_topology<SE2>(mechanism, space, simulation, study.spec, 0);
-  ASSERT_EQ(proposed.cycle.status, CycleStatus::Converged) << proposed.cycle.reason;
+  using End = CycleResult<SE2>;
+  const auto optimised = [&](int most) {
+    return optimise_in_rounds<End>(study.spec, mechanism, most,
+                                   [&](const StudySpec& spec, const Mechanism& at,
+                                       const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+                                     return run_cycle<SE2>(at, space, simulation, spec, hooks,
+                                                           resume);
+                                   },
+                                   {});
+  };
+  const Topology<End> proposed = optimised(0), holed = optimised(1);
+  const End &without = proposed.last.end, &with = holed.last.end;
+  ASSERT_TRUE(closed(without.status)) << without.reason;
   EXPECT_TRUE(proposed.holes.empty());
-  ASSERT_TRUE(proposed.next) << proposed.cycle.proposals.at(0).hole.reason;
+  ASSERT_TRUE(proposed.next) << proposed.reason;
   EXPECT_GT(proposed.next->hole.nucleus->gain, 0);
   EXPECT_LE(proposed.next->hole.nucleus->gain, 2700 * (1 + 1e-12)) << "more than the density";
 
-  const auto holed = optimise_motion_topology<SE2>(mechanism, space, simulation, study.spec, 1);
   ASSERT_EQ(holed.holes.size(), 1u);
-  EXPECT_TRUE(holed.holes[0].pays) << holed.holes[0].reason;
-  EXPECT_EQ(holed.holes[0].before, proposed.cycle.mass);
-  EXPECT_LT(holed.cycle.mass, (1 - 1e-3) * proposed.cycle.mass);
-  EXPECT_LE(holed.cycle.worst, 1e-3);
-  EXPECT_EQ(holed.cycle.mass_initial, proposed.cycle.mass_initial);
-  EXPECT_EQ(holed.cycle.x.size(), 5);
+  EXPECT_TRUE(holed.holes[0].kept) << holed.holes[0].reason;
+  EXPECT_EQ(holed.holes[0].before, without.mass);
+  EXPECT_LT(with.mass, (1 - 1e-3) * without.mass);
+  EXPECT_LE(with.worst, 1e-3);
+  EXPECT_EQ(holed.first.first->mass, without.mass_initial);
+  EXPECT_EQ(with.x.size(), 5);
 }
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl {
@@ -39,7 +39,8 @@ template <FrameGroup G>
 void expect_closed(const CycleResult<G>& r) {
   EXPECT_EQ(r.status, CycleStatus::Converged) << r.reason;
   EXPECT_LE(r.worst, 1e-3);
-  EXPECT_NEAR(r.final[0].largest / r.final[0].limit, 1, 1e-3) << "the limit is reached";
+  EXPECT_NEAR(r.final[0].limits[0].largest / r.final[0].limits[0].limit, 1, 1e-3)
+      << "the limit is reached";
 }
 
 TEST(ConnectingRodSlow, IsAQuarterLighterThanTheSolidRod) {

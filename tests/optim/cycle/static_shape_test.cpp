@@ -150,9 +150,9 @@ TEST(StaticShape, ErrorsOfDifferencesFallWithTheSquareOfTheStep) { expect_second
 TEST(StaticShape, OrderInSpace) { expect_second_order(true); }
 
 TEST(StaticShape, DerivativesOfOtherGoalsPassTheStepSweep) {
-  for (const SolidResponse goal : {SolidResponse::Compliance, SolidResponse::Stress}) {
+  for (const SolidResponse objective : {SolidResponse::Compliance, SolidResponse::Stress}) {
     Block block(all_shapes()[9]);
-    block.task.goal = goal;
+    block.task.objective = objective;
     expect_right(block, "super-ellipse");
   }
 }
@@ -201,10 +201,11 @@ TEST(StaticShape, SaysWhichInterfaceIsCutAndGivesNoValue) {
   VectorXd g(problem.constraints().size());
   problem.values(VectorXd::Constant(1, 2.9), f, g);
   EXPECT_TRUE(std::isnan(f));
-  EXPECT_NE(problem.obstacle().find("interface 'right'"), std::string::npos) << problem.obstacle();
+  EXPECT_NE(problem.undefined_reason().find("interface 'right'"), std::string::npos)
+      << problem.undefined_reason();
   problem.values(design.start(), f, g);
   EXPECT_TRUE(std::isfinite(f));
-  EXPECT_EQ(problem.obstacle(), "");
+  EXPECT_EQ(problem.undefined_reason(), "");
 }
 
 /// Each bound alone leaves a shape, both together fold the outline over itself.
@@ -221,7 +222,8 @@ TEST(StaticShape, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
   VectorXd g(problem.constraints().size());
   problem.values(Eigen::Vector2d(-0.3, 0.05), f, g);
   EXPECT_TRUE(std::isnan(f));
-  EXPECT_NE(problem.obstacle().find("crosses itself"), std::string::npos) << problem.obstacle();
+  EXPECT_NE(problem.undefined_reason().find("crosses itself"), std::string::npos)
+      << problem.undefined_reason();
 }
 
 }  // namespace

@@ -10,7 +10,7 @@
 #include "apps/study/load_study.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #include "reference/places.hpp"
 #include "reference/shipped.hpp"

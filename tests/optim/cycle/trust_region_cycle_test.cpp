@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "optim/cycle/corrected_problem.hpp"
-#include "optim/cycle/esl_cycle.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/shipped.hpp"
@@ -72,10 +72,10 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   const auto run = s.simulator->run(x);
   ASSERT_TRUE(run.good());
   auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
-  const MotionGradients<SE2> motion(s.simulator->design(), run, x, inner->responses());
+  const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
   ASSERT_TRUE(motion.reason().empty()) << motion.reason();
   const auto images = inner->images();
-  CorrectedProblem<SE2> problem(std::move(inner), motion, x);
+  CorrectedProblem problem(std::move(inner), motion, x);
   const auto m = static_cast<int>(problem.constraints().size());
   ASSERT_GT(m, 0);
   double f = 0;
@@ -104,9 +104,9 @@ TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
   const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
   const auto run = s.simulator->run(x);
   auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
-  const MotionGradients<SE2> motion(s.simulator->design(), run, x, statics->responses());
+  const MotionGradients motion(s.simulator->design(), run, x, statics->responses());
   int peak = 0;
-  for (int n = 0; n < motion.records(); ++n)
+  for (int n = 0; n < motion.records(0); ++n)
     if (motion.value(0, n) > motion.value(0, peak)) peak = n;
   const VectorXd* dv = motion.gradient(0, peak);
   ASSERT_TRUE(dv);
@@ -143,13 +143,13 @@ TEST(MotionGradients, OfOtherResponsesAreThoseOfDifferences) {
     const VectorXd x = s.simulator->design().start(), unit = s.simulator->design().unit(x);
     const auto run = s.simulator->run(x);
     const auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
-    const MotionGradients<SE2> motion(s.simulator->design(), run, x, statics->responses());
+    const MotionGradients motion(s.simulator->design(), run, x, statics->responses());
     ASSERT_TRUE(motion.reason().empty()) << motion.reason();
     const auto limits = s.study.spec.constraints.size();
     std::vector<std::pair<int, int>> peak(limits, {-1, 0});  // response, record
-    for (std::size_t r = 0; r < motion.responses().size(); ++r)
-      for (int n = 0; n < motion.records(); ++n) {
-        auto& [response, record] = peak[motion.responses()[r].constraint];
+    for (std::size_t r = 0; r < std::size_t(motion.responses()); ++r)
+      for (int n = 0; n < motion.records(0); ++n) {
+        auto& [response, record] = peak[motion.response(int(r)).constraint];
         const int number = static_cast<int>(r);
         if (response < 0 || motion.value(number, n) > motion.value(response, record)) {
           response = number;

@@ -137,7 +137,7 @@ TEST(ShapeDesign, ReachIsInCells) {
                              {"turn", {{"two.angle", 1}}, -1, 1, {}}},
                             {}},
                            *plate.shape, plate.model);
-  const VectorXd reach = design.reach(plate.fractions().derivative, 3);
+  const VectorXd reach = design.step_bounds(plate.fractions().derivative, 3);
   const double h = std::sqrt(0.2 / 27 * 0.06 / 9);
   EXPECT_NEAR(reach[0], 3 * h, 1e-9);
   EXPECT_NEAR(reach[1], 3 * h / 2, 0.02 * h);

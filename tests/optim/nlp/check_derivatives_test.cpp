@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "optim/nlp/elastic.hpp"
@@ -77,6 +78,47 @@ TEST(CheckDerivatives, FindsAWrongGradientAndHessian) {
   const DerivativeReport second = check_derivatives(curved, start_of(curved));
   EXPECT_FALSE(second.right);
   EXPECT_EQ(second.worst()->function, "Hessian of the Lagrangian");
+}
+
+/// A displacement with a kink at x1 = 5: the derivative given is that of one side.
+class Kinked : public SvanbergBeam {
+ public:
+  bool wrong = false;
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+    SvanbergBeam::values(x, f, g);
+    g[0] += 0.1 * std::abs(x[0] - 5);
+  }
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+    SvanbergBeam::gradients(x, df, dg);
+    dg(0, 0) += x[0] < 5 ? -0.1 : 0.1;
+    if (wrong) dg(0, 3) *= 1.001;
+  }
+};
+
+/// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
+/// are checked beside it. One that is wrong stays so.
+TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
+  DerivativeCheckOptions each;
+  each.every_variable = true;
+  each.hessian = false;
+  Kinked kinked;
+  const Eigen::VectorXd x = Eigen::VectorXd::Constant(5, 5);
+  const DerivativeReport report = check_derivatives(kinked, x, each);
+  EXPECT_TRUE(report.right) << report.text();
+  ASSERT_EQ(report.kinks.size(), 1u) << report.text();
+  EXPECT_EQ(report.kinks[0].direction, "x1");
+  EXPECT_EQ(report.kinks[0].functions, 1);
+  EXPECT_GT(report.kinks[0].jump, 0.1);
+  EXPECT_GT((report.x - x).cwiseAbs().minCoeff(), 0.01);
+  EXPECT_NE(report.text().find("along x1: 1 functions, left and right derivative differ"),
+            std::string::npos);
+  kinked.wrong = true;
+  const DerivativeReport second = check_derivatives(kinked, x, each);
+  EXPECT_FALSE(second.right);
+  EXPECT_EQ(second.worst()->direction, "x4");
+  const Eigen::VectorXd off = Eigen::VectorXd::Constant(5, 5.5);
+  kinked.wrong = false;
+  EXPECT_TRUE(check_derivatives(kinked, off, each).kinks.empty());
 }
 
 TEST(CheckDerivatives, StaysWithinTheBounds) {

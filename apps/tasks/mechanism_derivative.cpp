@@ -1,0 +1,264 @@
+#include "apps/tasks/mechanism_derivative.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+#include "mbs/sections/shape_dimensions.hpp"
+#include "mbs/solids/volume_fraction.hpp"
+
+namespace liesl {
+namespace {
+
+/// [f(-2h), f(-h), f(h), f(2h)] -> df/dp, over 12 h.
+constexpr std::array kWeights = {1., -8., 8., -1.};
+
+bool same(const SE3& a, const SE3& b) { return a.R == b.R && a.x == b.x; }
+bool same(const Port& a, const Port& b) {
+  return a.body == b.body && a.node == b.node && same(a.offset, b.offset);
+}
+bool same_frames(const std::vector<SE3>& a, const std::vector<SE3>& b) {
+  bool equal = a.size() == b.size();
+  for (std::size_t i = 0; equal && i < a.size(); ++i) equal = same(a[i], b[i]);
+  return equal;
+}
+
+BeamDerivative scaled(BeamDerivative part, double factor) {
+  for (auto& law : part.laws) {
+    law.K *= factor;
+    law.M *= factor;
+  }
+  for (auto& element : part.stress)
+    for (auto& point : element) point *= factor;
+  return part;
+}
+
+class Differences {
+ public:
+  Differences(const Mechanism& at, const std::function<Mechanism(double)>& changed, double step,
+              const SimulationOptions& simulation)
+      : at_(at),
+        near_{changed(-2 * step), changed(-step), changed(step), changed(2 * step)},
+        step_(step),
+        simulation_(simulation) {}
+
+  Parameter parameter(const std::string& name) {
+    require_same("gravity", [](const Mechanism& m) { return m.gravity; });
+    Parameter p{name, {}};
+    for (std::size_t b = 0; b < at_.bodies.size(); ++b) add_body(static_cast<int>(b), p);
+    check_joints();
+    for (std::size_t i = 0; i < at_.drives.size(); ++i) add_drive(i, p);
+    for (std::size_t i = 0; i < at_.forces.size(); ++i) add_force(i, p);
+    for (std::size_t i = 0; i < at_.loads.size(); ++i) add_load(i, p);
+    if (p.parts.empty())
+      throw std::invalid_argument(
+          fmt::format("'{}' changes nothing that has a derivative: sections, materials, masses, "
+                      "springs, loads or drives",
+                      name));
+    return p;
+  }
+
+ private:
+  /// Exactly zero for what does not change.
+  template <class Get>
+  auto difference(Get get) const {
+    auto by_p = get(at_);
+    by_p = ((get(near_[2]) - get(near_[1])) * 8 - (get(near_[3]) - get(near_[0]))) / (12 * step_);
+    return by_p;
+  }
+  [[noreturn]] static void refuse(const std::string& what) {
+    throw std::invalid_argument(what +
+                                " changes, of which there is no derivative: parameters are "
+                                "sections, E and rho, masses and inertias, springs, "
+                                "dampers, loads and drives");
+  }
+  template <class Get>
+  void require_same(const std::string& what, Get get) const {
+    for (const Mechanism& m : near_)
+      if (!(get(m) == get(at_))) refuse(what);
+  }
+  template <class Equal>
+  void require(const std::string& what, Equal equal) const {
+    for (const Mechanism& m : near_)
+      if (!equal(m)) refuse(what);
+  }
+
+  /// d/dp of a function of time; none if it does not change at any step of the simulation.
+  template <class Get>
+  FunctionDerivative function(Get get) const {
+    FunctionDerivative by_p;
+    for (std::size_t i = 0; i < kWeights.size(); ++i)
+      by_p.push_back({kWeights[i] / (12 * step_), get(near_[i])});
+    const long steps = std::lround(std::ceil(simulation_.duration / simulation_.step));
+    for (long n = 0; n <= steps; ++n) {
+      const double t = static_cast<double>(n) * simulation_.step;
+      for (const WeightedFunction& f : by_p)
+        if (f.function(t) != get(at_)(t)) return by_p;
+    }
+    return {};
+  }
+
+  void add_body(int b, Parameter& p) const {
+    const auto of = [b](const Mechanism& m) -> const BodySpec& {
+      return m.bodies[static_cast<std::size_t>(b)];
+    };
+    const std::string name = "body '" + of(at_).name + "'";
+    require(name, [&](const Mechanism& m) {
+      return m.bodies.size() == at_.bodies.size() && of(m).kind.index() == of(at_).kind.index();
+    });
+    require("the velocity of " + name + " at the start", [&](const Mechanism& m) {
+      return of(m).velocity == of(at_).velocity &&
+             of(m).angular_velocity == of(at_).angular_velocity;
+    });
+    if (std::holds_alternative<BeamSpec>(of(at_).kind)) add_beam(b, name, p);
+    if (std::holds_alternative<RigidSpec>(of(at_).kind)) add_rigid(b, name, p);
+    if (std::holds_alternative<SolidSpec>(of(at_).kind)) check_solid(b, name);
+  }
+
+  void add_beam(int b, const std::string& name, Parameter& p) const {
+    const auto of = [b](const Mechanism& m) -> const BeamSpec& {
+      return std::get<BeamSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
+    };
+    const BeamSpec& beam = of(at_);
+    require("the geometry of " + name,
+            [&](const Mechanism& m) { return same_frames(of(m).nodes, beam.nodes); });
+    require("nu, damping or kind of " + name, [&](const Mechanism& m) {
+      const BeamSpec& other = of(m);
+      return other.material.nu == beam.material.nu && other.damping == beam.damping &&
+             other.as == beam.as && other.modes == beam.modes;
+    });
+    BeamDerivative sum;
+    bool depends = false;
+    const auto take = [&](double by_p, auto law) {
+      if (by_p == 0) return;
+      if (depends)
+        sum += scaled(law(), by_p);
+      else
+        sum = scaled(law(), by_p);
+      depends = true;
+    };
+    const int elements = static_cast<int>(beam.sections.size());
+    for (int e = 0; e < elements; ++e) {
+      const auto section = [&](const Mechanism& m) -> const Section& {
+        return of(m).sections[static_cast<std::size_t>(e)];
+      };
+      require_section(section, name);
+      for (const auto dimension_name : dimensions(section(at_).shape))
+        take(difference(
+                 [&](const Mechanism& m) { return dimension(section(m).shape, dimension_name); }),
+             [&] { return by_dimension(at_, b, {e}, dimension_name); });
+    }
+    take(difference([&](const Mechanism& m) { return of(m).material.E; }),
+         [&] { return by_youngs_modulus(at_, b); });
+    take(difference([&](const Mechanism& m) { return of(m).material.rho; }),
+         [&] { return by_density(at_, b); });
+    if (depends) p.parts.push_back(std::move(sum));
+  }
+
+  template <class Get>
+  void require_section(Get section, const std::string& name) const {
+    const Section& given = section(at_);
+    require("the kind of section, a shear factor or a torsion constant of " + name,
+            [&](const Mechanism& m) {
+              const Section& other = section(m);
+              const auto* full = std::get_if<FullSection>(&given.shape);
+              const auto* same_full = std::get_if<FullSection>(&other.shape);
+              return other.shape.index() == given.shape.index() &&
+                     other.shear_factor == given.shear_factor &&
+                     other.torsion_constant == given.torsion_constant &&
+                     (!full || (full->stiffness == same_full->stiffness &&
+                                full->inertia == same_full->inertia));
+            });
+  }
+
+  void add_rigid(int b, const std::string& name, Parameter& p) const {
+    const auto of = [b](const Mechanism& m) -> const RigidSpec& {
+      return std::get<RigidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
+    };
+    require("the place of " + name, [&](const Mechanism& m) {
+      return same(of(m).frame, of(at_).frame) && of(m).points == of(at_).points;
+    });
+    RigidDerivative by_p;
+    by_p.body = b;
+    by_p.mass = difference([&](const Mechanism& m) { return of(m).mass; });
+    by_p.centre = difference([&](const Mechanism& m) { return Vec3(of(m).centre); });
+    by_p.inertia = difference([&](const Mechanism& m) { return Mat3(of(m).inertia); });
+    if (by_p.mass != 0 || !by_p.centre.isZero(0) || !by_p.inertia.isZero(0))
+      p.parts.push_back(by_p);
+  }
+
+  void check_solid(int b, const std::string& name) const {
+    const auto of = [b](const Mechanism& m) -> const SolidSpec& {
+      return std::get<SolidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
+    };
+    const SolidSpec& solid = of(at_);
+    const Eigen::VectorXd fractions = solid_fractions(solid).value;
+    require("material, mesh or outline of the meshed " + name, [&](const Mechanism& m) {
+      const SolidSpec& other = of(m);
+      return other.material.E == solid.material.E && other.material.nu == solid.material.nu &&
+             other.material.rho == solid.material.rho && other.mesh.nodes == solid.mesh.nodes &&
+             solid_fractions(other).value == fractions;
+    });
+  }
+
+  void check_joints() const {
+    for (std::size_t j = 0; j < at_.joints.size(); ++j)
+      require("the geometry of joint '" + at_.joints[j].name + "'", [&](const Mechanism& m) {
+        const JointSpec &a = m.joints[j], &b = at_.joints[j];
+        return a.type == b.type && same(a.a, b.a) && same(a.b, b.b) && a.axis == b.axis &&
+               a.axis2 == b.axis2 && a.pitch == b.pitch;
+      });
+  }
+
+  void add_drive(std::size_t i, Parameter& p) const {
+    DriveDerivative by_p{static_cast<int>(i), 0,
+                         function([i](const Mechanism& m) { return m.drives[i].motion; })};
+    if (!by_p.motion.empty()) p.parts.push_back(std::move(by_p));
+  }
+
+  void add_force(std::size_t i, Parameter& p) const {
+    require("the ports of force '" + at_.forces[i].name + "'", [&](const Mechanism& m) {
+      return same(m.forces[i].a, at_.forces[i].a) && same(m.forces[i].b, at_.forces[i].b);
+    });
+    ForceDerivative by_p;
+    by_p.force = static_cast<int>(i);
+    by_p.stiffness = difference([i](const Mechanism& m) { return m.forces[i].stiffness; });
+    by_p.damping = difference([i](const Mechanism& m) { return m.forces[i].damping; });
+    by_p.rest = difference([i](const Mechanism& m) { return m.forces[i].rest; });
+    by_p.function = function([i](const Mechanism& m) { return m.forces[i].force; });
+    if (by_p.stiffness != 0 || by_p.damping != 0 || by_p.rest != 0 || !by_p.function.empty())
+      p.parts.push_back(std::move(by_p));
+  }
+
+  void add_load(std::size_t i, Parameter& p) const {
+    require("the place of load '" + at_.loads[i].name + "'", [&](const Mechanism& m) {
+      return same(m.loads[i].port, at_.loads[i].port) &&
+             m.loads[i].follower == at_.loads[i].follower;
+    });
+    LoadDerivative by_p;
+    by_p.load = static_cast<int>(i);
+    by_p.factor = 0;
+    by_p.force = difference([i](const Mechanism& m) { return Vec3(m.loads[i].force); });
+    by_p.moment = difference([i](const Mechanism& m) { return Vec3(m.loads[i].moment); });
+    by_p.scale = function([i](const Mechanism& m) { return m.loads[i].scale; });
+    if (!by_p.force.isZero(0) || !by_p.moment.isZero(0) || !by_p.scale.empty())
+      p.parts.push_back(std::move(by_p));
+  }
+
+  const Mechanism& at_;
+  const std::array<Mechanism, 4> near_;
+  const double step_;
+  const SimulationOptions& simulation_;
+};
+
+}  // namespace
+
+Parameter parameter_of(const std::string& name, const Mechanism& at,
+                       const std::function<Mechanism(double)>& changed, double step,
+                       const SimulationOptions& simulation) {
+  return Differences(at, changed, step, simulation).parameter(name);
+}
+
+}  // namespace liesl

@@ -1,0 +1,192 @@
+#include "apps/tasks/sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+
+#include "apps/input/problem.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/scene/scene_key.hpp"
+#include "apps/tasks/collect.hpp"
+#include "apps/tasks/mechanism_derivative.hpp"
+#include "apps/tasks/motion_gradient.hpp"
+#include "apps/tasks/run_summary.hpp"
+
+#ifdef LIESL_OPTIM
+#include "apps/study/load_study.hpp"
+#include "optim/design/design.hpp"
+#endif
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kTolerance = 1e-8;        // of the states, for 1e-6 in the gradients
+constexpr double kDifference = 1. / 1024;  // of a number of the scene, or of 1 where it is 0
+
+[[noreturn]] void refuse(const std::string& file, std::string what, std::string expected,
+                         std::string hint) {
+  throw InputError({{file, 0, 0, std::move(what), std::move(expected), std::move(hint)}});
+}
+
+void require_motion(const Scene& scene) {
+  if (scene.simulation.type != SimulationType::Dynamic)
+    refuse(scene.file, "sensitivities are those of a motion, this scene has none",
+           "simulation.type = \"dynamic\"", "");
+  if (scene.responses.empty())
+    refuse(scene.file, "the scene has no responses to differentiate", "[responses]",
+           "as in bend = { response = \"deflection\", of = \"rod\" }");
+}
+
+std::vector<std::string> with(std::vector<std::string> changes,
+                              const std::vector<output::Sensitivities::Parameter>& names,
+                              const VectorXd& p) {
+  for (std::size_t i = 0; i < names.size(); ++i)
+    changes.push_back(fmt::format("{}={}", names[i].name, p[static_cast<Eigen::Index>(i)]));
+  return changes;
+}
+
+/// The responses over the records.
+template <FrameGroup G>
+void add_histories(const TapedMotion<G>& motion, const SensitivityProblem& problem,
+                   output::Sensitivities& out) {
+  out.times = motion.recorded;
+  out.responses = collect_responses(problem.scene.responses, motion.mechanism, motion.model,
+                                    motion.simulation.trajectory);
+}
+
+template <FrameGroup G>
+void run_on(const SensitivityProblem& problem, const Space<G>& space,
+            const SensitivityRequest& request, const Progress& progress, SensitivityOutcome& out) {
+  SimulationOptions options = problem.scene.simulation;
+  options.tolerance = std::min(options.tolerance, kTolerance);
+  const TapedMotion<G> motion(problem.scene.mechanism, space, options, problem.scene.responses,
+                              progress);
+  out.status = motion.simulation.report.status;
+  describe(out.summary, motion.simulation.report, motion.simulation.start, motion.mechanism);
+  out.summary.more["tolerance"] = options.tolerance;
+  if (!motion.good()) return;
+  out.result.parameters = problem.names;
+  add_histories(motion, problem, out.result);
+  for (const auto& r : out.result.responses)
+    out.summary.responses.push_back(output::response_figure(r, out.result.times));
+  const auto begin = std::chrono::steady_clock::now();
+  const SensitivityEnd end = differentiate(motion, problem, request, out.method, out.result);
+  out.summary.more["sensitivity_s"] =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  if (end.complete()) return;
+  out.status = SolveStatus::Singular;
+  out.summary.status = status_word(out.status);
+  out.summary.reason = end.reason;
+}
+
+}  // namespace
+
+VectorXd SensitivityProblem::values() const {
+  VectorXd p(static_cast<Eigen::Index>(names.size()));
+  for (std::size_t i = 0; i < names.size(); ++i) p[static_cast<Eigen::Index>(i)] = names[i].value;
+  return p;
+}
+
+SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
+                                 const std::vector<std::string>& keys) {
+  SensitivityProblem problem;
+  problem.scene = load_scene(file, changes);
+  require_motion(problem.scene);
+  if (keys.empty())
+    refuse(file, "by which parameters? The scene is no study", "--by KEY[,KEY]",
+           "as in --by sections.rod.diameter,materials.steel.rho; a study has its variables");
+  for (const std::string& key : keys) {
+    const SceneNumber number = number_at(file, changes, key);
+    problem.names.push_back({key, number.unit, number.value});
+  }
+  problem.mechanism_at = [file, changes, names = problem.names](const VectorXd& p) {
+    return load_scene(file, with(changes, names, p)).mechanism;
+  };
+  const VectorXd p = problem.values();
+  for (int i = 0; i < p.size(); ++i) {
+    const std::string& key = keys[static_cast<std::size_t>(i)];
+    const auto changed = [&](double by) {
+      VectorXd at = p;
+      at[i] += by;
+      return problem.mechanism_at(at);
+    };
+    const double step = kDifference * (p[i] == 0 ? 1 : std::abs(p[i]));
+    try {
+      problem.parameters.push_back(
+          parameter_of(key, problem.scene.mechanism, changed, step, problem.scene.simulation));
+    } catch (const std::invalid_argument& error) {
+      refuse(file, fmt::format("--by {}: {}", key, error.what()), "a parameter with a derivative",
+             "docs/sensitivities.md lists them");
+    }
+  }
+  return problem;
+}
+
+SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes) {
+#ifdef LIESL_OPTIM
+  const Study study = load_study(file, changes);
+  SensitivityProblem problem;
+  problem.scene = study.scene;
+  problem.scene.input = study.input;
+  problem.scene.responses.clear();
+  for (const ConstraintSpec& c : study.spec.constraints)
+    problem.scene.responses.push_back(c.response);
+  for (const ResponseSpec& r : study.scene.responses)
+    if (std::none_of(problem.scene.responses.begin(), problem.scene.responses.end(),
+                     [&](const ResponseSpec& other) { return other.name == r.name; }))
+      problem.scene.responses.push_back(r);
+  require_motion(problem.scene);
+  if (!study.spec.loads.empty())
+    refuse(file, "sensitivities are those of a motion, this study has fixed loads", "a motion", "");
+  const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
+  const VectorXd x = design->start();
+  for (std::size_t i = 0; i < design->variables().size(); ++i)
+    problem.names.push_back(
+        {design->variables()[i].name, design->units()[i], x[static_cast<Eigen::Index>(i)]});
+  problem.mechanism_at = [design, mechanism = study.scene.mechanism](const VectorXd& p) {
+    return design->apply(mechanism, p);
+  };
+  problem.scene.mechanism = problem.mechanism_at(x);
+  problem.scene.mechanism.name = study.spec.name;
+  problem.parameters = design->parameters(problem.scene.mechanism, x);
+  return problem;
+#else
+  refuse(file, "this build reads no studies", "a scene with --by",
+         "configure with -DLIESL_OPTIM=ON");
+  return scene_problem(file, changes, {});
+#endif
+}
+
+SensitivityMethod faster_method(std::size_t parameters, std::size_t functionals) {
+  return parameters > 4 * functionals + 8 ? SensitivityMethod::Adjoint : SensitivityMethod::Direct;
+}
+
+SensitivityOutcome sensitivity_task(const SensitivityProblem& problem, const ChosenSpace& space,
+                                    const SensitivityRequest& request, const Progress& progress) {
+  SensitivityOutcome out;
+  out.method = request.method;
+  if (out.method == SensitivityMethod::Auto)
+    out.method = faster_method(problem.parameters.size(),
+                               problem.scene.responses.size() * request.functionals.size());
+  out.summary.command = "sensitivity";
+  describe(out.summary, problem.scene, space);
+  out.summary.more["method"] = out.method == SensitivityMethod::Direct ? "direct" : "adjoint";
+  std::visit([&](const auto& s) { run_on(problem, s, request, progress, out); }, space.space);
+  auto& parameters = out.summary.more["parameters"] = nlohmann::ordered_json::object();
+  for (const auto& p : problem.names) parameters[p.name] = {{"value", p.value}, {"unit", p.unit}};
+  auto& gradients = out.summary.more["gradients"] = nlohmann::ordered_json::object();
+  for (const auto& g : out.result.gradients) {
+    auto& entry = gradients[g.response][g.functional];
+    entry["value"] = g.value;
+    entry["unit"] = g.unit;
+    entry["at_time"] = g.at_time;
+    for (std::size_t p = 0; p < problem.names.size(); ++p)
+      entry["by"][problem.names[p].name] = g.by_parameter[p];
+  }
+  return out;
+}
+
+}  // namespace liesl

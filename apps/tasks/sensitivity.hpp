@@ -1,0 +1,49 @@
+#pragma once
+/// @file
+/// The task of `liesl sensitivity`: derivatives of the responses of a motion by parameters, over
+/// time and of functionals. No files, no printing.
+
+#include "apps/output/summary.hpp"
+#include "apps/scene/space.hpp"
+#include "apps/tasks/sensitivity_problem.hpp"
+#include "mbs/solvers/simulation.hpp"
+
+namespace liesl {
+
+/// Of a scene by keys as `--set` has them, "sections.rod.diameter".
+/// @param changes "key=value" that the scene was read with
+/// @throws InputError for keys without a number, or without a derivative
+SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
+                                 const std::vector<std::string>& keys);
+/// Of a study by its variables at their start; its limits are responses, too.
+SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes);
+
+/// The form that is faster for so many parameters and gradients, by what they cost in
+/// docs/sensitivities.md. @returns Direct or Adjoint
+SensitivityMethod faster_method(std::size_t parameters, std::size_t functionals);
+
+struct SensitivityOutcome {
+  SolveStatus status = SolveStatus::Converged;
+  output::RunSummary summary;
+  SensitivityMethod method = SensitivityMethod::Direct;  ///< that was used
+  output::Sensitivities result;                          ///< empty unless the motion converged
+};
+
+/// Converges the motion to 1e-8 or to simulation.tolerance, whichever is less.
+/// @throws InputError for a scene that is no motion, or has no responses
+/// @throws std::invalid_argument for a motion without sensitivities
+SensitivityOutcome sensitivity_task(const SensitivityProblem& problem, const ChosenSpace& space,
+                                    const SensitivityRequest& request,
+                                    const Progress& progress = {});
+
+/// The gradients against central differences of whole simulations, one variable after another;
+/// peaks at the step where they are.
+struct SensitivityCheck {
+  bool right = false;
+  std::string text;  ///< a table, and a verdict
+};
+/// @throws std::runtime_error if the motion does not converge; in a build without optimisation
+SensitivityCheck sensitivity_check(const SensitivityProblem& problem, const ChosenSpace& space,
+                                   const SensitivityRequest& request);
+
+}  // namespace liesl

@@ -1,0 +1,122 @@
+#include "optim/cycle/design_loop.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <stdexcept>
+
+namespace liesl {
+
+using Eigen::VectorXd;
+
+Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
+  Cycle c;
+  c.number = history().empty() ? 1 : history().back().number + 1;
+  c.x = x;
+  c.mass = analysis->mass;
+  c.objective = analysis->objective;
+  c.worst = analysis->worst;
+  c.worst_constraint = analysis->worst_constraint;
+  c.worst_at = analysis->worst_at;
+  if (last_) c.load_change = model_.load_change(*analysis, *last_);
+  c.unit = model_.unit(x);
+  if (!result_.first) result_.first = analysis->figures();
+  last_ = analysis;
+  result_.history.push_back(c);
+  return result_.history.back();
+}
+
+void CycleRecord::restore(const std::vector<Cycle>& resume) {
+  for (const auto& cycle : resume)
+    if (static_cast<std::size_t>(cycle.x.size()) != model_.variables().size())
+      throw std::invalid_argument("resume: the interrupted run has other variables");
+  result_.history = resume;
+  const auto best =
+      std::min_element(resume.begin(), resume.end(), [this](const Cycle& a, const Cycle& b) {
+        return better(a.worst, a.objective, b.worst, b.objective);
+      });
+  const Analysis first = analyse(resume.front().x);
+  result_.first = first->figures();
+  keep_if_better(best == resume.begin() ? first : analyse(best->x), best->x);
+}
+
+bool CycleRecord::better(double worst, double objective, double than_worst,
+                         double than_objective) const {
+  const bool meets = worst <= options_.feasibility,
+             other_meets = than_worst <= options_.feasibility;
+  return meets != other_meets ? meets : meets ? objective < than_objective : worst < than_worst;
+}
+
+void CycleRecord::keep_if_better(const Analysis& a, const VectorXd& x) {
+  if (!a->good()) return;
+  const auto& best = result_.best;
+  if (!best || better(a->worst, a->objective, best->worst, best->objective)) keep(a, x);
+}
+
+void CycleRecord::keep(const Analysis& analysis, const VectorXd& x) {
+  result_.best = analysis;
+  result_.x = x;
+  last_ = analysis;
+}
+
+LoopResult CycleRecord::finish(const CycleEnd& end) {
+  result_.status = end.status;
+  result_.reason = end.reason;
+  last_.reset();
+  if (result_.best && !result_.optimality) evaluate_certificate();
+  return std::move(result_);
+}
+
+/// Only of a design the loop stands by.
+void CycleRecord::evaluate_certificate() {
+  const CycleStatus s = result_.status;
+  if (options_.optimality == OptimalityCheck::Never || s == CycleStatus::Infeasible ||
+      s == CycleStatus::SimulationFailed || s == CycleStatus::Interrupted)
+    return;
+  result_.optimality = model_.optimality(*result_.best, result_.x, hooks_.progress);
+  const DynamicOptimality& o = *result_.optimality;
+  if (!o.residual) warn("the dynamic optimality conditions were not checked: " + o.reason);
+  if (!o.residual || o.holds() || options_.method != CycleMethod::Esl) return;
+  if (s == CycleStatus::Converged)
+    result_.reason =
+        "loads and design agree, but the dynamic optimality conditions do not hold: " + o.brief() +
+        "; " + result_.reason;
+  warn(
+      "not optimal for the motion itself: the cycle does not see how the loads follow the design, "
+      "and a lighter one may be near (" +
+      o.brief() + "); cycle.method = \"esl1\" does");
+}
+
+LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& options,
+                    const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+  using Clock = std::chrono::steady_clock;
+  CycleRecord record(model, options, hooks);
+  Step step{model.start(), {}};
+  if (!resume.empty()) {
+    record.restore(resume);
+    step = rule.resume(record);
+  }
+  while (!step.end) {
+    const auto start = Clock::now();
+    const CycleRecord::Analysis analysis = record.analyse(step.x);
+    if (analysis->status == SolveStatus::Interrupted) {
+      step.end = CycleEnd{CycleStatus::Interrupted, analysis->reason};
+      break;
+    }
+    if (!analysis->good()) {
+      step = rule.retreat(record, *analysis, step.x);
+      continue;
+    }
+    Cycle& cycle = record.add(analysis, step.x);
+    step = rule.next(record, analysis, cycle);
+    cycle.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    if (hooks.on_cycle) hooks.on_cycle(record.history());
+    if (record.asked_to_stop() && !step.end)
+      step.end = CycleEnd{CycleStatus::Interrupted,
+                          fmt::format("stopped in cycle {} on request", cycle.number)};
+  }
+  return record.finish(*step.end);
+}
+
+}  // namespace liesl

@@ -1,0 +1,80 @@
+#pragma once
+/// @file
+/// What a loop asks of a study, whether its loads follow from motions or stay: how a design fares,
+/// and problems that approximate the study near one.
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "mbs/solvers/report.hpp"
+#include "optim/cycle/corrected_problem.hpp"
+#include "optim/cycle/dynamic_optimality.hpp"
+
+namespace liesl {
+
+/// How a design fares. Numbers have a meaning only if it is good.
+struct DesignAnalysis {
+  virtual ~DesignAnalysis() = default;
+
+  SolveStatus status = SolveStatus::Converged;
+  std::string reason;            ///< why it is not good
+  double objective = 0;          ///< unit of the study's objective
+  double mass = 0;               ///< kg
+  double worst = -1;             ///< largest |r|/limit - 1 over all records and limits
+  std::string worst_constraint;  ///< its name
+  std::string worst_at;          ///< where: "t = 0.1 s", a load case; empty: everywhere
+
+  /// The same without what only the next designs need: motions.
+  virtual std::shared_ptr<DesignAnalysis> figures() const = 0;
+  bool good() const { return status == SolveStatus::Converged; }
+};
+
+/// The study near a design: a problem that agrees with it there to first order.
+struct Surrogate {
+  std::unique_ptr<CorrectedProblem> problem;  ///< null: there are no gradients
+  DynamicOptimality optimality;               ///< of the study at that design, or why there is none
+};
+
+class DesignModel {
+ public:
+  virtual ~DesignModel() = default;
+  DesignModel() = default;
+  DesignModel(const DesignModel&) = delete;
+  DesignModel& operator=(const DesignModel&) = delete;
+
+  virtual const std::vector<NlpVariable>& variables() const = 0;
+  /// What a change of each variable is measured by; empty: all by the size of x.
+  virtual Eigen::VectorXd unit(const Eigen::VectorXd& x) const = 0;
+  Eigen::VectorXd start() const {
+    Eigen::VectorXd x(static_cast<Eigen::Index>(variables().size()));
+    for (Eigen::Index i = 0; i < x.size(); ++i)
+      x[i] = variables()[static_cast<std::size_t>(i)].start;
+    return x;
+  }
+
+  /// @param progress of simulations
+  virtual std::shared_ptr<DesignAnalysis> analyse(const Eigen::VectorXd& x,
+                                                  const Progress& progress) = 0;
+  /// The study under the loads of an analysed design x, which stay as they are, within move limits.
+  virtual std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at,
+                                                        const Eigen::VectorXd& x,
+                                                        double move) const = 0;
+  /// @param active limits this near may carry a multiplier
+  /// @throws NoSensitivities
+  virtual Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
+                              double active) const = 0;
+  /// The optimality conditions at x where the loop has not evaluated them.
+  virtual DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
+                                       const Progress& progress) const = 0;
+  /// Relative change of the loads between two designs; none if they cannot be compared, or stay.
+  virtual std::optional<double> load_change(const DesignAnalysis& now,
+                                            const DesignAnalysis& before) const = 0;
+};
+
+/// The motion cannot be differentiated.
+struct NoSensitivities : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
+
+}  // namespace liesl

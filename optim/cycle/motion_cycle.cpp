@@ -1,0 +1,108 @@
+#include "optim/cycle/motion_cycle.hpp"
+
+#include <algorithm>
+
+#include "optim/cycle/fixed_point_rule.hpp"
+#include "optim/cycle/trust_region_rule.hpp"
+
+namespace liesl {
+namespace {
+
+template <FrameGroup G>
+std::vector<PartProposal> propose_holes(const MotionModel<G>& model, const DesignRun<G>& run,
+                                        const Eigen::VectorXd& x) {
+  std::vector<PartProposal> out;
+  const Design& design = model.design();
+  const auto& counted = model.study().mass_of;
+  for (int k = 0; k < design.parts(); ++k) {
+    const int body = design.part(k).body;
+    if (std::find(counted.begin(), counted.end(), body) == counted.end()) continue;
+    out.push_back({body, propose_hole(motion_task(model.study(), model.simulator(0), k, run),
+                                      model.study().shapes.at(body).walls, design.of_part(k, x))});
+  }
+  return out;
+}
+
+/// How exactly the equivalent loads give back the deformation of the final motion.
+template <FrameGroup G>
+std::vector<std::pair<int, Identity>> identities(const Design& design, const DesignRun<G>& run,
+                                                 const Eigen::VectorXd& x) {
+  std::vector<std::pair<int, Identity>> out;
+  for (const auto& loads : run.loads)
+    out.emplace_back(loads.body, check_identity(*run.model, run.simulation.trajectory, loads));
+  for (int k = 0; k < design.parts(); ++k) {
+    PartShape& part = design.part(k);
+    part.shape->set(part.design.parameters(design.of_part(k, x)));
+    const Fractions fractions = volume_fractions(part.model.mesh(), *part.shape);
+    for (const auto& loads : run.solid_loads)
+      if (loads.body == part.body)
+        out.emplace_back(loads.body, check_identity(part.model, fractions.value, loads));
+  }
+  return out;
+}
+
+template <FrameGroup G>
+CycleResult<G> described(MotionModel<G>& model, LoopResult loop) {
+  CycleResult<G> out;
+  static_cast<LoopResult&>(out) = std::move(loop);
+  out.effort = model.effort();
+  start_with(out, out);
+  if (!out.history.empty()) out.load_change = out.history.back().load_change;
+  if (!out.best) return out;
+  auto& best = dynamic_cast<MotionAnalysis<G>&>(*out.best);
+  DesignRun<G>& run = best.runs.front();
+  if (closed(out.status) && best.runs.size() == 1) out.proposals = propose_holes(model, run, out.x);
+  out.identity = identities(model.design(), run, out.x);
+  out.mass = best.mass;
+  out.worst = best.worst;
+  out.final = best.limits;
+  for (const auto& w : run.simulation.report.warnings) out.warnings.push_back(w);
+  out.mechanism = run.mechanism;
+  out.model = run.model;
+  out.simulation = std::move(run.simulation);
+  out.best = best.figures();
+  return out;
+}
+
+template <FrameGroup G>
+CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec study,
+                        CycleMethod method, const CycleHooks& hooks,
+                        const std::vector<Cycle>& resume) {
+  study.cycle.method = method;
+  MotionModel<G> model(scenarios, study);
+  std::unique_ptr<StepRule> rule;
+  if (method == CycleMethod::Esl)
+    rule = std::make_unique<FixedPointRule>(study.cycle);
+  else
+    rule = std::make_unique<TrustRegionRule>(study.cycle);
+  return described(model, run_loop(model, *rule, study.cycle, hooks, resume));
+}
+
+}  // namespace
+
+template <FrameGroup G>
+CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
+                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+  const CycleMethod method = study.cycle.method;
+  const bool moves = scenarios.front().simulation.type == SimulationType::Dynamic;
+  if (method == CycleMethod::Esl || !moves)
+    return run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
+  try {
+    return run_with(scenarios, study, method == CycleMethod::Auto ? CycleMethod::Esl1 : method,
+                    hooks, resume);
+  } catch (const NoSensitivities& error) {
+    if (method != CycleMethod::Auto) throw;
+    CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
+    result.warnings.push_back(
+        "the plain ESL cycle ran, because this motion has no sensitivities: " +
+        std::string(error.what()));
+    return result;
+  }
+}
+
+template CycleResult<SE2> run_cycle(const std::vector<Scenario<SE2>>&, const StudySpec&,
+                                    const CycleHooks&, const std::vector<Cycle>&);
+template CycleResult<SE3> run_cycle(const std::vector<Scenario<SE3>>&, const StudySpec&,
+                                    const CycleHooks&, const std::vector<Cycle>&);
+
+}  // namespace liesl

@@ -1,0 +1,239 @@
+#include "optim/cycle/motion_model.hpp"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <mutex>
+
+#include "optim/cycle/motion_rows.hpp"
+#include "optim/cycle/treatment.hpp"
+#include "optim/study/study_errors.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr std::size_t kFewVariables = 12;  // differences simulate twice for each
+constexpr double kNearActive = 1e-2;       // limits that may hold the objective up at the end
+
+/// The study with what its method takes from static problems.
+template <FrameGroup G>
+StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
+  checked(study, mechanism);
+  std::string without;
+  for (ConstraintSpec& c : study.constraints) {
+    if (c.treatment != Treatment::Auto) c.has_image = false;
+    if (!c.has_image) without += " '" + c.response.name + "'";
+    if (study.cycle.method == CycleMethod::Full) c.has_image = false;
+  }
+  if (!without.empty() && study.cycle.method == CycleMethod::Esl)
+    throw std::invalid_argument("limits that the static problem of a part cannot tell:" + without +
+                                "; expected cycle.method = \"esl1\" or \"full\"");
+  return study;
+}
+
+/// The responses whose rows a limit has: one a point, or where their largest is aggregated, that.
+std::vector<ResponseSpec> rows_of(const ConstraintSpec& limit, const Mechanism& mechanism) {
+  if (aggregates(limit.treatment)) return {limit.response};
+  return at_every_point(limit.response, mechanism);
+}
+
+/// Replaces records by what the treatment of their limit makes of them.
+void aggregate(const StudySpec& study, int r, MotionGradients& gradients) {
+  const ConstraintSpec& limit = study.constraints[gradients.response(r).constraint];
+  if (!aggregates(limit.treatment)) return;
+  std::vector<double> times, values;
+  for (int n = 0; n < gradients.records(r); ++n) {
+    times.push_back(gradients.time(r, n));
+    values.push_back(gradients.value(r, n));
+  }
+  gradients.aggregate(r, aggregates_of(limit, times, values));
+}
+
+}  // namespace
+
+template <FrameGroup G>
+std::shared_ptr<DesignAnalysis> MotionAnalysis<G>::figures() const {
+  auto out = std::make_shared<MotionAnalysis<G>>();
+  static_cast<DesignAnalysis&>(*out) = *this;
+  out->limits = limits;
+  return out;
+}
+
+template <FrameGroup G>
+MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study)
+    : study_(with_images<G>(study, scenarios.front().mechanism)) {
+  for (const Scenario<G>& s : scenarios)
+    simulators_.push_back(
+        std::make_unique<DesignSimulator<G>>(s.mechanism, s.space, s.simulation, study_));
+  effort_.factorizations.assign(scenarios.front().mechanism.bodies.size(), 0);
+}
+
+SimulationEffort& SimulationEffort::operator+=(const SimulationEffort& more) {
+  steps += more.steps;
+  newton_iterations += more.newton_iterations;
+  stepping_s += more.stepping_s;
+  factorizations.resize(std::max(factorizations.size(), more.factorizations.size()));
+  for (std::size_t b = 0; b < more.factorizations.size(); ++b)
+    factorizations[b] += more.factorizations[b];
+  return *this;
+}
+
+template <FrameGroup G>
+std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
+                                                        const Progress& progress) {
+  auto out = std::make_shared<MotionAnalysis<G>>();
+  out->runs.resize(simulators_.size());
+  std::mutex one;
+  const Progress shared = [&](double t) {
+    const std::lock_guard lock(one);
+    return !progress || progress(t);
+  };
+  tbb::parallel_for(std::size_t{0}, simulators_.size(),
+                    [&](std::size_t s) { out->runs[s] = simulators_[s]->run(x, shared); });
+  for (const DesignRun<G>& run : out->runs) {
+    const Report& r = run.simulation.report;
+    effort_ += {r.steps, r.newton_iterations, r.stepping_s, r.factorizations};
+  }
+  judge(*out);
+  return out;
+}
+
+/// The worst of all scenarios.
+template <FrameGroup G>
+void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
+  a.objective = a.mass = a.runs.front().mass;
+  for (std::size_t s = 0; s < a.runs.size(); ++s) {
+    const DesignRun<G>& run = a.runs[s];
+    if (!run.good() && a.status != SolveStatus::Interrupted) {
+      a.status = run.simulation.report.status;
+      a.reason = run.simulation.report.reason;
+      if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
+    }
+    a.limits.push_back({run.times(), run.limits});
+    if (run.worst <= a.worst) continue;
+    a.worst = run.worst;
+    a.worst_at = run.worst_at;
+    a.worst_constraint = run.worst_constraint;
+    if (!study_.scenarios.empty() && !run.worst_at.empty())
+      a.worst_constraint += " (" + study_.scenarios[s] + ")";
+  }
+}
+
+template <FrameGroup G>
+auto MotionModel<G>::static_members(const MotionAnalysis<G>& at, const VectorXd& x,
+                                    double move) const -> Members {
+  Members members;
+  for (std::size_t s = 0; s < simulators_.size(); ++s)
+    for (auto& member : static_parts(study_, *simulators_[s], at.runs[s], x, move)) {
+      if (s > 0) member.weight = 0;  // the objective counts once
+      members.push_back(std::move(member));
+    }
+  return members;
+}
+
+template <FrameGroup G>
+std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalysis& at,
+                                                              const VectorXd& x,
+                                                              double move) const {
+  return combined(static_members(dynamic_cast<const MotionAnalysis<G>&>(at), x, move));
+}
+
+/// Static problems and rows of all limits, with their gradients in the order of the rows.
+template <FrameGroup G>
+std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalysis<G>& at,
+                                                              const VectorXd& x, double move,
+                                                              MotionGradients& gradients) const
+    try {
+  struct Part {
+    Members members;
+    MotionGradients gradients;
+    int imaged = 0;  ///< responses of the static problems
+  };
+  std::vector<Part> parts(simulators_.size());
+  tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
+    Part& p = parts[s];
+    const DesignRun<G>& run = at.runs[s];
+    p.members = static_parts(study_, *simulators_[s], run, x, move);
+    std::vector<LimitedResponse> responses;
+    for (auto& member : p.members) {
+      if (s > 0) member.weight = 0;  // the objective counts once
+      for (auto& r : member.problem->responses()) responses.push_back(std::move(r));
+    }
+    p.imaged = static_cast<int>(responses.size());
+    for (std::size_t c = 0; c < study_.constraints.size(); ++c)
+      if (!study_.constraints[c].has_image)
+        for (auto& r : rows_of(study_.constraints[c], run.mechanism))
+          responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
+                               aggregates(study_.constraints[c].treatment) ? 0 : 0.5});
+    for (auto& r : responses) r.scenario = static_cast<int>(s);
+    p.gradients = MotionGradients(simulators_[s]->design(), run, x, responses);
+    for (int r = p.imaged; r < p.gradients.responses(); ++r) aggregate(study_, r, p.gradients);
+  });
+  Members members;
+  for (Part& p : parts) {
+    for (auto& member : p.members) members.push_back(std::move(member));
+    if (const int rows = p.gradients.responses() - p.imaged; rows > 0)
+      members.push_back(
+          {std::make_unique<MotionRows>(p.gradients, p.imaged, rows, study_, variables()), 0, 0});
+    gradients.append(std::move(p.gradients));
+  }
+  return combined(std::move(members));
+} catch (const std::invalid_argument& error) {
+  throw NoSensitivities(error.what());
+}
+
+template <FrameGroup G>
+Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd& x, double move,
+                                    double active) const {
+  const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
+  Surrogate out;
+  MotionGradients gradients;
+  auto statics = with_gradients(at, x, move, gradients);
+  out.optimality = check_optimality(study_, variables(), x, gradients, *statics, active);
+  if (gradients.reason().empty())
+    out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
+                                                     study_.cycle.approximation);
+  return out;
+}
+
+template <FrameGroup G>
+DynamicOptimality MotionModel<G>::optimality(const DesignAnalysis& given, const VectorXd& x,
+                                             const Progress& progress) const {
+  const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
+  DynamicOptimality none;
+  none.reason = "statics has no sensitivities";
+  if (!at.runs.front().tape.checkpoints.empty()) try {
+      return surrogate(at, x, study_.cycle.move_limit, kNearActive).optimality;
+    } catch (const NoSensitivities& error) {
+      none.reason = error.what();
+    }
+  const bool differences =
+      study_.cycle.optimality == OptimalityCheck::Always || variables().size() <= kFewVariables;
+  if (!differences || at.runs.size() > 1) return none;
+  const auto statics = static_problem(at, x, study_.cycle.move_limit);
+  return check_optimality_by_differences(simulator(0), at.runs.front(), x, *statics, kNearActive,
+                                         progress);
+}
+
+template <FrameGroup G>
+std::optional<double> MotionModel<G>::load_change(const DesignAnalysis& now_given,
+                                                  const DesignAnalysis& before_given) const {
+  const auto& now = dynamic_cast<const MotionAnalysis<G>&>(now_given);
+  const auto& before = dynamic_cast<const MotionAnalysis<G>&>(before_given);
+  double change = 0;
+  for (std::size_t s = 0; s < now.runs.size(); ++s) {
+    if (now.limits[s].times != before.limits[s].times) return {};
+    change = std::max(change, liesl::load_change(now.runs[s], before.runs[s]));
+  }
+  return change;
+}
+
+template struct MotionAnalysis<SE2>;
+template struct MotionAnalysis<SE3>;
+template class MotionModel<SE2>;
+template class MotionModel<SE3>;
+
+}  // namespace liesl

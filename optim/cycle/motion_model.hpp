@@ -1,0 +1,88 @@
+#pragma once
+/// @file
+/// A study of one or several motions of one design.
+
+#include "optim/cycle/design_loop.hpp"
+#include "optim/cycle/motion_problem.hpp"
+
+namespace liesl {
+
+/// One motion: the same bodies at another speed, with another payload.
+template <FrameGroup G>
+struct Scenario {
+  Mechanism mechanism;
+  Space<G> space;
+  SimulationOptions simulation;
+};
+
+/// Limited responses over one motion.
+struct MotionLimits {
+  std::vector<double> times;        ///< s
+  std::vector<LimitSeries> limits;  ///< one for each constraint
+};
+
+template <FrameGroup G>
+struct MotionAnalysis final : DesignAnalysis {
+  std::vector<DesignRun<G>> runs;  ///< by scenario; empty: figures only
+  std::vector<MotionLimits> limits;
+
+  std::shared_ptr<DesignAnalysis> figures() const override;
+};
+
+/// Effort of all simulations.
+struct SimulationEffort {
+  long steps = 0, newton_iterations = 0;
+  double stepping_s = 0;
+  std::vector<int> factorizations;  ///< by body
+
+  SimulationEffort& operator+=(const SimulationEffort& more);
+};
+
+template <FrameGroup G>
+class MotionModel final : public DesignModel {
+ public:
+  /// Designs start from the mechanism of the first scenario. Scenarios and study outlive this.
+  /// @throws std::invalid_argument for a study that does not fit a mechanism, or limits without a
+  /// static image where the method has nothing else
+  MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study);
+
+  const std::vector<NlpVariable>& variables() const override { return design().variables(); }
+  Eigen::VectorXd unit(const Eigen::VectorXd& x) const override { return design().unit(x); }
+  std::shared_ptr<DesignAnalysis> analyse(const Eigen::VectorXd& x,
+                                          const Progress& progress) override;
+  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at, const Eigen::VectorXd& x,
+                                                double move) const override;
+  Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
+                      double active) const override;
+  DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
+                               const Progress& progress) const override;
+  std::optional<double> load_change(const DesignAnalysis& now,
+                                    const DesignAnalysis& before) const override;
+
+  const StudySpec& study() const { return study_; }
+  const Design& design() const { return simulators_.front()->design(); }
+  const DesignSimulator<G>& simulator(int scenario) const {
+    return *simulators_[static_cast<std::size_t>(scenario)];
+  }
+  const SimulationEffort& effort() const { return effort_; }
+
+ private:
+  using Members = std::vector<CombinedProblem::Member>;
+  void judge(MotionAnalysis<G>& analysis) const;
+  /// Static problems of all scenarios, and responses that they do not tell.
+  Members static_members(const MotionAnalysis<G>& at, const Eigen::VectorXd& x, double move) const;
+  std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at,
+                                                const Eigen::VectorXd& x, double move,
+                                                MotionGradients& gradients) const;
+
+  StudySpec study_;  ///< with what its method takes from static problems
+  std::vector<std::unique_ptr<DesignSimulator<G>>> simulators_;
+  SimulationEffort effort_;
+};
+
+extern template struct MotionAnalysis<SE2>;
+extern template struct MotionAnalysis<SE3>;
+extern template class MotionModel<SE2>;
+extern template class MotionModel<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,46 @@
+#pragma once
+/// @file
+/// Limits on responses of a motion that no static problem tells: positions, velocities, joint
+/// forces, energy, responses of several bodies; of all responses in the fully coupled method.
+
+#include "optim/cycle/case_screen.hpp"
+#include "optim/cycle/motion_gradients.hpp"
+
+namespace liesl {
+
+/// Rows v_rn/limit_r - 1 that keep the value of the analysed design whatever x is; a
+/// CorrectedProblem gives them their slope. Retained: records near the largest (case_screen.hpp),
+/// and every maximum over time above half of the largest with its neighbours; or what the treatment
+/// of the limit says (treatment.hpp). The objective is 0.
+class MotionRows final : public StaticProblem {
+ public:
+  /// @param motion gradients that contain those of these rows
+  /// @param first, count of their responses in `motion`  @param variables of the whole design
+  MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
+             const std::vector<NlpVariable>& variables);
+
+  int add_violated(const Eigen::VectorXd&, double) override { return 0; }
+  int load_cases() const override { return static_cast<int>(constraints_.size()); }
+  std::vector<LimitedResponse> responses() const override { return responses_; }
+  std::vector<RowImage> images() const override { return images_; }
+
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
+  HessianShape hessian_shape() const override { return HessianShape::Dense; }
+  void hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&, Eigen::MatrixXd&) override {}
+
+ private:
+  std::vector<LimitedResponse> responses_;
+  std::vector<RowImage> images_;
+  std::vector<NlpVariable> variables_;
+  std::vector<NlpConstraint> constraints_;
+  Eigen::VectorXd g_;
+};
+
+/// A response that is the largest over several points, as one response a point: the inner nodes of
+/// a deflection `everywhere`, the stress points of a beam; any other as it is.
+std::vector<ResponseSpec> at_every_point(const ResponseSpec& response, const Mechanism& mechanism);
+
+}  // namespace liesl

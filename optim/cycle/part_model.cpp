@@ -1,0 +1,79 @@
+#include "optim/cycle/part_model.hpp"
+
+#include "optim/cycle/trust_region_rule.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kNearActive = 1e-2;  // limits that may hold the objective up at the end
+
+}  // namespace
+
+VectorXd PartModel::unit(const VectorXd& x) const {
+  VectorXd unit(x.size());
+  for (int j = 0; j < x.size(); ++j) {
+    const NlpVariable& v = variables()[static_cast<std::size_t>(j)];
+    unit[j] = v.upper - v.lower;
+  }
+  return unit;
+}
+
+std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Progress&) {
+  auto out = std::make_shared<PartAnalysis>();
+  StaticShape problem(task_, x, task_.cycle.move_cells);
+  auto check = problem.check(x);
+  if (!check) {
+    out->status = SolveStatus::Inconsistent;
+    out->reason = problem.undefined_reason();
+    return out;
+  }
+  out->check = std::move(*check);
+  out->objective = out->check.objective;
+  out->mass = out->check.mass;
+  out->worst = out->check.worst;
+  out->worst_constraint = out->check.worst_limit;
+  for (const LimitCheck& l : out->check.limits)
+    if (l.name == out->worst_constraint) out->worst_at = l.at;
+  return out;
+}
+
+std::unique_ptr<StaticProblem> PartModel::static_problem(const DesignAnalysis&, const VectorXd& x,
+                                                         double move) const {
+  const double cells = task_.cycle.move_cells * move / task_.cycle.move_limit;
+  return std::make_unique<StaticShape>(task_, x, cells, move);
+}
+
+Surrogate PartModel::surrogate(const DesignAnalysis& at, const VectorXd& x, double move,
+                               double active) const {
+  Surrogate out;
+  auto statics = static_problem(at, x, move);
+  out.optimality = check_optimality({}, variables(), x, {}, *statics, active);
+  out.problem = std::make_unique<CorrectedProblem>(std::move(statics), MotionGradients(), x);
+  return out;
+}
+
+DynamicOptimality PartModel::optimality(const DesignAnalysis& at, const VectorXd& x,
+                                        const Progress&) const {
+  return surrogate(at, x, task_.cycle.move_limit, kNearActive).optimality;
+}
+
+PartResult optimise_part(const SolidTask& task, const CycleHooks& hooks,
+                         const std::vector<Cycle>& resume) {
+  PartModel model(task);
+  TrustRegionRule rule(task.cycle);
+  PartResult out;
+  static_cast<LoopResult&>(out) = run_loop(model, rule, task.cycle, hooks, resume);
+  if (!out.best) return out;
+  out.initial = dynamic_cast<const PartAnalysis&>(*out.first).check;
+  out.final = dynamic_cast<const PartAnalysis&>(*out.best).check;
+  StaticShape problem(task, out.x, task.cycle.move_cells);
+  problem.show_all(out.x);
+  out.fractions = problem.statics().fractions();
+  out.displacements = problem.statics().u();
+  out.von_mises = von_mises(problem.statics(), task.stress.relaxation);
+  return out;
+}
+
+}  // namespace liesl

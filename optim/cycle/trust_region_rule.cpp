@@ -1,0 +1,182 @@
+#include "optim/cycle/trust_region_rule.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+namespace {
+
+constexpr double kTake = 0.1;   // share of the predicted decrease that a step must bring
+constexpr double kGood = 0.75;  // share from which the radius may grow
+constexpr double kShrink = 0.3, kGrow = 2;
+constexpr double kSmallestRadius = 1e-6;
+constexpr double kPenalty = 10;                // sigma at first; the objective counts 1
+constexpr double kMargin = 2, kLeast = 1;      // penalty over the sum of the multipliers; at least
+constexpr double kStronger = 5;                // penalty against the one before
+constexpr double kClose = 0.1, kCloser = 0.9;  // of the allowed violation; of the one before
+constexpr double kCounts = 0.1;    // share of objective_tolerance that a decrease must have
+constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
+constexpr double kActive = 2e-3;   // limits that may carry a multiplier
+
+}  // namespace
+
+TrustRegionRule::TrustRegionRule(const CycleOptions& options)
+    : largest_(options.move_limit), radius_(largest_), penalty_(kPenalty) {}
+
+double TrustRegionRule::merit(const DesignAnalysis& a) const {
+  return a.objective / objective_0_ + penalty_ * std::max(0.0, a.worst);
+}
+
+Step TrustRegionRule::resume(CycleRecord& record) {
+  const History& history = record.history();
+  const auto taken =
+      std::find_if(history.rbegin(), history.rend(), [](const Cycle& c) { return c.taken; });
+  objective_0_ = history.front().objective;
+  radius_ = history.back().move;
+  penalty_ = std::max(kPenalty, history.back().penalty);
+  x_ = taken->x;
+  at_ = record.analyse(x_);
+  if (!at_->good()) return retreat(record, *at_, x_);
+  record.keep(at_, x_);
+  return propose(record, nullptr);
+}
+
+Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& analysis,
+                           Cycle& cycle) {
+  if (!at_) objective_0_ = analysis->objective;
+  cycle.taken = !at_ || judge(analysis.get());
+  cycle.penalty = penalty_;
+  cycle.move = radius_;
+  if (cycle.taken) {
+    x_ = cycle.x;
+    at_ = analysis;
+    surrogate_ = {};
+    record.keep(at_, x_);
+  }
+  return propose(record, &cycle);
+}
+
+Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
+                              const Eigen::VectorXd& x) {
+  if (!surrogate_.problem)
+    return {x, CycleEnd{CycleStatus::SimulationFailed,
+                        "a design cannot be analysed: " + failed.reason}};
+  record.warn("a design could not be analysed: " + failed.reason);
+  judge(nullptr);
+  return propose(record, nullptr);
+}
+
+/// @param trial null: the answer has no analysis
+bool TrustRegionRule::judge(const DesignAnalysis* trial) {
+  const double ratio = trial ? (merit(*at_) - merit(*trial)) / predicted_ : -1;
+  if (ratio < kTake)
+    radius_ *= kShrink;
+  else if (ratio > kGood && on_bound())
+    radius_ = std::min(largest_, kGrow * radius_);
+  return ratio >= kTake;
+}
+
+bool TrustRegionRule::on_bound() const {
+  const auto& bounds = surrogate_.problem->variables();
+  for (int i = 0; i < answer_.x.size(); ++i) {
+    const NlpVariable& b = bounds[static_cast<std::size_t>(i)];
+    const double slack = 1e-3 * (b.upper - b.lower);
+    if (answer_.x[i] < b.lower + slack || answer_.x[i] > b.upper - slack) return true;
+  }
+  return false;
+}
+
+/// The answer of the surrogate at x_k, or the end.
+Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
+  if (!surrogate_.problem) {
+    surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
+    built_ = radius_;
+    if (!surrogate_.problem)
+      return {x_, CycleEnd{CycleStatus::SimulationFailed,
+                           "there are no sensitivities: " + surrogate_.optimality.reason}};
+  } else if (radius_ < kSmallestRadius) {
+    return {x_, stalled(record)};
+  }
+  Step step = trial_step(record, cycle);
+  if (step.end) surrogate_ = {};
+  return step;
+}
+
+Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
+  for (;;) {
+    surrogate_.problem->narrow(std::min(1.0, radius_ / built_));
+    solve(record);
+    if (cycle) {
+      cycle->load_cases = surrogate_.problem->load_cases();
+      cycle->iterations += answer_.iterations;
+    }
+    if (record.asked_to_stop())
+      return {x_, CycleEnd{CycleStatus::Interrupted, fmt::format("stopped in cycle {} on request",
+                                                                 record.history().back().number)}};
+    predicted_ = merit(*at_) - answer_.merit;
+    // The optimum of a problem that is not convex, and no better than here.
+    if (predicted_ <= 0 && !surrogate_.optimality.holds() && radius_ > kSmallestRadius) {
+      radius_ *= kShrink;
+      continue;
+    }
+    if (auto end = settled(record, predicted_)) return {x_, std::move(end)};
+    if (auto end = used_up(record.history(), record.options())) return {x_, std::move(end)};
+    return {answer_.x, {}};
+  }
+}
+
+/// The surrogate within its bounds, with a penalty that is large enough for it: one that a larger
+/// one does not bring closer to the limits.
+void TrustRegionRule::solve(CycleRecord& record) {
+  const double allowed = record.options().feasibility;
+  const auto at = [&](double penalty) {
+    return solve_elastic(*surrogate_.problem, {1 / objective_0_, penalty}, record.options(), warm_,
+                         record.hooks().keep_going);
+  };
+  answer_ = at(penalty_);
+  if (answer_.violation <= kClose * allowed) {
+    penalty_ = std::max(kLeast, kMargin * answer_.multipliers);
+    return;
+  }
+  while (answer_.violation > kClose * allowed) {
+    ElasticAnswer closer = at(kStronger * penalty_);
+    if (closer.violation > kCloser * answer_.violation) return;
+    penalty_ *= kStronger;
+    answer_ = std::move(closer);
+  }
+}
+
+std::optional<CycleEnd> TrustRegionRule::settled(CycleRecord& record, double predicted) const {
+  const double counts = kCounts * record.options().objective_tolerance;
+  if (predicted > (surrogate_.optimality.holds() ? counts : kNothing)) return {};
+  if (at_->worst > record.options().feasibility) return infeasible();
+  return stalled(record);
+}
+
+std::string TrustRegionRule::place() const {
+  return at_->worst_at.empty() ? "" : " at " + at_->worst_at;
+}
+
+CycleEnd TrustRegionRule::stalled(CycleRecord& record) const {
+  const DynamicOptimality& kkt = surrogate_.optimality;
+  record.certify(kkt);
+  if (at_->worst > record.options().feasibility)
+    return {CycleStatus::Infeasible,
+            fmt::format("no step improves the design any more, and '{}' stays {:.3g} % above its "
+                        "limit{}",
+                        at_->worst_constraint, 100 * at_->worst, place())};
+  return {kkt.holds() ? CycleStatus::Optimal : CycleStatus::Converged,
+          fmt::format("KKT conditions: {}; worst limit at {:+.2g}", kkt.brief(), at_->worst)};
+}
+
+CycleEnd TrustRegionRule::infeasible() const {
+  return {CycleStatus::Infeasible,
+          fmt::format("no design near meets all limits: '{}' is exceeded by {:.3g} %{}, "
+                      "and by at least {:.3g} % nearby; widen the bounds or the limit, "
+                      "or start from another design",
+                      at_->worst_constraint, 100 * at_->worst, place(), 100 * answer_.violation)};
+}
+
+}  // namespace liesl

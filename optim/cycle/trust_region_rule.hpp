@@ -1,0 +1,54 @@
+#pragma once
+/// @file
+/// Steps that end at the optimum of the study itself: problems that agree with it to first order,
+/// within trust regions (Alexandrov, Dennis, Lewis, Torczon 1998, "A trust-region framework for
+/// managing the use of approximation models", Struct. Optim. 15; for loads of the design: Stolpe,
+/// Pollini 2023).
+
+#include "optim/cycle/design_loop.hpp"
+
+namespace liesl {
+
+/// From the design x_k and its surrogate (design_model.hpp):
+///   minimise  m(x)/m_0 + sigma t  subject to  v^_rn(x)/limit_r - 1 <= t,  t >= 0,
+///             |x - x_k| within the radius
+/// and analyse the answer. It is taken if the merit phi = m/m_0 + sigma max(0, worst violation)
+/// falls by a tenth of what was predicted; the radius follows the ratio. Ends Optimal if the KKT
+/// conditions hold at x_k and no decrease is predicted that counts; Converged if only the latter;
+/// Infeasible if limits are still exceeded then. Throws NoSensitivities as the surrogate does.
+class TrustRegionRule final : public StepRule {
+ public:
+  explicit TrustRegionRule(const CycleOptions& options);
+
+  Step next(CycleRecord& record, const CycleRecord::Analysis& analysis, Cycle& cycle) override;
+  Step retreat(CycleRecord& record, const DesignAnalysis& failed,
+               const Eigen::VectorXd& x) override;
+  Step resume(CycleRecord& record) override;
+
+ private:
+  double merit(const DesignAnalysis& a) const;
+  /// Judges the answer by what it really brings: taken?
+  bool judge(const DesignAnalysis* trial);
+  Step propose(CycleRecord& record, Cycle* cycle);
+  Step trial_step(CycleRecord& record, Cycle* cycle);
+  void solve(CycleRecord& record);
+  bool on_bound() const;
+  /// The end of a design from which nothing that counts is left to gain; none: there is.
+  std::optional<CycleEnd> settled(CycleRecord& record, double predicted) const;
+  CycleEnd stalled(CycleRecord& record) const;
+  CycleEnd infeasible() const;
+  std::string place() const;  ///< of the worst limit at x_k: " at t = 0.1 s"
+
+  const double largest_;       ///< radius
+  double radius_, built_ = 0;  ///< of the trust region; the one that the surrogate was made for
+  double penalty_;             ///< sigma
+  double objective_0_ = 0;     ///< m_0; 0: no design yet
+  Eigen::VectorXd x_;          ///< x_k
+  CycleRecord::Analysis at_;   ///< of x_k
+  Surrogate surrogate_;        ///< at x_k
+  ElasticAnswer answer_;
+  double predicted_ = 0;  ///< decrease of the merit by the answer
+  NlpWarmStart warm_;
+};
+
+}  // namespace liesl

@@ -1,0 +1,158 @@
+/// @file
+/// `liesl sensitivity`: what it writes, against runs of neighbouring scenes; what it refuses.
+
+#include <cmath>
+#include <map>
+
+#include "apps/program.hpp"
+
+namespace {
+
+using namespace liesl::test;
+
+/// Columns of a table of numbers by their headings.
+std::map<std::string, std::vector<double>> columns(const fs::path& path) {
+  std::istringstream lines(text_of(path));
+  std::string line;
+  std::getline(lines, line);
+  std::vector<std::string> names;
+  std::istringstream heads(line);
+  for (std::string name; std::getline(heads, name, ',');) names.push_back(name);
+  std::map<std::string, std::vector<double>> out;
+  while (std::getline(lines, line)) {
+    std::istringstream cells(line);
+    std::string cell;
+    for (const auto& name : names) {
+      std::getline(cells, cell, ',');
+      out[name].push_back(std::stod(cell));
+    }
+  }
+  return out;
+}
+
+class Sensitivity : public Program {
+ protected:
+  Words command(const Words& more) const {
+    Words words = {"sensitivity", "-q", "--set", "simulation.duration=0.02"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  /// A response of a run with a change, over the records.
+  std::vector<double> response(const std::string& change, const std::string& column) const {
+    const fs::path to = dir_ / "run";
+    const Outcome o =
+        run({"run", scene("slider_crank"), "-q", "-f", "-o", to, "--set",
+             "simulation.duration=0.02", "--set", "simulation.tolerance=1e-10", "--set", change});
+    EXPECT_EQ(o.code, 0) << o.err;
+    return columns(to / "responses.csv").at(column);
+  }
+};
+
+/// dy/dp in the table against central differences of two runs of the program.
+TEST_F(Sensitivity, TableIsThatOfTwoRuns) {
+  const std::map<std::string, std::pair<double, double>> parameters{
+      {"sections.rod.diameter", {0.01, 1e-5}},
+      {"materials.steel.rho", {7850, 5}},
+      {"bodies.slider.rigid.mass", {0.2, 1e-3}},
+      {"joints.motor.drive.rate", {150, 0.1}}};
+  Words words = command({scene("slider_crank"), "-o", results()});
+  for (const auto& [key, at] : parameters) {
+    words.push_back("--by");
+    words.push_back(key);
+  }
+  const Outcome o = run(words);
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(summary()["method"], "direct");
+  EXPECT_EQ(summary()["status"], "done");
+  const auto table = columns(results() / "sensitivities.csv");
+  const std::map<std::string, std::string> units{{"sections.rod.diameter", "m/m"},
+                                                 {"materials.steel.rho", "m/(kg/m^3)"},
+                                                 {"bodies.slider.rigid.mass", "m/kg"},
+                                                 {"joints.motor.drive.rate", "m/(rad/s or m/s)"}};
+  for (const auto& [key, at] : parameters) {
+    const auto& [value, h] = at;
+    const auto set = [&](double p) { return key + "=" + std::to_string(p); };
+    const auto after = response(set(value + h), "bend.y [m]"),
+               before = response(set(value - h), "bend.y [m]");
+    const std::string heading = "bend.y by " + key + " [" + units.at(key) + "]";
+    ASSERT_TRUE(table.contains(heading)) << heading;
+    const auto& dy = table.at(heading);
+    ASSERT_EQ(dy.size(), after.size());
+    double size = 0, error = 0;
+    for (std::size_t n = 0; n < dy.size(); ++n) {
+      size = std::max(size, std::abs(dy[n]));
+      error = std::max(error, std::abs(dy[n] - (after[n] - before[n]) / (2 * h)));
+    }
+    EXPECT_GT(size, 0) << key;
+    EXPECT_LT(error, 1e-4 * size) << key;
+  }
+}
+
+TEST_F(Sensitivity, DirectAndAdjointAgree) {
+  const Words study_words = {study("slider_crank_rod"), "--functionals",
+                             "peak,mean,rms,p=8,ks=100"};
+  Words words = command(study_words);
+  words.insert(words.end(), {"--method", "direct", "-o", results()});
+  ASSERT_EQ(run(words).code, 0);
+  const Json direct = summary();
+  for (const char* file : {"gradients.csv", "sensitivities.csv", "sensitivities.h5",
+                           "responses.csv", "plots/sensitivities.png", "plots/gradients.svg"})
+    EXPECT_TRUE(fs::exists(results() / file)) << file;
+  words = command(study_words);
+  words.insert(words.end(), {"--method", "adjoint", "-f", "-o", results()});
+  ASSERT_EQ(run(words).code, 0);
+  const Json adjoint = summary();
+  EXPECT_FALSE(fs::exists(results() / "sensitivities.csv")) << "dy/dp is not known";
+  EXPECT_EQ(direct["method"], "direct");
+  EXPECT_EQ(adjoint["method"], "adjoint");
+  ASSERT_EQ(keys(direct["gradients"]), (std::set<std::string>{"bending", "bend", "slider_x"}));
+  for (const auto& [response, functionals] : direct["gradients"].items())
+    for (const auto& [functional, gradient] : functionals.items()) {
+      const Json& other = adjoint["gradients"][response][functional];
+      EXPECT_EQ(gradient["value"], other["value"]);
+      double size = 0;
+      for (const auto& [name, value] : gradient["by"].items())
+        size = std::max(size, std::abs(value.get<double>()));
+      EXPECT_EQ(gradient["by"].size(), 4u);
+      for (const auto& [name, value] : gradient["by"].items())
+        EXPECT_NEAR(value.get<double>(), other["by"][name].get<double>(), 1e-9 * size)
+            << response << ", " << functional << " by " << name;
+    }
+}
+
+TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
+  const Outcome o = run({"sensitivity", scene("slider_crank"), "--by", "sections.rod.diameter",
+                         "--check", "--set", "simulation.duration=0.02"});
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("bend, rms"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("slope"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find("8 derivatives checked, 0 wrong"), std::string::npos) << o.out;
+}
+
+TEST_F(Sensitivity, RefusesWhatItCannotDo) {
+  const auto refused = [&](const Words& more, const char* why) {
+    Words words = command({"-o", results()});
+    words.insert(words.end(), more.begin(), more.end());
+    const Outcome o = run(words);
+    EXPECT_EQ(o.code, 2) << why;
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+    EXPECT_FALSE(fs::exists(results()));
+  };
+  const std::string rod = scene("slider_crank");
+  refused({rod}, "by which parameters?");
+  refused({rod, "--by", "sections.rod.diametr"}, "did you mean 'diameter'?");
+  refused({rod, "--by", "sections.rod.type"}, "'sections.rod.type' is no number");
+  refused({rod, "--by", "bodies.crank.beam.damping"}, "is not written in the scene");
+  refused({rod, "--by", "simulation.step"}, "changes nothing that has a derivative");
+  refused({rod, "--by", "bodies.crank.beam.to.0"}, "the geometry of body 'crank' changes");
+  refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
+  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
+          "this scene has none");
+  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.formalism=r3so3"},
+          "of the formalisms se3, floating and rigid");
+  refused({study("slider_crank_rod"), "--by", "sections.rod.diameter"}, "by its variables");
+  refused({study("batch_rod")}, "this is a batch");
+  EXPECT_EQ(run({"sensitivity", rod, "--by", "sections.rod.diameter"}).code, 2) << "no -o";
+}
+
+}  // namespace

@@ -1,0 +1,152 @@
+/// @file
+/// Parameters from neighbouring mechanisms: they are those that are given by hand, and what has no
+/// derivative is refused by its name.
+
+#include "apps/tasks/mechanism_derivative.hpp"
+
+#include <gtest/gtest.h>
+
+#include "reference/mechanisms.hpp"
+
+namespace liesl {
+namespace {
+
+using Change = std::function<void(Mechanism&, double)>;
+
+Mechanism machine() {
+  Mechanism m = test::slider_crank({4});
+  ForceSpec spring;
+  spring.name = "spring";
+  spring.joint = 1;
+  spring.stiffness = 20;
+  spring.damping = 0.1;
+  spring.rest = 0.3;
+  m.forces = {spring};
+  LoadSpec load;
+  load.name = "load";
+  load.port = {1, 2};
+  load.force = {3, -8, 0};
+  m.loads = {load};
+  return m;
+}
+
+Parameter parameter(const Change& change, double step = 1e-3) {
+  const Mechanism m = machine();
+  const auto changed = [&](double by) {
+    Mechanism other = m;
+    change(other, by);
+    return other;
+  };
+  SimulationOptions simulation;
+  simulation.duration = 0.1;
+  return parameter_of("p", m, changed, step, simulation);
+}
+
+std::string refusal(const Change& change) {
+  try {
+    parameter(change);
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "";
+}
+
+BeamSpec& rod(Mechanism& m) { return std::get<BeamSpec>(m.bodies[1].kind); }
+RigidSpec& slider(Mechanism& m) { return std::get<RigidSpec>(m.bodies[2].kind); }
+
+template <class Part>
+Part only(const Parameter& p) {
+  EXPECT_EQ(p.parts.size(), 1u);
+  const Part* part = p.parts.size() == 1 ? std::get_if<Part>(&p.parts[0]) : nullptr;
+  EXPECT_TRUE(part);
+  return part ? *part : Part{};
+}
+
+void expect_same_laws(const BeamDerivative& a, const BeamDerivative& b) {
+  ASSERT_EQ(a.laws.size(), b.laws.size());
+  for (std::size_t e = 0; e < a.laws.size(); ++e) {
+    EXPECT_LE((a.laws[e].K - b.laws[e].K).norm(), 1e-10 * b.laws[e].K.norm());
+    EXPECT_LE((a.laws[e].M - b.laws[e].M).norm(), 1e-10 * b.laws[e].M.norm());
+  }
+  ASSERT_EQ(a.stress.size(), b.stress.size());
+  for (std::size_t e = 0; e < a.stress.size(); ++e)
+    for (std::size_t k = 0; k < a.stress[e].size(); ++k)
+      EXPECT_LE((a.stress[e][k] - b.stress[e][k]).norm(), 1e-10 * b.stress[e][k].norm());
+}
+
+TEST(MechanismDerivative, OfSectionsAndMaterials) {
+  const Mechanism m = machine();
+  const auto diameters = parameter([](Mechanism& c, double p) {
+    for (int e : {1, 3}) std::get<Circle>(rod(c).sections[std::size_t(e)].shape).diameter += p;
+  });
+  expect_same_laws(only<BeamDerivative>(diameters), by_dimension(m, 1, {1, 3}, "diameter"));
+  const double h = 2e8;
+  expect_same_laws(
+      only<BeamDerivative>(parameter([](Mechanism& c, double p) { rod(c).material.E += p; }, h)),
+      by_youngs_modulus(m, 1));
+  expect_same_laws(
+      only<BeamDerivative>(parameter([](Mechanism& c, double p) { rod(c).material.rho += p; }, 8)),
+      by_density(m, 1));
+}
+
+TEST(MechanismDerivative, OfMassesForcesAndLoads) {
+  const auto rigid = only<RigidDerivative>(parameter([](Mechanism& c, double p) {
+    slider(c).mass += 2 * p;
+    slider(c).inertia(2, 2) += 3 * p;
+    slider(c).centre.y() += 4 * p;
+  }));
+  EXPECT_EQ(rigid.body, 2);
+  EXPECT_NEAR(rigid.mass, 2, 1e-10);
+  EXPECT_NEAR(rigid.inertia(2, 2), 3, 1e-10);
+  EXPECT_NEAR(rigid.centre.y(), 4, 1e-10);
+  const auto force = only<ForceDerivative>(parameter([](Mechanism& c, double p) {
+    c.forces[0].stiffness += 2 * p;
+    c.forces[0].damping += 3 * p;
+    c.forces[0].rest += 4 * p;
+  }));
+  EXPECT_NEAR(force.stiffness, 2, 1e-10);
+  EXPECT_NEAR(force.damping, 3, 1e-10);
+  EXPECT_NEAR(force.rest, 4, 1e-10);
+  EXPECT_TRUE(force.function.empty());
+  const auto load = only<LoadDerivative>(
+      parameter([](Mechanism& c, double p) { c.loads[0].force.x() += 5 * p; }));
+  EXPECT_EQ(load.factor, 0);
+  EXPECT_NEAR(load.force.x(), 5, 1e-10);
+  EXPECT_EQ(load.force.y(), 0);
+}
+
+/// Functions of time: a value in a table of a drive, linear and cubic, against the difference of
+/// tables that are hardly apart.
+TEST(MechanismDerivative, OfTablesOfDrives) {
+  for (const auto how : {TimeFunction::Interpolation::Linear, TimeFunction::Interpolation::Cubic}) {
+    const auto table = [how](double p) {
+      return TimeFunction::table({0, 0.02, 0.05, 0.1}, {0, 0.3 + p, 1.1, 1.5}, how);
+    };
+    const auto drive = only<DriveDerivative>(
+        parameter([&](Mechanism& c, double p) { c.drives[0].motion = table(p); }));
+    EXPECT_EQ(drive.factor, 0);
+    const double h = 1e-6;
+    for (const double t : {0., 0.005, 0.01, 0.02, 0.03, 0.06, 0.1}) {
+      double by_p = 0;
+      for (const auto& f : drive.motion) by_p += f.weight * f.function(t);
+      EXPECT_NEAR(by_p, (table(h)(t) - table(-h)(t)) / (2 * h), 1e-8) << t;
+    }
+  }
+}
+
+TEST(MechanismDerivative, WhatHasNoneIsRefusedByName) {
+  EXPECT_NE(refusal([](Mechanism& c, double p) { c.gravity.y() += p; }).find("gravity"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Mechanism& c, double p) {
+              rod(c).nodes[2].x.y() += p;
+            }).find("the geometry of body 'rod'"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Mechanism& c, double p) { rod(c).damping += p * p; }).find("damping"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Mechanism& c, double p) { c.joints[0].axis.x() += p; }).find("joint"),
+            std::string::npos);
+  EXPECT_NE(refusal([](Mechanism&, double) {}).find("'p' changes nothing"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace liesl

@@ -1,0 +1,119 @@
+#!/usr/bin/env python3
+"""Mutations of every shipped file: fuzz_test.py PROGRAM DATA COUNT [--first N] [--seconds S] [--keep DIR]
+
+Each mutation goes through check and, if that accepts it, through run, esl or optimize; after S seconds the
+command is asked to stop. Asserted: no signal, no hang (an end within 20 s of the request), exit codes 0 to
+3, a place in each refusal, no internal error, and no NaN in what is called done. Mutation n is the same on
+every machine.
+"""
+
+import argparse
+import json
+import random
+import re
+import shutil
+import sys
+import tempfile
+from pathlib import Path
+
+from mutate import mutated
+from program import run, verdict
+
+HANG = 20  # s
+MEMORY = 3000  # MB
+PLACE = re.compile(r":\d+:\d+: |^--\w+|: 'simulation\.|\.toml: |\.csv|\.msh", re.M)
+NOT_A_NUMBER = re.compile(r"(?<![\w])[-+]?(nan|inf)(?![\w])", re.I)
+
+
+def commands(path):
+    """What a shipped file is for."""
+    if path.parent.name != "studies" or "/stability/" in path.as_posix():
+        return ["run", "esl"] if path.parent.name != "studies" else ["optimize"]
+    return [] if path.name.startswith(("compare_", "batch_")) else ["optimize"]
+
+
+def flaws_of_results(out):
+    """What is wrong with a result that says that all is well."""
+    path = out / "summary.json"
+    if not path.is_file():
+        return ["it left no summary.json"]
+    try:
+        summary = json.loads(path.read_text())
+    except ValueError as error:
+        return [f"summary.json is no JSON: {error}"]
+    if summary.get("status") not in ("done", "converged", "optimal"):
+        return []
+    flaws = []
+    for table in out.glob("*.csv"):
+        if found := NOT_A_NUMBER.search(table.read_text()):
+            flaws.append(f"status {summary['status']} with {found.group()} in {table.name}")
+    return flaws
+
+
+def flaws_of_end(outcome):
+    if outcome.hung:
+        return [f"does not stop within {HANG} s"]
+    if outcome.code not in (0, 1, 2, 3):
+        return [f"exit code {outcome.code}: {outcome.last()}"]
+    if outcome.code == 2 and not PLACE.search(outcome.text):
+        return [f"refused without a place: {outcome.last()}"]
+    if "internal error" in outcome.text:
+        return [outcome.last()]
+    return []
+
+
+def try_mutation(program, data, number, seconds, place):
+    """Flaws of one mutation, and how far it went."""
+    dice = random.Random(number)
+    files = sorted(p for p in data.rglob("*.toml"))
+    path = files[number % len(files)]
+    original = path.read_text()
+    path.write_text(mutated(dice, original), errors="surrogateescape")
+    out = place / "out"
+    try:
+        outcome = run([program, "check", path], HANG, MEMORY)
+        flaws, stage = flaws_of_end(outcome), "check"
+        choice = commands(path.relative_to(data.parent))
+        if not flaws and outcome.code == 0 and choice:
+            stage = dice.choice(choice)
+            shutil.rmtree(out, ignore_errors=True)
+            words = [program, stage, path, "-o", out, "--quiet", "--threads", "1"]
+            outcome = run(words, HANG, MEMORY, ask_after=seconds)
+            flaws = flaws_of_end(outcome)
+            if not flaws and outcome.code in (0, 1):
+                flaws = flaws_of_results(out)
+        text = path.read_text(errors="surrogateescape")
+        return [f"{number} ({path.relative_to(data)}, {stage}): {f}" for f in flaws], text, stage
+    finally:
+        path.write_text(original)
+
+
+def main():
+    parser = argparse.ArgumentParser()
+    parser.add_argument("program", type=Path)
+    parser.add_argument("data", type=Path)
+    parser.add_argument("count", type=int)
+    parser.add_argument("--first", type=int, default=0)
+    parser.add_argument("--seconds", type=float, default=5)
+    parser.add_argument("--keep", type=Path)
+    options = parser.parse_args()
+    failures, stages = [], {}
+    with tempfile.TemporaryDirectory(prefix="liesl_fuzz_") as folder:
+        data = Path(folder) / "data"
+        shutil.copytree(options.data.resolve(), data)
+        program = options.program.resolve()
+        for number in range(options.first, options.first + options.count):
+            flaws, text, stage = try_mutation(program, data, number, options.seconds, Path(folder))
+            stages[stage] = stages.get(stage, 0) + 1
+            failures += flaws
+            for flaw in flaws:
+                print(flaw, flush=True)
+            if flaws and options.keep:
+                options.keep.mkdir(parents=True, exist_ok=True)
+                (options.keep / f"{number}.toml").write_text(text, errors="surrogateescape")
+    print("ended in", ", ".join(f"{name} {count}" for name, count in sorted(stages.items())))
+    return verdict("fuzz", failures, options.count)
+
+
+if __name__ == "__main__":
+    sys.exit(main())
