@@ -28,6 +28,8 @@ struct CommandOptions {
   std::string x, y;                ///< plot: columns of a batch
   std::string response;            ///< lean: name of a response of the scene
   std::string tolerance;           ///< lean: "1%" or "0.01"
+  std::string to;                  ///< export: "xdmf"
+  std::string like;                ///< new: name of a shipped scene or study
   std::vector<std::string> by;     ///< sensitivity: keys of the scene
   std::string method;              ///< sensitivity: "auto", "direct" or "adjoint"
   std::vector<std::string> functionals;  ///< sensitivity: "peak", "p=8", ...
@@ -44,6 +46,9 @@ int compare_command(const CommandOptions& options);
 int lean_command(const CommandOptions& options);
 int plot_command(const CommandOptions& options);
 int report_command(const CommandOptions& options);
+int export_command(const CommandOptions& options);
+int new_command(const CommandOptions& options);
+int schema_command(const CommandOptions& options);
 
 /// The page of results at the end of a command, unless its options leave it out, into the folder
 /// that holds them now. A page that cannot be written is a note on the terminal; the results stay.

@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <iomanip>
 #include <iostream>
 #include <memory>
 #include <new>
 
 #include "apps/cli/command.hpp"
+#include "apps/cli/completion.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
@@ -29,6 +31,12 @@ std::string version_text() {
   return text;
 }
 
+struct Entry {
+  const char *name, *file, *what;
+  int (*function)(const liesl::CommandOptions&);
+  bool writes;
+};
+
 void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
   command
       .add_option("--by", o.by,
@@ -44,7 +52,6 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
       ->delimiter(',')
       ->default_val(std::vector<std::string>{"peak", "integral", "mean", "rms"});
   command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
-  command.get_option("--output")->required(false);
 }
 
 void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
@@ -56,14 +63,53 @@ void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
       });
 }
 
+/// Options that one command has, or few.
+void add_options(CLI::App& command, const std::string& name, liesl::CommandOptions& o) {
+  if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
+    command.add_flag("--no-report", o.no_report, "Write no report.html");
+  if (name == "optimize") {
+    command.add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");
+    command.add_flag("--check-derivatives", o.check_derivatives,
+                     "Compare the gradients with finite differences and stop");
+    command
+        .add_option_function<std::string>(
+            "--method",
+            [&o](const std::string& method) { o.set.push_back("cycle.method=\"" + method + "\""); },
+            "How a cycle finds the next design, as cycle.method")
+        ->check(CLI::IsMember({"auto", "esl", "esl1", "full"}));
+    command
+        .add_flag("--nucleate{10}", o.nucleate,
+                  "Insert new holes where they reduce the objective, --nucleate=N at most N "
+                  "(experimental)")
+        ->check(CLI::Range(1, 100));
+  }
+  if (name == "sensitivity") add_sensitivity_options(command, o);
+  if (name == "batch") add_batch_options(command, o);
+  if (name == "lean") {
+    command.add_option("--response", o.response, "Response of the scene that has to be right")
+        ->required();
+    command.add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
+        ->default_val("1%");
+  }
+  if (name == "export")
+    command.add_option("--to", o.to, "xdmf: deformed meshes for ParaView")
+        ->default_val("xdmf")
+        ->check(CLI::IsMember({"xdmf"}));
+  if (name == "new") {
+    command.add_option("--like", o.like, "Name of a shipped scene or study: four_bar, ...");
+    command.add_option("-o,--output", o.out, "File to write (default: the same name, here)");
+    command.add_flag("-f,--force", o.force, "Replace a file");
+  }
+  if (name == "plot") {
+    auto* x = command.add_option("--x", o.x, "Column of a batch's table, across");
+    command.add_option("--y", o.y, "Column of a batch's table, upwards")->needs(x);
+    x->needs("--y");
+  }
+}
+
 /// The commands with their options; the chosen one is stored in `run`.
 void add_commands(CLI::App& app, liesl::CommandOptions& o,
                   int (*&run)(const liesl::CommandOptions&)) {
-  struct Entry {
-    const char *name, *file, *what;
-    int (*function)(const liesl::CommandOptions&);
-    bool writes;
-  };
   static const Entry kEntries[] = {
       {"check", "FILE", "Validate a scene, study, batch or comparison", liesl::check_command,
        false},
@@ -82,55 +128,30 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       {"report", "DIR", "Write report.html, a page to look at what a results folder holds",
        liesl::report_command, false},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
+      {"export", "DIR", "Write the motion of a results folder for another program",
+       liesl::export_command, false},
+      {"new", "KIND", "Write a scene or study that runs, like a shipped one", liesl::new_command,
+       false},
+      {"schema", "KIND", "Print the JSON Schema of a scene, study, batch or comparison",
+       liesl::schema_command, false},
   };
   for (const auto& entry : kEntries) {
     auto* command = app.add_subcommand(entry.name, entry.what);
     command->add_option(entry.file, o.file, "file or folder")->required();
     command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
     const std::string name = entry.name;
-    if (name != "plot" && name != "report")
+    const bool of_file = entry.writes || name == "check";
+    if (of_file)
       command->add_option("--set", o.set, "Change a key: key.path=value (repeatable)")
           ->allow_extra_args(false);
     if (entry.writes) {
-      command->add_option("-o,--output", o.out, "Folder of the results")->required();
+      command->add_option("-o,--output", o.out,
+                          "Folder of the results (default: name of the file)");
       command->add_flag("-f,--force", o.force, "Replace an earlier result");
       command->add_option("--threads", o.threads, "Threads to use, 0 = all processors")
           ->check(CLI::Range(0, kMostThreads));
     }
-    if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
-      command->add_flag("--no-report", o.no_report, "Write no report.html");
-    if (std::string(entry.name) == "optimize") {
-      command->add_flag("--resume", o.resume, "Continue an interrupted run in the same folder");
-      command->add_flag("--check-derivatives", o.check_derivatives,
-                        "Compare the gradients with finite differences and stop");
-      command
-          ->add_option_function<std::string>(
-              "--method",
-              [&o](const std::string& method) {
-                o.set.push_back("cycle.method=\"" + method + "\"");
-              },
-              "How a cycle finds the next design, as cycle.method")
-          ->check(CLI::IsMember({"auto", "esl", "esl1", "full"}));
-      command
-          ->add_flag("--nucleate{10}", o.nucleate,
-                     "Insert new holes where they reduce the objective, --nucleate=N at most N "
-                     "(experimental)")
-          ->check(CLI::Range(1, 100));
-      command->get_option("--output")->required(false);
-    }
-    if (std::string(entry.name) == "sensitivity") add_sensitivity_options(*command, o);
-    if (std::string(entry.name) == "batch") add_batch_options(*command, o);
-    if (std::string(entry.name) == "lean") {
-      command->add_option("--response", o.response, "Response of the scene that has to be right")
-          ->required();
-      command->add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
-          ->default_val("1%");
-    }
-    if (std::string(entry.name) == "plot") {
-      auto* x = command->add_option("--x", o.x, "Column of a batch's table, across");
-      command->add_option("--y", o.y, "Column of a batch's table, upwards")->needs(x);
-      x->needs("--y");
-    }
+    add_options(*command, name, o);
     command->callback([&run, &entry] { run = entry.function; });
   }
 }
@@ -144,6 +165,43 @@ std::string unknown_command(const CLI::App& app, int argc, char** argv) {
   if (word.empty() || word.starts_with('-') || known) return "";
   return "liesl: there is no command '" + word + "'; " + liesl::suggestion(word, names) +
          "\nliesl --help lists the commands\n";
+}
+
+/// What the program is for, for whoever starts it without a command.
+constexpr const char* kOverview =
+    R"(liesl: flexible mechanisms on SE(3), sized under the loads of their motion.
+
+  liesl new study --like slider_crank_rod    write a study and its scene, to begin with
+  liesl optimize slider_crank_rod.toml       size the rod; results and report.html in slider_crank_rod/
+  liesl run slider_crank.toml                simulate a scene
+
+)";
+
+/// Does a command write a results folder?
+bool writes_folder(int (*run)(const liesl::CommandOptions&)) {
+  using namespace liesl;
+  for (auto* command : {run_command, esl_command, sensitivity_command, optimize_command,
+                        batch_command, compare_command, lean_command})
+    if (run == command) return true;
+  return false;
+}
+
+int print_completion(const CLI::App& app, const std::string& shell) {
+  try {
+    std::cout << liesl::completion(app, shell);
+  } catch (const liesl::InputError& e) {
+    std::cerr << e.what() << "\n";
+    return kRefused;
+  }
+  return 0;
+}
+
+void print_overview(const CLI::App& app) {
+  std::cout << kOverview << "Commands:\n";
+  for (const auto* command : app.get_subcommands({}))
+    std::cout << "  " << std::left << std::setw(11) << command->get_name()
+              << command->get_description() << "\n";
+  std::cout << "\nliesl COMMAND --help lists the options of a command.\n";
 }
 
 int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOptions& o) {
@@ -178,6 +236,10 @@ int main(int argc, char** argv) {
   liesl::CommandOptions options;
   int (*run)(const liesl::CommandOptions&) = nullptr;
   add_commands(app, options, run);
+  std::string shell;
+  auto* completes = app.add_subcommand("completion", "Print what bash or zsh completes");
+  completes->add_option("SHELL", shell, "bash or zsh")->required();
+  if (argc == 1) return print_overview(app), 0;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
@@ -185,11 +247,9 @@ int main(int argc, char** argv) {
     if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
   }
-  const bool stops = options.check_derivatives || options.check;
-  if (run == liesl::optimize_command && options.out.empty() && !stops) {
-    std::cerr << "liesl: -o DIR is missing: where shall the results go?\n";
-    return kRefused;
-  }
+  if (!run) return print_completion(app, shell);
+  if (options.out.empty() && writes_folder(run))
+    options.out = std::filesystem::path(options.file).stem().string();
   liesl::output::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (options.threads > 0)

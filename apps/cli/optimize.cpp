@@ -170,6 +170,7 @@ int optimize_command(const CommandOptions& options) {
     }
   }();
   line.clear();
+  out.summary.more["input"] = options.file;
   write_end(out, study, folder.path());
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));

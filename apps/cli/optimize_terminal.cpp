@@ -4,7 +4,29 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "apps/cli/terminal.hpp"
+
 namespace liesl {
+
+namespace {
+
+/// A share that has no sign.
+std::string size_percent(double share) {
+  const std::string text = signed_percent(share);
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
+/// A line a variable, numbers under each other.
+void print_design(const std::vector<output::DesignFigure>& design) {
+  std::size_t width = 0;
+  for (const auto& d : design) width = std::max(width, d.name.size());
+  for (const auto& d : design)
+    fmt::print("  {:<{}} {:>12.6g} -> {:>12.6g} {}\n", d.name, width, d.initial, d.final, d.unit);
+}
+
+}  // namespace
 
 void print_cycle(const Cycle& c, SolidResponse objective, bool quiet) {
   if (quiet) return;
@@ -14,9 +36,9 @@ void print_cycle(const Cycle& c, SolidResponse objective, bool quiet) {
     fmt::print(" cycle     mass [kg]{}   worst limit   load change   cases   iterations\n",
                other ? fmt::format(" {:>15}", fmt::format("{} [{}]", q.name, q.unit)) : "");
   const bool sized = c.load_cases > 0;  // the first, or the last, only simulates
-  fmt::print("{:6} {:13.6g}{} {:+13.3e} {:>13} {:>7} {:>12}\n", c.number, c.mass,
-             other ? fmt::format(" {:15.7g}", c.objective) : "", c.worst,
-             c.load_change ? fmt::format("{:.3e}", *c.load_change) : "-",
+  fmt::print("{:6} {:13.6g}{} {:>13} {:>13} {:>7} {:>12}\n", c.number, c.mass,
+             other ? fmt::format(" {:15.7g}", c.objective) : "", signed_percent(c.worst),
+             c.load_change ? size_percent(*c.load_change) : "-",
              sized ? std::to_string(c.load_cases) : "-",
              sized ? std::to_string(c.iterations) : "-");
   std::fflush(stdout);
@@ -66,15 +88,16 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
     fmt::print("  {} {:.7g} {} -> {:.7g} {}\n", text("quantity"), o["initial"].get<double>(),
                text("unit"), o["final"].get<double>(), text("unit"));
   }
-  fmt::print("  mass {:.6g} kg -> {:.6g} kg, worst limit {:+.2e}, {:.3g} s\n", s.mass_initial,
-             s.mass_final, s.worst_constraint, s.wall_s);
-  fmt::print("  KKT conditions: {}\n", s.more.value("kkt", "not checked"));
+  fmt::print("  mass {:.6g} kg -> {:.6g} kg ({}), worst limit {}, {:.3g} s\n", s.mass_initial,
+             s.mass_final, signed_percent(s.mass_final / s.mass_initial - 1),
+             signed_percent(s.worst_constraint), s.wall_s);
+  const std::string kkt = s.more.value("kkt", "not checked");
+  if (s.reason.find(kkt) == std::string::npos) fmt::print("  KKT conditions: {}\n", kkt);
   if (s.more.contains("prices"))
     for (const auto& [name, price] : s.more["prices"].items()) print_price(s, name, price);
-  for (const auto& d : s.design)
-    fmt::print("  {:<20} {:.6g} -> {:.6g} {}\n", d.name, d.initial, d.final, d.unit);
+  print_design(s.design);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
-  fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+  print_folder(folder);
 }
 
 }  // namespace liesl

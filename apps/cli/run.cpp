@@ -16,6 +16,7 @@ int run_command(const CommandOptions& options) {
   RunOutcome out = run_task(scene, space, std::ref(line));
   line.clear();
   out.summary.overrides = options.set;
+  out.summary.more["input"] = options.file;
   if (!out.results.times.empty()) output::write_results(folder.path(), out.results);
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));

@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <cmath>
+#include <filesystem>
+
 #include "apps/output/interrupt.hpp"
 
 namespace liesl {
@@ -17,6 +20,21 @@ bool SimulationLine::operator()(double t) {
   return output::interrupted() == 0;
 }
 
+std::string signed_percent(double share) {
+  if (!std::isfinite(share)) return "-";
+  const double x = 100 * share, size = std::abs(x);
+  if (size < 5e-4) return "0 %";
+  return fmt::format("{:+.{}f} %", x, size >= 10 ? 0 : size >= 1 ? 1 : size >= 0.1 ? 2 : 3);
+}
+
+void print_folder(const std::string& folder) {
+  if (std::filesystem::exists(std::filesystem::path(folder) / "report.html"))
+    fmt::print("results in {}; look at {}/report.html, or: liesl plot {}\n", folder, folder,
+               folder);
+  else
+    fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+}
+
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
   if (quiet) return;
   fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
@@ -29,7 +47,7 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
-  if (!folder.empty()) fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+  if (!folder.empty()) print_folder(folder);
 }
 
 }  // namespace liesl

@@ -35,6 +35,13 @@ class SimulationLine {
   output::Progress line_;
 };
 
+/// "+26 %", "-0.43 %", "0 %": three digits of a share at most, none where they mean nothing; "-"
+/// for what is no number.
+std::string signed_percent(double share);
+
+/// Where the results are, and how to look at them.
+void print_folder(const std::string& folder);
+
 /// The lines that a run ends with on the terminal.
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet);
 

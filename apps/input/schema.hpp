@@ -90,6 +90,9 @@ std::vector<std::string> words(std::string_view text);
 /// What a value of this key looks like, for messages and the reference: "a number > 0 (m)".
 std::string expectation(const Key& key);
 
+/// JSON Schema (draft 7) of a kind of file, for editors.
+std::string schema_json(FileKind kind);
+
 /// The reference page of all kinds of file, docs/scene_reference.md.
 std::string schema_markdown();
 

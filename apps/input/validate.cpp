@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "apps/input/check_value.hpp"
 
@@ -63,7 +64,13 @@ class Validator {
     std::vector<std::string> candidates;
     for (const Key* key : keys)
       if (applies(kind_, *key, in) == Applies::Yes) candidates.emplace_back(key->leaf());
+    const std::vector<std::string> all = candidates;
     const std::string choice = known ? " of this kind of entry" : "";
+    std::erase_if(candidates, [&in](const std::string& key) { return in.contains(key); });
+    if (const std::string meant = nearest(name.str(), candidates); !meant.empty())
+      misspelt_.insert(join(path, meant));
+    else
+      candidates = all;
     problems_.add(name, what + choice, path.empty() ? "a key of the file" : "a key of " + path,
                   suggestion(name.str(), candidates));
   }
@@ -91,16 +98,11 @@ class Validator {
       if (table.contains(key->leaf())) given.push_back(key->leaf());
     }
     if (all.empty() || given.size() == 1) return;
+    for (const auto key : all)
+      if (given.empty() && misspelt_.contains(join(path, key))) return;
     const std::string expected = fmt::format("exactly one of {}", fmt::join(all, ", "));
     if (given.empty()) {
-      std::vector<std::string> candidates(all.begin(), all.end());
-      std::string hint;
-      for (auto&& [name, value] : table)
-        if (hint.empty() &&
-            !find_key(kind_, fmt::format("{}.{}", keys.front()->parent(), name.str())))
-          if (const auto near = nearest(name.str(), candidates); !near.empty())
-            hint = fmt::format("did you mean '{}'?", near);
-      problems_.add(table, fmt::format("missing key in {}", place(path)), expected, hint);
+      problems_.add(table, fmt::format("missing key in {}", place(path)), expected, "");
     } else {
       problems_.add(*table.get(given[1]),
                     fmt::format("{} has both '{}' and '{}'", place(path), given[0], given[1]),
@@ -113,6 +115,7 @@ class Validator {
     if (key.preset == kOptional || key.preset == kOneOf) return;
     if (applies(kind_, key, table) != Applies::Yes) return;
     if (key.preset == kRequired) {
+      if (misspelt_.contains(join(path, key.leaf()))) return;
       problems_.add(table, fmt::format("missing key '{}'", join(path, key.leaf())),
                     expectation(key), std::string(key.doc));
       return;
@@ -164,6 +167,7 @@ class Validator {
   FileKind kind_;
   Problems& problems_;
   Broken& broken_;
+  std::set<std::string> misspelt_;  ///< paths that an unknown key stands for: not missing as well
 };
 
 }  // namespace

@@ -69,6 +69,10 @@ void write_coordinates(const Hdf5File& file, const MeshResult& mesh, const std::
   put(file, group + "/interface", mesh.interfaces, {mesh.interfaces.size() / 3, 3}, "m");
   put(file, group + "/thickness", {mesh.thickness}, {1}, "m");
   put(file, group + "/basis", mesh.basis, {k, N, 3}, "-");
+  const hsize_t M = mesh.cells.size() / static_cast<hsize_t>(mesh.corners);
+  if (k > 0)
+    put(file, group + "/stress_basis", mesh.stress_basis,
+        {k, M, mesh.stress_basis.size() / std::max<hsize_t>(k * M, 1)}, "Pa");
   if (k > 0) put(file, group + "/amplitude", mesh.amplitudes, {mesh.amplitudes.size() / k, k}, "-");
 }
 

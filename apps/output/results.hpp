@@ -50,6 +50,9 @@ struct MeshResult {
   std::vector<double> reference = {};  ///< N x 3, at rest, in the axes of the first interface, m
   std::vector<double> level = {};  ///< N, level set of the outline, > 0: material; empty: all is
   std::vector<double> basis = {};  ///< k x N x 3, displacement by amplitude, axes of the above
+  /// k x M x 3 (6 in space), stress at the centres of the cells by amplitude: normal stresses, then
+  /// xy (xy, yz, zx), of the full material, axes of the above, Pa.
+  std::vector<double> stress_basis = {};
   std::vector<double> amplitudes = {};  ///< n x k; position = x_0 + R_0 (reference + basis)
   std::vector<double> interfaces = {};  ///< I x 3, at rest, as `reference`
   double thickness = 0;                 ///< of a planar mesh, m
@@ -116,6 +119,9 @@ void check_shapes(const Results& results);
 
 /// Records that pictures show: more make ParaView slow.
 inline constexpr int kShownRecords = 250;
+/// Bytes of deformed meshes up to which results.h5 keeps them; `liesl export` makes them of the
+/// basis else.
+inline constexpr double kMeshBytes = 6e6;
 
 /// At most `count` record numbers, evenly spread over [0, n), first and last among them.
 std::vector<int> spread_records(int n, int count);

@@ -129,7 +129,7 @@ std::string grid(const MeshResult& mesh, const std::string& file, int record) {
 }  // namespace
 
 void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
-                const Results& results, int max_instants) {
+                const Results& results, int max_instants, const std::string& mesh_hdf5) {
   const std::size_t n = results.times.size();
   std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n";
   out += "  <Grid Name=\"" + escaped(results.name) +
@@ -140,7 +140,8 @@ void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
     for (const auto& body : results.bodies) {
       if (!body.positions.empty()) out += grid(body, hdf5_name, record, n);
     }
-    for (const auto& mesh : results.meshes) out += grid(mesh, hdf5_name, record);
+    for (const auto& mesh : results.meshes)
+      out += grid(mesh, mesh_hdf5.empty() ? hdf5_name : mesh_hdf5, record);
     out += "   </Grid>\n";
   }
   out += "  </Grid>\n </Domain>\n</Xdmf>\n";

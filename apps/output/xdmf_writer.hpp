@@ -15,8 +15,10 @@ namespace liesl::output {
 /// strain and section force as cell fields, other bodies as points; rotation and velocity at the
 /// nodes. Meshed parts appear deformed, with the fraction of material in each cell. Six-vectors
 /// appear as two three-vectors. At most `max_instants` records are listed, evenly spread: ParaView
-/// reads the description as a whole. @throws IoError
+/// reads the description as a whole.
+/// @param mesh_hdf5 file of the deformed meshes; empty: `hdf5_name` @throws IoError
 void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
-                const Results& results, int max_instants = kShownRecords);
+                const Results& results, int max_instants = kShownRecords,
+                const std::string& mesh_hdf5 = "");
 
 }  // namespace liesl::output

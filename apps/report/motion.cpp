@@ -49,19 +49,6 @@ std::vector<double> quaternions(const std::vector<double>& R, std::size_t nodes)
   return out;
 }
 
-/// The larger of the stresses on both sides of each node [n, N], from those of elements [n, E, 2].
-std::vector<double> at_nodes(const Hdf5Numbers& stress, const std::vector<int>& elements, int N) {
-  const std::size_t n = stress.shape[0], E = stress.shape[1];
-  std::vector<double> out(n * static_cast<std::size_t>(N), 0.0);
-  for (std::size_t i = 0; i < n * E * 2; ++i) {
-    const std::size_t record = i / (2 * E);
-    double& node = out[record * static_cast<std::size_t>(N) +
-                       static_cast<std::size_t>(elements.at(i % (2 * E)))];
-    node = std::max(node, stress.values[i]);
-  }
-  return out;
-}
-
 Json body(const Group& group, const std::string& name, Blob& blob) {
   const Hdf5Numbers x = group.shown("/position");
   const std::size_t N = x.shape.at(1);
@@ -71,15 +58,14 @@ Json body(const Group& group, const std::string& name, Blob& blob) {
       blob.components(quaternions(group.shown("/rotation").values, N), 4, Blob::Digits::Five);
   json["x0"] = blob.f32(group.whole("/reference_position").values);
   json["q0"] = blob.f32(quaternions(group.whole("/reference_rotation").values, N));
-  const std::vector<int> elements = integers(group.whole("/elements").values);
-  json["elements"] = elements;
+  json["elements"] = integers(group.whole("/elements").values);
   json["shapes"] = group.texts("/shape");
   json["dimensions"] = group.whole("/dimension").values;
   json["points"] = group.whole("/point").values;
   if (const Hdf5Numbers force = group.shown("/node_force"); !force.empty())
     json["force"] = blob.components(force.values, 6, Blob::Digits::Five);
   if (const Hdf5Numbers stress = group.shown("/stress"); !stress.empty())
-    json["stress"] = blob.i16(at_nodes(stress, elements, static_cast<int>(N)));
+    json["stress"] = blob.i16(stress.values);
   return json;
 }
 
@@ -90,6 +76,42 @@ std::vector<double> at_vertices(const CutMesh& mesh, const double* nodes) {
     for (int c = 0; c < 3; ++c)
       out.push_back((1 - v.t) * nodes[3 * v.i + c] + v.t * nodes[3 * v.j + c]);
   return out;
+}
+
+/// Values [M, C] of cells at the nodes [N, 3]: component c and the two after it, weighted by how
+/// much of each cell is material.
+std::vector<double> from_cells(const double* values, std::size_t C, std::size_t c,
+                               const Hdf5Numbers& cells, const std::vector<double>& fractions,
+                               std::size_t N) {
+  std::vector<double> sum(3 * N, 0.0), weight(N, 0.0);
+  const std::size_t corners = cells.shape[1];
+  for (std::size_t i = 0; i < cells.values.size(); ++i) {
+    const std::size_t cell = i / corners, node = static_cast<std::size_t>(cells.values[i]);
+    weight.at(node) += fractions.at(cell);
+    for (std::size_t k = 0; k < 3; ++k)
+      sum[3 * node + k] += fractions[cell] * values[C * cell + c + k];
+  }
+  for (std::size_t i = 0; i < 3 * N; ++i) sum[i] /= std::max(weight[i / 3], 1e-12);
+  return sum;
+}
+
+/// Components of the stress at the vertices by amplitude: 3 or 6 arrays each.
+Json stress_basis(const Group& group, const CutMesh& cut, const Hdf5Numbers& cells, std::size_t N,
+                  Blob& blob) {
+  Json list = Json::array();
+  const Hdf5Numbers basis = group.whole("/stress_basis");
+  const auto fractions = group.whole("/fraction").values;
+  for (std::size_t k = 0; !basis.empty() && k < basis.shape[0]; ++k) {
+    Json components = Json::array();
+    for (std::size_t c = 0; c < basis.shape.at(2); c += 3) {
+      const auto nodes =
+          from_cells(&basis.values[k * basis.row()], basis.shape[2], c, cells, fractions, N);
+      for (auto& array : blob.components(at_vertices(cut, nodes.data()), 3, Blob::Digits::Five))
+        components.push_back(array);
+    }
+    list.push_back(std::move(components));
+  }
+  return list;
 }
 
 template <class Polygons>
@@ -118,6 +140,7 @@ Json solid(const Group& group, const std::string& name, Blob& blob) {
   for (std::size_t k = 0; !basis.empty() && k < basis.shape[0]; ++k)
     json["basis"].push_back(
         blob.components(at_vertices(cut, &basis.values[k * basis.row()]), 3, Blob::Digits::Five));
+  json["stress"] = stress_basis(group, cut, cells, reference.shape[0], blob);
   json["amplitude"] = blob.f32(group.shown("/amplitude").values);
   return json;
 }
@@ -133,7 +156,7 @@ Json joint(const Group& group, const std::string& name) {
 
 /// Bytes of an instant: nodes with places, turns, forces and stresses, and amplitudes.
 double bytes_an_instant(const Hdf5Input& file) {
-  constexpr double kPlanarNode = 22, kSpatialNode = 34;
+  constexpr double kPlanarNode = 24, kSpatialNode = 36;
   const double node = file.attribute("/", "space") == "planar" ? kPlanarNode : kSpatialNode;
   double bytes = 4;
   for (const std::string& name : file.children("/bodies"))

@@ -86,6 +86,14 @@ void add_mesh_at_rest(const SolidSpec& solid, const Eigen::MatrixXd& phi, output
   }
 }
 
+void add_stress_basis(const SolidModel& part, const Eigen::MatrixXd& phi, output::MeshResult& out) {
+  std::vector<Eigen::MatrixXd> cells;
+  for (int e = 0; e < part.mesh().cell_count(); ++e)
+    cells.push_back(part.cell(e).stress * part.at_cell(e, phi));
+  for (Eigen::Index k = 0; k < phi.cols(); ++k)
+    for (const Eigen::MatrixXd& stress : cells) append(out.stress_basis, stress.col(k));
+}
+
 /// Positions of the nodes of a meshed part, x_0 + R_0 (s + u), and of that R_0 u with u = phi e, at
 /// the records that are shown.
 template <FrameGroup G>
@@ -101,9 +109,15 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);
   Eigen::MatrixXd phi;
-  if (body) phi = solid_model(solid).T() * body->basis();
+  if (body) {
+    const SolidModel part = solid_model(solid);
+    phi = part.T() * body->basis();
+    add_stress_basis(part, phi, out);
+  }
   const int dim = solid.mesh.dim;
   add_mesh_at_rest(solid, phi, out);
+  if (48.0 * static_cast<double>(out.records.size()) * solid.mesh.node_count() > output::kMeshBytes)
+    out.records.clear();
   State<G> s = model.initial_state();
   for (int n = 0; body && n < trajectory.size(); ++n) {
     trajectory.read(n, s);

@@ -28,9 +28,8 @@ TEST_F(Cli, VersionListsTheLibraries) {
 }
 
 TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
-  EXPECT_EQ(run({}).code, 2);
+  EXPECT_EQ(run({"run"}).code, 2) << "no file";
   EXPECT_EQ(run({"optimise", "x"}).code, 2);
-  EXPECT_EQ(run({"optimize", study("slider_crank_rod")}).code, 2) << "no -o";
   EXPECT_EQ(run({"--help"}).code, 0);
   const Outcome misspelt = run({"runn", scene("pendulum"), "-o", results()});
   EXPECT_EQ(misspelt.code, 2);
@@ -38,11 +37,75 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
       << misspelt.err;
   const Outcome strange = run({"zzzzzzzz"});
   EXPECT_EQ(strange.code, 2);
-  EXPECT_NE(
-      strange.err.find(
-          "known: check, run, esl, sensitivity, optimize, batch, compare, lean, report, plot"),
-      std::string::npos)
+  EXPECT_NE(strange.err.find("known: check, run, esl, sensitivity, optimize, batch, compare, lean, "
+                             "report, plot, export, new"),
+            std::string::npos)
       << strange.err;
+}
+
+TEST_F(Cli, AloneItSaysWhatItIsFor) {
+  const Outcome o = run({});
+  EXPECT_EQ(o.code, 0);
+  for (const char* text : {"liesl new study --like", "optimize", "report", "completion"})
+    EXPECT_NE(o.out.find(text), std::string::npos) << text;
+}
+
+/// In a folder of its own, as a user works.
+class CliHere : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    before_ = fs::current_path();
+    fs::current_path(dir_);
+  }
+  void TearDown() override {
+    fs::current_path(before_);
+    Program::TearDown();
+  }
+  fs::path before_;
+};
+
+TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
+  const Outcome made = run({"new", "study", "--like", "slider_crank_rod"});
+  EXPECT_EQ(made.code, 0) << made.err;
+  EXPECT_NE(text_of("slider_crank_rod.toml").find("scene = \"slider_crank.toml\""),
+            std::string::npos);
+  EXPECT_EQ(run({"check", "slider_crank_rod.toml"}).code, 0);
+  EXPECT_EQ(run({"run", "slider_crank.toml", "--set", "simulation.duration=0.001"}).code, 0);
+  EXPECT_TRUE(fs::exists("slider_crank/summary.json"));
+  const Outcome again = run({"new", "study", "--like", "slider_crank_rod"});
+  EXPECT_EQ(again.code, 3);
+  EXPECT_NE(again.err.find("it exists"), std::string::npos) << again.err;
+}
+
+TEST_F(CliHere, EveryShippedFileCanBeBegunFrom) {
+  for (const char* kind : {"scene", "study"}) {
+    const Outcome o = run({"new", kind});
+    EXPECT_EQ(o.code, 2);
+    const std::string known = "known: ";
+    std::istringstream names(o.err.substr(o.err.find(known) + known.size()));
+    for (std::string name; std::getline(names >> std::ws, name, ',');) {
+      name.erase(name.find_last_not_of(" \n") + 1);
+      EXPECT_EQ(run({"new", kind, "--like", name, "--force", "--quiet"}).code, 0) << name;
+      const Outcome checked = run({"check", name + ".toml", "--quiet"});
+      EXPECT_EQ(checked.code, 0) << checked.err;
+    }
+  }
+  EXPECT_NE(run({"new", "scene", "--like", "four_bra"}).err.find("did you mean 'four_bar'"),
+            std::string::npos);
+  EXPECT_EQ(run({"new", "mesh"}).code, 2);
+}
+
+TEST_F(CliHere, CompletionKnowsEveryCommandAndOption) {
+  const Outcome o = run({"completion", "bash"});
+  EXPECT_EQ(o.code, 0);
+  std::ofstream("complete.sh") << o.out << R"(
+COMP_WORDS=(liesl opt); COMP_CWORD=1; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl optimize --no); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+)";
+  EXPECT_EQ(std::system("bash complete.sh > words"), 0);
+  EXPECT_EQ(text_of("words"), "optimize\n--no-report\n");
+  EXPECT_EQ(run({"completion", "csh"}).code, 2);
 }
 
 TEST_F(Cli, RunAnswersWithFiguresAndNoProgressInAPipe) {
@@ -168,7 +231,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
 
   ASSERT_EQ(run(short_run(results(), {"-f"})).code, 0);
   expected.erase("identity");
-  for (const char* key : {"mobility", "redundant_if_rigid"}) {
+  for (const char* key : {"mobility", "redundant_if_rigid", "input"}) {
     EXPECT_TRUE(documented("### `run` and `esl`").sometimes.count(key)) << key;
     expected.insert(key);
   }
@@ -177,6 +240,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   ASSERT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "-f"}).code, 0);
   expected = common;
   for (const auto& key : documented("### `optimize`").always) expected.insert(key);
+  expected.insert("input");
   EXPECT_EQ(keys(summary()), expected);
   EXPECT_EQ(summary()["cycles"], summary()["history"].size());
 }

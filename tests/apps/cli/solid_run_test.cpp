@@ -135,6 +135,69 @@ TEST_F(SolidRun, KeepsTheDeformedMesh) {
   EXPECT_NE(xdmf.find("Quadrilateral"), std::string::npos);
 }
 
+/// What results.h5 kept in full and what `export` makes of the amplitudes are one.
+TEST_F(SolidRun, ExportMakesTheDeformedMeshOfTheAmplitudes) {
+  ASSERT_EQ(command("run").code, 0);
+  const auto kept = read_set(results() / "results.h5", "/meshes/rod/position");
+  const auto kept_u = read_set(results() / "results.h5", "/meshes/rod/displacement");
+  const Outcome o = run({"export", results(), "--to", "xdmf"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto made = read_set(results() / "meshes.h5", "/meshes/rod/position");
+  const auto made_u = read_set(results() / "meshes.h5", "/meshes/rod/displacement");
+  ASSERT_EQ(made.shape, kept.shape);
+  ASSERT_FALSE(made.values.empty());
+  for (std::size_t i = 0; i < kept.values.size(); ++i) {
+    ASSERT_NEAR(made.values[i], kept.values[i], 1e-13);
+    ASSERT_NEAR(made_u.values[i], kept_u.values[i], 1e-15);
+  }
+  const std::string xdmf = text_of(results() / "results.xdmf");
+  EXPECT_NE(xdmf.find("meshes.h5:/meshes/rod/position"), std::string::npos);
+  EXPECT_NE(xdmf.find("results.h5:/bodies/crank/position"), std::string::npos);
+}
+
+TEST_F(SolidRun, LargeMeshesAreLeftToExport) {
+  const Words words = {"run",        scene("meshed_slider_crank"),
+                       "-o",         results(),
+                       "--set",      "bodies.rod.solid.mesh.cells=[150, 30]",
+                       "--set",      "simulation.duration=0.005",
+                       "--no-report"};
+  ASSERT_EQ(run(words).code, 0);
+  EXPECT_LT(fs::file_size(results() / "results.h5"), 6e6);
+  EXPECT_EQ(text_of(results() / "results.xdmf").find("rod mesh"), std::string::npos);
+  ASSERT_EQ(run({"export", results()}).code, 0);
+  EXPECT_NE(text_of(results() / "results.xdmf").find("rod mesh"), std::string::npos);
+}
+
+/// The stress of a mode at the centre of a cell, by hand: plane stress of the mean gradient.
+TEST_F(SolidRun, StressOfTheAmplitudesIsThatOfTheirDisplacements) {
+  ASSERT_EQ(command("run", {"--no-report"}).code, 0);
+  const auto file = results() / "results.h5";
+  const auto cells = read_set(file, "/meshes/rod/cells"),
+             x = read_set(file, "/meshes/rod/reference"),
+             basis = read_set(file, "/meshes/rod/basis"),
+             stress = read_set(file, "/meshes/rod/stress_basis");
+  const std::size_t M = cells.shape[0], N = x.shape[0];
+  ASSERT_EQ(stress.shape, (std::vector<hsize_t>{basis.shape[0], M, 3}));
+  const double E = 210e9, nu = 0.3, factor = E / (1 - nu * nu);
+  for (const std::size_t k : {std::size_t{0}, std::size_t{4}})
+    for (std::size_t e = 0; e < M; e += 97) {
+      const auto node = [&](int c) { return std::size_t(cells.values[4 * e + std::size_t(c)]); };
+      const auto at = [&](int c, int i) { return x.values[3 * node(c) + std::size_t(i)]; };
+      const auto u = [&](int c, int i) {
+        return basis.values[3 * (N * k + node(c)) + std::size_t(i)];
+      };
+      const double a = at(1, 0) - at(0, 0), b = at(3, 1) - at(0, 1);  // a rectangle
+      const auto along = [&](int i) { return (u(1, i) + u(2, i) - u(0, i) - u(3, i)) / (2 * a); };
+      const auto across = [&](int i) { return (u(3, i) + u(2, i) - u(0, i) - u(1, i)) / (2 * b); };
+      const double ex = along(0), ey = across(1), g = along(1) + across(0);
+      const double* s = &stress.values[3 * (M * k + e)];
+      const double size = factor * (std::abs(ex) + std::abs(ey) + std::abs(g));
+      EXPECT_NEAR(s[0], factor * (ex + nu * ey), 1e-9 * size);
+      EXPECT_NEAR(s[1], factor * (ey + nu * ex), 1e-9 * size);
+      EXPECT_NEAR(s[2], factor * (1 - nu) / 2 * g, 1e-9 * size);
+    }
+}
+
 TEST_F(SolidRun, LoadSetsGiveBackTheDeformation) {
   const Outcome o = command("esl");
   ASSERT_EQ(o.code, 0) << o.err;

@@ -191,6 +191,21 @@ TEST(LongText, IsShortenedInMessages) {
   EXPECT_EQ(text[text.rfind("...") + 3], '\xc3');
 }
 
+TEST(OneMistake, IsOneProblem) {
+  const std::tuple<const char*, const char*, const char*> mistakes[] = {
+      {"diameter = 0.02, shear", "diametr = 0.02, shear", "did you mean 'diameter'?"},
+      {"E = 210e9", "e = 210e9", "did you mean 'E'?"},
+      {"pin = { revolute", "pin = { revolut", "did you mean 'revolute'?"},
+  };
+  for (const auto& [from, to, hint] : mistakes) try {
+      read_scene(changed(kGoodScene, from, to), "scene.toml");
+      ADD_FAILURE() << to << " is not refused";
+    } catch (const InputError& error) {
+      EXPECT_EQ(error.problems.size(), 1u) << error.what();
+      EXPECT_NE(std::string(error.what()).find(hint), std::string::npos) << error.what();
+    }
+}
+
 TEST(Units, ShippedScenesLookRight) {
   EXPECT_TRUE(read_scene(kGoodScene, "scene.toml").warnings.empty());
   for (const char* folder : {"scenes", "stability"})

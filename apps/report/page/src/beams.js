@@ -17,6 +17,7 @@ export class BeamView {
     this.mesh = new Mesh(new BufferGeometry(), surface());
     this.mesh.frustumCulled = false;
     this.value = new Float32Array(body.nodes);
+    this.ends = new Float32Array(2 * body.elements.length);  // of the elements: what a node has need not be continuous
     this.setSections(null);
   }
 
@@ -60,15 +61,22 @@ export class BeamView {
     this.mesh.geometry = geometry;
   }
 
-  /** Places and colours. @param colour null: plain, else {map, low, high} of `this.value` */
+  /** Values of the nodes as those of the ends of elements. */
+  spread() {
+    for (const [e, [i, j]] of this.body.elements.entries()) {
+      this.ends[2 * e] = this.value[i];
+      this.ends[2 * e + 1] = this.value[j];
+    }
+  }
+
+  /** Places and colours. @param colour null: plain, else {map, low, high} of `this.ends` */
   update(scale, colour, plain) {
-    const { body, chord, mesh, rows } = this;
+    const { mesh, rows } = this;
     const position = mesh.geometry.attributes.position.array, normal = mesh.geometry.attributes.normal.array,
       paintTo = mesh.geometry.attributes.color.array;
     for (const station of this.stations) {
       this.frame(station, scale);
-      const [i, j] = body.elements[station.e];
-      const value = (1 - station.xi) * this.value[i] + station.xi * this.value[j];
+      const value = (1 - station.xi) * this.ends[2 * station.e] + station.xi * this.ends[2 * station.e + 1];
       for (let v = station.first; v < station.end; ++v) {
         const y = rows[5 * v], z = rows[5 * v + 1], ny = rows[5 * v + 2], nz = rows[5 * v + 3], nt = rows[5 * v + 4];
         const at = 3 * v;

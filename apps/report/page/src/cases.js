@@ -79,7 +79,7 @@ class CaseTable {
     return el('tr', { class: opens ? 'opens' : '', onclick: () => this.open(row) }, this.columns.map((c, i) => {
       const text = this.cell(c, row);
       const content = c.name === 'status' ? badge(text) : i === 0 && opens ? el('a', { href: opens }, text) : text;
-      return el('td', { class: c.number ? 'n' : '' }, content);
+      return el('td', { class: c.number ? 'n' : 'text', title: c.number ? null : text }, content);
     }));
   }
 
@@ -106,7 +106,7 @@ const choose = (id, columns, chosen, change) => {
 
 /** A batch: any two columns, coloured by a third. */
 function pairs(table) {
-  const columns = table.numeric();
+  const columns = table.numeric().filter((c) => c !== table.columns[0]);
   if (columns.length < 2) return card('', el('p', { class: 'note' }, 'No two columns of numbers to compare.'));
   const inputs = columns.filter((c) => new Set(c.cells).size > 1);
   const first = inputs[0] ?? columns[0], goal = table.column('mass_final') ?? inputs[inputs.length - 1] ?? columns[1];

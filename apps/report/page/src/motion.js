@@ -52,9 +52,9 @@ export class Body {
     }
   }
 
-  /** Values [instants, N] at the nodes and an instant, into `out`. */
+  /** Values [instants, N] of nodes or ends of elements at an instant, into `out` [N]. */
   values(field, i, s, out) {
-    const N = this.nodes, a = i * N, b = Math.min(i + 1, this.instants - 1) * N;
+    const N = out.length, a = i * N, b = Math.min(i + 1, this.instants - 1) * N;
     for (let k = 0; k < N; ++k) out[k] = (1 - s) * field[a + k] + s * field[b + k];
   }
 }

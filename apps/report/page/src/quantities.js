@@ -7,10 +7,14 @@ const kForces = [
   ['T', 'torque', 'N m', [3], 'signed'],
 ];
 
-/** [{key, label, unit, map, field(body) -> [instants, N] or null}], only those that vary. */
-export function quantities(bodies) {
-  const list = [];
-  if (bodies.some((b) => b.stress)) list.push(entry('stress', 'stress (von Mises)', 'Pa', 'size', (b) => b.stress, bodies));
+/**
+ * [{key, label, unit, map, field(body) -> [instants, N] or null}], only those that vary.
+ * @param inSolids largest stress in meshed parts
+ */
+export function quantities(bodies, inSolids) {
+  const stress = entry('stress', 'stress (von Mises)', 'Pa', 'size', (b) => b.stress, bodies);
+  stress.high = stress.size = Math.max(stress.size, inSolids);
+  const list = [stress];
   for (const [key, label, unit, which, map] of kForces)
     list.push(entry(key, label, unit, map, (b) => (b.force ? combined(b, which) : null), bodies));
   return list.filter((q) => q.high > q.low && q.size > 1e-9);

@@ -19,6 +19,8 @@ export class SolidView {
     this.vertices = d.x0.find((c) => typeof c !== 'number')?.n ?? 0;
     this.x0 = components(d.x0, this.vertices);
     this.basis = d.basis.map((b) => components(b, this.vertices));
+    this.stressBasis = d.stress.map((b) => components(b, this.vertices));
+    this.stresses = new Float32Array(this.vertices);
     this.interfaces = d.interfaces;
     this.far = farthest(d.interfaces);
     this.e = new Float32Array(this.count);
@@ -54,6 +56,19 @@ export class SolidView {
 
   mode(i, size) {
     for (let c = 0; c < this.count; ++c) this.e[c] = size * this.amplitudes[i * this.count + c];
+  }
+
+  /** Von Mises stress of the vertices, of the full material. @returns the largest */
+  stress() {
+    const { stressBasis, e, stresses } = this, n = stressBasis[0]?.length ?? 0, sigma = new Float64Array(6);
+    let largest = 0;
+    for (let v = 0; n > 0 && v < this.vertices; ++v) {
+      sigma.fill(0);
+      for (let k = 0; k < this.count; ++k) for (let c = 0; c < n; ++c) sigma[c] += e[k] * stressBasis[k][c][v];
+      stresses[v] = n === 3 ? planeStress(sigma) : spaceStress(sigma);
+      largest = Math.max(largest, stresses[v]);
+    }
+    return largest;
   }
 
   /** Deformation u of the vertices, and its size seen from the chord, between the first interface
@@ -127,6 +142,13 @@ export class SolidView {
   }
 }
 const kQv = new Vector3();
+
+function planeStress([x, y, xy]) {
+  return Math.sqrt(Math.max(0, x * x - x * y + y * y + 3 * xy * xy));
+}
+function spaceStress([x, y, z, a, b, c]) {
+  return Math.sqrt(Math.max(0, 0.5 * ((x - y) ** 2 + (y - z) ** 2 + (z - x) ** 2) + 3 * (a * a + b * b + c * c)));
+}
 
 /** Number of the interface farthest from the first; 0 if there is no other. */
 function farthest(places) {

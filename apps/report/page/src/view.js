@@ -92,7 +92,7 @@ export class View {
 
   /** Ranges of colours: forces and stresses from the records, deformations by looking at some. */
   addRanges() {
-    let size = 0;
+    let size = 0, stress = 0;
     const n = this.t.length;
     this.largest = 0;  // instant of the largest deformation
     for (let i = 0; i < n; i += Math.max(1, Math.floor(n / 60))) {
@@ -103,6 +103,7 @@ export class View {
           view.chord.update();
           for (let k = 0; k < body.nodes; ++k) size = Math.max(size, view.chord.size(k));
         } else if (view.sizes) {
+          stress = Math.max(stress, view.stress());
           for (let v = 0; v < view.vertices; v += 7) {
             size = Math.max(size, view.deformation(view.x0[0][v], view.x0[1][v], view.x0[2][v], 3 * v));
           }
@@ -112,7 +113,7 @@ export class View {
     }
     this.deformed = size;
     const deformation = { key: 'displacement', label: 'deformation', unit: 'm', map: 'size', size, low: 0, high: size };
-    this.quantities = this.modes ? [deformation] : [deformation, ...quantities(this.bodies)];
+    this.quantities = this.modes ? [deformation] : [deformation, ...quantities(this.bodies, stress)];
   }
 
   /** A scale that shows the largest deformation as a tenth of the picture; 1, 2 or 5 times a power. */
@@ -149,6 +150,7 @@ export class View {
       if (view.chord) view.chord.update();
       if (view.chord && colour && this.colour.key === 'displacement')
         for (let k = 0; k < body.nodes; ++k) view.value[k] = view.chord.size(k);
+      if (view.spread && colour && this.colour.key !== 'stress') view.spread();
       view.update(scale, colour, plain);
     }
     for (const joint of this.joints) joint.update(this);
@@ -157,10 +159,12 @@ export class View {
   /** What a body is coloured by now; null: plain. */
   colourOf(view, body, i, s) {
     if (!this.colour) return null;
-    if (this.colour.key === 'displacement') return this.colour;
+    if (view.sizes) view.value = this.colour.key === 'stress' ? view.stresses : view.sizes;
+    if (view.sizes && this.colour.key === 'stress') view.stress();
+    if (this.colour.key === 'displacement' || (view.sizes && this.colour.key === 'stress')) return this.colour;
     const field = this.colour.field(body);
     if (!field || !view.value || !body.elements.length) return null;
-    body.values(field, i, s, view.value);
+    body.values(field, i, s, this.colour.key === 'stress' ? view.ends : view.value);
     return this.colour;
   }
 
