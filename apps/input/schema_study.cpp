@@ -4,9 +4,12 @@
 
 namespace liesl {
 
+namespace {
+
 // clang-format off
-std::vector<Key> study_keys() {
-  std::vector<Key> keys{
+/// What varies, and the limits of motions.
+std::vector<Key> design_and_limit_keys() {
+  return {
     {"name", Type::Text, "", "\"study\"", kAny, "Title of the study."},
     {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the study."},
     {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in this study, as in \"simulation.step\" = 5e-5."},
@@ -44,8 +47,11 @@ std::vector<Key> study_keys() {
     {"constraints.*.treatment", Type::Choice, "", "\"auto\"", kAny, "Which constraints a limit over a motion becomes: \"auto\", load cases near the largest and those that turn out to violate it; \"all\", every step above half of the largest value; \"maxima\", \"neighbours\" (with three steps on either side), \"worst\", the largest alone; \"ks\", a smooth maximum about each. \"functional\" limits the mean excess, \"p_norm\" the mean of order `p` instead of the largest. All but \"auto\" need cycle.method \"esl1\" or \"full\".", 0, "auto all maxima neighbours worst functional p_norm ks"},
     {"constraints.*.p", Type::Number, "-", "2", {1, 100}, "Exponent; 2: root mean square.", 0, "", "treatment=p_norm"},
   };
-  for (Key& key : response_keys("constraints.*")) keys.push_back(std::move(key));
-  const std::vector<Key> rest{
+}
+
+/// Parts under fixed loads, and the cycle.
+std::vector<Key> part_and_cycle_keys() {
+  return {
     {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part, by name; compliance and stress in every load case."},
     {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
     {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
@@ -84,9 +90,16 @@ std::vector<Key> study_keys() {
     {"cycle.approximation", Type::Choice, "", "\"power\"", kAny, "How \"esl1\" and \"full\" continue a response from the analysed design: as a power of the variables, or linearly.", 0, "power linear"},
     {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end. By sensitivities; for a motion that has none by two simulations a variable, with \"auto\" for up to 12 variables.", 0, "auto always never"},
   };
-  keys.insert(keys.end(), rest.begin(), rest.end());
-  return keys;
 }
 // clang-format on
+
+}  // namespace
+
+std::vector<Key> study_keys() {
+  std::vector<Key> keys = design_and_limit_keys();
+  for (Key& key : response_keys("constraints.*")) keys.push_back(std::move(key));
+  for (Key& key : part_and_cycle_keys()) keys.push_back(std::move(key));
+  return keys;
+}
 
 }  // namespace liesl

@@ -8,6 +8,7 @@
 
 #include "optim/cycle/design_run.hpp"
 #include "optim/cycle/static_problem.hpp"
+#include "optim/cycle/treatment.hpp"
 
 namespace liesl {
 
@@ -28,13 +29,7 @@ class MotionGradients {
   /// Puts those of another motion of the same design behind these.
   void append(MotionGradients other);
 
-  /// Replaces the records of a response by fewer, each of them a function of all: values v_k of
-  /// the records n_k with dv_k = sum_n weight_kn dv_n.
-  struct Aggregate {
-    int record = 0;
-    double value = 0;
-    std::map<int, double> weight;  ///< by record
-  };
+  /// Replaces the records of a response by fewer, each of them a function of all.
   void aggregate(int response, const std::vector<Aggregate>& by);
 
   /// Why there are none; empty if all steps were differentiated.

@@ -7,8 +7,6 @@
 namespace liesl {
 namespace {
 
-using Aggregate = MotionGradients::Aggregate;
-
 constexpr int kNeighbours = 3;  // records on either side of a maximum
 constexpr double kRho = 500;    // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
 

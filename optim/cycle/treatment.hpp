@@ -3,11 +3,20 @@
 /// Limits over all of a motion as constraints (thesis section 3.3.2; Kreisselmeier & Steinhauser
 /// 1979 for KS): which records count, and functions of all of them.
 
+#include <map>
 #include <set>
+#include <vector>
 
-#include "optim/cycle/motion_gradients.hpp"
+#include "optim/study/study.hpp"
 
 namespace liesl {
+
+/// A function v of all records: at `record`, dv = sum_n weight_n dv_n.
+struct Aggregate {
+  int record = 0;
+  double value = 0;
+  std::map<int, double> weight;  ///< by record
+};
 
 /// The records of a limit that become rows. @param v values, not empty
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v);
@@ -17,8 +26,7 @@ double treated_value(const ConstraintSpec& limit, const std::vector<double>& tim
                      const std::vector<double>& v);
 
 /// The functions of an aggregating treatment, with their derivatives by the values.
-std::vector<MotionGradients::Aggregate> aggregates_of(const ConstraintSpec& limit,
-                                                      const std::vector<double>& times,
-                                                      const std::vector<double>& v);
+std::vector<Aggregate> aggregates_of(const ConstraintSpec& limit, const std::vector<double>& times,
+                                     const std::vector<double>& v);
 
 }  // namespace liesl
