@@ -224,7 +224,7 @@ TEST_F(BatchFiles, BatchesThatAreNoneAreRefused) {
       {head + "table = \"absent.csv\"\n", "batch.toml:2:9: table absent.csv: No such file"},
       {head + "table = \"cases.csv\"\n[grid]\n", "both 'table' and 'grid'"},
       {"study = \"absent.toml\"\n[grid]\nh = { key = \"gravity.1\", values = [1] }\n",
-       "absent.toml: there is no such file"},
+       "batch.toml:1:9: there is no file absent.toml"},
       {"study = \"scene.toml\"\n[grid]\nh = { key = \"gravity.1\", values = [1] }\n",
        "this is a scene, not a study"},
       {"[grid]\nh = { key = \"gravity.1\", values = [1] }\n", "exactly one of study, scene"},
