@@ -260,6 +260,30 @@ TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
   }
 }
 
+/// A rod that vibrates: its static images end beside a design that meets the limit.
+TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
+  Study study = rod({"joints.motor.drive.rate=150", "bodies.slider.rigid.mass=0.4"});
+  const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  const auto run = [&](CycleMethod method, const CycleHooks& hooks = {}) {
+    study.spec.cycle.method = method;
+    return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks);
+  };
+  const auto images = run(CycleMethod::Esl1);
+  ASSERT_EQ(images.status, CycleStatus::Infeasible) << "the case shows nothing any more";
+  std::size_t seen = 0;
+  CycleHooks hooks;
+  hooks.on_cycle = [&](const std::vector<Cycle>& history) { seen = history.size(); };
+  const auto r = run(CycleMethod::Auto, hooks);
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_LE(r.worst, 1e-3);
+  EXPECT_GT(r.history.size(), images.history.size());
+  EXPECT_EQ(seen, r.history.size());
+  for (std::size_t i = 0; i < r.history.size(); ++i)
+    EXPECT_EQ(r.history[i].number, static_cast<int>(i) + 1);
+  EXPECT_EQ(r.mass_initial, images.mass_initial);
+  EXPECT_GT(r.effort.steps, images.effort.steps);
+}
+
 TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
   Simulated s(rod({"constraints.bending.limit=1e-5"}));
   const auto r = s.optimise();
