@@ -197,6 +197,7 @@ void read_parts_of_study(StudyReader& reader) {
     reader.spec.stress = {number(*table, "p"), number(*table, "relaxation")};
 }
 
+#ifdef LIESL_OPTIM
 namespace {
 
 /// Errors of a part, a line each below a headline: each at the entry of the study that it names in
@@ -221,6 +222,7 @@ void add_at_their_places(StudyReader& reader, const std::string& errors) {
 }
 
 }  // namespace
+#endif
 
 void check_shapes(StudyReader& reader) {
   Problems& problems = reader.scene.problems;

@@ -58,8 +58,8 @@ TEST(Constants, LightestBlockOnASpringIsThatOfTheClosedForm) {
   StudySpec study = lightest_block(scene, v);
   for (const CycleMethod method : {CycleMethod::Esl1, CycleMethod::Full}) {
     study.cycle.method = method;
-    const auto r = run_cycle<SE3>(scene.mechanism, space_of<SE3>(scene.mechanism),
-                                  scene.simulation, study);
+    const auto r =
+        run_cycle<SE3>(scene.mechanism, space_of<SE3>(scene.mechanism), scene.simulation, study);
     ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
     EXPECT_NEAR(r.x[1], k, 1e-3 * k) << "the stiffest spring";
     EXPECT_NEAR(r.mass, F * F / (k * v * v), 1e-3 * r.mass);
@@ -74,9 +74,9 @@ TEST(Constants, PlainMethodAndStaticsRefuseThem) {
   const Scene scene = read_scene(kScene, "block.toml");
   StudySpec study = lightest_block(scene, 0.9);
   study.cycle.method = CycleMethod::Esl;
-  EXPECT_THROW(run_cycle<SE3>(scene.mechanism, space_of<SE3>(scene.mechanism), scene.simulation,
-                              study),
-               std::invalid_argument);
+  EXPECT_THROW(
+      run_cycle<SE3>(scene.mechanism, space_of<SE3>(scene.mechanism), scene.simulation, study),
+      std::invalid_argument);
 }
 
 TEST(Constants, AreReadBesideSections) {
