@@ -16,10 +16,6 @@ namespace liesl {
 
 namespace {
 
-void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v) {
-  out.insert(out.end(), v.data(), v.data() + v.size());
-}
-
 output::BodyResult empty_body(const BodySpec& spec) {
   output::BodyResult body;
   body.name = spec.name;

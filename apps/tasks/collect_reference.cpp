@@ -10,10 +10,6 @@
 namespace liesl {
 namespace {
 
-void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v) {
-  out.insert(out.end(), v.data(), v.data() + v.size());
-}
-
 std::string shape_name(const Shape& shape) {
   return std::visit(
       [](const auto& s) { return std::string(ShapeDimensions<std::decay_t<decltype(s)>>::shape); },

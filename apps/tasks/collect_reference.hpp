@@ -7,6 +7,11 @@
 
 namespace liesl {
 
+/// The numbers of v after those of `out`.
+inline void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v) {
+  out.insert(out.end(), v.data(), v.data() + v.size());
+}
+
 /// Largest von Mises stress of a section under [N, V_y, V_z, M_x, M_y, M_z], at its stress points;
 /// none for a section without a shape.
 class SectionStress {

@@ -98,7 +98,7 @@ struct Rectangle {
   }
 };
 
-struct Box {
+struct RoundedBox {
   static std::vector<Parameter> table() {
     return {{"width", 0, "m", 0},
             {"height", 0, "m", 0},
@@ -236,7 +236,7 @@ LevelSetPtr rectangle(double width, double height, double fillet) {
   return feature<Rectangle>(width, height, fillet);
 }
 LevelSetPtr box(double width, double height, double depth, double fillet) {
-  return feature<Box>(width, height, depth, fillet);
+  return feature<RoundedBox>(width, height, depth, fillet);
 }
 LevelSetPtr ellipse(double a, double b) { return feature<Ellipse>(a, b); }
 LevelSetPtr ellipsoid(double a, double b, double c) { return feature<Ellipsoid>(a, b, c); }

@@ -16,7 +16,7 @@ namespace liesl {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// J of a rectangle, exact: a b^3/3 [1 - (192 b)/(pi^5 a) sum_{n odd} tanh(n pi a/(2b))/n^5], a >=
 /// b, with sum 1/n^5 = 31 zeta(5)/32 and 1 - tanh(x/2) = 2/(e^x + 1), whose terms fall as e^{-n

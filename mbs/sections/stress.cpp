@@ -16,7 +16,7 @@ namespace liesl {
 
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Points = std::vector<DualStressPoint>;
 using Rows = Eigen::Matrix<double, 3, 6>;
 

@@ -19,7 +19,7 @@ Vector3d corner(int dim, int c) {
                    : -1.0};
 }
 
-double jacobian(int dim, const Eigen::Matrix3Xd& corners, const Vector3d& xi) {
+double jacobian_determinant(int dim, const Eigen::Matrix3Xd& corners, const Vector3d& xi) {
   const Eigen::MatrixXd J = corners.topRows(dim) * corner_functions(dim, xi).dN.transpose();
   return dim == 2 ? J.topLeftCorner<2, 2>().determinant() : J.topLeftCorner<3, 3>().determinant();
 }
@@ -69,7 +69,7 @@ double SolidMesh::cell_size(int cell) const {
   const Eigen::Matrix3Xd x = corners_of(cell);
   const double g = 1 / std::sqrt(3.0);  // Gauss, exact for the Jacobian
   double size = 0;
-  for (int c = 0; c < corners(); ++c) size += jacobian(dim, x, g * corner(dim, c));
+  for (int c = 0; c < corners(); ++c) size += jacobian_determinant(dim, x, g * corner(dim, c));
   return size;
 }
 
@@ -107,7 +107,7 @@ CornerFunctions corner_functions(int dim, const Vector3d& xi) {
 double smallest_jacobian(int dim, const Eigen::Matrix3Xd& corners) {
   double least = std::numeric_limits<double>::infinity();
   for (int c = 0; c < corners.cols(); ++c)
-    least = std::min(least, jacobian(dim, corners, corner(dim, c)));
+    least = std::min(least, jacobian_determinant(dim, corners, corner(dim, c)));
   return least;
 }
 

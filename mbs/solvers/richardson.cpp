@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace liesl {
 
 namespace {
 
 constexpr double kRounding = 1e-9;
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// Numbers of elements that share a budget at the least sum, each a multiple of its own.
 std::vector<int> share(const std::vector<MeshError>& meshes, double budget) {
@@ -29,10 +27,10 @@ std::vector<int> share(const std::vector<MeshError>& meshes, double budget) {
 double observed_order(double coarse, double fine) { return std::log2(coarse / fine); }
 
 double error_of_finer(double difference, std::optional<double> before) {
-  if (!std::isfinite(difference)) return kInfinity;
+  if (!std::isfinite(difference)) return HUGE_VAL;
   if (difference < kRounding) return difference;
   const double p = before ? std::min(kOrder, observed_order(*before, difference)) : kOrder;
-  return p < 0.5 ? kInfinity : difference / (std::exp2(p) - 1);
+  return p < 0.5 ? HUGE_VAL : difference / (std::exp2(p) - 1);
 }
 
 double MeshError::at(int n) const {
@@ -48,7 +46,7 @@ Plan cheapest(const std::vector<long>& step_counts, long steps, double step_erro
   };
   Plan best{step_counts.back(), {}, 0};
   for (const auto& m : meshes) best.elements.push_back(m.most);
-  double least = kInfinity;
+  double least = HUGE_VAL;
   for (const long n : step_counts) {
     const double left = budget - error_of_steps(n);
     if (left <= 0) continue;

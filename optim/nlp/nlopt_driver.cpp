@@ -144,7 +144,7 @@ void judge(Evaluator& e, nlopt_result code, const NlpOptions& o, NlpResult& r) {
   }
 }
 
-void explain(Evaluator& e, const NlpOptions& o, NlpResult& r) {
+void explain_infeasible(Evaluator& e, const NlpOptions& o, NlpResult& r) {
   const LeastViolation least =
       least_violation(solve_ipopt, e.problem(), e.scaling().g, r.x, r.violation, o);
   r.reason = least.reason;
@@ -179,7 +179,8 @@ NlpResult solve_nlopt(Problem& problem, NloptMethod method, const NlpOptions& op
   e.rethrow();
   e.report(chosen, r);
   r.iterations = session.calls;
-  if (r.status == NlpStatus::Infeasible && options.explain_infeasible) explain(e, options, r);
+  if (r.status == NlpStatus::Infeasible && options.explain_infeasible)
+    explain_infeasible(e, options, r);
   return r;
 }
 
