@@ -34,6 +34,10 @@ struct CommandOptions {
   std::string method;              ///< sensitivity: "auto", "direct" or "adjoint"
   std::vector<std::string> functionals;  ///< sensitivity: "peak", "p=8", ...
   bool check = false;                    ///< sensitivity: compare with differences and stop
+  std::vector<std::string> over, of;     ///< map: variables, quantities
+  std::vector<int> points;               ///< map: along the axes
+  std::string path;                      ///< map: results folder of optimize
+  int cycle = 0;                         ///< map: of the path; 0: its last design
 };
 
 int check_command(const CommandOptions& options);
@@ -41,6 +45,7 @@ int run_command(const CommandOptions& options);
 int esl_command(const CommandOptions& options);
 int sensitivity_command(const CommandOptions& options);
 int optimize_command(const CommandOptions& options);
+int map_command(const CommandOptions& options);
 int batch_command(const CommandOptions& options);
 int compare_command(const CommandOptions& options);
 int lean_command(const CommandOptions& options);

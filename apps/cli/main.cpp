@@ -54,6 +54,27 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
   command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
 }
 
+void add_map_options(CLI::App& command, liesl::CommandOptions& o) {
+  command
+      .add_option("--over", o.over,
+                  "Two variables of the study, over their bounds or a part of them: a,b or "
+                  "a=0.005:0.010,b")
+      ->delimiter(',')
+      ->required();
+  command
+      .add_option("--of", o.of,
+                  "What to map: the objective, limits by name (default: all of the study)")
+      ->delimiter(',');
+  command.add_option("--points", o.points, "Points along both axes, or along each: 15 or 20,10")
+      ->delimiter(',')
+      ->default_val(std::vector<int>{15});
+  command.add_option("--path", o.path, "Results of liesl optimize, whose path is drawn");
+  command
+      .add_option("--cycle", o.cycle,
+                  "Cycle of the path where the local model is made (default: the final design)")
+      ->check(CLI::PositiveNumber);
+}
+
 void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
   command.add_option("-j,--jobs", o.jobs, "Cases at once, 0 = as many as processors")
       ->check(CLI::Range(0, 10000));
@@ -84,6 +105,7 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
         ->check(CLI::Range(1, 100));
   }
   if (name == "sensitivity") add_sensitivity_options(command, o);
+  if (name == "map") add_map_options(command, o);
   if (name == "batch") add_batch_options(command, o);
   if (name == "lean") {
     command.add_option("--response", o.response, "Response of the scene that has to be right")
@@ -119,6 +141,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::sensitivity_command, true},
       {"optimize", "STUDY", "Size parts under the loads of their motion", liesl::optimize_command,
        true},
+      {"map", "STUDY", "Objective and limits of a study over two of its variables",
+       liesl::map_command, true},
       {"batch", "BATCH", "Run many cases of a study or scene, each in a process of its own",
        liesl::batch_command, true},
       {"compare", "COMPARISON", "Run a scene under many formalisms, meshes and steps",

@@ -49,19 +49,9 @@ Json head(const RunSummary& s) {
           {"responses", responses_json(s.responses)}};
 }
 
-/// Keys that every summary ends with.
-void add_tail(Json& json, const std::vector<std::string>& warnings,
-              const std::vector<std::string>& overrides, const std::string& input_sha256) {
-  json["warnings"] = warnings;
-  json["overrides"] = overrides;
-  json["versions"] = Json::object();
-  for (const auto& [name, version] : versions()) json["versions"][name] = version;
-  json["input_sha256"] = input_sha256;
-}
-
 void add_tail(Json& json, const RunSummary& s) {
   if (s.more.is_object()) json.update(s.more);
-  add_tail(json, s.warnings, s.overrides, s.input_sha256);
+  output::add_tail(json, s.warnings, s.overrides, s.input_sha256);
 }
 
 Json constraints_json(const std::vector<ConstraintFigure>& constraints) {
@@ -99,6 +89,15 @@ Json history_json(const std::vector<CycleRecord>& history) {
 }
 
 }  // namespace
+
+void add_tail(Json& json, const std::vector<std::string>& warnings,
+              const std::vector<std::string>& overrides, const std::string& input_sha256) {
+  json["warnings"] = warnings;
+  json["overrides"] = overrides;
+  json["versions"] = Json::object();
+  for (const auto& [name, version] : versions()) json["versions"][name] = version;
+  json["input_sha256"] = input_sha256;
+}
 
 ResponseFigure response_figure(const ResponseResult& response, const std::vector<double>& times) {
   ResponseFigure figure{response.name, response.unit, 0, 0, {}};

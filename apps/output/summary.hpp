@@ -133,6 +133,10 @@ struct CompareSummary {
 };
 nlohmann::ordered_json to_json(const CompareSummary& summary);
 
+/// Keys that every summary ends with: `warnings`, `overrides`, `versions`, `input_sha256`.
+void add_tail(nlohmann::ordered_json& json, const std::vector<std::string>& warnings,
+              const std::vector<std::string>& overrides, const std::string& input_sha256);
+
 /// As a text file, indented. @throws IoError
 void write_summary(const std::filesystem::path& path, const nlohmann::ordered_json& summary);
 

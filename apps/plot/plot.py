@@ -16,6 +16,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 from batches import draw_batch, draw_pair  # noqa: E402
 from comparisons import draw_comparison  # noqa: E402
+from maps import draw_map  # noqa: E402
 from motion import draw_before_after, draw_energies, draw_mechanism, draw_responses  # noqa: E402
 from parts import draw_cells, draw_outlines  # noqa: E402
 from sensitivities import draw_gradients, draw_sensitivities  # noqa: E402
@@ -50,7 +51,7 @@ def main():
             draw_batch(cases, pictures)
         for draw in (draw_overview, draw_history, draw_before_after, draw_design, draw_responses,
                      draw_energies, draw_mechanism, draw_outlines, draw_cells, draw_sensitivities,
-                     draw_gradients):
+                     draw_gradients, draw_map):
             draw(arguments.folder, pictures, summary)
         if not pictures.paths:
             raise NothingToDraw(f"{arguments.folder} has no table to draw")

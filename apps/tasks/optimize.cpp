@@ -5,11 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/start_kinks.hpp"
+#include "apps/tasks/study_motions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
 
@@ -120,24 +120,6 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.final = records(r.final, scene.mechanism, study.spec);
   if (sizing.size() > 0) out.design = design_rows(sizing, scene.mechanism, r.x);
   for (int k = 0; k < design->parts(); ++k) out.parts.push_back(part_of(design, k, study, r));
-}
-
-/// The motions of all scenarios.
-template <FrameGroup G>
-std::vector<Scenario<G>> motions_of(const Study& study, const Space<G>& space) {
-  std::vector<Scenario<G>> out{{study.scene.mechanism, space, study.scene.simulation}};
-  for (std::size_t s = 0; s < study.scenarios.size(); ++s) {
-    const Scene& scene = study.scenarios[s];
-    const ChosenSpace chosen = choose_space(scene);
-    if (!std::holds_alternative<Space<G>>(chosen.space))
-      throw InputError(
-          {{study.file, 0, 0,
-            "scenario '" + study.spec.scenarios[s + 1] + "' is " + chosen.name +
-                ", the first one is not",
-            "all scenarios planar, or all spatial", "simulation.space = \"spatial\""}});
-    out.push_back({scene.mechanism, std::get<Space<G>>(chosen.space), scene.simulation});
-  }
-  return out;
 }
 
 template <FrameGroup G>

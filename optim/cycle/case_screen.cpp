@@ -40,12 +40,12 @@ int add_violated(const ValuesByLimit& value, const std::vector<ScreenedLimit>& l
                  double tolerance, CasesByLimit& cases) {
   int added = 0;
   for (std::size_t l = 0; l < limits.size(); ++l) {
-    std::sort(cases[l].begin(), cases[l].end());
-    const auto had = static_cast<long>(cases[l].size());
+    std::vector<int> had = cases[l];
+    std::sort(had.begin(), had.end());
     for (std::size_t n = 0; n < value[l].size(); ++n) {
       const int number = static_cast<int>(n);
       if (value[l][n] <= limits[l].limit * (1 + tolerance) ||
-          std::binary_search(cases[l].begin(), cases[l].begin() + had, number))
+          std::binary_search(had.begin(), had.end(), number))
         continue;
       cases[l].push_back(number);
       ++added;

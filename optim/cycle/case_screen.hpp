@@ -26,7 +26,8 @@ using ValuesByLimit = std::vector<std::vector<double>>;  ///< [limit][case]
 /// `min_cases`; largest first.
 CasesByLimit near_largest(const ValuesByLimit& value, const std::vector<ScreenedLimit>& limits,
                           const CycleOptions& options);
-/// Adds the cases above limit (1 + tolerance). @returns how many
+/// Adds the cases above limit (1 + tolerance) behind those that are there, whose order stays: rows
+/// of a problem that takes none are the same as before. @returns how many
 int add_violated(const ValuesByLimit& value, const std::vector<ScreenedLimit>& limits,
                  double tolerance, CasesByLimit& cases);
 

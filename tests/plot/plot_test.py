@@ -159,6 +159,24 @@ def write_part(folder, gain=True):
         {"name": "plate", "status": "converged", "nucleation": {"next": nucleus if gain else None}}))
 
 
+def write_map(folder):
+    """A bowl and a limit over two variables, a local model beside them, one design that failed."""
+    rows = []
+    for j in range(9):
+        for i in range(9):
+            a, b = 0.005 + 0.001 * i, 0.005 + 0.001 * j
+            mass, bend = 1e3 * (a * a + b * b), 1e-7 / (a * b)
+            cells = [mass, mass, bend, 1.1 * bend, ""]
+            rows.append([a, b, *(["", "", "", "", "did not converge"] if i == j == 0 else cells)])
+    write_csv(folder / "map.csv", ["a [m]", "b [m]", "mass [kg]", "mass local [kg]", "bend [m]",
+                                   "bend local [m]", "reason"], rows)
+    write_csv(folder / "path.csv", ["cycle", "a [m]", "b [m]"],
+              [[1, 0.012, 0.012], [2, 0.01, 0.009], [3, 0.0101, 0.0099]])
+    (folder / "summary.json").write_text(json.dumps(
+        {"command": "map", "name": "rod", "status": "done", "centre": {"a": 0.01, "b": 0.01},
+         "of": {"mass": {"unit": "kg", "limit": None}, "bend": {"unit": "m", "limit": 1e-3}}}))
+
+
 def plot(folder, *more):
     return subprocess.run([sys.executable, PLOT, folder, *more], capture_output=True, text=True,
                           check=False)
@@ -194,6 +212,9 @@ class Plot(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
+
+    def test_map(self):
+        self.draws(write_map, ["map"])
 
     def test_run(self):
         self.draws(write_run, ["responses", "energies", "mechanism"])

@@ -99,6 +99,25 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   EXPECT_TRUE(report.right) << report.text();
 }
 
+/// Corrections belong to rows: looking for violated cases where there is none changes nothing.
+TEST(CorrectedProblem, IsTheSameAfterAllCasesWereLookedAt) {
+  Simulated s(rod());
+  const VectorXd x = VectorXd::Constant(4, 0.013), away = VectorXd::Constant(4, 0.0128);
+  const auto run = s.simulator->run(x);
+  auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
+  const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
+  CorrectedProblem problem(std::move(inner), motion, x);
+  const auto m = static_cast<int>(problem.constraints().size());
+  ASSERT_GT(m, 10);
+  double f = 0;
+  VectorXd before(m), after(m);
+  problem.values(away, f, before);
+  ASSERT_LT(before.maxCoeff(), 0);
+  ASSERT_EQ(problem.add_violated(away, 0.1), 0);
+  problem.values(away, f, after);
+  EXPECT_EQ(before, after);
+}
+
 TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
   Simulated s(rod({"simulation.tolerance=1e-11"}));
   const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();

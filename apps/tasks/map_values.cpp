@@ -1,0 +1,114 @@
+#ifdef LIESL_OPTIM
+
+#include "apps/tasks/map_values.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "apps/tasks/optimize.hpp"
+#include "apps/tasks/study_motions.hpp"
+#include "mbs/system/response_value.hpp"
+#include "optim/cycle/part_model.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+template <FrameGroup G>
+class MotionValues final : public StudyValues {
+ public:
+  MotionValues(const Study& study, const Space<G>& space)
+      : spec_(study.spec), motions_(motions_of(study, space)), model_(motions_, spec_) {}
+
+  DesignModel& model() override { return model_; }
+
+  /// The largest over the scenarios.
+  std::vector<double> of(const DesignAnalysis& analysis) const override {
+    std::vector<double> out{analysis.objective};
+    out.resize(1 + spec_.constraints.size(), 0);
+    for (const MotionLimits& motion : dynamic_cast<const MotionAnalysis<G>&>(analysis).limits)
+      for (std::size_t c = 0; c < motion.limits.size(); ++c)
+        out[c + 1] = std::max(out[c + 1], motion.limits[c].measure);
+    return out;
+  }
+
+  std::vector<double> of(StaticProblem& problem, const VectorXd& x) const override {
+    std::vector<double> out(1 + spec_.constraints.size(), kNone);
+    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+    problem.values(x, out[0], g);
+    if (!problem.undefined_reason().empty()) return std::vector<double>(out.size(), kNone);
+    const auto responses = problem.responses();
+    const auto images = problem.images();
+    for (std::size_t i = 0; i < images.size(); ++i) {
+      if (images[i].response < 0) continue;
+      const int c = responses[static_cast<std::size_t>(images[i].response)].constraint;
+      const double value = spec_.constraints[static_cast<std::size_t>(c)].limit *
+                           (1 + g[static_cast<Eigen::Index>(i)]);
+      double& largest = out[static_cast<std::size_t>(c) + 1];
+      if (!(value <= largest)) largest = value;
+    }
+    return out;
+  }
+
+ private:
+  const StudySpec& spec_;
+  const std::vector<Scenario<G>> motions_;
+  MotionModel<G> model_;
+};
+
+/// Under fixed loads the problem of a step is the study itself.
+class PartValues final : public StudyValues {
+ public:
+  explicit PartValues(const Study& study)
+      : part_(study.scene.mechanism, study.spec.shapes.begin()->first,
+              study.spec.shapes.begin()->second),
+        task_(solid_task(study.spec, part_)),
+        model_(task_) {}
+
+  DesignModel& model() override { return model_; }
+  std::vector<double> of(const DesignAnalysis& analysis) const override {
+    const SolidCheck& check = dynamic_cast<const PartAnalysis&>(analysis).check;
+    std::vector<double> out{check.objective};
+    for (std::size_t i = 0; i < task_.limits.size(); ++i) out.push_back(check.limits[i].value);
+    return out;
+  }
+  std::vector<double> of(StaticProblem&, const VectorXd&) const override { return {}; }
+
+ private:
+  PartShape part_;
+  SolidTask task_;
+  PartModel model_;
+};
+
+}  // namespace
+
+std::vector<MappedQuantity> quantities(const Study& study) {
+  const Quantity objective = quantity(study.spec.objective);
+  std::vector<MappedQuantity> out{{objective.name, objective.unit, {}}};
+  if (study.spec.loads.empty()) {
+    for (const ConstraintSpec& c : study.spec.constraints)
+      out.push_back({c.response.name, unit(c.response, study.scene.mechanism), c.limit});
+    return out;
+  }
+  for (const ConstraintSpec& c : study.spec.constraints)
+    if (c.has_image) out.push_back({c.response.name, "m", c.limit});
+  for (const PartLimitSpec& l : study.spec.part_limits)
+    out.push_back({l.name, quantity(l.quantity).unit, l.limit});
+  return out;
+}
+
+MakeValues values_of(const Study& study, const ChosenSpace& space) {
+  if (!study.spec.loads.empty()) return [&study] { return std::make_unique<PartValues>(study); };
+  return std::visit(
+      [&study]<FrameGroup G>(const Space<G>& s) -> MakeValues {
+        return [&study, s] { return std::make_unique<MotionValues<G>>(study, s); };
+      },
+      space.space);
+}
+
+}  // namespace liesl
+
+#endif
