@@ -12,6 +12,7 @@ int offset(const ResponseSpec& r, bool planar) { return planar || r.everywhere ?
 const char* metres(const ResponseSpec&, const Mechanism&) { return "m"; }
 const char* metres_a_second(const ResponseSpec&, const Mechanism&) { return "m/s"; }
 const char* radians_a_second(const ResponseSpec&, const Mechanism&) { return "rad/s"; }
+const char* radians(const ResponseSpec&, const Mechanism&) { return "rad"; }
 const char* newtons(const ResponseSpec&, const Mechanism&) { return "N"; }
 const char* pascals(const ResponseSpec&, const Mechanism&) { return "Pa"; }
 const char* joules(const ResponseSpec&, const Mechanism&) { return "J"; }
@@ -29,7 +30,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 12> rows{{
+  static const std::array<Kind, 13> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -37,6 +38,7 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        &R::angular_velocity,
        &R::add_angular_velocity,
        nullptr},
+      {K::Rotation, {"rotation", vector, radians}, &R::rotation, &R::add_rotation, nullptr},
       {K::Displacement,
        {"displacement", vector, metres},
        &R::displacement,

@@ -47,8 +47,9 @@ std::vector<ResponseSpec> responses(bool planar) {
     all.push_back(r);
   };
   const auto plain = [](ResponseSpec&) {};
-  for (const auto kind : {ResponseKind::Position, ResponseKind::Velocity,
-                          ResponseKind::AngularVelocity, ResponseKind::Displacement}) {
+  for (const auto kind :
+       {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::AngularVelocity,
+        ResponseKind::Rotation, ResponseKind::Displacement}) {
     for (const auto in : {Axes::Body, Axes::Inertial}) {
       add(kind, [in](ResponseSpec& r) { r.in = in; });
       add(kind, [in](ResponseSpec& r) { r.in = in, r.axis = Vec3(0.6, -0.8, 0); });
