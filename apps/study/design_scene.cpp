@@ -44,6 +44,19 @@ void write_sections(toml::table& scene, const BodySpec& body) {
   beam.erase("taper");
 }
 
+/// The number of a constant, where the scene has it.
+void write_constant(toml::table& scene, const ConstantSpec& c, Mechanism final) {
+  const double value = constant_of(c, final);
+  if (c.quantity == ConstantQuantity::Mass) {
+    const std::string& body = final.bodies[static_cast<std::size_t>(c.body)].name;
+    scene["bodies"][body]["rigid"].as_table()->insert_or_assign("mass", value);
+    return;
+  }
+  const char* const keys[] = {"stiffness", "damping", "rest"};  // in the order of ConstantQuantity
+  const std::string& force = final.forces[static_cast<std::size_t>(c.force)].name;
+  scene["forces"][force].as_table()->insert_or_assign(keys[static_cast<int>(c.quantity)], value);
+}
+
 void write_outline(toml::table& scene, const std::string& part,
                    const levelset::ShapeSpec& outline) {
   Document document = parse_document(outline_text(part, outline), "the outline");
@@ -60,6 +73,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
   for (const DesignSpec& d : study.spec.design) sized.insert(d.bodies.begin(), d.bodies.end());
   for (const int body : sized)
     write_sections(document.root, final.bodies[static_cast<std::size_t>(body)]);
+  for (const ConstantSpec& c : study.spec.constants) write_constant(document.root, c, final);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
   std::ostringstream text;
   text << "# The final design of the study '" << study.spec.name << "'. SI units.\n\n"

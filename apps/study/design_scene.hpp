@@ -11,9 +11,9 @@
 
 namespace liesl {
 
-/// The study's scene (that of the first scenario) with the sections and outlines of a design. Each
-/// different section of a beam has an entry of its own, `rod_1`, `rod_2`, ...; a key of a section
-/// that the study does not change stays.
+/// The study's scene (that of the first scenario) with the sections, outlines and constants of a
+/// design. Each different section of a beam has an entry of its own, `rod_1`, `rod_2`, ...; a key
+/// of a section that the study does not change stays.
 /// @param final the mechanism at the design
 /// @param outlines of the meshed parts whose outline changes, by body
 std::string design_scene(const Study& study, const Mechanism& final,

@@ -106,13 +106,13 @@ Scene read_scenario(ScenarioText& from, Problems& problems) {
   return scene;
 }
 
-/// The scenarios after the first.
+/// The scenarios after the first, which is read.
 void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study& study) {
   for (std::size_t s = 0; s < texts.size(); ++s) {
     if (texts[s].node) study.spec.scenarios.push_back(texts[s].name);
-    if (s == 0 || problems.count() > 0) continue;  // what is wrong in one is said once
-    study.scenarios.push_back(read_scenario(texts[s], problems));
-    const Scene& scene = study.scenarios.back();
+    if (texts.size() == 1 || problems.count() > 0) continue;  // what is wrong in one is said once
+    if (s > 0) study.scenarios.push_back(read_scenario(texts[s], problems));
+    const Scene& scene = s > 0 ? study.scenarios.back() : study.scene;
     if (!same_bodies(scene.mechanism, study.scene.mechanism))
       problems.add(*texts[s].node,
                    "scenario '" + texts[s].name + "' has other bodies than '" + texts[0].name + "'",

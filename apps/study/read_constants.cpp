@@ -31,16 +31,6 @@ bool of_angle(const ForceSpec& force, const Mechanism& mechanism) {
   return std::string(unit(coordinate, mechanism)) == "rad";
 }
 
-/// The number that the scene has.
-double value_of(const ConstantSpec& c, const Mechanism& mechanism) {
-  if (c.quantity == ConstantQuantity::Mass)
-    return std::get<RigidSpec>(mechanism.bodies[static_cast<std::size_t>(c.body)].kind).mass;
-  const ForceSpec& force = mechanism.forces[static_cast<std::size_t>(c.force)];
-  return c.quantity == ConstantQuantity::Stiffness ? force.stiffness
-         : c.quantity == ConstantQuantity::Damping ? force.damping
-                                                   : force.rest;
-}
-
 /// Which quantity a word means; said if it is none.
 bool read_quantity(StudyReader& reader, const toml::node& node, ConstantSpec& c) {
   const std::string word = node.value_or(std::string());
@@ -73,7 +63,7 @@ bool read_range(StudyReader& reader, const toml::table& table, ConstantSpec& c) 
     problems.add(at, fmt::format("the least value of '{}' is out of range: {:g}", c.name, c.lower),
                  "numbers > 0");
   if (const toml::node* start = table.get("start")) c.start = numbers(*start).front();
-  const double x = c.start.value_or(value_of(c, reader.scene.scene.mechanism));
+  const double x = c.start.value_or(constant_of(c, reader.scene.scene.mechanism));
   if (problems.count() == before && !(x >= c.lower && x <= c.upper))
     problems.add(c.start ? *table.get("start") : at,
                  fmt::format("the start {:g} of '{}' is outside the bounds", x, c.name),

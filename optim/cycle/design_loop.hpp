@@ -56,8 +56,10 @@ class CycleRecord {
   void keep_if_better(const Analysis& analysis, const Eigen::VectorXd& x);
   void keep(const Analysis& analysis, const Eigen::VectorXd& x);
   void warn(std::string text) { result_.warnings.push_back(std::move(text)); }
-  /// The optimality conditions of the best design, where the rule has them.
-  void certify(DynamicOptimality optimality) { result_.optimality = std::move(optimality); }
+  /// The optimality conditions of the best design, where the rule has them; none: no more.
+  void certify(std::optional<DynamicOptimality> optimality) {
+    result_.optimality = std::move(optimality);
+  }
 
   /// @param end why the loop has ended
   LoopResult finish(const CycleEnd& end);

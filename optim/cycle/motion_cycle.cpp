@@ -1,7 +1,5 @@
 #include "optim/cycle/motion_cycle.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 #include "optim/cycle/fixed_point_rule.hpp"
@@ -70,78 +68,15 @@ template <FrameGroup G>
 CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec study,
                         CycleMethod method, const CycleHooks& hooks,
                         const std::vector<Cycle>& resume) {
+  const bool automatic = study.cycle.method == CycleMethod::Auto;
   study.cycle.method = method;
-  MotionModel<G> model(scenarios, study);
+  MotionModel<G> model(scenarios, study, automatic);
   std::unique_ptr<StepRule> rule;
   if (method == CycleMethod::Esl)
     rule = std::make_unique<FixedPointRule>(study.cycle);
   else
     rule = std::make_unique<TrustRegionRule>(study.cycle);
   return described(model, run_loop(model, *rule, study.cycle, hooks, resume));
-}
-
-/// Static images of its limits did not lead a design of sections to an optimum, and cycles are
-/// left.
-template <FrameGroup G>
-bool may_go_on(const StudySpec& study, const CycleResult<G>& r) {
-  const bool ended = r.status == CycleStatus::Infeasible || r.status == CycleStatus::Converged;
-  const auto& limits = study.constraints;
-  return ended && r.best && study.shapes.empty() &&
-         static_cast<int>(r.history.size()) < study.cycle.max &&
-         std::any_of(limits.begin(), limits.end(),
-                     [](const ConstraintSpec& c) { return c.treatment == Treatment::Auto; });
-}
-
-/// The study from a design x on, its limits as the maxima of the motion itself.
-StudySpec with_maxima(StudySpec study, const Eigen::VectorXd& x, std::size_t cycles) {
-  Eigen::Index i = 0;
-  for (DesignSpec& d : study.design) {
-    d.start.assign(x.data() + i, x.data() + i + d.groups);
-    i += d.groups;
-  }
-  for (ConstantSpec& c : study.constants) c.start = x[i++];
-  for (ConstraintSpec& c : study.constraints)
-    if (c.treatment == Treatment::Auto) c.treatment = Treatment::Maxima;
-  study.cycle.max -= static_cast<int>(cycles);
-  return study;
-}
-
-/// Goes on from the best design of a cycle whose static images led to no optimum.
-template <FrameGroup G>
-CycleResult<G> go_on(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
-                     CycleResult<G> before, const CycleHooks& hooks) {
-  const History first = before.history;
-  const auto joined = [&](const History& more) {
-    History all = first;
-    for (Cycle c : more) {
-      c.number += first.back().number;
-      SimulationEffort effort = before.effort;
-      c.effort = effort += c.effort;
-      all.push_back(std::move(c));
-    }
-    return all;
-  };
-  CycleHooks reporting = hooks;
-  if (hooks.on_cycle)
-    reporting.on_cycle = [&](const History& more) { hooks.on_cycle(joined(more)); };
-  CycleResult<G> next = run_with(scenarios, with_maxima(study, before.x, first.size()),
-                                 CycleMethod::Esl1, reporting, {});
-  const SimulationEffort effort = before.effort;
-  const History all = joined(next.history);
-  const bool better = next.best && (closed(next.status) || next.worst < before.worst);
-  if (better) {
-    next.initial = before.initial;
-    next.mass_initial = before.mass_initial;
-    next.first = before.first;
-    next.reason +=
-        fmt::format("; from cycle {} on by the maxima of the motion, without static images",
-                    first.back().number + 1);
-  }
-  CycleResult<G>& end = better ? next : before;
-  end.history = all;
-  end.effort = effort;
-  end.effort += next.effort;
-  return std::move(end);
 }
 
 }  // namespace
@@ -155,8 +90,7 @@ CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudyS
     return run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
   if (method != CycleMethod::Auto) return run_with(scenarios, study, method, hooks, resume);
   try {
-    CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
-    return may_go_on(study, result) ? go_on(scenarios, study, std::move(result), hooks) : result;
+    return run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
   } catch (const NoSensitivities& error) {
     CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
     result.warnings.push_back(

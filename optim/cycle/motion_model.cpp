@@ -67,8 +67,10 @@ std::shared_ptr<DesignAnalysis> MotionAnalysis<G>::figures() const {
 }
 
 template <FrameGroup G>
-MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study)
-    : study_(with_images<G>(study, scenarios.front().mechanism)) {
+MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
+                            bool may_drop_images)
+    : study_(with_images<G>(study, scenarios.front().mechanism)),
+      may_drop_images_(may_drop_images) {
   for (const Scenario<G>& s : scenarios)
     simulators_.push_back(
         std::make_unique<DesignSimulator<G>>(s.mechanism, s.space, s.simulation, study_));
@@ -117,22 +119,35 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
 }
 
 template <FrameGroup G>
-auto MotionModel<G>::static_members(const MotionAnalysis<G>& at, const VectorXd& x,
+auto MotionModel<G>::static_members(std::size_t s, const MotionAnalysis<G>& at, const VectorXd& x,
                                     double move) const -> Members {
-  Members members;
-  for (std::size_t s = 0; s < simulators_.size(); ++s)
-    for (auto& member : static_parts(study_, *simulators_[s], at.runs[s], x, move)) {
-      if (s > 0) member.weight = 0;  // the objective counts once
-      members.push_back(std::move(member));
-    }
+  Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move);
+  if (s > 0)  // the objective counts once
+    for (auto& member : members) member.weight = 0;
   return members;
 }
 
 template <FrameGroup G>
-std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalysis& at,
+std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalysis& given,
                                                               const VectorXd& x,
                                                               double move) const {
-  return combined(static_members(dynamic_cast<const MotionAnalysis<G>&>(at), x, move));
+  const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
+  Members all;
+  for (std::size_t s = 0; s < simulators_.size(); ++s)
+    for (auto& member : static_members(s, at, x, move)) all.push_back(std::move(member));
+  return combined(std::move(all));
+}
+
+template <FrameGroup G>
+bool MotionModel<G>::drop_images() {
+  bool dropped = false;
+  for (ConstraintSpec& c : study_.constraints) {
+    if (!may_drop_images_ || !study_.shapes.empty() || !c.has_image) continue;
+    c.has_image = false;
+    c.treatment = Treatment::Maxima;
+    dropped = true;
+  }
+  return dropped;
 }
 
 /// Static problems and rows of all limits, with their gradients in the order of the rows.
@@ -150,12 +165,10 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
     Part& p = parts[s];
     const DesignRun<G>& run = at.runs[s];
-    p.members = static_parts(study_, *simulators_[s], run, x, move);
+    p.members = static_members(s, at, x, move);
     std::vector<LimitedResponse> responses;
-    for (auto& member : p.members) {
-      if (s > 0) member.weight = 0;  // the objective counts once
+    for (const auto& member : p.members)
       for (auto& r : member.problem->responses()) responses.push_back(std::move(r));
-    }
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)

@@ -35,7 +35,9 @@ class MotionModel final : public DesignModel {
   /// Designs start from the mechanism of the first scenario. Scenarios and study outlive this.
   /// @throws std::invalid_argument for a study that does not fit a mechanism, or limits without a
   /// static image where the method has nothing else
-  MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study);
+  /// @param may_drop_images whether `drop_images` may do so, of a study of sections
+  MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
+              bool may_drop_images = false);
 
   const std::vector<NlpVariable>& variables() const override { return design().variables(); }
   Eigen::VectorXd unit(const Eigen::VectorXd& x) const override { return design().unit(x); }
@@ -45,6 +47,8 @@ class MotionModel final : public DesignModel {
                                                 double move) const override;
   Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
                       double active) const override;
+  /// Limits become the maxima of the motion itself (Treatment::Maxima).
+  bool drop_images() override;
   DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                const Progress& progress) const override;
   std::optional<double> load_change(const DesignAnalysis& now,
@@ -59,13 +63,15 @@ class MotionModel final : public DesignModel {
  private:
   using Members = std::vector<CombinedProblem::Member>;
   void judge(MotionAnalysis<G>& analysis) const;
-  /// Static problems of all scenarios, and responses that they do not tell.
-  Members static_members(const MotionAnalysis<G>& at, const Eigen::VectorXd& x, double move) const;
+  /// Static problems of one scenario; the objective counts in the first.
+  Members static_members(std::size_t scenario, const MotionAnalysis<G>& at,
+                         const Eigen::VectorXd& x, double move) const;
   std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at,
                                                 const Eigen::VectorXd& x, double move,
                                                 MotionGradients& gradients) const;
 
   StudySpec study_;  ///< with what its method takes from static problems
+  const bool may_drop_images_;
   std::vector<std::unique_ptr<DesignSimulator<G>>> simulators_;
 };
 

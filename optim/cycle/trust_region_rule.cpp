@@ -40,6 +40,7 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   radius_ = taken->move;
   penalty_ = taken->penalty;
   warm_ = taken->warm;
+  images_ = taken->images || !record.model().drop_images();
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
@@ -69,6 +70,7 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.penalty = penalty_;
   cycle.warm = warm_;
   cycle.move = radius_;
+  cycle.images = images_;
   if (cycle.taken) {
     x_ = cycle.x;
     at_ = analysis;
@@ -107,8 +109,28 @@ bool TrustRegionRule::on_bound() const {
   return false;
 }
 
-/// The answer of the surrogate at x_k, or the end.
+/// The answer of the surrogate at x_k, or the end; static images that led to no optimum are
+/// dropped.
 Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
+  Step step = with_surrogate(record, cycle);
+  const bool beside = step.end && (step.end->status == CycleStatus::Infeasible ||
+                                   step.end->status == CycleStatus::Converged);
+  if (!beside || used_up(record.history(), record.options()) || !record.model().drop_images())
+    return step;
+  record.warn(
+      fmt::format("static images led to no optimum by cycle {}; the cycle went on with the "
+                  "maxima of the motion itself: {}",
+                  record.history().back().number, step.end->reason));
+  record.certify({});
+  images_ = false;
+  surrogate_ = {};
+  radius_ = largest_;
+  penalty_ = kPenalty;
+  warm_ = {};
+  return with_surrogate(record, cycle);
+}
+
+Step TrustRegionRule::with_surrogate(CycleRecord& record, Cycle* cycle) {
   if (!surrogate_.problem) {
     surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
     built_ = radius_;

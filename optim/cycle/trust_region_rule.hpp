@@ -34,6 +34,7 @@ class TrustRegionRule final : public StepRule {
   /// Solves and judges again what an interrupted run did from x_k on; no design is analysed.
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
+  Step with_surrogate(CycleRecord& record, Cycle* cycle);
   Step trial_step(CycleRecord& record, Cycle* cycle);
   void solve(CycleRecord& record);
   bool on_bound() const;
@@ -51,6 +52,7 @@ class TrustRegionRule final : public StepRule {
   CycleRecord::Analysis at_;   ///< of x_k
   Surrogate surrogate_;        ///< at x_k
   ElasticAnswer answer_;
+  bool images_ = true;    ///< surrogates have what static images they may have
   double predicted_ = 0;  ///< decrease of the merit by the answer
   NlpWarmStart warm_;
 };

@@ -4,24 +4,11 @@
 #include <stdexcept>
 
 namespace liesl {
-namespace {
-
-double& number_of(const ConstantSpec& c, Mechanism& m) {
-  if (c.quantity == ConstantQuantity::Mass)
-    return std::get<RigidSpec>(m.bodies.at(static_cast<std::size_t>(c.body)).kind).mass;
-  ForceSpec& force = m.forces.at(static_cast<std::size_t>(c.force));
-  return c.quantity == ConstantQuantity::Stiffness ? force.stiffness
-         : c.quantity == ConstantQuantity::Damping ? force.damping
-                                                   : force.rest;
-}
-
-}  // namespace
-
 Constants::Constants(const std::vector<ConstantSpec>& constants, const Mechanism& mechanism)
     : constants_(constants) {
   Mechanism at = mechanism;
   for (const ConstantSpec& c : constants)
-    variables_.push_back({c.name, c.lower, c.upper, c.start.value_or(number_of(c, at))});
+    variables_.push_back({c.name, c.lower, c.upper, c.start.value_or(constant_of(c, at))});
 }
 
 std::string Constants::unit(int i) const {
@@ -41,7 +28,7 @@ std::string Constants::unit(int i) const {
 
 void Constants::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
   for (int i = 0; i < size(); ++i)
-    number_of(constants_[static_cast<std::size_t>(i)], mechanism) = x[i];
+    constant_of(constants_[static_cast<std::size_t>(i)], mechanism) = x[i];
 }
 
 Parameter Constants::parameter(int i) const {

@@ -37,6 +37,15 @@ struct ConstantSpec {
   std::optional<double> start;  ///< none: as in the scene
 };
 
+/// The number in the mechanism. @pre it is there
+inline double& constant_of(const ConstantSpec& c, Mechanism& m) {
+  if (c.quantity == ConstantQuantity::Mass)
+    return std::get<RigidSpec>(m.bodies.at(static_cast<std::size_t>(c.body)).kind).mass;
+  ForceSpec& force = m.forces.at(static_cast<std::size_t>(c.force));
+  if (c.quantity == ConstantQuantity::Stiffness) return force.stiffness;
+  return c.quantity == ConstantQuantity::Damping ? force.damping : force.rest;
+}
+
 /// How a limit over all of a motion becomes constraints (thesis section 3.3.2); of what the motion
 /// says itself, with its gradients.
 enum class Treatment {

@@ -383,16 +383,20 @@ TEST_F(Cli, FinalDesignIsAScene) {
           << name << response;
     }
   }
-  const Outcome sized = run({"optimize", study("slider_crank_rod"), "-o", results(), "--force",
-                             "--set", "simulation.duration=0.02"});
-  ASSERT_EQ(sized.code, 0);
-  const Json end = summary();
-  run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});
-  const Json again = Json::parse(text_of(dir_ / "again" / "summary.json"));
-  ASSERT_FALSE(end["responses"].empty());
-  for (const auto& [response, figures] : end["responses"].items()) {
-    const double value = figures["max_abs"];
-    EXPECT_NEAR(again["responses"][response]["max_abs"].get<double>(), value, 1e-6 * value);
+  for (const std::string mass :
+       {"", "design.slider={of=\"slider\", property=\"mass\", bounds=[0.05, 0.15], start=0.1}"}) {
+    Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--force"};
+    words.insert(words.end(), shorter.begin(), shorter.end());
+    if (!mass.empty()) words.insert(words.end(), {"--set", mass});
+    ASSERT_EQ(run(words).code, 0);
+    const Json end = summary();
+    run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});
+    const Json again = Json::parse(text_of(dir_ / "again" / "summary.json"));
+    ASSERT_FALSE(end["responses"].empty());
+    for (const auto& [response, figures] : end["responses"].items()) {
+      const double value = figures["max_abs"];
+      EXPECT_NEAR(again["responses"][response]["max_abs"].get<double>(), value, 1e-6 * value);
+    }
   }
 }
 

@@ -70,6 +70,9 @@ TEST(Scenarios, HaveTheSameBodiesAndAreMotions) {
   EXPECT_NE(refusal("\"simulation.type\"=\"static\"").find("is no motion"), std::string::npos);
   EXPECT_NE(refusal("\"bodies.rodd.beam.elements\"=4").find("rodd"), std::string::npos);
   EXPECT_EQ(refusal("\"gravity\"=[0, 0, 0]"), "");
+  EXPECT_THROW(shipped_study("rod_three_speeds",
+                             {"scenarios={a={set={\"simulation.type\"=\"static\"}}, b={}}"}),
+               std::exception);
 }
 
 /// Of the payload: two bodies carry it.

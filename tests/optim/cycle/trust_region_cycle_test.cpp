@@ -282,6 +282,21 @@ TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
     EXPECT_EQ(r.history[i].number, static_cast<int>(i) + 1);
   EXPECT_EQ(r.mass_initial, images.mass_initial);
   EXPECT_GT(r.effort.steps, images.effort.steps);
+  ASSERT_FALSE(r.warnings.empty());
+  EXPECT_NE(r.warnings.front().find("static images led to no optimum"), std::string::npos);
+
+  // Interrupted after images were dropped, it says so; resumed, it ends at the same design.
+  std::vector<Cycle> kept;
+  CycleHooks stopping;
+  stopping.on_cycle = [&](const std::vector<Cycle>& history) { kept = history; };
+  stopping.keep_going = [&] { return kept.empty() || kept.back().images; };
+  EXPECT_EQ(run(CycleMethod::Auto, stopping).status, CycleStatus::Interrupted);
+  ASSERT_FALSE(kept.back().images);
+  study.spec.cycle.method = CycleMethod::Auto;
+  const auto resumed =
+      run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, {}, kept);
+  EXPECT_EQ(resumed.status, r.status) << resumed.reason;
+  EXPECT_EQ(resumed.x, r.x);
 }
 
 TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
