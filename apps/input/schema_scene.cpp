@@ -120,7 +120,7 @@ std::vector<Key> simulation_keys() {
   return {
     {"simulation", Type::Table, "", kOptional, kAny, "What is computed and how finely."},
     {"simulation.type", Type::Choice, "", "\"dynamic\"", kAny, "Motion over time, equilibrium under the loads, or natural modes about it.", 0, "dynamic static modes"},
-    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them. Auto: modes, and statics with `critical`, are always computed in space, since they may leave the plane of the scene (a mesh in the plane keeps it).", 0, "auto planar spatial"},
+    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them. Auto: modes, and statics with `critical`, are always computed in space, since they may leave the plane of the scene (a mesh in the plane keeps it); of a motion in the plane a note says whether small motions out of it would grow.", 0, "auto planar spatial"},
     {"simulation.formalism", Type::Choice, "", "\"se3\"", kAny, "Unknowns and kind of flexible body: SE(3) (SE(2) in a plane), R^3 x SO(3), classical rotation vectors, floating frames with modes, flexible bodies rigid.", 0, "se3 r3so3 classical floating rigid"},
     {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
     {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},

@@ -19,6 +19,23 @@ namespace {
 
 constexpr double kTiny = 1e-12;  // m; shorter is no length
 
+/// Dimensions linear between sections at even distances, at the middle of each of n elements.
+std::vector<Section> tapered_sections(const std::vector<Section>& at, int n) {
+  std::vector<Section> out;
+  for (int e = 0; e < n; ++e) {
+    const double place = (e + 0.5) / n * static_cast<double>(at.size() - 1);
+    const auto i = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(i);
+    Section section = at[i];
+    for (const auto name : dimensions(section.shape))
+      section.shape = with_dimension(
+          section.shape, name,
+          (1 - share) * dimension(at[i].shape, name) + share * dimension(at[i + 1].shape, name));
+    out.push_back(section);
+  }
+  return out;
+}
+
 /// Reads one beam; `ok` turns false if it cannot be built.
 class BeamReader {
  public:
@@ -97,17 +114,7 @@ class BeamReader {
                                   at[0].name, s.name),
                       "the same in all of them, or none");
     }
-    for (int e = 0; e < n_; ++e) {
-      const double place = (e + 0.5) / n_ * static_cast<double>(at.size() - 1);
-      const auto i = static_cast<std::size_t>(place);
-      const double share = place - static_cast<double>(i);
-      Section section = at[i];
-      for (const auto name : dimensions(section.shape))
-        section.shape = with_dimension(
-            section.shape, name,
-            (1 - share) * dimension(at[i].shape, name) + share * dimension(at[i + 1].shape, name));
-      beam.sections.push_back(section);
-    }
+    beam.sections = tapered_sections(at, n_);
   }
 
   void points(BeamSpec& beam) {
@@ -120,8 +127,10 @@ class BeamReader {
       const toml::table& place = *value.as_table();
       const bool taken = alone.port(name_ + "." + point).has_value();
       if (taken)
-        refuse(key, fmt::format("has a point '{}', which is one of its nodes", point),
-               "another name");
+        reader_.problems.add(
+            key, fmt::format("beam '{}' has a point '{}', which is one of its nodes", name_, point),
+            "another name");
+      ok_ = ok_ && !taken;
       const auto on = alone.port(name_ + "." + text(place, "on"));
       if (!on)
         refuse(*place.get("on"), fmt::format("has no node '{}'", text(place, "on")),

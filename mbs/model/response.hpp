@@ -14,6 +14,10 @@ namespace liesl {
 /// In whose axes the components of a vector, and `axis`, are.
 enum class Axes { Inertial, Body };
 
+/// What of a signed response y is taken: y itself, or one side of it, max(y, 0) or max(-y, 0),
+/// which a limit then holds alone.
+enum class Side { Both, Up, Down };
+
 /// docs/responses.md has the formulas.
 enum class ResponseKind {
   Position,         ///< of port `at`, inertial, m; along `axis` if given
@@ -54,6 +58,7 @@ struct ResponseSpec {
   int coordinate = 0;        ///< Coordinate
   std::optional<Vec3> axis;  ///< unit
   Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Rotation, Displacement
+  Side side = Side::Both;    ///< of responses with one component
 };
 
 }  // namespace liesl

@@ -34,10 +34,12 @@ std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
 void take_rows(const Coupling<SE2>& from, const Eigen::VectorXd& values, const Coupling<SE3>& to,
                Eigen::VectorXd& out) {
   for (std::size_t i = 0; i < to.rows.size(); ++i)
-    for (std::size_t k = 0; k < from.rows.size(); ++k)
-      if (const auto& a = from.rows[k], &b = to.rows[i];
-          a.row.kind() == b.row.kind() && a.coordinate == b.coordinate && a.force == b.force)
+    for (std::size_t k = 0; k < from.rows.size(); ++k) {
+      const CouplingRow<SE2>& a = from.rows[k];
+      const CouplingRow<SE3>& b = to.rows[i];
+      if (a.row.kind() == b.row.kind() && a.coordinate == b.coordinate && a.force == b.force)
         out[to.first_row + static_cast<int>(i)] = values[from.first_row + static_cast<int>(k)];
+    }
 }
 
 }  // namespace

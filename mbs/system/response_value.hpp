@@ -113,6 +113,7 @@ class ResponseValues {
                                            const ParameterResidual<G>&) const;
   };
   static const Kind& row(ResponseKind kind);
+  static Eigen::VectorXd side_of(const ResponseSpec& r, const Eigen::VectorXd& y);
 
   Eigen::VectorXd position(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd velocity(const ResponseSpec& r, const State<G>& s) const;

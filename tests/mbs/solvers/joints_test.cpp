@@ -168,6 +168,9 @@ Eigen::MatrixXd free_motions(JointType type) {
       return e(Eigen::all, std::vector<int>{0, 1, 5});
     case JointType::Screw:
       return e.col(5) + 0.2 / (2 * M_PI) * e.col(2);
+    case JointType::Rod:
+    case JointType::Cylinder:
+    case JointType::Bushing:
     case JointType::Universal:
       break;
   }

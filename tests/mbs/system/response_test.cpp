@@ -55,6 +55,9 @@ std::vector<ResponseSpec> responses(bool planar) {
       add(kind, [in](ResponseSpec& r) { r.in = in, r.axis = Vec3(0.6, -0.8, 0); });
     }
   }
+  for (const auto side : {Side::Up, Side::Down})
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX())})  // one side is 0
+      add(ResponseKind::Position, [&](ResponseSpec& r) { r.axis = axis, r.side = side; });
   add(ResponseKind::Deflection, plain);
   add(ResponseKind::Deflection, [](ResponseSpec& r) { r.s = 0.61; });
   add(ResponseKind::Deflection, [](ResponseSpec& r) { r.everywhere = true; });
