@@ -10,6 +10,25 @@
 
 namespace liesl {
 
+namespace {
+
+constexpr std::size_t kMostModes = 20;  // on the terminal
+
+void print_frequencies(const output::RunSummary& summary) {
+  if (!summary.more.contains("frequencies_hz")) return;
+  const auto& list = summary.more["frequencies_hz"];
+  for (std::size_t i = 0; i < list.size() && i < kMostModes; ++i) {
+    const double omega2 = summary.more["eigenvalues"][i];
+    fmt::print("  mode {:<11} {:.6g} Hz{}\n", i + 1, list[i].get<double>(),
+               omega2 < 0
+                   ? fmt::format(", unstable: grows by e in {:.3g} s", 1 / std::sqrt(-omega2))
+                   : "");
+  }
+  if (list.size() > kMostModes) fmt::print("  {} more in summary.json\n", list.size() - kMostModes);
+}
+
+}  // namespace
+
 SimulationLine::SimulationLine(const SimulationOptions& o, bool quiet)
     : line_("simulating", o.type == SimulationType::Dynamic ? o.duration : o.max_load,
             o.type == SimulationType::Dynamic ? "s" : "load",
@@ -40,6 +59,7 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
   fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
              summary.status, summary.reason, summary.steps, summary.newton_iterations,
              summary.stepping_s, summary.space);
+  print_frequencies(summary);
   for (const auto& r : summary.responses)
     if (!r.final.empty())
       fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,

@@ -75,9 +75,13 @@ inertial axes unless the key says otherwise. `*` stands for a name that you choo
 and are used once among bodies, joints, forces and loads. "One of": exactly one of the keys so marked
 in a table. Lists of numbers refuse `nan` and `inf`; whole numbers may be written for numbers.
 
-**Ports** are places on bodies: `ground`, and for a body `x` a beam's `x.start`, `x.end`, `x.mid`
-(even number of elements), `x.node3` (from 0), a rigid body's `x.origin` and
+**Ports** are places on bodies: `ground`, `ground.<point>`, and for a body `x` a beam's `x.start`, `x.end`, `x.mid`
+(even number of elements), `x.node3` (from 0) and `x.<point>`, a rigid body's `x.origin` and
 `x.<point>`, a meshed part's `x.<interface>`.
+
+**In statics and modes** drives, tables and expressions have their value at `simulation.at`. Weight, loads and forces of
+`forces.*.force` are multiplied by the load factor, up to `max_load`; springs and drives are not. Velocities, dampers and
+`damping` do nothing; nor do the keys marked "Dynamic".
 
 **Changing keys from the command line:** `--set key.path=value`, as in `--set simulation.step=5e-5`,
 `--set bodies.rod.beam.elements=16`, `--set bodies.rod.beam.to.0=0.5` (entry of a list). The value is

@@ -17,6 +17,10 @@ std::vector<Key> material_keys() {
   return {
     {"name", Type::Text, "", "\"scene\"", kAny, "Title of the scene."},
     {"gravity", Type::Vector, "m/s^2", "[0, 0, 0]", kAny, "Acceleration of gravity, inertial axes.", 3},
+    {"gravity_scale", Type::Function, "-", "1", kAny, "Factor of gravity over time: a ramp puts the weight on slowly. Statics and modes take its value at `simulation.at`."},
+    {"ground", Type::Table, "", kOptional, kAny, "The inertial frame."},
+    {"ground.points", Type::Named, "", kOptional, kAny, "Ports of the ground by name: `ground.anchor`. Plain `ground` is the origin, in joints whose ports meet the place of the other port."},
+    {"ground.points.*", Type::Vector, "m", kOptional, kAny, "Position.", 3},
 
     {"materials", Type::Named, "", kOptional, kAny, "Isotropic linear-elastic materials by name."},
     {"materials.*", Type::Table, "", kOptional, kAny, "A material."},
@@ -55,8 +59,9 @@ std::vector<Key> body_keys() {
     {"bodies.*.beam.arc.centre", Type::Vector, "m", kRequired, kAny, "Centre of the circle.", 3},
     {"bodies.*.beam.arc.axis", Type::Vector, "-", "[0, 0, 1]", kAny, "The arc turns about this direction (right hand).", 3},
     {"bodies.*.beam.arc.angle", Type::Number, "rad", kRequired, kAny, "Angle of the arc; negative turns the other way."},
-    {"bodies.*.beam.through", Type::Rows, "m", kOneOf, kAny, "Spline axis through these points.", 3},
+    {"bodies.*.beam.through", Type::Rows, "m", kOneOf, kAny, "Axis through these points in order, of which the first is the start and the last the end: the C2 cubic spline over the lengths of the chords between them, not-a-knot at its ends (two points make a line, three a parabola). Nodes are evenly spaced along it and need not be at the points; sections turn about it as little as possible.", 3},
     {"bodies.*.beam.section", Type::Texts, "", kRequired, kAny, "Section of all elements, or a list: one for each of as many runs of neighbouring elements, as even as possible."},
+    {"bodies.*.beam.taper", Type::Boolean, "", "false", kAny, "The sections of the list, of one type, stand at even distances from start to end, and dimensions are linear in between; each element has those of its middle."},
     {"bodies.*.beam.material", Type::Text, "", kOptional, kAny, "Material of all elements; needed unless all sections are `full`."},
     {"bodies.*.beam.elements", Type::Integer, "", kRequired, {1, 10000}, "Number of elements, spaced evenly along the axis."},
     {"bodies.*.beam.up", Type::Vector, "-", kOptional, kAny, "Local y of the section at the start is the part of this direction normal to the axis. Default: local z is the part of inertial z (for an axis along z: inertial y) normal to the axis, of an arc its normal; a beam in the x-y plane has local y in that plane.", 3},
@@ -64,6 +69,10 @@ std::vector<Key> body_keys() {
     {"bodies.*.beam.as", Type::Choice, "", "\"formalism\"", kAny, "What the beam is simulated as: as `simulation.formalism` says, rigid, or linear in a floating frame with modes.", 0, "formalism rigid modal"},
     {"bodies.*.beam.modes", Type::Integer, "", kOptional, kWhole0, "Internal modes that are kept where the beam is simulated with modes. Default: all."},
     {"bodies.*.beam.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional: section forces get damping K d(strain)/dt."},
+    {"bodies.*.beam.points", Type::Named, "", kOptional, kAny, "Further ports by name, rigidly tied to a node: lugs, ends of an offset."},
+    {"bodies.*.beam.points.*", Type::Table, "", kOptional, kAny, "A point beside the axis."},
+    {"bodies.*.beam.points.*.on", Type::Text, "", kRequired, kAny, "Node that carries it: start, mid, end, nodeK."},
+    {"bodies.*.beam.points.*.at", Type::Vector, "m", kRequired, kAny, "Position at the start, inertial axes.", 3},
 
     {"bodies.*.rigid", Type::Table, "", kOneOf, kAny, "Rigid body. Ports: origin and the named points."},
     {"bodies.*.rigid.at", Type::Vector, "m", kRequired, kAny, "Position of the origin.", 3},
@@ -78,15 +87,23 @@ std::vector<Key> body_keys() {
 
 std::vector<Key> force_keys() {
   return {
-    {"forces", Type::Named, "", kOptional, kAny, "Springs, dampers, forces and torques by name: stiffness (q - rest) + damping dq/dt - force acts against q."},
+    {"forces", Type::Named, "", kOptional, kAny, "Springs, dampers, forces and torques by name: stiffness (q - rest) + spring(q - rest) + damping dq/dt - force acts against q."},
     {"forces.*", Type::Table, "", kOptional, kAny, "A force law on one coordinate q."},
     {"forces.*.on", Type::Text, "", kOneOf, kAny, "q is a joint coordinate: \"joint\", or \"joint.1\" for its coordinate 1."},
     {"forces.*.between", Type::Pair, "", kOneOf, kAny, "q is the distance of two ports."},
     {"forces.*.stiffness", Type::Number, "N/m or N m/rad", "0", kNotNegative, "Spring."},
+    {"forces.*.spring", Type::Table, "", kOptional, kAny, "Characteristic of a spring, added to `stiffness`."},
+    {"forces.*.spring.table", Type::Rows, "m or rad, N or N m", kRequired, kAny, "Rows [x, f], elongation x = q - rest increasing, and the force against it. Outside it goes on straight with the slope of its end.", 2},
+    {"forces.*.spring.interpolation", Type::Choice, "", "\"linear\"", kAny, "Of the table; cubic is C1 without overshoot.", 0, "linear cubic"},
     {"forces.*.damping", Type::Number, "N s/m or N m s/rad", "0", kNotNegative, "Damper."},
     {"forces.*.rest", Type::Number, "m or rad", kOptional, kAny, "q of the relaxed spring. Default: 0 on a joint, the distance at the start between ports."},
     {"forces.*.force", Type::Function, "N", kOptional, kAny, "Pushes the coordinate up."},
     {"forces.*.torque", Type::Function, "N m", kOptional, kAny, "The same under its name for angles."},
+
+    {"gears", Type::Named, "", kOptional, kAny, "Gears, racks, belts by name: the second coordinate is `ratio` times the first, both 0 in the scene as given."},
+    {"gears.*", Type::Table, "", kOptional, kAny, "A gear."},
+    {"gears.*.of", Type::Pair, "", kRequired, kAny, "Two joint coordinates: \"joint\", or \"joint.1\" for its coordinate 1."},
+    {"gears.*.ratio", Type::Number, "rad/rad, m/rad, rad/m or m/m", kRequired, kAny, "q_second / q_first, not 0: -z_1/z_2 for two outer wheels with z_1 and z_2 teeth, the radius for a rack."},
 
     {"loads", Type::Named, "", kOptional, kAny, "Forces and moments on bodies by name."},
     {"loads.*", Type::Table, "", kOptional, kAny, "A load."},
@@ -94,7 +111,7 @@ std::vector<Key> force_keys() {
     {"loads.*.over", Type::Text, "", kOneOf, kAny, "The beam that it is spread over, per length."},
     {"loads.*.force", Type::Vector, "N or N/m", "[0, 0, 0]", kAny, "Force.", 3},
     {"loads.*.moment", Type::Vector, "N m or N m/m", "[0, 0, 0]", kAny, "Moment.", 3},
-    {"loads.*.follower", Type::Boolean, "", "false", kAny, "Components turn with the body; otherwise they are inertial."},
+    {"loads.*.follower", Type::Boolean, "", "false", kAny, "Components are in the axes of the port and turn with it, on a beam x along the axis, y and z those of the section; otherwise they are inertial."},
     {"loads.*.scale", Type::Function, "-", "1", kAny, "Factor over time."},
   };
 }
@@ -103,7 +120,7 @@ std::vector<Key> simulation_keys() {
   return {
     {"simulation", Type::Table, "", kOptional, kAny, "What is computed and how finely."},
     {"simulation.type", Type::Choice, "", "\"dynamic\"", kAny, "Motion over time, equilibrium under the loads, or natural modes about it.", 0, "dynamic static modes"},
-    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them. Auto: modes, and statics with `critical`, are always computed in space, since they may leave the plane of the scene (a mesh in the plane keeps it).", 0, "auto planar spatial"},
+    {"simulation.space", Type::Choice, "", "\"auto\"", kAny, "SE(2) for planar scenes, SE(3) otherwise; or one of them. Auto: modes, and statics with `critical`, are always computed in space, since they may leave the plane of the scene (a mesh in the plane keeps it); of a motion in the plane a note says whether small motions out of it would grow.", 0, "auto planar spatial"},
     {"simulation.formalism", Type::Choice, "", "\"se3\"", kAny, "Unknowns and kind of flexible body: SE(3) (SE(2) in a plane), R^3 x SO(3), classical rotation vectors, floating frames with modes, flexible bodies rigid.", 0, "se3 r3so3 classical floating rigid"},
     {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
     {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},
@@ -137,15 +154,16 @@ void append(std::vector<Key>& keys, std::vector<Key> more) {
 
 /// `response` of an entry: required in a scene, or an alternative to `use` in a study.
 Key response_choice(std::string_view parent, std::string_view preset) {
-  return {std::string(parent) + ".response",
-          Type::Choice,
-          "",
-          preset,
-          kAny,
-          "Which quantity.",
-          0,
-          "position velocity angular_velocity displacement deflection elongation coordinate "
-          "joint_force section_force stress energy compliance"};
+  return {
+      std::string(parent) + ".response",
+      Type::Choice,
+      "",
+      preset,
+      kAny,
+      "Which quantity.",
+      0,
+      "position velocity angular_velocity rotation displacement deflection elongation coordinate "
+      "joint_force section_force stress energy compliance"};
 }
 
 }  // namespace
@@ -155,14 +173,14 @@ std::vector<Key> response_keys(std::string_view parent) {
   const bool scene = parent == "responses.*";
   std::vector<Key> keys{
     response_choice(parent, scene ? kRequired : kOneOf),
-    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body.", 0, "", "response=position velocity angular_velocity displacement"},
+    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them.", 0, "", "response=deflection"},
     {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
-    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
-    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity"},
+    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement"},
+    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity rotation"},
     {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate"},
     {".element", Type::Integer, "", "0", kWhole0, "Element of the beam, from 0.", 0, "", "response=section_force"},

@@ -44,12 +44,13 @@ std::vector<Key> design_and_limit_keys() {
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.limit", Type::Number, "of the response", kRequired, kPositive, "Largest absolute value (norm of a vector)."},
+    {"constraints.*.side", Type::Choice, "", "\"both\"", kAny, "What the limit holds: the absolute value; or of a response with one component only values above zero (up), or only those below (down), so that two constraints give it different limits. One side is told by the gradients of the motion, as limits without a static problem are.", 0, "both up down"},
     {"constraints.*.treatment", Type::Choice, "", "\"auto\"", kAny, "Which constraints a limit over a motion becomes: \"auto\", load cases near the largest and those that turn out to violate it; \"all\", every step above half of the largest value; \"maxima\", \"neighbours\" (with three steps on either side), \"worst\", the largest alone; \"ks\", a smooth maximum about each. \"functional\" limits the mean excess, \"p_norm\" the mean of order `p` instead of the largest. All but \"auto\" need cycle.method \"esl1\" or \"full\".", 0, "auto all maxima neighbours worst functional p_norm ks"},
     {"constraints.*.p", Type::Number, "-", "2", {1, 100}, "Exponent; 2: root mean square.", 0, "", "treatment=p_norm"},
   };
 }
 
-/// Parts under fixed loads, and the cycle.
+/// Parts under fixed loads, frequencies, and the cycle.
 std::vector<Key> part_and_cycle_keys() {
   return {
     {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part, by name; compliance and stress in every load case."},
@@ -58,6 +59,12 @@ std::vector<Key> part_and_cycle_keys() {
     {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},
     {"part_limits.*.limit", Type::Number, "of the quantity", kRequired, kPositive, "Largest value; of a frequency the least."},
     {"part_limits.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest frequencies.", 0, "", "quantity=frequency"},
+
+    {"frequencies", Type::Named, "", kOptional, kAny, "Least natural frequencies of the mechanism by name: of the joined bodies in space, undeformed in a pose, without weight and loads; drives hold. Not with meshes in the plane."},
+    {"frequencies.*", Type::Table, "", kOptional, kAny, "A limit."},
+    {"frequencies.*.least", Type::Number, "Hz", kRequired, kPositive, "Least value of each of them."},
+    {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest. Motions that nothing holds do not count."},
+    {"frequencies.*.at", Type::Number, "s", "0", kNotNegative, "The time whose values the drives have in the pose."},
 
     {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},
     {"loads.*", Type::Table, "", kOptional, kAny, "A load on an interface, or on a side."},

@@ -137,6 +137,7 @@ void check_motion(Reader& reader) {
     if (reader.broken.contains(group)) return;
   if (!o.errors().empty()) return;
   check_drives(reader);
+  check_load(reader, "gravity_scale", reader.scene.mechanism.gravity_scale);
   for (const ForceSpec& force : reader.scene.mechanism.forces)
     check_load(reader, fmt::format("the force of '{}'", force.name), force.force);
   for (const LoadSpec& load : reader.scene.mechanism.loads)

@@ -11,12 +11,30 @@
 #include "apps/scene/reader.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/model/curves.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 
 namespace liesl {
 
 namespace {
 
 constexpr double kTiny = 1e-12;  // m; shorter is no length
+
+/// Dimensions linear between sections at even distances, at the middle of each of n elements.
+std::vector<Section> tapered_sections(const std::vector<Section>& at, int n) {
+  std::vector<Section> out;
+  for (int e = 0; e < n; ++e) {
+    const double place = (e + 0.5) / n * static_cast<double>(at.size() - 1);
+    const auto i = static_cast<std::size_t>(place);
+    const double share = place - static_cast<double>(i);
+    Section section = at[i];
+    for (const auto name : dimensions(section.shape))
+      section.shape = with_dimension(
+          section.shape, name,
+          (1 - share) * dimension(at[i].shape, name) + share * dimension(at[i + 1].shape, name));
+    out.push_back(section);
+  }
+  return out;
+}
 
 /// Reads one beam; `ok` turns false if it cannot be built.
 class BeamReader {
@@ -41,6 +59,7 @@ class BeamReader {
     material(beam);
     check_axis();
     if (ok_) beam.nodes = nodes();
+    if (ok_) points(beam);
     return ok_ ? std::optional(beam) : std::nullopt;
   }
 
@@ -64,9 +83,60 @@ class BeamReader {
         ok_ = false;
     }
     if (!ok_) return;
+    if (boolean(table_, "taper")) return tapered(beam, names);
     for (int e = 0; e < n_; ++e) {
       const auto run = static_cast<std::size_t>(static_cast<long>(e) * runs / n_);
       beam.sections.push_back(reader_.sections.at(names[run]->value_or(std::string())));
+    }
+  }
+
+  /// Dimensions linear between the sections of the list, taken at the middle of each element.
+  void tapered(BeamSpec& beam, const std::vector<const toml::node*>& names) {
+    std::vector<Section> at;
+    for (const toml::node* node : names)
+      at.push_back(reader_.sections.at(node->value_or(std::string())));
+    const toml::node& taper = *table_.get("taper");
+    if (at.size() < 2)
+      return refuse(taper, "has 'taper' but one section", "at least two sections",
+                    "section = [\"root\", \"tip\"]");
+    for (std::size_t i = 0; i < at.size(); ++i) {
+      const Section& s = at[i];
+      if (dimensions(s.shape).empty())
+        return refuse(*names[i], fmt::format("tapers to '{}', which has no dimensions", s.name),
+                      "a section with a shape");
+      if (s.shape.index() != at[0].shape.index())
+        return refuse(*names[i], fmt::format("tapers from '{}' to '{}'", at[0].name, s.name),
+                      "sections of one type");
+      if (s.shear_factor != at[0].shear_factor || s.torsion_constant != at[0].torsion_constant)
+        return refuse(*names[i],
+                      fmt::format("tapers between shear factors or torsion constants of '{}' and "
+                                  "'{}'",
+                                  at[0].name, s.name),
+                      "the same in all of them, or none");
+    }
+    beam.sections = tapered_sections(at, n_);
+  }
+
+  void points(BeamSpec& beam) {
+    const toml::table* given = table_["points"].as_table();
+    if (!given) return;
+    Mechanism alone;  // to look up ports in
+    alone.bodies.push_back({name_, beam, Vec3::Zero(), Vec3::Zero()});
+    for (auto&& [key, value] : *given) {
+      const std::string point(key.str());
+      const toml::table& place = *value.as_table();
+      const bool taken = alone.port(name_ + "." + point).has_value();
+      if (taken)
+        reader_.problems.add(
+            key, fmt::format("beam '{}' has a point '{}', which is one of its nodes", name_, point),
+            "another name");
+      ok_ = ok_ && !taken;
+      const auto on = alone.port(name_ + "." + text(place, "on"));
+      if (!on)
+        refuse(*place.get("on"), fmt::format("has no node '{}'", text(place, "on")),
+               fmt::format("start, end, node0 to node{}{}", n_, n_ % 2 == 0 ? ", mid" : ""));
+      if (taken || !on) continue;
+      beam.points[point] = {on->node, vec3(place, "at")};
     }
   }
 
@@ -282,7 +352,7 @@ void read_bodies(Reader& reader) {
 
 void check_names(Reader& reader) {
   std::map<std::string, std::string> owner;
-  for (const char* group : {"bodies", "joints", "forces", "loads"})
+  for (const char* group : {"bodies", "joints", "gears", "forces", "loads"})
     for (const Entry& entry : entries(reader, group)) {
       const auto [known, fresh] = owner.emplace(entry.name, group);
       if (!fresh)

@@ -15,10 +15,31 @@ void read_push(Reader& reader, const toml::table& table, ForceSpec& force) {
     reader.problems.add(*turn, fmt::format("force '{}' has both 'force' and 'torque'", force.name),
                         "one of them", "they are two names of the same");
   if (push || turn) force.force = read_function(reader, push ? *push : *turn);
-  const bool nothing = force.stiffness == 0 && force.damping == 0 && !push && !turn;
+  const bool nothing = force.stiffness == 0 && force.damping == 0 && !force.curve && !push && !turn;
   if (nothing)
     reader.problems.add(table, fmt::format("force '{}' has no force law", force.name),
-                        "stiffness, damping, force or torque");
+                        "stiffness, spring, damping, force or torque");
+}
+
+/// Force over elongation.
+void read_spring(Reader& reader, const toml::table& table, ForceSpec& force) {
+  const toml::table* spring = table["spring"].as_table();
+  if (!spring) return;
+  std::vector<double> x, f;
+  for (const toml::node& row : *spring->get("table")->as_array()) {
+    const auto values = numbers(row);
+    if (!x.empty() && values[0] <= x.back()) {
+      reader.problems.add(row, fmt::format("x = {:g} follows x = {:g}", values[0], x.back()),
+                          "rows [x, f] with increasing x");
+      return;
+    }
+    x.push_back(values[0]);
+    f.push_back(values[1]);
+  }
+  const bool cubic = text(*spring, "interpolation") == "cubic";
+  force.curve.emplace(
+      std::move(x), std::move(f),
+      cubic ? TimeFunction::Interpolation::Cubic : TimeFunction::Interpolation::Linear);
 }
 
 /// Ports of a law between two points, and the distance at which its spring is relaxed.
@@ -54,6 +75,7 @@ void read_forces(Reader& reader) {
     force.stiffness = number(table, "stiffness");
     force.damping = number(table, "damping");
     force.rest = number(table, "rest");
+    read_spring(reader, table, force);
     read_push(reader, table, force);
     if (const toml::node* on = table.get("on")) {
       const auto coordinate = reader.coordinate(*on);

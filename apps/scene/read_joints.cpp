@@ -103,10 +103,76 @@ void read_pitch(Reader& reader, const toml::table& table, JointSpec& joint) {
         "pitch = 0.005 for 5 mm; without displacement it is a revolute joint");
 }
 
-/// The ground's side of a joint is where the body's side is.
-void place_ground(const Mechanism& mechanism, JointSpec& joint) {
-  if (joint.a.body < 0) joint.a.offset = SE3(Mat3::Identity(), mechanism.frame(joint.b).x);
-  if (joint.b.body < 0) joint.b.offset = SE3(Mat3::Identity(), mechanism.frame(joint.a).x);
+/// The ground's side of a joint is where the body's side is, unless a point of it is named.
+void place_ground(const Mechanism& mechanism, const toml::array& pair, JointSpec& joint) {
+  if (kind_of(joint.type).acts_on_distance()) return;
+  const auto plain = [&pair](std::size_t side) {
+    return pair[side].value_or(std::string()) == "ground";
+  };
+  if (plain(0)) joint.a.offset = SE3(Mat3::Identity(), mechanism.frame(joint.b).x);
+  if (plain(1)) joint.b.offset = SE3(Mat3::Identity(), mechanism.frame(joint.a).x);
+}
+
+/// Rods and cylinders act along the line between their ports.
+void check_distance(Reader& reader, const toml::array& pair, const JointSpec& joint) {
+  const Mechanism& mechanism = reader.scene.mechanism;
+  const double distance = (mechanism.frame(joint.b).x - mechanism.frame(joint.a).x).norm();
+  if (!kind_of(joint.type).acts_on_distance() || distance > 1e-12) return;
+  reader.problems.add(pair,
+                      fmt::format("{} '{}' joins two ports at the same place",
+                                  kind_of(joint.type).name, joint.name),
+                      "ports that are apart", "its direction is that from one to the other");
+}
+
+/// Stiffness, damping or force of the coordinates of a joint, one number each.
+std::vector<double> values_of(Reader& reader, const toml::table& table, const char* key,
+                              int coordinates) {
+  std::vector<double> values(static_cast<std::size_t>(coordinates), 0.0);
+  const toml::node* node = table.get(key);
+  if (!node) return values;
+  const auto given = numbers(*node);
+  if (given.size() == values.size()) return given;
+  reader.problems.add(
+      *node, fmt::format("'{}' has {} numbers for {} coordinates", key, given.size(), coordinates),
+      coordinates == 1 ? "one number" : fmt::format("{} numbers", coordinates));
+  return values;
+}
+
+/// Springs, dampers and force of a cylinder or bushing, as forces on its coordinates.
+void read_elastic(Reader& reader, const toml::table& table, const JointSpec& joint, int index) {
+  const JointKind& kind = kind_of(joint.type);
+  const toml::node* push = table.get("force");
+  if (!kind.elastic) {
+    for (const char* key : {"stiffness", "damping", "force"})
+      if (const toml::node* node = table.get(key))
+        reader.problems.add(*node,
+                            fmt::format("{} joint '{}' has no '{}'", kind.name, joint.name, key),
+                            "a cylinder or bushing",
+                            fmt::format("an entry of [forces] with on = \"{}\"", joint.name));
+    return;
+  }
+  const int count = kind.coordinate_count();
+  if (push && count > 1)
+    reader.problems.add(*push, fmt::format("bushing '{}' has no 'force'", joint.name),
+                        "'force' of a cylinder",
+                        fmt::format("an entry of [forces] with on = \"{}.2\"", joint.name));
+  const auto stiffness = values_of(reader, table, "stiffness", count),
+             damping = values_of(reader, table, "damping", count);
+  if (count > 1 && !table.contains("stiffness") && !table.contains("damping"))
+    reader.problems.add(table, fmt::format("bushing '{}' has no force law", joint.name),
+                        "'stiffness' or 'damping': 6 numbers");
+  for (int i = 0; i < count; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    ForceSpec force;
+    force.name = count == 1 ? joint.name : fmt::format("{}.{}", joint.name, i);
+    force.joint = index;
+    force.coordinate = i;
+    force.stiffness = stiffness[k];
+    force.damping = damping[k];
+    if (push && count == 1) force.force = read_function(reader, *push);
+    const bool nothing = force.stiffness == 0 && force.damping == 0 && !(push && count == 1);
+    if (!nothing) reader.scene.mechanism.forces.push_back(std::move(force));
+  }
 }
 
 void read_joint(Reader& reader, const Entry& entry) {
@@ -131,15 +197,39 @@ void read_joint(Reader& reader, const Entry& entry) {
       reader.problems.add(*pair, fmt::format("joint '{}' joins a port to itself", joint.name),
                           "two different ports");
     else {
-      place_ground(reader.scene.mechanism, joint);
+      place_ground(reader.scene.mechanism, *pair, joint);
       check_gap(reader, *pair, joint);
+      check_distance(reader, *pair, joint);
     }
   }
+  const int index = static_cast<int>(reader.scene.mechanism.joints.size());
+  read_elastic(reader, *entry.table, joint, index);
   reader.scene.mechanism.joints.push_back(std::move(joint));
-  read_drives(reader, *entry.table, static_cast<int>(reader.scene.mechanism.joints.size()) - 1);
+  read_drives(reader, *entry.table, index);
 }
 
 }  // namespace
+
+void read_gears(Reader& reader) {
+  for (const Entry& entry : entries(reader, "gears")) {
+    const toml::array& pair = *entry.table->get("of")->as_array();
+    const auto first = reader.coordinate(pair[0]), second = reader.coordinate(pair[1]);
+    const double ratio = number(*entry.table, "ratio");
+    if (ratio == 0)
+      reader.problems.add(*entry.table->get("ratio"),
+                          fmt::format("the ratio of gear '{}' is 0", entry.name),
+                          "q_second / q_first, other than 0", "-0.5 for 20 teeth on 40");
+    if (!first || !second) continue;
+    if (first->joint == second->joint && first->coordinate == second->coordinate)
+      reader.problems.add(pair,
+                          fmt::format("gear '{}' couples a coordinate with itself", entry.name),
+                          "two coordinates");
+    reader.scene.mechanism.gears.push_back({entry.name,
+                                            {first->joint, first->coordinate},
+                                            {second->joint, second->coordinate},
+                                            ratio});
+  }
+}
 
 void read_joints(Reader& reader) {
   for (const Entry& entry : entries(reader, "joints")) read_joint(reader, entry);

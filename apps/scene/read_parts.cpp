@@ -42,6 +42,31 @@ void check_gap(Reader& reader, const toml::node& at, const JointSpec& joint) {
                       "check the positions of the bodies and the names of the ports");
 }
 
+/// Statics and modes are at one instant.
+void read_gravity(Reader& reader) {
+  Mechanism& mechanism = reader.scene.mechanism;
+  mechanism.gravity = vec3(reader.root, "gravity");
+  const toml::node* scale = reader.root.get("gravity_scale");
+  if (!scale || reader.broken.contains("gravity_scale")) return;
+  const TimeFunction factor = read_function(reader, *scale);
+  const SimulationOptions& o = reader.scene.simulation;
+  if (o.type == SimulationType::Dynamic)
+    mechanism.gravity_scale = factor;
+  else
+    mechanism.gravity *= factor(o.at);
+  if (written(*scale) && vec3(reader.root, "gravity").norm() == 0)
+    reader.problems.add(*scale, "'gravity_scale' without gravity", "'gravity' beside it",
+                        "gravity = [0, -9.81, 0]");
+}
+
+void read_ground(Reader& reader) {
+  toml::table* ground = reader.root["ground"].as_table();
+  if (!ground || reader.broken.contains("ground")) return;
+  if (const toml::table* points = (*ground)["points"].as_table())
+    for (auto&& [name, place] : *points)
+      reader.scene.mechanism.ground_points[std::string(name.str())] = vec3(place);
+}
+
 void check_movers(Reader& reader) {
   const Mechanism& m = reader.scene.mechanism;
   const SimulationType type = reader.scene.simulation.type;
@@ -65,12 +90,14 @@ void check_movers(Reader& reader) {
 
 void read_parts(Reader& reader) {
   reader.scene.mechanism.name = text(reader.root, "name");
-  reader.scene.mechanism.gravity = vec3(reader.root, "gravity");
   read_simulation(reader);
+  read_gravity(reader);
+  read_ground(reader);
   read_materials(reader);
   read_bodies(reader);
   check_names(reader);
   read_joints(reader);
+  read_gears(reader);
   read_forces(reader);
   read_loads(reader);
   read_responses(reader);

@@ -177,11 +177,28 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   return false;
 }
 
+/// The joint force is that of the constraints.
+bool has_constraints(Reader& reader, const toml::table& table, const ResponseSpec& response) {
+  const auto& joints = reader.scene.mechanism.joints;
+  const JointSpec& joint = joints[static_cast<std::size_t>(response.joint)];
+  const JointKind& kind = kind_of(joint.type);
+  const bool driven =
+      std::any_of(reader.scene.mechanism.drives.begin(), reader.scene.mechanism.drives.end(),
+                  [&](const DriveSpec& drive) { return drive.joint == response.joint; });
+  if (!kind.constraints.empty() || driven) return true;
+  reader.problems.add(
+      *table.get("of"),
+      fmt::format("{} '{}' constrains nothing: its force is that of its spring, damper and force",
+                  kind.name, joint.name),
+      "a joint with constraints or a drive", "response = \"coordinate\" tells how far it gives");
+  return false;
+}
+
 bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const auto joint = reader.joint(*table.get("of"));
   if (!joint) return false;
   response.joint = *joint;
-  if (response.kind == ResponseKind::JointForce) return true;
+  if (response.kind == ResponseKind::JointForce) return has_constraints(reader, table, response);
   response.coordinate = integer(table, "coordinate");
   const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
   const JointKind& kind = kind_of(spec.type);
@@ -201,7 +218,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
                                           const toml::table& table) {
   // In the order of ResponseKind.
   static const auto kinds = words(
-      "position velocity angular_velocity displacement deflection elongation coordinate "
+      "position velocity angular_velocity rotation displacement deflection elongation coordinate "
       "joint_force section_force stress energy compliance");
   ResponseSpec response;
   response.name = name;
@@ -212,6 +229,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::Position:
     case ResponseKind::Velocity:
     case ResponseKind::AngularVelocity:
+    case ResponseKind::Rotation:
     case ResponseKind::Displacement:
       ok = read_port_response(reader, table, response);
       break;

@@ -13,6 +13,19 @@ namespace {
 
 std::string as_text(const toml::node& node) { return node.value_or(std::string()); }
 
+std::optional<Port> ground_point(Reader& reader, const toml::node& node, const std::string& text) {
+  const Mechanism& mechanism = reader.scene.mechanism;
+  if (const auto port = mechanism.port(text)) return port;
+  if (reader.broken.contains("ground")) return {};
+  std::vector<std::string> names;
+  for (const auto& [name, place] : mechanism.ground_points) names.push_back(name);
+  const std::string name = text.substr(text.find('.') + 1);
+  reader.problems.add(node, fmt::format("the ground has no point '{}'", name),
+                      "'ground', or a point of [ground.points]",
+                      suggestion(name, names, "the scene has no [ground.points]"));
+  return {};
+}
+
 }  // namespace
 
 std::vector<std::string> Reader::names(std::string_view group) const {
@@ -87,6 +100,7 @@ std::optional<Port> Reader::port(const toml::node& node) {
   if (given == "ground") return Port{};
   const auto dot = given.find('.');
   const std::string name = given.substr(0, dot);
+  if (name == "ground") return ground_point(*this, node, given);
   if (!known(node, "bodies", "body", name)) return {};
   const int index = scene.mechanism.body(name);
   if (index < 0) return {};

@@ -63,12 +63,15 @@ void read_parts(Reader& reader);
 
 // Parts of a scene, in this order.
 void read_simulation(Reader& reader);
+void read_gravity(Reader& reader);
+void read_ground(Reader& reader);
 void read_materials(Reader& reader);
 void read_bodies(Reader& reader);
 /// A meshed part from its table; empty (and reported) if something is wrong with it.
 std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, toml::table& table);
 void check_names(Reader& reader);
 void read_joints(Reader& reader);
+void read_gears(Reader& reader);
 void read_forces(Reader& reader);
 void read_loads(Reader& reader);
 void read_responses(Reader& reader);

@@ -39,7 +39,9 @@ void write_sections(toml::table& scene, const BodySpec& body) {
     }
     names.push_back(name);
   }
-  scene["bodies"][body.name]["beam"].as_table()->insert_or_assign("section", std::move(names));
+  toml::table& beam = *scene["bodies"][body.name]["beam"].as_table();
+  beam.insert_or_assign("section", std::move(names));
+  beam.erase("taper");
 }
 
 /// The number of a constant, where the scene has it.

@@ -40,6 +40,7 @@ void read_study_parts(StudyReader& reader) {
   read_design(reader);
   read_objective(reader);
   read_constraints(reader);
+  read_frequencies(reader);
   read_supports(reader);
   read_parts_of_study(reader);
   read_cycle(reader);

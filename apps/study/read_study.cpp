@@ -6,6 +6,8 @@
 #include <sstream>
 
 #include "apps/study/study_reader.hpp"
+#include "mbs/system/plane.hpp"
+#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
@@ -27,6 +29,22 @@ std::optional<ResponseSpec> response_of(StudyReader& reader, const Entry& entry)
     return response;
   }
   return {};  // broken, said before
+}
+
+/// The side of a signed response that a limit holds; a vector has none.
+Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& response) {
+  const std::string chosen = text(*entry.table, "side");
+  if (chosen == "both") return Side::Both;
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  const bool planar = response.kind == ResponseKind::Deflection &&
+                      reader.scene.scene.simulation.space != SpaceChoice::Spatial &&
+                      find_plane(mechanism).plane;
+  if (components(response, planar) != 1 || response.everywhere)
+    reader.scene.problems.add(
+        *entry.table->get("side"),
+        fmt::format("constraint '{}' is of a vector, which has no sides", entry.name),
+        "a response with one component", "'axis' takes one component");
+  return chosen == "up" ? Side::Up : Side::Down;
 }
 
 /// Why a limit needs the sensitivities of a motion, and this study has none; empty: it has.
@@ -122,17 +140,40 @@ void read_constraints(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "constraints")) {
     auto response = response_of(reader, entry);
     if (!response) continue;
+    response->side = read_side(reader, entry, *response);
     const bool image = has_static_image(*response, reader.scene.scene.mechanism);
     ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
     limit.treatment = read_treatment(text(*entry.table, "treatment"));
     if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
     reader.spec.constraints.push_back(std::move(limit));
   }
-  for (const char* group : {"constraints", "part_limits", "walls"})
+  for (const char* group : {"constraints", "part_limits", "walls", "frequencies"})
     if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
   const toml::node* table = reader.root.get("constraints");
   reader.scene.problems.add(table ? *table : reader.root, "the study has no constraints",
-                            "an entry in [constraints], [part_limits] or [walls]");
+                            "an entry in [constraints], [part_limits], [walls] or [frequencies]");
+}
+
+void read_frequencies(StudyReader& reader) {
+  const auto limits = entries(reader.root, reader.broken, "frequencies");
+  for (const Entry& entry : limits)
+    reader.spec.frequencies.push_back({entry.name, number(*entry.table, "least"),
+                                       integer(*entry.table, "count"), number(*entry.table, "at")});
+  if (limits.empty()) return;
+  const auto refuse = [&](const std::string& what, const char* expected) {
+    reader.scene.problems.add(*reader.root.get("frequencies"), what, expected);
+  };
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  for (const BodySpec& body : mechanism.bodies)
+    if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
+      return refuse("frequencies are those in space, and '" + body.name + "' is meshed in a plane",
+                    "[part_limits] with quantity = \"frequency\"");
+  if (!reader.spec.shapes.empty())
+    refuse("frequencies of a mechanism whose outlines change", "design variables of sections");
+  if (reader.root.contains("loads"))
+    refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
+  if (mechanism.formalism == Formalism::Rigid)
+    refuse("no part of a rigid mechanism vibrates", "another simulation.formalism");
 }
 
 void read_supports(StudyReader& reader) {
@@ -214,12 +255,14 @@ void check_images(StudyReader& reader) {
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(
-          treated ? *table.get("treatment")
-          : use   ? *use
-                  : *table.get("response"),
+          treated                         ? *table.get("treatment")
+          : c.response.side != Side::Both ? *table.get("side")
+          : use                           ? *use
+                                          : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
-                      treated ? "is treated by the motion's own gradients"
-                              : "is not on the deformation of a part",
+                      treated                         ? "is treated by the motion's own gradients"
+                      : c.response.side != Side::Both ? "holds one side"
+                                                      : "is not on the deformation of a part",
                       why),
           "a displacement, deflection, elongation, stress or compliance of a beam, a displacement "
           "or elongation of a meshed part",

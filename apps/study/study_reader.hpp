@@ -27,6 +27,7 @@ void read_parts_of_study(StudyReader& reader);
 void check_shapes(StudyReader& reader);
 void read_objective(StudyReader& reader);
 void read_constraints(StudyReader& reader);
+void read_frequencies(StudyReader& reader);
 void read_supports(StudyReader& reader);
 /// Limits that only the sensitivities of a motion tell, in a study that has none.
 void check_images(StudyReader& reader);

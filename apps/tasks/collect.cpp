@@ -138,14 +138,19 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
 
 template <FrameGroup G>
 double constraint_residual(const Model<G>& model, const State<G>& s, double t) {
-  double largest = 0;
-  for (const auto& c : model.couplings)
+  double largest = 0, before = 0;  // of the coupling that the next may continue
+  for (size_t k = 0; k < model.couplings.size(); ++k) {
+    const auto& c = model.couplings[k];
     for (size_t i = 0; i < c.rows.size(); ++i) {
       const auto& e = c.rows[i];
       if (e.role != Role::Constraint && e.role != Role::Redundant) continue;
-      largest =
-          std::max(largest, std::abs(s.rows[c.first_row + static_cast<int>(i)] - e.target(t)));
+      double off = s.rows[c.first_row + static_cast<int>(i)] - e.target(t);
+      if (c.continued) off += before;
+      before = off;
+      if (k + 1 < model.couplings.size() && model.couplings[k + 1].continued) continue;
+      largest = std::max(largest, std::abs(off));
     }
+  }
   return largest;
 }
 

@@ -46,6 +46,12 @@ class Differences {
 
   Parameter parameter(const std::string& name) {
     require_same("gravity", [](const Mechanism& m) { return m.gravity; });
+    if (!function([](const Mechanism& m) { return m.gravity_scale; }).empty())
+      refuse("the factor of gravity");
+    require_same("the number of forces", [](const Mechanism& m) { return m.forces.size(); });
+    for (std::size_t i = 0; i < at_.gears.size(); ++i)
+      require_same("the ratio of gear '" + at_.gears[i].name + "'",
+                   [i](const Mechanism& m) { return m.gears[i].ratio; });
     Parameter p{name, {}};
     for (std::size_t b = 0; b < at_.bodies.size(); ++b) add_body(static_cast<int>(b), p);
     check_joints();
@@ -222,6 +228,8 @@ class Differences {
     require("the ports of force '" + at_.forces[i].name + "'", [&](const Mechanism& m) {
       return same(m.forces[i].a, at_.forces[i].a) && same(m.forces[i].b, at_.forces[i].b);
     });
+    require("the characteristic of spring '" + at_.forces[i].name + "'",
+            [&](const Mechanism& m) { return m.forces[i].curve == at_.forces[i].curve; });
     ForceDerivative by_p;
     by_p.force = static_cast<int>(i);
     by_p.stiffness = difference([i](const Mechanism& m) { return m.forces[i].stiffness; });

@@ -59,6 +59,17 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
                                      unit(spec, study.scene.mechanism), last.limit, initial,
                                      last.largest, last.at_time, last.measure / last.limit - 1});
     }
+  for (std::size_t s = 0; s < r.final.size(); ++s)
+    for (std::size_t i = 0; i < r.final[s].frequencies.size(); ++i) {
+      const FrequencyCheck& last = r.final[s].frequencies[i];
+      const std::string scenario =
+          study.spec.scenarios.empty() ? "" : " (" + study.spec.scenarios[s] + ")";
+      const double initial = s < r.initial.size() && i < r.initial[s].frequencies.size()
+                                 ? r.initial[s].frequencies[i].value
+                                 : 0;
+      summary.constraints.push_back({last.name + scenario, "frequency", "Hz", last.least, initial,
+                                     last.value, 0, 1 - last.value / last.least});
+    }
 }
 
 template <FrameGroup G>

@@ -6,6 +6,7 @@
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/collect_reference.hpp"
+#include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/bodies/solid_body.hpp"
@@ -123,6 +124,9 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   }
   out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
   describe_responses(out.summary, out.results);
+  for (auto notes : {leaving_plane(scene, model, simulation.trajectory),
+                     struck_start(scene, model, simulation.trajectory, out.results)})
+    out.summary.warnings.insert(out.summary.warnings.end(), notes.begin(), notes.end());
   out.status = describe_energy(out.summary, out.results, out.status);
 }
 

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mbs/couplings/rows.hpp"
+#include "mbs/model/force_curve.hpp"
 #include "mbs/model/time_function.hpp"
 
 namespace liesl {
@@ -41,10 +42,22 @@ struct PortOf {
   }
 };
 
-/// f = stiffness (q - rest) + damping dq/dt - force(t).
+/// f = stiffness (q - rest) + curve(q - rest) + damping dq/dt - force(t).
 struct ForceLaw {
   double stiffness = 0, damping = 0, rest = 0;
   TimeFunction force;
+  std::optional<ForceCurve> curve = {};
+
+  /// Force of the spring, its derivative by q, and its energy, at q.
+  double elastic(double q) const {
+    const double x = q - rest;
+    return curve ? stiffness * x + (*curve)(x) : stiffness * x;
+  }
+  double slope(double q) const { return curve ? stiffness + curve->slope(q - rest) : stiffness; }
+  double energy(double q) const {
+    const double x = q - rest;
+    return 0.5 * stiffness * x * x + (curve ? curve->energy(x) : 0);
+  }
 };
 
 /// What a row is for, in the order in which a coupling keeps its rows.
@@ -79,6 +92,9 @@ struct Coupling {
   int active = 0;                    ///< those and the compliant ones: rows of the joint system
   int acting = 0;                    ///< those and the actuators
   bool is_joint = true;
+  /// Its one constraint is that of the coupling before it, of whose row and its own it holds the
+  /// sum: both have the same multiplier. (A gear: coordinates of two joints.)
+  bool continued = false;
 };
 
 }  // namespace liesl

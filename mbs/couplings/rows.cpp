@@ -23,6 +23,23 @@ double continued(double angle, double previous) {
 
 template <FrameGroup G>
 double Row<G>::value(const Motion& r, double previous) const {
+  return factor_ == 1 ? unscaled_value(r, previous)
+                      : factor_ * unscaled_value(r, previous / factor_);
+}
+
+template <FrameGroup G>
+void Row<G>::gradient(const Motion& r, Gradient& g) const {
+  g = unscaled_gradient(r);
+  if (factor_ != 1) g *= factor_;
+}
+
+template <FrameGroup G>
+typename Row<G>::Hessian Row<G>::hessian(const Motion& r) const {
+  return factor_ == 1 ? unscaled_hessian(r) : Hessian(factor_ * unscaled_hessian(r));
+}
+
+template <FrameGroup G>
+double Row<G>::unscaled_value(const Motion& r, double previous) const {
   switch (kind_) {
     case RowKind::Displacement:
       return m_.dot(r.p);
@@ -31,7 +48,7 @@ double Row<G>::value(const Motion& r, double previous) const {
     case RowKind::Angle:
       return continued(angle(r), previous);
     case RowKind::Distance:
-      return r.p.norm();
+      return r.p.norm() - rest_;
     case RowKind::Screw:
       break;
   }
@@ -40,30 +57,32 @@ double Row<G>::value(const Motion& r, double previous) const {
 }
 
 template <FrameGroup G>
-void Row<G>::gradient(const Motion& r, Gradient& g) const {
+typename Row<G>::Gradient Row<G>::unscaled_gradient(const Motion& r) const {
   switch (kind_) {
     case RowKind::Displacement:
-      g = displacement_gradient(r, m_);
-      return;
+      return displacement_gradient(r, m_);
     case RowKind::Perpendicular:
-      g = cosine_gradient(r, m_, n_);
-      return;
+      return cosine_gradient(r, m_, n_);
     case RowKind::Angle:
-      g = angle_gradient(r);
-      return;
-    case RowKind::Distance: {
-      const Vector e = r.p / r.p.norm();
-      g << -e, Angular::Zero(), r.R.transpose() * e, Angular::Zero();
-      return;
-    }
+      return angle_gradient(r);
+    case RowKind::Distance:
+      return distance_gradient(r);
     case RowKind::Screw:
-      g = displacement_gradient(r, screw_axis_) - lead_ * angle_gradient(r);
-      return;
+      break;
   }
+  return displacement_gradient(r, screw_axis_) - lead_ * angle_gradient(r);
 }
 
 template <FrameGroup G>
-typename Row<G>::Hessian Row<G>::hessian(const Motion& r) const {
+typename Row<G>::Gradient Row<G>::distance_gradient(const Motion& r) {
+  const Vector e = r.p / r.p.norm();
+  Gradient g;
+  g << -e, Angular::Zero(), r.R.transpose() * e, Angular::Zero();
+  return g;
+}
+
+template <FrameGroup G>
+typename Row<G>::Hessian Row<G>::unscaled_hessian(const Motion& r) const {
   switch (kind_) {
     case RowKind::Displacement:
       return displacement_hessian(r, m_);
@@ -141,8 +160,7 @@ typename Row<G>::Hessian Row<G>::displacement_hessian(const Motion& r, const Vec
 
 template <FrameGroup G>
 typename Row<G>::Hessian Row<G>::distance_hessian(const Motion& r) const {
-  Gradient g;
-  gradient(r, g);
+  const Gradient g = distance_gradient(r);
   const double l = r.p.norm();
   const Vector pb = r.R.transpose() * r.p;
   Hessian h = Hessian::Zero();

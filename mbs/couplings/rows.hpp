@@ -28,7 +28,7 @@ enum class RowKind {
   Displacement,   ///< m . p: of b along m of a (Haug 1989: dot-2 constraint)
   Perpendicular,  ///< m . R n (dot-1): cosine between m of a and n of b (zero: they are normal)
   Angle,          ///< atan2(m . R n, m2 . R n2), continued beyond pi
-  Distance,       ///< |p|
+  Distance,       ///< |p| - its value at rest
   Screw           ///< m . p - lead Angle: displacement along m less `lead` for each radian
 };
 
@@ -57,9 +57,18 @@ class Row {
     row.lead_ = lead;
     return row;
   }
-  static Row distance() {
+  /// |p| - rest.
+  static Row distance(double rest = 0) {
     const Vector zero = Vector::Zero();
-    return {RowKind::Distance, zero, zero, zero, zero};
+    Row row(RowKind::Distance, zero, zero, zero, zero);
+    row.rest_ = rest;
+    return row;
+  }
+  /// This row times a constant factor, not zero.
+  Row scaled(double factor) const {
+    Row row = *this;
+    row.factor_ *= factor;
+    return row;
   }
 
   RowKind kind() const { return kind_; }
@@ -81,6 +90,9 @@ class Row {
 
   /// X(v) w = w x v; X(v)^T a = v x a.
   static Cross X(const Vector& v);
+  double unscaled_value(const Motion& r, double previous) const;
+  Gradient unscaled_gradient(const Motion& r) const;
+  Hessian unscaled_hessian(const Motion& r) const;
   static Gradient displacement_gradient(const Motion& r, const Vector& m);
   static Hessian displacement_hessian(const Motion& r, const Vector& m);
   static Gradient cosine_gradient(const Motion& r, const Vector& m, const Vector& n);
@@ -88,12 +100,15 @@ class Row {
   double angle(const Motion& r) const;
   Gradient angle_gradient(const Motion& r) const;
   Hessian angle_hessian(const Motion& r) const;
+  static Gradient distance_gradient(const Motion& r);
   Hessian distance_hessian(const Motion& r) const;
 
   RowKind kind_;
   Vector m_, n_, m2_, n2_;              ///< of Displacement, Perpendicular and the angle
   Vector screw_axis_ = Vector::Zero();  ///< of a screw
   double lead_ = 0;                     ///< of a screw, m/rad
+  double rest_ = 0;                     ///< of a distance, m
+  double factor_ = 1;
 };
 
 extern template class Row<SE2>;

@@ -15,6 +15,8 @@ constexpr JointRow kParallelY = JointRow::perpendicular(1, 0),
 constexpr JointRow kNoTurn = JointRow::perpendicular(2, 1), kCross = JointRow::perpendicular(0, 1);
 constexpr JointRow kAngle = JointRow::angle(2, 1, 1);   // about the first axis
 constexpr JointRow kAngle2 = JointRow::angle(0, 2, 0);  // about the second
+constexpr JointRow kAngle3 = JointRow::angle(1, 0, 0);  // about the third
+constexpr JointRow kDistance = JointRow::distance();
 
 std::vector<JointKind> table() {
   using enum JointType;
@@ -58,15 +60,41 @@ std::vector<JointKind> table() {
        {kY, kZ, kParallelY, kParallelZ, JointRow::screw(0)},
        {kAngle},
        true},
+      {Rod, "rod", "Massless rod: keeps the distance of the ports.", 0, {kDistance}, {}},
+      {Cylinder,
+       "cylinder",
+       "Hydraulic cylinder, linear actuator: acts along the line between the ports, driven or with "
+       "`stiffness`, `damping` and `force`. The coordinate is the change of their distance.",
+       0,
+       {},
+       {kDistance},
+       false,
+       true},
+      {Bushing,
+       "bushing",
+       "Springs and dampers, `stiffness` and `damping`, in all six directions: along `axis2`, "
+       "`axis` x `axis2` and `axis` (by default x, y, z), and about the same. It acts at the place "
+       "of the second port; angles are right for small ones (errors of their square).",
+       2,
+       {},
+       {kY, kZ, kX, kAngle2, kAngle3, kAngle},
+       false,
+       true},
   };
 }
 
 }  // namespace
 
 const char* JointKind::unit(int coordinate) const {
-  return coordinates.at(static_cast<std::size_t>(coordinate)).kind == JointRow::Kind::Displacement
-             ? "m"
-             : "rad";
+  const JointRow::Kind kind = coordinates.at(static_cast<std::size_t>(coordinate)).kind;
+  const bool length = kind == JointRow::Kind::Displacement || kind == JointRow::Kind::Distance;
+  return length ? "m" : "rad";
+}
+
+bool JointKind::acts_on_distance() const {
+  const auto on_distance = [](const JointRow& row) { return row.kind == JointRow::Kind::Distance; };
+  return std::any_of(constraints.begin(), constraints.end(), on_distance) ||
+         std::any_of(coordinates.begin(), coordinates.end(), on_distance);
 }
 
 Eigen::Vector3d JointKind::free_part(const Eigen::Vector3d& axis,
@@ -77,6 +105,7 @@ Eigen::Vector3d JointKind::free_part(const Eigen::Vector3d& axis,
     });
   };
   const Eigen::Vector3d along = axis * axis.dot(displacement);
+  if (!held(0) && !held(1)) return displacement;
   if (!held(0)) return along;
   return held(1) ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(displacement - along);
 }

@@ -21,7 +21,10 @@ enum class JointType {
   Spherical,    ///< all rotations
   Universal,    ///< angle about `axis` (of a), angle about `axis2` (of b)
   Planar,       ///< two displacements normal to `axis`, angle about it
-  Screw         ///< angle about `axis`, displacement along it in proportion
+  Screw,        ///< angle about `axis`, displacement along it in proportion
+  Rod,          ///< all motions that keep the distance of the ports
+  Cylinder,     ///< all; its coordinate is the change of the distance of the ports
+  Bushing       ///< all six; springs and dampers act on its coordinates
 };
 
 /// One scalar row of a joint, by the numbers 0, 1, 2 of the joint's axes e: the first is `axis`,
@@ -32,7 +35,8 @@ struct JointRow {
     Displacement,   ///< e_m . p
     Perpendicular,  ///< e_m . R e_n
     Angle,          ///< atan2(e_m . R e_n, e_k . R e_k)
-    Screw           ///< e_k . p - pitch / (2 pi) times the angle about e_k
+    Screw,          ///< e_k . p - pitch / (2 pi) times the angle about e_k
+    Distance        ///< |p| less its value in the scene as given
   };
   Kind kind = Kind::Displacement;
   int m = 0, n = 0, k = 0;
@@ -41,6 +45,7 @@ struct JointRow {
   static constexpr JointRow perpendicular(int m, int n) { return {Kind::Perpendicular, m, n, 0}; }
   static constexpr JointRow angle(int m, int n, int k) { return {Kind::Angle, m, n, k}; }
   static constexpr JointRow screw(int k) { return {Kind::Screw, 0, 0, k}; }
+  static constexpr JointRow distance() { return {Kind::Distance, 0, 0, 0}; }
   /// Number of the axis that an angle is about.
   int about() const { return kind == Kind::Angle ? 3 - m - n : k; }
 };
@@ -54,12 +59,15 @@ struct JointKind {
   std::vector<JointRow> constraints;  ///< with a multiplier each
   std::vector<JointRow> coordinates;  ///< zero in the scene as given
   bool pitch = false;                 ///< needs `JointSpec::pitch`
+  bool elastic = false;  ///< may have springs and dampers of its own on its coordinates
 
   int coordinate_count() const { return static_cast<int>(coordinates.size()); }
   /// "m" or "rad". @pre 0 <= coordinate < coordinate_count()
   const char* unit(int coordinate) const;
   /// The part of a displacement from port a to port b, at angle zero, that the joint allows, m.
   Eigen::Vector3d free_part(const Eigen::Vector3d& axis, const Eigen::Vector3d& displacement) const;
+  /// Do its ports stay where they are, apart from each other, since it acts on their distance?
+  bool acts_on_distance() const;
   /// Names the coordinates with their units: "Coordinate 0: angle (rad)."
   std::string coordinates_text() const;
 };

@@ -23,6 +23,11 @@ std::optional<Port> port_of(int body, const BeamSpec& beam, std::string_view nam
   if (name == "mid" && n % 2 == 0) return Port{body, n / 2};
   for (int k = 0; k <= n; ++k)
     if (name == fmt::format("node{}", k)) return Port{body, k};
+  for (const auto& [point, place] : beam.points)
+    if (name == point && place.node >= 0 && place.node <= n) {
+      const SE3& H = beam.nodes[std::size_t(place.node)];
+      return Port{body, place.node, SE3(Mat3::Identity(), H.R.transpose() * (place.at - H.x))};
+    }
   return {};
 }
 
@@ -47,6 +52,7 @@ std::vector<std::string> names_of(const BeamSpec& beam) {
   std::vector<std::string> names = {"start", "end"};
   if (n % 2 == 0) names.push_back("mid");
   for (int k = 0; k <= n; ++k) names.push_back(fmt::format("node{}", k));
+  for (const auto& [point, place] : beam.points) names.push_back(point);
   return names;
 }
 
@@ -96,6 +102,11 @@ std::optional<Port> Mechanism::port(std::string_view text) const {
   if (text == "ground") return Port{};
   const auto dot = text.rfind('.');  // port names have no dot, body names may
   if (dot == std::string_view::npos) return {};
+  if (text.substr(0, dot) == "ground") {
+    const auto point = ground_points.find(std::string(text.substr(dot + 1)));
+    if (point == ground_points.end()) return {};
+    return Port{-1, 0, SE3(Mat3::Identity(), point->second)};
+  }
   const int i = body(text.substr(0, dot));
   if (i < 0) return {};
   return std::visit([&](const auto& kind) { return port_of(i, kind, text.substr(dot + 1)); },
@@ -103,7 +114,11 @@ std::optional<Port> Mechanism::port(std::string_view text) const {
 }
 
 std::vector<std::string> Mechanism::port_names(int body) const {
-  if (body == -1) return {"ground"};
+  if (body == -1) {
+    std::vector<std::string> names{"ground"};
+    for (const auto& [point, place] : ground_points) names.push_back("ground." + point);
+    return names;
+  }
   if (body < 0 || std::size_t(body) >= bodies.size()) no_such("body", body, bodies.size());
   const auto& spec = bodies[std::size_t(body)];
   auto names = std::visit([](const auto& kind) { return names_of(kind); }, spec.kind);

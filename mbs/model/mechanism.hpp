@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "liegroup/se3.hpp"
+#include "mbs/model/force_curve.hpp"
 #include "mbs/model/joint_kind.hpp"
 #include "mbs/model/time_function.hpp"
 #include "mbs/sections/section.hpp"
@@ -26,6 +27,12 @@ using Mat3 = Eigen::Matrix3d;
 /// What a beam is simulated as: as the formalism prescribes, or rigid or by modes in any formalism.
 enum class BeamModel { AsFormalism, Rigid, Modal };
 
+/// A place that moves with a node of a beam as if it were of one rigid piece with it.
+struct BeamPoint {
+  int node = 0;
+  Vec3 at = Vec3::Zero();  ///< in the inertial frame at the start
+};
+
 /// Chain of two-node beam elements. Node frames have x along the axis, y and z along the section's.
 struct BeamSpec {
   std::vector<SE3> nodes;         ///< reference frames, n + 1; elements may be curved and twisted
@@ -33,7 +40,8 @@ struct BeamSpec {
   Material material;              ///< of all elements; unused by FullSection
   double damping = 0;             ///< stiffness-proportional, in s: n_d = damping K d(eps)/dt
   BeamModel as = BeamModel::AsFormalism;
-  int modes = -1;  ///< internal modes of a modal body, -1 = all
+  int modes = -1;                                ///< internal modes of a modal body, -1 = all
+  std::map<std::string, BeamPoint> points = {};  ///< further ports
 };
 
 /// Rigid body with named points.
@@ -77,17 +85,28 @@ struct DriveSpec {
   TimeFunction motion;
 };
 
+/// q_second = ratio q_first: gears, racks, differentials, belts.
+struct GearSpec {
+  struct Coordinate {
+    int joint = 0, coordinate = 0;
+  };
+  std::string name;
+  Coordinate first, second;
+  double ratio = 1;  ///< not 0; rad/rad, m/rad, rad/m or m/m
+};
+
 /// Force law on a joint coordinate q, or on the distance q of two ports:
-/// f = stiffness (q - rest) + damping dq/dt - force(t), acting against q.
+/// f = stiffness (q - rest) + curve(q - rest) + damping dq/dt - force(t), acting against q.
 struct ForceSpec {
   std::string name;
   int joint = -1;  ///< on joint coordinate `coordinate` if >= 0, else between ports a and b
   int coordinate = 0;
   Port a, b;
-  double stiffness = 0;  ///< N/m or N m/rad
-  double damping = 0;    ///< N s/m or N m s/rad
-  double rest = 0;       ///< m or rad
-  TimeFunction force;    ///< N or N m; positive pushes the coordinate up
+  double stiffness = 0;                  ///< N/m or N m/rad
+  double damping = 0;                    ///< N s/m or N m s/rad
+  double rest = 0;                       ///< m or rad
+  TimeFunction force;                    ///< N or N m; positive pushes the coordinate up
+  std::optional<ForceCurve> curve = {};  ///< of the elongation q - rest
 };
 
 /// Force and moment at a port, or per length along a beam body.
@@ -116,20 +135,24 @@ struct Mechanism {
   std::string name;
   Formalism formalism = Formalism::SE3;
   Vec3 gravity = Vec3::Zero();
+  TimeFunction gravity_scale = TimeFunction::constant(1);  ///< factor of gravity over time
+  std::map<std::string, Vec3> ground_points;  ///< ports of the ground, with inertial axes
   std::vector<BodySpec> bodies;
   std::vector<JointSpec> joints;
   std::vector<DriveSpec> drives;
+  std::vector<GearSpec> gears;
   std::vector<ForceSpec> forces;
   std::vector<LoadSpec> loads;
 
   /// Index of a body by name, -1 if there is none.
   int body(std::string_view name) const;
-  /// Port by text: "ground", "rod.start", "rod.end", "rod.mid" (even number of elements),
-  /// "rod.node3", "slider.origin", "top.tip" (named point: its frame has the body's orientation),
-  /// "rod.big_end" (interface of a meshed part).
-  /// Empty if there is no such port.
+  /// Port by text: "ground", "ground.anchor" (named point), "rod.start", "rod.end", "rod.mid" (even
+  /// number of elements), "rod.node3", "slider.origin", "top.tip" (named point: its frame has the
+  /// axes of its body, or of its node of a beam), "rod.big_end" (interface of a meshed part). Empty
+  /// if there is no such port.
   std::optional<Port> port(std::string_view text) const;
-  /// Every port of a body by its full name ("rod.start"), for hints; body = -1: {"ground"}.
+  /// Every port of a body by its full name ("rod.start"), for hints; body = -1: those of the
+  /// ground.
   /// @throws std::invalid_argument for a body that does not exist
   std::vector<std::string> port_names(int body) const;
   /// Frame of a port in the scene as given: H_node * offset; of the ground: the offset. The nodes

@@ -14,17 +14,23 @@ namespace liesl {
 /// In whose axes the components of a vector, and `axis`, are.
 enum class Axes { Inertial, Body };
 
+/// What of a signed response y is taken: y itself, or one side of it, max(y, 0) or max(-y, 0),
+/// which a limit then holds alone.
+enum class Side { Both, Up, Down };
+
 /// docs/responses.md has the formulas.
 enum class ResponseKind {
   Position,         ///< of port `at`, inertial, m; along `axis` if given
   Velocity,         ///< of port `at`, m/s, in `in`: inertial or the port's axes; along `axis`
   AngularVelocity,  ///< of port `at`, rad/s, in `in`; along `axis`
-  Displacement,     ///< of port `at` seen from node 0 of its body, minus its undeformed value, m;
-                    ///< in `in`: inertial or the axes of node 0; along `axis`
-  Deflection,       ///< offset of a beam's point from the chord start-end, minus its undeformed
-                    ///< value, m; signed in a planar scene, two components (y, z) in space
-  Elongation,       ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
-  Coordinate,       ///< of a joint, m or rad
+  Rotation,      ///< of port `at` since the scene as given, rotation vector of at most pi, rad; in
+                 ///< `in`: inertial or the port's axes; along `axis`
+  Displacement,  ///< of port `at` seen from node 0 of its body, minus its undeformed value, m;
+                 ///< in `in`: inertial or the axes of node 0; along `axis`
+  Deflection,    ///< offset of a beam's point from the chord start-end, minus its undeformed
+                 ///< value, m; signed in a planar scene, two components (y, z) in space
+  Elongation,    ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
+  Coordinate,    ///< of a joint, m or rad
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
   Stress,        ///< von Mises stress of a beam, largest over both ends of its elements or at a
@@ -36,7 +42,7 @@ enum class ResponseKind {
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
-  Port at;         ///< Position, Velocity, AngularVelocity, Displacement, Elongation
+  Port at;         ///< Position, Velocity, AngularVelocity, Rotation, Displacement, Elongation
   Port to;         ///< Elongation
   int body = -1;   ///< Deflection, SectionForce, Stress, Compliance; Elongation: of both ports, -1
                    ///< if they are of two bodies
@@ -51,7 +57,8 @@ struct ResponseSpec {
   int joint = -1;            ///< Coordinate, JointForce
   int coordinate = 0;        ///< Coordinate
   std::optional<Vec3> axis;  ///< unit
-  Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Displacement
+  Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Rotation, Displacement
+  Side side = Side::Both;    ///< of responses with one component
 };
 
 }  // namespace liesl

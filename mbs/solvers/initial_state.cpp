@@ -94,10 +94,10 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
 /// eq.phi = B v - target, with the gradients of the last evaluation.
 template <FrameGroup G>
 void constraint_rates(Equations<G>& eq, const Eigen::VectorXd& v, const Eigen::VectorXd& target) {
+  eq.phi = -target;
   for (size_t i = 0; i < eq.couplings.size(); ++i) {
     const auto& c = eq.model.couplings[i];
     auto rate = eq.phi.segment(c.first_constraint, c.constraints);
-    rate = -target.segment(c.first_constraint, c.constraints);
     const auto B = eq.couplings[i].B.topRows(c.constraints);
     if (c.a.body >= 0)
       rate += B.template leftCols<G::dim>() * v.template segment<G::dim>(G::dim * c.a.node);

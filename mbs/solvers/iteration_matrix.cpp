@@ -74,7 +74,7 @@ void IterationMatrix<G>::extrapolate_prestress(const Equations<G>& eq, const Sta
         stretch += B.template head<dim>().dot(delta.template segment<dim>(dim * coupling.a.node));
       if (coupling.b.body >= 0)
         stretch += B.template tail<dim>().dot(delta.template segment<dim>(dim * coupling.b.node));
-      prestress_.force[c][i] = data.force[i] + coupling.rows[i].law.stiffness * stretch;
+      prestress_.force[c][i] = data.force[i] + data.slope[i] * stretch;
     }
   }
 }
@@ -91,7 +91,7 @@ void IterationMatrix<G>::linearise(const Equations<G>& eq, const State<G>& s,
 template <FrameGroup G>
 void IterationMatrix<G>::linearise_bodies(const State<G>& s, const LoadLevel& level,
                                           const RateTangents<G>* rates) {
-  const typename Model<G>::Vector gravity = level.factor * model_.gravity;
+  const typename Model<G>::Vector gravity = level.factor * model_.gravity_at(level.t);
   for (size_t b = 0; b < A_.size(); ++b) {
     const Body<G>& body = *model_.bodies[b];
     const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
@@ -145,6 +145,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
   using Columns = Eigen::Matrix<double, 2 * dim, 1>;
   const auto& c = model_.couplings[index];
   const auto& B = eq.couplings[index].B;
+  const auto& slope = eq.couplings[index].slope;
   const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
   Pair J = Pair::Zero();
   Columns v = Columns::Zero();
@@ -165,7 +166,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
         (constraint ? s.lambda[c.first_constraint + i] : prestress_.force[index][i]) * hessian;
     if (constraint) continue;
     const Columns row = B.row(i).transpose();
-    K += e.law.stiffness * row * row.transpose();
+    K += slope[i] * row * row.transpose();
     if (e.law.damping == 0) continue;
     K += e.law.damping * row * (v.transpose() * hessian * J);
     C += e.law.damping * row * row.transpose();

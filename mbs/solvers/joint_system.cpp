@@ -42,8 +42,8 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
     const int index = static_cast<int>(c);
     if (coupling.a.body >= 0) sides_[coupling.a.body].push_back({index, 0, coupling.a.slot});
     if (coupling.b.body >= 0) sides_[coupling.b.body].push_back({index, dim, coupling.b.slot});
-    first_.push_back(rows);
-    rows += coupling.active;
+    first_.push_back(coupling.continued ? first_.back() : rows);
+    if (!coupling.continued) rows += coupling.active;
   }
   S_.setZero(rows, rows);
   rhs_.setZero(rows);
@@ -120,6 +120,12 @@ bool JointSystem<G>::factor_body(int body, BodyMatrix<dim>& A) {
   return true;
 }
 
+template <FrameGroup G>
+double JointSystem<G>::tangent_stiffness(const Equations<G>& eq, int coupling, int row) const {
+  return eq.couplings[coupling].slope[row] +
+         weights_.damping * model_.couplings[coupling].rows[row].law.damping;
+}
+
 /// S = sum over bodies of B E^T A^-1 E B^T, + compliance on the diagonal of springs and dampers.
 template <FrameGroup G>
 void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
@@ -145,9 +151,9 @@ void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
     const auto& coupling = model_.couplings[c];
     for (int i = coupling.constraints; i < coupling.active; ++i) {
       const int row = first_[c] + i;
-      const ForceLaw& law = coupling.rows[i].law;
-      if (compliant) {
-        S_(row, row) += 1 / (law.stiffness + weights_.damping * law.damping);
+      const double stiffness = tangent_stiffness(eq, static_cast<int>(c), i);
+      if (compliant && stiffness != 0) {
+        S_(row, row) += 1 / stiffness;
       } else {
         S_.row(row).setZero();
         S_.col(row).setZero();
@@ -170,9 +176,11 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
     for (size_t c = 0; c < model_.couplings.size(); ++c) {
       const auto& coupling = model_.couplings[c];
       auto rhs = rhs_.segment(first_[c], coupling.active);
-      rhs.setZero();
-      rhs.head(coupling.constraints) =
-          eq.phi.segment(coupling.first_constraint, coupling.constraints);
+      if (!coupling.continued) {
+        rhs.setZero();
+        rhs.head(coupling.constraints) =
+            eq.phi.segment(coupling.first_constraint, coupling.constraints);
+      }
       const auto& B = eq.couplings[c].B;
       if (coupling.a.body >= 0)
         rhs -= B.topRows(coupling.active)
@@ -182,7 +190,8 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
         rhs -= B.topRows(coupling.active)
                    .template rightCols<dim>()
                    .lazyProduct(delta.template segment<dim>(dim * coupling.b.node));
-      if (!compliant) rhs.tail(coupling.active - coupling.constraints).setZero();
+      for (int i = coupling.constraints; i < coupling.active; ++i)
+        if (!compliant || tangent_stiffness(eq, static_cast<int>(c), i) == 0) rhs[i] = 0;
     }
     if (cholesky_.factor(S_)) {
       cholesky_.solve_in_place(rhs_);

@@ -51,6 +51,8 @@ class JointSystem {
 
   bool factor_body(int body, BodyMatrix<dim>& A);
   void assemble(const Equations<G>& eq, bool compliant);
+  /// Of a spring or damper in a step, df/dq + gamma' df/dq'; 0 on the flat part of a table.
+  double tangent_stiffness(const Equations<G>& eq, int coupling, int row) const;
   bool solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda);
   /// delta += A^-1 E f, f = joint_force of every body.
   void add_joint_forces(Eigen::VectorXd& delta) const;

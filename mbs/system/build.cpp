@@ -3,6 +3,7 @@
 
 #include "mbs/system/build_body.hpp"
 #include "mbs/system/build_force.hpp"
+#include "mbs/system/build_gear.hpp"
 #include "mbs/system/build_joint.hpp"
 #include "mbs/system/build_load.hpp"
 #include "mbs/system/constraint_rank.hpp"
@@ -41,6 +42,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   model.formalism = mechanism.formalism;
   model.space = space;
   model.gravity = space.reduce_vector(mechanism.gravity);
+  model.gravity_scale = mechanism.gravity_scale;
   model.length = mechanism.size() > 0 ? mechanism.size() : 1;
   const auto held = held_nodes(mechanism);
   for (const auto& spec : mechanism.bodies) {
@@ -62,6 +64,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
       model.couplings.push_back(build_force(mechanism, static_cast<int>(f), ports));
   for (const auto& l : mechanism.loads)
     model.loads.push_back(build_load(l, mechanism, model, ports));
+  for (const GearSpec& gear : mechanism.gears) build_gear(mechanism, gear, model);
   std::erase_if(model.couplings, [](const Coupling<G>& c) { return c.rows.empty(); });
   model.extent = model.length;
   for (const auto& body : model.bodies)
@@ -100,8 +103,12 @@ void Model<G>::leave_out_redundant_rows() {
   redundant = std::move(found.sentences);
   dead_point = std::move(found.dead_point);
   if (found.rows.empty()) return;
-  for (const auto& [coupling, equation] : found.rows)
+  for (const auto& [coupling, equation] : found.rows) {
     couplings[coupling].rows[equation].role = Role::Redundant;
+    const std::size_t next = static_cast<std::size_t>(coupling) + 1;
+    if (next < couplings.size() && couplings[next].continued)
+      couplings[next].rows[0].role = Role::Redundant;
+  }
   finish();
 }
 
@@ -117,6 +124,7 @@ void Model<G>::finish() {
     p.slot = static_cast<int>(found - nodes.begin());
     if (found == nodes.end()) nodes.push_back(p.node - first_node_[p.body]);
   };
+  int own = 0;  // first constraint of a coupling that continues none
   for (auto& c : couplings) {
     place(c.a);
     place(c.b);
@@ -124,7 +132,8 @@ void Model<G>::finish() {
         c.rows.begin(), c.rows.end(),
         [](const CouplingRow<G>& a, const CouplingRow<G>& b) { return a.role < b.role; });
     c.first_row = rows_;
-    c.first_constraint = constraints_;
+    if (!c.continued) own = constraints_;
+    c.first_constraint = own;
     c.constraints = c.active = c.acting = 0;
     for (const auto& e : c.rows) {
       c.constraints += e.role == Role::Constraint;
@@ -132,7 +141,7 @@ void Model<G>::finish() {
       c.acting += e.role <= Role::Actuator;
     }
     rows_ += static_cast<int>(c.rows.size());
-    constraints_ += c.constraints;
+    if (!c.continued) constraints_ += c.constraints;
   }
 }
 

@@ -10,8 +10,8 @@ namespace liesl {
 template <FrameGroup G>
 void set_force(CouplingRow<G>& equation, const ForceSpec& force, int index) {
   equation.force = index;
-  equation.law = {force.stiffness, force.damping, force.rest, force.force};
-  const bool actuator = force.stiffness == 0 && force.damping == 0;
+  equation.law = {force.stiffness, force.damping, force.rest, force.force, force.curve};
+  const bool actuator = force.stiffness == 0 && force.damping == 0 && !force.curve;
   equation.role = actuator ? Role::Actuator : Role::Compliant;
 }
 

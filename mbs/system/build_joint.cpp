@@ -33,8 +33,8 @@ Mat3 axes_of(const JointSpec& j, const Space<G>& space) {
 
 /// The row on G; empty if one of its axes is normal to the plane.
 template <class G>
-std::optional<Row<G>> row_on(const JointRow& row, const Mat3& axes, double pitch,
-                             const Space<G>& space) {
+std::optional<Row<G>> row_on(const JointRow& row, const Mat3& axes, const JointSpec& joint,
+                             double distance, const Space<G>& space) {
   const auto e = [&](int i) { return space.reduce_vector(axes.col(i)); };
   const auto seen = [&](std::initializer_list<int> list) {
     return std::all_of(list.begin(), list.end(), [&](int i) { return e(i).norm() > 0.5; });
@@ -51,7 +51,11 @@ std::optional<Row<G>> row_on(const JointRow& row, const Mat3& axes, double pitch
       break;
     case JointRow::Kind::Screw:
       if (seen({0, 1, 2}))
-        return Row<G>::screw(e(row.k), pitch / (2 * M_PI), e((row.k + 2) % 3), e((row.k + 1) % 3));
+        return Row<G>::screw(e(row.k), joint.pitch / (2 * M_PI), e((row.k + 2) % 3),
+                             e((row.k + 1) % 3));
+      break;
+    case JointRow::Kind::Distance:
+      return Row<G>::distance(distance);
   }
   return {};
 }
@@ -75,13 +79,16 @@ CouplingRow<G>* find_coordinate(Coupling<G>& c, int coordinate) {
 }
 
 /// Places the ports: a gap that is a motion of the joint is no displacement, coordinates are zero
-/// in the scene as given.
+/// in the scene as given. The ground without a point of its own is where the other port is.
 template <FrameGroup G>
 void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports, Coupling<G>& c) {
   Vec3 at_a = mechanism.frame(j.a).x, at_b = mechanism.frame(j.b).x;
-  if (j.a.body < 0)
+  const auto anywhere = [](const Port& p) { return p.body < 0 && p.offset.x.isZero(0); };
+  if (kind_of(j.type).acts_on_distance())
+    ;  // from port to port
+  else if (anywhere(j.a))
     at_a = at_b;
-  else if (j.b.body < 0)
+  else if (anywhere(j.b))
     at_b = at_a;
   else
     at_a += kind_of(j.type).free_part(j.axis, at_b - at_a);
@@ -92,17 +99,18 @@ void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports
 }  // namespace
 
 template <FrameGroup G>
-std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, const Space<G>& space) {
+std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, double distance,
+                                       const Space<G>& space) {
   check_pitch<G>(joint);
   const JointKind& kind = kind_of(joint.type);
   const Mat3 axes = axes_of(joint, space);
   std::vector<CouplingRow<G>> out;
   for (const JointRow& row : kind.constraints)
-    if (const auto r = row_on(row, axes, joint.pitch, space))
+    if (const auto r = row_on(row, axes, joint, distance, space))
       out.push_back({*r, Role::Constraint, TimeFunction(), {}, -1});
   for (int i = 0; i < kind.coordinate_count(); ++i)
     if (const auto r =
-            row_on(kind.coordinates[static_cast<std::size_t>(i)], axes, joint.pitch, space))
+            row_on(kind.coordinates[static_cast<std::size_t>(i)], axes, joint, distance, space))
       out.push_back({*r, Role::Observed, TimeFunction(), {}, i});
   return out;
 }
@@ -114,7 +122,7 @@ Coupling<G> build_joint(const Mechanism& mechanism, int index, const Space<G>& s
   Coupling<G> c;
   c.name = j.name;
   place(mechanism, j, ports, c);
-  c.rows = joint_rows(j, space);
+  c.rows = joint_rows(j, (mechanism.frame(j.b).x - mechanism.frame(j.a).x).norm(), space);
   for (size_t d = 0; d < mechanism.drives.size(); ++d)
     if (const DriveSpec& drive = mechanism.drives[d]; drive.joint == index)
       if (CouplingRow<G>* e = find_coordinate(c, drive.coordinate)) {
@@ -136,7 +144,7 @@ Coupling<G> build_joint(const Mechanism& mechanism, int index, const Space<G>& s
 
 template Coupling<SE2> build_joint(const Mechanism&, int, const Space<SE2>&, const Ports<SE2>&);
 template Coupling<SE3> build_joint(const Mechanism&, int, const Space<SE3>&, const Ports<SE3>&);
-template std::vector<CouplingRow<SE2>> joint_rows(const JointSpec&, const Space<SE2>&);
-template std::vector<CouplingRow<SE3>> joint_rows(const JointSpec&, const Space<SE3>&);
+template std::vector<CouplingRow<SE2>> joint_rows(const JointSpec&, double, const Space<SE2>&);
+template std::vector<CouplingRow<SE3>> joint_rows(const JointSpec&, double, const Space<SE3>&);
 
 }  // namespace liesl

@@ -11,9 +11,11 @@ namespace liesl {
 /// Constraints first, then the coordinates that the joint leaves, observed. The port frames have
 /// the axes of the plane (or the inertial ones). Rows that every motion in the plane satisfies are
 /// left out, as are coordinates out of it.
+/// @param distance of the ports in the scene as given, m
 /// @throws std::invalid_argument for a screw without pitch, or in a plane
 template <FrameGroup G>
-std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, const Space<G>& space);
+std::vector<CouplingRow<G>> joint_rows(const JointSpec& joint, double distance,
+                                       const Space<G>& space);
 
 /// Joint number `index` of the mechanism with its drives and the forces on its coordinates.
 template <FrameGroup G>

@@ -23,7 +23,7 @@ ConstraintMatrix<G>::ConstraintMatrix(const Model<G>& model) : model_(model), eq
       column_[port->node] = G::dim * static_cast<int>(nodes_.size());
       nodes_.push_back(port->node);
     }
-    for (int k = 0; k < c.constraints; ++k)
+    for (int k = 0; k < c.constraints && !c.continued; ++k)
       rows_.push_back({static_cast<int>(i), k, c.rows[k].coordinate >= 0});
   }
   J_.setZero(static_cast<long>(rows_.size()), G::dim * static_cast<long>(nodes_.size()));
@@ -38,17 +38,25 @@ const Eigen::MatrixXd& ConstraintMatrix<G>::evaluate(const State<G>& s) {
   J_.setZero();
   for (long i = 0; i < J_.rows(); ++i) {
     const Row& row = rows_[i];
-    const auto& c = model_.couplings[row.coupling];
-    const auto B = equations_.couplings[row.coupling].B.row(row.equation);
-    auto out = J_.row(i);
-    if (c.a.body >= 0) out.template segment<G::dim>(column_[c.a.node]) += B.template head<G::dim>();
-    if (c.b.body >= 0) out.template segment<G::dim>(column_[c.b.node]) += B.template tail<G::dim>();
-    phi_[i] = equations_.phi[c.first_constraint + row.equation];
+    add_gradient(row.coupling, row.equation, J_.row(i));
+    const auto next = static_cast<size_t>(row.coupling) + 1;
+    if (next < model_.couplings.size() && model_.couplings[next].continued)
+      add_gradient(row.coupling + 1, 0, J_.row(i));
+    phi_[i] = equations_.phi[model_.couplings[row.coupling].first_constraint + row.equation];
   }
   for (size_t k = 0; k < nodes_.size(); ++k)
     J_.template middleCols<G::rotation_dim>(G::dim * static_cast<long>(k) + G::space_dim) /=
         model_.length;
   return J_;
+}
+
+template <FrameGroup G>
+void ConstraintMatrix<G>::add_gradient(
+    int coupling, int equation, Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> out) {
+  const auto& c = model_.couplings[coupling];
+  const auto B = equations_.couplings[coupling].B.row(equation);
+  if (c.a.body >= 0) out.template segment<G::dim>(column_[c.a.node]) += B.template head<G::dim>();
+  if (c.b.body >= 0) out.template segment<G::dim>(column_[c.b.node]) += B.template tail<G::dim>();
 }
 
 template <FrameGroup G>

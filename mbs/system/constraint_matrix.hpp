@@ -30,6 +30,8 @@ class ConstraintMatrix {
 
  private:
   void move(State<G>& s, const Eigen::VectorXd& step) const;
+  void add_gradient(int coupling, int equation,
+                    Eigen::Ref<Eigen::RowVectorXd, 0, Eigen::InnerStride<>> out);
 
   const Model<G>& model_;
   Equations<G> equations_;

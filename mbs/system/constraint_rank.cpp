@@ -132,13 +132,16 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
 
 template <FrameGroup G>
 std::string contradiction(const Model<G>& model, const State<G>& s, double t) {
+  double before = 0;  // of the coupling that the next may continue
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
     for (size_t i = 0; i < c.rows.size(); ++i) {
       const auto& e = c.rows[i];
       if (e.role != Role::Redundant) continue;
-      const double off =
-          e.row.value(motion, s.rows[c.first_row + static_cast<int>(i)]) - e.target(t);
+      double off = e.row.value(motion, s.rows[c.first_row + static_cast<int>(i)]) - e.target(t);
+      if (c.continued) off += before;
+      before = off;
+      if (&c != &model.couplings.back() && (&c + 1)->continued) continue;
       const bool length =
           e.row.kind() == RowKind::Displacement || e.row.kind() == RowKind::Distance;
       if (std::abs(off) > kContradiction * (length ? model.length : 1))
@@ -156,6 +159,7 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
   const int bodies = static_cast<int>(model.bodies.size());
   Basis basis;
   Mobility m;
+  Eigen::VectorXd row, used;
   const auto add_rows = [&](const Coupling<G>& c, bool drives) {
     const G a = c.a.frame(s.H), b = c.b.frame(s.H);
     const RelativeMotion<G> motion(a, b);
@@ -164,7 +168,7 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
       if (drives != (e.coordinate >= 0)) continue;
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);
-      Eigen::VectorXd row = Eigen::VectorXd::Zero(G::dim * bodies), used;
+      if (!c.continued) row.setZero(G::dim * bodies);
       const auto add = [&](const PortOf<G>& p, const G& H,
                            auto gradient) {  // body increments: inertial axes
         if (p.body >= 0)
@@ -172,6 +176,7 @@ Mobility mobility(const Model<G>& model, const State<G>& s) {
       };
       add(c.a, a, g.template head<G::dim>());
       add(c.b, b, g.template tail<G::dim>());
+      if (&c != &model.couplings.back() && (&c + 1)->continued) continue;
       scale_rotations<G>(row, model.length);
       if (basis.add(row, used)) continue;
       ++m.redundant;

@@ -13,6 +13,18 @@ double kinetic_energy(const Model<G>& model, const State<G>& s) {
   return sum;
 }
 
+/// Power that a changing gravity puts into the potential energy.
+template <FrameGroup G>
+double power_of_gravity(const Model<G>& model, const State<G>& s) {
+  const double rate = model.gravity_scale.rate(s.t);
+  double sum = 0;
+  for (std::size_t b = 0; rate != 0 && b < model.bodies.size(); ++b)
+    sum += model.bodies[b]
+               ->energy(model.body_state(s, static_cast<int>(b)), rate * model.gravity)
+               .potential;
+  return sum;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -20,17 +32,15 @@ BodyEnergy mechanical_energy(const Model<G>& model, const State<G>& s) {
   BodyEnergy sum;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyEnergy e =
-        model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity);
+        model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity_at(s.t));
     sum.kinetic += e.kinetic;
     sum.elastic += e.elastic;
     sum.potential += e.potential;
   }
   for (const auto& c : model.couplings)
     for (std::size_t i = 0; i < c.rows.size(); ++i)
-      if (c.rows[i].role == Role::Compliant) {
-        const double stretch = s.rows[c.first_row + static_cast<int>(i)] - c.rows[i].law.rest;
-        sum.elastic += 0.5 * c.rows[i].law.stiffness * stretch * stretch;
-      }
+      if (c.rows[i].role == Role::Compliant)
+        sum.elastic += c.rows[i].law.energy(s.rows[c.first_row + static_cast<int>(i)]);
   return sum;
 }
 
@@ -51,7 +61,7 @@ double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     p -= model.bodies[b]->dissipation(model.body_state(s, static_cast<int>(b)));
-  return p + eq.load_power(s);
+  return p + power_of_gravity(model, s) + eq.load_power(s);
 }
 
 template <FrameGroup G>

@@ -14,6 +14,7 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
     data.B.setZero(c.acting, 2 * dim);
     data.force.setZero(c.acting);
     data.rate.setZero(c.acting);
+    data.slope.setZero(c.acting);
     couplings.push_back(std::move(data));
   }
   for (const auto& body : m.bodies) work_.push_back(body->make_workspace());
@@ -27,6 +28,7 @@ void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
                             const LoadLevel& level) {
   for (auto& scale : scales_) scale = {};
   r.setZero();
+  phi.setZero();
   add_bodies(s, level);
   add_loads(s, level);
   for (size_t c = 0; c < couplings.size(); ++c)
@@ -41,7 +43,7 @@ void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
 
 template <FrameGroup G>
 void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level) {
-  const typename Model<G>::Vector gravity = level.factor * model.gravity;
+  const typename Model<G>::Vector gravity = level.factor * model.gravity_at(level.t);
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     BodyState<G> state = model.body_state(s, static_cast<int>(b));
     state.work = work_[b].get();
@@ -123,7 +125,7 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
     const double value = e.row.value(motion, previous[c.first_row + i]);
     double f;
     if (e.role == Role::Constraint) {
-      phi[c.first_constraint + i] = value - e.target(level.t);
+      phi[c.first_constraint + i] += value - e.target(level.t);
       f = s.lambda[c.first_constraint + i];
     } else {
       double rate = 0;
@@ -132,9 +134,9 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
       if (c.b.body >= 0)
         rate += B.template tail<dim>().dot(s.v.template segment<dim>(dim * c.b.node));
       data.rate[i] = rate;
-      f = e.law.stiffness * (value - e.law.rest) + e.law.damping * rate -
-          load_value(e.law.force, level);
+      f = e.law.elastic(value) + e.law.damping * rate - load_value(e.law.force, level);
       data.force[i] = f;
+      data.slope[i] = e.law.slope(value);
     }
     on_a += f * B.template head<dim>().transpose();
     on_b += f * B.template tail<dim>().transpose();
@@ -186,19 +188,22 @@ double Equations<G>::norm_of(int first, int nodes) const {
 
 template <FrameGroup G>
 void Equations<G>::velocity_target(double t, Eigen::VectorXd& rate) const {
+  rate.setZero();
   for (const auto& c : model.couplings)
-    for (int i = 0; i < c.constraints; ++i) rate[c.first_constraint + i] = c.rows[i].target.rate(t);
+    for (int i = 0; i < c.constraints; ++i)
+      rate[c.first_constraint + i] += c.rows[i].target.rate(t);
 }
 
 template <FrameGroup G>
 void Equations<G>::acceleration_target(const State<G>& s, double t, Eigen::VectorXd& rate) const {
+  rate.setZero();
   for (const auto& c : model.couplings) {
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
     Eigen::Matrix<double, 2 * dim, 1> v = Eigen::Matrix<double, 2 * dim, 1>::Zero();
     if (c.a.body >= 0) v.template head<dim>() = c.a.J * s.v.template segment<dim>(dim * c.a.node);
     if (c.b.body >= 0) v.template tail<dim>() = c.b.J * s.v.template segment<dim>(dim * c.b.node);
     for (int i = 0; i < c.constraints; ++i)
-      rate[c.first_constraint + i] =
+      rate[c.first_constraint + i] +=
           c.rows[i].target.acceleration(t) - v.dot(c.rows[i].row.hessian(motion) * v);
   }
 }

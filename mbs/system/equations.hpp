@@ -56,6 +56,7 @@ class Equations {
     Rows B;                 ///< acting rows x [node of a; node of b]
     Eigen::VectorXd force;  ///< of the acting rows that are not constraints, else 0
     Eigen::VectorXd rate;   ///< time derivative of the acting rows
+    Eigen::VectorXd slope;  ///< of the springs of the acting rows, df/dq; of constraints 0
   };
   std::vector<CouplingData> couplings;
 

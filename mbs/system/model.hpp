@@ -66,6 +66,9 @@ class Model {
   Formalism formalism = Formalism::SE3;
   Space<G> space;
   Vector gravity = Vector::Zero();
+  TimeFunction gravity_scale = TimeFunction::constant(1);
+  /// Acceleration of gravity at time t.
+  Vector gravity_at(double t) const { return gravity_scale(t) * gravity; }
   std::vector<std::unique_ptr<Body<G>>> bodies;
   std::vector<Coupling<G>> couplings;
   std::vector<Load<G>> loads;

@@ -175,7 +175,7 @@ template <FrameGroup G>
 void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                                const LoadLevel& level, Eigen::VectorXd& r_p,
                                Eigen::VectorXd& phi_p) const {
-  const typename Model<G>::Vector gravity = level.factor * model_.gravity;
+  const typename Model<G>::Vector gravity = level.factor * model_.gravity_at(level.t);
   ForceScale unused;
   for (size_t b = 0; b < bodies_.size(); ++b) {
     if (!bodies_[b]) continue;
@@ -222,7 +222,7 @@ void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s
   if (c.b.body >= 0) rate += B_b.dot(s.v.template segment<dim>(dim * c.b.node));
   const double q = row.equation->row.value(motion, previous[c.first_row + row.row]);
   const double f = row.law.stiffness * (q - law.rest) + row.law.damping * rate -
-                   law.stiffness * row.law.rest - row.law.factor * load_value(law.force, level) -
+                   law.slope(q) * row.law.rest - row.law.factor * load_value(law.force, level) -
                    level.factor * value(row.law.function, level.t);
   if (c.a.body >= 0) r_p.template segment<dim>(dim * c.a.node) += f * B_a;
   if (c.b.body >= 0) r_p.template segment<dim>(dim * c.b.node) += f * B_b;

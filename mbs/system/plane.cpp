@@ -114,7 +114,8 @@ class Search {
     }
     for (const auto& j : m_.joints)
       for (const auto* port : {&j.a, &j.b})
-        if (port->body >= 0) points_.push_back(m_.frame(*port).x);
+        if (port->body >= 0 || kind_of(j.type).acts_on_distance())
+          points_.push_back(m_.frame(*port).x);
     for (const auto& f : m_.forces)
       if (f.joint < 0) {
         points_.push_back(m_.frame(f.a).x);
@@ -205,11 +206,15 @@ class Search {
       if (kind.axes == 2 && !along(j.axis2) && (turns || !normal_to(j.axis2)))
         return fail(fmt::format("the second axis of joint '{}' leaves the plane", j.name));
     }
+    for (const auto& g : m_.gears)
+      for (const auto* q : {&g.first, &g.second})
+        if (!planar_coordinate(q->joint, q->coordinate))
+          return fail(fmt::format("gear '{}' turns out of the plane", g.name));
     for (const auto& d : m_.drives)
       if (!planar_coordinate(d.joint, d.coordinate))
         return fail(fmt::format("joint '{}' is driven out of the plane", m_.joints[d.joint].name));
     for (const auto& f : m_.forces)
-      if (f.joint >= 0 && !planar_coordinate(f.joint, f.coordinate))
+      if (f.joint >= 0 && !planar_coordinate(f.joint, f.coordinate) && !idle_in_plane(f))
         return fail(fmt::format("force '{}' acts out of the plane", f.name));
     return true;
   }
@@ -229,8 +234,20 @@ class Search {
     const JointKind& kind = kind_of(j.type);
     if (coordinate >= kind.coordinate_count()) return false;
     const JointRow& row = kind.coordinates[static_cast<std::size_t>(coordinate)];
-    if (row.kind == JointRow::Kind::Displacement) return normal_to(j.axis) != (row.m == 0);
-    return normal_to(row.about() == 0 ? j.axis : j.axis2);
+    if (row.kind == JointRow::Kind::Distance) return true;
+    if (row.kind == JointRow::Kind::Displacement)
+      return kind.axes == 2 || row.m == 0 ? !normal_to(axis_of(j, row.m)) : normal_to(j.axis);
+    return normal_to(axis_of(j, row.about()));
+  }
+  /// Axis number `i` of a joint; the third where the second one is given.
+  static Vec3 axis_of(const JointSpec& j, int i) {
+    return i == 0 ? j.axis : i == 1 ? j.axis2 : Vec3(j.axis.cross(j.axis2));
+  }
+  /// Is this the spring of a bushing out of the plane, relaxed there?
+  bool idle_in_plane(const ForceSpec& f) const {
+    const JointKind& kind = kind_of(m_.joints[static_cast<std::size_t>(f.joint)].type);
+    return kind.constraints.empty() && f.rest == 0 && f.force.is_constant() && f.force(0) == 0 &&
+           (!f.curve || (*f.curve)(0) == 0);
   }
   /// Does the joint leave one rotation and nothing else?
   static bool only_turns(const JointKind& kind) {

@@ -130,6 +130,19 @@ void ResponseValues<G>::add_displacement(const ResponseSpec& r, const At& at,
   add_port(out.h, base, wrench(-d, d.cross(p)));
 }
 
+/// d/d(increment) of log(R R*^T) = T_l^-1(phi) R w in inertial axes, of log(R*^T R) T_r^-1(phi) w
+/// in those of the port.
+template <FrameGroup G>
+void ResponseValues<G>::add_rotation(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  const Vec3 d = direction(r, at.component);
+  const SE3 F = view_.frame(at.s.H.data(), r.at);
+  const Vec3 phi = rotation_of(r, at.s);
+  if (r.in == Axes::Body)
+    return add_port(out.h, r.at, wrench(Vec3::Zero(), SO3::Tinv(phi).transpose() * d));
+  add_port(out.h, r.at,
+           wrench(Vec3::Zero(), F.R.transpose() * (SO3::Tinv(Vec3(-phi)).transpose() * d)));
+}
+
 template <FrameGroup G>
 void ResponseValues<G>::add_deflection(const ResponseSpec& r, const At& at, Cotangent& out) const {
   const std::vector<SE3> now = nodes(at.s.H.data(), r.body);
@@ -220,9 +233,9 @@ template <FrameGroup G>
 void ResponseValues<G>::add_body_energy(int body, const BodyEnergy& weight, const At& at,
                                         Cotangent& out) const {
   const int first = G::dim * model_.first_node(body);
-  model_.bodies[body]->add_energy_gradient(model_.body_state(at.unknowns, body), model_.gravity,
-                                           weight, out.unknown_h.data() + first,
-                                           out.unknown_v.data() + first);
+  model_.bodies[body]->add_energy_gradient(
+      model_.body_state(at.unknowns, body), model_.gravity_at(at.s.t), weight,
+      out.unknown_h.data() + first, out.unknown_v.data() + first);
 }
 
 template <FrameGroup G>
@@ -236,8 +249,7 @@ void ResponseValues<G>::add_energy(const ResponseSpec&, const At& at, Cotangent&
       if (e.role != Role::Compliant) continue;
       typename Row<G>::Gradient g;
       e.row.gradient(motion, g);
-      const double stretch = at.s.rows[c.first_row + static_cast<int>(i)] - e.law.rest;
-      add_row(out.h, c, e.law.stiffness * stretch * g);
+      add_row(out.h, c, e.law.elastic(at.s.rows[c.first_row + static_cast<int>(i)]) * g);
     }
   }
 }
@@ -276,15 +288,15 @@ double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
   double sum = 0;
   for (size_t b = 0; b < model_.bodies.size(); ++b)
     if (const Body<G>* body = parameter.body(static_cast<int>(b)))
-      sum += total(body->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity));
+      sum += total(body->energy(model_.body_state(s, static_cast<int>(b)), model_.gravity_at(s.t)));
   for (const auto& part : parameter.parameter().parts)
     if (const auto* by = std::get_if<ForceDerivative>(&part))
       for (const auto& c : model_.couplings)
         for (size_t i = 0; i < c.rows.size(); ++i) {
           const CouplingRow<G>& e = c.rows[i];
           if (e.force != by->force || e.role != Role::Compliant) continue;
-          const double stretch = s.rows[c.first_row + static_cast<int>(i)] - e.law.rest;
-          sum += (0.5 * by->stiffness * stretch - e.law.stiffness * by->rest) * stretch;
+          const double q = s.rows[c.first_row + static_cast<int>(i)], stretch = q - e.law.rest;
+          sum += 0.5 * by->stiffness * stretch * stretch - e.law.elastic(q) * by->rest;
         }
   return sum;
 }

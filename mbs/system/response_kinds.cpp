@@ -52,6 +52,18 @@ Eigen::VectorXd ResponseValues<G>::angular_velocity(const ResponseSpec& r,
 }
 
 template <FrameGroup G>
+Vec3 ResponseValues<G>::rotation_of(const ResponseSpec& r, const State<G>& s) const {
+  const Mat3 R = view_.frame(s.H.data(), r.at).R, start = mechanism_.frame(r.at).R;
+  return r.in == Axes::Body ? SO3::log(Mat3(start.transpose() * R))
+                            : SO3::log(Mat3(R * start.transpose()));
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::rotation(const ResponseSpec& r, const State<G>& s) const {
+  return along(r, rotation_of(r, s));
+}
+
+template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::displacement(const ResponseSpec& r, const State<G>& s) const {
   const Port base{r.at.body, 0, SE3::identity()};
   const SE3 F0 = view_.frame(s.H.data(), base);

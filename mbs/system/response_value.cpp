@@ -12,6 +12,7 @@ int offset(const ResponseSpec& r, bool planar) { return planar || r.everywhere ?
 const char* metres(const ResponseSpec&, const Mechanism&) { return "m"; }
 const char* metres_a_second(const ResponseSpec&, const Mechanism&) { return "m/s"; }
 const char* radians_a_second(const ResponseSpec&, const Mechanism&) { return "rad/s"; }
+const char* radians(const ResponseSpec&, const Mechanism&) { return "rad"; }
 const char* newtons(const ResponseSpec&, const Mechanism&) { return "N"; }
 const char* pascals(const ResponseSpec&, const Mechanism&) { return "Pa"; }
 const char* joules(const ResponseSpec&, const Mechanism&) { return "J"; }
@@ -29,7 +30,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 12> rows{{
+  static const std::array<Kind, 13> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -37,6 +38,7 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        &R::angular_velocity,
        &R::add_angular_velocity,
        nullptr},
+      {K::Rotation, {"rotation", vector, radians}, &R::rotation, &R::add_rotation, nullptr},
       {K::Displacement,
        {"displacement", vector, metres},
        &R::displacement,
@@ -86,7 +88,17 @@ ResponseValues<G>::ResponseValues(const Mechanism& mechanism, const Model<G>& mo
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::operator()(const ResponseSpec& r, const State<G>& s) const {
-  return (this->*row(r.kind).value)(r, s);
+  const Eigen::VectorXd y = (this->*row(r.kind).value)(r, s);
+  return r.side == Side::Both ? y : Eigen::VectorXd(y.cwiseProduct(side_of(r, y)));
+}
+
+/// Factor of each component: 1; of one side -1, 0 or 1.
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::side_of(const ResponseSpec& r, const Eigen::VectorXd& y) {
+  const double sign = r.side == Side::Down ? -1 : 1;
+  return y.unaryExpr([&](double value) {
+    return r.side == Side::Both ? 1. : sign * value > 0 ? sign : 0.;
+  });
 }
 
 template <FrameGroup G>
@@ -97,7 +109,9 @@ std::vector<ResponseGradient<G>> ResponseValues<G>::gradient(const ResponseSpec&
   model_.complete(completed);
   std::vector<ResponseGradient<G>> all(components(r, G::space_dim == 2));
   Cotangent c;
+  const Eigen::VectorXd side = side_of(r, (this->*row(r.kind).value)(r, completed));
   for (size_t i = 0; i < all.size(); ++i) {
+    if (side[static_cast<Eigen::Index>(i)] == 0) continue;
     for (auto* x : {&c.h, &c.v, &c.unknown_h, &c.unknown_v}) x->setZero(model_.size());
     c.lambda.setZero(model_.constraints());
     (this->*row(r.kind).add_gradient)(r, {s, completed, static_cast<int>(i)}, c);
@@ -108,6 +122,8 @@ std::vector<ResponseGradient<G>> ResponseValues<G>::gradient(const ResponseSpec&
     }
     c.h += c.unknown_h;
     c.v += c.unknown_v;
+    if (r.side == Side::Down)
+      for (auto* x : {&c.h, &c.v, &c.lambda}) *x = -*x;
     for (int k = 0; k < model_.nodes(); ++k) {
       const auto h = c.h.template segment<dim>(dim * k), v = c.v.template segment<dim>(dim * k);
       if (!h.isZero(0) || !v.isZero(0)) all[i].nodes.push_back({k, h, v});
@@ -123,8 +139,11 @@ Eigen::VectorXd ResponseValues<G>::by_parameter(const ResponseSpec& r, const Sta
                                                 const ParameterResidual<G>& parameter) const {
   const auto derivative = row(r.kind).by_parameter;
   Eigen::VectorXd y = Eigen::VectorXd::Zero(components(r, G::space_dim == 2));
-  if (derivative) y[0] = (this->*derivative)(r, s, parameter);
-  return y;
+  if (!derivative) return y;
+  y[0] = (this->*derivative)(r, s, parameter);
+  return r.side == Side::Both
+             ? y
+             : Eigen::VectorXd(y.cwiseProduct(side_of(r, (this->*row(r.kind).value)(r, s))));
 }
 
 template <FrameGroup G>

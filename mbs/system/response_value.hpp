@@ -113,10 +113,12 @@ class ResponseValues {
                                            const ParameterResidual<G>&) const;
   };
   static const Kind& row(ResponseKind kind);
+  static Eigen::VectorXd side_of(const ResponseSpec& r, const Eigen::VectorXd& y);
 
   Eigen::VectorXd position(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd velocity(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd angular_velocity(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd rotation(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd displacement(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd deflection(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd elongation(const ResponseSpec& r, const State<G>& s) const;
@@ -130,6 +132,7 @@ class ResponseValues {
   void add_position(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_angular_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_rotation(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_displacement(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_deflection(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_elongation(const ResponseSpec& r, const At& at, Cotangent& out) const;
@@ -150,6 +153,8 @@ class ResponseValues {
   double compliance_by(const ResponseSpec& r, const State<G>& s,
                        const ParameterResidual<G>& parameter) const;
 
+  /// Rotation vector of a port since the scene as given, in the axes that the response is in.
+  Vec3 rotation_of(const ResponseSpec& r, const State<G>& s) const;
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
   std::vector<SE3> nodes(const G* H, int body) const;

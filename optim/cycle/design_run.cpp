@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/frequency_problem.hpp"
 #include "optim/cycle/treatment.hpp"
 
 namespace liesl {
@@ -59,6 +60,7 @@ DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& p
   if (!r.good()) return r;
   extract(r);
   measure(r);
+  measure_frequencies(r);
   measure_walls(r, x);
   return r;
 }
@@ -71,6 +73,21 @@ void DesignSimulator<G>::extract(DesignRun<G>& r) const {
       r.solid_loads.push_back(extract_solid_loads(*r.model, motion, body));
     else
       r.loads.push_back(extract_loads(*r.model, motion, body));
+}
+
+template <FrameGroup G>
+void DesignSimulator<G>::measure_frequencies(DesignRun<G>& r) const {
+  for (const FrequencyLimitSpec& limit : study_.frequencies) {
+    std::string reason;
+    const auto values = lowest_frequencies(r.mechanism, options_, limit, reason);
+    const double lowest = values.empty() ? 0 : values.front();
+    r.frequencies.push_back({limit.name, limit.least, lowest});
+    if (const double g = 1 - lowest / limit.least; g > r.worst) {
+      r.worst = g;
+      r.worst_at.clear();
+      r.worst_constraint = limit.name;
+    }
+  }
 }
 
 /// A wall that is too thin counts as a limit that is violated all the time.

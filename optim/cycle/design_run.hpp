@@ -23,6 +23,12 @@ struct LimitSeries {
   double measure = 0;  ///< what is compared with the limit: the largest, or what its treatment says
 };
 
+/// The lowest of the frequencies that are limited.
+struct FrequencyCheck {
+  std::string name;
+  double least = 0, value = 0;  ///< Hz
+};
+
 /// Everything after `simulation` is empty or zero unless the simulation converged.
 template <FrameGroup G>
 struct DesignRun {
@@ -31,10 +37,11 @@ struct DesignRun {
   double mass = 0;                  ///< of the bodies in the objective, kg
   Simulation<G> simulation;
   Tape<G> tape;  ///< of a dynamic simulation, for its sensitivities; empty if not asked for
-  std::vector<LoadSet> loads;             ///< one for each limited beam
-  std::vector<SolidLoadSet> solid_loads;  ///< one for each meshed part whose outline changes
-  std::vector<LimitSeries> limits;        ///< one for each constraint
-  double worst = -1;                      ///< largest |r|/limit - 1 over all records and limits
+  std::vector<LoadSet> loads;               ///< one for each limited beam
+  std::vector<SolidLoadSet> solid_loads;    ///< one for each meshed part whose outline changes
+  std::vector<LimitSeries> limits;          ///< one for each constraint
+  std::vector<FrequencyCheck> frequencies;  ///< one for each limit
+  double worst = -1;                        ///< largest |r|/limit - 1 over all records and limits
   std::string worst_constraint;
   std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
@@ -51,11 +58,14 @@ class DesignSimulator {
                   const SimulationOptions& options, const StudySpec& study);
 
   const Design& design() const { return design_; }
+  const Mechanism& mechanism() const { return mechanism_; }
+  const SimulationOptions& options() const { return options_; }
   DesignRun<G> run(const Eigen::VectorXd& x, const Progress& progress = {}) const;
 
  private:
   void extract(DesignRun<G>& run) const;
   void measure(DesignRun<G>& run) const;
+  void measure_frequencies(DesignRun<G>& run) const;
   void measure_walls(DesignRun<G>& run, const Eigen::VectorXd& x) const;
 
   const Mechanism& mechanism_;

@@ -108,7 +108,7 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
       a.reason = run.simulation.report.reason;
       if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
     }
-    a.limits.push_back({run.times(), run.limits});
+    a.limits.push_back({run.times(), run.limits, run.frequencies});
     if (run.worst <= a.worst) continue;
     a.worst = run.worst;
     a.worst_at = run.worst_at;

@@ -19,6 +19,7 @@ struct Scenario {
 struct MotionLimits {
   std::vector<double> times;        ///< s
   std::vector<LimitSeries> limits;  ///< one for each constraint
+  std::vector<FrequencyCheck> frequencies = {};
 };
 
 template <FrameGroup G>

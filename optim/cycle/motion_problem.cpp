@@ -6,6 +6,7 @@
 
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/constants_problem.hpp"
+#include "optim/cycle/frequency_problem.hpp"
 #include "optim/cycle/static_sizing.hpp"
 
 namespace liesl {
@@ -69,6 +70,11 @@ std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
     members.push_back(
         {std::make_unique<ConstantsProblem>(design.constants(), study.mass_of, x.tail(n), move), 1,
          design.first_constant()});
+  if (!study.frequencies.empty())
+    members.push_back(
+        {std::make_unique<FrequencyProblem>(simulator.mechanism(), design, simulator.options(),
+                                            study.frequencies, x),
+         0, 0});
   return members;
 }
 

@@ -117,6 +117,15 @@ struct PartLimitSpec {
   int count = 1;                                 ///< Frequency: how many
 };
 
+/// The lowest `count` natural frequencies of the mechanism, in the pose that its drives have at the
+/// time `at` (held there, without weight and loads), are at least `least`.
+struct FrequencyLimitSpec {
+  std::string name;
+  double least = 0;  ///< Hz, > 0
+  int count = 1;
+  double at = 0;  ///< s
+};
+
 /// A load of a meshed part that stays, whatever the design. Loads of one case add up.
 struct FixedLoad {
   std::string load_case;
@@ -200,6 +209,7 @@ struct StudySpec {
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;
+  std::vector<FrequencyLimitSpec> frequencies;
   std::vector<FixedLoad> loads;  ///< if there are any, nothing is simulated
   StressSpec stress;
   std::map<int, Support> supports;  ///< by body; default "start"
@@ -210,6 +220,7 @@ struct StudySpec {
 /// displacements of one meshed part.
 inline bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) {
   const int body = limited_body(r);
+  if (r.side != Side::Both) return false;
   if (body < 0 || body >= static_cast<int>(mechanism.bodies.size())) return false;
   const auto& kind = mechanism.bodies[static_cast<std::size_t>(body)].kind;
   switch (r.kind) {

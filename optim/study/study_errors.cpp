@@ -42,6 +42,10 @@ class StudyCheck {
       if (l.quantity == SolidResponse::Output)
         errors_.push_back(place + ": expected compliance, stress, mass or frequency, got output");
     }
+    for (const FrequencyLimitSpec& l : study_.frequencies) {
+      expect(l.least > 0, "frequency '" + l.name + "'", "a least value > 0", l.least);
+      expect(l.count >= 1, "frequency '" + l.name + "'", "a count >= 1", l.count);
+    }
     for (const FixedLoad& load : study_.loads) meshed("load '" + load.load_case + "'", load.body);
     for (const auto& [index, support] : study_.supports) body("support", index);
     expect(study_.stress.p >= 1, "stress.p", ">= 1", study_.stress.p);

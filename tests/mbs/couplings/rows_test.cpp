@@ -31,6 +31,8 @@ class RowsTest : public ::testing::Test {
       all.push_back(Row<G>::perpendicular(any(), any()));
       all.push_back(Row<G>::angle(any(), any(), any(), any()));
       all.push_back(Row<G>::distance());
+      all.push_back(Row<G>::distance(0.3).scaled(0.7));
+      all.push_back(Row<G>::angle(any(), any(), any(), any()).scaled(-1.5));
       all.push_back(Row<G>::screw(any(), 0.3 * (i - 0.5), any(), any()));
     }
     return all;

@@ -66,7 +66,9 @@ TEST(Joints, TableIsComplete) {
     const JointKind& kind = joint_kinds()[i];
     EXPECT_EQ(std::size_t(kind.type), i);
     EXPECT_EQ(&kind_of(kind.type), &kind);
-    const std::size_t named = kind.type == JointType::Spherical ? 3 : 0;  // not by coordinates
+    const std::size_t named = kind.type == JointType::Spherical ? 3  // not by coordinates
+                              : kind.acts_on_distance()         ? 5
+                                                                : 0;
     EXPECT_EQ(kind.constraints.size() + kind.coordinates.size() + named, 6u) << kind.name;
   }
 }
@@ -86,6 +88,9 @@ TEST(Joints, CoordinatesHaveTheirUnits) {
   EXPECT_EQ(units(JointType::Universal), "rad rad ");
   EXPECT_EQ(units(JointType::Planar), "m m rad ");
   EXPECT_EQ(units(JointType::Screw), "rad ");
+  EXPECT_EQ(units(JointType::Rod), "");
+  EXPECT_EQ(units(JointType::Cylinder), "m ");
+  EXPECT_EQ(units(JointType::Bushing), "m m m rad rad rad ");
 }
 
 /// A displacement splits into what the joint allows and what it holds.
@@ -98,6 +103,8 @@ TEST(Joints, FreePartOfADisplacement) {
   for (const auto type : {JointType::Prismatic, JointType::Cylindrical, JointType::Screw})
     EXPECT_LT((free(type) - along).norm(), 1e-15) << kind_of(type).name;
   EXPECT_LT((free(JointType::Planar) - (d - along)).norm(), 1e-15);
+  for (const auto type : {JointType::Rod, JointType::Cylinder, JointType::Bushing})
+    EXPECT_EQ(free(type), d) << kind_of(type).name;
 }
 
 /// In a plane oblique to the axes of the scene, joints without an axis have as many rows as in any.
@@ -161,6 +168,9 @@ Eigen::MatrixXd free_motions(JointType type) {
       return e(Eigen::all, std::vector<int>{0, 1, 5});
     case JointType::Screw:
       return e.col(5) + 0.2 / (2 * M_PI) * e.col(2);
+    case JointType::Rod:
+    case JointType::Cylinder:
+    case JointType::Bushing:
     case JointType::Universal:
       break;
   }

@@ -47,13 +47,17 @@ std::vector<ResponseSpec> responses(bool planar) {
     all.push_back(r);
   };
   const auto plain = [](ResponseSpec&) {};
-  for (const auto kind : {ResponseKind::Position, ResponseKind::Velocity,
-                          ResponseKind::AngularVelocity, ResponseKind::Displacement}) {
+  for (const auto kind :
+       {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::AngularVelocity,
+        ResponseKind::Rotation, ResponseKind::Displacement}) {
     for (const auto in : {Axes::Body, Axes::Inertial}) {
       add(kind, [in](ResponseSpec& r) { r.in = in; });
       add(kind, [in](ResponseSpec& r) { r.in = in, r.axis = Vec3(0.6, -0.8, 0); });
     }
   }
+  for (const auto side : {Side::Up, Side::Down})
+    for (const Vec3& axis : {Vec3(Vec3::UnitX()), Vec3(-Vec3::UnitX())})  // one side is 0
+      add(ResponseKind::Position, [&](ResponseSpec& r) { r.axis = axis, r.side = side; });
   add(ResponseKind::Deflection, plain);
   add(ResponseKind::Deflection, [](ResponseSpec& r) { r.s = 0.61; });
   add(ResponseKind::Deflection, [](ResponseSpec& r) { r.everywhere = true; });

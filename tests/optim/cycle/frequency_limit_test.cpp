@@ -1,0 +1,164 @@
+/// @file
+/// Limits on natural frequencies, and limits of one side: closed forms.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/scene/load_scene.hpp"
+#include "optim/cycle/frequency_problem.hpp"
+#include "optim/cycle/motion_cycle.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl::test {
+namespace {
+
+/// A cantilever along x, wider than high, with a small load across.
+constexpr const char* kScene = R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+flat = { type = "rectangle", width = 0.04, height = 0.02 }
+[bodies]
+b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 10, damping = 1e-3 } }
+[joints]
+clamp = { fixed = ["ground", "b.start"] }
+[loads]
+f = { at = "b.end", force = [0, 1, 0], scale = { table = [[0, 0], [0.01, 1]] } }
+[simulation]
+duration = 0.02
+step = 1e-3
+[responses]
+tip = { response = "displacement", at = "b.end", axis = [0, 1, 0] }
+)";
+
+StudySpec lightest(double least, int count) {
+  StudySpec study;
+  study.mass_of = {0};
+  study.design = {{"height", {0}, {"height"}, 1, 0.004, 0.04, {}},
+                  {"width", {0}, {"width"}, 1, 0.004, 0.08, {}}};
+  study.frequencies = {{"first", least, count, 0}};
+  return study;
+}
+
+/// f = 1.8751^2/(2 pi) sqrt(E/rho) h / sqrt(12) of a bar of height h and length 1 m.
+double first_frequency(double h) {
+  return std::pow(1.8751041, 2) / (2 * M_PI) * std::sqrt(210e9 / 7850 / 12) * h;
+}
+
+TEST(FrequencyLimit, FrequenciesAreThoseOfTheBeam) {
+  const Scene scene = read_scene(kScene, "beam.toml");
+  std::string reason;
+  const auto f = lowest_frequencies(scene.mechanism, scene.simulation, {"first", 1, 2, 0}, reason);
+  ASSERT_EQ(f.size(), 2u) << reason;
+  EXPECT_NEAR(f[0] / first_frequency(0.02), 1, 0.01);
+  EXPECT_NEAR(f[1] / first_frequency(0.04), 1, 0.01);
+}
+
+/// dg/dx against central differences of order 2, of dimensions; of the slider-crank in a pose.
+TEST(FrequencyLimit, GradientIsThatOfTheValue) {
+  const Study study = shipped_study("slider_crank_both");
+  const Mechanism& m = study.scene.mechanism;
+  const Design design(study.spec, m);
+  const Eigen::VectorXd x = design.start();
+  FrequencyProblem problem(m, design, study.scene.simulation, {{"f", 100, 3, 0.05}}, x);
+  const auto rows = static_cast<Eigen::Index>(problem.constraints().size());
+  ASSERT_EQ(rows, 3);
+  double f = 0;
+  Eigen::VectorXd df = x, a(rows), b(rows);
+  RowMatrix dg(rows, x.size());
+  problem.gradients(x, df, dg);
+  EXPECT_GT(dg.norm(), 1);
+  std::vector<double> errors;
+  for (const double h : {1e-2, 5e-3}) {
+    double largest = 0;
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      Eigen::VectorXd at = x;
+      at[i] = x[i] * (1 + h);
+      problem.values(at, f, a);
+      at[i] = x[i] * (1 - h);
+      problem.values(at, f, b);
+      largest = std::max(largest, ((a - b) / (2 * h * x[i]) - dg.col(i)).norm());
+    }
+    errors.push_back(largest / dg.norm());
+  }
+  EXPECT_LT(errors[1], 1e-4);
+  EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.3) << errors[0] << " " << errors[1];
+}
+
+/// Both dimensions are as small as the frequency in their direction allows.
+TEST(FrequencyLimit, LightestBarIsThatOfTheClosedForm) {
+  const Scene scene = read_scene(kScene, "beam.toml");
+  const double least = 20;
+  for (const CycleMethod method : {CycleMethod::Esl1, CycleMethod::Full}) {
+    StudySpec study = lightest(least, 1);
+    study.constraints = {{scene.responses[0], 1, true}};  // never reached
+    study.cycle.method = method;
+    const auto r =
+        run_cycle<SE2>(scene.mechanism, space_of<SE2>(scene.mechanism), scene.simulation, study);
+    EXPECT_TRUE(r.status == CycleStatus::Optimal || r.status == CycleStatus::Converged) << r.reason;
+    const double thickness = least / first_frequency(1);
+    ASSERT_EQ(r.x.size(), 2);
+    EXPECT_NEAR(r.x[0] / thickness, 1, 0.01) << r.x.transpose() << " " << r.reason;
+    EXPECT_NEAR(r.x[1] / thickness, 1, 0.01) << r.x.transpose();
+    ASSERT_EQ(r.final[0].frequencies.size(), 1u);
+    EXPECT_NEAR(r.final[0].frequencies[0].value / least, 1, 2e-3);
+  }
+}
+
+TEST(FrequencyLimit, IsRead) {
+  const Study study =
+      shipped_study("slider_crank_rod", {"frequencies.stiff={least=150, count=2, at=0.01}"});
+  ASSERT_EQ(study.spec.frequencies.size(), 1u);
+  EXPECT_EQ(study.spec.frequencies[0].least, 150);
+  EXPECT_EQ(study.spec.frequencies[0].count, 2);
+  EXPECT_EQ(study.spec.frequencies[0].at, 0.01);
+  EXPECT_THROW(shipped_study("connecting_rod", {"frequencies.stiff={least=150}"}), InputError);
+}
+
+/// A load up, then a quarter of it down: each side has its limit.
+TEST(SideLimit, HoldsItsSideAlone) {
+  Scene scene = read_scene(kScene, "beam.toml");
+  scene.simulation.duration = 0.2;
+  scene.simulation.step = 2e-3;
+  scene.mechanism.loads[0].force = {0, 200, 0};
+  scene.mechanism.loads[0].scale = TimeFunction::table(
+      {0, 0.05, 0.1, 0.15, 0.2}, {0, 1, 0, -0.25, 0}, TimeFunction::Interpolation::Cubic);
+  const auto height = [&](double up, double down) {
+    StudySpec study;
+    study.mass_of = {0};
+    study.design = {{"height", {0}, {"width"}, 1, 0.004, 0.2, {}}};
+    ResponseSpec r = scene.responses[0];
+    r.side = Side::Up;
+    r.name = "up";
+    study.constraints.push_back({r, up, false});
+    r.side = Side::Down;
+    r.name = "down";
+    study.constraints.push_back({r, down, false});
+    study.cycle.method = CycleMethod::Esl1;
+    const auto result =
+        run_cycle<SE2>(scene.mechanism, space_of<SE2>(scene.mechanism), scene.simulation, study);
+    EXPECT_TRUE(result.status == CycleStatus::Optimal || result.status == CycleStatus::Converged)
+        << result.reason;
+    const double largest_up = result.final[0].limits[0].largest,
+                 largest_down = result.final[0].limits[1].largest;
+    EXPECT_LE(largest_up, up * 1.002);
+    EXPECT_LE(largest_down, down * 1.002);
+    EXPECT_NEAR(std::max(largest_up / up, largest_down / down), 1, 2e-3);
+    return std::pair(largest_up / up, largest_down / down);
+  };
+  const auto upper = height(2e-3, 2e-3);
+  EXPECT_NEAR(upper.first, 1, 2e-3);
+  EXPECT_LT(upper.second, 0.9);
+  const auto lower = height(2e-2, 5e-4);
+  EXPECT_NEAR(lower.second, 1, 2e-3);
+  EXPECT_LT(lower.first, 0.9);
+}
+
+TEST(SideLimit, IsRead) {
+  const Study study = shipped_study("slider_crank_rod", {"constraints.bending.side=\"up\""});
+  EXPECT_EQ(study.spec.constraints[0].response.side, Side::Up);
+  EXPECT_FALSE(study.spec.constraints[0].has_image);
+}
+
+}  // namespace
+}  // namespace liesl::test
