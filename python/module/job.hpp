@@ -56,34 +56,55 @@ class Stop {
   std::shared_ptr<std::atomic<bool>> requested_ = std::make_shared<std::atomic<bool>>(false);
 };
 
-/// How often a waiting thread looks for signals.
-constexpr std::chrono::milliseconds kSignals{20};
+/// How often a waiting thread looks for signals, and how long it then waits for the work to end.
+constexpr std::chrono::milliseconds kSignals{20}, kPatience{40};
+
+/// A Python object that may die in any thread.
+using Held = std::shared_ptr<const py::object>;
+inline Held hold(py::object object) {
+  return {new py::object(std::move(object)), [](const py::object* held) {
+            const py::gil_scoped_acquire locked;
+            delete held;
+          }};
+}
+
+/// Threads whose work goes on to its next look at the stop after Ctrl-C has been raised.
+void leave(std::thread thread);
+/// Waits for them; at the end of the interpreter.
+void join_left();
 
 /// Runs `work(stop)` in a thread of its own, while this one waits without the interpreter's lock
 /// and looks for signals: Python sees them in its main thread only, and work may be in threads of
 /// TBB. A signal whose handler raises (Ctrl-C) requests the stop, and is raised once the work has
-/// ended.
+/// ended or after kPatience; then what the work still does is of no use to anybody.
+/// @param work owns what it uses; Python objects are `Held`
 /// @returns what the work returns  @throws what it throws
 template <class Work>
-auto run_job(Work&& work) {
+auto run_job(Work work) {
   using Out = std::invoke_result_t<Work, const Stop&>;
-  Stop stop;
-  std::packaged_task<Out()> task([&] {
-    const Stop::Scope scope(stop);
-    return work(stop);
+  using Clock = std::chrono::steady_clock;
+  const auto stop = std::make_shared<Stop>();
+  const auto task = std::make_shared<std::packaged_task<Out()>>([stop, work = std::move(work)] {
+    const Stop::Scope scope(*stop);
+    return work(*stop);
   });
-  std::future<Out> out = task.get_future();
+  std::future<Out> out = task->get_future();
   std::exception_ptr signal;
   {
     const py::gil_scoped_release unlocked;
-    std::thread thread(std::ref(task));
-    while (out.wait_for(kSignals) != std::future_status::ready) {
+    std::thread thread([task] { (*task)(); });
+    Clock::time_point last = Clock::time_point::max();
+    while (out.wait_for(kSignals) != std::future_status::ready && Clock::now() < last) {
       const py::gil_scoped_acquire locked;
-      if (PyErr_CheckSignals() == 0) continue;
+      if (signal || PyErr_CheckSignals() == 0) continue;
       signal = std::make_exception_ptr(py::error_already_set());
-      stop.request();
+      stop->request();
+      last = Clock::now() + kPatience;
     }
-    thread.join();
+    if (out.wait_for(std::chrono::seconds(0)) == std::future_status::ready)
+      thread.join();
+    else
+      leave(std::move(thread));
   }
   if (signal) std::rethrow_exception(signal);
   return out.get();

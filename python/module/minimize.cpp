@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 /// (liesl/nlp.py): objective, constraints, gradient, jacobian.
 class PythonProblem final : public Problem {
  public:
-  explicit PythonProblem(const py::object& functions) : functions_(functions) {
+  explicit PythonProblem(const py::object& functions) : functions_(hold(functions)) {
     for (const py::handle& v : functions.attr("variables")) {
       const auto [name, lower, upper, start] =
           v.cast<std::tuple<std::string, double, double, double>>();
@@ -26,21 +26,32 @@ class PythonProblem final : public Problem {
       constraints_.push_back({constraints_.size(), name.cast<std::string>(), 0});
   }
 
+  /// While it is solved.
+  void stop_with(const Stop& stop) { stop_ = &stop; }
+
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
   void values(const VectorXd& x, double& f, VectorXd& g) override {
     const py::gil_scoped_acquire locked;
-    f = functions_.attr("objective")(x).cast<double>();
-    g = functions_.attr("constraints")(x).cast<VectorXd>();
+    f = call<double>("objective", x);
+    g = call<VectorXd>("constraints", x);
   }
   void gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) override {
     const py::gil_scoped_acquire locked;
-    df = functions_.attr("gradient")(x).cast<VectorXd>();
-    dg = functions_.attr("jacobian")(x).cast<RowMatrix>();
+    df = call<VectorXd>("gradient", x);
+    dg = call<RowMatrix>("jacobian", x);
   }
 
  private:
-  const py::object& functions_;
+  /// Of the functions, unless the job is to stop. @pre locked
+  template <class T>
+  T call(const char* name, const VectorXd& x) const {
+    if (stop_->requested()) throw output::Interrupted(SIGINT);
+    return functions_->attr(name)(x).cast<T>();
+  }
+
+  Held functions_;
+  const Stop* stop_ = nullptr;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
 };
@@ -69,17 +80,19 @@ py::dict dict_of(const NlpResult& r, const std::vector<NlpConstraint>& rows) {
 
 py::dict minimize(const py::object& functions, double tolerance, double feasibility,
                   int max_iterations) {
-  PythonProblem problem(functions);
+  const auto problem = std::make_shared<PythonProblem>(functions);
   NlpOptions options;
   options.tolerance = tolerance;
   options.acceptable = std::max(options.acceptable, tolerance);
   options.feasibility = feasibility;
   options.max_iterations = max_iterations;
-  const NlpResult result = run_job([&](const Stop& stop) {
-    options.progress = [&stop](const NlpProgress&) { return !stop.requested(); };
-    return solve_ipopt(problem, options);
+  const NlpResult result = run_job([problem, options](const Stop& stop) {
+    NlpOptions stoppable = options;
+    stoppable.progress = [&stop](const NlpProgress&) { return !stop.requested(); };
+    problem->stop_with(stop);
+    return solve_ipopt(*problem, stoppable);
   });
-  return dict_of(result, problem.constraints());
+  return dict_of(result, problem->constraints());
 }
 
 }  // namespace

@@ -3,12 +3,14 @@
 /// scripts use the package.
 
 #include "apps/output/versions.hpp"
+#include "python/module/job.hpp"
 #include "python/module/outcome.hpp"
 
 PYBIND11_MODULE(_liesl, module) {
   using namespace liesl::python;
   module.doc() = "Compiled part of the package liesl.";
   module.attr("__version__") = liesl::output::versions().front().second;
+  py::module_::import("atexit").attr("register")(py::cpp_function(&join_left));
   bind_errors(module);
   bind_outcomes(module);
   bind_folders(module);

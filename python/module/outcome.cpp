@@ -91,9 +91,10 @@ std::vector<std::vector<double>> weights_of(const py::list& given) {
 }
 
 /// dy/dp of every response, n x C x P.
-py::list derivatives_of(const MotionResult& result) {
-  const DifferentiableMotion& motion = result.motion();
-  auto all = run_job([&](const Stop& stop) { return motion.derivatives(stop.progress()); });
+py::list derivatives_of(const std::shared_ptr<MotionResult>& result) {
+  const DifferentiableMotion& motion = result->motion();
+  auto all =
+      run_job([result](const Stop& stop) { return result->motion().derivatives(stop.progress()); });
   py::list out;
   const auto& responses = motion.outcome().results.responses;
   const std::size_t n = motion.outcome().results.times.size();
@@ -103,10 +104,10 @@ py::list derivatives_of(const MotionResult& result) {
   return out;
 }
 
-py::array pull_back_of(const MotionResult& result, const py::list& given) {
-  const auto weights = weights_of(given);
-  const Eigen::VectorXd g = run_job(
-      [&](const Stop& stop) { return result.motion().pull_back(weights, stop.progress()); });
+py::array pull_back_of(const std::shared_ptr<MotionResult>& result, const py::list& given) {
+  const Eigen::VectorXd g = run_job([result, weights = weights_of(given)](const Stop& stop) {
+    return result->motion().pull_back(weights, stop.progress());
+  });
   return owned({g.data(), g.data() + g.size()}, {static_cast<std::size_t>(g.size())});
 }
 

@@ -11,7 +11,7 @@ namespace liesl::python {
 namespace {
 
 /// A scene that was read, and its text. Of one that is no file, problems have no lines.
-class SceneInput {
+class SceneInput : public std::enable_shared_from_this<SceneInput> {
  public:
   SceneInput(const std::string& text, const std::string& file,
              const std::vector<std::string>& changes)
@@ -25,11 +25,11 @@ class SceneInput {
   std::string rewritten() const { return rewrite_scene(text_.text, text_.changes); }
 
   std::shared_ptr<Outcome> run() const {
-    return run_job([this](const Stop& stop) -> std::shared_ptr<Outcome> {
+    return run_job([self = shared_from_this()](const Stop& stop) -> std::shared_ptr<Outcome> {
       const Stopwatch clock;
-      RunOutcome out = run_task(scene_, choose_space(scene_), stop.progress());
-      out.summary.overrides = text_.changes;
-      if (is_file()) out.summary.more["input"] = text_.file;
+      RunOutcome out = run_task(self->scene_, choose_space(self->scene_), stop.progress());
+      out.summary.overrides = self->text_.changes;
+      if (self->is_file()) out.summary.more["input"] = self->text_.file;
       out.summary.wall_s = clock.seconds();
       return std::make_shared<RunResult>(std::move(out));
     });
@@ -37,8 +37,8 @@ class SceneInput {
 
   /// Simulates to differentiate by keys.
   std::shared_ptr<MotionResult> differentiable(const std::vector<std::string>& by) const {
-    return run_job([&](const Stop& stop) {
-      SensitivityProblem problem = placed([&] { return scene_problem(text_, by); });
+    return run_job([self = shared_from_this(), by](const Stop& stop) {
+      SensitivityProblem problem = self->placed([&] { return scene_problem(self->text_, by); });
       const ChosenSpace space = choose_space(problem.scene);
       return std::make_shared<MotionResult>(
           std::make_unique<DifferentiableMotion>(std::move(problem), space, stop.progress()));

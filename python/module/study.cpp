@@ -37,7 +37,7 @@ class OptimizeResult final : public Outcome {
 };
 
 /// A study that was read, and what it varies.
-class StudyInput {
+class StudyInput : public std::enable_shared_from_this<StudyInput> {
  public:
   StudyInput(const std::string& text, const std::string& file, const std::filesystem::path& folder,
              const std::vector<std::string>& changes)
@@ -74,9 +74,9 @@ class StudyInput {
 
   /// The motion of a scenario at the design x, with a record at every step.
   std::shared_ptr<MotionResult> evaluate(const VectorXd& x, std::size_t scenario) const {
-    return run_job([&](const Stop& stop) {
-      const Scene& scene = scenario == 0 ? study_->scene : study_->scenarios.at(scenario - 1);
-      SensitivityProblem problem = study_problem(*study_, scene, design_, x);
+    return run_job([study = study_, design = design_, x, scenario](const Stop& stop) {
+      const Scene& scene = scenario == 0 ? study->scene : study->scenarios.at(scenario - 1);
+      SensitivityProblem problem = study_problem(*study, scene, design, x);
       problem.scene.simulation.output_every = 1;
       const ChosenSpace space = choose_space(problem.scene);
       return std::make_shared<MotionResult>(
@@ -86,30 +86,34 @@ class StudyInput {
 
   /// @param on_cycle called with the summary so far, or None
   std::shared_ptr<Outcome> optimize(int nucleate, const py::object& on_cycle) const {
-    return run_job([&](const Stop& stop) -> std::shared_ptr<Outcome> {
-      const Stopwatch clock;
-      const ChosenSpace space = choose_space(study_->scene);
-      output::OptimizeSummary summary;
-      summary.command = "optimize";
-      summary.overrides = changes_;
-      describe(summary, study_->scene, space);
-      summary.name = study_->spec.name;
-      summary.input_sha256 = output::sha256(study_->input);
-      OptimizeOutcome out = optimize_task(*study_, space, summary, nucleate, hooks(stop, on_cycle));
-      out.summary.more["input"] = study_->file;
-      out.summary.wall_s = clock.seconds();
-      return std::make_shared<OptimizeResult>(std::move(out), study_);
+    return run_job([self = shared_from_this(), nucleate, call = hold(on_cycle)](const Stop& stop) {
+      return self->optimized(nucleate, hooks(stop, *call));
     });
   }
 
  private:
+  std::shared_ptr<Outcome> optimized(int nucleate, const OptimizeHooks& hooks) const {
+    const Stopwatch clock;
+    const ChosenSpace space = choose_space(study_->scene);
+    output::OptimizeSummary summary;
+    summary.command = "optimize";
+    summary.overrides = changes_;
+    describe(summary, study_->scene, space);
+    summary.name = study_->spec.name;
+    summary.input_sha256 = output::sha256(study_->input);
+    OptimizeOutcome out = optimize_task(*study_, space, summary, nucleate, hooks);
+    out.summary.more["input"] = study_->file;
+    out.summary.wall_s = clock.seconds();
+    return std::make_shared<OptimizeResult>(std::move(out), study_);
+  }
   static OptimizeHooks hooks(const Stop& stop, const py::object& on_cycle) {
     OptimizeHooks hooks;
     hooks.progress = stop.progress();
     hooks.keep_going = [&stop] { return !stop.requested(); };
-    hooks.on_cycle = [&on_cycle](const output::OptimizeSummary& so_far, const RoundHistory&) {
+    hooks.on_cycle = [&stop, &on_cycle](const output::OptimizeSummary& so_far,
+                                        const RoundHistory&) {
       const py::gil_scoped_acquire locked;
-      if (!on_cycle.is_none()) on_cycle(output::to_json(so_far).dump());
+      if (!on_cycle.is_none() && !stop.requested()) on_cycle(output::to_json(so_far).dump());
     };
     hooks.on_hole = [](const std::string&, const Nucleus&) {};
     return hooks;
