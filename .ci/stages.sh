@@ -31,7 +31,7 @@ verdict() {
 jobs=${LIESL_JOBS:-$(nproc)}
 
 cpp_files() {
-  find liegroup mbs esl optim apps tests -name '*.cpp' -o -name '*.hpp' | sort
+  find liegroup mbs esl optim apps python tests -name '*.cpp' -o -name '*.hpp' | sort
 }
 
 check_format() {

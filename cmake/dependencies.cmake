@@ -26,6 +26,17 @@ endif()
 # need not have it. -DLIESL_PYTHON=... chooses another; so does the environment at run time.
 find_program(LIESL_PYTHON python3 PATHS /usr/bin NO_DEFAULT_PATH)
 find_program(LIESL_PYTHON python3)
+
+# What the Python package is built with: headers of the same Python, NumPy, pybind11.
+if(LIESL_PYTHON_MODULE AND LIESL_APPS)
+  set(Python_EXECUTABLE ${LIESL_PYTHON})
+  find_package(Python COMPONENTS Interpreter Development.Module NumPy)
+  find_package(pybind11 2.10 CONFIG)
+  if(NOT Python_FOUND OR NOT pybind11_FOUND)
+    message(STATUS "liesl: no Python package: needs python3-dev, python3-numpy and pybind11-dev")
+    set(LIESL_PYTHON_MODULE OFF)
+  endif()
+endif()
 if(LIESL_TESTS)
   find_package(GTest REQUIRED)
 endif()

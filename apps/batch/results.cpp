@@ -8,9 +8,9 @@
 #include <string_view>
 
 #include "apps/batch/case_folder.hpp"
+#include "apps/output/data_tree.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
-#include "apps/output/hdf5_writer.hpp"
 #include "apps/output/io_error.hpp"
 
 namespace liesl {

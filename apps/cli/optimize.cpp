@@ -20,14 +20,12 @@ int optimize_command(const CommandOptions& options) {
 
 #include "apps/cli/checkpoint.hpp"
 #include "apps/cli/optimize_terminal.hpp"
-#include "apps/cli/part_files.hpp"
+#include "apps/cli/result_files.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
-#include "apps/output/write_results.hpp"
-#include "apps/study/design_scene.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/sensitivity.hpp"
@@ -35,38 +33,6 @@ int optimize_command(const CommandOptions& options) {
 
 namespace liesl {
 namespace {
-
-void write_series(const std::filesystem::path& path, const std::vector<double>& times,
-                  std::vector<output::ResponseResult> responses, const Scene& scene) {
-  output::Results r;
-  r.times = times;
-  if (scene.simulation.type != SimulationType::Dynamic) {
-    r.abscissa = "load_factor";
-    r.abscissa_unit = "-";
-  }
-  r.responses = std::move(responses);
-  output::write_responses_csv(path, r);
-}
-
-/// All that an optimisation leaves behind.
-void write_end(const OptimizeOutcome& out, const Study& study,
-               const std::filesystem::path& folder) {
-  const Scene& scene = study.scene;
-  if (out.simulated) {
-    output::write_results(folder, out.results);
-    for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
-      for (const LimitRecords& r : *motions)
-        write_series(folder / fmt::format("responses_{}{}{}.csv", name,
-                                          r.scenario.empty() ? "" : "_", r.scenario),
-                     r.times, r.responses, scene);
-  }
-  if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
-  std::map<std::string, levelset::ShapeSpec> outlines;
-  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
-  if (out.simulated)
-    output::write_file(folder / "design.toml", design_scene(study, out.mechanism, outlines));
-  for (const PartOutcome& part : out.parts) write_part(folder, part);
-}
 
 /// What the options of the command ask of a study.
 void check_options(const Study& study, const CommandOptions& options) {
@@ -171,9 +137,8 @@ int optimize_command(const CommandOptions& options) {
   }();
   line.clear();
   out.summary.more["input"] = options.file;
-  write_end(out, study, folder.path());
   out.summary.wall_s = clock.seconds();
-  output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
+  write_optimization(folder.path(), out, study);
   add_report(folder.path(), options);
   folder.commit();
   print_result(out.summary, options.out, options.quiet);

@@ -1,8 +1,8 @@
 #include "apps/tasks/run.hpp"
 
+#include "apps/cli/result_files.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/output/atomic_folder.hpp"
-#include "apps/output/write_results.hpp"
 #include "apps/scene/load_scene.hpp"
 
 namespace liesl {
@@ -17,9 +17,8 @@ int run_command(const CommandOptions& options) {
   line.clear();
   out.summary.overrides = options.set;
   out.summary.more["input"] = options.file;
-  if (!out.results.times.empty()) output::write_results(folder.path(), out.results);
   out.summary.wall_s = clock.seconds();
-  output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
+  write_run(folder.path(), out);
   add_report(folder.path(), options);
   folder.commit();
   print_figures(out.summary, options.out, options.quiet);

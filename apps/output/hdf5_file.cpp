@@ -41,6 +41,11 @@ void Hdf5File::write(const std::string& name, const std::vector<double>& values,
   write_any(name, H5T_NATIVE_DOUBLE, values.data(), shape);
 }
 
+void Hdf5File::write(const std::string& name, std::span<const double> values,
+                     const Shape& shape) const {
+  write_any(name, H5T_NATIVE_DOUBLE, values.data(), shape);
+}
+
 void Hdf5File::write(const std::string& name, const std::vector<int>& values,
                      const Shape& shape) const {
   write_any(name, H5T_NATIVE_INT, values.data(), shape);

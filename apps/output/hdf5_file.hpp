@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <span>
 #include <string>
 #include <utility>
 #include <vector>
@@ -41,6 +42,7 @@ class Hdf5File {
   explicit Hdf5File(const std::filesystem::path& path);
   void group(const std::string& name) const;
   void write(const std::string& name, const std::vector<double>& values, const Shape& shape) const;
+  void write(const std::string& name, std::span<const double> values, const Shape& shape) const;
   void write(const std::string& name, const std::vector<int>& values, const Shape& shape) const;
   /// Texts, UTF-8 of any length.
   void write(const std::string& name, const std::vector<std::string>& texts) const;

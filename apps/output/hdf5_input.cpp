@@ -72,6 +72,17 @@ Hdf5Handle Hdf5Input::open(const std::string& name) const {
   return set;
 }
 
+Hdf5Kind Hdf5Input::kind(const std::string& name) const {
+  const Hdf5Handle group(H5Gopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Gclose);
+  if (group.id() >= 0) return Hdf5Kind::Group;
+  const Hdf5Handle set = open(name);
+  const Hdf5Handle type(H5Dget_type(set.id()), H5Tclose);
+  const H5T_class_t of = H5Tget_class(type.id());
+  return of == H5T_STRING    ? Hdf5Kind::Texts
+         : of == H5T_INTEGER ? Hdf5Kind::Integers
+                             : Hdf5Kind::Numbers;
+}
+
 std::vector<std::size_t> Hdf5Input::shape(const std::string& name) const {
   if (!has(name)) return {};
   const Hdf5Handle set = open(name);

@@ -20,12 +20,15 @@ struct Hdf5Numbers {
   std::size_t row() const;
 };
 
+enum class Hdf5Kind { Group, Numbers, Integers, Texts };
+
 /// Every method throws IoError for a file that cannot be read.
 class Hdf5Input {
  public:
   explicit Hdf5Input(const std::filesystem::path& path);
 
   bool has(const std::string& name) const;
+  Hdf5Kind kind(const std::string& name) const;
   /// Names in a group, in the order of the alphabet; none if there is no such group.
   std::vector<std::string> children(const std::string& group) const;
   /// Text attribute of an object; empty if there is none.

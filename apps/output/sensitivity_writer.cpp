@@ -6,9 +6,9 @@
 #include <iterator>
 
 #include "apps/output/csv_writer.hpp"
+#include "apps/output/data_tree.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
-#include "apps/output/hdf5_writer.hpp"
 
 namespace liesl::output {
 namespace {

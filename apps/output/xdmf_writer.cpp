@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <iterator>
 
+#include "apps/output/data_tree.hpp"
 #include "apps/output/file.hpp"
-#include "apps/output/hdf5_writer.hpp"
 
 namespace liesl::output {
 namespace {

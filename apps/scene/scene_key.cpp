@@ -28,11 +28,10 @@ const toml::node* node_at(const toml::table& root, const std::string& path) {
 
 }  // namespace
 
-SceneNumber number_at(const std::filesystem::path& scene, const std::vector<std::string>& changes,
-                      const std::string& key) {
-  Document document = load_document(scene);
+SceneNumber number_at(const SceneText& scene, const std::string& key) {
+  Document document = parse_document(scene.text, scene.file);
   Problems problems(document.file);
-  apply_overrides(document.root, FileKind::Scene, changes, problems);
+  apply_overrides(document.root, FileKind::Scene, scene.changes, problems);
   problems.throw_if_any();
   const toml::node* node = node_at(document.root, key);
   if (node && node->is_number())

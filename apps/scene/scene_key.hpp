@@ -2,7 +2,6 @@
 /// @file
 /// A number in a scene by its key path, as `--set` addresses it.
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -13,9 +12,14 @@ struct SceneNumber {
   std::string unit;  ///< as the reference gives it
 };
 
-/// The number at "sections.rod.diameter" or "loads.push.force.1", after the changes "key=value".
+/// A scene as it was written, with changes "key=value" to it.
+struct SceneText {
+  std::string text, file;
+  std::vector<std::string> changes;
+};
+
+/// The number at "sections.rod.diameter" or "loads.push.force.1", after the changes.
 /// @throws InputError if there is no such key, or no number written there
-SceneNumber number_at(const std::filesystem::path& scene, const std::vector<std::string>& changes,
-                      const std::string& key);
+SceneNumber number_at(const SceneText& scene, const std::string& key);
 
 }  // namespace liesl

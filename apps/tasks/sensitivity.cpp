@@ -5,9 +5,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "apps/input/problem.hpp"
+#include "apps/input/document.hpp"
 #include "apps/scene/load_scene.hpp"
-#include "apps/scene/scene_key.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/mechanism_derivative.hpp"
 #include "apps/tasks/motion_gradient.hpp"
@@ -23,7 +22,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kTolerance = 1e-8;        // of the states, for 1e-6 in the gradients
 constexpr double kDifference = 1. / 1024;  // of a number of the scene, or of 1 where it is 0
 
 [[noreturn]] void refuse(const std::string& file, std::string what, std::string expected,
@@ -61,7 +59,7 @@ template <FrameGroup G>
 void run_on(const SensitivityProblem& problem, const Space<G>& space,
             const SensitivityRequest& request, const Progress& progress, SensitivityOutcome& out) {
   SimulationOptions options = problem.scene.simulation;
-  options.tolerance = std::min(options.tolerance, kTolerance);
+  options.tolerance = std::min(options.tolerance, kSensitivityTolerance);
   const TapedMotion<G> motion(problem.scene.mechanism, space, options, problem.scene.responses,
                               progress);
   out.status = motion.simulation.report.status;
@@ -92,18 +90,23 @@ VectorXd SensitivityProblem::values() const {
 
 SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
                                  const std::vector<std::string>& keys) {
+  return scene_problem({load_text(file, "a scene in TOML"), file, changes}, keys);
+}
+
+SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::string>& keys) {
+  const std::string& file = text.file;
   SensitivityProblem problem;
-  problem.scene = load_scene(file, changes);
+  problem.scene = read_scene(text.text, file, text.changes);
   require_motion(problem.scene);
   if (keys.empty())
     refuse(file, "by which parameters? The scene is no study", "--by KEY[,KEY]",
            "as in --by sections.rod.diameter,materials.steel.rho; a study has its variables");
   for (const std::string& key : keys) {
-    const SceneNumber number = number_at(file, changes, key);
+    const SceneNumber number = number_at(text, key);
     problem.names.push_back({key, number.unit, number.value});
   }
-  problem.mechanism_at = [file, changes, names = problem.names](const VectorXd& p) {
-    return load_scene(file, with(changes, names, p)).mechanism;
+  problem.mechanism_at = [text, names = problem.names](const VectorXd& p) {
+    return read_scene(text.text, text.file, with(text.changes, names, p)).mechanism;
   };
   const VectorXd p = problem.values();
   for (int i = 0; i < p.size(); ++i) {
@@ -125,40 +128,50 @@ SensitivityProblem scene_problem(const std::string& file, const std::vector<std:
   return problem;
 }
 
-SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes) {
 #ifdef LIESL_OPTIM
-  const Study study = load_study(file, changes);
+
+SensitivityProblem study_problem(const Study& study, const Scene& scene,
+                                 const std::shared_ptr<const Design>& design, const VectorXd& x) {
   SensitivityProblem problem;
-  problem.scene = study.scene;
+  problem.scene = scene;
   problem.scene.input = study.input;
   problem.scene.responses.clear();
   for (const ConstraintSpec& c : study.spec.constraints)
     problem.scene.responses.push_back(c.response);
-  for (const ResponseSpec& r : study.scene.responses)
+  for (const ResponseSpec& r : scene.responses)
     if (std::none_of(problem.scene.responses.begin(), problem.scene.responses.end(),
                      [&](const ResponseSpec& other) { return other.name == r.name; }))
       problem.scene.responses.push_back(r);
   require_motion(problem.scene);
   if (!study.spec.loads.empty())
-    refuse(file, "sensitivities are those of a motion, this study has fixed loads", "a motion", "");
-  const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
-  const VectorXd x = design->start();
+    refuse(study.file, "sensitivities are those of a motion, this study has fixed loads",
+           "a motion", "");
   for (std::size_t i = 0; i < design->variables().size(); ++i)
     problem.names.push_back(
         {design->variables()[i].name, design->units()[i], x[static_cast<Eigen::Index>(i)]});
-  problem.mechanism_at = [design, mechanism = study.scene.mechanism](const VectorXd& p) {
+  problem.mechanism_at = [design, mechanism = scene.mechanism](const VectorXd& p) {
     return design->apply(mechanism, p);
   };
   problem.scene.mechanism = problem.mechanism_at(x);
   problem.scene.mechanism.name = study.spec.name;
   problem.parameters = design->parameters(problem.scene.mechanism, x);
   return problem;
+}
+
+SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes) {
+  const Study study = load_study(file, changes);
+  const auto design = std::make_shared<const Design>(study.spec, study.scene.mechanism);
+  return study_problem(study, study.scene, design, design->start());
+}
+
 #else
+
+SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>&) {
   refuse(file, "this build reads no studies", "a scene with --by",
          "configure with -DLIESL_OPTIM=ON");
-  return scene_problem(file, changes, {});
-#endif
 }
+
+#endif
 
 SensitivityMethod faster_method(std::size_t parameters, std::size_t functionals) {
   return parameters > functionals + 4 ? SensitivityMethod::Adjoint : SensitivityMethod::Direct;

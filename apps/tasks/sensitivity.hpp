@@ -3,20 +3,39 @@
 /// The task of `liesl sensitivity`: derivatives of the responses of a motion by parameters, over
 /// time and of functionals. No files, no printing.
 
+#include <memory>
+
 #include "apps/output/summary.hpp"
+#include "apps/scene/scene_key.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/tasks/sensitivity_problem.hpp"
 #include "mbs/solvers/simulation.hpp"
 
 namespace liesl {
 
+class Design;
+struct Study;
+
 /// Of a scene by keys as `--set` has them, "sections.rod.diameter".
 /// @param changes "key=value" that the scene was read with
 /// @throws InputError for keys without a number, or without a derivative
 SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
                                  const std::vector<std::string>& keys);
+/// The same of a text.
+SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::string>& keys);
 /// Of a study by its variables at their start; its limits are responses, too.
 SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes);
+#ifdef LIESL_OPTIM
+/// The same of a motion of a study, at the design x.
+/// @param scene of one of its scenarios
+SensitivityProblem study_problem(const Study& study, const Scene& scene,
+                                 const std::shared_ptr<const Design>& design,
+                                 const Eigen::VectorXd& x);
+#endif
+
+/// Of the states, for 1e-6 in the gradients: simulations are converged to it, or to what the scene
+/// asks for if that is less.
+inline constexpr double kSensitivityTolerance = 1e-8;
 
 /// The form that is faster for so many parameters and gradients, by what they cost in
 /// docs/sensitivities.md. @returns Direct or Adjoint
@@ -29,7 +48,7 @@ struct SensitivityOutcome {
   output::Sensitivities result;                          ///< empty unless the motion converged
 };
 
-/// Converges the motion to 1e-8 or to simulation.tolerance, whichever is less.
+/// Converges the motion to kSensitivityTolerance, or to simulation.tolerance if that is less.
 /// @throws InputError for a scene that is no motion, or has no responses
 /// @throws std::invalid_argument for a motion without sensitivities
 SensitivityOutcome sensitivity_task(const SensitivityProblem& problem, const ChosenSpace& space,

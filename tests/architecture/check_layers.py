@@ -45,6 +45,7 @@ LAYERS = [
     ("apps/tasks",),
     ("apps/cli",),
     ("apps/bench",),
+    ("python/module",),
 ]
 
 # Headers of a package, and the folders that may include them.
@@ -58,6 +59,7 @@ SEAMS = {
     r"toml\+\+/.*|toml\.hpp": ["apps/input", "apps/scene", "apps/study", "apps/cli"],
     r"CLI/.*": ["apps/cli"],
     r"benchmark/.*": ["apps/bench"],
+    r"pybind11/.*": ["python/module"],
 }
 
 DRAWERS = {"utils", "util", "common", "misc", "helpers", "tools", "base", "core"}
@@ -67,7 +69,7 @@ MAX_CLASS = 250
 
 EXEMPT = re.compile(r"//\s*long function: \S")
 
-TOPS = ["liegroup", "mbs", "esl", "optim", "apps"]
+TOPS = ["liegroup", "mbs", "esl", "optim", "apps", "python"]
 RANK = {folder: rank for rank, layer in enumerate(LAYERS) for folder in layer}
 
 

@@ -15,7 +15,7 @@ import re
 import sys
 from pathlib import Path
 
-FOLDERS = ["liegroup", "mbs", "esl", "optim", "apps", "tests", "data", "docs", "cmake", ".ci"]
+FOLDERS = ["liegroup", "mbs", "esl", "optim", "apps", "python", "tests", "data", "docs", "cmake", ".ci"]
 SKIPPED = {"build", ".git", "install"}
 OUTSIDE = re.compile(r"\b(DESIGN|BENCHMARKS|SENSITIVITIES|PLAN)\b|design page")
 PLACEHOLDER = re.compile(r"(NAME|DIR|FILE|SCENE)|<|\.\.\.|…")

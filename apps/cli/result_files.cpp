@@ -1,0 +1,62 @@
+#include "apps/cli/result_files.hpp"
+
+#include "apps/output/write_results.hpp"
+
+#ifdef LIESL_OPTIM
+#include <fmt/format.h>
+
+#include <map>
+
+#include "apps/cli/part_files.hpp"
+#include "apps/output/file.hpp"
+#include "apps/study/design_scene.hpp"
+#endif
+
+namespace liesl {
+
+void write_run(const std::filesystem::path& folder, const RunOutcome& out) {
+  if (!out.results.times.empty()) output::write_results(folder, out.results);
+  output::write_summary(folder / "summary.json", output::to_json(out.summary));
+}
+
+#ifdef LIESL_OPTIM
+
+namespace {
+
+void write_series(const std::filesystem::path& path, const std::vector<double>& times,
+                  std::vector<output::ResponseResult> responses, const Scene& scene) {
+  output::Results r;
+  r.times = times;
+  if (scene.simulation.type != SimulationType::Dynamic) {
+    r.abscissa = "load_factor";
+    r.abscissa_unit = "-";
+  }
+  r.responses = std::move(responses);
+  output::write_responses_csv(path, r);
+}
+
+}  // namespace
+
+void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,
+                        const Study& study) {
+  const Scene& scene = study.scene;
+  if (out.simulated) {
+    output::write_results(folder, out.results);
+    for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
+      for (const LimitRecords& r : *motions)
+        write_series(folder / fmt::format("responses_{}{}{}.csv", name,
+                                          r.scenario.empty() ? "" : "_", r.scenario),
+                     r.times, r.responses, scene);
+  }
+  if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
+  std::map<std::string, levelset::ShapeSpec> outlines;
+  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
+  if (out.simulated)
+    output::write_file(folder / "design.toml", design_scene(study, out.mechanism, outlines));
+  for (const PartOutcome& part : out.parts) write_part(folder, part);
+  output::write_summary(folder / "summary.json", output::to_json(out.summary));
+}
+
+#endif
+
+}  // namespace liesl

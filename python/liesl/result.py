@@ -1,0 +1,302 @@
+"""Results: of a task that has run, or of a folder that it left."""
+
+from __future__ import annotations
+
+import csv
+import json
+import os
+import tempfile
+from pathlib import Path
+from typing import Any, Iterator, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _liesl
+from .errors import InputError, IoError, NotConverged, Problem
+
+_GOOD = {"done", "converged", "optimal", "finished"}
+
+
+class Group(Mapping[str, Any]):
+    """A group of data sets, `result["bodies"]["rod"]["position"]`. Attributes in `attributes`."""
+
+    def __init__(self, result: Result, name: str):
+        self._result, self._name = result, name
+
+    def __getitem__(self, key: str) -> Any:
+        return self._result[f"{self._name}/{key}"]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._result._below(self._name))
+
+    def __len__(self) -> int:
+        return len(self._result._below(self._name))
+
+    def __repr__(self) -> str:
+        return f"{self._name}: {', '.join(self)}"
+
+    @property
+    def attributes(self) -> dict[str, str]:
+        """Texts: "kind" of a body, "type" of a joint."""
+        return self._result._records.attributes(self._name)
+
+
+class Result(Mapping[str, Any]):
+    """Data sets by the names of results.h5 (docs/outputs.md), SI units.
+
+    >>> result["bodies/rod/position"]          # (records, nodes, 3), m
+    >>> result.responses["bend"]               # (records, components)
+    >>> result.time                            # (records,), s
+
+    Arrays are read-only views of the numbers of the simulation, without a copy, and keep them
+    alive.
+    """
+
+    def __init__(self, records: Any, source: Any = None):
+        self._records, self._source = records, source
+        self._names: list[str] = records.names()
+        self.summary: dict[str, Any] = json.loads(records.summary())  #: summary.json
+        self._by: dict[tuple[str, ...], Any] = {}
+
+    # --- data sets
+
+    def __getitem__(self, name: str) -> Any:
+        array = self._records.array(name)
+        if array is not None:
+            return array
+        if self._below(name):
+            return Group(self, name)
+        raise KeyError(f"there is no '{name}'; known: {', '.join(self._below('/'.join(name.split('/')[:-1])))}")
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._names)
+
+    def __len__(self) -> int:
+        return len(self._names)
+
+    def unit(self, name: str) -> str:
+        """Unit of a data set, "m"; of several kinds of columns "m/s, rad/s"."""
+        return self._records.unit(name)
+
+    def _below(self, name: str) -> list[str]:
+        start = name + "/" if name else ""
+        return list(dict.fromkeys(n[len(start):].split("/")[0] for n in self._names
+                                  if n.startswith(start)))
+
+    @property
+    def time(self) -> np.ndarray:
+        """(records,), s; of statics the load factor, of modes the frequency, Hz."""
+        return self["time"]
+
+    @property
+    def bodies(self) -> Group:
+        return Group(self, "bodies")
+
+    @property
+    def joints(self) -> Group:
+        return Group(self, "joints")
+
+    @property
+    def meshes(self) -> Group:
+        return Group(self, "meshes")
+
+    @property
+    def responses(self) -> Group:
+        return Group(self, "responses")
+
+    @property
+    def energies(self) -> Group:
+        return Group(self, "energies")
+
+    # --- how it ended
+
+    @property
+    def status(self) -> str:
+        """One word: "done", "not_converged", "optimal", ... (docs/outputs.md)."""
+        return self.summary.get("status", "")
+
+    @property
+    def reason(self) -> str:
+        """One sentence: why it ended."""
+        return self.summary.get("reason", "")
+
+    @property
+    def warnings(self) -> list[str]:
+        return self.summary.get("warnings", [])
+
+    def check(self):
+        """The result itself. Raises NotConverged unless the task has found what it was to find."""
+        if self.status not in _GOOD:
+            raise NotConverged(self.status, self.reason)
+        return self
+
+    # --- derivatives
+
+    def jacobian(self, response: str, by: str | Sequence[str] | None = None) -> np.ndarray:
+        """dy/dp at every record, (records, components, parameters).
+
+        `by`: keys of the scene, "sections.rod.diameter"; a design that was evaluated is
+        differentiated by the variables of its study. Direct form: one factorisation and a solution
+        for each parameter a step.
+        """
+        motion, made = self._differentiable(by)
+        if "derivatives" not in made:
+            made["derivatives"] = dict(zip(motion.responses(), motion.derivatives()))
+        if response not in made["derivatives"]:
+            raise InputError([Problem(f"there is no response '{response}'",
+                                      ", ".join(made["derivatives"]))])
+        return made["derivatives"][response]
+
+    def vjp(self, weights: Mapping[str, ArrayLike],
+            by: str | Sequence[str] | None = None) -> np.ndarray:
+        """sum w dy/dp over all records and components, (parameters,): the gradient of a function of
+        the responses from its derivatives by them. `weights`: of each response its shape,
+        (records, components), or (records,) of scalars. Adjoint form: its cost hardly depends on
+        the number of parameters.
+        """
+        motion, _ = self._differentiable(by)
+        return motion.pull_back(_weights(weights, motion))
+
+    def _differentiable(self, by: str | Sequence[str] | None) -> tuple[Any, dict[str, Any]]:
+        keys = () if by is None else (by,) if isinstance(by, str) else tuple(by)
+        if not hasattr(self._source, "_differentiable"):
+            raise InputError("a folder holds no motion to differentiate; run its scene")
+        if keys not in self._by:
+            self._by[keys] = (self._source._differentiable(keys), {})
+        return self._by[keys]
+
+    # --- files
+
+    def save(self, folder: str | os.PathLike, overwrite: bool = False, report: bool = True) -> None:
+        """Writes a results folder, as the program does. `overwrite` replaces an earlier result of
+        liesl and nothing else. Raises IoError; then nothing is written."""
+        self._records.save(os.path.abspath(folder), overwrite, report)
+
+    def report(self, path: str | os.PathLike) -> None:
+        """Writes the page of the result: one HTML file. Raises IoError."""
+        with tempfile.TemporaryDirectory() as folder:
+            self._records.save(os.path.join(folder, "result"), False, False)
+            _liesl.write_file(os.path.abspath(path),
+                              _liesl.page_of(os.path.join(folder, "result"), Path(path).stem))
+
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({self.summary.get('name', '')}: {self.status})"
+
+
+def _weights(weights: Mapping[str, ArrayLike], motion: Any) -> list[np.ndarray | None]:
+    """In the order of the responses, of their shapes, finite."""
+    problems, out = [], []
+    for name in weights:
+        if name not in motion.responses():
+            problems.append(Problem(f"there is no response '{name}'",
+                                    ", ".join(motion.responses())))
+    for name in motion.responses():
+        if name not in weights:
+            out.append(None)
+            continue
+        shape = motion.array(f"responses/{name.replace('/', '_')}").shape
+        try:
+            w = np.asarray(weights[name], dtype=float)
+        except (TypeError, ValueError):
+            problems.append(Problem(f"'{name}': the weights are no numbers", f"shape {shape}"))
+            continue
+        if w.shape != shape and not (shape[1:] == (1,) and w.shape == shape[:1]):
+            problems.append(Problem(f"'{name}': the weights have shape {w.shape}", f"{shape}"))
+        elif not np.isfinite(w).all():
+            at = tuple(int(i) for i in np.argwhere(~np.isfinite(w))[0])
+            problems.append(Problem(f"'{name}': the weight at {list(at)} is {w[at]}",
+                                    "finite numbers"))
+        out.append(np.ascontiguousarray(w))
+    if problems:
+        raise InputError(problems)
+    return out
+
+
+class _Folder:
+    """Data sets and tables of a results folder."""
+
+    def __init__(self, folder: Path):
+        _liesl.require_result(folder)
+        self.folder = folder
+        self._sets: dict[str, Any] = {}
+        files = sorted(folder.glob("*.h5"), key=lambda f: (f.name != "results.h5", f.name))
+        self._files = [_liesl.Hdf5Sets(file) for file in files]
+        for file in self._files:
+            for name in file.names():
+                self._sets.setdefault(name, file)
+
+    def names(self) -> list[str]:
+        return list(self._sets)
+
+    def array(self, name: str) -> Any:
+        return self._sets[name].array(name) if name in self._sets else None
+
+    def unit(self, name: str) -> str:
+        return self._sets[name].unit(name) if name in self._sets else ""
+
+    def attributes(self, group: str) -> dict[str, str]:
+        known = ["kind"] if group.startswith("bodies") else ["type", "a", "b"]
+        if not group:
+            known = ["program", "scene", "space", "abscissa"]
+        return {key: text for key in known
+                if self._files and (text := self._files[0].attribute(group, key))}
+
+    def summary(self) -> str:
+        path = self.folder / "summary.json"
+        text = _liesl.read_file(path)
+        try:
+            if isinstance(json.loads(text), dict):
+                return text
+        except ValueError:
+            pass
+        raise IoError(f"cannot read '{path}': it is no summary of liesl", str(path))
+
+    def save(self, folder: str, overwrite: bool, report: bool) -> None:
+        raise IoError(f"cannot save '{folder}': the result is in {self.folder} already; copy it",
+                      folder)
+
+
+class FolderResult(Result):
+    """What `liesl.open` gives: data sets of all HDF5 files of the folder, and its tables."""
+
+    def __init__(self, folder: Path):
+        super().__init__(_Folder(folder))
+        self.folder = folder  #: where it is
+
+    @property
+    def tables(self) -> dict[str, dict[str, np.ndarray]]:
+        """CSV tables by name, each with its columns: "design", "responses_final", of a batch
+        "cases". Columns are numbers where all their entries are, else texts."""
+        return {f.stem: _table(f) for f in sorted(self.folder.glob("*.csv"))}
+
+    def report(self, path: str | os.PathLike) -> None:
+        page = _liesl.page_of(self.folder, self.folder.resolve().name)
+        _liesl.write_file(os.path.abspath(path), page)
+
+
+def _table(path: Path) -> dict[str, np.ndarray]:
+    try:
+        with path.open(newline="", encoding="utf-8") as file:
+            rows = list(csv.reader(file))
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
+        raise IoError(f"cannot read '{path}': {error}", str(path)) from None
+    names, rows = (rows[0], rows[1:]) if rows else ([], [])
+    if any(len(row) != len(names) for row in rows):
+        raise IoError(f"cannot read '{path}': its rows have different lengths", str(path))
+    return {name: _column([row[i] for row in rows]) for i, name in enumerate(names)}
+
+
+def _column(texts: list[str]) -> np.ndarray:
+    try:
+        return np.array([float(t) if t else np.nan for t in texts])
+    except ValueError:
+        return np.array(texts, dtype=object)
+
+
+def open(folder: str | os.PathLike) -> FolderResult:  # noqa: A001
+    """Reads a results folder of any command: run, esl, sensitivity, optimize, batch, compare.
+
+    Raises IoError for a folder that is no result, or whose files are not what liesl writes.
+    """
+    return FolderResult(Path(folder))

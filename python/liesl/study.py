@@ -1,0 +1,230 @@
+"""Studies: a scene and what to vary, to limit and to minimise."""
+
+from __future__ import annotations
+
+import json
+import os
+import threading
+from collections import OrderedDict
+from dataclasses import dataclass
+from typing import Any, Callable, Mapping, Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _liesl, toml_text
+from .errors import InputError, IoError, NotConverged, Problem
+from .nlp import Nlp, OwnFunction, StudyNlp
+from .result import Result
+
+_KEPT = 8  # evaluations
+
+
+@dataclass(frozen=True)
+class Variable:
+    """A number that the study varies, in its unit."""
+
+    name: str
+    unit: str
+    lower: float
+    upper: float
+    start: float
+
+
+class Evaluation(Result):
+    """A design of a study: its motion, converged as sensitivities need it, with a record at every
+    step, and what the study asks of it. Data sets are those of the first scenario; `motions` has
+    all of them. `jacobian` and `vjp` are by the variables of the study.
+    """
+
+    def __init__(self, study: Study, x: np.ndarray, motions: Sequence[Any]):
+        super().__init__(motions[0])
+        self._by[()] = (motions[0], {})
+        self.x = x  #: (variables,), the design
+        self.objective: float = study._study.mass(x)  #: kg
+        self.motions: list[Result] = [self]  #: one for each scenario
+        for motion in motions[1:]:
+            result = Result(motion)
+            result._by[()] = (motion, {})
+            self.motions.append(result)
+        #: largest |value| of each limited response over all motions
+        self.limits = {name: max((_largest(m, name) for m in self.motions), default=np.nan)
+                       for name, _ in study.limits}
+        #: largest |value|/limit - 1
+        self.worst = max((self.limits[name] / limit - 1 for name, limit in study.limits),
+                         default=np.nan)
+
+    def check(self) -> Evaluation:
+        for motion in self.motions:
+            if motion.status != "done":
+                raise NotConverged(motion.status, motion.reason)
+        return self
+
+    def _differentiable(self, by):
+        if by is not None:
+            raise InputError("a design is differentiated by the variables of its study; leave `by` "
+                             "out, or run the scene")
+        return self._by[()]
+
+
+def magnitude(values: np.ndarray) -> np.ndarray:
+    """|y| of a response, (records, components) -> (records,)."""
+    return np.linalg.norm(values, axis=1)
+
+
+def _largest(motion: Result, name: str) -> float:
+    values = motion._records.array("responses/" + name.replace("/", "_"))
+    return float(magnitude(values).max()) if values is not None and len(values) else np.nan
+
+
+class Study:
+    """A study, checked when it is read. It stays as it is: `change` gives another one.
+
+    >>> study = Study.load("slider_crank_rod.toml")
+    >>> best = study.optimize().check()
+    >>> best.design, best.summary["mass_final"]            # {"rod_diameters[0]": ...}, kg
+
+    Studies pickle. Simulations may run in several threads; the linear solver of Ipopt is not safe
+    among threads, so that optimisations of one process wait for each other: use processes.
+    """
+
+    def __init__(self, text: str, file: str, folder: str, changes: tuple[str, ...] = ()):
+        self._arguments = (text, file, folder, changes)
+        self._study = _liesl.Study(text, file, folder, list(changes))
+        self.variables = [Variable(n, u, lo, up, at)
+                          for n, u, lo, up, at in self._study.variables()]
+        self.limits: list[tuple[str, float]] = self._study.limits()  #: (response, limit)
+        self.scenarios: list[str] = self._study.scenarios() or [""]  #: names; "" of the only one
+        self._evaluations: OrderedDict[bytes, Evaluation] = OrderedDict()
+        self._lock = threading.Lock()
+
+    @classmethod
+    def load(cls, path: str | os.PathLike, changes: Mapping[str, Any] | None = None) -> Study:
+        """Reads a TOML file and its scene. Raises InputError with all problems of both."""
+        file = os.path.abspath(path)
+        try:
+            text = _liesl.read_file(file)
+        except IoError as error:
+            raise InputError(str(error)) from None
+        return cls(text, file, os.path.dirname(file), tuple(toml_text.changes(changes or {})))
+
+    def change(self, values: Mapping[str, Any]) -> Study:
+        """The study with other values of its own keys, {"constraints.bending.limit": 1e-3}, or of
+        keys of its scene. Raises InputError."""
+        text, file, folder, changes = self._arguments
+        return Study(text, file, folder, changes + tuple(toml_text.changes(values)))
+
+    @property
+    def x0(self) -> np.ndarray:
+        """(variables,), the start."""
+        return np.array([v.start for v in self.variables])
+
+    @property
+    def bounds(self) -> np.ndarray:
+        """(variables, 2), lower and upper."""
+        return np.array([(v.lower, v.upper) for v in self.variables])
+
+    @property
+    def warnings(self) -> list[str]:
+        """What is accepted but looks like a mistake."""
+        return self._study.warnings()
+
+    def evaluate(self, x: ArrayLike | None = None) -> Evaluation:
+        """Simulates a design, (variables,); None: the start. The last designs are kept, so that
+        values and derivatives at one x cost one simulation. A motion that does not converge is a
+        `status`. Raises InputError for a study without a motion."""
+        self._require_motion()
+        x = self._design(x)
+        with self._lock:
+            if x.tobytes() in self._evaluations:
+                self._evaluations.move_to_end(x.tobytes())
+                return self._evaluations[x.tobytes()]
+        motions = [self._study.evaluate(x, s) for s in range(len(self.scenarios))]
+        made = Evaluation(self, x, motions)
+        with self._lock:
+            self._evaluations[x.tobytes()] = made
+            while len(self._evaluations) > _KEPT:
+                self._evaluations.popitem(last=False)
+        return made
+
+    def mass_gradient(self, x: ArrayLike) -> np.ndarray:
+        """d(mass of the objective)/dx, (variables,), kg by the units of x."""
+        return self._study.mass_gradient(self._design(x))
+
+    def optimize(self, method: str | None = None, nucleate: int = 0,
+                 on_cycle: Callable[[dict[str, Any]], None] | None = None) -> Optimum:
+        """Sizes, as `liesl optimize` does.
+
+        `method`: the key `cycle.method`; `nucleate`: new holes at most; `on_cycle` is called after
+        each cycle with the summary so far. Ctrl-C stops. How it ended is `status`.
+        """
+        study = self if method is None else self.change({"cycle.method": method})
+        call = None if on_cycle is None else (lambda text: on_cycle(json.loads(text)))
+        return Optimum(study._study.optimize(nucleate, call))
+
+    def nlp(self, windows: int = 1, objective: OwnFunction | None = None,
+            limits: Mapping[str, OwnFunction] | None = None) -> Nlp:
+        """The study as a nonlinear program for SciPy, cyipopt or `liesl.minimize`: minimise the mass
+        subject to one row for each limit, scenario and window of time,
+
+            max over the records in the window of |response|/limit - 1 <= 0.
+
+        Rows stay the same whatever the design. `objective` replaces the mass and `limits` adds rows
+        f <= 0 by name, each a function of an Evaluation that returns its value and its derivatives
+        by what it has read, {"bend": (records, components), "x": (variables,)}.
+        Raises InputError for a study without a motion, or one that changes outlines.
+        """
+        self._require_motion()
+        if self._study.changes_outlines():
+            raise InputError("the study changes the outline of a part, whose walls are no rows of "
+                             "nlp(); use optimize()")
+        if isinstance(windows, bool) or not isinstance(windows, int) or windows < 1:
+            raise InputError(f"windows is {windows!r}; expected a whole number, 1 or more")
+        return StudyNlp(self, windows, objective, dict(limits or {}))
+
+    def _require_motion(self) -> None:
+        if not self._study.moves():
+            raise InputError("the study has no motion (fixed loads, or statics); use optimize()")
+
+    def _design(self, x: ArrayLike | None) -> np.ndarray:
+        if x is None:
+            return self.x0
+        try:
+            given = np.array(x, dtype=float)
+        except (TypeError, ValueError):
+            raise InputError([Problem("x is no array of numbers",
+                                      f"shape ({len(self.variables)},)")]) from None
+        if given.shape != (len(self.variables),):
+            raise InputError([Problem(f"x has shape {given.shape}",
+                                      f"({len(self.variables)},), a number for each variable")])
+        problems = [Problem(f"'{v.name}' is {at}", f"in [{v.lower}, {v.upper}] {v.unit}")
+                    for v, at in zip(self.variables, given)
+                    if not v.lower * (1 - 1e-9) <= at <= v.upper * (1 + 1e-9)]
+        if problems:
+            raise InputError(problems)
+        return given
+
+    def __reduce__(self):
+        return Study, self._arguments
+
+    def __repr__(self) -> str:
+        return f"Study({', '.join((self._arguments[1], *self._arguments[3]))})"
+
+
+class Optimum(Result):
+    """What `Study.optimize` has found: data sets of the motion of the final design."""
+
+    @property
+    def design(self) -> dict[str, float]:
+        """The final design by the names of its variables."""
+        return dict(self.summary.get("design", {}))
+
+    @property
+    def x(self) -> np.ndarray:
+        """(variables,), the same as an array."""
+        return np.array(list(self.design.values()), dtype=float)
+
+    @property
+    def history(self) -> list[dict[str, Any]]:
+        """Figures of each cycle: docs/outputs.md, `history`."""
+        return self.summary.get("history", [])

@@ -1,0 +1,166 @@
+#ifdef LIESL_OPTIM
+
+#include <pybind11/eigen.h>
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "apps/cli/result_files.hpp"
+#include "apps/cli/terminal.hpp"
+#include "apps/output/file.hpp"
+#include "apps/study/load_study.hpp"
+#include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/sensitivity.hpp"
+#include "optim/cycle/design_model.hpp"
+#include "optim/design/design.hpp"
+#include "python/module/job.hpp"
+#include "python/module/outcome.hpp"
+
+namespace liesl::python {
+namespace {
+
+using Eigen::VectorXd;
+
+class OptimizeResult final : public Outcome {
+ public:
+  OptimizeResult(OptimizeOutcome outcome, std::shared_ptr<const Study> study)
+      : outcome_(std::move(outcome)), study_(std::move(study)) {
+    show(outcome_.results);
+  }
+  std::string summary() const override { return output::to_json(outcome_.summary).dump(); }
+  void write(const std::filesystem::path& folder) const override {
+    write_optimization(folder, outcome_, *study_);
+  }
+
+ private:
+  OptimizeOutcome outcome_;
+  std::shared_ptr<const Study> study_;
+};
+
+/// A study that was read, and what it varies.
+class StudyInput : public std::enable_shared_from_this<StudyInput> {
+ public:
+  StudyInput(const std::string& text, const std::string& file, const std::filesystem::path& folder,
+             const std::vector<std::string>& changes)
+      : changes_(changes),
+        study_(std::make_shared<const Study>(read_study(text, file, folder, changes))),
+        design_(std::make_shared<const Design>(study_->spec, study_->scene.mechanism)) {}
+
+  const Study& study() const { return *study_; }
+  const Design& design() const { return *design_; }
+  bool moves() const {
+    return study_->spec.loads.empty() && study_->scene.simulation.type == SimulationType::Dynamic;
+  }
+
+  /// Mass of the bodies in the objective, kg, and its gradient: central differences of fourth order
+  /// of the data, exact to round-off for polynomials of fourth degree.
+  double mass(const VectorXd& x) const {
+    return mass_of(design_->apply(study_->scene.mechanism, x), study_->spec.mass_of);
+  }
+  VectorXd mass_gradient(const VectorXd& x) const {
+    constexpr double kStep = 1. / 1024;
+    VectorXd out(x.size());
+    for (Eigen::Index i = 0; i < x.size(); ++i) {
+      const NlpVariable& v = design_->variables()[static_cast<std::size_t>(i)];
+      const double h = kStep * std::max(std::abs(x[i]), 1e-3 * (v.upper - v.lower));
+      const auto at = [&](double steps) {
+        VectorXd moved = x;
+        moved[i] += steps * h;
+        return mass(moved);
+      };
+      out[i] = (8 * (at(1) - at(-1)) - (at(2) - at(-2))) / (12 * h);
+    }
+    return out;
+  }
+
+  /// The motion of a scenario at the design x, with a record at every step.
+  std::shared_ptr<MotionResult> evaluate(const VectorXd& x, std::size_t scenario) const {
+    return run_job([study = study_, design = design_, x, scenario](const Stop& stop) {
+      const Scene& scene = scenario == 0 ? study->scene : study->scenarios.at(scenario - 1);
+      SensitivityProblem problem = study_problem(*study, scene, design, x);
+      problem.scene.simulation.output_every = 1;
+      const ChosenSpace space = choose_space(problem.scene);
+      return std::make_shared<MotionResult>(
+          std::make_unique<DifferentiableMotion>(std::move(problem), space, stop.progress()));
+    });
+  }
+
+  /// @param on_cycle called with the summary so far, or None
+  std::shared_ptr<Outcome> optimize(int nucleate, const py::object& on_cycle) const {
+    return run_job([self = shared_from_this(), nucleate, call = hold(on_cycle)](const Stop& stop) {
+      return self->optimized(nucleate, hooks(stop, *call));
+    });
+  }
+
+ private:
+  std::shared_ptr<Outcome> optimized(int nucleate, const OptimizeHooks& hooks) const {
+    const Stopwatch clock;
+    const ChosenSpace space = choose_space(study_->scene);
+    output::OptimizeSummary summary;
+    summary.command = "optimize";
+    summary.overrides = changes_;
+    describe(summary, study_->scene, space);
+    summary.name = study_->spec.name;
+    summary.input_sha256 = output::sha256(study_->input);
+    OptimizeOutcome out = optimize_task(*study_, space, summary, nucleate, hooks);
+    out.summary.more["input"] = study_->file;
+    out.summary.wall_s = clock.seconds();
+    return std::make_shared<OptimizeResult>(std::move(out), study_);
+  }
+  static OptimizeHooks hooks(const Stop& stop, const py::object& on_cycle) {
+    OptimizeHooks hooks;
+    hooks.progress = stop.progress();
+    hooks.keep_going = [&stop] { return !stop.requested(); };
+    hooks.on_cycle = [&stop, &on_cycle](const output::OptimizeSummary& so_far,
+                                        const RoundHistory&) {
+      const py::gil_scoped_acquire locked;
+      if (!on_cycle.is_none() && !stop.requested()) on_cycle(output::to_json(so_far).dump());
+    };
+    hooks.on_hole = [](const std::string&, const Nucleus&) {};
+    return hooks;
+  }
+
+  std::vector<std::string> changes_;
+  std::shared_ptr<const Study> study_;
+  std::shared_ptr<const Design> design_;
+};
+
+/// (name, unit, lower, upper, start) of each.
+py::list variables_of(const StudyInput& input) {
+  py::list out;
+  const auto& variables = input.design().variables();
+  for (std::size_t i = 0; i < variables.size(); ++i)
+    out.append(py::make_tuple(variables[i].name, input.design().units()[i], variables[i].lower,
+                              variables[i].upper, variables[i].start));
+  return out;
+}
+
+/// (name, limit) of each.
+py::list limits_of(const StudyInput& input) {
+  py::list out;
+  for (const ConstraintSpec& c : input.study().spec.constraints)
+    out.append(py::make_tuple(c.response.name, c.limit));
+  return out;
+}
+
+}  // namespace
+
+void bind_studies(py::module_& module) {
+  using Texts = std::vector<std::string>;
+  py::class_<StudyInput, std::shared_ptr<StudyInput>>(module, "Study")
+      .def(py::init<const std::string&, const std::string&, const std::filesystem::path&,
+                    const Texts&>())
+      .def("warnings", [](const StudyInput& s) { return s.study().scene.warnings; })
+      .def("variables", &variables_of)
+      .def("limits", &limits_of)
+      .def("scenarios", [](const StudyInput& s) { return s.study().spec.scenarios; })
+      .def("moves", &StudyInput::moves)
+      .def("changes_outlines", [](const StudyInput& s) { return s.design().parts() > 0; })
+      .def("mass", &StudyInput::mass)
+      .def("mass_gradient", &StudyInput::mass_gradient)
+      .def("evaluate", &StudyInput::evaluate)
+      .def("optimize", &StudyInput::optimize);
+}
+
+}  // namespace liesl::python
+
+#endif
