@@ -33,6 +33,8 @@ int map_command(const CommandOptions& options) {
 namespace liesl {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 /// "NAME" or "NAME=FROM:TO".
 MapAxis axis_of(const std::string& text) {
   const auto equals = text.find('=');
@@ -51,7 +53,6 @@ MapAxis axis_of(const std::string& text) {
 
 /// The designs of a results folder of `liesl optimize`.
 DesignPath path_of(const std::string& folder) {
-  using Json = nlohmann::ordered_json;
   DesignPath path{"--path " + folder, {}, {}, {}};
   const std::string text = output::read_file(std::filesystem::path(folder) / "summary.json");
   const Json summary = Json::parse(text, nullptr, false);

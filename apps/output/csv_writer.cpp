@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <iterator>
 
 #include "apps/output/file.hpp"
@@ -115,6 +116,8 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
   }
   write_file(path, out);
 }
+
+std::string cell(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
 
 std::string columns_csv(const std::vector<TextColumn>& columns) {
   std::string out;

@@ -32,6 +32,9 @@ struct TextColumn {
   std::vector<std::string> cells;
 };
 
+/// The number as a cell; empty where there is none.
+std::string cell(double x);
+
 /// Columns of the same length as the text of a table.
 std::string columns_csv(const std::vector<TextColumn>& columns);
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/output/csv_writer.hpp"
+#include "apps/output/data_tree.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/hdf5_file.hpp"
 #include "apps/output/hdf5_writer.hpp"
@@ -16,12 +17,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-std::string text(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
-
 TextColumn column(const std::string& name, const std::string& unit,
                   const std::vector<double>& values) {
   TextColumn out{name, unit, {}};
-  for (const double v : values) out.cells.push_back(text(v));
+  for (const double v : values) out.cells.push_back(cell(v));
   return out;
 }
 
@@ -62,7 +61,7 @@ void write_path_csv(const std::filesystem::path& path, const DesignMap& map) {
                                   {map.axes[1].name, map.axes[1].unit, {}}};
   for (const DesignMap::Stop& stop : map.path) {
     columns[0].cells.push_back(fmt::format("{}", stop.cycle));
-    for (const std::size_t k : {0, 1}) columns[k + 1].cells.push_back(text(stop.at[k]));
+    for (const std::size_t k : {0, 1}) columns[k + 1].cells.push_back(cell(stop.at[k]));
   }
   write_file(path, columns_csv(columns));
 }
@@ -87,7 +86,7 @@ void write_map_h5(const std::filesystem::path& path, const DesignMap& map) {
       const std::string name = group + hdf5_name(q.name);
       file.write(name, *values, {ny, nx});
       file.attribute(name, "unit", q.unit);
-      if (q.limit) file.attribute(name, "limit", text(*q.limit));
+      if (q.limit) file.attribute(name, "limit", cell(*q.limit));
     }
   if (!map.path.empty()) {
     std::vector<int> cycles;

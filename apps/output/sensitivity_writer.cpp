@@ -19,8 +19,6 @@ std::string ratio(const std::string& of, const std::string& by) {
   return by.find_first_of(" /") == std::string::npos ? of + "/" + by : of + "/(" + by + ")";
 }
 
-std::string text(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }
-
 }  // namespace
 
 double relative(const Sensitivities& s, const Sensitivities::Gradient& gradient,
@@ -32,7 +30,7 @@ double relative(const Sensitivities& s, const Sensitivities::Gradient& gradient,
 void write_sensitivities_csv(const std::filesystem::path& path, const Sensitivities& s) {
   const std::size_t n = s.times.size(), P = s.parameters.size();
   std::vector<TextColumn> columns{{"time", "s", {}}};
-  for (const double t : s.times) columns[0].cells.push_back(text(t));
+  for (const double t : s.times) columns[0].cells.push_back(cell(t));
   for (std::size_t r = 0; r < s.derivatives.size(); ++r) {
     const ResponseResult& response = s.responses[r];
     const auto C = static_cast<std::size_t>(response.components);
@@ -42,7 +40,7 @@ void write_sensitivities_csv(const std::filesystem::path& path, const Sensitivit
                           ratio(response.unit, s.parameters[p].unit),
                           {}};
         for (std::size_t i = 0; i < n; ++i)
-          column.cells.push_back(text(s.derivatives[r][(i * C + c) * P + p]));
+          column.cells.push_back(cell(s.derivatives[r][(i * C + c) * P + p]));
         columns.push_back(std::move(column));
       }
   }
@@ -61,14 +59,14 @@ void write_gradients_csv(const std::filesystem::path& path, const Sensitivities&
     for (std::size_t p = 0; p < s.parameters.size(); ++p) {
       const std::string cells[] = {g.response,
                                    g.functional,
-                                   text(g.value),
+                                   cell(g.value),
                                    g.unit,
-                                   text(g.at_time),
+                                   cell(g.at_time),
                                    s.parameters[p].name,
-                                   text(s.parameters[p].value),
+                                   cell(s.parameters[p].value),
                                    s.parameters[p].unit,
-                                   text(g.by_parameter[p]),
-                                   text(relative(s, g, p))};
+                                   cell(g.by_parameter[p]),
+                                   cell(relative(s, g, p))};
       for (std::size_t i = 0; i < std::size(cells); ++i) columns[i].cells.push_back(cells[i]);
     }
   write_file(path, columns_csv(columns));
