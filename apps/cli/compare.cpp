@@ -82,13 +82,13 @@ class Run {
       : comparison_(comparison),
         options_(options),
         folder_(fs::absolute(options.out).lexically_normal()),
-        table_(comparison.rows.cases, response_unit(comparison)),
+        table_(comparison.rows, response_unit(comparison)),
         references_(comparison, folder_, summary_) {
     const auto& rows = comparison.rows;
     summary_.name = rows.name;
     summary_.response = comparison.response;
     summary_.unit = response_unit(comparison);
-    summary_.norm = name_of(comparison.norm);
+    summary_.norm = rows.optimize ? "" : name_of(comparison.norm);
     summary_.rows = static_cast<int>(rows.cases.rows.size());
     summary_.overrides = options.set;
     summary_.input_sha256 = output::sha256(rows.input);
@@ -118,6 +118,11 @@ class Run {
     for (std::size_t row = 0; row < cases.rows.size(); ++row) {
       const CaseList::Row& run = cases.rows[row];
       line.update(static_cast<double>(table_.size()), "row " + run.name);
+      if (comparison_.rows.optimize) {
+        if (!table_.has(run.name)) table_.add(run, cells_of(measure_method(comparison_, row)));
+        save("running");
+        continue;
+      }
       const Reference* reference = references_.of(row);
       if (table_.has(run.name)) continue;
       const Measured m = measure_row(comparison_, row);
@@ -125,7 +130,7 @@ class Run {
       if (reference) floor = reference->floor;
       if (reference && m.ending != Ending::Stopped)
         error = distance(m.series, reference->mean, comparison_.norm);
-      table_.add(run, m, error, floor);
+      table_.add(run, cells_of(m, error, floor));
       save("running");
     }
   }

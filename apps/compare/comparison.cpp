@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 bool is_of_comparison(const std::string& change) {
   const std::string path = change.substr(0, change.find('='));
   const std::string top = path.substr(0, path.find('.'));
-  return find_key(FileKind::Comparison, top) && (top == path || top != "scene");
+  return find_key(FileKind::Comparison, top) && (top == path || (top != "scene" && top != "study"));
 }
 
 /// Does a key change only how the scene is computed?
@@ -58,41 +58,17 @@ std::vector<std::string> mesh_keys(const toml::table& root, const Scene& scene,
   return keys;
 }
 
+/// Keys that an axis of `grid` changes; none of what is for studies only.
 std::vector<std::string> keys_of_axis(std::string_view name, const Comparison& comparison) {
   if (name == "elements") return comparison.mesh_keys;
   return {"simulation." + std::string(name)};
 }
 
-/// The axes of `grid` and `vary`, in the order of the file.
-std::vector<Axis> axes_of(const toml::table& root, const Comparison& comparison,
-                          Problems& problems) {
-  std::vector<Axis> axes;
-  const toml::table& grid = *root["grid"].as_table();
-  for (const auto& [name, node] : grid) {
-    Axis axis{{std::string(name.str()), keys_of_axis(name.str(), comparison), place_of(node)}, {}};
-    if (axis.column.keys.empty())
-      problems.add(node, "the scene has no beam", "a scene with beams", "leave 'elements' out");
-    for (const toml::node& value : *node.as_array())
-      axis.values.push_back({toml_text(value), place_of(value)});
-    axes.push_back(std::move(axis));
-  }
-  if (const toml::table* vary = root["vary"].as_table())
-    for (Axis& axis : read_axes(*vary)) axes.push_back(std::move(axis));
-  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
-    return std::tie(a.column.place.line, a.column.place.column) <
-           std::tie(b.column.place.line, b.column.place.column);
-  });
-  if (axes.empty())
-    problems.add(grid, "the grid is empty", "one axis or more",
-                 "as in formalism = [\"se3\", \"r3so3\", \"classical\"]");
-  for (const Axis& axis : axes)
-    if (is_figure(axis.column.name))
-      problems.add({axis.column.place.file, axis.column.place.line, axis.column.place.column,
-                    fmt::format("'{}' is the name of a column of rows.csv", axis.column.name),
-                    "another name", ""});
-  if (combinations(axes) > kMostCases)
-    problems.add(grid, "the grid has very many rows", fmt::format("at most {}", kMostCases));
-  return axes;
+void refuse_keys_of_studies(const toml::table& root, Problems& problems) {
+  for (const char* name : {"method", "optimizer", "treatment", "approximation"})
+    if (const toml::node* node = root["grid"].as_table()->get(name))
+      problems.add(*node, fmt::format("a scene has no {}", name), "an axis of a scene",
+                   "give a 'study' instead of the scene");
 }
 
 ReferenceSpec read_reference(const toml::table& table, Problems& problems) {
@@ -192,6 +168,47 @@ output::Norm norm_of(const std::string& name) {
 
 }  // namespace
 
+std::vector<Axis> axes_of(const toml::table& root,
+                          const std::function<std::vector<std::string>(std::string_view)>& keys,
+                          Problems& problems) {
+  std::vector<Axis> axes;
+  const toml::table& grid = *root["grid"].as_table();
+  for (const auto& [name, node] : grid) {
+    Axis axis{{std::string(name.str()), keys(name.str()), place_of(node)}, {}};
+    if (axis.column.keys.empty())
+      problems.add(node,
+                   name == "elements" ? "the scene has no beam" : "the study has no constraints",
+                   name == "elements" ? "a scene with beams" : "a study with limits",
+                   fmt::format("leave '{}' out", name.str()));
+    for (const toml::node& value : *node.as_array())
+      axis.values.push_back({toml_text(value), place_of(value)});
+    axes.push_back(std::move(axis));
+  }
+  if (const toml::table* vary = root["vary"].as_table())
+    for (Axis& axis : read_axes(*vary)) axes.push_back(std::move(axis));
+  std::stable_sort(axes.begin(), axes.end(), [](const Axis& a, const Axis& b) {
+    return std::tie(a.column.place.line, a.column.place.column) <
+           std::tie(b.column.place.line, b.column.place.column);
+  });
+  if (axes.empty())
+    problems.add(grid, "the grid is empty", "one axis or more",
+                 "as in formalism = [\"se3\", \"r3so3\", \"classical\"]");
+  for (const Axis& axis : axes)
+    if (is_figure(axis.column.name, root.contains("study")))
+      problems.add({axis.column.place.file, axis.column.place.line, axis.column.place.column,
+                    fmt::format("'{}' is the name of a column of rows.csv", axis.column.name),
+                    "another name", ""});
+  if (combinations(axes) > kMostCases)
+    problems.add(grid, "the grid has very many rows", fmt::format("at most {}", kMostCases));
+  return axes;
+}
+
+void read_changes(const toml::table& root, Comparison& comparison) {
+  if (const toml::table* set = root["set"].as_table())
+    for (const auto& [name, node] : *set)
+      comparison.rows.set.push_back(fmt::format("{}={}", name.str(), toml_text(node)));
+}
+
 std::vector<std::string> Comparison::physics(std::size_t row) const {
   std::vector<std::string> changes;
   for (const std::string& change : overrides(rows.cases, row))
@@ -247,17 +264,29 @@ Comparison load_comparison(const fs::path& path, const std::vector<std::string>&
   const toml::table& root = document.root;
   rows.name = text(root, "name");
   rows.file = document.file;
-  rows.of = (path.parent_path() / text(root, "scene")).lexically_normal();
   rows.set = of_scene;
+  comparison.time_limit = number(root, "time_limit");
+  if (root.contains("study")) {
+    read_methods(root, path, comparison, problems);
+    rows.input = document.text + rows.input;
+    for (const std::string& change : own) rows.input += "\n--set " + change;
+    return comparison;
+  }
+  if (!root.contains("quantity"))
+    problems.add(root, "missing key 'quantity'", "a table", "what the error is measured by");
+  problems.throw_if_any();
+  rows.of = (path.parent_path() / text(root, "scene")).lexically_normal();
   const Scene scene = read_scene_of(root, comparison, problems);
   const toml::table& quantity = *root["quantity"].as_table();
   comparison.response = text(quantity, "response");
   comparison.norm = norm_of(text(quantity, "norm"));
   comparison.repeats = integer(root, "repeats");
-  comparison.time_limit = number(root, "time_limit");
   comparison.mesh_keys = mesh_keys(root, scene, problems);
   check_quantity(root, scene, problems);
-  const std::vector<Axis> axes = axes_of(root, comparison, problems);
+  refuse_keys_of_studies(root, problems);
+  problems.throw_if_any();
+  const auto keys = [&](std::string_view name) { return keys_of_axis(name, comparison); };
+  const std::vector<Axis> axes = axes_of(root, keys, problems);
   if (const toml::table* reference = root["reference"].as_table())
     comparison.reference = read_reference(*reference, problems);
   problems.throw_if_any();

@@ -1,11 +1,14 @@
 #pragma once
 /// @file
-/// Comparisons: one scene under many formalisms, meshes and steps. Keys: docs/scene_reference.md.
+/// Comparisons: one scene under many formalisms, meshes and steps, or one study by many methods.
+/// Keys: docs/scene_reference.md.
 
 #include <array>
+#include <functional>
 #include <optional>
 
 #include "apps/batch/batch.hpp"
+#include "apps/batch/grid.hpp"
 #include "apps/output/series.hpp"
 
 namespace liesl {
@@ -28,8 +31,8 @@ struct ReferenceSpec {
 };
 
 struct Comparison {
-  Batch rows;  ///< its cases are the rows; `of` is the scene
-  std::string response;
+  Batch rows;            ///< its cases are the rows; `of` is the scene, or the study if `optimize`
+  std::string response;  ///< of a scene
   output::Norm norm = output::Norm::Final;
   int repeats = 3;
   double time_limit = 60;              ///< s, CPU time of one run
@@ -43,6 +46,17 @@ struct Comparison {
   /// The runs of one side (0 or 1) of the reference of a row. Their weights add up to one.
   std::vector<ReferenceRun> reference_runs(std::size_t row, int side) const;
 };
+
+/// Reads the rows of a comparison of methods: `study`, the axes of `grid` and `vary`, and every row
+/// as the study that it will be. @pre rows.name, rows.file and rows.set are known
+void read_methods(const toml::table& root, const std::filesystem::path& path,
+                  Comparison& comparison, Problems& problems);
+/// Those of `vary` and of the `grid`, whose axes change these keys, in the order of the file.
+std::vector<Axis> axes_of(const toml::table& root,
+                          const std::function<std::vector<std::string>(std::string_view)>& keys,
+                          Problems& problems);
+/// `set` as changes of every row.
+void read_changes(const toml::table& root, Comparison& comparison);
 
 /// Reads a comparison, its scene and every row. Overrides change keys of the comparison, else keys
 /// of the scene in all runs.

@@ -6,29 +6,45 @@
 #include <map>
 #include <optional>
 
-#include "apps/batch/case_list.hpp"
+#include "apps/batch/batch.hpp"
 #include "apps/compare/measure.hpp"
 
 namespace liesl {
 
-/// Is this a column that every table has?
-bool is_figure(const std::string& column);
+/// Is this a column that every table of simulations, or of optimisations, has?
+bool is_figure(const std::string& column, bool of_study);
 
 /// A value of a row without the quotes of TOML.
 std::string plain(const std::string& text);
+
+/// One optimisation as figures.
+struct MeasuredMethod {
+  std::string status, reason;
+  int simulations = 0;    ///< designs simulated, times the scenarios
+  int sensitivities = 0;  ///< motions that were differentiated
+  double cpu_s = 0;       ///< of all threads
+  std::optional<double> mass, violation, kkt;
+};
+
+/// Cells of a row, one a figure. @param error,floor empty without a reference or an end
+std::vector<std::string> cells_of(const Measured& measured, std::optional<double> error,
+                                  std::optional<double> floor);
+std::vector<std::string> cells_of(const MeasuredMethod& measured);
 
 /// Rows by the name of the run. Cells are texts, so that rows read again stay as they were written.
 class RowTable {
  public:
   /// @param unit of the response
-  RowTable(const CaseList& runs, std::string unit) : runs_(runs), unit_(std::move(unit)) {}
+  RowTable(const Batch& runs, std::string unit) : runs_(runs), unit_(std::move(unit)) {}
 
   bool has(const std::string& run) const { return rows_.contains(run); }
   std::size_t size() const { return rows_.size(); }
-  /// @param error,floor of the row and its reference; empty without a reference or an end
-  void add(const CaseList::Row& run, const Measured& measured, std::optional<double> error,
-           std::optional<double> floor);
-  /// A number of a row; empty if the row is not there or has none. @pre is_figure(column)
+  /// @param cells of `cells_of`
+  void add(const CaseList::Row& run, std::vector<std::string> cells) {
+    rows_[run.name] = std::move(cells);
+  }
+  /// A number of a row; empty if the row is not there or has none. @pre is_figure(column,
+  /// runs.optimize)
   std::optional<double> figure(const std::string& run, const std::string& column) const;
   /// How many rows ended how.
   std::map<std::string, int> endings() const;
@@ -39,7 +55,7 @@ class RowTable {
   void write(const std::filesystem::path& path) const;
 
  private:
-  const CaseList& runs_;
+  const Batch& runs_;
   std::string unit_;
   std::map<std::string, std::vector<std::string>> rows_;
 };

@@ -9,14 +9,15 @@ namespace liesl {
 std::vector<Key> compare_keys() {
   return {
     {"name", Type::Text, "", "\"comparison\"", kAny, "Title of the comparison."},
-    {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the comparison; it must be dynamic."},
-    {"repeats", Type::Integer, "", "3", {1, 1000}, "Timed runs of each row, after one that warms up. `cpu_s` is their median."},
-    {"time_limit", Type::Number, "s", "60", kPositive, "CPU time of one run; a row that needs more is stopped."},
+    {"scene", Type::Text, "", kOneOf, kAny, "File of the scene, relative to the comparison; it must be dynamic. Rows are simulations."},
+    {"study", Type::Text, "", kOneOf, kAny, "File of a study, relative to the comparison: rows are optimisations, by `grid.method`, `optimizer`, `treatment`, `approximation` and `vary` over any keys of the study; `quantity`, `reference`, `beams` and `repeats` are of scenes."},
+    {"repeats", Type::Integer, "", "3", {1, 1000}, "Timed runs of each row, after one that warms up. `cpu_s` is their median. An optimisation runs once."},
+    {"time_limit", Type::Number, "s", "60", kPositive, "CPU time of one run; a row that needs more is stopped. An optimisation stops after the cycle."},
     {"beams", Type::Texts, "", kOptional, kAny, "Beams that `elements` is for. Default: all."},
-    {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in every run, as in \"simulation.duration\" = 0.5."},
+    {"set", Type::Named, "", kOptional, kAny, "Keys of the scene (of the study) to change in every run, as in \"simulation.duration\" = 0.5."},
     {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
 
-    {"quantity", Type::Table, "", kRequired, kAny, "What the error is measured by."},
+    {"quantity", Type::Table, "", kOptional, kAny, "What the error is measured by; required of a scene."},
     {"quantity.response", Type::Text, "", kRequired, kAny, "Name of a response of the scene."},
     {"quantity.norm", Type::Choice, "", "\"final\"", kAny, "Of the difference to the reference: at the end, largest, or root mean square over time.", 0, "final max rms"},
 
@@ -35,8 +36,12 @@ std::vector<Key> compare_keys() {
     {"grid.tolerance", Type::List, "", kOptional, kAny, "simulation.tolerance."},
     {"grid.rho_inf", Type::List, "", kOptional, kAny, "simulation.rho_inf."},
     {"grid.tangent", Type::List, "", kOptional, kAny, "simulation.tangent."},
+    {"grid.method", Type::List, "", kOptional, kAny, "Of a study: cycle.method. Rows of \"esl\" with another treatment than \"auto\" are left out: it has none."},
+    {"grid.optimizer", Type::List, "", kOptional, kAny, "Of a study: cycle.optimizer."},
+    {"grid.approximation", Type::List, "", kOptional, kAny, "Of a study: cycle.approximation."},
+    {"grid.treatment", Type::List, "", kOptional, kAny, "Of a study: `treatment` of all constraints."},
 
-    {"vary", Type::Named, "", kOptional, kAny, "Further axes by name, over any keys of the scene. What changes the mechanism or its motion has a reference of its own for each combination."},
+    {"vary", Type::Named, "", kOptional, kAny, "Further axes by name, over any keys of the scene (of the study). What changes the mechanism or its motion has a reference of its own for each combination."},
     {"vary.*", Type::Table, "", kOptional, kAny, "One axis."},
     {"vary.*.key", Type::Texts, "", kRequired, kAny, "Key of the scene, as for --set, or several that share the value."},
     {"vary.*.values", Type::List, "", kRequired, kAny, "Values of the key."},

@@ -5,7 +5,7 @@ import re
 
 import matplotlib.pyplot as plt
 
-from style import COLOURS, GREEN, LIMIT, ORANGE, RED, label, legend, stacked
+from style import BLUE, COLOURS, GREEN, LIMIT, ORANGE, RED, label, legend, stacked
 from tables import is_number, NothingToDraw
 
 
@@ -220,7 +220,49 @@ def draw_stability(comparison, pictures, arguments):
     pictures.save(figure, name, "how runs end (the worst over what else is varied)")
 
 
+METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN}
+
+
+def draw_methods(series, pictures):
+    """Mass against processor time, a point an optimisation; below it how far from optimal it ended."""
+    rows = [dict(zip(series.names, row)) for row in series.rows]
+    inputs = series.names[1:series.names.index("status")]
+    markers = next((n for n in ("treatment", "optimizer", *inputs) if n != "method" and n in inputs
+                    and len({row[n] for row in rows}) > 1), None)
+    kinds = list(dict.fromkeys(row[markers] for row in rows)) if markers else [""]
+    looks = dict(zip(kinds, "osD^vPX*<>" * len(kinds)))
+    figure, panels = stacked(2, 3.2)
+    for ax, column, unit in ((panels[0], "mass", "kg"), (panels[1], "kkt", "")):
+        for row in rows:
+            if not (is_number(row[column]) and is_number(row["cpu_s"])):
+                continue
+            colour = METHODS.get(row.get("method"), RED)
+            good = row["status"] in ("optimal", "converged")
+            ax.plot(float(row["cpu_s"]), float(row[column]),
+                    marker=looks[row[markers] if markers else ""], color=colour, markersize=7,
+                    markerfacecolor=colour if row["status"] == "optimal" else "white",
+                    alpha=0.85 if good else 0.35, linestyle="none")
+        ax.set_ylabel(label("KKT residual" if column == "kkt" else column, unit))
+    panels[1].axhline(0.01, label="optimal below", **LIMIT)
+    log_axes(panels[0], "x")
+    log_axes(panels[1], "x", "y")
+    for method in dict.fromkeys(row.get("method", "") for row in rows):
+        panels[0].plot([], [], "o", color=METHODS.get(method, RED), label=method)
+    for kind in kinds if markers else []:
+        panels[0].plot([], [], looks[kind], color="black", markerfacecolor="none", label=kind)
+    panels[0].plot([], [], "o", color="black", label="optimal")
+    panels[0].plot([], [], "o", color="black", markerfacecolor="white", label="not optimal")
+    for ax in panels:
+        legend(ax)
+    panels[1].set_xlabel("processor time [s]")
+    figure.align_ylabels()
+    pictures.save(figure, "methods", "mass against time")
+
+
 def draw_comparison(series, pictures, summary, arguments):
+    if "simulations" in series.names:
+        draw_methods(series, pictures)
+        return
     comparison = Comparison(series, summary)
     if arguments.x:
         draw_stability(comparison, pictures, arguments)

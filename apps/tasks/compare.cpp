@@ -43,6 +43,7 @@ Measured measure_scene(const Comparison& comparison, const std::vector<std::stri
 }  // namespace
 
 std::string response_unit(const Comparison& comparison) {
+  if (comparison.rows.optimize) return "kg";
   const Scene scene = load_scene(comparison.rows.of, comparison.rows.changes(0));
   return unit(response_named(scene, comparison.response), scene.mechanism);
 }

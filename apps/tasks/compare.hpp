@@ -3,7 +3,7 @@
 /// The task of `liesl compare`: rows measured and set against references. No files, no printing.
 
 #include "apps/compare/comparison.hpp"
-#include "apps/compare/measure.hpp"
+#include "apps/compare/row_table.hpp"
 
 namespace liesl {
 
@@ -12,6 +12,10 @@ std::string response_unit(const Comparison& comparison);
 
 /// Runs one row. Non-convergence is an ending.
 Measured measure_row(const Comparison& comparison, std::size_t row);
+
+/// Optimises the study of one row; stops after the cycle that reaches the time limit.
+/// @throws output::Interrupted when the program is asked to end
+MeasuredMethod measure_method(const Comparison& comparison, std::size_t row);
 
 /// What rows are compared with: the mean of two independent sides.
 struct Reference {

@@ -138,6 +138,19 @@ def write_comparison(folder):
         {"command": "compare", "name": "three formalisms", "response": "tip", "norm": "rms"}))
 
 
+def write_methods(folder):
+    """Optimisations by three methods, one that was stopped."""
+    rows = [[k + 1, method, treatment, "optimal" if method != "esl" else "converged", 6 + k, k,
+             0.3 + 0.2 * k, 0.21 + 0.002 * (method == "esl"), -1e-5, 0.37 if method == "esl" else
+             0.003, ""] for k, (method, treatment) in enumerate(
+                 (m, t) for m in ("esl", "esl1", "full") for t in ("auto", "maxima"))]
+    rows.append([7, "full", "worst", "stopped", 9, 8, 60, "", "", "", "more than 60 s"])
+    write_csv(folder / "rows.csv",
+              ["run", "method", "treatment", "status", "simulations", "sensitivities", "cpu_s [s]",
+               "mass [kg]", "violation [-]", "kkt [-]", "reason"], rows)
+    (folder / "summary.json").write_text(json.dumps({"command": "compare", "name": "methods"}))
+
+
 def write_part(folder, gain=True):
     """A plate of 20 x 10 cells with a slot in it, over two steps."""
     rows = []
@@ -212,6 +225,9 @@ class Plot(unittest.TestCase):
         for word in words:
             self.assertIn(word, done.stderr)
         self.assertNotIn("Traceback", done.stderr)
+
+    def test_methods(self):
+        self.draws(write_methods, ["methods"])
 
     def test_map(self):
         self.draws(write_map, ["map"])

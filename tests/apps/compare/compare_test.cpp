@@ -358,5 +358,62 @@ TEST(ShippedComparisons, AreRead) {
   EXPECT_GE(count, 7);
 }
 
+/// A row an optimisation; the plain cycle has one row for all treatments.
+TEST_F(Compare, MethodsAreRows) {
+  const std::string text =
+      "study = \"" + study("slider_crank_rod") +
+      "\"\nset = { \"simulation.duration\" = 0.02, \"constraints.bending.limit\" = 2e-4 }\n"
+      "[grid]\nmethod = [\"esl\", \"esl1\", \"full\"]\ntreatment = [\"auto\", \"maxima\"]\n";
+  const Outcome o = compare(text);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto rows = read_rows(results() / "rows.csv");
+  ASSERT_EQ(rows.size(), 5u);
+  EXPECT_EQ(rows[0].at("method"), "esl");
+  EXPECT_EQ(number(rows[0], "sensitivities"), 1);
+  for (const Row& row : rows) {
+    EXPECT_LT(number(row, "violation"), 1e-3) << row.at("method");
+    EXPECT_GT(number(row, "cpu_s"), 0);
+    EXPECT_GE(number(row, "simulations"), number(row, "sensitivities"));
+    if (row.at("method") == "esl") continue;
+    EXPECT_EQ(row.at("status"), "optimal") << row.at("reason");
+    EXPECT_LE(number(row, "kkt"), 1e-2);
+    EXPECT_NEAR(number(row, "mass"), number(rows[1], "mass"), 1e-3 * number(rows[1], "mass"))
+        << "one optimum, whatever the way";
+  }
+  const Outcome optimum = run({"optimize", study("slider_crank_rod"), "-q", "--no-report", "-o",
+                               dir_ / "optimum", "--set", "simulation.duration=0.02", "--set",
+                               "constraints.bending.limit=2e-4", "--set", "cycle.method=full"});
+  ASSERT_EQ(optimum.code, 0) << optimum.err;
+  const Json figures = Json::parse(text_of(dir_ / "optimum" / "summary.json"));
+  EXPECT_EQ(rows[3].at("method"), "full");
+  EXPECT_DOUBLE_EQ(number(rows[3], "mass"), figures["mass_final"].get<double>());
+  EXPECT_DOUBLE_EQ(number(rows[3], "simulations"), figures["history"].size());
+  EXPECT_EQ(keys(summary()), documented("### `compare`").always);
+  EXPECT_EQ(run({"plot", results()}).code, 0);
+  EXPECT_TRUE(fs::exists(results() / "plots" / "methods.png"));
+}
+
+TEST_F(Compare, RefusesWhatMethodsHaveNot) {
+  const std::string head = "study = \"" + study("slider_crank_rod") + "\"\n";
+  const auto refused = [&](const std::string& text, const char* why) {
+    const Outcome o = compare(text);
+    EXPECT_EQ(o.code, 2) << why;
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+    EXPECT_NE(o.err.find("study.toml:"), std::string::npos) << "the place: " << o.err;
+  };
+  refused(head + "[grid]\nmethod = [\"esl2\"]\n", "esl2");
+  refused(head + "[grid]\nmethod = [\"esl1\"]\ntreatment = [\"mean\"]\n", "mean");
+  refused(head + "[grid]\nformalism = [\"se3\"]\n", "a study has no formalism");
+  refused(head + "[quantity]\nresponse = \"bend\"\n[grid]\nmethod = [\"esl\"]\n",
+          "a study has no quantity");
+  refused("study = \"" + study("cantilever") + "\"\n[grid]\nmethod = [\"esl1\"]\n",
+          "the study has no motion");
+  refused("scene = \"" + scene("slider_crank") +
+              "\"\n[quantity]\nresponse = \"bend\"\n[grid]\nmethod = [\"esl\"]\n",
+          "a scene has no method");
+  refused("scene = \"" + scene("slider_crank") + "\"\n[grid]\nformalism = [\"se3\"]\n",
+          "missing key 'quantity'");
+}
+
 }  // namespace
 }  // namespace liesl::test

@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <ctime>
+
+#include "apps/tasks/compare.hpp"
+
+#ifndef LIESL_OPTIM
+
+#include "apps/output/io_error.hpp"
+
+namespace liesl {
+
+MeasuredMethod measure_method(const Comparison& comparison, std::size_t) {
+  throw output::IoError(
+      "optimise", comparison.rows.of,
+      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+}
+
+}  // namespace liesl
+
+#else
+
+#include "apps/output/interrupt.hpp"
+#include "apps/study/load_study.hpp"
+#include "apps/tasks/optimize.hpp"
+
+namespace liesl {
+namespace {
+
+/// The plain cycle differentiates the motion of its last design, for the certificate; trust regions
+/// that of every design that they take.
+int differentiated(const Study& study, const RoundHistory& rounds, const OptimizeOutcome& out) {
+  int designs = 0;
+  if (study.spec.cycle.method == CycleMethod::Esl)
+    designs =
+        out.summary.more.contains("kkt_residual") && !out.summary.more["kkt_residual"].is_null();
+  else
+    for (const auto& round : rounds)
+      for (const Cycle& cycle : round) designs += cycle.taken;
+  return designs;
+}
+
+}  // namespace
+
+MeasuredMethod measure_method(const Comparison& comparison, std::size_t row) {
+  const Study study = load_study(comparison.rows.of, comparison.rows.changes(row));
+  const std::clock_t begin = std::clock();
+  const auto seconds = [begin] {
+    return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+  };
+  RoundHistory rounds;
+  OptimizeHooks hooks;
+  hooks.keep_going = [&] {
+    return output::interrupted() == 0 && seconds() <= comparison.time_limit;
+  };
+  hooks.progress = [](double) { return output::interrupted() == 0; };
+  hooks.on_cycle = [&](const output::OptimizeSummary&, const RoundHistory& so_far) {
+    rounds = so_far;
+  };
+  const OptimizeOutcome out = optimize_task(study, choose_space(study.scene), {}, 0, hooks);
+  output::check_interrupt();
+  MeasuredMethod m;
+  m.cpu_s = seconds();
+  m.status = out.summary.status;
+  m.reason = out.summary.reason;
+  if (out.status == CycleStatus::Interrupted) {
+    m.status = "stopped";
+    m.reason = fmt::format("more than {:g} s of processor time", comparison.time_limit);
+  }
+  const int motions = 1 + static_cast<int>(study.scenarios.size());
+  m.simulations = motions * static_cast<int>(out.summary.history.size());
+  m.sensitivities = motions * differentiated(study, rounds, out);
+  if (!out.simulated) return m;
+  m.mass = out.summary.mass_final;
+  m.violation = out.summary.worst_constraint;
+  if (const auto& kkt = out.summary.more["kkt_residual"]; kkt.is_number())
+    m.kkt = kkt.get<double>();
+  return m;
+}
+
+}  // namespace liesl
+
+#endif
