@@ -177,28 +177,29 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   return false;
 }
 
-/// The joint force is that of the constraints.
-bool has_constraints(Reader& reader, const toml::table& table, const ResponseSpec& response) {
-  const auto& joints = reader.scene.mechanism.joints;
-  const JointSpec& joint = joints[static_cast<std::size_t>(response.joint)];
-  const JointKind& kind = kind_of(joint.type);
-  const bool driven =
-      std::any_of(reader.scene.mechanism.drives.begin(), reader.scene.mechanism.drives.end(),
-                  [&](const DriveSpec& drive) { return drive.joint == response.joint; });
-  if (!kind.constraints.empty() || driven) return true;
-  reader.problems.add(
-      *table.get("of"),
-      fmt::format("{} '{}' constrains nothing: its force is that of its spring, damper and force",
-                  kind.name, joint.name),
-      "a joint with constraints or a drive", "response = \"coordinate\" tells how far it gives");
-  return false;
+/// In statics a state does not know the time of a force that is given over time.
+bool has_joint_force(Reader& reader, const toml::table& table, const ResponseSpec& response) {
+  const Mechanism& mechanism = reader.scene.mechanism;
+  const JointSpec& joint = mechanism.joints[static_cast<std::size_t>(response.joint)];
+  if (reader.scene.simulation.type == SimulationType::Dynamic || !kind_of(joint.type).elastic)
+    return true;
+  for (const ForceSpec& force : mechanism.forces)
+    if (force.joint == response.joint && !(force.force.is_constant() && force.force(0) == 0)) {
+      reader.problems.add(*table.get("of"),
+                          fmt::format("{} '{}' has a force of its own, which is known beforehand",
+                                      kind_of(joint.type).name, joint.name),
+                          "in statics, the force of constraints, drives and springs",
+                          "response = \"coordinate\" tells how far it gives");
+      return false;
+    }
+  return true;
 }
 
 bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const auto joint = reader.joint(*table.get("of"));
   if (!joint) return false;
   response.joint = *joint;
-  if (response.kind == ResponseKind::JointForce) return has_constraints(reader, table, response);
+  if (response.kind == ResponseKind::JointForce) return has_joint_force(reader, table, response);
   response.coordinate = integer(table, "coordinate");
   const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
   const JointKind& kind = kind_of(spec.type);

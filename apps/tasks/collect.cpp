@@ -201,6 +201,15 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
   }
 }
 
+/// Of the weight as its factor changes.
+template <FrameGroup G>
+void StepRecorder<G>::add_work_of_gravity(const State<G>& s) {
+  const double scale = model_.gravity_scale(s.t), potential = weight_potential(model_, s);
+  if (states_ > 0) work_ += 0.5 * (scale - scale_before_) * (potential + weight_before_);
+  scale_before_ = scale;
+  weight_before_ = potential;
+}
+
 /// Work by the trapezoidal rule over the steps that are shown.
 template <FrameGroup G>
 void StepRecorder<G>::add_energies(const State<G>& s, bool recorded) {
@@ -210,6 +219,7 @@ void StepRecorder<G>::add_energies(const State<G>& s, bool recorded) {
     const double p = power(model_, equations_, s);
     if (states_ == 0) start_ = total(e);
     if (states_ > 0) work_ += 0.5 * (s.t - t_before_) * (p + power_before_);
+    if (!model_.gravity_scale.is_constant()) add_work_of_gravity(s);
     t_before_ = s.t;
     power_before_ = p;
     dissipated = start_ + work_ - total(e);

@@ -24,6 +24,7 @@ class StepRecorder {
 
  private:
   void add_responses(const State<G>& s, bool recorded);
+  void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);
 
   const Model<G>& model_;
@@ -33,6 +34,7 @@ class StepRecorder {
   Equations<G> equations_;
   long states_ = 0;
   double start_ = 0, work_ = 0, t_before_ = 0, power_before_ = 0;
+  double scale_before_ = 1, weight_before_ = 0;
   std::vector<output::ResponseResult> responses_;
   output::Energies energies_;
 };

@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kBalanced = 1e-3;     // of the forces: what multipliers may leave
 constexpr double kIndependent = 1e-7;  // what is left of a unit row that others span
-constexpr double kDefinite = 1e-9;     // of the largest K_ii / M_ii: round-off of a free motion
 
 /// Rows of B that are independent of those before them.
 std::vector<int> independent_rows(const Eigen::MatrixXd& B) {
@@ -96,7 +95,7 @@ bool PlaneStability::find_multipliers() {
   const Eigen::VectorXd r = equations_.r;
   if (m > 0) s_.lambda = -linalg::LDLT(Eigen::MatrixXd(B * B.transpose())).solve(B * r);
   const Eigen::VectorXd left = r + B.transpose() * s_.lambda;
-  return left.allFinite() && left.norm() <= kBalanced * equations_.scale();
+  return left.allFinite() && left.norm() <= kBalanced * equations_.scale() + equations_.round_off();
 }
 
 void PlaneStability::take_rates() {
@@ -142,13 +141,9 @@ std::optional<double> PlaneStability::growth(const State<SE2>& s) {
   const auto rows = independent_rows(Eigen::MatrixXd(B));
   const auto free = static_cast<int>(N.cols()), held = static_cast<int>(rows.size());
   std::vector<Eigen::Triplet<double>> entries;
-  double stiffest = 0;
   for (int j = 0; j < K.outerSize(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it; ++it) {
+    for (Eigen::SparseMatrix<double>::InnerIterator it(K, j); it; ++it)
       entries.emplace_back(it.row(), it.col(), it.value());
-      if (it.row() == it.col() && M.coeff(j, j) > 0)
-        stiffest = std::max(stiffest, it.value() / M.coeff(j, j));
-    }
   const Eigen::SparseMatrix<double> Bt = B.transpose();
   for (int i = 0; i < held; ++i)
     for (Eigen::SparseMatrix<double>::InnerIterator it(Bt, rows[static_cast<std::size_t>(i)]); it;
@@ -160,7 +155,7 @@ std::optional<double> PlaneStability::growth(const State<SE2>& s) {
   saddle.setFromTriplets(entries.begin(), entries.end());
   const ConstrainedModes modes = constrained_modes(saddle, M, 1);
   if (!modes.converged) return {};
-  if (modes.lambda.size() == 0 || modes.lambda[0] >= -kDefinite * stiffest) return 0;
+  if (modes.lambda.size() == 0 || modes.lambda[0] >= 0) return 0;
   return std::sqrt(-modes.lambda[0]);
 }
 

@@ -13,18 +13,6 @@ double kinetic_energy(const Model<G>& model, const State<G>& s) {
   return sum;
 }
 
-/// Power that a changing gravity puts into the potential energy.
-template <FrameGroup G>
-double power_of_gravity(const Model<G>& model, const State<G>& s) {
-  const double rate = model.gravity_scale.rate(s.t);
-  double sum = 0;
-  for (std::size_t b = 0; rate != 0 && b < model.bodies.size(); ++b)
-    sum += model.bodies[b]
-               ->energy(model.body_state(s, static_cast<int>(b)), rate * model.gravity)
-               .potential;
-  return sum;
-}
-
 }  // namespace
 
 template <FrameGroup G>
@@ -45,6 +33,15 @@ BodyEnergy mechanical_energy(const Model<G>& model, const State<G>& s) {
 }
 
 template <FrameGroup G>
+double weight_potential(const Model<G>& model, const State<G>& s) {
+  double sum = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    sum +=
+        model.bodies[b]->energy(model.body_state(s, static_cast<int>(b)), model.gravity).potential;
+  return sum;
+}
+
+template <FrameGroup G>
 double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
   double p = 0;
   for (const auto& c : model.couplings)
@@ -61,7 +58,7 @@ double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
   }
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     p -= model.bodies[b]->dissipation(model.body_state(s, static_cast<int>(b)));
-  return p + power_of_gravity(model, s) + eq.load_power(s);
+  return p + eq.load_power(s);
 }
 
 template <FrameGroup G>
@@ -89,6 +86,8 @@ typename G::Tangent momentum(const Model<G>& model, const State<G>& s) {
 
 template BodyEnergy mechanical_energy(const Model<SE2>&, const State<SE2>&);
 template BodyEnergy mechanical_energy(const Model<SE3>&, const State<SE3>&);
+template double weight_potential(const Model<SE2>&, const State<SE2>&);
+template double weight_potential(const Model<SE3>&, const State<SE3>&);
 template double power(const Model<SE2>&, Equations<SE2>&, const State<SE2>&);
 template double power(const Model<SE3>&, Equations<SE3>&, const State<SE3>&);
 template SE2::Tangent momentum(const Model<SE2>&, const State<SE2>&);

@@ -18,10 +18,16 @@ inline double total(const BodyEnergy& e) { return e.kinetic + e.elastic + e.pote
 /// Power that drives, loads, actuators, dampers and the damping of bodies put into the mechanism,
 /// W; damping takes it out:
 ///   P = -sum lambda df/dt + sum (F(t) - c dq/dt) dq/dt - r_load . v - sum D_body.
-/// With d(mechanical energy)/dt = P.
+/// With d(mechanical energy)/dt = P, and + ds/dt times `weight_potential` where gravity has a
+/// factor s(t).
 /// @param eq workspace; its residual is overwritten
 template <FrameGroup G>
 double power(const Model<G>& model, Equations<G>& eq, const State<G>& s);
+
+/// Potential of the weight at a factor of gravity of 1, J. From one state to the next a changing
+/// factor s puts (s_1 - s_0) (V_0 + V_1)/2 into the mechanism, also where ds/dt jumps.
+template <FrameGroup G>
+double weight_potential(const Model<G>& model, const State<G>& s);
 
 /// Momentum of a state about the origin, [linear; angular] in the axes of the model: N s, N m s.
 /// It is the derivative of the kinetic energy by rigid velocities of the whole mechanism, and the
@@ -33,6 +39,8 @@ typename G::Tangent momentum(const Model<G>& model, const State<G>& s);
 
 extern template BodyEnergy mechanical_energy(const Model<SE2>&, const State<SE2>&);
 extern template BodyEnergy mechanical_energy(const Model<SE3>&, const State<SE3>&);
+extern template double weight_potential(const Model<SE2>&, const State<SE2>&);
+extern template double weight_potential(const Model<SE3>&, const State<SE3>&);
 extern template double power(const Model<SE2>&, Equations<SE2>&, const State<SE2>&);
 extern template double power(const Model<SE3>&, Equations<SE3>&, const State<SE3>&);
 extern template SE2::Tangent momentum(const Model<SE2>&, const State<SE2>&);

@@ -28,6 +28,13 @@ double value(const FunctionDerivative& by_p, double t, int order = 0) {
   return sum;
 }
 
+/// d(force)/dp of a law.
+double by_law(const ForceDerivative& by, const ForceLaw& law, double q, double rate,
+              const LoadLevel& level) {
+  return by.stiffness * (q - law.rest) + by.damping * rate - law.slope(q) * by.rest -
+         by.factor * load_value(law.force, level) - level.factor * value(by.function, level.t);
+}
+
 std::string expected(const char* what, int number) {
   return "expected the number of a " + std::string(what) + ", got " + std::to_string(number);
 }
@@ -206,12 +213,21 @@ void ParameterResidual<G>::add_target(double t, int order, Eigen::VectorXd& phi_
 }
 
 template <FrameGroup G>
+double ParameterResidual<G>::force_derivative(const CouplingRow<G>& row, double q, double rate,
+                                              const LoadLevel& level) const {
+  double sum = 0;
+  for (const auto& part : parameter_.parts)
+    if (const auto* by = std::get_if<ForceDerivative>(&part); by && by->force == row.force)
+      sum += by_law(*by, row.law, q, rate, level);
+  return sum;
+}
+
+template <FrameGroup G>
 void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s,
                                      const Eigen::VectorXd& previous, const LoadLevel& level,
                                      Eigen::VectorXd& r_p) const {
   using Tangent = typename G::Tangent;
   const Coupling<G>& c = *row.coupling;
-  const ForceLaw& law = row.equation->law;
   const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
   typename Row<G>::Gradient g;
   row.equation->row.gradient(motion, g);
@@ -221,9 +237,7 @@ void ParameterResidual<G>::add_force(const RowDerivative& row, const State<G>& s
   if (c.a.body >= 0) rate += B_a.dot(s.v.template segment<dim>(dim * c.a.node));
   if (c.b.body >= 0) rate += B_b.dot(s.v.template segment<dim>(dim * c.b.node));
   const double q = row.equation->row.value(motion, previous[c.first_row + row.row]);
-  const double f = row.law.stiffness * (q - law.rest) + row.law.damping * rate -
-                   law.slope(q) * row.law.rest - row.law.factor * load_value(law.force, level) -
-                   level.factor * value(row.law.function, level.t);
+  const double f = by_law(row.law, row.equation->law, q, rate, level);
   if (c.a.body >= 0) r_p.template segment<dim>(dim * c.a.node) += f * B_a;
   if (c.b.body >= 0) r_p.template segment<dim>(dim * c.b.node) += f * B_b;
 }

@@ -188,30 +188,46 @@ void ResponseValues<G>::add_coordinate(const ResponseSpec& r, const At& at, Cota
   }
 }
 
-/// f = -sum lambda_i b_i, b_i the force of row i on port b: a . df = -sum a . b_i dlambda_i -
-/// sum lambda_i a . D b_i, a = f/|f|.
+/// f = -sum F_i b_i, b_i the force of row i on port b, F_i a multiplier or the force of a law:
+/// a . df = -sum a . b_i dF_i - sum F_i a . D b_i, a = f/|f|; of a law
+/// dF = (df/dq g + c D g v) . h + c g . dv.
 template <FrameGroup G>
 void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const {
   constexpr int dim = G::dim, sd = G::space_dim;
   const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
   if (!c) return;
   const RelativeMotion<G> motion(c->a.frame(at.s.H), c->b.frame(at.s.H));
-  std::vector<typename Row<G>::Gradient> g(c->constraints);
+  const int rows = rows_of_force(mechanism_, *c, r.joint);
+  std::vector<typename Row<G>::Gradient> g(rows);
+  std::vector<double> F(rows);
   typename Row<G>::Vector f = Row<G>::Vector::Zero();
-  const auto lambda = at.s.lambda.segment(c->first_constraint, c->constraints);
-  for (int i = 0; i < c->constraints; ++i) {
+  for (int i = 0; i < rows; ++i) {
     c->rows[i].row.gradient(motion, g[i]);
-    f -= lambda[i] * g[i].template segment<sd>(dim);
+    F[i] = row_force(*c, i, g[i], at.s);
+    f -= F[i] * g[i].template segment<sd>(dim);
   }
   if (f.norm() == 0) return;
   const typename Row<G>::Vector a = f.normalized();
-  typename Row<G>::Gradient turns = Row<G>::Gradient::Zero();
-  for (int i = 0; i < c->constraints; ++i) {
-    out.lambda[c->first_constraint + i] -= a.dot(g[i].template segment<sd>(dim));
+  typename Row<G>::Gradient v = Row<G>::Gradient::Zero(), on_h = v, on_v = v;
+  if (c->a.body >= 0)
+    v.template head<dim>() = c->a.J * at.s.v.template segment<dim>(dim * c->a.node);
+  if (c->b.body >= 0)
+    v.template tail<dim>() = c->b.J * at.s.v.template segment<dim>(dim * c->b.node);
+  for (int i = 0; i < rows; ++i) {
+    const double by_force = -a.dot(g[i].template segment<sd>(dim));
     const auto hessian = c->rows[i].row.hessian(motion);
-    turns -= lambda[i] * hessian.template middleRows<sd>(dim).transpose() * a;
+    on_h -= F[i] * hessian.template middleRows<sd>(dim).transpose() * a;
+    if (i < c->constraints) {
+      out.lambda[c->first_constraint + i] += by_force;
+      continue;
+    }
+    const ForceLaw& law = c->rows[i].law;
+    on_h += by_force * (law.slope(at.s.rows[c->first_row + i]) * g[i] +
+                        law.damping * (hessian.transpose() * v));
+    on_v += by_force * law.damping * g[i];
   }
-  add_row(out.h, *c, turns);
+  add_row(out.h, *c, on_h);
+  add_row(out.v, *c, on_v);
 }
 
 template <FrameGroup G>
@@ -265,6 +281,26 @@ double ResponseValues<G>::section_force_by(const ResponseSpec& r, const State<G>
   const Body<G>* body = parameter.body(r.body);
   if (!body) return 0;
   return section_force_of(*body, s, r.body, r.element, r.place)[r.component];
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::joint_force_by(const ResponseSpec& r, const State<G>& s,
+                                         const ParameterResidual<G>& parameter) const {
+  constexpr int dim = G::dim, sd = G::space_dim;
+  const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
+  if (!c) return 0;
+  const RelativeMotion<G> motion(c->a.frame(s.H), c->b.frame(s.H));
+  typename Row<G>::Vector f = Row<G>::Vector::Zero(), by_p = f;
+  const int rows = rows_of_force(mechanism_, *c, r.joint);
+  for (int i = 0; i < rows; ++i) {
+    typename Row<G>::Gradient g;
+    c->rows[i].row.gradient(motion, g);
+    f -= row_force(*c, i, g, s) * g.template segment<sd>(dim);
+    if (i < c->constraints) continue;
+    const double q = s.rows[c->first_row + i], rate = rate_of(*c, g, s);
+    by_p -= parameter.force_derivative(c->rows[i], q, rate, {s.t, 1}) * g.template segment<sd>(dim);
+  }
+  return f.norm() == 0 ? 0 : f.dot(by_p) / f.norm();
 }
 
 template <FrameGroup G>

@@ -181,6 +181,30 @@ const Coupling<G>* find_joint(const Mechanism& mechanism, const Model<G>& model,
 }
 
 template <FrameGroup G>
+double rate_of(const Coupling<G>& c, const typename Row<G>::Gradient& g, const State<G>& s) {
+  constexpr int dim = G::dim;
+  double rate = 0;
+  if (c.a.body >= 0)
+    rate += g.template head<dim>().dot(c.a.J * s.v.template segment<dim>(dim * c.a.node));
+  if (c.b.body >= 0)
+    rate += g.template tail<dim>().dot(c.b.J * s.v.template segment<dim>(dim * c.b.node));
+  return rate;
+}
+
+template <FrameGroup G>
+double row_force(const Coupling<G>& c, int row, const typename Row<G>::Gradient& g,
+                 const State<G>& s) {
+  if (row < c.constraints) return s.lambda[c.first_constraint + row];
+  const ForceLaw& law = c.rows[row].law;
+  return law.elastic(s.rows[c.first_row + row]) + law.damping * rate_of(c, g, s) - law.force(s.t);
+}
+
+template <FrameGroup G>
+int rows_of_force(const Mechanism& mechanism, const Coupling<G>& c, int joint) {
+  return kind_of(mechanism.joints[joint].type).elastic ? c.acting : c.constraints;
+}
+
+template <FrameGroup G>
 SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int joint,
                          const State<G>& s) {
   SE3::Tangent total = SE3::Tangent::Zero();
@@ -189,10 +213,11 @@ SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int 
   const G a = c->a.frame(s.H), b = c->b.frame(s.H);
   const RelativeMotion<G> motion(a, b);
   typename G::Tangent f = G::Tangent::Zero();
-  for (int i = 0; i < c->constraints; ++i) {
+  const int rows = rows_of_force(mechanism, *c, joint);
+  for (int i = 0; i < rows; ++i) {
     typename Row<G>::Gradient g;
     c->rows[i].row.gradient(motion, g);
-    f -= s.lambda[c->first_constraint + i] * g.template tail<G::dim>();
+    f -= row_force(*c, i, g, s) * g.template tail<G::dim>();
   }
   // The joint's port has the inertial axes at the start; turn into the port's own.
   const JointSpec& spec = mechanism.joints[joint];
@@ -218,6 +243,12 @@ std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>
 
 template class ResponseValues<SE2>;
 template class ResponseValues<SE3>;
+template int rows_of_force(const Mechanism&, const Coupling<SE2>&, int);
+template int rows_of_force(const Mechanism&, const Coupling<SE3>&, int);
+template double rate_of(const Coupling<SE2>&, const Row<SE2>::Gradient&, const State<SE2>&);
+template double rate_of(const Coupling<SE3>&, const Row<SE3>::Gradient&, const State<SE3>&);
+template double row_force(const Coupling<SE2>&, int, const Row<SE2>::Gradient&, const State<SE2>&);
+template double row_force(const Coupling<SE3>&, int, const Row<SE3>::Gradient&, const State<SE3>&);
 template const Coupling<SE2>* find_joint(const Mechanism&, const Model<SE2>&, int);
 template const Coupling<SE3>* find_joint(const Mechanism&, const Model<SE3>&, int);
 template SE3::Tangent joint_force(const Mechanism&, const Model<SE2>&, int, const State<SE2>&);

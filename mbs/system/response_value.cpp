@@ -55,7 +55,7 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        {"joint_force", one, newtons},
        &R::joint_force_norm,
        &R::add_joint_force,
-       nullptr},
+       &R::joint_force_by},
       {K::SectionForce,
        {"section_force", one, of_section},
        &R::section_force,

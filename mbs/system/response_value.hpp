@@ -146,6 +146,8 @@ class ResponseValues {
 
   double section_force_by(const ResponseSpec& r, const State<G>& s,
                           const ParameterResidual<G>& parameter) const;
+  double joint_force_by(const ResponseSpec& r, const State<G>& s,
+                        const ParameterResidual<G>& parameter) const;
   double stress_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
   double energy_by(const ResponseSpec& r, const State<G>& s,
@@ -186,6 +188,17 @@ SE3::Tangent joint_force(const Mechanism& mechanism, const Model<G>& model, int 
 template <FrameGroup G>
 std::vector<double> joint_coordinates(const Mechanism& mechanism, const Model<G>& model, int joint,
                                       const State<G>& s);
+/// Rows of a joint that its force is made of: constraints and drives; of cylinders and bushings
+/// their springs, dampers and forces, too. Those are c.rows[0] to c.rows[rows_of_force - 1].
+template <FrameGroup G>
+int rows_of_force(const Mechanism& mechanism, const Coupling<G>& c, int joint);
+/// dq/dt of a row with the gradient g.
+template <FrameGroup G>
+double rate_of(const Coupling<G>& c, const typename Row<G>::Gradient& g, const State<G>& s);
+/// The multiplier, or the force of the law at s (F(t) that of the time s.t), of an acting row.
+template <FrameGroup G>
+double row_force(const Coupling<G>& c, int row, const typename Row<G>::Gradient& g,
+                 const State<G>& s);
 /// The coupling of a joint, null if the plane has made its rows identities.
 template <FrameGroup G>
 const Coupling<G>* find_joint(const Mechanism& mechanism, const Model<G>& model, int joint);

@@ -113,15 +113,19 @@ TEST(ForceElementsScene, SectionForceOfARigidBeamIsWarnedOf) {
       read_scene(changed(text, "elements = 4 }", "elements = 4, as = \"rigid\" }"), "a"), words));
 }
 
-TEST(ForceElementsScene, JointForceOfWhatConstrainsNothingIsRefused) {
-  std::string text = changed(kGoodScene, "[forces]",
-                             "lift = { cylinder = [\"ground\", \"crank.end\"], stiffness = 7 }\n"
-                             "[forces]");
-  text = changed(text, "[responses]",
-                 "[responses]\nf = { response = \"joint_force\", of = \"lift\" }");
-  EXPECT_THROW(read_scene(text, "a"), InputError);
-  text = changed(text, "stiffness = 7 }", "drive = { expression = \"0.01*t\" } }");
-  EXPECT_NO_THROW(read_scene(text, "a"));
+/// A force over time is no response of statics; springs are.
+TEST(ForceElementsScene, JointForceOfACylinder) {
+  const auto read = [](const std::string& law, const std::string& type) {
+    std::string text =
+        changed(kGoodScene, "[forces]",
+                "lift = { cylinder = [\"ground\", \"crank.end\"], " + law + " }\n[forces]");
+    text = changed(text, "[responses]",
+                   "[responses]\nf = { response = \"joint_force\", of = \"lift\" }");
+    return read_scene(changed(text, "[simulation]", "[simulation]\ntype = \"" + type + "\""), "a");
+  };
+  EXPECT_NO_THROW(read("force = \"3*t\"", "dynamic"));
+  EXPECT_NO_THROW(read("stiffness = 7", "static"));
+  EXPECT_THROW(read("force = 3", "static"), InputError);
 }
 
 }  // namespace

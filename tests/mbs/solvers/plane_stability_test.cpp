@@ -40,12 +40,14 @@ TEST(PlaneStability, BeginsAtEulersLoad) {
   EXPECT_GT(*above, 0);
 }
 
-/// omega^2 = omega_1^2 (1 - P/P_E), to the difference of the shapes of buckling and vibration.
-TEST(PlaneStability, GrowsAsTheFirstModeOfTheColumn) {
-  const double omega = 1.8751 * 1.8751 * std::sqrt(kEI / kMass);
-  const auto rate = growth(column(1.3));
+/// By Rayleigh's quotient of the buckling shape 1 - cos(pi x/2), exact to first order in
+/// e = P/P_E - 1: omega^2 = -e (pi^2/4) (pi^2/8) / (3/2 - 4/pi) EI/m.
+TEST(PlaneStability, GrowsAsTheColumnBuckles) {
+  const double e = 0.03;
+  const auto rate = growth(column(1 + e));
   ASSERT_TRUE(rate);
-  EXPECT_NEAR(*rate / (omega * std::sqrt(0.3)), 1, 0.03);
+  const double slope = M_PI * M_PI / 4 * M_PI * M_PI / 8 / (1.5 - 4 / M_PI);
+  EXPECT_NEAR(*rate / std::sqrt(e * slope * kEI / kMass), 1, 0.02);
 }
 
 /// Nothing grows in a slider-crank that runs, whose inertia presses and pulls its rod.
