@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <atomic>
 #include <cmath>
-#include <limits>
 #include <mutex>
 
 #include "apps/input/problem.hpp"
@@ -19,7 +18,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kNear = 2e-3;     // limits that count as active where the local model is made
 constexpr int kMostPoints = 1000;  // along an axis
 
@@ -219,7 +217,7 @@ void add_local(const Study& study, const MakeValues& make, const Plan& plan, Map
     for (std::size_t i = 0; i < nx; ++i)
       while (problem.add_violated(point(plan, i, j), 0) > 0) {
       }
-  for (auto& q : out.map.of) q.local.assign(nx * ny, kNone);
+  for (auto& q : out.map.of) q.local.assign(nx * ny, kNoValue);
   for (std::size_t j = 0; j < ny; ++j)
     for (std::size_t i = 0; i < nx; ++i) {
       const std::vector<double> all = values->of(problem, point(plan, i, j));
@@ -264,7 +262,7 @@ MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapReque
   const std::size_t points = out.map.points();
   for (const std::size_t q : plan.of)
     out.map.of.push_back(
-        {known[q].name, known[q].unit, known[q].limit, std::vector<double>(points, kNone), {}});
+        {known[q].name, known[q].unit, known[q].limit, std::vector<double>(points, kNoValue), {}});
   out.map.reasons.resize(points);
   add_local(study, make, plan, out);
   add_global(make, plan, hooks, out.map);

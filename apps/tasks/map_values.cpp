@@ -3,7 +3,6 @@
 #include "apps/tasks/map_values.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/study_motions.hpp"
@@ -14,8 +13,6 @@ namespace liesl {
 namespace {
 
 using Eigen::VectorXd;
-
-constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 
 template <FrameGroup G>
 class MotionValues final : public StudyValues {
@@ -36,10 +33,10 @@ class MotionValues final : public StudyValues {
   }
 
   std::vector<double> of(StaticProblem& problem, const VectorXd& x) const override {
-    std::vector<double> out(1 + spec_.constraints.size(), kNone);
+    std::vector<double> out(1 + spec_.constraints.size(), kNoValue);
     VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
     problem.values(x, out[0], g);
-    if (!problem.undefined_reason().empty()) return std::vector<double>(out.size(), kNone);
+    if (!problem.undefined_reason().empty()) return std::vector<double>(out.size(), kNoValue);
     const auto responses = problem.responses();
     const auto images = problem.images();
     for (std::size_t i = 0; i < images.size(); ++i) {

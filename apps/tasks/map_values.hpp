@@ -4,6 +4,7 @@
 /// stay.
 
 #include <functional>
+#include <limits>
 #include <memory>
 
 #include "apps/scene/space.hpp"
@@ -11,6 +12,9 @@
 #include "optim/cycle/design_model.hpp"
 
 namespace liesl {
+
+/// A quantity that is not there.
+constexpr double kNoValue = std::numeric_limits<double>::quiet_NaN();
 
 /// What a study minimises (first) and limits.
 struct MappedQuantity {
