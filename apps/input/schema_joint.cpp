@@ -10,12 +10,12 @@ namespace liesl {
 
 namespace {
 
-/// "fixed and spherical": kinds of joints without an axis.
+/// "fixed, spherical, rod": kinds of joints without an axis.
 std::string without_axis() {
   std::vector<std::string_view> names;
   for (const JointKind& kind : joint_kinds())
     if (kind.axes == 0) names.push_back(kind.name);
-  return fmt::format("{}", fmt::join(names, " and "));
+  return fmt::format("{}", fmt::join(names, ", "));
 }
 
 }  // namespace

@@ -63,7 +63,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"frequencies", Type::Named, "", kOptional, kAny, "Least natural frequencies of the mechanism by name: of the joined bodies in space, undeformed in a pose, without weight and loads; drives hold. Not with meshes in the plane."},
     {"frequencies.*", Type::Table, "", kOptional, kAny, "A limit."},
     {"frequencies.*.least", Type::Number, "Hz", kRequired, kPositive, "Least value of each of them."},
-    {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest. Motions that nothing holds do not count."},
+    {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest: as many as may come to lie together, since which one is the lowest may change there. Motions that nothing holds do not count."},
     {"frequencies.*.at", Type::Number, "s", "0", kNotNegative, "The time whose values the drives have in the pose."},
 
     {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},

@@ -43,7 +43,7 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
 SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
                             SolveStatus status) {
   constexpr double kLost = 0.02, kTooMuch = 0.1;
-  constexpr double kNothing = 1e-20;   // J: at rest
+  constexpr double kNothing = 1e-16;   // J: at rest
   constexpr double kRoundOff = 1e-12;  // of the potential: what does not move trembles by it
   const output::Energies& e = results.energies;
   if (e.dissipated.empty() || e.turned_over <= kNothing + kRoundOff * e.largest_potential)

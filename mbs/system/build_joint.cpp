@@ -12,6 +12,8 @@
 namespace liesl {
 namespace {
 
+constexpr double kNear = 1e-3;
+
 /// Three unit axes, the first one given, the second one as given or any; in a plane each of them
 /// is in it or normal to it.
 template <class G>
@@ -79,19 +81,25 @@ CouplingRow<G>* find_coordinate(Coupling<G>& c, int coordinate) {
 }
 
 /// Places the ports: a gap that is a motion of the joint is no displacement, coordinates are zero
-/// in the scene as given. The ground without a point of its own is where the other port is.
+/// in the scene as given. The ground is where the other port is, unless its offset is a point there
+/// (to kNear of the mechanism's size, which the assembly closes).
 template <FrameGroup G>
 void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports, Coupling<G>& c) {
   Vec3 at_a = mechanism.frame(j.a).x, at_b = mechanism.frame(j.b).x;
-  const auto anywhere = [](const Port& p) { return p.body < 0 && p.offset.x.isZero(0); };
-  if (kind_of(j.type).acts_on_distance())
+  const JointKind& kind = kind_of(j.type);
+  const Vec3 gap = at_b - at_a, free = kind.free_part(j.axis, gap);
+  const bool near = (gap - free).norm() <= kNear * mechanism.size();
+  const auto anywhere = [&](const Port& p) {
+    return p.body < 0 && (!near || p.offset.x.isZero(0));
+  };
+  if (kind.acts_on_distance())
     ;  // from port to port
   else if (anywhere(j.a))
     at_a = at_b;
   else if (anywhere(j.b))
     at_b = at_a;
   else
-    at_a += kind_of(j.type).free_part(j.axis, at_b - at_a);
+    at_a += free;
   c.a = ports.at(j.a, at_a);
   c.b = ports.at(j.b, at_b);
 }

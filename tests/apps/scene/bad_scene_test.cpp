@@ -79,7 +79,7 @@ const BadScene kScenes[] = {
     {"GearOfNoCoordinate", "[loads]", "[gears]\nmesh = { of = [\"motor\", @\"pin.1\"], ratio = 2 }\n[loads]", {"'pin.1' is no coordinate"}},
     {"GearOfOneCoordinate", "[loads]", "[gears]\nmesh = { of = @[\"pin\", \"pin\"], ratio = 2 }\n[loads]", {"couples a coordinate with itself"}},
     {"GearWithoutRatio", "[loads]", "[gears]\nmesh = { of = [\"motor\", \"pin\"], ratio = @0 }\n[loads]", {"ratio of gear 'mesh' is 0"}},
-    {"GearNamedTwice", "[loads]", "[gears]\npin = { of = [\"motor\", \"pin\"], ratio = 2 }\n[loads]\n@spring = { at = \"slider.tip\", force = [1, 0, 0] }", {"duplicate name 'spring'"}},
+    {"GearNamedTwice", "[forces]\nspring", "[gears]\nspring = { of = [\"motor\", \"pin\"], ratio = 2 }\n[forces]\n@spring", {"duplicate name 'spring' in [gears] and [forces]"}},
     {"SpringTable", "rest = 0.01", "spring = { table = [[0, 0], @[0, 1]] }", {"x = 0 follows x = 0", "increasing x"}},
     {"CylinderOfOnePlace", "pin = { revolute = [\"crank.end\"", "pin = { cylinder = @[\"crank.end\"", {"cylinder 'pin' joins two ports at the same place"}},
     {"BushingWithoutLaw", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ bushing = [\"crank.end\", \"rod.start\"] }", {"bushing 'pin' has no force law", "6 numbers"}},

@@ -34,11 +34,11 @@ Mechanism machine(Formalism formalism) {
   m.joints.push_back(cylinder);
   ForceSpec inside;
   inside.joint = 4;
-  inside.stiffness = 200;
-  inside.damping = 3;
+  inside.stiffness = 2;
+  inside.damping = 0.03;
   inside.rest = 0.05;
-  inside.force = TimeFunction::expression("7+sin(30*t)");
-  inside.curve.emplace(std::vector<double>{-1, 0, 1}, std::vector<double>{-90, 0, 30},
+  inside.force = TimeFunction::expression("0.07+0.01*sin(30*t)");
+  inside.curve.emplace(std::vector<double>{-1, 0, 1}, std::vector<double>{-0.9, 0, 0.3},
                        TimeFunction::Interpolation::Cubic);
   m.forces.push_back(inside);
   return m;
