@@ -14,6 +14,7 @@
 
 #include "apps/cli/command.hpp"
 #include "apps/cli/completion.hpp"
+#include "apps/cli/man_page.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
@@ -84,6 +85,23 @@ void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
       });
 }
 
+void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
+  command
+      .add_option("--to", o.to,
+                  "xdmf: deformed meshes of a results folder for ParaView; calculix, nastran: a "
+                  "part of a scene with the static loads of its motion")
+      ->default_val("xdmf")
+      ->check(CLI::IsMember({"xdmf", "calculix", "nastran"}));
+  command.add_option("--part", o.part, "Beam of the scene");
+  command.add_option("--cases", o.cases, "Instants: where the bending is largest, or every record")
+      ->default_val("peaks")
+      ->check(CLI::IsMember({"peaks", "all"}));
+  command.add_option("--set", o.set, "Change a key of the scene: key.path=value (repeatable)")
+      ->allow_extra_args(false);
+  command.add_option("-o,--output", o.out, "Folder of the deck (default: SCENE_PART_PROGRAM)");
+  command.add_flag("-f,--force", o.force, "Replace an earlier deck");
+}
+
 /// Options that one command has, or few.
 void add_options(CLI::App& command, const std::string& name, liesl::CommandOptions& o) {
   if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
@@ -113,10 +131,7 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
     command.add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
         ->default_val("1%");
   }
-  if (name == "export")
-    command.add_option("--to", o.to, "xdmf: deformed meshes for ParaView")
-        ->default_val("xdmf")
-        ->check(CLI::IsMember({"xdmf"}));
+  if (name == "export") add_export_options(command, o);
   if (name == "new") {
     command.add_option("--like", o.like, "Name of a shipped scene or study: four_bar, ...");
     command.add_option("-o,--output", o.out, "File to write (default: the same name, here)");
@@ -152,7 +167,9 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
       {"report", "DIR", "Write report.html, a page to look at what a results folder holds",
        liesl::report_command, false},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
-      {"export", "DIR", "Write the motion of a results folder for another program",
+      {"export", "FILE",
+       "Write the motion of a results folder, or a part of a scene with its loads, for "
+       "another program",
        liesl::export_command, false},
       {"new", "KIND", "Write a scene or study that runs, like a shipped one", liesl::new_command,
        false},
@@ -263,6 +280,7 @@ int main(int argc, char** argv) {
   std::string shell;
   auto* completes = app.add_subcommand("completion", "Print what bash or zsh completes");
   completes->add_option("SHELL", shell, "bash or zsh")->required();
+  const auto* manual = app.add_subcommand("man", "Print the manual page, as man reads it");
   if (argc == 1) return print_overview(app), 0;
   try {
     app.parse(argc, argv);
@@ -270,6 +288,10 @@ int main(int argc, char** argv) {
     const std::string unknown = unknown_command(app, argc, argv);
     if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
+  }
+  if (manual->parsed()) {
+    std::cout << liesl::man_page(app, liesl::output::versions().front().second);
+    return 0;
   }
   if (!run) return print_completion(app, shell);
   if (options.out.empty() && writes_folder(run))

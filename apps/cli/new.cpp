@@ -7,6 +7,7 @@
 #include "apps/cli/command.hpp"
 #include "apps/cli/templates.hpp"
 #include "apps/input/problem.hpp"
+#include "apps/input/rewrite.hpp"
 #include "apps/input/schema.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -50,7 +51,7 @@ struct StudyText {
 /// @param own name of the study's file, which the scene's is not
 StudyText with_scene(std::string_view study, const std::string& own) {
   static const std::regex line(R"re((^|\n)scene = "\.\./\w+/(\w+)\.toml")re");
-  StudyText out{"", "", std::string(study)};
+  StudyText out{"", "", without_schema_line(std::string(study))};
   std::smatch found;
   if (!std::regex_search(out.text, found, line)) return out;
   const auto at = static_cast<std::size_t>(found.position()),
@@ -74,7 +75,9 @@ int new_command(const CommandOptions& options) {
   if (!made.scene.empty()) {
     const fs::path beside = path.parent_path() / made.file;
     const bool there = fs::exists(beside) && !options.force;
-    if (!there) output::replace_file(beside, scene_of_study(made.scene).text);
+    if (!there)
+      output::replace_file(beside,
+                           without_schema_line(std::string(scene_of_study(made.scene).text)));
     if (!options.quiet)
       fmt::print("{}{}\n", beside.string(), there ? " (was there, not changed)" : "");
   }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "apps/cli/command.hpp"
-#include "apps/output/export_xdmf.hpp"
 #include "apps/output/file.hpp"
 
 namespace liesl {
@@ -11,13 +10,6 @@ namespace liesl {
 int report_command(const CommandOptions& options) {
   const auto path = report::write_report(options.file);
   if (!options.quiet) fmt::print("{}\n", path.string());
-  return 0;
-}
-
-int export_command(const CommandOptions& options) {
-  output::export_xdmf(options.file);
-  if (!options.quiet)
-    fmt::print("{}\n", (std::filesystem::path(options.file) / "results.xdmf").string());
   return 0;
 }
 

@@ -120,9 +120,15 @@ std::string rewrite(const std::string& text, const std::string& change) {
 }  // namespace
 
 std::string rewrite_scene(const std::string& text, const std::vector<std::string>& changes) {
-  std::string result = text;
+  std::string result = without_schema_line(text);
   for (const auto& change : changes) result = rewrite(result, change);
   return result;
+}
+
+std::string without_schema_line(const std::string& text) {
+  if (!text.starts_with("#:schema ")) return text;
+  const auto end = text.find('\n');
+  return end == std::string::npos ? std::string() : text.substr(end + 1);
 }
 
 }  // namespace liesl

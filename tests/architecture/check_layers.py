@@ -43,6 +43,7 @@ LAYERS = [
     ("apps/batch",),
     ("apps/compare", "apps/lean"),
     ("apps/tasks",),
+    ("apps/export",),
     ("apps/cli",),
     ("apps/bench",),
     ("python/module",),

@@ -39,11 +39,24 @@ def errors(kind, document):
 
 
 failed = 0
-files = [path for folder in ("scenes", "parts", "stability", "studies") for path in sorted((DATA / folder).glob("*.toml"))]
+files = [path for folder in ("scenes", "parts", "stability", "stability/studies", "studies") for path in sorted((DATA / folder).glob("*.toml"))]
 for path in files:
     kind = kind_of(path)
     for error in errors(kind, tomllib.loads(path.read_text(encoding="utf-8"))):
         print(f"{path.name} as a {kind}: {error}")
+        failed += 1
+
+# What editors find the schema by: the first line of a file, and the schema as the program prints it.
+for path in files:
+    line = path.read_text(encoding="utf-8").splitlines()[0]
+    up = "../" * len(path.parent.relative_to(DATA).parts)
+    if line != f"#:schema {up}schema/{kind_of(path)}.json":
+        print(f"{path.name} begins with '{line}'")
+        failed += 1
+for kind in KINDS:
+    written = (DATA / f"schema/{kind}.json").read_text(encoding="utf-8")
+    if json.loads(written) != KINDS[kind].schema:
+        print(f"data/schema/{kind}.json is not what `liesl schema {kind}` prints")
         failed += 1
 
 scene = tomllib.loads((DATA / "scenes/slider_crank.toml").read_text(encoding="utf-8"))

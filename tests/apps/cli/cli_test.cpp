@@ -108,6 +108,14 @@ COMP_WORDS=(liesl optimize --no); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
   EXPECT_EQ(run({"completion", "csh"}).code, 2);
 }
 
+TEST_F(CliHere, ManualPageHasEveryCommandAndOption) {
+  const Outcome o = run({"man"});
+  EXPECT_EQ(o.code, 0);
+  for (const char* text : {".TH LIESL 1", "\\fBliesl optimize\\fR \\fISTUDY",
+                           "\\fB\\-\\-no\\-report\\fR", "\\fBliesl man\\fR", ".SH EXIT STATUS"})
+    EXPECT_NE(o.out.find(text), std::string::npos) << text;
+}
+
 TEST_F(Cli, RunAnswersWithFiguresAndNoProgressInAPipe) {
   const Outcome o = run(short_run(results()));
   EXPECT_EQ(o.code, 0) << o.err;

@@ -1,0 +1,97 @@
+#ifdef LIESL_OPTIM
+
+#include <fmt/format.h>
+
+#include "apps/export/beam_deck.hpp"
+
+namespace liesl {
+namespace {
+
+/// Section type and dimensions of B32R.
+struct SectionCard {
+  const char* type;
+  std::string numbers;
+};
+struct ToCard {
+  SectionCard operator()(const Circle& s) const {
+    return {"CIRC", fmt::format("{}", s.diameter)};  // PIPE: radius
+  }
+  SectionCard operator()(const Tube& s) const {
+    return {"PIPE", fmt::format("{}, {}", s.diameter / 2, s.thickness)};
+  }
+  SectionCard operator()(const Rectangle& s) const {
+    return {"RECT", fmt::format("{}, {}", s.width, s.height)};
+  }
+  SectionCard operator()(const Box& s) const {
+    return {"BOX", fmt::format("{}, {}, {}, {}, {}, {}", s.width, s.height, s.thickness,
+                               s.thickness, s.thickness, s.thickness)};
+  }
+  template <class Other>
+  SectionCard operator()(const Other&) const {
+    throw std::invalid_argument(
+        "CalculiX has no such beam section; expected a circle, tube, rectangle or box");
+  }
+};
+
+std::string node_line(int number, const Vec3& x) {
+  return fmt::format("{}, {:.15g}, {:.15g}, {:.15g}\n", number, x[0], x[1], x[2]);
+}
+
+std::string mesh_text(const BeamDeck& deck) {
+  std::string text = "*NODE, NSET=ALL\n";
+  for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
+    text += node_line(static_cast<int>(2 * k + 1), deck.nodes[k].x);
+    if (k < deck.middles.size()) text += node_line(static_cast<int>(2 * k + 2), deck.middles[k].x);
+  }
+  text += "*ELEMENT, TYPE=B32R, ELSET=PART\n";
+  for (std::size_t e = 0; e < deck.middles.size(); ++e)
+    text += fmt::format("{}, {}, {}, {}\n", e + 1, 2 * e + 1, 2 * e + 2, 2 * e + 3);
+  text += "*NSET, NSET=NODES\n";
+  for (std::size_t k = 0; k < deck.nodes.size(); ++k) text += fmt::format("{},\n", 2 * k + 1);
+  return text;
+}
+
+std::string sections_text(const BeamDeck& deck) {
+  std::string text = fmt::format("*MATERIAL, NAME=MATERIAL\n*ELASTIC\n{}, {}\n*DENSITY\n{}\n",
+                                 deck.material.E, deck.material.nu, deck.material.rho);
+  const auto groups = section_groups(deck);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    const SectionCard card = std::visit(ToCard(), groups[g].section->shape);
+    text += fmt::format("*ELSET, ELSET=SECTION{}\n", g + 1);
+    for (const int e : groups[g].elements) text += fmt::format("{},\n", e + 1);
+    const Vec3& y = groups[g].y;
+    text += fmt::format(
+        "*BEAM SECTION, ELSET=SECTION{}, MATERIAL=MATERIAL, SECTION={}\n{}\n{:.15g}, {:.15g}, "
+        "{:.15g}\n",
+        g + 1, card.type, card.numbers, y[0], y[1], y[2]);
+  }
+  return text;
+}
+
+std::string step_text(const BeamDeck::Case& load_case, std::size_t number) {
+  std::string text = fmt::format(
+      "** case {}: the motion at {:.9g} s\n*STEP, NLGEOM, INC=1000\n*STATIC\n0.25, 1.\n"
+      "*CLOAD, OP=NEW\n",
+      number, load_case.time);
+  for (std::size_t k = 1; k < load_case.force.size(); ++k)
+    for (int c = 0; c < 6; ++c)
+      text += fmt::format("{}, {}, {:.12e}\n", 2 * k + 1, c + 1,
+                          c < 3 ? load_case.force[k][c] : load_case.moment[k][c - 3]);
+  return text + "*NODE PRINT, NSET=NODES\nU\n*NODE FILE\nU\n*EL FILE\nS\n*END STEP\n";
+}
+
+}  // namespace
+
+std::string calculix_text(const BeamDeck& deck) {
+  std::string text = fmt::format(
+      "** '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
+      "** See README.md beside this file.\n",
+      deck.part, deck.scene);
+  text += mesh_text(deck) + sections_text(deck) + "*BOUNDARY\n1, 1, 6\n";
+  for (std::size_t n = 0; n < deck.cases.size(); ++n) text += step_text(deck.cases[n], n + 1);
+  return text;
+}
+
+}  // namespace liesl
+
+#endif

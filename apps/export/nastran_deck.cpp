@@ -1,0 +1,113 @@
+#ifdef LIESL_OPTIM
+
+#include <fmt/format.h>
+
+#include "apps/export/beam_deck.hpp"
+
+namespace liesl {
+namespace {
+
+using Fields = std::vector<std::string>;
+
+std::string number(double value) { return fmt::format("{:.9E}", value); }
+
+Fields& operator<<(Fields& fields, const Vec3& v) {
+  for (const double x : v) fields.push_back(number(x));
+  return fields;
+}
+
+/// A card in large fields: a name of 8 characters, lines of four fields of 16.
+std::string card(const std::string& name, const Fields& fields) {
+  std::string text = fmt::format("{:<8}", name + "*");
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0 && i % 4 == 0) text += "\n*       ";
+    text += fmt::format("{:>16}", fields[i]);
+  }
+  return text + "\n";
+}
+
+/// Type and dimensions of PBARL. The first dimension of its bars is along z of the element.
+struct PbarlShape {
+  std::string type;
+  std::vector<double> dimensions;
+};
+struct ToPbarl {
+  PbarlShape operator()(const Circle& s) const { return {"ROD", {s.diameter / 2}}; }
+  PbarlShape operator()(const Tube& s) const {
+    return {"TUBE", {s.diameter / 2, s.diameter / 2 - s.thickness}};
+  }
+  PbarlShape operator()(const Rectangle& s) const { return {"BAR", {s.height, s.width}}; }
+  PbarlShape operator()(const Box& s) const {
+    return {"BOX", {s.height, s.width, s.thickness, s.thickness}};
+  }
+  template <class Other>
+  PbarlShape operator()(const Other&) const {
+    throw std::invalid_argument(
+        "this section is not exported to Nastran; expected a circle, tube, rectangle or box");
+  }
+};
+
+std::string section_text(const SectionGroup& group, std::size_t id) {
+  const PbarlShape shape = std::visit(ToPbarl(), group.section->shape);
+  Fields fields{std::to_string(id), "1", "", shape.type, "", "", "", ""};
+  for (const double d : shape.dimensions) fields.push_back(number(d));
+  return card("PBARL", fields);
+}
+
+std::string control_text(const BeamDeck& deck) {
+  std::string text = fmt::format("SOL 106\nCEND\nTITLE = {} of {}\nDISPLACEMENT = ALL\nSPC = 1\n",
+                                 deck.part, deck.scene);
+  for (std::size_t n = 0; n < deck.cases.size(); ++n)
+    text += fmt::format("SUBCASE {}\n  LABEL = {:.9g} s\n  NLPARM = 1\n  LOAD = {}\n", n + 1,
+                        deck.cases[n].time, n + 1);
+  return text;
+}
+
+std::string mesh_text(const BeamDeck& deck) {
+  std::string text;
+  for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
+    Fields fields{std::to_string(k + 1), ""};
+    text += card("GRID", fields << deck.nodes[k].x);
+  }
+  const auto groups = section_groups(deck);
+  for (std::size_t g = 0; g < groups.size(); ++g) {
+    text += section_text(groups[g], g + 1);
+    for (const int e : groups[g].elements) {
+      Fields fields{std::to_string(e + 1), std::to_string(g + 1), std::to_string(e + 1),
+                    std::to_string(e + 2)};
+      text += card("CBAR", fields << groups[g].y);
+    }
+  }
+  const Material& m = deck.material;
+  return text + card("MAT1", {"1", number(m.E), "", number(m.nu), number(m.rho)}) +
+         card("SPC1", {"1", "123456", "1"});
+}
+
+std::string loads_text(const BeamDeck& deck) {
+  std::string text;
+  const auto add = [&](const char* name, std::size_t set, std::size_t node, const Vec3& load) {
+    Fields fields{std::to_string(set), std::to_string(node), "0", "1."};
+    text += card(name, fields << load);
+  };
+  for (std::size_t n = 0; n < deck.cases.size(); ++n)
+    for (std::size_t k = 1; k < deck.nodes.size(); ++k) {
+      add("FORCE", n + 1, k + 1, deck.cases[n].force[k]);
+      add("MOMENT", n + 1, k + 1, deck.cases[n].moment[k]);
+    }
+  return text;
+}
+
+}  // namespace
+
+std::string nastran_text(const BeamDeck& deck) {
+  return fmt::format(
+             "$ '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
+             "$ See README.md beside this file.\n",
+             deck.part, deck.scene) +
+         control_text(deck) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + mesh_text(deck) +
+         loads_text(deck) + "ENDDATA\n";
+}
+
+}  // namespace liesl
+
+#endif

@@ -1,0 +1,44 @@
+"""The documentation as pages with a search: `cmake --build build/release --target docs`.
+
+The sources are the Markdown files of the repository as they are; this file only says which, and in
+which order. Links that lead nowhere are errors (-W).
+"""
+
+project = "liesl"
+author = "the liesl authors"
+extensions = ["myst_parser"]
+html_theme = "furo"
+html_title = "liesl"
+html_show_copyright = False
+
+root_doc = "README"
+source_suffix = {".md": "markdown"}
+include_patterns = ["README.md", "CONTRIBUTING.md", "CHANGELOG.md", "docs/*.md", "data/*/README.md",
+                    "tests/README.md", "tests/*/README.md", "liegroup/README.md",
+                    "apps/report/page/README.md"]
+exclude_patterns = ["build", "install", "**/node_modules"]
+
+myst_heading_anchors = 6
+suppress_warnings = ["myst.header"]  # pages begin where they begin
+
+PAGES = {
+    "Use": ["data/scenes/README", "data/studies/README", "data/parts/README", "docs/scene_reference",
+            "docs/responses", "docs/outputs", "docs/python", "data/python/README", "docs/cluster"],
+    "Method": ["docs/theory", "docs/methods", "docs/sensitivities", "liegroup/README"],
+    "What was measured": ["docs/accuracy_and_speed", "docs/performance", "docs/stability",
+                          "data/stability/README", "docs/traps"],
+    "Development": ["docs/README", "CONTRIBUTING", "docs/architecture", "docs/extending", "tests/README",
+                    "tests/frozen/README", "apps/report/page/README", "docs/licences", "CHANGELOG"],
+}
+
+
+def add_contents(app, name, source):
+    """The contents, below the first page."""
+    if name != root_doc:
+        return
+    for caption, pages in PAGES.items():
+        source[0] += f"\n\n```{{toctree}}\n:caption: {caption}\n:hidden:\n\n" + "\n".join(pages) + "\n```\n"
+
+
+def setup(app):
+    app.connect("source-read", add_contents)

@@ -1,0 +1,115 @@
+/// @file
+/// Decks of beams: their loads are in equilibrium, in the axes of the held end, and every program
+/// is told of every section.
+#include "apps/export/beam_deck.hpp"
+
+#include <gtest/gtest.h>
+
+#include <sstream>
+
+#include "apps/good_scene.hpp"
+#include "apps/program.hpp"
+#include "apps/scene/load_scene.hpp"
+
+namespace liesl::test {
+namespace {
+
+const std::vector<std::string> kShort = {"simulation.duration=0.03"};
+
+struct Exported {
+  Scene scene = load_scene(kData / "scenes/slider_crank.toml", kShort);
+  EslOutcome esl = esl_task(scene, choose_space(scene));
+};
+
+const Exported& exported() {
+  static const Exported once;
+  return once;
+}
+
+BeamDeck rod(DeckCases cases) { return beam_deck(exported().scene, exported().esl, "rod", cases); }
+
+TEST(BeamDeck, LoadsAreInEquilibriumWhereThePartIsDeformed) {
+  for (const auto& c : rod(DeckCases::Peaks).cases) {
+    Vec3 force = Vec3::Zero(), moment = Vec3::Zero();
+    double size = 0;
+    const BeamDeck deck = rod(DeckCases::Peaks);
+    for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
+      force += c.force[k];
+      moment += c.moment[k] + (deck.nodes[k].x + c.displacement[k]).cross(c.force[k]);
+      size += c.force[k].norm();
+    }
+    EXPECT_LE(force.norm(), 1e-9 * size);
+    EXPECT_LE(moment.norm(), 1e-9 * size);
+  }
+}
+
+TEST(BeamDeck, FirstNodeStaysWhereItIs) {
+  for (const auto& c : rod(DeckCases::All).cases) EXPECT_LE(c.displacement[0].norm(), 1e-15);
+}
+
+TEST(BeamDeck, PeaksAreSomeOfAll) {
+  const BeamDeck peaks = rod(DeckCases::Peaks), all = rod(DeckCases::All);
+  EXPECT_EQ(all.cases.size(), exported().esl.run.results.times.size());
+  ASSERT_GE(peaks.cases.size(), 1u);
+  EXPECT_LT(peaks.cases.size(), all.cases.size() / 10);
+  double largest = 0;
+  for (const auto& c : all.cases) largest = std::max(largest, c.deflection);
+  for (const auto& c : all.cases) EXPECT_TRUE(std::isfinite(c.deflection));
+  EXPECT_EQ(
+      largest,
+      std::max_element(peaks.cases.begin(), peaks.cases.end(), [](const auto& a, const auto& b) {
+        return a.deflection < b.deflection;
+      })->deflection);
+}
+
+TEST(BeamDeck, TextsHaveEveryNodeElementAndCase) {
+  const BeamDeck deck = rod(DeckCases::Peaks);
+  const std::string ccx = calculix_text(deck), nastran = nastran_text(deck);
+  const auto count = [](const std::string& text, const std::string& word) {
+    std::size_t n = 0;
+    for (auto at = text.find(word); at != std::string::npos; at = text.find(word, at + 1)) ++n;
+    return n;
+  };
+  EXPECT_EQ(count(ccx, "*STEP, NLGEOM"), deck.cases.size());
+  EXPECT_EQ(count(ccx, "SECTION=CIRC\n0.01\n"), 1u);
+  EXPECT_EQ(count(nastran, "\nGRID*"), deck.nodes.size());
+  EXPECT_EQ(count(nastran, "\nCBAR*"), deck.nodes.size() - 1);
+  EXPECT_EQ(count(nastran, "SUBCASE"), deck.cases.size());
+  EXPECT_EQ(count(nastran, "\nFORCE*"), deck.cases.size() * (deck.nodes.size() - 1));
+  std::istringstream lines(nastran.substr(nastran.find("BEGIN BULK")));
+  for (std::string line; std::getline(lines, line);) EXPECT_LE(line.size(), 72u) << line;
+}
+
+TEST(BeamDeck, RefusesWhatIsNoDeck) {
+  const auto& [scene, esl] = exported();
+  EXPECT_THROW(beam_deck(scene, esl, "slider", DeckCases::Peaks), std::invalid_argument);
+  EXPECT_THROW(beam_deck(scene, esl, "rood", DeckCases::Peaks), std::invalid_argument);
+  BeamDeck deck = rod(DeckCases::Peaks);
+  deck.sections.assign(deck.sections.size(), {"i", ISection{0.1, 0.1, 0.01, 0.01}});
+  EXPECT_THROW(calculix_text(deck), std::invalid_argument);
+  EXPECT_THROW(nastran_text(deck), std::invalid_argument);
+}
+
+class Export : public Program {};
+
+TEST_F(Export, WritesAFolderOrNothing) {
+  const std::string scene = (kData / "scenes/slider_crank.toml").string();
+  const Words words = {"export", scene,     "--to", "calculix",
+                       "--set",  kShort[0], "-o",   (dir_ / "deck").string()};
+  Words with = words;
+  with.insert(with.end(), {"--part", "rod"});
+  EXPECT_EQ(run(with).code, 0);
+  for (const char* file : {"rod.inp", "README.md", "displacements.csv"})
+    EXPECT_TRUE(fs::exists(dir_ / "deck" / file)) << file;
+  EXPECT_EQ(run(with).code, 3);  // it exists
+  with.back() = "rood";
+  with.push_back("--force");
+  const Outcome typo = run(with);
+  EXPECT_EQ(typo.code, 2);
+  EXPECT_NE(typo.err.find("did you mean 'rod'"), std::string::npos) << typo.err;
+  EXPECT_EQ(run(words).code, 2);
+  EXPECT_EQ(run({"export", scene, "--part", "rod"}).code, 2);
+}
+
+}  // namespace
+}  // namespace liesl::test

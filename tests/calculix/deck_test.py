@@ -1,0 +1,88 @@
+#!/usr/bin/env python3
+"""deck_test.py PROGRAM DATA: CalculiX gives back the deformation of a motion under the loads of
+`liesl export --to calculix`.
+
+Ends with 77 (skipped) without ccx (calculix-ccx).
+"""
+
+import csv
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PROGRAM, DATA = sys.argv[1], Path(sys.argv[2])
+if not shutil.which("ccx"):
+    print("skipped: apt-get install calculix-ccx")
+    sys.exit(77)
+
+WITHIN = 0.01  # of the deflection, at every instant
+BLOCK = re.compile(r"displacements \(vx,vy,vz\) for set NODES and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)")
+
+
+def expected(folder):
+    """Case -> node -> (place, displacement)."""
+    out = {}
+    for row in csv.reader((folder / "displacements.csv").read_text().splitlines()[1:]):
+        numbers = [float(x) for x in row[3:]]
+        out.setdefault(int(row[0]), {})[int(row[2])] = numbers[:3], numbers[3:]
+    return out
+
+
+def computed(folder, part):
+    """Step -> node -> displacement, at the end of each step: node k is 2k + 1."""
+    out = {}
+    for time, lines in BLOCK.findall((folder / f"{part}.dat").read_text()):
+        if abs(float(time) - round(float(time))) < 1e-9:
+            rows = [line.split() for line in lines.splitlines() if line.strip()]
+            out[round(float(time))] = {(int(r[0]) - 1) // 2: [float(x) for x in r[1:]] for r in rows}
+    return out
+
+
+def deflection(places, displacements):
+    """Offset of the middle node from the chord between the ends, in space."""
+    at = [[x + u for x, u in zip(places[k], displacements[k])] for k in sorted(places)]
+    first, last, middle = at[0], at[-1], at[len(at) // 2]
+    chord = [b - a for a, b in zip(first, last)]
+    length = sum(c * c for c in chord) ** 0.5
+    offset = [m - a for a, m in zip(first, middle)]
+    along = sum(c * o for c, o in zip(chord, offset)) / length
+    return [o - along * c / length for c, o in zip(chord, offset)]
+
+
+def norm(vector):
+    return sum(v * v for v in vector) ** 0.5
+
+
+def check(scene, part, *options):
+    """Prints each instant. Number of instants that are wrong."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary) / "deck"
+        subprocess.run([PROGRAM, "export", DATA / scene, "--to", "calculix", "--part", part, "-o",
+                        folder, "--quiet", *options], check=True)
+        run = subprocess.run(["ccx", part], cwd=folder, capture_output=True, text=True,
+                             timeout=500)
+        if "*ERROR" in run.stdout:
+            print(run.stdout[-2000:])
+            return 1
+        motion, deck, wrong = expected(folder), computed(folder, part), 0
+        if sorted(motion) != sorted(deck) or not motion:
+            print(f"{part}: {len(motion)} cases, {len(deck)} steps of CalculiX")
+            return 1
+        for case, nodes in motion.items():
+            places = {k: x for k, (x, _) in nodes.items()}
+            of_motion = deflection(places, {k: u for k, (_, u) in nodes.items()})
+            of_deck = deflection(places, deck[case])
+            error = norm([a - b for a, b in zip(of_deck, of_motion)]) / norm(of_motion)
+            wrong += error > WITHIN
+            print(f"{scene} {part} {' '.join(options)}: case {case}: {1e3 * norm(of_motion):.4f} mm, "
+                  f"CalculiX differs by {100 * error:.2f} %")
+        return wrong
+
+
+wrong = check("scenes/slider_crank.toml", "rod")
+wrong += check("scenes/slider_crank.toml", "rod", "--set", "bodies.rod.beam.elements=16")
+wrong += check("scenes/four_bar.toml", "coupler", "--set", "bodies.coupler.beam.elements=16")
+sys.exit(1 if wrong else 0)
