@@ -63,7 +63,7 @@ std::string control_text(const BeamDeck& deck) {
   return text;
 }
 
-std::string mesh_text(const BeamDeck& deck) {
+std::string bulk_text(const BeamDeck& deck) {
   std::string text;
   for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
     Fields fields{std::to_string(k + 1), ""};
@@ -104,7 +104,7 @@ std::string nastran_text(const BeamDeck& deck) {
              "$ '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
              "$ See README.md beside this file.\n",
              deck.part, deck.scene) +
-         control_text(deck) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + mesh_text(deck) +
+         control_text(deck) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
          loads_text(deck) + "ENDDATA\n";
 }
 

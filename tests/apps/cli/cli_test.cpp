@@ -37,9 +37,10 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
       << misspelt.err;
   const Outcome strange = run({"zzzzzzzz"});
   EXPECT_EQ(strange.code, 2);
-  EXPECT_NE(strange.err.find("known: check, run, esl, sensitivity, optimize, batch, compare, lean, "
-                             "report, plot, export, new"),
-            std::string::npos)
+  EXPECT_NE(
+      strange.err.find("known: check, run, esl, sensitivity, optimize, map, batch, compare, lean, "
+                       "report, plot, export, new"),
+      std::string::npos)
       << strange.err;
 }
 
