@@ -25,7 +25,7 @@ const Refusal kRefusals[] = {
     {"GroupsOfAnOutline", rod("design.height.groups=2"), 2,
      "'height' moves an outline, which has no groups"},
     {"BoundsOutOfOrder", rod("design.height.bounds=[0.5,0.1]"), 2,
-     "connecting_rod.toml:7:10: 'height': bounds [0.5, 0.1], expected least < largest"},
+     "connecting_rod.toml:8:10: 'height': bounds [0.5, 0.1], expected least < largest"},
     {"GriddedKeyForAllCases",
      {"batch", "BATCH", "-o", "DIR/b", "--set", "joints.motor.drive.rate=3"},
      2,

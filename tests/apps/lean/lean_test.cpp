@@ -114,7 +114,8 @@ TEST(Rewrite, ChangesValuesInPlaceAndKeepsComments) {
                                          "bodies.crank.beam.as=\"rigid\"",
                                          "simulation.space=\"planar\"", "gravity.1=-1.62"};
   const std::string changed = rewrite_scene(text, list);
-  EXPECT_EQ(load_document(scene("slider_crank")).text.substr(0, 200), changed.substr(0, 200));
+  const auto second = text.find('\n') + 1;  // the first line names the schema by its place
+  EXPECT_EQ(text.substr(second, 200), changed.substr(0, 200));
   EXPECT_NE(changed.find("# Start: cycloidal ramp of 0.04 s."), std::string::npos);
   EXPECT_NE(changed.find("elements = 12 } }"), std::string::npos) << changed;
   EXPECT_NE(changed.find("elements = 8, as = \"rigid\" } }"), std::string::npos) << changed;
