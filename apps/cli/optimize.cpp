@@ -48,6 +48,12 @@ void write_series(const std::filesystem::path& path, const std::vector<double>& 
   output::write_responses_csv(path, r);
 }
 
+std::map<std::string, double> final_values(const OptimizeOutcome& out) {
+  std::map<std::string, double> values;
+  for (const output::DesignFigure& figure : out.summary.design) values[figure.name] = figure.final;
+  return values;
+}
+
 /// All that an optimisation leaves behind.
 void write_end(const OptimizeOutcome& out, const Study& study,
                const std::filesystem::path& folder) {
@@ -64,7 +70,8 @@ void write_end(const OptimizeOutcome& out, const Study& study,
   std::map<std::string, levelset::ShapeSpec> outlines;
   for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
   if (out.simulated)
-    output::write_file(folder / "design.toml", design_scene(study, out.mechanism, outlines));
+    output::write_file(folder / "design.toml",
+                       design_scene(study, out.mechanism, outlines, final_values(out)));
   for (const PartOutcome& part : out.parts) write_part(folder, part);
 }
 

@@ -105,6 +105,7 @@ SensitivityProblem scene_problem(const std::string& file, const std::vector<std:
   problem.mechanism_at = [file, changes, names = problem.names](const VectorXd& p) {
     return load_scene(file, with(changes, names, p)).mechanism;
   };
+  problem.options_at = [options = problem.scene.simulation](const VectorXd&) { return options; };
   const VectorXd p = problem.values();
   for (int i = 0; i < p.size(); ++i) {
     const std::string& key = keys[static_cast<std::size_t>(i)];
@@ -149,6 +150,11 @@ SensitivityProblem study_problem(const std::string& file, const std::vector<std:
   problem.mechanism_at = [design, mechanism = study.scene.mechanism](const VectorXd& p) {
     return design->apply(mechanism, p);
   };
+  const auto options_at = [design, options = study.scene.simulation](const VectorXd& p) {
+    return design->simulation(options, p);
+  };
+  problem.scene.simulation = options_at(x);
+  problem.options_at = options_at;
   problem.scene.mechanism = problem.mechanism_at(x);
   problem.scene.mechanism.name = study.spec.name;
   problem.parameters = design->parameters(problem.scene.mechanism, x);

@@ -175,6 +175,11 @@ void ResponseValues<G>::add_coordinate(const ResponseSpec& r, const At& at, Cota
   }
 }
 
+template <FrameGroup G>
+void ResponseValues<G>::add_drive_force(const ResponseSpec& r, const At&, Cotangent& out) const {
+  if (const int row = drive_row(r); row >= 0) out.lambda[row] -= 1;
+}
+
 /// f = -sum lambda_i b_i, b_i the force of row i on port b: a . df = -sum a . b_i dlambda_i -
 /// sum lambda_i a . D b_i, a = f/|f|.
 template <FrameGroup G>

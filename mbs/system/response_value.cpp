@@ -18,6 +18,10 @@ const char* joules(const ResponseSpec&, const Mechanism&) { return "J"; }
 const char* of_section(const ResponseSpec& r, const Mechanism&) {
   return r.component < 3 ? "N" : "N m";
 }
+const char* of_drive(const ResponseSpec& r, const Mechanism& mechanism) {
+  const std::string coordinate = kind_of(mechanism.joints[r.joint].type).unit(r.coordinate);
+  return coordinate == "rad" ? "N m" : "N";
+}
 const char* of_coordinate(const ResponseSpec& r, const Mechanism& mechanism) {
   return kind_of(mechanism.joints[r.joint].type).unit(r.coordinate);
 }
@@ -29,7 +33,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 12> rows{{
+  static const std::array<Kind, 13> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -53,6 +57,11 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        {"joint_force", one, newtons},
        &R::joint_force_norm,
        &R::add_joint_force,
+       nullptr},
+      {K::DriveForce,
+       {"drive_force", one, of_drive},
+       &R::drive_force,
+       &R::add_drive_force,
        nullptr},
       {K::SectionForce,
        {"section_force", one, of_section},
