@@ -21,8 +21,8 @@ std::vector<Key> design_and_limit_keys() {
 
     {"design", Type::Named, "", kRequired, kAny, "What may change, by name."},
     {"design.*", Type::Table, "", kOptional, kAny, "One dimension of the sections of a beam, one parameter of the outline of a meshed part, or a constant of a force or rigid body."},
-    {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; a meshed part; a force of the scene or a rigid body."},
-    {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value. Of a force `stiffness`, `damping` or `rest`, of a rigid body `mass` (its inertia stays); these need the sensitivities of a motion."},
+    {"design.*.of", Type::Texts, "", kRequired, kAny, "Beam, or several beams that share the values; a meshed part; a force of the scene, a rigid body, a driven joint, or \"simulation\"."},
+    {"design.*.property", Type::Texts, "", kOneOf, kAny, "Dimension of the section (diameter, thickness, width, ...), or several that share the value. Of a force `stiffness`, `damping` or `rest`, of a rigid body `mass` (its inertia stays), of a driven joint `drive.table.ROW`, a value of its table (rows from 0), of `simulation` the `duration`: the tables of all drives are stretched, in as many steps. These need the sensitivities of a motion."},
     {"design.*.parameters", Type::Texts, "", kOneOf, kAny, "Parameter of the outline, as \"hole1.a\", or several: the others change with the first."},
     {"design.*.factors", Type::NumberOrList, "-", kOptional, kAny, "Change of each parameter over that of the variable, -1 of a mirror image. Default: 1 each."},
     {"design.*.groups", Type::Integer, "", "1", {.lower = 1}, "Runs of neighbouring elements with a value each, as even as possible."},
@@ -37,8 +37,13 @@ std::vector<Key> design_and_limit_keys() {
     {"walls.*.least", Type::Number, "m", kRequired, kPositive, "Least thickness."},
 
     {"objective", Type::Table, "", kRequired, kAny, "What is minimised."},
-    {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms.", 0, "mass compliance stress"},
+    {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms. \"weighted\", of a motion: the sum by `weights`.", 0, "mass compliance stress weighted"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed."},
+    {"objective.weights", Type::Table, "", kOptional, kAny, "What counts how much in a \"weighted\" objective."},
+    {"objective.weights.mass", Type::Number, "1/kg", "0", {.lower = 0}, "Of the mass of `of`."},
+    {"objective.weights.duration", Type::Number, "1/s", "0", {.lower = 0}, "Of the duration, which a variable changes."},
+    {"objective.weights.effort", Type::Number, "1/((N m)^2 s)", "0", {.lower = 0}, "Of the integral of the squares of the responses `effort` over the motion."},
+    {"objective.effort", Type::Texts, "", kOptional, kAny, "Responses of the scene whose squares are integrated, as the torques of drives (`drive_force`)."},
 
     {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step, by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a part otherwise."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},

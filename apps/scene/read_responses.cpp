@@ -204,6 +204,17 @@ bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec&
   const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
   const JointKind& kind = kind_of(spec.type);
   const int count = kind.coordinate_count();
+  const auto& drives = reader.scene.mechanism.drives;
+  const bool driven = std::any_of(drives.begin(), drives.end(), [&](const DriveSpec& d) {
+    return d.joint == response.joint && d.coordinate == response.coordinate;
+  });
+  if (response.coordinate < count && response.kind == ResponseKind::DriveForce && !driven) {
+    reader.problems.add(
+        *table.get("of"),
+        fmt::format("coordinate {} of joint '{}' has no drive", response.coordinate, spec.name),
+        "a joint with a drive");
+    return false;
+  }
   if (response.coordinate < count) return true;
   const toml::node& given = *table.get("coordinate");
   reader.problems.add(
@@ -219,8 +230,13 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
                                           const toml::table& table) {
   // In the order of ResponseKind.
   static const auto kinds = words(
+<<<<<<< HEAD
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
       "joint_force section_force stress energy compliance");
+=======
+      "position velocity angular_velocity displacement deflection elongation coordinate "
+      "joint_force drive_force section_force stress energy compliance");
+>>>>>>> s18b
   ResponseSpec response;
   response.name = name;
   const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));
@@ -245,6 +261,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
       break;
     case ResponseKind::Coordinate:
     case ResponseKind::JointForce:
+    case ResponseKind::DriveForce:
       ok = read_joint_response(reader, table, response);
       break;
     case ResponseKind::Energy:

@@ -7,6 +7,7 @@
 #include "apps/input/document.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
+#include "optim/design/drive_tables.hpp"
 
 namespace liesl {
 
@@ -57,6 +58,27 @@ void write_constant(toml::table& scene, const ConstantSpec& c, Mechanism final) 
   scene["forces"][force].as_table()->insert_or_assign(keys[static_cast<int>(c.quantity)], value);
 }
 
+/// The tables of the drives and the duration, where the scene has them.
+void write_motion(toml::table& scene, const StudySpec& spec, const Mechanism& final,
+                  const std::map<std::string, double>& values) {
+  std::vector<double> x;
+  for (const ConstantSpec& c : spec.constants) x.push_back(values.at(c.name));
+  for (const DriveTable& table : drive_tables(spec.constants, spec.drives, spec.duration, x)) {
+    toml::array rows;
+    for (std::size_t i = 0; i < table.t.size(); ++i)
+      rows.push_back(toml::array{table.t[i], table.q[i]});
+    const int joint = final.drives[static_cast<std::size_t>(table.drive)].joint;
+    const std::string& name = final.joints[static_cast<std::size_t>(joint)].name;
+    scene["joints"][name]["drive"].as_table()->insert_or_assign("table", std::move(rows));
+  }
+  if (!(spec.duration > 0)) return;
+  toml::table& simulation = *scene["simulation"].as_table();
+  const double duration = duration_of(spec.constants, spec.duration, x);
+  const double step = simulation["step"].value_or(SimulationOptions().step);
+  simulation.insert_or_assign("duration", duration);
+  simulation.insert_or_assign("step", step * duration / spec.duration);
+}
+
 void write_outline(toml::table& scene, const std::string& part,
                    const levelset::ShapeSpec& outline) {
   Document document = parse_document(outline_text(part, outline), "the outline");
@@ -67,13 +89,16 @@ void write_outline(toml::table& scene, const std::string& part,
 }  // namespace
 
 std::string design_scene(const Study& study, const Mechanism& final,
-                         const std::map<std::string, levelset::ShapeSpec>& outlines) {
+                         const std::map<std::string, levelset::ShapeSpec>& outlines,
+                         const std::map<std::string, double>& values) {
   Document document = parse_document(study.scene_text, study.scene.file);
   std::set<int> sized;
   for (const DesignSpec& d : study.spec.design) sized.insert(d.bodies.begin(), d.bodies.end());
   for (const int body : sized)
     write_sections(document.root, final.bodies[static_cast<std::size_t>(body)]);
-  for (const ConstantSpec& c : study.spec.constants) write_constant(document.root, c, final);
+  for (const ConstantSpec& c : study.spec.constants)
+    if (c.quantity < ConstantQuantity::DriveValue) write_constant(document.root, c, final);
+  write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
   std::ostringstream text;
   text << "# The final design of the study '" << study.spec.name << "'. SI units.\n\n"

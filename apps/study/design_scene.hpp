@@ -16,7 +16,9 @@ namespace liesl {
 /// of a section that the study does not change stays.
 /// @param final the mechanism at the design
 /// @param outlines of the meshed parts whose outline changes, by body
+/// @param values of the design variables, by name
 std::string design_scene(const Study& study, const Mechanism& final,
-                         const std::map<std::string, levelset::ShapeSpec>& outlines);
+                         const std::map<std::string, levelset::ShapeSpec>& outlines,
+                         const std::map<std::string, double>& values);
 
 }  // namespace liesl

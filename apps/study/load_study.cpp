@@ -38,6 +38,7 @@ std::optional<Document> scene_of(const toml::table& root, const fs::path& folder
 void read_study_parts(StudyReader& reader) {
   reader.spec.name = text(reader.root, "name");
   read_design(reader);
+  check_motion_variables(reader);
   read_objective(reader);
   read_constraints(reader);
   read_frequencies(reader);

@@ -79,12 +79,14 @@ bool names_constant(const StudyReader& reader, const toml::table& table) {
   if (names.size() != 1 || properties.size() != 1) return false;
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   const std::string name = names.front()->value_or(std::string());
+  if (names_motion(reader, table)) return true;
   return force_named(mechanism, name) >= 0 ||
          (rigid_named(mechanism, name) && properties.front()->value_or(std::string()) == "mass");
 }
 
 void read_constant(StudyReader& reader, const Entry& entry) {
   const toml::table& table = *entry.table;
+  if (names_motion(reader, table)) return read_motion_variable(reader, entry);
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   ConstantSpec c;
   c.name = entry.name;

@@ -103,6 +103,45 @@ int read_support(StudyReader& reader, const std::string& body, const toml::node&
 
 }  // namespace
 
+/// Weights of an objective that is not the mass alone.
+void read_goal(StudyReader& reader, const toml::table& table) {
+  Goal& goal = reader.spec.goal;
+  Problems& problems = reader.scene.problems;
+  if (text(table, "minimize") != "weighted") {
+    for (const char* key : {"weights", "effort"})
+      if (const toml::node* node = table.get(key))
+        problems.add(*node, fmt::format("'{}', but the objective is not \"weighted\"", key),
+                     "objective.minimize = \"weighted\"");
+    return;
+  }
+  const toml::table* weights = table["weights"].as_table();
+  const auto weight = [&](const char* key) { return weights ? (*weights)[key].value_or(0.0) : 0; };
+  goal.mass = weight("mass");
+  goal.duration = weight("duration");
+  goal.effort = weight("effort");
+  for (const toml::node* node : strings(table, "effort")) {
+    const std::string name = node->value_or(std::string());
+    if (!reader.scene.known(*node, "responses", "response", name)) continue;
+    for (const ResponseSpec& response : reader.scene.scene.responses)
+      if (response.name == name) goal.responses.push_back(response);
+  }
+  const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
+  if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0))
+    problems.add(at, "all weights are zero", "a weight > 0 of mass, duration or effort");
+  if ((goal.effort > 0) != !goal.responses.empty())
+    problems.add(at,
+                 goal.effort > 0 ? "effort has a weight, but no responses"
+                                 : "responses of the effort, but no weight",
+                 "weights.effort > 0 and effort = [responses]");
+  const auto& constants = reader.spec.constants;
+  if (goal.duration > 0 && std::none_of(constants.begin(), constants.end(), [](const auto& c) {
+        return c.quantity == ConstantQuantity::Duration;
+      }))
+    problems.add(
+        at, "no variable changes the duration", "a variable of the duration, or no weight",
+        "as in time = { of = \"simulation\", property = \"duration\", bounds = [0.2, 1] }");
+}
+
 void read_objective(StudyReader& reader) {
   const toml::table* table = reader.root["objective"].as_table();
   if (!table || reader.broken.contains("objective")) return;
@@ -122,6 +161,7 @@ void read_objective(StudyReader& reader) {
     varied = varied || reader.spec.shapes.contains(*body);
     for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == *body;
   }
+  read_goal(reader, *table);
   const std::string quantity = text(*table, "minimize");
   reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
                           : quantity == "stress"   ? SolidResponse::Stress
@@ -131,7 +171,7 @@ void read_objective(StudyReader& reader) {
   std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
   for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
   const bool read = design && design->size() == entries_read;
-  if (!varied && complete && read)
+  if (!varied && complete && read && reader.spec.goal.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
                               "a body of [design]");
 }
@@ -243,6 +283,10 @@ void read_cycle(StudyReader& reader) {
 void check_images(StudyReader& reader) {
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
+  if (!reader.spec.goal.only_mass())
+    reader.scene.problems.add(*reader.root["objective"].as_table()->get("minimize"),
+                              "the objective is of the motion, and " + why, "\"mass\"",
+                              "\"weighted\" needs cycle.method \"esl1\" or \"full\"");
   for (const ConstantSpec& c : reader.spec.constants)
     reader.scene.problems.add(
         *reader.root["design"][c.name].node(),

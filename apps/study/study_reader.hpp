@@ -21,6 +21,12 @@ void read_shape_variable(StudyReader& reader, const Entry& entry);
 /// Does an entry of [design] mean a constant of a force or of a rigid body?
 bool names_constant(const StudyReader& reader, const toml::table& table);
 void read_constant(StudyReader& reader, const Entry& entry);
+/// Does it mean a value of the table of a drive, "drive.table.ROW" of a joint, or the `duration` of
+/// the `simulation`?
+bool names_motion(const StudyReader& reader, const toml::table& table);
+void read_motion_variable(StudyReader& reader, const Entry& entry);
+/// Drives and loads that a variable duration cannot stretch; scenarios.
+void check_motion_variables(StudyReader& reader);
 /// Walls, limits, fixed loads and stress norm of meshed parts.
 void read_parts_of_study(StudyReader& reader);
 /// What only shows when the parts are made: bounds that leave no shape, unknown features.

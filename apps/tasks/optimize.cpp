@@ -82,6 +82,11 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   summary.stepping_s = r.effort.stepping_s;
   summary.mass_initial = r.mass_initial;
   summary.mass_final = r.mass;
+  if (!study.spec.goal.only_mass() && r.first && r.best)
+    summary.more["objective"] = {{"quantity", "weighted sum"},
+                                 {"unit", "-"},
+                                 {"initial", r.first->objective},
+                                 {"final", r.best->objective}};
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
@@ -212,19 +217,20 @@ void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& round
   int number = 0;
   for (const auto& round : rounds)
     for (const Cycle& c : round)
-      summary.history.push_back(
-          {++number,
-           c.mass,
-           c.worst,
-           c.load_change,
-           c.load_cases,
-           c.iterations,
-           c.move,
-           c.seconds,
-           objective == SolidResponse::Mass ? std::nullopt : std::optional(c.objective),
-           {c.x.data(), c.x.data() + c.x.size()},
-           c.worst_constraint,
-           c.worst_at});
+      summary.history.push_back({++number,
+                                 c.mass,
+                                 c.worst,
+                                 c.load_change,
+                                 c.load_cases,
+                                 c.iterations,
+                                 c.move,
+                                 c.seconds,
+                                 objective == SolidResponse::Mass && c.objective == c.mass
+                                     ? std::nullopt
+                                     : std::optional(c.objective),
+                                 {c.x.data(), c.x.data() + c.x.size()},
+                                 c.worst_constraint,
+                                 c.worst_at});
 }
 
 void describe_optimality(output::OptimizeSummary& summary,

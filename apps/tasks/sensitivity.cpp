@@ -108,6 +108,7 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
   problem.mechanism_at = [text, names = problem.names](const VectorXd& p) {
     return read_scene(text.text, text.file, with(text.changes, names, p)).mechanism;
   };
+  problem.options_at = [options = problem.scene.simulation](const VectorXd&) { return options; };
   const VectorXd p = problem.values();
   for (int i = 0; i < p.size(); ++i) {
     const std::string& key = keys[static_cast<std::size_t>(i)];
@@ -152,6 +153,11 @@ SensitivityProblem study_problem(const Study& study, const Scene& scene,
   problem.mechanism_at = [design, mechanism = scene.mechanism](const VectorXd& p) {
     return design->apply(mechanism, p);
   };
+  const auto options_at = [design, options = study.scene.simulation](const VectorXd& p) {
+    return design->simulation(options, p);
+  };
+  problem.scene.simulation = options_at(x);
+  problem.options_at = options_at;
   problem.scene.mechanism = problem.mechanism_at(x);
   problem.scene.mechanism.name = study.spec.name;
   problem.parameters = design->parameters(problem.scene.mechanism, x);

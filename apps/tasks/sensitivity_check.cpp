@@ -52,8 +52,8 @@ class FunctionalsOfParameters : public Problem {
       : problem_(problem),
         space_(space),
         request_(request),
-        options_(tight(problem.scene.simulation)),
-        motion_(problem.scene.mechanism, space, options_, problem.scene.responses) {
+        motion_(problem.scene.mechanism, space, tight(problem.scene.simulation),
+                problem.scene.responses) {
     if (!motion_.good()) throw std::runtime_error(motion_.simulation.report.reason);
     const SensitivityEnd end = differentiate(motion_, problem, request, method, result_);
     if (!end.complete()) throw std::runtime_error(end.reason);
@@ -73,7 +73,7 @@ class FunctionalsOfParameters : public Problem {
   void values(const VectorXd& x, double& f, VectorXd& g) override {
     f = 0;
     g.setConstant(std::numeric_limits<double>::quiet_NaN());
-    const TapedMotion<G> motion(problem_.mechanism_at(x), space_, options_,
+    const TapedMotion<G> motion(problem_.mechanism_at(x), space_, tight(problem_.options_at(x)),
                                 problem_.scene.responses);
     if (!motion.good() || motion.times.size() != motion_.times.size()) return;
     Eigen::Index i = 0;
@@ -92,7 +92,6 @@ class FunctionalsOfParameters : public Problem {
   const SensitivityProblem& problem_;
   const Space<G>& space_;
   const SensitivityRequest& request_;
-  const SimulationOptions options_;
   const TapedMotion<G> motion_;
   output::Sensitivities result_;
   std::vector<NlpVariable> variables_;

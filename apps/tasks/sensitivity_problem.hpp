@@ -19,6 +19,7 @@ struct SensitivityProblem {
   std::vector<output::Sensitivities::Parameter> names;  ///< name, unit, value
   std::vector<Parameter> parameters;
   std::function<Mechanism(const Eigen::VectorXd& p)> mechanism_at;  ///< for differences
+  std::function<SimulationOptions(const Eigen::VectorXd& p)> options_at;
 
   Eigen::VectorXd values() const;
 };

@@ -67,10 +67,17 @@ struct DriveDerivative {
   FunctionDerivative motion = {};  ///< m or rad per unit of p
 };
 
+/// Of the duration of a motion that takes as many steps, its drives being functions of t/duration:
+/// every step changes by dh/dp = relative h, and targets of drives at a step do not change. Nothing
+/// else may depend on time.
+struct StepDerivative {
+  double relative = 0;  ///< dh/dp / h: 1/duration by the duration itself
+};
+
 struct Parameter {
   std::string name;
   std::vector<std::variant<BeamDerivative, RigidDerivative, SolidDerivative, ForceDerivative,
-                           LoadDerivative, DriveDerivative>>
+                           LoadDerivative, DriveDerivative, StepDerivative>>
       parts;
 };
 

@@ -32,6 +32,8 @@ enum class ResponseKind {
   Elongation,    ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
   Coordinate,    ///< of a joint, m or rad
   JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
+  DriveForce,    ///< force or torque of the drive on `coordinate` of a joint, N or N m; it does
+                 ///< positive work where the coordinate grows
   SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
   Stress,        ///< von Mises stress of a beam, largest over both ends of its elements or at a
                  ///< `point`, Pa
@@ -54,8 +56,8 @@ struct ResponseSpec {
   /// Stress: a stress point of `element`, counted over its first end, then its last; -1 = largest
   int point = -1;
   int component = 0;         ///< SectionForce, 0..5
-  int joint = -1;            ///< Coordinate, JointForce
-  int coordinate = 0;        ///< Coordinate
+  int joint = -1;            ///< Coordinate, JointForce, DriveForce
+  int coordinate = 0;        ///< Coordinate, DriveForce
   std::optional<Vec3> axis;  ///< unit
   Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Rotation, Displacement
   Side side = Side::Both;    ///< of responses with one component

@@ -26,6 +26,9 @@ class Derivatives {
     by_p_.r.resize(model.size(), n_p);
     by_p_.r.setFromTriplets(entries.begin(), entries.end());
     by_p_.phi = MatrixXd::Zero(model.constraints(), n_p);
+    Eigen::RowVectorXd step(n_p);
+    for (Eigen::Index i = 0; i < n_p; ++i) step[i] = parameters[static_cast<std::size_t>(i)].step();
+    if (!step.isZero(0)) by_p_.step = step;
     r_p_.setZero(model.size());
     phi_p_.setZero(model.constraints());
   }

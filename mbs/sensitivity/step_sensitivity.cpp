@@ -136,6 +136,11 @@ bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, dou
   coordinates_.difference(before, after, dq);
   coordinates_.rates(after, u, udot);
   coordinates_.rate_tangents(after, dq, u, udot, weights_.at(h), rates_);
+  Eigen::VectorXd u_before, udot_before;
+  coordinates_.rates(before, u_before, udot_before);
+  const auto& [am, af, gamma, beta] = weights_;
+  by_step_a_ = u_before / (beta * h) - 2 * dq / (beta * h * h);
+  by_step_v_ = h * (1 - gamma) * before.a + h * gamma * (after.a + by_step_a_);
   const TangentWeights unit{0, 1};
   RateTangents<G> T;
   coordinates_.rate_tangents(after, dq, u, udot, unit, T);
@@ -177,6 +182,14 @@ auto StepSensitivity<G>::known(const StateSensitivity& s) const -> Known {
 }
 
 template <FrameGroup G>
+void StepSensitivity<G>::add_step(const ResidualDerivative& by_p, Known& k) const {
+  if (by_p.step.size() == 0) return;
+  k.a0 += by_step_a_ * by_p.step;
+  k.v0 += by_step_v_ * by_p.step;
+  k.w0 += (1 - weights_.alpha_m) / (1 - weights_.alpha_f) * by_step_a_ * by_p.step;
+}
+
+template <FrameGroup G>
 void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
                                 StateSensitivity& s) const {
   const TangentWeights w = weights_.at(h_);
@@ -197,7 +210,8 @@ template <FrameGroup G>
 void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   if (at_start_) return start_forward(by_p, s);
   const TangentWeights w = weights_.at(h_);
-  const Known k = known(s);
+  Known k = known(s);
+  add_step(by_p, k);
   const auto n = model_.size();
   MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
   rhs << -(M_ * (k.w0 - w.mass * k.x0) + C_ * (k.v0 - w.damping * k.x0)), -by_p.phi;
@@ -220,6 +234,8 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const MatrixXd mu = rhs.topRows(n), Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
+  if (by_p.step.size() > 0)
+    p += by_p.step.transpose() * (by_step_a_.transpose() * a0 + by_step_v_.transpose() * v0);
   s.eta = scaled_transposed(back_, w.mass * Mmu + w.damping * Cmu - x);
   s.a = am / (1 - af) * w0 + h_ * (1 - gamma / (2 * beta)) * v0 - (1 / (2 * beta) - 1) * a0;
   s.v = (1 - gamma / beta) * v0 - a0 / (beta * h_);

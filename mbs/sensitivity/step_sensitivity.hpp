@@ -12,6 +12,9 @@
 ///   w0 = [(1 - alpha_m) a0 + alpha_m a'_n - alpha_f w'_n]/(1 - alpha_f)
 ///   S [eta; lambda'] = -[r_p + M (w0 - beta' x0) + C (v0 - gamma' x0); Phi_p]
 ///   x = T^-1(dq) eta - x0:  a' = x/(beta h^2) + a0,  v' = gamma' x + v0,  w' = beta' x + w0.
+/// Where p changes the step, s = (dh/dp)/h:
+///   a0 += s e_a,  v0 += s [h (1 - gamma) a_n + h gamma (a_{n+1} + e_a)],
+///   w0 += s e_a (1 - alpha_m)/(1 - alpha_f),  e_a = v_n/(beta h) - 2 dq/(beta h^2).
 /// `backward` is the transposed of this map (discrete adjoint: exact for the discrete motion).
 
 #include <Eigen/Core>
@@ -35,6 +38,7 @@ struct StateSensitivity {
 struct ResidualDerivative {
   Eigen::SparseMatrix<double> r;  ///< n x n_p, dr/dp: a parameter acts on few nodes
   Eigen::MatrixXd phi;            ///< m x n_p, dPhi/dp; at the start d^2/dt^2 of it
+  Eigen::RowVectorXd step = {};   ///< n_p, dh/dp / h; empty: no parameter changes the step
 };
 
 template <FrameGroup G>
@@ -63,6 +67,8 @@ class StepSensitivity {
     Eigen::MatrixXd x0, a0, v0, w0;
   };
   Known known(const StateSensitivity& before) const;
+  /// Adds what the parameters change by the step itself.
+  void add_step(const ResidualDerivative& by_p, Known& k) const;
   /// The state after from the solution [eta; lambda'] of its equations.
   void finish(const Known& k, const Eigen::MatrixXd& solution, StateSensitivity& x) const;
   /// x <- S^-1 x
@@ -94,7 +100,8 @@ class StepSensitivity {
   Eigen::SparseMatrix<double> M_, C_;
   bool at_start_ = false, in_equilibrium_ = false;
   double h_ = 0;
-  Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
+  Blocks ahead_, back_;                    ///< T^-1(dq), T^-1(-dq)
+  Eigen::VectorXd by_step_a_, by_step_v_;  ///< what s multiplies in a0 and v0
   RateTangents<G> rates_;
   Eigen::SparseMatrix<double> start_matrix_;
   SparseLu start_lu_;

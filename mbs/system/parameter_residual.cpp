@@ -162,6 +162,14 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
 }
 
 template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism&, const StepDerivative& part) {
+  step_ += part.relative;
+  add_rows({nullptr, nullptr, 0, {}, 0, {}, part.relative},
+           [](const CouplingRow<G>& e) { return e.drive >= 0 && e.role == Role::Constraint; });
+  return "";
+}
+
+template <FrameGroup G>
 std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const LoadDerivative& part) {
   if (part.load < 0 || part.load >= static_cast<int>(model_.loads.size()))
     return expected("load", part.load);
@@ -208,7 +216,8 @@ void ParameterResidual<G>::add_target(double t, int order, Eigen::VectorXd& phi_
   for (const RowDerivative& row : rows_) {
     if (row.equation->role != Role::Constraint) continue;
     phi_p[row.coupling->first_constraint + row.row] -=
-        row.target * derivative(row.equation->target, t, order) + value(row.motion, t, order);
+        (row.target - order * row.stretched) * derivative(row.equation->target, t, order) +
+        value(row.motion, t, order);
   }
 }
 

@@ -31,16 +31,22 @@ class ParameterResidual {
   void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
   /// phi_p += the time derivative of dPhi/dp of order 0, 1 or 2 at t, constant state: only targets
-  /// of drives depend on parameters, Phi_p = -d(target)/dp.
+  /// of drives depend on parameters, Phi_p = -d(target)/dp. By the duration at constant t/duration,
+  /// where the derivative of order k of f(t/T) has dk/dT = -k/T of itself.
   void add_target(double t, int order, Eigen::VectorXd& phi_p) const;
 
   /// d(body)/dp, null if the body does not depend on p: its `mass`, `energy`, `section_force` are
   /// the derivatives of those of the body.
   const Body<G>* body(int body) const { return bodies_[body].get(); }
   const Parameter& parameter() const { return parameter_; }
+<<<<<<< HEAD
   /// d(force)/dp of the law of a row at constant q and dq/dt; 0 if it does not depend on p.
   double force_derivative(const CouplingRow<G>& row, double q, double rate,
                           const LoadLevel& level) const;
+=======
+  /// dh/dp / h, see StepDerivative.
+  double step() const { return step_; }
+>>>>>>> s18b
   /// Nodes of the model that dr/dp acts on, growing; zero at all others.
   const std::vector<int>& nodes() const { return nodes_; }
 
@@ -53,6 +59,7 @@ class ParameterResidual {
     ForceDerivative law;             ///< of a force
     double target = 0;               ///< factor of a drive
     FunctionDerivative motion = {};  ///< of a drive
+    double stretched = 0;            ///< dh/dp / h of a drive that follows t/duration
   };
   struct LoadChange {
     const Load<G>* load;
@@ -68,6 +75,7 @@ class ParameterResidual {
   std::string add_part(const Mechanism& mechanism, const ForceDerivative& part);
   std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
   std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const StepDerivative& part);
   std::string set_body(int body, const LawDerivative<G>& law);
   void add_nodes(int first, int count);
   void add_nodes_of(int body);
@@ -83,6 +91,7 @@ class ParameterResidual {
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< of bodies_
   std::vector<RowDerivative> rows_;
   std::vector<LoadChange> loads_;
+  double step_ = 0;
 };
 
 extern template class ParameterResidual<SE2>;

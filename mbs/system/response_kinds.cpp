@@ -122,6 +122,24 @@ Eigen::VectorXd ResponseValues<G>::joint_force_norm(const ResponseSpec& r,
 }
 
 template <FrameGroup G>
+int ResponseValues<G>::drive_row(const ResponseSpec& r) const {
+  const Coupling<G>* c = find_joint(mechanism_, model_, r.joint);
+  for (int i = 0; c && i < c->constraints; ++i) {
+    const CouplingRow<G>& row = c->rows[static_cast<size_t>(i)];
+    if (row.drive >= 0 &&
+        mechanism_.drives[static_cast<size_t>(row.drive)].coordinate == r.coordinate)
+      return c->first_constraint + i;
+  }
+  return -1;
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::drive_force(const ResponseSpec& r, const State<G>& s) const {
+  const int row = drive_row(r);
+  return scalar(row < 0 ? 0 : -s.lambda[row]);
+}
+
+template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const State<G>& s) const {
   return scalar(
       section_force_of(*model_.bodies[r.body], s, r.body, r.element, r.place)[r.component]);

@@ -19,6 +19,10 @@ const char* joules(const ResponseSpec&, const Mechanism&) { return "J"; }
 const char* of_section(const ResponseSpec& r, const Mechanism&) {
   return r.component < 3 ? "N" : "N m";
 }
+const char* of_drive(const ResponseSpec& r, const Mechanism& mechanism) {
+  const std::string coordinate = kind_of(mechanism.joints[r.joint].type).unit(r.coordinate);
+  return coordinate == "rad" ? "N m" : "N";
+}
 const char* of_coordinate(const ResponseSpec& r, const Mechanism& mechanism) {
   return kind_of(mechanism.joints[r.joint].type).unit(r.coordinate);
 }
@@ -55,7 +59,16 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        {"joint_force", one, newtons},
        &R::joint_force_norm,
        &R::add_joint_force,
+<<<<<<< HEAD
        &R::joint_force_by},
+=======
+       nullptr},
+      {K::DriveForce,
+       {"drive_force", one, of_drive},
+       &R::drive_force,
+       &R::add_drive_force,
+       nullptr},
+>>>>>>> s18b
       {K::SectionForce,
        {"section_force", one, of_section},
        &R::section_force,

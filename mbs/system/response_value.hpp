@@ -124,6 +124,8 @@ class ResponseValues {
   Eigen::VectorXd elongation(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd coordinate(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd joint_force_norm(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd drive_force(const ResponseSpec& r, const State<G>& s) const;
+  int drive_row(const ResponseSpec& r) const;  ///< among the multipliers; -1: no drive
   Eigen::VectorXd section_force(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd stress(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd energy(const ResponseSpec& r, const State<G>& s) const;
@@ -138,6 +140,7 @@ class ResponseValues {
   void add_elongation(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_coordinate(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_drive_force(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_section_force(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_stress(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_energy(const ResponseSpec& r, const At& at, Cotangent& out) const;

@@ -56,7 +56,9 @@ DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& p
   r.mechanism = design_.apply(mechanism_, x);
   r.model = std::make_shared<Model<G>>(Model<G>::build(r.mechanism, space_));
   r.mass = mass_of(r.mechanism, study_.mass_of);
-  r.simulation = run_simulation(*r.model, options_, progress, &r.tape);
+  const SimulationOptions options = design_.simulation(options_, x);
+  r.duration = options.duration;
+  r.simulation = run_simulation(*r.model, options, progress, &r.tape);
   if (!r.good()) return r;
   extract(r);
   measure(r);
@@ -114,8 +116,11 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   State<G> s = r.model->initial_state();
   for (const auto& c : study_.constraints)
     r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0});
+  const std::vector<double> weights = time_weights(r.times());
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
+    for (const ResponseSpec& response : study_.goal.responses)
+      r.effort += r.duration * weights[std::size_t(n)] * values(response, s).squaredNorm();
     for (size_t i = 0; i < study_.constraints.size(); ++i) {
       const double v = values(study_.constraints[i].response, s).norm();
       LimitSeries& series = r.limits[i];

@@ -35,6 +35,8 @@ struct DesignRun {
   Mechanism mechanism;              ///< with the design
   std::shared_ptr<Model<G>> model;  ///< of `mechanism`
   double mass = 0;                  ///< of the bodies in the objective, kg
+  double duration = 0;              ///< s, of this design
+  double effort = 0;                ///< of the goal: sum of the integrals of squared responses
   Simulation<G> simulation;
   Tape<G> tape;  ///< of a dynamic simulation, for its sensitivities; empty if not asked for
   std::vector<LoadSet> loads;               ///< one for each limited beam

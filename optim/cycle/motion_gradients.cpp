@@ -34,7 +34,8 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
       const VectorXd y = values(responses[r].response, completed);
       const double v = y.norm();
       series_[r].value[static_cast<Eigen::Index>(record)] = v;
-      if (v > 0 && v >= responses[r].kept * run.limits[responses[r].constraint].largest)
+      const int c = responses[r].constraint;
+      if (v > 0 && (c < 0 || v >= responses[r].kept * run.limits[std::size_t(c)].largest))
         series_[r].gradient[static_cast<int>(record)] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
@@ -60,6 +61,15 @@ void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) 
     }
   }
   to.times = std::move(times);
+}
+
+MotionGradients MotionGradients::split(int first) {
+  MotionGradients out;
+  out.reason_ = reason_;
+  const auto at = series_.begin() + first;
+  std::move(at, series_.end(), std::back_inserter(out.series_));
+  series_.erase(at, series_.end());
+  return out;
 }
 
 void MotionGradients::append(MotionGradients other) {

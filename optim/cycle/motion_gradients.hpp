@@ -29,6 +29,9 @@ class MotionGradients {
   /// Puts those of another motion of the same design behind these.
   void append(MotionGradients other);
 
+  /// Takes the responses from number `first` on out of these.
+  MotionGradients split(int first);
+
   /// Replaces the records of a response by fewer, each of them a function of all.
   void aggregate(int response, const std::vector<Aggregate>& by);
 

@@ -32,6 +32,10 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     throw std::invalid_argument("'" + study.constants.front().name +
                                 "' changes a constant of the motion, which no static problem "
                                 "has; expected cycle.method = \"esl1\" or \"full\"");
+  if (!study.goal.only_mass() && study.cycle.method == CycleMethod::Esl)
+    throw std::invalid_argument(
+        "the objective is not the mass alone, which is all that a static problem has; expected "
+        "cycle.method = \"esl1\" or \"full\"");
   if (!without.empty() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument("limits that the static problem of a part cannot tell:" + without +
                                 "; expected cycle.method = \"esl1\" or \"full\"");
@@ -100,7 +104,11 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
 /// The worst of all scenarios.
 template <FrameGroup G>
 void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
-  a.objective = a.mass = a.runs.front().mass;
+  const DesignRun<G>& first = a.runs.front();
+  const Goal& goal = study_.goal;
+  a.mass = first.mass;
+  a.objective =
+      goal.mass * first.mass + goal.duration * first.duration + goal.effort * first.effort;
   for (std::size_t s = 0; s < a.runs.size(); ++s) {
     const DesignRun<G>& run = a.runs[s];
     if (!run.good() && a.status != SolveStatus::Interrupted) {
@@ -122,8 +130,8 @@ template <FrameGroup G>
 auto MotionModel<G>::static_members(std::size_t s, const MotionAnalysis<G>& at, const VectorXd& x,
                                     double move) const -> Members {
   Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move);
-  if (s > 0)  // the objective counts once
-    for (auto& member : members) member.weight = 0;
+  for (auto& member : members)  // the objective counts once
+    member.weight = s > 0 ? 0 : member.weight * study_.goal.mass;
   return members;
 }
 
@@ -150,6 +158,26 @@ bool MotionModel<G>::drop_images() {
   return dropped;
 }
 
+/// dJ/dx of J = T sum_n w_n v_n^2, T the duration.
+template <FrameGroup G>
+MotionGoal MotionModel<G>::goal_of(const DesignRun<G>& run, const MotionGradients& goal) const {
+  const Constants& constants = design().constants();
+  const int duration =
+      constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
+  MotionGoal out{duration, study_.goal.duration, study_.goal.effort, run.effort,
+                 VectorXd::Zero(static_cast<Eigen::Index>(variables().size()))};
+  for (int r = 0; r < goal.responses(); ++r) {
+    std::vector<double> times;
+    for (int n = 0; n < goal.records(r); ++n) times.push_back(goal.time(r, n));
+    const std::vector<double> weights = time_weights(times);
+    for (int n = 0; n < goal.records(r); ++n)
+      if (const VectorXd* dv = goal.gradient(r, n))
+        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * goal.value(r, n) * *dv;
+  }
+  if (duration >= 0) out.by_effort[duration] += run.effort / run.duration;
+  return out;
+}
+
 /// Static problems and rows of all limits, with their gradients in the order of the rows.
 template <FrameGroup G>
 std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalysis<G>& at,
@@ -160,6 +188,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     Members members;
     MotionGradients gradients;
     int imaged = 0;  ///< responses of the static problems
+    MotionGradients goal;
   };
   std::vector<Part> parts(simulators_.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
@@ -175,11 +204,19 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
         for (auto& r : rows_of(study_.constraints[c], run.mechanism))
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
                                aggregates(study_.constraints[c].treatment) ? 0 : 0.5});
+    const auto limited = static_cast<int>(responses.size());
+    if (s == 0)
+      for (const ResponseSpec& r : study_.goal.responses) responses.push_back({-1, r, 0, 0});
     for (auto& r : responses) r.scenario = static_cast<int>(s);
     p.gradients = MotionGradients(simulators_[s]->design(), run, x, responses);
+    p.goal = p.gradients.split(limited);
     for (int r = p.imaged; r < p.gradients.responses(); ++r) aggregate(study_, r, p.gradients);
   });
   Members members;
+  if (!study_.goal.only_mass())
+    members.push_back({std::make_unique<GoalProblem>(goal_of(at.runs.front(), parts.front().goal),
+                                                     x, variables()),
+                       1, 0});
   for (Part& p : parts) {
     for (auto& member : p.members) members.push_back(std::move(member));
     if (const int rows = p.gradients.responses() - p.imaged; rows > 0)

@@ -3,6 +3,7 @@
 /// A study of one or several motions of one design.
 
 #include "optim/cycle/design_loop.hpp"
+#include "optim/cycle/goal_problem.hpp"
 #include "optim/cycle/motion_problem.hpp"
 
 namespace liesl {
@@ -67,6 +68,7 @@ class MotionModel final : public DesignModel {
   /// Static problems of one scenario; the objective counts in the first.
   Members static_members(std::size_t scenario, const MotionAnalysis<G>& at,
                          const Eigen::VectorXd& x, double move) const;
+  MotionGoal goal_of(const DesignRun<G>& run, const MotionGradients& goal) const;
   std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at,
                                                 const Eigen::VectorXd& x, double move,
                                                 MotionGradients& gradients) const;

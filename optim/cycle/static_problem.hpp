@@ -13,7 +13,7 @@ namespace liesl {
 
 /// A response of the motion that rows of a static problem are images of.
 struct LimitedResponse {
-  int constraint = 0;  ///< of the study
+  int constraint = 0;  ///< of the study; -1: of its goal, gradients are kept at every record
   ResponseSpec response;
   int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value

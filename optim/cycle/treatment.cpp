@@ -31,16 +31,6 @@ std::pair<int, int> window(int n, std::size_t size) {
   return {std::max(0, n - kNeighbours), std::min(static_cast<int>(size) - 1, n + kNeighbours)};
 }
 
-/// Trapezoidal weights of the records over the duration, sum 1.
-std::vector<double> time_weights(const std::vector<double>& t) {
-  std::vector<double> w(t.size(), 1.0 / static_cast<double>(t.size()));
-  if (t.size() < 2 || !(t.back() > t.front())) return w;
-  const double duration = t.back() - t.front();
-  for (std::size_t n = 0; n < t.size(); ++n)
-    w[n] = 0.5 * (t[std::min(n + 1, t.size() - 1)] - t[n > 0 ? n - 1 : 0]) / duration;
-  return w;
-}
-
 /// limit (1 + mean of <v/limit - 1>).
 Aggregate mean_excess(const std::vector<double>& t, const std::vector<double>& v, double limit) {
   Aggregate out{largest(v), limit, {}};
@@ -82,6 +72,15 @@ std::vector<Aggregate> smooth_maxima(const std::vector<double>& v) {
 }
 
 }  // namespace
+
+std::vector<double> time_weights(const std::vector<double>& t) {
+  std::vector<double> w(t.size(), 1.0 / static_cast<double>(t.size()));
+  if (t.size() < 2 || !(t.back() > t.front())) return w;
+  const double duration = t.back() - t.front();
+  for (std::size_t n = 0; n < t.size(); ++n)
+    w[n] = 0.5 * (t[std::min(n + 1, t.size() - 1)] - t[n > 0 ? n - 1 : 0]) / duration;
+  return w;
+}
 
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v) {
   std::set<int> out;

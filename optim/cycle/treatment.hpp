@@ -18,6 +18,9 @@ struct Aggregate {
   std::map<int, double> weight;  ///< by record
 };
 
+/// Trapezoidal weights of the records over the duration, sum 1.
+std::vector<double> time_weights(const std::vector<double>& times);
+
 /// The records of a limit that become rows. @param v values, not empty
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v);
 

@@ -3,12 +3,32 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "optim/design/drive_tables.hpp"
+
 namespace liesl {
-Constants::Constants(const std::vector<ConstantSpec>& constants, const Mechanism& mechanism)
-    : constants_(constants) {
+namespace {
+
+constexpr double kDifference = 1. / 1024;  // of the range of a value of a table
+
+bool in_mechanism(const ConstantSpec& c) {
+  return c.quantity != ConstantQuantity::DriveValue && c.quantity != ConstantQuantity::Duration;
+}
+
+std::vector<double> list(const Eigen::VectorXd& x) { return {x.data(), x.data() + x.size()}; }
+
+}  // namespace
+
+Constants::Constants(const StudySpec& study, const Mechanism& mechanism)
+    : constants_(study.constants), drives_(study.drives), duration_(study.duration) {
   Mechanism at = mechanism;
-  for (const ConstantSpec& c : constants)
-    variables_.push_back({c.name, c.lower, c.upper, c.start.value_or(constant_of(c, at))});
+  for (const ConstantSpec& c : constants_)
+    variables_.push_back({c.name, c.lower, c.upper, c.start ? *c.start : constant_of(c, at)});
+}
+
+int Constants::duration() const {
+  for (int i = 0; i < size(); ++i)
+    if (constants_[static_cast<std::size_t>(i)].quantity == ConstantQuantity::Duration) return i;
+  return -1;
 }
 
 std::string Constants::unit(int i) const {
@@ -21,19 +41,62 @@ std::string Constants::unit(int i) const {
     case ConstantQuantity::Damping:
       return c.turns ? "N m s/rad" : "N s/m";
     case ConstantQuantity::Rest:
+    case ConstantQuantity::DriveValue:
       return c.turns ? "rad" : "m";
+    case ConstantQuantity::Duration:
+      return "s";
   }
   return "";
 }
 
-void Constants::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
-  for (int i = 0; i < size(); ++i)
-    constant_of(constants_[static_cast<std::size_t>(i)], mechanism) = x[i];
+TimeFunction Constants::motion(int table, const Eigen::VectorXd& x) const {
+  DriveTable at = drive_tables(constants_, drives_, duration_, list(x))[std::size_t(table)];
+  return TimeFunction::table(std::move(at.t), std::move(at.q), at.how);
 }
 
-Parameter Constants::parameter(int i) const {
+void Constants::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
+  for (int i = 0; i < size(); ++i)
+    if (const ConstantSpec& c = constants_[static_cast<std::size_t>(i)]; in_mechanism(c))
+      constant_of(c, mechanism) = x[i];
+  for (int k = 0; k < static_cast<int>(drives_.size()); ++k)
+    mechanism.drives.at(static_cast<std::size_t>(drives_[std::size_t(k)].drive)).motion =
+        motion(k, x);
+}
+
+SimulationOptions Constants::simulation(SimulationOptions options, const Eigen::VectorXd& x) const {
+  if (duration() < 0) return options;
+  const double stretch = x[duration()] / options.duration;
+  options.duration *= stretch;
+  options.step *= stretch;
+  options.step_min *= stretch;
+  return options;
+}
+
+/// d(motion)/d(value): differences of fourth order. Linear tables have it exactly; slopes of cubic
+/// ones depend on their values.
+DriveDerivative Constants::by_value(int i, const Eigen::VectorXd& x) const {
+  const ConstantSpec& c = constants_[static_cast<std::size_t>(i)];
+  const double h = kDifference * (c.upper - c.lower);
+  DriveDerivative by{drives_[static_cast<std::size_t>(c.drive)].drive, 0, {}};
+  for (const auto& [steps, weight] : {std::pair{-2, 1.}, {-1, -8.}, {1, 8.}, {2, -1.}}) {
+    Eigen::VectorXd at = x;
+    at[i] += steps * h;
+    by.motion.push_back({weight / (12 * h), motion(c.drive, at)});
+  }
+  return by;
+}
+
+Parameter Constants::parameter(int i, const Eigen::VectorXd& x) const {
   const ConstantSpec& c = constants_[static_cast<std::size_t>(i)];
   Parameter p{c.name, {}};
+  if (c.quantity == ConstantQuantity::DriveValue) {
+    p.parts.emplace_back(by_value(i, x));
+    return p;
+  }
+  if (c.quantity == ConstantQuantity::Duration) {
+    p.parts.emplace_back(StepDerivative{1 / x[i]});
+    return p;
+  }
   if (c.quantity == ConstantQuantity::Mass) {
     RigidDerivative by;
     by.body = c.body;

@@ -6,7 +6,7 @@ namespace liesl {
 
 Design::Design(const StudySpec& study, const Mechanism& mechanism)
     : sizing_(checked(study, mechanism).design, mechanism),
-      constants_(study.constants, mechanism),
+      constants_(study, mechanism),
       variables_(sizing_.variables()) {
   units_.assign(variables_.size(), "m");
   for (const auto& [body, spec] : study.shapes) {
@@ -47,7 +47,8 @@ std::vector<Parameter> Design::parameters(const Mechanism& designed,
     for (int j = 0; j < by.cols(); ++j)
       all.push_back({p.design.variables()[j].name, {SolidDerivative{p.body, by.col(j)}}});
   }
-  for (int i = 0; i < constants_.size(); ++i) all.push_back(constants_.parameter(i));
+  for (int i = 0; i < constants_.size(); ++i)
+    all.push_back(constants_.parameter(i, x.tail(constants_.size())));
   return all;
 }
 

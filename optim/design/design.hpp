@@ -43,8 +43,11 @@ class Design {
   /// their cells.
   std::vector<Parameter> parameters(const Mechanism& designed, const Eigen::VectorXd& x) const;
 
-  /// The mechanism with this design.
+  /// The mechanism with this design, and how it is simulated.
   Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const;
+  SimulationOptions simulation(const SimulationOptions& options, const Eigen::VectorXd& x) const {
+    return constants_.simulation(options, x.tail(constants_.size()));
+  }
 
  private:
   Sizing sizing_;

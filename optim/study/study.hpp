@@ -26,15 +26,40 @@ struct DesignSpec {
 };
 
 /// A constant of a mechanism that may change.
-enum class ConstantQuantity { Stiffness, Damping, Rest, Mass };
+enum class ConstantQuantity {
+  Stiffness,
+  Damping,
+  Rest,
+  Mass,
+  DriveValue,  ///< a value of the table of a drive
+  Duration     ///< of the motion: the tables of all drives are stretched, the steps with them
+};
 struct ConstantSpec {
   std::string name;
   ConstantQuantity quantity = ConstantQuantity::Stiffness;
   int force = -1;      ///< Stiffness, Damping, Rest: number in Mechanism::forces
   bool turns = false;  ///< of an angle: units N m/rad, ...
   int body = -1;       ///< Mass: a rigid body; its inertia about the centre stays
+  int drive = -1;      ///< DriveValue: number in StudySpec::drives
+  int row = -1;        ///< DriveValue: row of its table, from 0
   double lower = 0, upper = 0;
-  std::optional<double> start;  ///< none: as in the scene
+  /// None: as in the scene. Always given of DriveValue and Duration.
+  std::optional<double> start;
+};
+
+/// The table that a drive follows, q_i at t_i.
+struct DriveTable {
+  int drive = -1;  ///< number in Mechanism::drives
+  std::vector<double> t, q;
+  TimeFunction::Interpolation how = TimeFunction::Interpolation::Linear;
+};
+
+/// What a study of motions minimises: mass [kg] x mass + duration [1/s] x duration + effort x the
+/// sum over the responses of the integral of their squares over the (first) motion.
+struct Goal {
+  double mass = 1, duration = 0, effort = 0;
+  std::vector<ResponseSpec> responses;
+  bool only_mass() const { return mass == 1 && duration == 0 && effort == 0; }
 };
 
 /// The number in the mechanism. @pre it is there
@@ -206,6 +231,9 @@ struct StudySpec {
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   std::vector<ConstantSpec> constants;
+  std::vector<DriveTable> drives;  ///< those whose values or duration may change
+  double duration = 0;             ///< s, of the scene
+  Goal goal;                       ///< of motions
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;

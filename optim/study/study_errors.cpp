@@ -113,7 +113,14 @@ class StudyCheck {
     if (!(c.lower < c.upper))
       errors_.push_back(fmt::format("{}: expected bounds lower < upper, got [{:g}, {:g}]", place,
                                     c.lower, c.upper));
-    if (c.quantity == ConstantQuantity::Mass)
+    if (c.quantity == ConstantQuantity::Duration)
+      expect(c.lower > 0 && c.start && study_.duration > 0, place, "a duration > 0 with a start",
+             c.lower);
+    else if (c.quantity == ConstantQuantity::DriveValue)
+      expect(c.drive >= 0 && c.drive < static_cast<int>(study_.drives.size()) && c.row >= 0 &&
+                 c.row < static_cast<int>(study_.drives[std::size_t(c.drive)].q.size()) && c.start,
+             place, "a row of the table of a drive, with a start", c.row);
+    else if (c.quantity == ConstantQuantity::Mass)
       of_kind<RigidSpec>(place, c.body, "a rigid body");
     else
       expect(c.force >= 0 && c.force < forces_, place, "a force of the scene", c.force);
