@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/tasks/collect.hpp"
+#include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/start_kinks.hpp"
@@ -121,6 +122,25 @@ PartOutcome part_of(const std::shared_ptr<Design>& design, int k, const Study& s
   return out;
 }
 
+/// Of the limits and the motion of the final design: a start that strikes, a plane that is left.
+template <FrameGroup G>
+void note_final_motion(const Study& study, const CycleResult<G>& r,
+                       std::vector<std::string>& warnings) {
+  Scene limited = study.scene;
+  limited.mechanism = r.mechanism;
+  limited.responses.clear();
+  output::Results results;
+  for (std::size_t i = 0; i < r.final.front().limits.size(); ++i) {
+    const LimitSeries& last = r.final.front().limits[i];
+    limited.responses.push_back(study.spec.constraints[i].response);
+    results.responses.push_back(
+        {last.name, "", 1, {}, {}, output::Peak{last.largest, last.at_time}});
+  }
+  for (const auto& notes : {struck_start(limited, *r.model, r.simulation.trajectory, results),
+                            leaving_plane(limited, *r.model, r.simulation.trajectory)})
+    warnings.insert(warnings.end(), notes.begin(), notes.end());
+}
+
 /// All that a study of a motion leaves behind. `sizing` is that of the start.
 template <FrameGroup G>
 void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr<Design>& design,
@@ -130,6 +150,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.mechanism = r.mechanism;
   out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   describe_responses(out.summary, out.results);
+  if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
   describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
   out.initial = records(r.initial, scene.mechanism, study.spec);
