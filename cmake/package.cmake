@@ -1,4 +1,4 @@
-# `cpack --config build/NAME/CPackConfig.cmake` makes liesl_VERSION_ARCH.deb of an installation in /usr.
+# `cpack --config build/NAME/CPackConfig.cmake` makes a package of an installation in /usr.
 # Configure with -DCMAKE_INSTALL_PREFIX=/usr and, for machines other than this one, -DLIESL_ARCH=x86-64. What
 # may be handed out is in docs/licences.md.
 set(CPACK_GENERATOR DEB)
@@ -7,7 +7,7 @@ set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "the liesl authors <liesl@localhost>")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY ${PROJECT_DESCRIPTION})
 set(CPACK_PACKAGING_INSTALL_PREFIX ${CMAKE_INSTALL_PREFIX})
-set(CPACK_PACKAGE_FILE_NAME ${CPACK_PACKAGE_NAME}_${PROJECT_VERSION}_${CMAKE_SYSTEM_PROCESSOR})
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # needs dpkg-dev
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib")

@@ -64,10 +64,17 @@ void write(output::Hdf5File& file, const SolidLoads& solid) {
 }
 
 void print(const EslOutcome& out) {
-  for (const BeamLoads& beam : out.beams)
+  constexpr double kLinear = 0.02;  // more shows in a deflection
+  for (const BeamLoads& beam : out.beams) {
     fmt::print(
         "  {:<16} {} load cases; static = dynamic deformation: nonlinear {:.1e}, linear {:.1e}\n",
         beam.name, beam.set.t.size(), beam.identity.nonlinear, beam.identity.linear);
+    if (beam.identity.linear > kLinear)
+      fmt::print(
+          "  {:<16} linear static problems miss {:.0f} % of its largest strain: a slender part "
+          "bends less or more under an axial force\n",
+          "", 100 * beam.identity.linear);
+  }
   for (const SolidLoads& solid : out.solids)
     fmt::print("  {:<16} {} load cases of {} shapes; static = dynamic deformation: {:.1e}\n",
                solid.name, solid.set.t.size(), solid.set.e.rows(), solid.identity.linear);

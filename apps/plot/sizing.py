@@ -6,8 +6,8 @@ import re
 import matplotlib.pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
-from motion import (before_after, grouped_columns, limit_tables, mechanism, read_frames,
-                    shown_axes)
+from mechanism import bending_scale, few, mechanism, read_frames, shown_axes
+from motion import before_after, grouped_columns, limit_tables
 from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
 from tables import table
 
@@ -122,7 +122,11 @@ def draw_overview(folder, pictures, summary):
     figure = plt.figure(figsize=(11, 4.6), layout="constrained")
     grid = figure.add_gridspec(2, 2, width_ratios=(1.15, 1))
     ax = figure.add_subplot(grid[:, 0])
-    mechanism(ax, instants, shown_axes(instants), time_label)
+    scale = bending_scale(instants)
+    marks = mechanism(ax, instants, few(instants), shown_axes(instants), scale, time_label)
+    ax.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
+    if scale != 1:
+        ax.set_title(f"bending × {scale:g}")
     ax = figure.add_subplot(grid[0, 1])
     name = names[stems[0]]
     before_after(ax, before, after, name, groups[stems[0]], constraints[name].get("limit"))

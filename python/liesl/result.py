@@ -267,7 +267,7 @@ class FolderResult(Result):
     @property
     def tables(self) -> dict[str, dict[str, np.ndarray]]:
         """CSV tables by name, each with its columns: "design", "responses_final", of a batch
-        "cases". Columns are numbers where all their entries are, else texts."""
+        "results". Columns are numbers where all their entries are, else texts."""
         return {f.stem: _table(f) for f in sorted(self.folder.glob("*.csv"))}
 
     def report(self, path: str | os.PathLike) -> None:

@@ -1,0 +1,157 @@
+"""The mechanism at a few instants, its bending made visible."""
+
+import math
+
+import matplotlib.pyplot as plt
+from matplotlib.lines import Line2D
+from matplotlib.ticker import MaxNLocator
+
+from style import BLUE, GREEN, ORANGE, PURPLE, label
+from tables import Table
+
+INSTANTS = 5  # more hide each other
+COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
+VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
+STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
+
+
+def read_frames(path):
+    """[(time, {body: (kind, [(x, y, z), ...])})] in order of time, and the abscissa's label."""
+    frames = Table(path)
+    instants = {}
+    for time, body, kind, node, *x in frames.rows:
+        bodies = instants.setdefault(float(time), {})
+        bodies.setdefault(body, (kind, {}))[1][int(node)] = tuple(map(float, x[:3]))
+    ordered = [(t, {b: (kind, [nodes[k] for k in sorted(nodes)])
+                    for b, (kind, nodes) in bodies.items()})
+               for t, bodies in instants.items()]
+    return ordered, label(frames.names[0], frames.units[0])
+
+
+def draw_mechanism(folder, pictures, _summary):
+    if not (folder / "frames.csv").exists():
+        return
+    instants, abscissa = read_frames(folder / "frames.csv")
+    if not instants:
+        return
+    axes = shown_axes(instants)
+    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
+    ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
+    scale = 1 if abscissa.startswith("frequency") else bending_scale(instants)
+    shown = few(instants)
+    marks = mechanism(ax, instants, shown, axes, scale, abscissa)
+    ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
+    heading = "mechanism" if len(shown) == 1 else f"mechanism at {len(shown)} instants"
+    pictures.save(figure, "mechanism", heading + (f", bending × {scale:g}" if scale != 1 else ""))
+
+
+def few(instants):
+    """Spread evenly, first and last among them."""
+    last = len(instants) - 1
+    return [instants[n] for n in sorted({round(last * i / (INSTANTS - 1))
+                                         for i in range(INSTANTS)})]
+
+
+def shown_axes(instants):
+    """Two axes for what lies in a coordinate plane, else all three."""
+    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
+    flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
+    return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
+
+
+def offsets(nodes):
+    """Of each node the place on the chord that is nearest, and the offset from there."""
+    first, chord = nodes[0], [b - a for a, b in zip(nodes[0], nodes[-1])]
+    square = sum(c * c for c in chord)
+    out = []
+    for x in nodes:
+        along = sum((a - b) * c for a, b, c in zip(x, first, chord)) / square if square > 0 else 0
+        foot = [b + along * c for b, c in zip(first, chord)]
+        out.append((foot, [a - b for a, b in zip(x, foot)]))
+    return out
+
+
+def largest_offset(nodes):
+    return max(math.hypot(*offset) for _, offset in offsets(nodes))
+
+
+def straight_at_rest(instants):
+    """Names of the bodies that are straight where the motion begins: their offsets from the chord are
+    bending alone."""
+    return {body for body, (_, nodes) in instants[0][1].items()
+            if len(nodes) > 2 and largest_offset(nodes) <= STRAIGHT * math.dist(nodes[0], nodes[-1])}
+
+
+def bending_scale(instants):
+    """1, 2, 5, 10, ...: the largest that leaves all bending below VISIBLE of the mechanism."""
+    straight = straight_at_rest(instants)
+    largest = max((largest_offset(nodes) for _, bodies in instants
+                   for body, (_, nodes) in bodies.items() if body in straight), default=0)
+    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    size = math.dist(*[[pick(p[k] for p in points) for k in range(3)] for pick in (min, max)])
+    if largest <= 1e-9 * size:
+        return 1
+    room = VISIBLE * size / largest
+    return max([1] + [m * 10 ** e for e in range(6) for m in (1, 2, 5) if m * 10 ** e <= room])
+
+
+def bent(nodes, scale):
+    return [[f + scale * o for f, o in zip(foot, offset)] for foot, offset in offsets(nodes)]
+
+
+def mechanism(ax, instants, shown, axes, scale, abscissa):
+    """Bodies at the instants that are shown; rigid bodies with their paths. Marks for a legend."""
+    straight = straight_at_rest(instants)
+    columns = lambda nodes: [[x[k] for x in nodes] for k in axes]  # noqa: E731
+    marks = []
+    for body, (_, nodes) in instants[0][1].items():
+        if len(nodes) == 1 and len(instants) > 2:
+            path = [bodies[body][1][0] for _, bodies in instants if body in bodies]
+            ax.plot(*columns(path), color="#b8b8b8", linewidth=0.8, zorder=1)
+            marks = [Line2D([], [], color="#b8b8b8", linewidth=0.8, label="paths of rigid bodies")]
+    drawn = []
+    for (time, bodies), colour in zip(shown, COLOURS[-len(shown):]):
+        for body, (_, nodes) in bodies.items():
+            at = bent(nodes, scale) if body in straight else nodes
+            drawn += at
+            ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",
+                    marker="s" if len(nodes) == 1 else None, markersize=6)
+            if len(nodes) > 1:  # where joints are
+                ax.plot(*columns([nodes[0], nodes[-1]]), color=colour, linestyle="none",
+                        marker="o", markersize=4, markerfacecolor="white")
+        name, unit = abscissa.rstrip("]").partition(" [")[::2]
+        marks.append(Line2D([], [], color=colour, linewidth=2.6,
+                            label=f"{'t' if name == 'time' else name} = {time:.4g} "
+                                  f"{'' if unit == '-' else unit}".strip()))
+    kinds = [len(nodes) for nodes in (n for _, n in shown[-1][1].values())]
+    if any(n > 1 for n in kinds):
+        marks.append(Line2D([], [], color="black", linestyle="none", marker="o", markersize=4,
+                            markerfacecolor="white", label="ends of a body"))
+    if any(n == 1 for n in kinds):
+        marks.append(Line2D([], [], color="black", linestyle="none", marker="s", markersize=6,
+                            label="rigid body"))
+    frame_axes(ax, axes, drawn)
+    return marks
+
+
+def frame_axes(ax, axes, points):
+    """Labels, and the same scale in all directions."""
+    for k, name in zip(axes, "xyz"):
+        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]", labelpad=9 if len(axes) == 3 else 4)
+    if len(axes) == 2:
+        low = [min(p[k] for p in points) for k in axes]
+        high = [max(p[k] for p in points) for k in axes]
+        size = [max(b - a, 0.4 * max(h - l for l, h in zip(low, high)), 1e-9)
+                for a, b in zip(low, high)]
+        for set_limits, a, b, span in zip((ax.set_xlim, ax.set_ylim), low, high, size):
+            set_limits((a + b - 1.12 * span) / 2, (a + b + 1.12 * span) / 2)
+        ax.set_aspect("equal", adjustable="box")
+        return
+    spans = [max(max(p[k] for p in points) - min(p[k] for p in points), 1e-9) for k in range(3)]
+    box = [max(span, 0.2 * max(spans)) for span in spans]
+    for k, name in enumerate("xyz"):
+        middle = (max(p[k] for p in points) + min(p[k] for p in points)) / 2
+        getattr(ax, f"set_{name}lim")(middle - 0.52 * box[k], middle + 0.52 * box[k])
+        getattr(ax, f"{name}axis").set_major_locator(MaxNLocator(5 if box[k] > 0.4 * max(box) else 3))
+    ax.set_box_aspect(box, zoom=0.9)
