@@ -34,48 +34,6 @@ int optimize_command(const CommandOptions& options) {
 namespace liesl {
 namespace {
 
-<<<<<<< HEAD
-=======
-void write_series(const std::filesystem::path& path, const std::vector<double>& times,
-                  std::vector<output::ResponseResult> responses, const Scene& scene) {
-  output::Results r;
-  r.times = times;
-  if (scene.simulation.type != SimulationType::Dynamic) {
-    r.abscissa = "load_factor";
-    r.abscissa_unit = "-";
-  }
-  r.responses = std::move(responses);
-  output::write_responses_csv(path, r);
-}
-
-std::map<std::string, double> final_values(const OptimizeOutcome& out) {
-  std::map<std::string, double> values;
-  for (const output::DesignFigure& figure : out.summary.design) values[figure.name] = figure.final;
-  return values;
-}
-
-/// All that an optimisation leaves behind.
-void write_end(const OptimizeOutcome& out, const Study& study,
-               const std::filesystem::path& folder) {
-  const Scene& scene = study.scene;
-  if (out.simulated) {
-    output::write_results(folder, out.results);
-    for (const auto& [name, motions] : {std::pair{"initial", &out.initial}, {"final", &out.final}})
-      for (const LimitRecords& r : *motions)
-        write_series(folder / fmt::format("responses_{}{}{}.csv", name,
-                                          r.scenario.empty() ? "" : "_", r.scenario),
-                     r.times, r.responses, scene);
-  }
-  if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
-  std::map<std::string, levelset::ShapeSpec> outlines;
-  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
-  if (out.simulated)
-    output::write_file(folder / "design.toml",
-                       design_scene(study, out.mechanism, outlines, final_values(out)));
-  for (const PartOutcome& part : out.parts) write_part(folder, part);
-}
-
->>>>>>> s18b
 /// What the options of the command ask of a study.
 void check_options(const Study& study, const CommandOptions& options) {
   const auto refuse = [&study](const char* what, const char* expected, const char* hint) {

@@ -35,6 +35,12 @@ void write_series(const std::filesystem::path& path, const std::vector<double>& 
   output::write_responses_csv(path, r);
 }
 
+std::map<std::string, double> final_values(const OptimizeOutcome& out) {
+  std::map<std::string, double> values;
+  for (const output::DesignFigure& figure : out.summary.design) values[figure.name] = figure.final;
+  return values;
+}
+
 }  // namespace
 
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,
@@ -52,7 +58,8 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
   std::map<std::string, levelset::ShapeSpec> outlines;
   for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
   if (out.simulated)
-    output::write_file(folder / "design.toml", design_scene(study, out.mechanism, outlines));
+    output::write_file(folder / "design.toml",
+                       design_scene(study, out.mechanism, outlines, final_values(out)));
   for (const PartOutcome& part : out.parts) write_part(folder, part);
   output::write_summary(folder / "summary.json", output::to_json(out.summary));
 }

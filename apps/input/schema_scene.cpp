@@ -154,7 +154,6 @@ void append(std::vector<Key>& keys, std::vector<Key> more) {
 
 /// `response` of an entry: required in a scene, or an alternative to `use` in a study.
 Key response_choice(std::string_view parent, std::string_view preset) {
-<<<<<<< HEAD
   return {
       std::string(parent) + ".response",
       Type::Choice,
@@ -164,18 +163,7 @@ Key response_choice(std::string_view parent, std::string_view preset) {
       "Which quantity.",
       0,
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
-      "joint_force section_force stress energy compliance"};
-=======
-  return {std::string(parent) + ".response",
-          Type::Choice,
-          "",
-          preset,
-          kAny,
-          "Which quantity.",
-          0,
-          "position velocity angular_velocity displacement deflection elongation coordinate "
-          "joint_force drive_force section_force stress energy compliance"};
->>>>>>> s18b
+      "joint_force drive_force section_force stress energy compliance"};
 }
 
 }  // namespace
@@ -190,15 +178,9 @@ std::vector<Key> response_keys(std::string_view parent) {
     {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
-<<<<<<< HEAD
-    {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force"},
+    {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force drive_force"},
     {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement"},
     {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity rotation"},
-=======
-    {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force drive_force"},
-    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity displacement"},
-    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity"},
->>>>>>> s18b
     {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate drive_force"},
     {".element", Type::Integer, "", "0", kWhole0, "Element of the beam, from 0.", 0, "", "response=section_force"},

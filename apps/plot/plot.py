@@ -16,13 +16,9 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 from batches import draw_batch, draw_pair  # noqa: E402
 from comparisons import draw_comparison  # noqa: E402
-<<<<<<< HEAD
 from maps import draw_map  # noqa: E402
-from motion import draw_before_after, draw_energies, draw_mechanism, draw_responses  # noqa: E402
-=======
 from mechanism import draw_mechanism  # noqa: E402
 from motion import draw_before_after, draw_energies, draw_responses  # noqa: E402
->>>>>>> s18d
 from parts import draw_cells, draw_outlines  # noqa: E402
 from sensitivities import draw_gradients, draw_sensitivities  # noqa: E402
 from sizing import draw_design, draw_history, draw_overview  # noqa: E402

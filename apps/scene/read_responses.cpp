@@ -230,13 +230,8 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
                                           const toml::table& table) {
   // In the order of ResponseKind.
   static const auto kinds = words(
-<<<<<<< HEAD
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
-      "joint_force section_force stress energy compliance");
-=======
-      "position velocity angular_velocity displacement deflection elongation coordinate "
       "joint_force drive_force section_force stress energy compliance");
->>>>>>> s18b
   ResponseSpec response;
   response.name = name;
   const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));

@@ -39,14 +39,11 @@ class ParameterResidual {
   /// the derivatives of those of the body.
   const Body<G>* body(int body) const { return bodies_[body].get(); }
   const Parameter& parameter() const { return parameter_; }
-<<<<<<< HEAD
   /// d(force)/dp of the law of a row at constant q and dq/dt; 0 if it does not depend on p.
   double force_derivative(const CouplingRow<G>& row, double q, double rate,
                           const LoadLevel& level) const;
-=======
   /// dh/dp / h, see StepDerivative.
   double step() const { return step_; }
->>>>>>> s18b
   /// Nodes of the model that dr/dp acts on, growing; zero at all others.
   const std::vector<int>& nodes() const { return nodes_; }
 

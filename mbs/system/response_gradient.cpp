@@ -188,19 +188,14 @@ void ResponseValues<G>::add_coordinate(const ResponseSpec& r, const At& at, Cota
   }
 }
 
-<<<<<<< HEAD
-/// f = -sum F_i b_i, b_i the force of row i on port b, F_i a multiplier or the force of a law:
-/// a . df = -sum a . b_i dF_i - sum F_i a . D b_i, a = f/|f|; of a law
-/// dF = (df/dq g + c D g v) . h + c g . dv.
-=======
 template <FrameGroup G>
 void ResponseValues<G>::add_drive_force(const ResponseSpec& r, const At&, Cotangent& out) const {
   if (const int row = drive_row(r); row >= 0) out.lambda[row] -= 1;
 }
 
-/// f = -sum lambda_i b_i, b_i the force of row i on port b: a . df = -sum a . b_i dlambda_i -
-/// sum lambda_i a . D b_i, a = f/|f|.
->>>>>>> s18b
+/// f = -sum F_i b_i, b_i the force of row i on port b, F_i a multiplier or the force of a law:
+/// a . df = -sum a . b_i dF_i - sum F_i a . D b_i, a = f/|f|; of a law
+/// dF = (df/dq g + c D g v) . h + c g . dv.
 template <FrameGroup G>
 void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const {
   constexpr int dim = G::dim, sd = G::space_dim;

@@ -34,7 +34,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 13> rows{{
+  static const std::array<Kind, 14> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -59,16 +59,12 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        {"joint_force", one, newtons},
        &R::joint_force_norm,
        &R::add_joint_force,
-<<<<<<< HEAD
        &R::joint_force_by},
-=======
-       nullptr},
       {K::DriveForce,
        {"drive_force", one, of_drive},
        &R::drive_force,
        &R::add_drive_force,
        nullptr},
->>>>>>> s18b
       {K::SectionForce,
        {"section_force", one, of_section},
        &R::section_force,
