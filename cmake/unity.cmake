@@ -1,5 +1,5 @@
 # Unity builds: the sources of a folder are compiled a few at once, so that headers and the templates of
-# Eigen are paid for once in a group (docs/performance.md). For readers, writers and commands alone: in
+# Eigen are paid for once in a group. For readers, writers and commands alone: in
 # the engine, where functions are overloaded for many types, what stands in the unnamed namespace of
 # one source must not be seen by the next. -DLIESL_UNITY=OFF compiles each source alone, which is
 # faster where one source changes at a time.

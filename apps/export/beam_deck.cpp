@@ -107,6 +107,18 @@ BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string&
   return deck;
 }
 
+namespace {
+
+/// Of shapes of one kind: sections of a taper share their name.
+bool same_dimensions(const Shape& a, const Shape& b) {
+  const auto names = dimensions(a);
+  return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
+    return dimension(a, name) == dimension(b, name);
+  });
+}
+
+}  // namespace
+
 std::vector<SectionGroup> section_groups(const BeamDeck& deck) {
   std::vector<SectionGroup> groups;
   for (std::size_t e = 0; e < deck.sections.size(); ++e) {
@@ -114,7 +126,8 @@ std::vector<SectionGroup> section_groups(const BeamDeck& deck) {
     const Vec3 y = deck.middles[e].R.col(1);
     const auto same = [&](const SectionGroup& g) {
       return g.section->name == section.name && (g.y - y).norm() < 1e-12 &&
-             g.section->shape.index() == section.shape.index();
+             g.section->shape.index() == section.shape.index() &&
+             same_dimensions(g.section->shape, section.shape);
     };
     auto found = std::find_if(groups.begin(), groups.end(), same);
     if (found == groups.end()) found = groups.insert(groups.end(), {&section, y, {}});

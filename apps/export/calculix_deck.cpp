@@ -14,17 +14,17 @@ struct SectionCard {
 };
 struct ToCard {
   SectionCard operator()(const Circle& s) const {
-    return {"CIRC", fmt::format("{}", s.diameter)};  // PIPE: radius
+    return {"CIRC", fmt::format("{:.12e}", s.diameter)};  // PIPE: radius
   }
   SectionCard operator()(const Tube& s) const {
-    return {"PIPE", fmt::format("{}, {}", s.diameter / 2, s.thickness)};
+    return {"PIPE", fmt::format("{:.12e}, {:.12e}", s.diameter / 2, s.thickness)};
   }
   SectionCard operator()(const Rectangle& s) const {
-    return {"RECT", fmt::format("{}, {}", s.width, s.height)};
+    return {"RECT", fmt::format("{:.12e}, {:.12e}", s.width, s.height)};
   }
   SectionCard operator()(const Box& s) const {
-    return {"BOX", fmt::format("{}, {}, {}, {}, {}, {}", s.width, s.height, s.thickness,
-                               s.thickness, s.thickness, s.thickness)};
+    return {"BOX", fmt::format("{:.12e}, {:.12e}, {:.12e}, {:.12e}, {:.12e}, {:.12e}", s.width,
+                               s.height, s.thickness, s.thickness, s.thickness, s.thickness)};
   }
   template <class Other>
   SectionCard operator()(const Other&) const {
@@ -34,7 +34,7 @@ struct ToCard {
 };
 
 std::string node_line(int number, const Vec3& x) {
-  return fmt::format("{}, {:.15g}, {:.15g}, {:.15g}\n", number, x[0], x[1], x[2]);
+  return fmt::format("{}, {:.12e}, {:.12e}, {:.12e}\n", number, x[0], x[1], x[2]);
 }
 
 std::string mesh_text(const BeamDeck& deck) {
@@ -52,8 +52,9 @@ std::string mesh_text(const BeamDeck& deck) {
 }
 
 std::string sections_text(const BeamDeck& deck) {
-  std::string text = fmt::format("*MATERIAL, NAME=MATERIAL\n*ELASTIC\n{}, {}\n*DENSITY\n{}\n",
-                                 deck.material.E, deck.material.nu, deck.material.rho);
+  std::string text =
+      fmt::format("*MATERIAL, NAME=MATERIAL\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n",
+                  deck.material.E, deck.material.nu, deck.material.rho);
   const auto groups = section_groups(deck);
   for (std::size_t g = 0; g < groups.size(); ++g) {
     const SectionCard card = std::visit(ToCard(), groups[g].section->shape);
@@ -61,8 +62,8 @@ std::string sections_text(const BeamDeck& deck) {
     for (const int e : groups[g].elements) text += fmt::format("{},\n", e + 1);
     const Vec3& y = groups[g].y;
     text += fmt::format(
-        "*BEAM SECTION, ELSET=SECTION{}, MATERIAL=MATERIAL, SECTION={}\n{}\n{:.15g}, {:.15g}, "
-        "{:.15g}\n",
+        "*BEAM SECTION, ELSET=SECTION{}, MATERIAL=MATERIAL, SECTION={}\n{}\n{:.12e}, {:.12e}, "
+        "{:.12e}\n",
         g + 1, card.type, card.numbers, y[0], y[1], y[2]);
   }
   return text;

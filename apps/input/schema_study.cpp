@@ -65,7 +65,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"part_limits.*.limit", Type::Number, "of the quantity", kRequired, kPositive, "Largest value; of a frequency the least."},
     {"part_limits.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest frequencies.", 0, "", "quantity=frequency"},
 
-    {"frequencies", Type::Named, "", kOptional, kAny, "Least natural frequencies of the mechanism by name: of the joined bodies in space, undeformed in a pose, without weight and loads; drives hold. Not with meshes in the plane."},
+    {"frequencies", Type::Named, "", kOptional, kAny, "Least natural frequencies of the mechanism by name: of the joined bodies in space, undeformed in a pose, without weight, loads and the forces of springs, whose stiffness counts; drives hold. Not with meshes in the plane."},
     {"frequencies.*", Type::Table, "", kOptional, kAny, "A limit."},
     {"frequencies.*.least", Type::Number, "Hz", kRequired, kPositive, "Least value of each of them."},
     {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest: as many as may come to lie together, since which one is the lowest may change there. Motions that nothing holds do not count."},

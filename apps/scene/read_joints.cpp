@@ -73,7 +73,7 @@ void read_axes(Reader& reader, const toml::table& table, JointSpec& joint) {
     reader.problems.add(
         *second,
         fmt::format("{} joint '{}' has no second axis", kind_of(joint.type).name, joint.name),
-        "'axis2' for a universal joint only", "leave it out");
+        "'axis2' for a universal joint or a bushing only", "leave it out");
   if (axes < 2) return;
   joint.axis2 = direction(reader, table, "axis2");
   const double cosine = joint.axis.dot(joint.axis2);

@@ -97,6 +97,11 @@ void read_constant(StudyReader& reader, const Entry& entry) {
   else
     c.turns = of_angle(mechanism.forces[static_cast<std::size_t>(c.force)], mechanism);
   const toml::node& property = *strings(table, "property").front();
+  if (c.force >= 0 && !reader.scene.root["forces"][of].is_table())
+    return reader.scene.problems.add(
+        *strings(table, "of").front(),
+        fmt::format("'{}' belongs to a joint, whose stiffness and damping do not vary", of),
+        "an entry of [forces]");
   if (!read_quantity(reader, property, c) || !read_range(reader, table, c)) return;
   for (const ConstantSpec& other : reader.spec.constants)
     if (other.force == c.force && other.body == c.body && other.quantity == c.quantity)

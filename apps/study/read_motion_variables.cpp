@@ -150,6 +150,10 @@ void check_motion_variables(StudyReader& reader) {
     if (const toml::node* scenarios = reader.root.get("scenarios"))
       problems.add(*scenarios, "scenarios, and variables of the motion itself", "one or the other",
                    "each scenario has a motion of its own");
+  if (!reader.spec.drives.empty() || duration != constants.end())
+    if (const toml::node* frequencies = reader.root.get("frequencies"))
+      problems.add(*frequencies, "frequencies in a pose, and variables of the motion itself",
+                   "one or the other", "the pose would follow the variables");
   if (duration == constants.end()) return;
   const toml::node& at = *reader.root["design"][duration->name].node();
   const Mechanism& mechanism = reader.scene.scene.mechanism;
@@ -167,6 +171,7 @@ void check_motion_variables(StudyReader& reader) {
   };
   for (const LoadSpec& load : mechanism.loads)
     if (!load.scale.is_constant()) refuse("load '" + load.name + "'");
+  if (!mechanism.gravity_scale.is_constant()) refuse("gravity_scale");
   for (const ForceSpec& force : mechanism.forces)
     if (!force.force.is_constant()) refuse("force '" + force.name + "'");
 }

@@ -153,7 +153,7 @@ SensitivityProblem study_problem(const Study& study, const Scene& scene,
   problem.mechanism_at = [design, mechanism = scene.mechanism](const VectorXd& p) {
     return design->apply(mechanism, p);
   };
-  const auto options_at = [design, options = study.scene.simulation](const VectorXd& p) {
+  const auto options_at = [design, options = scene.simulation](const VectorXd& p) {
     return design->simulation(options, p);
   };
   problem.scene.simulation = options_at(x);

@@ -77,7 +77,6 @@ PoseModes pose_modes(const Model<SE3>& model, const SimulationOptions& options, 
   IterationMatrix<SE3> matrix(model);
   s.lambda.setZero();
   equations.evaluate(s, s.rows, unloaded);
-  matrix.take_prestress(equations, s);
   const Sparse A = matrix.assemble(equations, s, unloaded);
   const Sparse M =
       of_bodies(model, [&](int b) { return &model.bodies[static_cast<std::size_t>(b)]->mass(); });

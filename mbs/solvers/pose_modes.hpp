@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Natural frequencies of a mechanism in a pose, without weight and loads, and their derivatives.
+/// Natural frequencies of a mechanism in a pose, without weight, loads and the forces that springs
+/// have there, and their derivatives.
 
 #include <string>
 

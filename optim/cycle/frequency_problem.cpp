@@ -49,6 +49,9 @@ void FrequencyProblem::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* g, Ro
           lambda_derivative(designed, model, modes, parameters[p]);
     for (Eigen::Index i = 0; i < limit.count; ++i, ++row) {
       const bool found = i < modes.lambda.size();
+      if (!found && reason_.empty())
+        reason_ = fmt::format("frequency '{}': the mechanism has only {}", limit.name,
+                              modes.lambda.size());
       const double omega = found ? std::sqrt(modes.lambda[i])
                                  : std::numeric_limits<double>::quiet_NaN();  // the reason says why
       if (g) (*g)[row] = 1 - omega / (2 * M_PI) / limit.least;

@@ -216,7 +216,7 @@ CycleEnd TrustRegionRule::infeasible() const {
   return {CycleStatus::Infeasible,
           fmt::format("no design near meets all limits: '{}' is exceeded by {:.3g} %{}, "
                       "and by at least {:.3g} % nearby; widen the bounds or the limit, "
-                      "or start from another design",
+                      "start from another design, or from the optimum of a slower motion",
                       at_->worst_constraint, 100 * at_->worst, place(), 100 * answer_.violation)};
 }
 

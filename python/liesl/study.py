@@ -30,6 +30,11 @@ class Variable:
     upper: float
     start: float
 
+    @property
+    def slack(self) -> float:
+        """What rounding may bring a value beyond its bounds."""
+        return 1e-9 * max(abs(self.lower), abs(self.upper))
+
 
 class Evaluation(Result):
     """A design of a study: its motion, converged as sensitivities need it, with a record at every
@@ -41,7 +46,8 @@ class Evaluation(Result):
         super().__init__(motions[0])
         self._by[()] = (motions[0], {})
         self.x = x  #: (variables,), the design
-        self.objective: float = study._study.mass(x)  #: kg
+        self.objective: float = study._study.mass(x)  #: kg: the mass, also of a study
+        #: that minimises a weighted sum
         self.motions: list[Result] = [self]  #: one for each scenario
         for motion in motions[1:]:
             result = Result(motion)
@@ -172,9 +178,15 @@ class Study:
         Rows stay the same whatever the design. `objective` replaces the mass and `limits` adds rows
         f <= 0 by name, each a function of an Evaluation that returns its value and its derivatives
         by what it has read, {"bend": (records, components), "x": (variables,)}.
-        Raises InputError for a study without a motion, or one that changes outlines.
+        Raises InputError for a study without a motion, or one that changes outlines, limits frequencies,
+        or minimises a weighted sum without `objective`.
         """
         self._require_motion()
+        if self._study.frequencies():
+            raise InputError("limits on frequencies are no rows of nlp(); use optimize()")
+        if objective is None and not self._study.only_mass():
+            raise InputError("the study minimises a weighted sum, nlp() the mass; give objective=, "
+                             "or use optimize()")
         if self._study.changes_outlines():
             raise InputError("the study changes the outline of a part, whose walls are no rows of "
                              "nlp(); use optimize()")
@@ -199,7 +211,7 @@ class Study:
                                       f"({len(self.variables)},), a number for each variable")])
         problems = [Problem(f"'{v.name}' is {at}", f"in [{v.lower}, {v.upper}] {v.unit}")
                     for v, at in zip(self.variables, given)
-                    if not v.lower * (1 - 1e-9) <= at <= v.upper * (1 + 1e-9)]
+                    if not v.lower - v.slack <= at <= v.upper + v.slack]
         if problems:
             raise InputError(problems)
         return given
