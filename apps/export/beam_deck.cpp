@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/treatment.hpp"
 
