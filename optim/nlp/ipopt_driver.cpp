@@ -167,7 +167,8 @@ void set_options(Ipopt::OptionsList& list, const NlpOptions& o, bool exact, bool
   };
   text("sb", "yes");
   integer("print_level", 0);
-  text("linear_solver", "mumps");  // the others are not in the package and end the process
+  text("linear_solver", "mumps");   // the others are not in the package and end the process
+  integer("mumps_pivot_order", 0);  // AMD: a few dense columns, for which Scotch takes seconds
   text("nlp_scaling_method", "none");
   number("bound_relax_factor", 0.1 * std::min(o.feasibility, o.tolerance));
   integer("max_iter", o.max_iterations);

@@ -71,7 +71,7 @@ TEST(BeamDeck, TextsHaveEveryNodeElementAndCase) {
     return n;
   };
   EXPECT_EQ(count(ccx, "*STEP, NLGEOM"), deck.cases.size());
-  EXPECT_EQ(count(ccx, "SECTION=CIRC\n0.01\n"), 1u);
+  EXPECT_EQ(count(ccx, "SECTION=CIRC\n1.000000000000e-02\n"), 1u);
   EXPECT_EQ(count(nastran, "\nGRID*"), deck.nodes.size());
   EXPECT_EQ(count(nastran, "\nCBAR*"), deck.nodes.size() - 1);
   EXPECT_EQ(count(nastran, "SUBCASE"), deck.cases.size());
