@@ -250,6 +250,9 @@ void describe(const Study& study, const Plan& plan, const std::vector<NlpVariabl
 
 MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapRequest& request,
                     const MapHooks& hooks) {
+  if (!study.spec.frequencies.empty())
+    throw InputError({{study.file, 0, 0, "a map shows no limits on frequencies",
+                       "a study without [frequencies]", "leave them out of a copy"}});
   const MakeValues make = values_of(study, space);
   const std::vector<MappedQuantity> known = quantities(study);
   const Design design(study.spec, study.scene.mechanism);

@@ -127,6 +127,7 @@ TEST_F(Map, RefusesWhatTheStudyHasNot) {
   refused({"--over", both, "--of", "bendin"}, "did you mean 'bending'?");
   refused({"--over", both, "--points", "1"}, "1 points");
   refused({"--over", both, "--cycle", "2"}, "no path");
+  refused({"--over", both, "--set", "frequencies.first={least=10}"}, "no limits on frequencies");
   write("summary.json", R"({"command": "run"})");
   refused({"--over", both, "--path", dir_}, "holds no optimisation");
   write("summary.json", R"({"command": "optimize", "design": {"a": 1}, "history": []})");
