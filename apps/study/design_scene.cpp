@@ -1,3 +1,5 @@
+#ifdef LIESL_OPTIM  // what the design varies is applied by optim
+
 #include "apps/study/design_scene.hpp"
 
 #include <fmt/format.h>
@@ -107,3 +109,5 @@ std::string design_scene(const Study& study, const Mechanism& final,
 }
 
 }  // namespace liesl
+
+#endif
