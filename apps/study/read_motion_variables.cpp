@@ -115,7 +115,7 @@ void read_drive_value(StudyReader& reader, const Entry& entry, ConstantSpec c) {
 void read_duration(StudyReader& reader, const Entry& entry, ConstantSpec c) {
   c.quantity = ConstantQuantity::Duration;
   reader.spec.duration = reader.scene.scene.simulation.duration;
-  if (!read_bounds(reader, *entry.table, reader.spec.duration, c)) return;
+  read_bounds(reader, *entry.table, reader.spec.duration, c);
   for (const ConstantSpec& other : reader.spec.constants)
     if (other.quantity == c.quantity)
       return reader.scene.problems.add(*entry.table->get("property"),

@@ -79,10 +79,12 @@ void DesignSimulator<G>::extract(DesignRun<G>& r) const {
 
 template <FrameGroup G>
 void DesignSimulator<G>::measure_frequencies(DesignRun<G>& r) const {
-  for (const FrequencyLimitSpec& limit : study_.frequencies) {
-    std::string reason;
-    const auto values = lowest_frequencies(r.mechanism, options_, limit, reason);
-    const double lowest = values.empty() ? 0 : values.front();
+  if (study_.frequencies.empty()) return;
+  const LimitedModes modes(r.mechanism, options_, study_.frequencies);
+  r.undefined = modes.reason;
+  for (std::size_t l = 0; l < study_.frequencies.size(); ++l) {
+    const FrequencyLimitSpec& limit = study_.frequencies[l];
+    const double lowest = modes.frequency(l, 0);
     r.frequencies.push_back({limit.name, limit.least, lowest});
     if (const double g = 1 - lowest / limit.least; g > r.worst) {
       r.worst = g;

@@ -26,7 +26,7 @@ struct LimitSeries {
 /// The lowest of the frequencies that are limited.
 struct FrequencyCheck {
   std::string name;
-  double least = 0, value = 0;  ///< Hz
+  double least = 0, value = 0;  ///< Hz; NaN where the run says why
 };
 
 /// Everything after `simulation` is empty or zero unless the simulation converged.
@@ -43,11 +43,18 @@ struct DesignRun {
   std::vector<SolidLoadSet> solid_loads;    ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;          ///< one for each constraint
   std::vector<FrequencyCheck> frequencies;  ///< one for each limit
+  std::string undefined;                    ///< why a limited frequency has no value; else empty
   double worst = -1;                        ///< largest |r|/limit - 1 over all records and limits
   std::string worst_constraint;
   std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
-  bool good() const { return simulation.report.status == SolveStatus::Converged; }
+  bool good() const { return status() == SolveStatus::Converged; }
+  SolveStatus status() const {
+    return undefined.empty() ? simulation.report.status : SolveStatus::Inconsistent;
+  }
+  const std::string& reason() const {
+    return undefined.empty() ? simulation.report.reason : undefined;
+  }
   std::vector<double> times() const;  ///< of the records, s
 };
 

@@ -141,7 +141,7 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
 template <FrameGroup G>
 std::string not_comparable(const DesignRun<G>& run, const std::vector<double>& times) {
   if (!run.good())
-    return "the simulation of a neighbouring design failed: " + run.simulation.report.reason;
+    return "the simulation of a neighbouring design failed: " + run.reason();
   if (run.times() != times)
     return "the simulations of neighbouring designs have other time steps; use a fixed step that "
            "is not halved";

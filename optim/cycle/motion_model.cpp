@@ -112,8 +112,8 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
   for (std::size_t s = 0; s < a.runs.size(); ++s) {
     const DesignRun<G>& run = a.runs[s];
     if (!run.good() && a.status != SolveStatus::Interrupted) {
-      a.status = run.simulation.report.status;
-      a.reason = run.simulation.report.reason;
+      a.status = run.status();
+      a.reason = run.reason();
       if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
     }
     a.limits.push_back({run.times(), run.limits, run.frequencies});

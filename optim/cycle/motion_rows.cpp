@@ -26,7 +26,7 @@ std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vect
 
 MotionRows::MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
                        const std::vector<NlpVariable>& variables)
-    : variables_(variables) {
+    : CaselessProblem(variables) {
   std::vector<ScreenedLimit> limits;
   ValuesByLimit values;
   std::vector<int> of_constraint(study.constraints.size(), 0);
