@@ -133,6 +133,8 @@ class Sweep {
     if (!given_.allFinite())
       throw std::runtime_error("check_derivatives: a derivative is not finite at x");
     norms_ = given_.rowwise().norm();
+    for (int i = 0; i < stack.functions(); ++i)
+      if (norms_[i] <= kZero * std::abs(here_[i])) norms_[i] = kSmall * std::abs(here_[i]);
     const int n = static_cast<int>(stack.range.size());
     if (stack.hessian) norms_.tail(n).setConstant(given_.bottomRows(n).norm());
   }
@@ -164,6 +166,9 @@ class Sweep {
   }
 
  private:
+  static constexpr double kZero = 1e-9;   // of a value over all ranges: no change
+  static constexpr double kSmall = 1e-3;  // of the value, in the place of such a derivative
+
   std::string function(int row) const {
     if (row == 0) return "objective";
     if (row < stack_.functions())

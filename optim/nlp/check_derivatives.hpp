@@ -27,7 +27,9 @@ struct DerivativeCheckOptions {
 };
 
 /// One function in one direction d (scaled by the ranges D of the variables):
-///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2.
+///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2,
+/// with 1e-3 |r| in the place of a norm below 1e-9 |r|: a function that does not change, as the
+/// prescribed coordinate of a joint, differs by round-off.
 struct DerivativeCheck {
   std::string function;         ///< "objective", name of a constraint, "Hessian of the Lagrangian"
   std::string direction;        ///< name of a variable, or "random"
