@@ -140,8 +140,7 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
 /// What is wrong with a neighbouring run; empty: it can be compared with the design's.
 template <FrameGroup G>
 std::string not_comparable(const DesignRun<G>& run, const std::vector<double>& times) {
-  if (!run.good())
-    return "the simulation of a neighbouring design failed: " + run.reason();
+  if (!run.good()) return "the simulation of a neighbouring design failed: " + run.reason();
   if (run.times() != times)
     return "the simulations of neighbouring designs have other time steps; use a fixed step that "
            "is not halved";

@@ -60,8 +60,8 @@ void FrequencyProblem::gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, 
   Eigen::Index row = 0;
   for (std::size_t l = 0; l < limits_.size(); row += limits_[l].count, ++l)
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      const Eigen::VectorXd by_p = lambda_derivative(latest_->mechanism, latest_->model,
-                                                     latest_->modes[l], parameters[p]);
+      const Eigen::VectorXd by_p =
+          lambda_derivative(latest_->mechanism, latest_->model, latest_->modes[l], parameters[p]);
       for (int i = 0; i < by_p.size(); ++i)
         dg(row + i, static_cast<Eigen::Index>(p)) =
             -by_p[i] / (8 * M_PI * M_PI * latest_->frequency(l, i) * limits_[l].least);

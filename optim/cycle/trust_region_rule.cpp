@@ -114,7 +114,7 @@ bool TrustRegionRule::on_bound() const {
 Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
   Step step = with_surrogate(record, cycle);
   const bool no_optimum = step.end && (step.end->status == CycleStatus::Infeasible ||
-                                   step.end->status == CycleStatus::Converged);
+                                       step.end->status == CycleStatus::Converged);
   if (!no_optimum || used_up(record.history(), record.options()) || !record.model().drop_images())
     return step;
   record.warn(
