@@ -75,8 +75,7 @@ int export_deck(const CommandOptions& options) {
 #else
 
 int export_deck(const CommandOptions& options) {
-  throw output::IoError("export", options.file,
-                        "this build has no load extraction; configure with -DLIESL_OPTIM=ON");
+  throw output::without_optimisation("export", options.file);
 }
 
 #endif

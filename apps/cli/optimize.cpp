@@ -9,9 +9,7 @@
 namespace liesl {
 
 int optimize_command(const CommandOptions& options) {
-  throw output::IoError(
-      "optimise", options.file,
-      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+  throw output::without_optimisation("optimise", options.file);
 }
 
 }  // namespace liesl
