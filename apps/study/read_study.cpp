@@ -49,7 +49,7 @@ Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& resp
 
 /// Why a limit needs the sensitivities of a motion, and this study has none; empty: it has.
 std::string without_sensitivities(const StudyReader& reader) {
-  if (reader.root.contains("loads")) return "loads that stay move nothing";
+  if (reader.root.contains("loads")) return "fixed loads have no motion";
   if (reader.scene.scene.simulation.type != SimulationType::Dynamic)
     return "statics has no sensitivities";
   if (reader.spec.cycle.method == CycleMethod::Esl)

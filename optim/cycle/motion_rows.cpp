@@ -15,10 +15,10 @@ namespace {
 using Eigen::VectorXd;
 
 /// The records that become rows of a limit.
-std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& near,
+std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& screened,
                          const std::vector<double>& v) {
   if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
-  if (many) return {near.begin(), near.end()};
+  if (many) return {screened.begin(), screened.end()};
   return treated_records(Treatment::Maxima, v);
 }
 
@@ -38,11 +38,11 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
     auto& v = values.emplace_back();
     for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
   }
-  const CasesByLimit near = near_largest(values, limits, study.cycle);
+  const CasesByLimit screened = near_largest(values, limits, study.cycle);
   std::vector<double> g;
   for (int l = 0; l < count; ++l) {
     const ConstraintSpec& limit = study.constraints[limits[l].constraint];
-    for (const int n : records_of(limit, limits[l].many, near[l], values[l])) {
+    for (const int n : records_of(limit, limits[l].many, screened[l], values[l])) {
       const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
       constraints_.push_back(
           {id,

@@ -123,7 +123,7 @@ Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechan
   return out;
 }
 
-/// A part under loads that stay, its shape and its final place.
+/// A part under fixed loads, its shape and its final place.
 struct PartEnd : PartResult {
   Mechanism mechanism;              ///< final
   std::shared_ptr<PartShape> part;  ///< what was optimised

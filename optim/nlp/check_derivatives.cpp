@@ -263,19 +263,19 @@ DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
   report.x = inside(problem, x, stack.range, o.largest_step);
   sweep_all(stack, o, random, report);
   if (report.kinks.empty()) return report;
-  if (!o.beside_kinks) {
+  if (!o.avoid_kinks) {
     report.right = std::all_of(report.checks.begin(), report.checks.end(),
                                [](const DerivativeCheck& c) { return c.right || c.kink; });
     return report;
   }
-  VectorXd beside = report.x;
-  for (int j = 0; j < beside.size(); ++j) {
+  VectorXd shifted = report.x;
+  for (int j = 0; j < shifted.size(); ++j) {
     const auto& v = problem.variables()[static_cast<std::size_t>(j)];
     if (v.lower < v.upper)
-      beside[j] += (random() % 2 ? 1 : -1) * around(random) * o.largest_step * stack.range[j];
+      shifted[j] += (random() % 2 ? 1 : -1) * around(random) * o.largest_step * stack.range[j];
   }
   DerivativeReport moved;
-  moved.x = inside(problem, beside, stack.range, o.largest_step);
+  moved.x = inside(problem, shifted, stack.range, o.largest_step);
   sweep_all(stack, o, random, moved);
   moved.failed_evaluations += report.failed_evaluations;
   moved.kinks = std::move(report.kinks);

@@ -21,7 +21,7 @@ struct DerivativeCheckOptions {
   int steps = 17;              ///< each 10^(-1/2) of the one before, >= 3
   double tolerance = 1e-6;     ///< best relative error that counts as right, in (0, 1)
   bool hessian = true;         ///< check it too if the problem has one
-  bool beside_kinks = true;    ///< check at a point beside kinks; false: do not judge them
+  bool avoid_kinks = true;     ///< move off kinks and check there; false: do not judge them
 
   std::vector<std::string> errors() const;
 };
