@@ -8,6 +8,7 @@
 #include "mbs/system/build_load.hpp"
 #include "mbs/system/constraint_rank.hpp"
 #include "mbs/system/model.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -52,6 +53,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     for (int k = 0; k < model.bodies.back()->nodes(); ++k) {
       const NodeKind kind = model.bodies.back()->kind(k);
       if (kind == NodeKind::Frame) model.frames_.push_back(model.nodes_ + k);
+      if (kind == NodeKind::Position) model.positions_.push_back(model.nodes_ + k);
       if (kind == NodeKind::Amplitudes) model.amplitudes_.push_back(model.nodes_ + k);
     }
     model.nodes_ += model.bodies.back()->nodes();
@@ -72,6 +74,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
       model.extent = std::max(model.extent, model.length + H.x.norm());
   model.set_initial_velocity(mechanism);
   model.finish();
+  model.penalty = build_penalty(mechanism.penalty, model);
   model.leave_out_redundant_rows();
   return model;
 }
@@ -86,13 +89,18 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
     };
     const SE3 first = at(0);
     for (int k = 0; k < bodies[b]->nodes(); ++k) {
-      if (bodies[b]->kind(k) != NodeKind::Frame) continue;
+      const NodeKind kind = bodies[b]->kind(k);
+      if (kind != NodeKind::Frame && kind != NodeKind::Position) continue;
       const SE3 H = at(k);
       SE3::Tangent v;
       v << H.R.transpose() * (spec.velocity + spec.angular_velocity.cross(H.x - first.x)),
           H.R.transpose() * spec.angular_velocity;
       initial_velocity_.template segment<G::dim>(G::dim * (first_node_[b] + k)) =
           space.reduce_local(v, space.alignment(H));
+      if (kind == NodeKind::Position)
+        initial_velocity_.template segment<G::rotation_dim>(G::dim * (first_node_[b] + k) +
+                                                            G::space_dim)
+            .setZero();
     }
   }
 }
@@ -101,6 +109,7 @@ template <class G>
 void Model<G>::leave_out_redundant_rows() {
   RedundantRows found = redundant_rows(*this, initial_state());
   redundant = std::move(found.sentences);
+  if (penalty.form != ConstraintForm::Multipliers) return;  // none has to be left out
   dead_point = std::move(found.dead_point);
   if (found.rows.empty()) return;
   for (const auto& [coupling, equation] : found.rows) {
@@ -148,6 +157,8 @@ void Model<G>::finish() {
 template <class G>
 void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const {
   for (const int k : frames_) s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
+  for (const int k : positions_)
+    s.H[k].x += s.H[k].R * delta.template segment<G::space_dim>(G::dim * k);
   for (const int k : amplitudes_)
     s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }
