@@ -1,5 +1,7 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
+#include <stdexcept>
 
 #include "mbs/system/build_body.hpp"
 #include "mbs/system/build_force.hpp"
@@ -33,6 +35,28 @@ std::vector<std::vector<int>> held_nodes(const Mechanism& m) {
   std::vector<std::vector<int>> out;
   for (const auto& nodes : held) out.emplace_back(nodes.begin(), nodes.end());
   return out;
+}
+
+/// A node that is a position holds what acts on the place alone.
+/// @throws std::invalid_argument
+template <class G>
+void require_held_by_place(const Model<G>& model) {
+  for (const auto& c : model.couplings)
+    for (const auto* port : {&c.a, &c.b}) {
+      if (port->body < 0) continue;
+      const Body<G>& body = *model.bodies[port->body];
+      if (body.kind(port->node - model.first_node(port->body)) != NodeKind::Position) continue;
+      const auto turns = [](const CouplingRow<G>& e) {
+        const RowKind kind = e.row.kind();
+        const bool place =
+            kind == RowKind::Distance || (kind == RowKind::Displacement && e.coordinate < 0);
+        return e.role <= Role::Actuator && !place;
+      };
+      if (port->offset.x.norm() == 0 && std::none_of(c.rows.begin(), c.rows.end(), turns)) continue;
+      throw std::invalid_argument(
+          "'" + c.name + "' turns a node between the ends of '" + body.name +
+          "', which has no rotation as a chain of segments: hold it by its place alone");
+    }
 }
 
 }  // namespace
@@ -73,6 +97,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     for (const G& H : body->reference)
       model.extent = std::max(model.extent, model.length + H.x.norm());
   model.set_initial_velocity(mechanism);
+  require_held_by_place(model);
   model.finish();
   model.penalty = build_penalty(mechanism.penalty, model);
   model.leave_out_redundant_rows();
@@ -98,8 +123,8 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
       initial_velocity_.template segment<G::dim>(G::dim * (first_node_[b] + k)) =
           space.reduce_local(v, space.alignment(H));
       if (kind == NodeKind::Position)
-        initial_velocity_.template segment<G::rotation_dim>(G::dim * (first_node_[b] + k) +
-                                                            G::space_dim)
+        initial_velocity_
+            .template segment<G::rotation_dim>(G::dim * (first_node_[b] + k) + G::space_dim)
             .setZero();
     }
   }

@@ -11,8 +11,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+/// Without the disc, which is bolted to an inner node.
 Mechanism segmented(Mechanism m) {
   m.formalism = Formalism::Segments;
+  m.bodies.pop_back();
+  m.joints.pop_back();
   return m;
 }
 
@@ -32,6 +35,8 @@ std::vector<ResponseSpec> responses() {
   for (const auto kind : {ResponseKind::Position, ResponseKind::Rotation, ResponseKind::Deflection,
                           ResponseKind::SectionForce, ResponseKind::Energy})
     all.push_back(response(kind));
+  all[0].axis = Vec3(0.6, 0.8, 0);
+  all[1].axis = Vec3::UnitZ();
   return all;
 }
 
@@ -88,7 +93,7 @@ struct Gradients {
 TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
   const Mechanism m = segmented(sensitive_machine());
   const auto o = tight(0.02, 4e-4);
-  const auto every = quantities(m);
+  const auto every = quantities(sensitive_machine());
   const std::vector<Quantity> all{every[0], every[1], every[2], every[3], every[10], every[13]};
   const Gradients exact(m, o, all);
   for (Eigen::Index p = 0; p < exact.direct.cols(); ++p)
@@ -119,6 +124,53 @@ TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
       }
     }
   }
+}
+
+/// dy/dp of the tip of a pendulum by E, rho and the side of its square section: those of segments
+/// and of the beam on the group come to one value with the square of the length of elements.
+TEST(SegmentSensitivity, ComesToThatOfTheBeamOnTheGroup) {
+  const auto gradients = [](Formalism formalism, int n) {
+    Mechanism m = pendulum(n);
+    m.formalism = formalism;
+    m.gravity_scale = TimeFunction::expression("t < 0.2 ? sin(2.5*pi*t)^2 : 1");
+    const Taped<SE2> run(m, tight(0.3, 1e-3));
+    std::vector<int> every;
+    for (int e = 0; e < n; ++e) every.push_back(e);
+    const Parameter by[] = {{"E", {by_youngs_modulus(run.mechanism, 0)}},
+                            {"rho", {by_density(run.mechanism, 0)}},
+                            {"height", {by_dimension(run.mechanism, 0, every, "height")}},
+                            {"width", {by_dimension(run.mechanism, 0, every, "width")}}};
+    const double nominal[] = {5e8, 7800, 0.01, 0.01};
+    Parameters<SE2> parameters;
+    for (const auto& p : by) parameters.emplace_back(run.mechanism, run.model, p);
+    MatrixXd out;
+    const auto end = direct_sensitivity<SE2>(
+        run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
+          out = s.H[std::size_t(n)].R * ds.eta.middleRows(3 * n, 2);
+        });
+    EXPECT_TRUE(end.complete()) << end.reason;
+    for (int p = 0; p < 4; ++p) out.col(p) *= nominal[p];
+    return out;
+  };
+  const MatrixXd limit = (4 * gradients(Formalism::SE3, 32) - gradients(Formalism::SE3, 16)) / 3;
+  const auto record = [](const std::string& name, const MatrixXd& by) {
+    for (int p = 0; p < 4; ++p)
+      RecordProperty(name + "_" + std::to_string(p),
+                     std::to_string(by(0, p)) + " " + std::to_string(by(1, p)));
+  };
+  record("limit", limit);
+  double before = 0;
+  for (const int n : {4, 8, 16}) {
+    const MatrixXd found = gradients(Formalism::Segments, n);
+    const double off = (found - limit).norm() / limit.norm();
+    record("segments_" + std::to_string(n), found);
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / off), 2, 0.4) << n;
+    }
+    before = off;
+    RecordProperty("off_" + std::to_string(n), std::to_string(off));
+  }
+  EXPECT_LT(before, 1e-3);
 }
 
 }  // namespace

@@ -285,6 +285,12 @@ TEST(SegmentBeam, MovesWithEveryFormOfConstraints) {
 TEST(SegmentBeam, WhatItCannotDoIsRefused) {
   const Mechanism m = segments(pendulum(4));
   EXPECT_THROW(Model<SE3>::build(m, {}), std::invalid_argument);
+  Mechanism bolted = segments(pendulum(4));  // to a node that has no rotation
+  bolted.bodies.push_back({"disc", block({0.5, 0, 0}, 1, 1)});
+  bolted.joints.push_back({"bolt", JointType::Fixed, {0, 2}, {1, 0}});
+  EXPECT_THROW(Model<SE2>::build(bolted, space_of<SE2>(bolted)), std::invalid_argument);
+  bolted.joints.back().type = JointType::Revolute;
+  EXPECT_NO_THROW(Model<SE2>::build(bolted, space_of<SE2>(bolted)));
   Mechanism coupled = segments(roll_up(4));
   auto& beam = std::get<BeamSpec>(coupled.bodies[0].kind);
   auto& full = std::get<FullSection>(beam.sections[1].shape);
