@@ -46,11 +46,16 @@ class BeamReader {
     BeamSpec beam;
     beam.damping = number(table_, "damping");
     const std::string as = text(table_, "as");
-    beam.as = as == "rigid"   ? BeamModel::Rigid
-              : as == "modal" ? BeamModel::Modal
-                              : BeamModel::AsFormalism;
+    beam.as = as == "rigid"      ? BeamModel::Rigid
+              : as == "modal"    ? BeamModel::Modal
+              : as == "segments" ? BeamModel::Segments
+                                 : BeamModel::AsFormalism;
+    if (text(table_, "potential") == "neo_hookean")
+      beam.segment.potential = AxialPotential::NeoHookean;
+    beam.segment.lumped = text(table_, "mass") == "lumped";
+    check_segment_keys(beam.as);
     if (table_.contains("modes")) beam.modes = integer(table_, "modes");
-    if (beam.as != BeamModel::AsFormalism &&
+    if (beam.as != BeamModel::AsFormalism && beam.as != BeamModel::Segments &&
         reader_.scene.simulation.type != SimulationType::Dynamic)
       reader_.problems.add(*table_.get("as"),
                            fmt::format("beam '{}' as \"{}\" is for motions only", name_, as),
@@ -64,6 +69,17 @@ class BeamReader {
   }
 
  private:
+  /// Keys of chains of segments where the beam is none.
+  void check_segment_keys(BeamModel as) {
+    const bool chain = as == BeamModel::Segments ||
+                       (as == BeamModel::AsFormalism &&
+                        reader_.scene.mechanism.formalism == Formalism::Segments);
+    for (const char* key : {"potential", "mass"})
+      if (const toml::node* node = table_.get(key); node && written(*node) && !chain)
+        reader_.problems.add(*node, fmt::format("beam '{}' has no '{}'", name_, key),
+                             "as = \"segments\", or simulation.formalism = \"segments\"",
+                             "leave it out");
+  }
   void refuse(const toml::node& at, const std::string& what, const std::string& expected,
               const std::string& hint = "") {
     reader_.problems.add(at, fmt::format("beam '{}' {}", name_, what), expected, hint);

@@ -18,9 +18,38 @@ SimulationType type_of(const std::string& text) {
 }
 
 Formalism formalism_of(const std::string& name) {
-  for (auto f : {Formalism::R3SO3, Formalism::Classical, Formalism::Floating, Formalism::Rigid})
+  for (auto f : {Formalism::R3SO3, Formalism::Classical, Formalism::Floating, Formalism::Rigid,
+                 Formalism::Segments})
     if (name == to_string(f)) return f;
   return Formalism::SE3;
+}
+
+PenaltySpec penalty_of(const toml::table& table, double step) {
+  PenaltySpec spec;
+  const std::string form = text(table, "constraints");
+  for (auto f : {ConstraintForm::Penalty, ConstraintForm::Augmented})
+    if (form == to_string(f)) spec.form = f;
+  if (spec.form == ConstraintForm::Multipliers) return spec;
+  spec.displacement = number(table, "penalty");
+  spec.rotation = number(table, "penalty_rotation");
+  spec.damping = number(table, "penalty_damping");
+  spec.step = step;
+  return spec;
+}
+
+/// What is for motions only.
+void check_not_dynamic(Reader& reader, const toml::table& table) {
+  const Mechanism& m = reader.scene.mechanism;
+  if (m.formalism == Formalism::Floating || m.formalism == Formalism::Rigid)
+    reader.problems.add(
+        *table.get("formalism"),
+        fmt::format("'simulation.formalism' = \"{}\" is for motions only", to_string(m.formalism)),
+        "simulation.type = \"dynamic\", or formalism se3, r3so3 or classical");
+  if (m.penalty.form != ConstraintForm::Multipliers)
+    reader.problems.add(*table.get("constraints"),
+                        fmt::format("'simulation.constraints' = \"{}\" is for motions only",
+                                    to_string(m.penalty.form)),
+                        "simulation.type = \"dynamic\", or constraints = \"multipliers\"");
 }
 
 TangentStrategy tangent_of(const std::string& name) {
@@ -126,13 +155,8 @@ void read_simulation(Reader& reader) {
   o.critical = boolean(*table, "critical");
   o.modes = integer(*table, "modes");
   const Formalism formalism = reader.scene.mechanism.formalism;
-  if (o.type != SimulationType::Dynamic &&
-      (formalism == Formalism::Floating || formalism == Formalism::Rigid))
-    reader.problems.add(
-        *table->get("formalism"),
-        fmt::format("'simulation.formalism' = \"{}\" is for motions only", to_string(formalism)),
-        "simulation.type = \"dynamic\", or formalism se3, r3so3 or classical");
-  if (o.type != SimulationType::Dynamic) return;
+  reader.scene.mechanism.penalty = penalty_of(*table, o.step);
+  if (o.type != SimulationType::Dynamic) return check_not_dynamic(reader, *table);
   if (o.start == StartChoice::Equilibrium &&
       (formalism == Formalism::Floating || formalism == Formalism::Rigid))
     reader.problems.add(*table->get("start"),

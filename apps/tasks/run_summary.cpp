@@ -18,6 +18,23 @@ void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace
   summary.warnings = scene.warnings;
 }
 
+namespace {
+
+void describe(output::RunSummary& summary, const PenaltyReport& p, ConstraintForm form) {
+  auto& json = summary.more["penalty"];
+  json = {{"constraints", to_string(form)},
+          {"weight", p.displacement},
+          {"weight_rotation", p.rotation},
+          {"largest_opening", p.opening},
+          {"largest_deformation", nullptr},
+          {"share", p.share},
+          {"augmentations", p.augmentations},
+          {"most_augmentations", p.most_augmentations}};
+  if (!p.rigid) json["largest_deformation"] = p.deformation;
+}
+
+}  // namespace
+
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
               const Mechanism& mechanism) {
   summary.status = status_word(report.status);
@@ -32,6 +49,7 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
   summary.more["rejected_steps"] = report.rejected_steps;
   summary.more["smallest_step"] = report.smallest_step;
   summary.more["max_constraint_residual"] = report.max_constraint_residual;
+  if (report.penalty.used) describe(summary, report.penalty, mechanism.penalty.form);
   summary.more["start"] = {{"moved", start.moved}, {"velocity_change", start.velocity_change}};
 }
 

@@ -25,6 +25,9 @@ void add_body(const BodyMatrix<N>& K, int first, SparseAssembly& assembly) {
     if (k + 1 == K.blocks()) continue;
     assembly.add_block(at, at + N, K.U[k]);
     assembly.add_block(at + N, at, K.L[k]);
+    if (k >= static_cast<int>(K.U2.size())) continue;
+    assembly.add_block(at, at + 2 * N, K.U2[k]);
+    assembly.add_block(at + 2 * N, at, K.L2[k]);
   }
 }
 

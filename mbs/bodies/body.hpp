@@ -34,6 +34,7 @@ struct BodyState {
 /// What a node of a body is to the solvers.
 enum class NodeKind {
   Frame,       ///< an unknown frame
+  Position,    ///< an unknown position: its axes are held within a step and follow the body after it
   Amplitudes,  ///< dim unknown amplitudes of modes: a vector; its frame follows
   Follower     ///< no unknowns: its frame follows from those of the body's other nodes
 };
@@ -89,6 +90,10 @@ class Body {
   /// Frames, velocities and their rates of every node from the unknowns; nothing to do where all
   /// nodes are frames.
   virtual void complete(G* /*H*/, double* /*v*/, double* /*vdot*/, const double* /*w*/) const {}
+
+  /// Turns the axes of the nodes that are positions to where the body is, in place; nothing to do
+  /// where there are none.
+  virtual void turn_axes(G* /*H*/) const {}
 
   /// A workspace for this body, null if it needs none.
   virtual std::unique_ptr<BodyWorkspace> make_workspace() const { return nullptr; }

@@ -36,6 +36,11 @@ struct BodyMatrix : BlockTridiagonal<N> {
     else
       Chain::set_zero();
   }
+  /// Takes the form of another matrix of the body, with zeros.
+  void set_form(const BodyMatrix& A) {
+    if (A.is_dense()) set_dense(A.nodes, Eigen::MatrixXd::Zero(A.dense.rows(), A.dense.cols()));
+    if (!A.U2.empty()) this->widen();
+  }
   /// The block on the diagonal of a node with unknowns.
   Eigen::Ref<typename Chain::Block, 0, Eigen::OuterStride<>> node_block(int node) {
     if (!is_dense()) return this->D[node];
@@ -57,6 +62,10 @@ struct BodyMatrix : BlockTridiagonal<N> {
     for (size_t k = 0; k < this->U.size(); ++k) {
       this->U[k].noalias() += A.U[k] * X[k + 1];
       this->L[k].noalias() += A.L[k] * X[k];
+    }
+    for (size_t k = 0; k < this->U2.size(); ++k) {
+      this->U2[k].noalias() += A.U2[k] * X[k + 2];
+      this->L2[k].noalias() += A.L2[k] * X[k];
     }
   }
 };

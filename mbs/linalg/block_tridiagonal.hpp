@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Block-tridiagonal matrices: what a chain of nodes is to linear algebra.
+/// Block-tridiagonal matrices: what a chain of nodes is to linear algebra. Where elements join three
+/// nodes the chain is wide: block-pentadiagonal.
 
 #include <Eigen/Core>
 #include <Eigen/StdVector>
@@ -9,7 +10,8 @@
 namespace liesl {
 
 /// n x n blocks of N x N: diagonal D_k, upper U_k (row k, column k+1), lower L_k (row k+1, column
-/// k). Linear cost in n. The blocks need not be symmetric.
+/// k); of a wide chain U2_k (row k, column k + 2) and L2_k (row k + 2, column k), too. Linear cost
+/// in n. The blocks need not be symmetric.
 template <int N>
 class BlockTridiagonal {
  public:
@@ -23,10 +25,17 @@ class BlockTridiagonal {
     D.resize(n);
     U.resize(n > 0 ? n - 1 : 0);
     L.resize(n > 0 ? n - 1 : 0);
+    U2.clear();
+    L2.clear();
     set_zero();
   }
+  /// Makes the chain wide, with zeros.
+  void widen() {
+    U2.assign(D.size() > 2 ? D.size() - 2 : 0, Block::Zero());
+    L2 = U2;
+  }
   void set_zero() {
-    for (auto* blocks : {&D, &U, &L})
+    for (auto* blocks : {&D, &U, &L, &U2, &L2})
       for (auto& b : *blocks) b.setZero();
   }
   int blocks() const { return static_cast<int>(D.size()); }
@@ -48,6 +57,10 @@ class BlockTridiagonal {
       U[k] = a * A.U[k] + b * B.U[k];
       L[k] = a * A.L[k] + b * B.L[k];
     }
+    for (size_t k = 0; k < U2.size(); ++k) {
+      U2[k] = a * A.U2[k] + b * B.U2[k];
+      L2[k] = a * A.L2[k] + b * B.L2[k];
+    }
   }
 
   /// y += A x; x and y hold N * blocks() numbers.
@@ -59,14 +72,17 @@ class BlockTridiagonal {
       Segment s = D[k].lazyProduct(In(x + N * k));
       if (k > 0) s += L[k - 1].lazyProduct(In(x + N * (k - 1)));
       if (k + 1 < n) s += U[k].lazyProduct(In(x + N * (k + 1)));
+      if (!U2.empty() && k > 1) s += L2[k - 2].lazyProduct(In(x + N * (k - 2)));
+      if (!U2.empty() && k + 2 < n) s += U2[k].lazyProduct(In(x + N * (k + 2)));
       Out(y + N * k) += s;
     }
   }
 
   Blocks D, U, L;
+  Blocks U2, L2;  ///< of a wide chain, else empty
 };
 
-/// LU factors of a block-tridiagonal matrix, without pivoting between blocks (the matrices here
+/// LU factors of a block-tridiagonal matrix, wide or not, without pivoting between blocks (the matrices here
 /// are inertia plus stiffness, near to symmetric positive definite).
 template <int N>
 class BlockTridiagonalLU {
@@ -81,7 +97,9 @@ class BlockTridiagonalLU {
   void solve(double* x) const;
 
  private:
-  typename Matrix::Blocks inverse_, lower_, upper_;
+  void solve_wide(double* x) const;
+
+  typename Matrix::Blocks inverse_, lower_, upper_, lower2_, upper2_;
 };
 
 extern template class BlockTridiagonalLU<3>;

@@ -88,6 +88,20 @@ const char* to_string(Formalism formalism) {
       return "floating";
     case Formalism::Rigid:
       return "rigid";
+    case Formalism::Segments:
+      return "segments";
+  }
+  return "";
+}
+
+const char* to_string(ConstraintForm form) {
+  switch (form) {
+    case ConstraintForm::Multipliers:
+      return "multipliers";
+    case ConstraintForm::Penalty:
+      return "penalty";
+    case ConstraintForm::Augmented:
+      return "augmented";
   }
   return "";
 }

@@ -24,8 +24,21 @@ namespace liesl {
 using Vec3 = Eigen::Vector3d;
 using Mat3 = Eigen::Matrix3d;
 
-/// What a beam is simulated as: as the formalism prescribes, or rigid or by modes in any formalism.
-enum class BeamModel { AsFormalism, Rigid, Modal };
+/// What a beam is simulated as: as the formalism prescribes, or rigid, by modes or as a chain of
+/// segments in any formalism.
+enum class BeamModel { AsFormalism, Rigid, Modal, Segments };
+
+/// Axial potential of a segment of a beam, N(lambda) of its stretch.
+enum class AxialPotential {
+  Linear,     ///< N = EA (lambda - 1)
+  NeoHookean  ///< N = EA/3 (lambda - 1/lambda^2): incompressible, of uniaxial tension
+};
+
+/// What a beam has where it is simulated as a chain of segments.
+struct SegmentSpec {
+  AxialPotential potential = AxialPotential::Linear;
+  bool lumped = false;  ///< mass of each half segment at its node, else linear along the segment
+};
 
 /// A place that moves with a node of a beam as if it were of one rigid piece with it.
 struct BeamPoint {
@@ -41,6 +54,7 @@ struct BeamSpec {
   double damping = 0;             ///< stiffness-proportional, in s: n_d = damping K d(eps)/dt
   BeamModel as = BeamModel::AsFormalism;
   int modes = -1;                                ///< internal modes of a modal body, -1 = all
+  SegmentSpec segment = {};                      ///< of a chain of segments
   std::map<std::string, BeamPoint> points = {};  ///< further ports
 };
 
@@ -126,14 +140,35 @@ enum class Formalism {
   R3SO3,      ///< R^3 x SO(3): inertial positions, rotations on their group, Reissner beams
   Classical,  ///< inertial positions and Cartesian rotation vectors (Geradin, Cardona)
   Floating,   ///< flexible bodies linear in a frame that moves with them, in modes
-  Rigid       ///< flexible bodies rigid
+  Rigid,      ///< flexible bodies rigid
+  Segments    ///< SE(2) in a plane; beams are chains of points without shear and torsion
 };
-/// "se3", "r3so3", "classical", "floating", "rigid": as a scene calls it.
+/// "se3", "r3so3", "classical", "floating", "rigid", "segments": as a scene calls it.
 const char* to_string(Formalism formalism);
+
+/// How the rows Phi of joints and drives are enforced, forces B^T lambda.
+enum class ConstraintForm {
+  Multipliers,  ///< Phi = 0
+  Penalty,      ///< lambda = alpha (Phi + tau dPhi/dt)
+  Augmented     ///< lambda = lambda* + alpha (Phi + tau dPhi/dt), lambda* <- lambda until Phi = 0
+};
+/// "multipliers", "penalty", "augmented": as a scene calls it.
+const char* to_string(ConstraintForm form);
+
+/// Weights alpha of the rows. Those that are 0 are chosen from the stiffness and, for bodies without,
+/// from the inertia within a step (mbs/system/penalty.hpp).
+struct PenaltySpec {
+  ConstraintForm form = ConstraintForm::Multipliers;
+  double displacement = 0;  ///< of rows that are lengths, N/m; >= 0
+  double rotation = 0;      ///< of rows that are angles, N m; >= 0
+  double damping = 0;       ///< tau, s; >= 0
+  double step = 1e-3;       ///< s, > 0: what weights that are chosen take the inertia over
+};
 
 struct Mechanism {
   std::string name;
   Formalism formalism = Formalism::SE3;
+  PenaltySpec penalty = {};
   Vec3 gravity = Vec3::Zero();
   TimeFunction gravity_scale = TimeFunction::constant(1);  ///< factor of gravity over time
   std::map<std::string, Vec3> ground_points;  ///< ports of the ground, with inertial axes

@@ -71,6 +71,20 @@ class Derivatives {
   VectorXd r_p_, phi_p_;
 };
 
+/// The state with all positions in inertial axes: those of a node turn from step to step, its
+/// sensitivities do not.
+template <FrameGroup G>
+State<G> in_inertial_axes(const Model<G>& model, const State<G>& s) {
+  State<G> out = s;
+  for (const int k : model.positions()) {
+    for (auto* x : {&out.v, &out.vdot, &out.a})
+      x->template segment<G::space_dim>(G::dim * k) =
+          s.H[k].R * x->template segment<G::space_dim>(G::dim * k).eval();
+    out.H[k].R.setIdentity();
+  }
+  return out;
+}
+
 /// The start must not depend on the parameters, or be an equilibrium at rest.
 template <FrameGroup G>
 void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives<G>& derivatives) {
@@ -101,8 +115,7 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
 }
 
 template <FrameGroup G>
-bool take_start(StepSensitivity<G>& sensitivity, const Tape<G>& tape) {
-  const State<G>& first = tape.checkpoints.at(0).s;
+bool take_start(StepSensitivity<G>& sensitivity, const Tape<G>& tape, const State<G>& first) {
   return tape.options.start == StartChoice::Equilibrium ? sensitivity.start_in_equilibrium(first)
                                                         : sensitivity.start(first);
 }
@@ -133,13 +146,14 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
     sensitivity.forward(by_p, ds);
     at(step++, s, ds);
   };
-  const State<G>& first = tape.checkpoints.at(0).s;
-  if (!take_start(sensitivity, tape)) return singular(first.t);
+  const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
+  if (!take_start(sensitivity, tape, first)) return singular(first.t);
   advance(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
   Replay<G> replay(model, tape);
   for (int i = 0; i < replay.stretches() && end.complete(); ++i)
-    replay.run(i, [&](const State<G>& before, const State<G>& after, double h) {
+    replay.run(i, [&](const State<G>& from, const State<G>& to, double h) {
       if (!end.complete()) return;
+      const State<G> before = in_inertial_axes(model, from), after = in_inertial_axes(model, to);
       if (sensitivity.step(before, after, h))
         advance(after, derivatives.at(after, before.rows));
       else
@@ -167,18 +181,19 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   for (int i = replay.stretches() - 1; i >= 0; --i) {
     stretch.clear();
     replay.run(i, [&](const State<G>&, const State<G>& after, double h) {
-      stretch.push_back({after, h});
+      stretch.push_back({in_inertial_axes(model, after), h});
     });
+    const State<G> start =
+        in_inertial_axes(model, tape.checkpoints[static_cast<size_t>(i)].s);
     for (auto k = stretch.size(); k-- > 0;) {
       const StepEnd<G>& end = stretch[k];
-      const State<G>& before =
-          k > 0 ? stretch[k - 1].s : tape.checkpoints[static_cast<size_t>(i)].s;
+      const State<G>& before = k > 0 ? stretch[k - 1].s : start;
       if (!sensitivity.step(before, end.s, end.h)) return singular(end.s.t);
       go_back(end.s, derivatives.at(end.s, before.rows));
     }
   }
-  const State<G>& first = tape.checkpoints.at(0).s;
-  if (!take_start(sensitivity, tape)) return singular(first.t);
+  const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
+  if (!take_start(sensitivity, tape, first)) return singular(first.t);
   go_back(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
   return {};
 }

@@ -97,6 +97,9 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
   const auto fail = [&end](double t) {
     end.reason = fmt::format("the equations of the step to t = {:.6g} s are singular", t);
   };
+  if (!model.positions().empty())
+    throw std::invalid_argument(
+        "there are no semi-analytic sensitivities of chains of segments: take the direct form");
   const State<G>& first = tape.checkpoints.at(0).s;
   long step = 0;
   if (!sensitivity.start(first)) return fail(first.t), end;

@@ -75,6 +75,15 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
     throw std::invalid_argument(
         "sensitivities of the motion are those of the formalisms se3, floating and rigid; "
         "simulation.formalism = \"se3\" has the same bodies and joints");
+  if (model.penalty.form == ConstraintForm::Multipliers) return;
+  if (model.penalty.damping > 0)
+    throw std::invalid_argument(
+        "there are no sensitivities of penalties with damping: simulation.penalty_damping = 0");
+  if (!model.redundant.empty())
+    throw std::invalid_argument(
+        "there are no sensitivities where penalties share the forces of rows that repeat others: "
+        "simulation.constraints = \"multipliers\" leaves them out; " +
+        model.redundant.front());
 }
 
 template <FrameGroup G>
@@ -101,7 +110,7 @@ bool StepSensitivity<G>::start(const State<G>& s) {
   std::vector<Eigen::Triplet<double>> entries;
   for (int j = 0; j < S.outerSize(); ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(S, j); it; ++it)
-      if (it.row() >= model_.size() || it.col() >= model_.size())
+      if ((it.row() >= model_.size()) != (it.col() >= model_.size()))
         entries.emplace_back(it.row(), it.col(), it.value());
   std::vector<bool> held(static_cast<size_t>(model_.size()), true);
   for (int j = 0; j < M_.outerSize(); ++j)

@@ -8,6 +8,7 @@
 #include "mbs/solvers/ringing.hpp"
 #include "mbs/solvers/statics.hpp"
 #include "mbs/system/constraint_rank.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -17,6 +18,9 @@ constexpr double kSafety = 0.5;            // adaptive: double below kSafety^3 o
 constexpr double kTurn = 0.05;             // rad a step that a user should know of
 constexpr double kBend = 0.5;              // rad of one element that a user should know of
 constexpr double kFold = 0.99 * M_PI;      // rad
+constexpr double kOpen = 0.01;             // of the deformation that a user should know of
+constexpr double kApart = 10;              // times that: nothing to rely on
+constexpr double kOpenRigid = 1e-4;        // of the length, where nothing deforms
 constexpr double kStartTolerance = 1e-10;  // of the equilibrium that a motion starts from
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
@@ -86,7 +90,10 @@ class LargestBend {
       for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
         const double rest = at_rest_[i++];
         const Body<G>& body = *model_.bodies[b];
-        if (body.kind(e) != NodeKind::Frame || body.kind(e + 1) != NodeKind::Frame) continue;
+        const auto turns = [&body](int k) {
+          return body.kind(k) == NodeKind::Frame || body.kind(k) == NodeKind::Position;
+        };
+        if (!turns(e) || !turns(e + 1)) continue;
         const double now = turn(s.H[first + e], s.H[first + e + 1]), by = std::abs(now - rest);
         if (now > whole) whole = now, folded = b;
         if (by > bend) bend = by, bent = b;
@@ -233,6 +240,33 @@ void add_bend_warning(Report& report, const Model<G>& model, const LargestBend<G
                   model.bodies[bend.bent]->name, bend.bend));
 }
 
+/// What penalties leave open, and whether that counts beside the deformation.
+template <FrameGroup G>
+void report_penalty(const Model<G>& model, const JointOpening<G>& open, Report& report) {
+  PenaltyReport& p = report.penalty;
+  p.used = true;
+  p.displacement = model.penalty.displacement;
+  p.rotation = model.penalty.rotation;
+  p.opening = open.opening();
+  p.deformation = open.deformation();
+  p.rigid = open.rigid();
+  const double against = p.rigid ? model.length : p.deformation;
+  p.share = against > 0 ? p.opening / against : 0;
+  const double limit = p.rigid ? kOpenRigid : kOpen;
+  if (p.share <= limit) return;
+  const std::string text = fmt::format(
+      "the joints open by up to {:.3g} m, {:.2g} % of {}: raise simulation.penalty ({:g} N/m) and "
+      "penalty_rotation ({:g} N m), or take simulation.constraints = \"augmented\"",
+      p.opening, 100 * p.share,
+      p.rigid ? std::string("the mechanism's length")
+              : fmt::format("the largest deformation of {:.3g} m", p.deformation),
+      p.displacement, p.rotation);
+  report.warnings.push_back(text);
+  if (p.share <= kApart * limit || report.status != SolveStatus::Converged) return;
+  report.status = SolveStatus::Inaccurate;
+  report.reason = text;
+}
+
 /// What the start has to say. @returns whether the run continues
 bool take_start(const InitialState& start, Report& report) {
   report.warnings = start.redundant;
@@ -320,8 +354,10 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   Ringing ringing;
   FastestTurn turn;
   LargestBend<G> bend(model);
+  JointOpening<G> open(model);
   report.smallest_step = o.step;
   const double error_limit = o.error_tolerance * model.length;
+  const bool penalised = model.penalty.form != ConstraintForm::Multipliers;
   Watch watch;
   watch.go();
   while (grid.whole() < whole_steps) {
@@ -347,12 +383,20 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
     ringing.step(s.lambda, h);
     turn.step(model, s, h);
     bend.step(s);
-    report.max_constraint_residual =
-        std::max(report.max_constraint_residual, integrator.equations().constraint_residual());
+    const Equations<G>& equations = integrator.equations();
+    report.max_constraint_residual = std::max(report.max_constraint_residual, equations.opening());
+    report.penalty.augmentations += step.augmentations;
+    report.penalty.most_augmentations =
+        std::max(report.penalty.most_augmentations, step.augmentations);
     if (o.adaptive && step.error > error_limit && grid.halve())
       report.smallest_step = std::min(report.smallest_step, grid.h());
     const long whole = grid.whole();
     watch.stop(report);
+    if (penalised) {
+      seen = s;
+      model.complete(seen);
+      open.step(equations.gap, seen);
+    }
     show(whole > 0 && (whole % o.output_every == 0 || whole == whole_steps));
     watch.go();
     if (ends(model, s, bend, progress, report)) break;
@@ -362,6 +406,7 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   add_warnings(report, o.step, options.step, integrator.tangent(), ringing);
   add_turn_warning(report, model, turn);
   add_bend_warning(report, model, bend);
+  if (penalised) report_penalty(model, open, report);
   return result;
 }
 

@@ -1,11 +1,16 @@
 #include "mbs/solvers/generalized_alpha.hpp"
 
+#include <limits>
+
 namespace liesl {
 namespace {
 
 constexpr double kSlow = 0.5;         // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
+constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
+constexpr int kAugmentations = 10;    // a step
+constexpr double kUnknown = std::numeric_limits<double>::infinity();  // an augmentation is between
 constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;       // forces on a body below this share of all count as none
 
@@ -28,6 +33,10 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
       coordinates_(model, options.rescale),
       equations_(model),
       tangent_at_(model) {
+  if (model.penalty.form != ConstraintForm::Multipliers) {
+    equations_.compliance = model.penalty.weight.cwiseInverse();
+    equations_.damping = model.penalty.damping;
+  }
   factorizations_.assign(model.bodies.size(), 0);
   scales_.assign(model.bodies.size(), 0);
   trial_ = model.initial_state();
@@ -40,6 +49,7 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
 
 template <FrameGroup G>
 void GeneralizedAlpha<G>::start(State<G>& s) {
+  coordinates_.turn_positions(s, {});
   coordinates_.start(s);
   coordinates_.rates(s, old_u_, s.a);
 }
@@ -95,6 +105,16 @@ void GeneralizedAlpha<G>::predict(const State<G>& old, double h) {
   trial_.lambda = old.lambda;
   trial_.t = old.t + h;
   coordinates_.place(old, dq_, u_, udot_, trial_);
+}
+
+/// Axes of positions to where the predictor takes them: the correction is one in them. Vectors of
+/// the state before are the same in other axes.
+template <FrameGroup G>
+void GeneralizedAlpha<G>::turn_axes(State<G>& old) {
+  if (model_.positions().empty()) return;
+  coordinates_.turn_positions(trial_, {&dq_, &u_, &udot_, &old_u_, &old_udot_, &older_udot_, &old.v,
+                                       &old.vdot, &old.a});
+  for (const int k : model_.positions()) old.H[k].R = trial_.H[k].R;
 }
 
 /// The correction delta is an increment of the frames at the current iterate.
@@ -155,12 +175,29 @@ double GeneralizedAlpha<G>::imbalance() const {
   return std::sqrt(sum / static_cast<double>(scales_.size()));
 }
 
+/// lambda* <- lambda at a converged iterate, while the joints are open by more than they may be (E.
+/// Bayo, J. Garcia de Jalon, M. A. Serna, A modified Lagrangian formulation for the dynamic analysis
+/// of constrained mechanical systems, CMAME 71 (1988) 183-195). @returns whether the iteration goes
+/// on
+template <FrameGroup G>
+bool GeneralizedAlpha<G>::augment(StepResult& result) {
+  if (model_.penalty.form != ConstraintForm::Augmented) return false;
+  const double closed = std::min(kClosed, kConstraint * options_.tolerance * model_.length);
+  if (equations_.opening() <= closed) return false;
+  equations_.phi += equations_.compliance.cwiseProduct(trial_.lambda - equations_.estimate);
+  equations_.estimate = trial_.lambda;
+  ++result.augmentations;
+  return true;
+}
+
 template <FrameGroup G>
 StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   const TangentWeights w = weights_.at(h);
   Factored& factors = factors_for(h);
   StepResult result;
   predict(s, h);
+  turn_axes(s);
+  if (model_.penalty.form == ConstraintForm::Augmented) equations_.estimate = s.lambda;
   double before = 0;
   for (;;) {
     equations_.evaluate(trial_, s.rows, {trial_.t, 1});
@@ -170,14 +207,21 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       result.failure = "the iteration diverged";
       return result;
     }
+    bool augmented = false;
     if (residual <= options_.tolerance &&
-        equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length)
-      break;
+        equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length) {
+      augmented = augment(result);
+      if (!augmented) break;
+      if (result.augmentations > kAugmentations) {
+        result.failure = "the augmentations do not close the joints";
+        return result;
+      }
+    }
     if (result.iterations == options_.max_iterations) {
       result.failure = "the iteration did not converge";
       return result;
     }
-    const bool fresh = wants_tangent(result, residual, before);
+    const bool fresh = !augmented && wants_tangent(result, residual, before);
     if (fresh) {
       factors.at.s = trial_;
       factors.at.s.rows = s.rows;
@@ -190,12 +234,12 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
       }
       ++result.tangents;
     }
-    before = residual;
+    before = augmented ? kUnknown : residual;
     if (!factors.system.solve(equations_, delta_, dlambda_)) {
       result.failure = "the joint equations are singular";
       return result;
     }
-    if (result.iterations > 0 && !fresh) extrapolate(delta_);
+    if (result.iterations > 0 && !fresh && !augmented) extrapolate(delta_);
     step_before_ = delta_;
     ++result.iterations;
     correct(s, w);
@@ -213,9 +257,9 @@ void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
   for (int k = 0; k < model_.nodes(); ++k)
     error = std::max(error, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
   result.error = h * h * std::abs(beta - 1. / 6) * error;
-  equations_.observe(trial_, s.rows, trial_.rows);
-  const bool moved = coordinates_.finish(trial_);
   older_udot_ = old_udot_;
+  const bool moved = coordinates_.finish(trial_, older_udot_);
+  equations_.observe(trial_, s.rows, trial_.rows);
   previous_h_ = moved ? 0 : h;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b)
     scales_[b] = std::max(scales_[b], equations_.scale(b));

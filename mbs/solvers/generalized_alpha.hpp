@@ -29,6 +29,7 @@ struct StepResult {
   bool converged = false;
   int tangents = 0;          ///< how often the tangent was taken at the current state
   int iterations = 0;        ///< corrections
+  int augmentations = 0;     ///< of the multipliers
   double residual = 0;       ///< relative, at the last iterate
   double error = 0;          ///< estimate of the local error of the positions, m
   const char* failure = "";  ///< why not
@@ -65,7 +66,7 @@ class GeneralizedAlpha {
   /// The strategy in use (never Auto).
   TangentStrategy tangent() const { return tangent_; }
 
-  /// Advances s by h; on failure s is left as it was. Nothing is allocated once each step size
+  /// Advances s by h; on failure s is left as it was (positions perhaps in other axes). Nothing is allocated once each step size
   /// has been used.
   StepResult step(State<G>& s, double h);
 
@@ -85,8 +86,10 @@ class GeneralizedAlpha {
 
   Factored& factors_for(double h);
   void predict(const State<G>& old, double h);
+  void turn_axes(State<G>& old);
   void correct(const State<G>& old, TangentWeights w);
   bool refresh(Factored& factors);
+  bool augment(StepResult& result);
   bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
   double imbalance() const;

@@ -69,6 +69,7 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
   const auto start = s.H;
   for (int i = 0; i <= kMaxAssembly; ++i) {
     eq.evaluate(s, s.rows, {s.t, 1});
+    eq.phi = eq.gap;
     if (!std::isfinite(eq.constraint_residual())) break;
     const bool relaxed = !relax || i == kMaxAssembly ||
                          (i > 0 && delta.template lpNorm<Eigen::Infinity>() <= kRelaxed);

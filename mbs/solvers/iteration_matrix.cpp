@@ -25,6 +25,7 @@ IterationMatrix<G>::IterationMatrix(const Model<G>& model)
       C_(empty()),
       M_(empty()),
       couplings_(model.couplings.size()),
+      rates_(model.couplings.size()),
       assembly_(model.size() + model.constraints()),
       mass_(model.size()),
       damping_(model.size()) {
@@ -44,8 +45,7 @@ auto IterationMatrix<G>::empty() const -> BodyMatrices {
   BodyMatrices out;
   for (const auto& body : model_.bodies) {
     out.emplace_back(body->nodes());
-    const auto& K = body->stiffness();
-    if (K.is_dense()) out.back().set_dense(K.nodes, K.dense);
+    out.back().set_form(body->stiffness());
   }
   return out;
 }
@@ -84,6 +84,7 @@ void IterationMatrix<G>::linearise(const Equations<G>& eq, const State<G>& s,
                                    const LoadLevel& level, const RateTangents<G>* rates) {
   linearise_bodies(s, level, rates);
   for (const auto& load : model_.loads) linearise_load(load, s, level);
+  damped_ = rates && eq.damping > 0;
   for (size_t c = 0; c < couplings_.size(); ++c)
     linearise_coupling(static_cast<int>(c), eq, s, rates);
 }
@@ -158,12 +159,15 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
     v.template tail<dim>() = c.b.J * s.v.template segment<dim>(dim * c.b.node);
   }
   Pair K = Pair::Zero(), C = Pair::Zero(), turned = Pair::Zero();
+  if (damped_) rates_[index].setZero(c.constraints, 2 * dim);
   for (int i = 0; i < c.acting; ++i) {
     const auto& e = c.rows[i];
     const typename Row<G>::Hessian hessian = e.row.hessian(motion);
     const bool constraint = e.role == Role::Constraint;
     turned +=
         (constraint ? s.lambda[c.first_constraint + i] : prestress_.force[index][i]) * hessian;
+    if (constraint && damped_)
+      rates_[index].row(i) = eq.damping * (v.transpose() * hessian * J);
     if (constraint) continue;
     const Columns row = B.row(i).transpose();
     K += slope[i] * row * row.transpose();
@@ -178,6 +182,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
   if (c.a.body >= 0) V.template topLeftCorner<dim, dim>() = rates->v[c.a.node];
   if (c.b.body >= 0) V.template bottomRightCorner<dim, dim>() = rates->v[c.b.node];
   couplings_[index].A += C * V;
+  if (damped_) rates_[index] += eq.damping * B.topRows(c.constraints) * V;
 }
 
 template <FrameGroup G>
@@ -197,10 +202,14 @@ auto IterationMatrix<G>::assemble(const Equations<G>& eq, const State<G>& s, con
       for (const auto& [port, first] : {std::pair{&c.a, 0}, std::pair{&c.b, dim}})
         for (int j = 0; j < dim && port->body >= 0; ++j) {
           const int row = model_.size() + c.first_constraint + i, column = dim * port->node + j;
-          assembly_.add(row, column, B(i, first + j));
+          assembly_.add(row, column,
+                        B(i, first + j) + (damped_ ? rates_[index](i, first + j) : 0));
           assembly_.add(column, row, B(i, first + j));
         }
   }
+  if (model_.penalty.form != ConstraintForm::Multipliers)
+    for (int i = 0; i < model_.constraints(); ++i)
+      assembly_.add(model_.size() + i, model_.size() + i, -eq.compliance[i]);
   matrix_ = &assembly_.finish();
   return *matrix_;
 }

@@ -2,11 +2,12 @@
 /// @file
 /// The matrix of Newton's method at one state, of a step in time and of statics,
 ///   S = [K + C V + M W   B^T]      S [delta ] = -[r  ]
-///       [B               0  ],       [dlambda]    [phi],
+///       [B              -C_p],       [dlambda]    [phi],
 /// K, C, M: exact derivatives of the residual, of bodies, loads, force laws and joints (that of
 /// B^T lambda among them), by left-invariant nodal increments, by v and by vdot. V and W give how v
 /// and vdot follow an increment within a step (`RateTangents`; Lie: gamma' and beta' T^-1(dq)). In
-/// statics they are zero.
+/// statics they are zero. C_p: compliance of penalties, else 0; damped ones have tau (D(B v) + B V)
+/// beside B.
 /// What the geometric terms of K act with, section forces and forces of springs, is kept apart from
 /// the state: `Prestress`.
 
@@ -52,6 +53,10 @@ class IterationMatrix {
   /// without B.
   const BodyMatrix<dim>& body(int b) const { return A_[b]; }
   const Pair& coupling(int c) const { return couplings_[c].A; }
+  /// tau (D(B v) + B V) of its constraints, [node of a; node of b]. @pre damped()
+  using Rates = Eigen::Matrix<double, Eigen::Dynamic, 2 * dim>;
+  const Rates& rate(int c) const { return rates_[c]; }
+  bool damped() const { return damped_; }
 
   /// S at s, (n + m) x (n + m): the blocks, and B.
   const Matrix& assemble(const Equations<G>& eq, const State<G>& s, const LoadLevel& level,
@@ -86,6 +91,8 @@ class IterationMatrix {
   Eigen::VectorXd still_;   ///< no increment
   BodyMatrices A_, C_, M_;  ///< by body
   std::vector<CouplingBlock, Eigen::aligned_allocator<CouplingBlock>> couplings_;
+  std::vector<Rates> rates_;
+  bool damped_ = false;
   std::vector<int> followers_;  ///< nodes without unknowns: the identity in S
   SparseAssembly assembly_, mass_, damping_;
   const Matrix* matrix_ = nullptr;

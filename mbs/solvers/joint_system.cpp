@@ -5,6 +5,7 @@ namespace {
 
 constexpr double kPoint = 1e-15;        // of mass times length^2: no inertia at all
 constexpr double kPointInertia = 1e-8;  // what is put in its place in the iteration matrix
+constexpr double kShared = 1e-10;       // of S, where penalised rows that repeat others share forces
 
 /// 0, or for a rigid body without inertia about some axis a small one: what holds the body can act
 /// on it through the inverse of its matrix then. The residual has none of it, so that the solution
@@ -95,6 +96,16 @@ bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
           X_.template block<dim, dim>(place(*ports[p]), place(*ports[q])) +=
               Y.template block<dim, dim>(dim * p, dim * q);
   }
+  rates_.resize(0, 0);
+  if (!S.damped()) return true;
+  rates_.setZero(model_.constraints(), X_.cols());
+  for (size_t index = 0; index < model_.couplings.size(); ++index) {
+    const auto& c = model_.couplings[index];
+    const auto& rate = S.rate(static_cast<int>(index));
+    auto rows = rates_.middleRows(c.first_constraint, c.constraints);
+    if (c.a.body >= 0) rows.template middleCols<dim>(place(c.a)) += rate.template leftCols<dim>();
+    if (c.b.body >= 0) rows.template middleCols<dim>(place(c.b)) += rate.template rightCols<dim>();
+  }
   return true;
 }
 
@@ -161,6 +172,20 @@ void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
       }
     }
   }
+  if (model_.penalty.form != ConstraintForm::Multipliers) add_compliance(eq, compliant);
+}
+
+/// In a step that of the penalties; where positions, velocities or accelerations are made consistent
+/// so little that a few solutions are exact, and rows that repeat others share what they carry.
+template <FrameGroup G>
+void JointSystem<G>::add_compliance(const Equations<G>& eq, bool compliant) {
+  const double little = kShared * S_.diagonal().maxCoeff();
+  for (size_t k = 0; k < model_.couplings.size(); ++k) {
+    const auto& c = model_.couplings[k];
+    for (int i = 0; i < c.constraints && !c.continued; ++i)
+      S_(first_[k] + i, first_[k] + i) +=
+          compliant ? eq.compliance[c.first_constraint + i] / damped(eq) : little;
+  }
 }
 
 template <FrameGroup G>
@@ -180,6 +205,7 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
         rhs.setZero();
         rhs.head(coupling.constraints) =
             eq.phi.segment(coupling.first_constraint, coupling.constraints);
+        if (compliant && eq.damping > 0) rhs.head(coupling.constraints) /= damped(eq);
       }
       const auto& B = eq.couplings[c].B;
       if (coupling.a.body >= 0)
@@ -251,6 +277,8 @@ bool JointSystem<G>::solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta,
   }
   exact_S_.setZero();
   exact_S_.bottomLeftCorner(m, n) = Bt_.transpose();
+  if (rates_.size() > 0) exact_S_.bottomLeftCorner(m, n) += rates_;
+  exact_S_.bottomRightCorner(m, m).diagonal() = -eq.compliance;
   exact_rhs_.tail(m) = -eq.phi;
   for (size_t b = 0; b < bodies_.size(); ++b) {
     const auto& nodes = model_.coupled_nodes[b];

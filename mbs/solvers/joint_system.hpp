@@ -4,12 +4,13 @@
 ///   [A  B^T] [delta ]     [r  ]
 ///   [B  -C ] [dlambda] = -[phi],   A = blockdiag over bodies of beta' M + gamma' C_b + K,
 /// solved body by body: A is factored once, the joints come in by a small dense Schur complement
-/// whose gradients B change with the motion. C: compliance 1/k of springs and dampers.
+/// whose gradients B change with the motion. C: compliance 1/k of springs and dampers, 1/alpha of
+/// penalties.
 ///
 /// With the exact tangent couplings and loads at ports have stiffness X of their own on the coupled
 /// nodes, z = E^T delta, and A is that of bodies and spread loads:
 ///   [I + F X   F B^T] [z      ]     [E^T A^-1 r]
-///   [B         0    ] [dlambda] = - [phi       ],   delta = -A^-1 (r + E (X z + B^T dlambda)).
+///   [B         -C   ] [dlambda] = - [phi       ],   delta = -A^-1 (r + E (X z + B^T dlambda)).
 
 #include "mbs/bodies/body.hpp"
 #include "mbs/linalg/dense.hpp"
@@ -53,6 +54,9 @@ class JointSystem {
   void assemble(const Equations<G>& eq, bool compliant);
   /// Of a spring or damper in a step, df/dq + gamma' df/dq'; 0 on the flat part of a table.
   double tangent_stiffness(const Equations<G>& eq, int coupling, int row) const;
+  /// What divides the equation of a penalised row, 1 + gamma' tau.
+  double damped(const Equations<G>& eq) const { return 1 + weights_.damping * eq.damping; }
+  void add_compliance(const Equations<G>& eq, bool compliant);
   bool solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda);
   /// delta += A^-1 E f, f = joint_force of every body.
   void add_joint_forces(Eigen::VectorXd& delta) const;
@@ -70,6 +74,7 @@ class JointSystem {
   Eigen::MatrixXd X_;            ///< stiffness of couplings and loads on the coupled nodes
   Eigen::MatrixXd S_;
   Eigen::MatrixXd exact_S_, Bt_;
+  Eigen::MatrixXd rates_;  ///< what damped penalties add to B: m x coupled nodes; else empty
   Eigen::VectorXd rhs_, exact_rhs_, solution_, exact_solution_;
   linalg::Cholesky cholesky_;
   linalg::LU lu_, exact_lu_;

@@ -79,6 +79,10 @@ void NodeCoordinates<G>::place(const State<G>& old, const Eigen::VectorXd& dq,
       s.H[k].R = vector ? Rot::exp(psi(s, k)) : (old.H[k].R * Rot::exp(turn)).eval();
     }
   }
+  for (const int k : model_.positions()) {
+    s.H[k].R = old.H[k].R;
+    s.H[k].x.noalias() = old.H[k].x + old.H[k].R * dq.template segment<sd>(dim * k);
+  }
   for (const int k : model_.amplitudes())
     s.w.template segment<dim>(dim * k) =
         old.w.template segment<dim>(dim * k) + dq.template segment<dim>(dim * k);
@@ -88,8 +92,9 @@ void NodeCoordinates<G>::place(const State<G>& old, const Eigen::VectorXd& dq,
 template <FrameGroup G>
 void NodeCoordinates<G>::increment(const State<G>& s, const Eigen::VectorXd& dq,
                                    const Eigen::VectorXd& delta, Eigen::VectorXd& e) const {
-  for (const int k : model_.amplitudes())
-    e.template segment<dim>(dim * k) = delta.template segment<dim>(dim * k);
+  for (const auto* vectors : {&model_.amplitudes(), &model_.positions()})
+    for (const int k : *vectors)
+      e.template segment<dim>(dim * k) = delta.template segment<dim>(dim * k);
   for (const int k : model_.frames()) {
     const auto d = delta.template segment<dim>(dim * k);
     auto out = e.template segment<dim>(dim * k);
@@ -115,10 +120,11 @@ void NodeCoordinates<G>::rate_tangents(const State<G>& s, const Eigen::VectorXd&
   const double first = weights.damping, second = weights.mass;
   out.v.assign(s.H.size(), Matrix::Zero());
   out.vdot.assign(s.H.size(), Matrix::Zero());
-  for (const int k : model_.amplitudes()) {
-    out.v[k] = first * Matrix::Identity();
-    out.vdot[k] = second * Matrix::Identity();
-  }
+  for (const auto* vectors : {&model_.amplitudes(), &model_.positions()})
+    for (const int k : *vectors) {
+      out.v[k] = first * Matrix::Identity();
+      out.vdot[k] = second * Matrix::Identity();
+    }
   for (const int k : model_.frames()) {
     Matrix &V = out.v[k], &W = out.vdot[k];
     if (uses_local(model_.formalism)) {
@@ -162,6 +168,8 @@ void NodeCoordinates<G>::difference(const State<G>& old, const State<G>& s,
   for (const int k : model_.amplitudes())
     dq.template segment<dim>(dim * k) =
         s.w.template segment<dim>(dim * k) - old.w.template segment<dim>(dim * k);
+  for (const int k : model_.positions())
+    dq.template segment<sd>(dim * k) = old.H[k].R.transpose() * (s.H[k].x - old.H[k].x);
   for (const int k : model_.frames()) {
     auto d = dq.template segment<dim>(dim * k);
     if (uses_local(model_.formalism)) {
@@ -177,7 +185,26 @@ void NodeCoordinates<G>::difference(const State<G>& old, const State<G>& s,
 }
 
 template <FrameGroup G>
-bool NodeCoordinates<G>::finish(State<G>& s) const {
+void NodeCoordinates<G>::turn_positions(State<G>& s,
+                                        std::initializer_list<Eigen::VectorXd*> further) const {
+  if (model_.positions().empty()) return;
+  turned_ = s.H;
+  for (size_t b = 0; b < model_.bodies.size(); ++b)
+    model_.bodies[b]->turn_axes(turned_.data() + model_.first_node(static_cast<int>(b)));
+  for (const int k : model_.positions()) {
+    const auto Q = (turned_[k].R.transpose() * s.H[k].R).eval();
+    const auto turn = [&](Eigen::VectorXd& x) {
+      x.template segment<sd>(dim * k) = (Q * x.template segment<sd>(dim * k)).eval();
+    };
+    for (auto* x : {&s.v, &s.vdot, &s.a}) turn(*x);
+    for (auto* x : further) turn(*x);
+    s.H[k].R = turned_[k].R;
+  }
+}
+
+template <FrameGroup G>
+bool NodeCoordinates<G>::finish(State<G>& s, Eigen::VectorXd& rates) const {
+  turn_positions(s, {&rates});
   if (model_.formalism != Formalism::Classical) {
     for (const int k : model_.frames()) s.H[k].orthonormalize();
     return false;

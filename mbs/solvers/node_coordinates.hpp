@@ -10,7 +10,10 @@
 ///              w = T(psi) psidot, wdot = T psiddot + D_psi[T psidot] psidot
 ///              (Geradin, Cardona 2001; thesis section 2.2.1)
 ///
-/// In a plane the last two are the same.
+/// In a plane the last two are the same. A node that is a position has x += R dq_u with R held within
+/// a step, and rates v, vdot, in all of them.
+
+#include <initializer_list>
 
 #include "mbs/system/model.hpp"
 
@@ -48,8 +51,11 @@ class NodeCoordinates {
   /// dq between two states, so that place(old, dq, ...) gives the frames of s. @pre `s` was not
   /// rescaled since
   void difference(const State<G>& old, const State<G>& s, Eigen::VectorXd& dq) const;
-  /// Takes rounding out of the rotations; rescales. @returns true if coordinates were changed.
-  bool finish(State<G>& s) const;
+  /// Turns the axes of positions to where the bodies are, and what is in them: v, vdot and a of the
+  /// state, and further vectors.
+  void turn_positions(State<G>& s, std::initializer_list<Eigen::VectorXd*> further) const;
+  /// Takes rounding out of the rotations; rescales; turns positions, and `rates`. @returns true if coordinates were changed.
+  bool finish(State<G>& s, Eigen::VectorXd& rates) const;
 
  private:
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
@@ -62,6 +68,7 @@ class NodeCoordinates {
 
   const Model<G>& model_;
   bool rescale_;
+  mutable Frames<G> turned_;  ///< of turn_positions, kept for its memory
 };
 
 extern template class NodeCoordinates<SE2>;

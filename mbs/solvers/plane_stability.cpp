@@ -41,12 +41,21 @@ void take_rows(const Coupling<SE2>& from, const Eigen::VectorXd& values, const C
     }
 }
 
+/// The mechanism as it would be in space: chains of segments are beams there.
+Mechanism in_space(Mechanism m) {
+  if (m.formalism == Formalism::Segments) m.formalism = Formalism::SE3;
+  for (BodySpec& body : m.bodies)
+    if (auto* beam = std::get_if<BeamSpec>(&body.kind); beam && beam->as == BeamModel::Segments)
+      beam->as = BeamModel::AsFormalism;
+  return m;
+}
+
 }  // namespace
 
 PlaneStability::PlaneStability(const Mechanism& mechanism, const Model<SE2>& model)
     : plane_(model),
       view_(mechanism, model),
-      model_(Model<SE3>::build(mechanism, {})),
+      model_(Model<SE3>::build(in_space(mechanism), {})),
       s_(model_.initial_state()),
       equations_(model_),
       matrix_(model_) {

@@ -34,6 +34,18 @@ inline const char* to_string(SolveStatus s) {
   return "";
 }
 
+/// What penalties leave open, of the accepted steps.
+struct PenaltyReport {
+  bool used = false;
+  double displacement = 0, rotation = 0;  ///< weights, N/m and N m
+  double opening = 0;      ///< largest |Phi|, m; angles times the length of the mechanism
+  double deformation = 0;  ///< largest displacement of a node beside its body's first frame, m
+  bool rigid = false;      ///< nothing can deform: `share` is that of the mechanism's length
+  double share = 0;        ///< opening / deformation
+  long augmentations = 0;  ///< of all steps
+  int most_augmentations = 0;  ///< of a step
+};
+
 struct Report {
   SolveStatus status = SolveStatus::Converged;
   std::string reason;          ///< one sentence, with time and place
@@ -46,6 +58,7 @@ struct Report {
   double stepping_s = 0;               ///< wall time of the stepping alone
   double stepping_cpu_s = 0;           ///< the same of all processors of this process; dynamics
   double max_constraint_residual = 0;  ///< largest |Phi| at an accepted step, m or rad
+  PenaltyReport penalty;
   std::vector<std::string> warnings;
 };
 

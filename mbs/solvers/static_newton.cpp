@@ -75,6 +75,8 @@ double StaticNewton<G>::product(const Eigen::VectorXd& a,
                                 Eigen::Ref<const Eigen::VectorXd> b) const {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   double sum = 0, turn = 0;
+  for (const int node : model_.positions())
+    sum += a.template segment<sd>(dim * node).dot(b.template segment<sd>(dim * node));
   for (const int node : model_.frames()) {
     const int k = dim * node;
     sum += a.template segment<sd>(k).dot(b.template segment<sd>(k));
@@ -126,6 +128,8 @@ bool StaticNewton<G>::turns_by_pi(const State<G>& s) const {
 template <FrameGroup G>
 void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   if (!result.converged) return;
+  for (size_t b = 0; b < model_.bodies.size(); ++b)
+    model_.bodies[b]->turn_axes(trial_.H.data() + model_.first_node(static_cast<int>(b)));
   if (turns_by_pi(trial_)) {
     result.converged = false;
     result.failure = "an element turns by pi: use more elements";

@@ -1,5 +1,7 @@
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <set>
+#include <stdexcept>
 
 #include "mbs/system/build_body.hpp"
 #include "mbs/system/build_force.hpp"
@@ -8,6 +10,7 @@
 #include "mbs/system/build_load.hpp"
 #include "mbs/system/constraint_rank.hpp"
 #include "mbs/system/model.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -34,6 +37,28 @@ std::vector<std::vector<int>> held_nodes(const Mechanism& m) {
   return out;
 }
 
+/// A node that is a position holds what acts on the place alone.
+/// @throws std::invalid_argument
+template <class G>
+void require_held_by_place(const Model<G>& model) {
+  for (const auto& c : model.couplings)
+    for (const auto* port : {&c.a, &c.b}) {
+      if (port->body < 0) continue;
+      const Body<G>& body = *model.bodies[port->body];
+      if (body.kind(port->node - model.first_node(port->body)) != NodeKind::Position) continue;
+      const auto turns = [](const CouplingRow<G>& e) {
+        const RowKind kind = e.row.kind();
+        const bool place =
+            kind == RowKind::Distance || (kind == RowKind::Displacement && e.coordinate < 0);
+        return e.role <= Role::Actuator && !place;
+      };
+      if (port->offset.x.norm() == 0 && std::none_of(c.rows.begin(), c.rows.end(), turns)) continue;
+      throw std::invalid_argument(
+          "'" + c.name + "' turns a node between the ends of '" + body.name +
+          "', which has no rotation as a chain of segments: hold it by its place alone");
+    }
+}
+
 }  // namespace
 
 template <class G>
@@ -52,6 +77,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     for (int k = 0; k < model.bodies.back()->nodes(); ++k) {
       const NodeKind kind = model.bodies.back()->kind(k);
       if (kind == NodeKind::Frame) model.frames_.push_back(model.nodes_ + k);
+      if (kind == NodeKind::Position) model.positions_.push_back(model.nodes_ + k);
       if (kind == NodeKind::Amplitudes) model.amplitudes_.push_back(model.nodes_ + k);
     }
     model.nodes_ += model.bodies.back()->nodes();
@@ -71,7 +97,9 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     for (const G& H : body->reference)
       model.extent = std::max(model.extent, model.length + H.x.norm());
   model.set_initial_velocity(mechanism);
+  require_held_by_place(model);
   model.finish();
+  model.penalty = build_penalty(mechanism.penalty, model);
   model.leave_out_redundant_rows();
   return model;
 }
@@ -86,13 +114,18 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
     };
     const SE3 first = at(0);
     for (int k = 0; k < bodies[b]->nodes(); ++k) {
-      if (bodies[b]->kind(k) != NodeKind::Frame) continue;
+      const NodeKind kind = bodies[b]->kind(k);
+      if (kind != NodeKind::Frame && kind != NodeKind::Position) continue;
       const SE3 H = at(k);
       SE3::Tangent v;
       v << H.R.transpose() * (spec.velocity + spec.angular_velocity.cross(H.x - first.x)),
           H.R.transpose() * spec.angular_velocity;
       initial_velocity_.template segment<G::dim>(G::dim * (first_node_[b] + k)) =
           space.reduce_local(v, space.alignment(H));
+      if (kind == NodeKind::Position)
+        initial_velocity_
+            .template segment<G::rotation_dim>(G::dim * (first_node_[b] + k) + G::space_dim)
+            .setZero();
     }
   }
 }
@@ -101,6 +134,7 @@ template <class G>
 void Model<G>::leave_out_redundant_rows() {
   RedundantRows found = redundant_rows(*this, initial_state());
   redundant = std::move(found.sentences);
+  if (penalty.form != ConstraintForm::Multipliers) return;  // none has to be left out
   dead_point = std::move(found.dead_point);
   if (found.rows.empty()) return;
   for (const auto& [coupling, equation] : found.rows) {
@@ -148,6 +182,8 @@ void Model<G>::finish() {
 template <class G>
 void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const {
   for (const int k : frames_) s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
+  for (const int k : positions_)
+    s.H[k].x += s.H[k].R * delta.template segment<G::space_dim>(G::dim * k);
   for (const int k : amplitudes_)
     s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }

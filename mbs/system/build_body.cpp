@@ -4,6 +4,7 @@
 
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
+#include "mbs/bodies/segment_beam.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/model/parameter.hpp"
 #include "mbs/sections/section_law.hpp"
@@ -11,6 +12,17 @@
 
 namespace liesl {
 namespace {
+
+template <class G>
+std::unique_ptr<Body<G>> make_segments(const std::string& name, std::vector<G> nodes,
+                                       const std::vector<ElementSection<G>>& sections,
+                                       double damping, const SegmentSpec& spec) {
+  if constexpr (G::space_dim == 2)
+    return std::make_unique<SegmentBeam>(name, std::move(nodes), sections, damping, spec);
+  throw std::invalid_argument("beam '" + name +
+                              "' has no torsion as a chain of segments: expected a mechanism in a "
+                              "plane; formalism se3 has the same beam in space");
+}
 
 template <class G>
 std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, const Space<G>& space,
@@ -29,6 +41,10 @@ std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, con
     if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
     return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
   }
+  const bool segments = beam.as == BeamModel::Segments ||
+                        (beam.as == BeamModel::AsFormalism && formalism == Formalism::Segments);
+  if (segments)
+    return make_segments<G>(name, std::move(nodes), sections, beam.damping, beam.segment);
   if (formalism == Formalism::R3SO3 || formalism == Formalism::Classical)
     return std::make_unique<ReissnerBeam<G>>(name, std::move(nodes), sections, beam.damping);
   return std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);

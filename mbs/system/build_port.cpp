@@ -20,13 +20,16 @@ template <FrameGroup G>
 PortOf<G> Ports<G>::with(const Port& port, const G& frame) const {
   if (port.body < 0) return PortOf<G>::ground(frame);
   Port on = port;  // the node that the port's node follows, if it does
-  if (model_.bodies[port.body]->kind(port.node) != NodeKind::Frame) on.node = 0;
+  const NodeKind kind = model_.bodies[port.body]->kind(port.node);
+  if (kind != NodeKind::Frame && kind != NodeKind::Position) on.node = 0;
   on.offset = SE3::identity();
   const SE3 H = m_.frame(on);
   const G node = model_.space.reduce(H, model_.space.alignment(H));
   G offset = node.inverse() * frame;
   if (G::log(offset).norm() < 1e-14) offset = G::identity();
-  return PortOf<G>::on(port.body, model_.first_node(port.body) + on.node, offset);
+  auto made = PortOf<G>::on(port.body, model_.first_node(port.body) + on.node, offset);
+  if (kind == NodeKind::Position) made.J.template rightCols<G::rotation_dim>().setZero();
+  return made;
 }
 
 template class Ports<SE2>;

@@ -42,7 +42,7 @@ const Eigen::MatrixXd& ConstraintMatrix<G>::evaluate(const State<G>& s) {
     const auto next = static_cast<size_t>(row.coupling) + 1;
     if (next < model_.couplings.size() && model_.couplings[next].continued)
       add_gradient(row.coupling + 1, 0, J_.row(i));
-    phi_[i] = equations_.phi[model_.couplings[row.coupling].first_constraint + row.equation];
+    phi_[i] = equations_.gap[model_.couplings[row.coupling].first_constraint + row.equation];
   }
   for (size_t k = 0; k < nodes_.size(); ++k)
     J_.template middleCols<G::rotation_dim>(G::dim * static_cast<long>(k) + G::space_dim) /=

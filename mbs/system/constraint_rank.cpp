@@ -119,13 +119,16 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
     ++repeated[row.coupling];
     out.rows.emplace_back(row.coupling, row.equation);
   }
+  const bool shares = model.penalty.form != ConstraintForm::Multipliers;
   for (const auto& [coupling, count] : repeated) {
     const auto& c = model.couplings[coupling];
     const auto& names = others[coupling];
     out.sentences.push_back(
-        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {} left out", c.name,
+        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {}", c.name,
                     names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")), count,
-                    c.constraints, count == 1 ? "is" : "are"));
+                    c.constraints, shares    ? "shared by their penalties"
+                                   : count == 1 ? "is left out"
+                                                : "are left out"));
   }
   return out;
 }

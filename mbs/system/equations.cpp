@@ -8,6 +8,8 @@ template <FrameGroup G>
 Equations<G>::Equations(const Model<G>& m) : model(m) {
   r.setZero(m.size());
   phi.setZero(m.constraints());
+  gap = compliance = estimate = phi;
+  if (m.penalty.form == ConstraintForm::Penalty) compliance = m.penalty.weight.cwiseInverse();
   scales_.resize(m.bodies.size());
   for (const auto& c : m.couplings) {
     CouplingData data;
@@ -33,6 +35,8 @@ void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
   add_loads(s, level);
   for (size_t c = 0; c < couplings.size(); ++c)
     add_coupling(model.couplings[c], couplings[c], s, previous, level);
+  gap = phi;
+  if (model.penalty.form != ConstraintForm::Multipliers) add_compliance(s, level.t);
   ForceScale sum;
   for (const auto& scale : scales_) {
     sum.force += scale.force;
@@ -148,6 +152,24 @@ void Equations<G>::add_coupling(const Coupling<G>& c, CouplingData& data, const 
   };
   act(c.a, on_a);
   act(c.b, on_b);
+}
+
+template <FrameGroup G>
+void Equations<G>::add_compliance(const State<G>& s, double t) {
+  phi -= compliance.cwiseProduct(s.lambda - estimate);
+  if (damping == 0) return;
+  for (size_t index = 0; index < couplings.size(); ++index) {
+    const Coupling<G>& c = model.couplings[index];
+    for (int i = 0; i < c.constraints; ++i) {
+      const auto B = couplings[index].B.row(i);
+      double rate = -c.rows[i].target.rate(t);
+      if (c.a.body >= 0)
+        rate += B.template head<dim>().dot(s.v.template segment<dim>(dim * c.a.node));
+      if (c.b.body >= 0)
+        rate += B.template tail<dim>().dot(s.v.template segment<dim>(dim * c.b.node));
+      phi[c.first_constraint + i] += damping * rate;
+    }
+  }
 }
 
 template <FrameGroup G>

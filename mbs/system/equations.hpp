@@ -2,6 +2,11 @@
 /// @file
 /// Residual of the equations of motion at one state, and the gradients of the couplings:
 ///   r = M vdot + g_gyr + g_int - g_ext + B^T lambda,   Phi = row(H) - target(t).
+/// By penalties lambda is an unknown all the same, so that nothing is as stiff as they are: with
+/// compliances C = 1/alpha the rows are
+///   Phi + tau dPhi/dt - C (lambda - lambda*) = 0,
+/// which eliminated is M vdot + B^T alpha Phi = Q (Garcia Orden, Arribas, Dopico, Gabaldon 2024, eq.
+/// 3).
 
 #include "mbs/system/model.hpp"
 
@@ -48,10 +53,16 @@ class Equations {
   double constraint_residual() const {
     return phi.size() ? phi.template lpNorm<Eigen::Infinity>() : 0;
   }
+  /// Largest |Phi|, m or rad.
+  double opening() const { return gap.size() ? gap.template lpNorm<Eigen::Infinity>() : 0; }
 
   const Model<G>& model;
   Eigen::VectorXd r;    ///< size of the model
-  Eigen::VectorXd phi;  ///< constraints
+  Eigen::VectorXd phi;  ///< the rows of the constraints: Phi, by penalties with the other terms
+  Eigen::VectorXd gap;  ///< Phi
+  Eigen::VectorXd compliance;  ///< C of the file's head; 0 where Phi = 0 is asked for
+  Eigen::VectorXd estimate;    ///< lambda*
+  double damping = 0;          ///< tau, s
   struct CouplingData {
     Rows B;                 ///< acting rows x [node of a; node of b]
     Eigen::VectorXd force;  ///< of the acting rows that are not constraints, else 0
@@ -69,6 +80,7 @@ class Equations {
   void add_loads(const State<G>& s, const LoadLevel& level);
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
                     const Eigen::VectorXd& previous, const LoadLevel& level);
+  void add_compliance(const State<G>& s, double t);
   double norm_of(int first, int nodes) const;
   std::vector<ForceScale> scales_;                    ///< by body
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< by body

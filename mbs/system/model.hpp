@@ -16,6 +16,14 @@
 
 namespace liesl {
 
+/// How the constraints of a model are enforced, see `ConstraintForm`.
+struct Penalty {
+  ConstraintForm form = ConstraintForm::Multipliers;
+  Eigen::VectorXd weight;  ///< alpha by multiplier, N/m or N m; empty: multipliers
+  double damping = 0;      ///< tau, s
+  double displacement = 0, rotation = 0;  ///< the weights by kind of row
+};
+
 /// A load at a port or spread over a body.
 template <FrameGroup G>
 struct Load {
@@ -47,9 +55,10 @@ class Model {
 
   /// Nodes of a kind over all bodies.
   const std::vector<int>& frames() const { return frames_; }
+  const std::vector<int>& positions() const { return positions_; }
   const std::vector<int>& amplitudes() const { return amplitudes_; }
-  /// Moves a state by left-invariant increments, dim a node: frames H <- H exp(delta_k), amplitudes
-  /// w <- w + delta_k. Nodes that follow others stay: see `complete`.
+  /// Moves a state by left-invariant increments, dim a node: frames H <- H exp(delta_k), positions x
+  /// <- x + R delta_k, amplitudes w <- w + delta_k. Nodes that follow others stay: see `complete`.
   void retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const;
   /// Sets all that follows from the unknowns: what records and responses see.
   void complete(State<G>& s) const;
@@ -64,6 +73,7 @@ class Model {
   }
 
   Formalism formalism = Formalism::SE3;
+  Penalty penalty;
   Space<G> space;
   Vector gravity = Vector::Zero();
   TimeFunction gravity_scale = TimeFunction::constant(1);
@@ -74,7 +84,8 @@ class Model {
   std::vector<Load<G>> loads;
   /// Distinct nodes of each body that couplings hold on to; `PortOf::slot` counts in here.
   std::vector<std::vector<int>> coupled_nodes;
-  /// One sentence a joint of which rows repeat others and are left out (Role::Redundant).
+  /// One sentence a joint of which rows repeat others and are left out (Role::Redundant); with
+  /// penalties they stay and share the forces.
   std::vector<std::string> redundant;
   /// Not empty: the start is a dead point, where rows depend on others though not near it.
   std::string dead_point;
@@ -88,7 +99,7 @@ class Model {
   void set_initial_velocity(const Mechanism& mechanism);
 
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
-  std::vector<int> first_node_, frames_, amplitudes_;
+  std::vector<int> first_node_, frames_, positions_, amplitudes_;
   Eigen::VectorXd initial_velocity_;
 };
 

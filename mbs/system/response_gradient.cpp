@@ -5,6 +5,7 @@
 
 #include "mbs/bodies/beam_element.hpp"
 #include "mbs/system/energy.hpp"
+#include "mbs/system/penalty.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
@@ -263,12 +264,20 @@ template <FrameGroup G>
 void ResponseValues<G>::add_energy(const ResponseSpec&, const At& at, Cotangent& out) const {
   for (size_t b = 0; b < model_.bodies.size(); ++b)
     add_body_energy(static_cast<int>(b), {1, 1, 1}, at, out);
+  const bool penalised = model_.penalty.form != ConstraintForm::Multipliers;
+  const Eigen::VectorXd forces =
+      penalised ? Eigen::VectorXd(model_.penalty.weight.cwiseProduct(openings(model_, at.s)))
+                : Eigen::VectorXd();
   for (const auto& c : model_.couplings) {
     const RelativeMotion<G> motion(c.a.frame(at.s.H), c.b.frame(at.s.H));
     for (size_t i = 0; i < c.rows.size(); ++i) {
       const CouplingRow<G>& e = c.rows[i];
-      if (e.role != Role::Compliant) continue;
       typename Row<G>::Gradient g;
+      if (penalised && e.role == Role::Constraint) {
+        e.row.gradient(motion, g);
+        add_row(out.h, c, forces[c.first_constraint + static_cast<int>(i)] * g);
+      }
+      if (e.role != Role::Compliant) continue;
       e.row.gradient(motion, g);
       add_row(out.h, c, e.law.elastic(at.s.rows[c.first_row + static_cast<int>(i)]) * g);
     }
@@ -339,6 +348,11 @@ double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
           const double q = s.rows[c.first_row + static_cast<int>(i)], stretch = q - e.law.rest;
           sum += 0.5 * by->stiffness * stretch * stretch - e.law.elastic(q) * by->rest;
         }
+  if (model_.penalty.form != ConstraintForm::Multipliers) {
+    Eigen::VectorXd phi_p = Eigen::VectorXd::Zero(model_.constraints());
+    parameter.add_target(s.t, 0, phi_p);
+    sum += model_.penalty.weight.cwiseProduct(openings(model_, s)).dot(phi_p);
+  }
   return sum;
 }
 

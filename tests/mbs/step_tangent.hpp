@@ -11,15 +11,19 @@
 
 namespace liesl::test {
 
-/// Columns that are unknowns: not of nodes that follow others, nor what pads amplitudes.
+/// Columns that are unknowns: not of nodes that follow others, nor turns of positions, nor what pads
+/// amplitudes.
 template <FrameGroup G>
 std::vector<int> unknowns(const Model<G>& model) {
   std::vector<int> out;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const Body<G>& body = *model.bodies[b];
     const int first = G::dim * model.first_node(static_cast<int>(b));
-    for (int i = 0; i < body.size() - body.padding(); ++i)
-      if (body.kind(i / G::dim) != NodeKind::Follower) out.push_back(first + i);
+    for (int i = 0; i < body.size() - body.padding(); ++i) {
+      const NodeKind kind = body.kind(i / G::dim);
+      const bool held = kind == NodeKind::Position && i % G::dim >= G::space_dim;
+      if (kind != NodeKind::Follower && !held) out.push_back(first + i);
+    }
   }
   for (int i = 0; i < model.constraints(); ++i) out.push_back(model.size() + i);
   return out;
@@ -86,7 +90,8 @@ void expect_exact_statics(const Model<G>& model, const State<G>& s, const LoadLe
 template <FrameGroup G>
 class StepTangent {
  public:
-  StepTangent(const Model<G>& model, SimulationOptions o, int steps)
+  /// @param damping of penalties, tau
+  StepTangent(const Model<G>& model, SimulationOptions o, int steps, double damping = 0)
       : model_(model), coordinates_(model, false), equations_(model), matrix_(model) {
     o.rescale = false;  // rotation vectors stay those of the step
     s_ = model.initial_state();
@@ -100,6 +105,14 @@ class StepTangent {
       for (int halved = 0; !integrator.step(s_, h).converged; ++halved, h /= 2)
         if (halved == 8) throw std::runtime_error("the step does not converge");
     }
+    for (const int k : model.positions()) {  // axes as they were held
+      const auto Q = (old_.H[k].R.transpose() * s_.H[k].R).eval();
+      for (auto* x : {&s_.v, &s_.vdot})
+        x->template segment<G::space_dim>(G::dim * k) =
+            (Q * x->template segment<G::space_dim>(G::dim * k)).eval();
+      s_.H[k].R = old_.H[k].R;
+    }
+    equations_.damping = damping;
     weights_ = AlphaWeights(o.rho_inf).at(h);
     coordinates_.difference(old_, s_, dq_);
     coordinates_.rates(s_, u_, udot_);

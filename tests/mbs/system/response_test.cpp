@@ -110,6 +110,12 @@ struct Direction {
           G::exp(typename G::Tangent(p * h.template segment<G::dim>(G::dim * k)));
     for (const int k : model.amplitudes())
       moved.w.template segment<G::dim>(G::dim * k) += p * h.template segment<G::dim>(G::dim * k);
+    for (const int k : model.positions()) {
+      constexpr int sd = G::space_dim;
+      G& H = moved.H[std::size_t(k)];
+      H.x += p * H.R * h.template segment<sd>(G::dim * k);
+      moved.v.template segment<sd>(G::dim * k) += p * v.template segment<sd>(G::dim * k);
+    }
     for (const auto* nodes : {&model.frames(), &model.amplitudes()})
       for (const int k : *nodes)
         moved.v.template segment<G::dim>(G::dim * k) += p * v.template segment<G::dim>(G::dim * k);
@@ -185,6 +191,14 @@ class Responses : public ::testing::TestWithParam<Formalism> {};
 
 TEST_P(Responses, HaveTheirGradientsInThePlane) {
   const Mechanism m = machine(GetParam());
+  const auto run = test::run_planar(m, options(0.03, 5e-4));
+  ASSERT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
+  expect_gradients(m, *run.model, in_motion(run), responses(true));
+}
+
+/// Axes of its nodes follow their neighbours.
+TEST(Responses, OfAChainOfSegmentsHaveTheirGradients) {
+  const Mechanism m = machine(Formalism::Segments);
   const auto run = test::run_planar(m, options(0.03, 5e-4));
   ASSERT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
   expect_gradients(m, *run.model, in_motion(run), responses(true));

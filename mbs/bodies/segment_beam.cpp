@@ -1,0 +1,611 @@
+#include "mbs/bodies/segment_beam.hpp"
+
+#include <array>
+#include <cmath>
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+
+constexpr double kCoupled = 1e-12;  // of the diagonal
+
+/// J a = e_z x a.
+Vec2 turned(const Vec2& a) { return {-a[1], a[0]}; }
+
+double angle_between(const Vec2& a, const Vec2& b) {
+  return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+}
+
+/// Velocity of a node in inertial axes.
+Vec2 velocity(const BodyState<SE2>& s, int k) {
+  return s.H[k].R * Eigen::Map<const Vec2>(s.v + 3 * k);
+}
+
+/// u' + w J u: its acceleration in its own axes.
+Vec2 local_acceleration(const BodyState<SE2>& s, int k) {
+  const double *v = s.v + 3 * k, *a = s.vdot + 3 * k;
+  return {a[0] - v[2] * v[1], a[1] + v[2] * v[0]};
+}
+
+/// The velocity of an end turns with its frame; the axes of positions are held.
+Vec2 velocity_by_turn(const BodyState<SE2>& s, int k) {
+  return s.H[k].R * turned(Eigen::Map<const Vec2>(s.v + 3 * k));
+}
+
+}  // namespace
+
+struct SegmentBeam::Segment {
+  double l;
+  Vec2 t, n;  ///< along it, and to the left of that
+
+  Vec2 force(const Tangent& stress) const { return stress[0] * t + stress[1] * n; }
+};
+
+/// Of a scalar, by the increments of up to three neighbouring nodes.
+struct SegmentBeam::Gradient {
+  int first = 0, count = 0;
+  std::array<Tangent, 3> at = {Tangent::Zero(), Tangent::Zero(), Tangent::Zero()};
+
+  /// g . (increment of x_{e+1} - x_e), g in inertial axes; e = first or first + 1.
+  void add(const SE2* H, int e, const Vec2& g) {
+    at[e - first].head<2>() -= H[e].R.transpose() * g;
+    at[e + 1 - first].head<2>() += H[e + 1].R.transpose() * g;
+    count = std::max(count, e + 2 - first);
+  }
+  void add(const Gradient& other, double factor) {
+    for (int k = 0; k < other.count; ++k) at[other.first + k - first] += factor * other.at[k];
+    count = std::max(count, other.first + other.count - first);
+  }
+  void add_to(double* h, double factor) const {
+    for (int k = 0; k < count; ++k) Eigen::Map<Tangent>(h + 3 * (first + k)) += factor * at[k];
+  }
+  double dot(const double* h) const {
+    double sum = 0;
+    for (int k = 0; k < count; ++k)
+      sum += at[k].dot(Eigen::Map<const Tangent>(h + 3 * (first + k)));
+    return sum;
+  }
+};
+
+namespace {
+
+using Matrices = Body<SE2>::Matrices;
+
+Matrices::Block& block(Matrices& A, int i, int j) {
+  switch (j - i) {
+    case 0:
+      return A.D[i];
+    case 1:
+      return A.U[i];
+    case -1:
+      return A.L[j];
+    case 2:
+      return A.U2[i];
+    default:
+      return A.L2[j];
+  }
+}
+
+template <class Gradient>
+void add_product(double factor, const Gradient& p, const Gradient& q, Matrices& A) {
+  for (int i = 0; i < p.count; ++i)
+    for (int j = 0; j < q.count; ++j)
+      block(A, p.first + i, q.first + j).noalias() += (factor * p.at[i]) * q.at[j].transpose();
+}
+
+}  // namespace
+
+SegmentBeam::SegmentBeam(std::string body_name, std::vector<SE2> nodes_at_rest,
+                         const std::vector<ElementSection<SE2>>& sections, double damping,
+                         const SegmentSpec& spec)
+    : Body<SE2>(std::move(body_name), std::move(nodes_at_rest)),
+      potential_(spec.potential),
+      lumped_(spec.lumped),
+      damping_(damping) {
+  const int n = elements();
+  L_.resize(n);
+  for (int e = 0; e < n; ++e) L_[e] = (reference[e + 1].x - reference[e].x).norm();
+  half_.setZero(n + 1);
+  half_.head(n) += 0.5 * L_;
+  half_.tail(n) += 0.5 * L_;
+  for (const auto& section : sections) {
+    const Tangent scale(1, 1, half_.maxCoeff());
+    const auto couples = [&scale](const Matrices::Block& A) {
+      Matrices::Block off =
+          scale.cwiseInverse().asDiagonal() * A * scale.cwiseInverse().asDiagonal();
+      const double size = kCoupled * off.diagonal().maxCoeff();
+      off.diagonal().setZero();
+      return off.cwiseAbs().maxCoeff() > size;
+    };
+    if (couples(section.K) || couples(section.M))
+      throw std::invalid_argument(
+          "beam '" + name +
+          "': a chain of segments needs sections on their axis, without coupling of N, V and M; "
+          "formalism se3 has them");
+  }
+  phi0_.setZero(n + 1);
+  for (int i = 0; i <= n; ++i) phi0_[i] = angle(reference.data(), i);
+  from_bisector_.assign(n + 1, Matrix2::Identity());
+  std::vector<SE2> bisected = reference;
+  turn_axes(bisected.data());
+  for (int i = 1; i < n; ++i) from_bisector_[i] = bisected[i].R.transpose() * reference[i].R;
+  set_sections(sections);
+  dead_ = c_;
+  dead_mass_ = half_.cwiseProduct(half_) * (m_.sum() / n);
+  set_matrices();
+}
+
+void SegmentBeam::set_sections(const std::vector<ElementSection<SE2>>& sections) {
+  const int n = elements();
+  EA_.resize(n);
+  EI_.resize(n);
+  m_.resize(n);
+  Eigen::VectorXd flexibility = Eigen::VectorXd::Zero(n + 1);
+  for (int e = 0; e < n; ++e) {
+    EA_[e] = sections[e].K(0, 0);
+    EI_[e] = sections[e].K(2, 2);
+    m_[e] = sections[e].M(0, 0) * L_[e];
+    for (const int i : {e, e + 1}) flexibility[i] += 0.5 * L_[e] / EI_[e];
+  }
+  c_ = flexibility.cwiseInverse();
+  J_ = {0.5 * L_[0] * sections.front().M(2, 2), 0.5 * L_[n - 1] * sections.back().M(2, 2)};
+}
+
+void SegmentBeam::set_matrices() {
+  for (auto* A : {&M_, &K_}) {
+    A->resize(nodes());
+    A->widen();
+  }
+  add_mass(reference.data(), 1, M_);
+  add_material(reference.data(), 1, true, K_);
+  for (int i = 1; i + 1 < nodes(); ++i) K_.D[i](2, 2) += dead_[i];
+}
+
+SegmentBeam::Segment SegmentBeam::segment(const SE2* H, int e) const {
+  const Vec2 d = H[e + 1].x - H[e].x;
+  const double l = d.norm();
+  const Vec2 t = d / l;
+  return {l, t, turned(t)};
+}
+
+double SegmentBeam::angle(const SE2* H, int i) const {
+  const Vec2 before = i > 0 ? segment(H, i - 1).t : Vec2(H[0].R.col(0));
+  const Vec2 after = i < elements() ? segment(H, i).t : Vec2(H[i].R.col(0));
+  return angle_between(before, after);
+}
+
+double SegmentBeam::axial(int e, double l) const {
+  const double stretch = l / L_[e];
+  if (potential_ == AxialPotential::Linear) return EA_[e] * (stretch - 1);
+  return EA_[e] / 3 * (stretch - 1 / (stretch * stretch));
+}
+
+/// dN/dl
+double SegmentBeam::axial_slope(int e, double l) const {
+  const double stretch = l / L_[e];
+  if (potential_ == AxialPotential::Linear) return EA_[e] / L_[e];
+  return EA_[e] / (3 * L_[e]) * (1 + 2 / (stretch * stretch * stretch));
+}
+
+SegmentBeam::Gradient SegmentBeam::length_gradient(const SE2* H, int e) const {
+  Gradient g{e};
+  g.add(H, e, segment(H, e).t);
+  return g;
+}
+
+/// d psi = n . d(d)/l
+SegmentBeam::Gradient SegmentBeam::direction_gradient(const SE2* H, int e) const {
+  const Segment segment = this->segment(H, e);
+  Gradient g{e};
+  g.add(H, e, segment.n / segment.l);
+  return g;
+}
+
+SegmentBeam::Gradient SegmentBeam::angle_gradient(const SE2* H, int i) const {
+  const int n = elements();
+  Gradient g{std::max(i - 1, 0)};
+  if (i > 0) g.add(direction_gradient(H, i - 1), -1);
+  if (i < n) g.add(direction_gradient(H, i), 1);
+  if (i == 0) g.at[0][2] -= 1;
+  if (i == n) g.at[1][2] += 1;
+  return g;
+}
+
+double SegmentBeam::length_rate(const BodyState<SE2>& s, int e) const {
+  return segment(s.H, e).t.dot(velocity(s, e + 1) - velocity(s, e));
+}
+
+double SegmentBeam::direction_rate(const BodyState<SE2>& s, int e) const {
+  const Segment segment = this->segment(s.H, e);
+  return segment.n.dot(velocity(s, e + 1) - velocity(s, e)) / segment.l;
+}
+
+double SegmentBeam::angle_rate(const BodyState<SE2>& s, int i) const {
+  const double before = i > 0 ? direction_rate(s, i - 1) : s.v[2];
+  const double after = i < elements() ? direction_rate(s, i) : s.v[3 * i + 2];
+  return after - before;
+}
+
+/// d(t . d') = psi' n . d(d) + t . d(d')
+SegmentBeam::Gradient SegmentBeam::length_rate_gradient(const BodyState<SE2>& s, int e) const {
+  const Segment segment = this->segment(s.H, e);
+  Gradient g{e};
+  g.add(s.H, e, direction_rate(s, e) * segment.n);
+  if (e == 0) g.at[0][2] -= segment.t.dot(velocity_by_turn(s, 0));
+  if (e + 1 == elements()) g.at[1][2] += segment.t.dot(velocity_by_turn(s, e + 1));
+  return g;
+}
+
+/// d(n . d'/l) = -(l'/l^2) n . d(d) - (psi'/l) t . d(d) + n . d(d')/l
+SegmentBeam::Gradient SegmentBeam::direction_rate_gradient(const BodyState<SE2>& s, int e) const {
+  const Segment segment = this->segment(s.H, e);
+  const double l = segment.l;
+  Gradient g{e};
+  g.add(s.H, e,
+        -(length_rate(s, e) / (l * l)) * segment.n - (direction_rate(s, e) / l) * segment.t);
+  if (e == 0) g.at[0][2] -= segment.n.dot(velocity_by_turn(s, 0)) / l;
+  if (e + 1 == elements()) g.at[1][2] += segment.n.dot(velocity_by_turn(s, e + 1)) / l;
+  return g;
+}
+
+SegmentBeam::Gradient SegmentBeam::angle_rate_gradient(const BodyState<SE2>& s, int i) const {
+  Gradient g{std::max(i - 1, 0)};
+  if (i > 0) g.add(direction_rate_gradient(s, i - 1), -1);
+  if (i < elements()) g.add(direction_rate_gradient(s, i), 1);
+  return g;
+}
+
+void SegmentBeam::turn_axes(SE2* H) const {
+  for (int i = 1; i < elements(); ++i) {
+    const Vec2 t = (segment(H, i - 1).t + segment(H, i).t).normalized();
+    Matrix2 bisector;
+    bisector << t, turned(t);
+    H[i].R = bisector * from_bisector_[i];
+  }
+}
+
+/// With d' and d'' of a segment: psi' = n . d'/l, psi'' = (n . d'' - 2 l' psi')/l.
+void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) const {
+  const BodyState<SE2> s{H, v, vdot, w};
+  const int n = elements();
+  std::vector<double> rate(n), acceleration(n);
+  std::vector<Vec2> x1(n + 1), x2(n + 1);
+  for (int k = 0; k <= n; ++k) {
+    x1[k] = velocity(s, k);
+    x2[k] = H[k].R * local_acceleration(s, k);
+  }
+  for (int e = 0; e < n; ++e) {
+    const Segment g = segment(H, e);
+    rate[e] = g.n.dot(x1[e + 1] - x1[e]) / g.l;
+    acceleration[e] = (g.n.dot(x2[e + 1] - x2[e]) - 2 * g.t.dot(x1[e + 1] - x1[e]) * rate[e]) / g.l;
+  }
+  turn_axes(H);
+  for (int k = 1; k < n; ++k) {
+    Eigen::Map<Tangent> out(v + 3 * k), out_dot(vdot + 3 * k);
+    out[2] = 0.5 * (rate[k - 1] + rate[k]);
+    out.head<2>() = H[k].R.transpose() * x1[k];
+    out_dot.head<2>() = H[k].R.transpose() * x2[k] - out[2] * turned(out.head<2>());
+    out_dot[2] = 0.5 * (acceleration[k - 1] + acceleration[k]);
+  }
+}
+
+void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, double* r,
+                              ForceScale& scale) const {
+  const int n = elements();
+  const auto apparent = [&](int k) -> Vec2 {
+    return s.H[k].R * local_acceleration(s, k) - gravity;
+  };
+  Vec2 f = Vec2::Zero(), a = apparent(0);
+  const auto put = [&](int k) {
+    Tangent local;
+    local << s.H[k].R.transpose() * f, 0;
+    Eigen::Map<Tangent>(r + 3 * k) += local;
+    scale.add<SE2>(local);
+  };
+  for (int e = 0; e < n; ++e) {
+    const Vec2 b = apparent(e + 1);
+    f += lumped_ ? Vec2(0.5 * m_[e] * a) : Vec2(m_[e] / 6 * (2 * a + b));
+    put(e);
+    f = lumped_ ? Vec2(0.5 * m_[e] * b) : Vec2(m_[e] / 6 * (a + 2 * b));
+    a = b;
+  }
+  put(n);
+  r[2] += J_[0] * s.vdot[2];
+  r[3 * n + 2] += J_[1] * s.vdot[3 * n + 2];
+}
+
+void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& scale) const {
+  const int n = elements();
+  const auto damped = [&](int i) { return damping_ > 0 ? damping_ * c_[i] * angle_rate(s, i) : 0; };
+  Segment now = segment(s.H, 0), next = now;
+  double M = c_[0] * (angle_between(s.H[0].R.col(0), now.t) - phi0_[0]) + damped(0);
+  r[2] -= M;
+  for (int e = 0; e < n; ++e) {
+    if (e + 1 < n) next = segment(s.H, e + 1);
+    const Vec2 after = e + 1 < n ? next.t : Vec2(s.H[n].R.col(0));
+    const double M_next = c_[e + 1] * (angle_between(now.t, after) - phi0_[e + 1]) + damped(e + 1);
+    double N = axial(e, now.l);
+    if (damping_ > 0) N += damping_ * EA_[e] / L_[e] * length_rate(s, e);
+    const Vec2 f = N * now.t + (M - M_next) / now.l * now.n;
+    Eigen::Map<Vec2>(r + 3 * e) -= s.H[e].R.transpose() * f;
+    Eigen::Map<Vec2>(r + 3 * (e + 1)) += s.H[e + 1].R.transpose() * f;
+    scale.add<SE2>(Tangent(f[0], f[1], M_next));
+    M = M_next;
+    now = next;
+  }
+  r[3 * n + 2] += M;
+}
+
+/// Consistent m/3 and m/6 of each segment, or m/2.
+double SegmentBeam::mass_between(int i, int j) const {
+  if (i != j) return lumped_ ? 0 : m_[std::min(i, j)] / 6;
+  const double own = (i > 0 ? m_[i - 1] : 0) + (i < elements() ? m_[i] : 0);
+  return own / (lumped_ ? 2 : 3);
+}
+
+void SegmentBeam::add_mass(const SE2* H, double weight, Matrices& A) const {
+  const int n = elements();
+  for (int i = 0; i <= n; ++i) {
+    A.D[i].topLeftCorner<2, 2>().diagonal().array() += weight * mass_between(i, i);
+    const bool end = i == 0 || i == n;
+    A.D[i](2, 2) += weight * (end ? J_[i == 0 ? 0 : 1] : dead_mass_[i]);
+    if (i == n || lumped_) continue;
+    const Matrix2 m = weight * mass_between(i, i + 1) * H[i].R.transpose() * H[i + 1].R;
+    A.U[i].topLeftCorner<2, 2>() += m;
+    A.L[i].topLeftCorner<2, 2>() += m.transpose();
+  }
+}
+
+/// sum of dN/dl dl dl^T (of damping EA/L) and of c_i d(phi) d(phi)^T.
+void SegmentBeam::add_material(const SE2* H, double weight, bool tangent, Matrices& A) const {
+  for (int e = 0; e < elements(); ++e) {
+    const Gradient g = length_gradient(H, e);
+    add_product(weight * (tangent ? axial_slope(e, segment(H, e).l) : EA_[e] / L_[e]), g, g, A);
+  }
+  for (int i = 0; i < nodes(); ++i) {
+    const Gradient g = angle_gradient(H, i);
+    add_product(weight * c_[i], g, g, A);
+  }
+}
+
+/// Material and geometric terms, N d^2 l = N (n . d)^2/l and m d^2 psi = -2 m (t . d)(n . d)/l^2
+/// with m = V l.
+void SegmentBeam::add_stiffness(const BodyState<SE2>& s, const Tangent* stress, Matrices& A) const {
+  add_material(s.H, 1, true, A);
+  for (int e = 0; e < elements(); ++e) {
+    const Segment segment = this->segment(s.H, e);
+    Tangent n = stress ? stress[e] : section_force(s, e, ElementPlace::Middle);
+    if (damping_ > 0) {
+      n[0] += damping_ * EA_[e] / L_[e] * length_rate(s, e);
+      n[1] += damping_ * (c_[e] * angle_rate(s, e) - c_[e + 1] * angle_rate(s, e + 1)) / segment.l;
+    }
+    Gradient along = length_gradient(s.H, e), across{e};
+    across.add(s.H, e, segment.n);
+    add_product(n[0] / segment.l, across, across, A);
+    add_product(-n[1] / segment.l, along, across, A);
+    add_product(-n[1] / segment.l, across, along, A);
+  }
+}
+
+void SegmentBeam::add_damping_stiffness(const BodyState<SE2>& s, Matrices& A) const {
+  for (int e = 0; e < elements(); ++e)
+    add_product(damping_ * EA_[e] / L_[e], length_gradient(s.H, e), length_rate_gradient(s, e), A);
+  for (int i = 0; i < nodes(); ++i)
+    add_product(damping_ * c_[i], angle_gradient(s.H, i), angle_rate_gradient(s, i), A);
+}
+
+/// By v: accelerations R (w J du + J u dw).
+void SegmentBeam::add_rates(const BodyState<SE2>& s, double weight, Matrices& A) const {
+  const int n = elements();
+  for (int k = 0; k <= n; ++k) {
+    const bool end = k == 0 || k == n;
+    const Tangent v = Eigen::Map<const Tangent>(s.v + 3 * k);
+    Eigen::Matrix<double, 2, 3> by_v = Eigen::Matrix<double, 2, 3>::Zero();
+    by_v(0, 1) = -v[2];
+    by_v(1, 0) = v[2];
+    if (end) by_v.col(2) = turned(v.head<2>());
+    for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
+      if (const double m = mass_between(j, k); m > 0)
+        block(A, j, k).topRows<2>() += weight * m * s.H[j].R.transpose() * s.H[k].R * by_v;
+  }
+}
+
+/// An end frame turns against the forces on it, and its acceleration turns with it.
+void SegmentBeam::add_turning(const BodyState<SE2>& s, const Vector& gravity, const Tangent* stress,
+                              Matrices& A) const {
+  const int n = elements();
+  ForceScale unused;
+  Eigen::VectorXd r = Eigen::VectorXd::Zero(size()), elastic = r;
+  add_inertia(s, gravity, r.data(), unused);
+  add_internal(s, r.data(), unused);
+  for (const int k : {0, n}) {
+    Vec2 f = r.segment<2>(3 * k);
+    if (stress) {
+      const int e = k == 0 ? 0 : n - 1;
+      const Vec2 change =
+          segment(s.H, e).force(stress[e] - section_force(s, e, ElementPlace::Middle));
+      f += (k == 0 ? -1 : 1) * s.H[k].R.transpose() * change;
+    }
+    A.D[k].col(2).head<2>() -= turned(f);
+    const Vec2 by_turn = turned(local_acceleration(s, k));
+    for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
+      if (const double m = mass_between(j, k); m > 0)
+        block(A, j, k).col(2).head<2>() += m * s.H[j].R.transpose() * s.H[k].R * by_turn;
+  }
+}
+
+void SegmentBeam::exact_tangent(const BodyState<SE2>& s, const Vector& gravity, TangentWeights w,
+                                const Tangent* stress, Matrices& A) const {
+  A.set_zero();
+  if (w.stiffness != 0) {
+    add_stiffness(s, stress, A);
+    if (damping_ > 0) add_damping_stiffness(s, A);
+    add_turning(s, gravity, stress, A);
+    for (int i = 1; i < elements(); ++i) A.D[i](2, 2) += dead_[i];
+    if (w.stiffness != 1)
+      for (auto* blocks : {&A.D, &A.U, &A.L, &A.U2, &A.L2})
+        for (auto& b : *blocks) b *= w.stiffness;
+  }
+  if (w.damping != 0) {
+    add_rates(s, w.damping, A);
+    if (damping_ > 0) add_material(s.H, w.damping * damping_, false, A);
+  }
+  if (w.mass != 0) add_mass(s.H, w.mass, A);
+}
+
+SegmentBeam::Matrices SegmentBeam::load_distribution() const {
+  Matrices W(nodes());
+  for (int i = 0; i < nodes(); ++i) W.D[i].topLeftCorner<2, 2>().diagonal().setConstant(half_[i]);
+  return W;
+}
+
+SegmentBeam::Tangent SegmentBeam::strain(const BodyState<SE2>& s, int e) const {
+  const auto curvature = [&](int i) { return (angle(s.H, i) - phi0_[i]) / half_[i]; };
+  return {segment(s.H, e).l / L_[e] - 1, 0, 0.5 * (curvature(e) + curvature(e + 1))};
+}
+
+SegmentBeam::Tangent SegmentBeam::section_force(const BodyState<SE2>& s, int e,
+                                                ElementPlace at) const {
+  const Segment segment = this->segment(s.H, e);
+  const double first = moment(s.H, e), last = moment(s.H, e + 1);
+  const Tangent n(axial(e, segment.l), (first - last) / segment.l, 0.5 * (first + last));
+  if (at == ElementPlace::Middle) return n;
+  const int node = at == ElementPlace::First ? e : e + 1;
+  Tangent out;
+  out << s.H[node].R.transpose() * segment.force(n), at == ElementPlace::First ? first : last;
+  return out;
+}
+
+void SegmentBeam::extrapolate_stress(const BodyState<SE2>& s, const double* delta,
+                                     Tangent* stress) const {
+  for (int e = 0; e < elements(); ++e) {
+    const Segment segment = this->segment(s.H, e);
+    const double first = c_[e] * angle_gradient(s.H, e).dot(delta),
+                 last = c_[e + 1] * angle_gradient(s.H, e + 1).dot(delta);
+    stress[e] = section_force(s, e, ElementPlace::Middle) +
+                Tangent(axial_slope(e, segment.l) * length_gradient(s.H, e).dot(delta),
+                        (first - last) / segment.l, 0.5 * (first + last));
+  }
+}
+
+BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) const {
+  BodyEnergy energy;
+  const int n = elements();
+  for (int e = 0; e < n; ++e) {
+    const Vec2 a = velocity(s, e), b = velocity(s, e + 1);
+    energy.kinetic += lumped_ ? m_[e] / 4 * (a.squaredNorm() + b.squaredNorm())
+                              : m_[e] / 6 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    const double stretch = segment(s.H, e).l / L_[e];
+    energy.elastic += potential_ == AxialPotential::Linear
+                          ? 0.5 * EA_[e] * L_[e] * (stretch - 1) * (stretch - 1)
+                          : EA_[e] * L_[e] / 6 * (stretch * stretch + 2 / stretch - 3);
+    energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
+  }
+  for (int i = 0; i <= n; ++i) energy.elastic += 0.5 * moment(s.H, i) * (angle(s.H, i) - phi0_[i]);
+  energy.kinetic += 0.5 * (J_[0] * s.v[2] * s.v[2] + J_[1] * s.v[3 * n + 2] * s.v[3 * n + 2]);
+  return energy;
+}
+
+double SegmentBeam::dissipation(const BodyState<SE2>& s) const {
+  if (damping_ == 0) return 0;
+  double power = 0;
+  for (int e = 0; e < elements(); ++e)
+    power += damping_ * EA_[e] / L_[e] * std::pow(length_rate(s, e), 2);
+  for (int i = 0; i < nodes(); ++i) power += damping_ * c_[i] * std::pow(angle_rate(s, i), 2);
+  return power;
+}
+
+/// Forces are linear in EA, in c_i and in the masses; d(c_i) = c_i^2 sum of L/(2 EI^2) d(EI).
+std::unique_ptr<Body<SE2>> SegmentBeam::derivative(const LawDerivative<SE2>& law) const {
+  const auto* sections = std::get_if<std::vector<ElementSection<SE2>>>(&law);
+  if (!sections || static_cast<int>(sections->size()) != elements())
+    throw std::invalid_argument("derivative of beam '" + name + "': expected d(K, M_s)/dp of " +
+                                std::to_string(elements()) + " segments");
+  std::unique_ptr<SegmentBeam> out(new SegmentBeam(*this));
+  out->c_.setZero();
+  for (int e = 0; e < elements(); ++e) {
+    const auto& section = (*sections)[static_cast<std::size_t>(e)];
+    out->EA_[e] = section.K(0, 0);
+    out->m_[e] = section.M(0, 0) * L_[e];
+    for (const int i : {e, e + 1})
+      out->c_[i] += c_[i] * c_[i] * 0.5 * L_[e] / (EI_[e] * EI_[e]) * section.K(2, 2);
+  }
+  const int n = elements();
+  out->J_ = {0.5 * L_[0] * sections->front().M(2, 2), 0.5 * L_[n - 1] * sections->back().M(2, 2)};
+  out->dead_.setZero();
+  out->dead_mass_.setZero();
+  out->set_matrices();
+  return out;
+}
+
+/// At a node the force of the segment is in its axes, which turn.
+void SegmentBeam::add_section_force_gradient(const BodyState<SE2>& s, int e, ElementPlace at,
+                                             const Tangent& f, double* h) const {
+  const Segment segment = this->segment(s.H, e);
+  const Tangent n = section_force(s, e, ElementPlace::Middle);
+  Tangent on = f;  // on [N, V, M] in the middle
+  double first = 0.5, last = 0.5;
+  if (at != ElementPlace::Middle) {
+    const int node = at == ElementPlace::First ? e : e + 1;
+    const Vec2 inertial = s.H[node].R * f.head<2>(), force = segment.force(n);
+    on.head<2>() = Vec2(inertial.dot(segment.t), inertial.dot(segment.n));
+    direction_gradient(s.H, e).add_to(h, inertial.dot(turned(force)));
+    h[3 * node + 2] -= inertial.dot(turned(force));
+    first = at == ElementPlace::First ? 1 : 0;
+    last = 1 - first;
+  }
+  length_gradient(s.H, e).add_to(h, on[0] * axial_slope(e, segment.l) - on[1] * n[1] / segment.l);
+  angle_gradient(s.H, e).add_to(h, c_[e] * (on[1] / segment.l + on[2] * first));
+  angle_gradient(s.H, e + 1).add_to(h, c_[e + 1] * (-on[1] / segment.l + on[2] * last));
+}
+
+void SegmentBeam::add_energy_gradient(const BodyState<SE2>& s, const Vector& gravity,
+                                      const BodyEnergy& weight, double* h, double* v) const {
+  const int n = elements();
+  std::vector<Vec2> p(n + 1, Vec2::Zero());  // momenta
+  for (int i = 0; i <= n; ++i)
+    for (int j = std::max(i - 1, 0); j <= std::min(i + 1, n); ++j)
+      p[i] += mass_between(i, j) * velocity(s, j);
+  for (int i = 0; i <= n; ++i) {
+    Eigen::Map<Tangent> on_h(h + 3 * i), on_v(v + 3 * i);
+    on_v.head<2>() += weight.kinetic * s.H[i].R.transpose() * p[i];
+    const double mass = 0.5 * ((i > 0 ? m_[i - 1] : 0) + (i < n ? m_[i] : 0));
+    on_h.head<2>() -= weight.potential * mass * s.H[i].R.transpose() * gravity;
+    if (i > 0 && i < n) continue;
+    on_h[2] += weight.kinetic * p[i].dot(velocity_by_turn(s, i));
+    on_v[2] += weight.kinetic * J_[i == 0 ? 0 : 1] * s.v[3 * i + 2];
+  }
+  for (int e = 0; e < n; ++e)
+    length_gradient(s.H, e).add_to(h, weight.elastic * axial(e, segment(s.H, e).l));
+  for (int i = 0; i <= n; ++i) angle_gradient(s.H, i).add_to(h, weight.elastic * moment(s.H, i));
+}
+
+/// theta_k = (psi_{k-1} + psi_k)/2; what is in its axes turns with it.
+void SegmentBeam::to_unknowns(const BodyState<SE2>& s, double* h, double* v) const {
+  const int n = elements();
+  std::vector<SE2> H(s.H, s.H + n + 1);
+  turn_axes(H.data());
+  std::vector<std::array<double, 2>> turns(n + 1, {0, 0});
+  for (int k = 1; k < n; ++k) {
+    Eigen::Map<Tangent> on_h(h + 3 * k), on_v(v + 3 * k);
+    const Matrix2 Q = s.H[k].R.transpose() * H[k].R;
+    const Vec2 u = H[k].R.transpose() * velocity(s, k);
+    turns[k] = {on_h[2] - on_v.head<2>().dot(turned(u)), on_v[2]};
+    on_h.head<2>() = (Q * on_h.head<2>()).eval();
+    on_v.head<2>() = (Q * on_v.head<2>()).eval();
+    on_h[2] = on_v[2] = 0;
+  }
+  for (int k = 1; k < n; ++k) {
+    const auto [turn, rate] = turns[k];
+    for (const int e : {k - 1, k}) {
+      direction_gradient(s.H, e).add_to(h, 0.5 * turn);
+      if (rate == 0) continue;
+      direction_rate_gradient(s, e).add_to(h, 0.5 * rate);
+      direction_gradient(s.H, e).add_to(v, 0.5 * rate);
+    }
+  }
+}
+
+}  // namespace liesl

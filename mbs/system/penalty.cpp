@@ -1,0 +1,133 @@
+#include "mbs/system/penalty.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+constexpr double kStiffer = 1000;  // than the bodies
+
+/// The largest entries of a body on the diagonal of translations and of rotations.
+struct Largest {
+  double translation = 0, rotation = 0;
+
+  template <class G>
+  void take(const Body<G>& body, double inertia) {
+    const auto& K = body.stiffness();
+    const auto& M = body.mass();
+    const auto at = [&](int i, double k, double m) {
+      double& largest = i < G::space_dim ? translation : rotation;
+      largest = std::max(largest, k + inertia * m);
+    };
+    const size_t blocks = K.is_dense() ? K.nodes.size() : static_cast<size_t>(K.blocks());
+    for (size_t b = 0; b < blocks; ++b) {
+      const int node = K.is_dense() ? K.nodes[b] : static_cast<int>(b);
+      if (body.kind(node) != NodeKind::Frame) continue;
+      for (int i = 0; i < G::dim; ++i) {
+        const auto j = G::dim * static_cast<Eigen::Index>(b) + i;
+        if (K.is_dense())
+          at(i, K.dense(j, j), M.dense(j, j));
+        else
+          at(i, K.D[b](i, i), M.D[b](i, i));
+      }
+    }
+  }
+};
+
+template <class G>
+bool deforms(const Body<G>& body) {
+  const auto& K = body.stiffness();
+  return K.is_dense() ? !K.dense.isZero(0) : body.elements() > 0;
+}
+
+double rounded_up(double weight) {
+  return weight > 0 ? std::pow(10, std::ceil(std::log10(weight) - 1e-9)) : 1;
+}
+
+void require_not_negative(const char* what, double value) {
+  if (!(value >= 0) || !std::isfinite(value))
+    throw std::invalid_argument(
+        fmt::format("penalty: expected {} of at least 0, got {:g}", what, value));
+}
+
+template <FrameGroup G, class At>
+void for_each_constraint(const Model<G>& model, const At& at) {
+  for (const Coupling<G>& c : model.couplings)
+    for (int i = 0; i < c.constraints; ++i) at(c, c.rows[static_cast<size_t>(i)], i);
+}
+
+}  // namespace
+
+template <FrameGroup G>
+Penalty build_penalty(const PenaltySpec& spec, const Model<G>& model) {
+  Penalty penalty{spec.form, {}, spec.damping, spec.displacement, spec.rotation};
+  if (spec.form == ConstraintForm::Multipliers) return penalty;
+  require_not_negative("a weight of displacements", spec.displacement);
+  require_not_negative("a weight of rotations", spec.rotation);
+  require_not_negative("a damping", spec.damping);
+  if (!(spec.step > 0)) throw std::invalid_argument("penalty: expected a step above 0 s");
+  Largest largest;
+  for (const auto& body : model.bodies) largest.take(*body, 1 / (spec.step * spec.step));
+  if (penalty.displacement == 0) penalty.displacement = rounded_up(kStiffer * largest.translation);
+  if (penalty.rotation == 0) penalty.rotation = rounded_up(kStiffer * largest.rotation);
+  penalty.weight.setZero(model.constraints());
+  for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
+    if (!c.continued)
+      penalty.weight[c.first_constraint + i] =
+          is_length(row.row) ? penalty.displacement : penalty.rotation;
+  });
+  return penalty;
+}
+
+template <FrameGroup G>
+Eigen::VectorXd openings(const Model<G>& model, const State<G>& s) {
+  Eigen::VectorXd phi = Eigen::VectorXd::Zero(model.constraints());
+  for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
+    phi[c.first_constraint + i] += s.rows[c.first_row + i] - row.target(s.t);
+  });
+  return phi;
+}
+
+template <FrameGroup G>
+double penalty_energy(const Model<G>& model, const State<G>& s) {
+  if (model.penalty.form == ConstraintForm::Multipliers) return 0;
+  return 0.5 * model.penalty.weight.dot(openings(model, s).cwiseAbs2());
+}
+
+template <FrameGroup G>
+JointOpening<G>::JointOpening(const Model<G>& model) : model_(model) {
+  lever_.setOnes(model.constraints());
+  for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
+    if (!c.continued && !is_length(row.row)) lever_[c.first_constraint + i] = model.length;
+  });
+  for (const auto& body : model.bodies) rigid_ = rigid_ && !deforms(*body);
+}
+
+template <FrameGroup G>
+void JointOpening<G>::step(const Eigen::VectorXd& gap, const State<G>& s) {
+  if (gap.size() > 0)
+    opening_ = std::max(opening_, gap.cwiseProduct(lever_).template lpNorm<Eigen::Infinity>());
+  if (rigid_) return;
+  for (size_t b = 0; b < model_.bodies.size(); ++b) {
+    const Body<G>& body = *model_.bodies[b];
+    const G* H = s.H.data() + model_.first_node(static_cast<int>(b));
+    const G moved = H[0] * body.reference[0].inverse();
+    for (int k = 1; k < body.points(); ++k)
+      deformation_ = std::max(deformation_, (H[k].x - (moved * body.reference[k]).x).norm());
+  }
+}
+
+template Penalty build_penalty(const PenaltySpec&, const Model<SE2>&);
+template Penalty build_penalty(const PenaltySpec&, const Model<SE3>&);
+template Eigen::VectorXd openings(const Model<SE2>&, const State<SE2>&);
+template Eigen::VectorXd openings(const Model<SE3>&, const State<SE3>&);
+template double penalty_energy(const Model<SE2>&, const State<SE2>&);
+template double penalty_energy(const Model<SE3>&, const State<SE3>&);
+template class JointOpening<SE2>;
+template class JointOpening<SE3>;
+
+}  // namespace liesl

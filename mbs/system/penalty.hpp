@@ -1,0 +1,53 @@
+#pragma once
+/// @file
+/// Constraints by penalties: forces B^T lambda with lambda = alpha (Phi + tau dPhi/dt) (J. C.
+/// Garcia Orden, J. J. Arribas, D. Dopico, F. Gabaldon 2024, eq. 3).
+
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+/// Weights of the rows of a model that is numbered. Those that the spec does not give are 1000
+/// times the largest diagonal entry of K + M/step^2 of the bodies, of translations for rows that
+/// are lengths, of rotations for rows that are angles, rounded up to a power of ten: a small change
+/// of the design leaves them.
+/// @throws std::invalid_argument if a weight or the damping is negative or not finite
+template <FrameGroup G>
+Penalty build_penalty(const PenaltySpec& spec, const Model<G>& model);
+
+/// Is Phi of this row a length [m], not an angle [rad]?
+template <FrameGroup G>
+bool is_length(const Row<G>& row) {
+  return row.kind() != RowKind::Angle && row.kind() != RowKind::Perpendicular;
+}
+
+/// Phi from the rows of a state, m or rad by multiplier.
+template <FrameGroup G>
+Eigen::VectorXd openings(const Model<G>& model, const State<G>& s);
+
+/// sum of alpha Phi^2 / 2, J; 0 with multipliers.
+template <FrameGroup G>
+double penalty_energy(const Model<G>& model, const State<G>& s);
+
+/// Watches what penalties leave open, against what the bodies deform by.
+template <FrameGroup G>
+class JointOpening {
+ public:
+  explicit JointOpening(const Model<G>& model);
+  /// @param gap Phi by multiplier  @param s completed
+  void step(const Eigen::VectorXd& gap, const State<G>& s);
+  double opening() const { return opening_; }          ///< m; angles times the model's length
+  double deformation() const { return deformation_; }  ///< m
+  bool rigid() const { return rigid_; }                ///< no body can deform
+
+ private:
+  const Model<G>& model_;
+  Eigen::VectorXd lever_;  ///< by multiplier: 1 or the model's length
+  bool rigid_ = true;
+  double opening_ = 0, deformation_ = 0;
+};
+
+extern template class JointOpening<SE2>;
+extern template class JointOpening<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,177 @@
+/// @file
+/// Sensitivities of motions of chains of segments: direct against adjoint, against differences, and
+/// against those of the beam on the group.
+
+#include "mbs/sensitivity/machine.hpp"
+#include "mbs/sensitivity/response_sensitivity.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// Without the disc, which is bolted to an inner node.
+Mechanism segmented(Mechanism m) {
+  m.formalism = Formalism::Segments;
+  m.bodies.pop_back();
+  m.joints.pop_back();
+  return m;
+}
+
+ResponseSpec response(ResponseKind kind) {
+  ResponseSpec r;
+  r.kind = kind;
+  r.name = name_of(kind);
+  r.body = 1;
+  r.at = {1, 2};
+  r.component = 5;
+  r.place = ElementPlace::Last;
+  return r;
+}
+
+std::vector<ResponseSpec> responses() {
+  std::vector<ResponseSpec> all;
+  for (const auto kind : {ResponseKind::Position, ResponseKind::Rotation, ResponseKind::Deflection,
+                          ResponseKind::SectionForce, ResponseKind::Energy})
+    all.push_back(response(kind));
+  all[0].axis = Vec3(0.6, 0.8, 0);
+  all[1].axis = Vec3::UnitZ();
+  return all;
+}
+
+/// y and dy/dp at the end of a motion, all responses below each other.
+struct Gradients {
+  VectorXd y;
+  MatrixXd direct, adjoint;
+
+  Gradients(const Mechanism& m, const SimulationOptions& o, const std::vector<Quantity>& all) {
+    const Taped<SE2> run(m, o);
+    const auto parameters = run.parameters(all);
+    const ResponseValues<SE2> values(run.mechanism, run.model);
+    std::vector<ResponseSensitivity<SE2>> of;
+    std::vector<int> first{0};
+    for (const auto& r : responses()) {
+      of.emplace_back(run.model, values, r, parameters);
+      first.push_back(first.back() + components(r, true));
+    }
+    y = value(run);
+    direct.setZero(first.back(), Eigen::Index(all.size()));
+    auto end = direct_sensitivity<SE2>(
+        run.model, run.tape, parameters, [&](long step, const State<SE2>& s, const auto& ds) {
+          if (step != run.tape.steps()) return;
+          for (std::size_t i = 0; i < of.size(); ++i)
+            direct.middleRows(first[i], first[i + 1] - first[i]) = of[i](s, ds);
+        });
+    EXPECT_TRUE(end.complete()) << end.reason;
+    end = adjoint_sensitivity<SE2>(
+        run.model, run.tape, parameters, first.back(),
+        [&](long step, const State<SE2>& s, StateSensitivity& bars, MatrixXd& gradient) {
+          if (step != run.tape.steps()) return;
+          for (std::size_t i = 0; i < of.size(); ++i) {
+            const int n = first[i + 1] - first[i];
+            of[i].add_cotangents(s, MatrixXd::Identity(n, n), first[i], bars, gradient);
+          }
+        },
+        adjoint);
+    EXPECT_TRUE(end.complete()) << end.reason;
+    adjoint.transposeInPlace();
+  }
+  static VectorXd value(const Taped<SE2>& run) {
+    const ResponseValues<SE2> values(run.mechanism, run.model);
+    State<SE2> s = run.model.initial_state();
+    run.run.trajectory.read(run.run.trajectory.size() - 1, s);
+    std::vector<double> y;
+    for (const auto& r : responses()) {
+      const VectorXd v = values(r, s);
+      y.insert(y.end(), v.begin(), v.end());
+    }
+    return Eigen::Map<const VectorXd>(y.data(), Eigen::Index(y.size()));
+  }
+};
+
+TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
+  const Mechanism m = segmented(sensitive_machine());
+  const auto o = tight(0.02, 4e-4);
+  const auto every = quantities(sensitive_machine());
+  const std::vector<Quantity> all{every[0], every[1], every[2], every[3], every[10], every[13]};
+  const Gradients exact(m, o, all);
+  for (Eigen::Index p = 0; p < exact.direct.cols(); ++p)
+    for (Eigen::Index i = 0; i < exact.direct.rows(); ++i)
+      EXPECT_NEAR(
+          exact.direct(i, p), exact.adjoint(i, p),
+          1e-8 * exact.direct.row(i).cwiseAbs().maxCoeff() + 1e-9 * std::abs(exact.direct(i, p)))
+          << i << ", " << all[std::size_t(p)].parameter.name;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const Differences found(
+        [&](double change) -> MatrixXd {
+          Mechanism changed = m;
+          all[p].set(changed, all[p].nominal * (1 + change));
+          return Gradients::value(Taped<SE2>(changed, o));
+        },
+        0.04, 4);
+    const VectorXd at = all[p].nominal * exact.direct.col(Eigen::Index(p));
+    for (Eigen::Index i = 0; i < at.size(); ++i) {
+      const double size = std::max(std::abs(at[i]), 1e-3 * std::abs(exact.y[i]));
+      double best = 1;
+      for (const auto& y : found.extrapolated)
+        best = std::min(best, std::abs(y(i, 0) - at[i]) / size);
+      EXPECT_LT(best, 1e-6) << i << ", " << all[p].parameter.name;
+      const double coarse = std::abs(found.central[0](i, 0) - at[i]) / size,
+                   fine = std::abs(found.central[1](i, 0) - at[i]) / size;
+      if (fine > 1e-4) {
+        EXPECT_NEAR(std::log2(coarse / fine), 2, 0.5) << i << ", " << all[p].parameter.name;
+      }
+    }
+  }
+}
+
+/// dy/dp of the tip of a pendulum by E, rho and the side of its square section: those of segments
+/// and of the beam on the group come to one value with the square of the length of elements.
+TEST(SegmentSensitivity, ComesToThatOfTheBeamOnTheGroup) {
+  const auto gradients = [](Formalism formalism, int n) {
+    Mechanism m = pendulum(n);
+    m.formalism = formalism;
+    m.gravity_scale = TimeFunction::expression("t < 0.2 ? sin(2.5*pi*t)^2 : 1");
+    const Taped<SE2> run(m, tight(0.3, 1e-3));
+    std::vector<int> every;
+    for (int e = 0; e < n; ++e) every.push_back(e);
+    const Parameter by[] = {{"E", {by_youngs_modulus(run.mechanism, 0)}},
+                            {"rho", {by_density(run.mechanism, 0)}},
+                            {"height", {by_dimension(run.mechanism, 0, every, "height")}},
+                            {"width", {by_dimension(run.mechanism, 0, every, "width")}}};
+    const double nominal[] = {5e8, 7800, 0.01, 0.01};
+    Parameters<SE2> parameters;
+    for (const auto& p : by) parameters.emplace_back(run.mechanism, run.model, p);
+    MatrixXd out;
+    const auto end = direct_sensitivity<SE2>(
+        run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
+          out = s.H[std::size_t(n)].R * ds.eta.middleRows(3 * n, 2);
+        });
+    EXPECT_TRUE(end.complete()) << end.reason;
+    for (int p = 0; p < 4; ++p) out.col(p) *= nominal[p];
+    return out;
+  };
+  const MatrixXd limit = (4 * gradients(Formalism::SE3, 32) - gradients(Formalism::SE3, 16)) / 3;
+  const auto record = [](const std::string& name, const MatrixXd& by) {
+    for (int p = 0; p < 4; ++p)
+      RecordProperty(name + "_" + std::to_string(p),
+                     std::to_string(by(0, p)) + " " + std::to_string(by(1, p)));
+  };
+  record("limit", limit);
+  double before = 0;
+  for (const int n : {4, 8, 16}) {
+    const MatrixXd found = gradients(Formalism::Segments, n);
+    const double off = (found - limit).norm() / limit.norm();
+    record("segments_" + std::to_string(n), found);
+    if (before > 0) {
+      EXPECT_NEAR(std::log2(before / off), 2, 0.4) << n;
+    }
+    before = off;
+    RecordProperty("off_" + std::to_string(n), std::to_string(off));
+  }
+  EXPECT_LT(before, 1e-3);
+}
+
+}  // namespace
+}  // namespace liesl::test

@@ -1,0 +1,199 @@
+/// @file
+/// Constraints by penalties and by augmented Lagrangians, against those by multipliers.
+
+#include "mbs/system/penalty.hpp"
+
+#include "mbs/run.hpp"
+#include "mbs/step_tangent.hpp"
+
+namespace liesl::test {
+namespace {
+
+Mechanism penalised(Mechanism m, ConstraintForm form, double weight = 0, double damping = 0) {
+  m.penalty = {form, weight, 0.01 * weight, damping, 2e-4};
+  return m;
+}
+
+/// Of plastic, so that the round-off of EA/L is small.
+Mechanism crank() {
+  Mechanism m = slider_crank({.elements = 3, .crank = 0.02, .rod = 0.016, .ramp = 0.02});
+  for (std::size_t b : {0, 1})
+    std::get<BeamSpec>(m.bodies[b].kind).material = {"plastic", 7e9, 0.3, 1200};
+  m.gravity = {0, -9.81, 0};
+  return m;
+}
+
+/// Largest difference of the positions of all records, m.
+template <class G>
+double distance(const Run<G>& a, const Run<G>& b) {
+  double largest = 0;
+  for (int i = 0; i < a.trajectory().size(); ++i)
+    for (int k = 0; k < a.model->nodes(); ++k)
+      largest =
+          std::max(largest, (a.trajectory().frames(i)[k].x - b.trajectory().frames(i)[k].x).norm());
+  return largest;
+}
+
+template <class G>
+class PenaltyIn : public ::testing::Test {};
+using Groups = ::testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(PenaltyIn, Groups);
+
+/// Positions and joint forces come near those of multipliers with 1/weight.
+TYPED_TEST(PenaltyIn, ConvergesToMultipliersWithOrderOne) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  const auto space = space_of<G>(m);
+  const auto o = options(0.02, 2e-4, 0.8, 1e-9);
+  const auto exact = run<G>(m, space, o);
+  double before = 0, force_before = 0;
+  for (const double weight : {1e8, 1e9, 1e10}) {
+    const auto soft = run<G>(penalised(m, ConstraintForm::Penalty, weight), space, o);
+    ASSERT_EQ(soft.report().status, SolveStatus::Converged) << soft.report().reason;
+    const double error = distance(soft, exact);
+    const Eigen::VectorXd force = exact.trajectory().lambda(exact.last());
+    const double force_error =
+        (soft.trajectory().lambda(soft.last()) - force).norm() / force.norm();
+    if (before > 0) {
+      EXPECT_NEAR(std::log10(before / error), 1, 0.05) << weight;
+      EXPECT_NEAR(std::log10(force_before / force_error), 1, 0.1) << weight;
+    }
+    before = error;
+    force_before = force_error;
+  }
+  EXPECT_LT(force_before, 1e-3);
+}
+
+/// Formalisms, and weights chosen from the stiffness: the joints stay closed beside the
+/// deformation.
+TYPED_TEST(PenaltyIn, ChosenWeightsLeaveNextToNothingOpenInEveryFormalism) {
+  using G = TypeParam;
+  for (const auto formalism : {Formalism::SE3, Formalism::R3SO3, Formalism::Classical,
+                               Formalism::Floating, Formalism::Rigid}) {
+    SCOPED_TRACE(to_string(formalism));
+    Mechanism m = crank();
+    m.formalism = formalism;
+    const auto space = space_of<G>(m);
+    const auto o = options(0.02, 2e-4);
+    const auto exact = run<G>(m, space, o);
+    const auto soft = run<G>(penalised(m, ConstraintForm::Penalty), space, o);
+    ASSERT_EQ(soft.report().status, SolveStatus::Converged) << soft.report().reason;
+    const PenaltyReport& p = soft.report().penalty;
+    EXPECT_TRUE(p.used);
+    EXPECT_EQ(p.rigid, formalism == Formalism::Rigid);
+    EXPECT_GT(p.opening, 0);
+    EXPECT_LT(p.share, p.rigid ? 1e-5 : 1e-3);
+    EXPECT_NEAR(std::log10(p.displacement), std::round(std::log10(p.displacement)), 1e-9);
+    EXPECT_LT(distance(soft, exact), p.rigid ? 1e-6 : 0.01 * p.deformation);
+  }
+}
+
+/// At most three augmentations a step close every joint to 1e-9 m; the motion is that of
+/// multipliers.
+TYPED_TEST(PenaltyIn, AugmentedIsTheMotionOfMultipliers) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  const auto space = space_of<G>(m);
+  const auto o = options(0.02, 2e-4, 0.8, 1e-8);
+  const auto exact = run<G>(m, space, o);
+  const auto closed = run<G>(penalised(m, ConstraintForm::Augmented), space, o);
+  ASSERT_EQ(closed.report().status, SolveStatus::Converged) << closed.report().reason;
+  EXPECT_LE(closed.report().max_constraint_residual, 1e-9);
+  EXPECT_LE(closed.report().penalty.most_augmentations, 3);
+  EXPECT_GT(closed.report().penalty.augmentations, 0);
+  EXPECT_LT(distance(closed, exact), 1e-8);
+  EXPECT_EQ(closed.report().rejected_steps, 0);
+}
+
+/// What is too soft is told, and is not called converged where it is off by a tenth.
+TYPED_TEST(PenaltyIn, SoftJointsAreTold) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  const auto r =
+      run<G>(penalised(m, ConstraintForm::Penalty, 1e5), space_of<G>(m), options(0.02, 2e-4));
+  EXPECT_EQ(r.report().status, SolveStatus::Inaccurate);
+  EXPECT_NE(r.report().reason.find("joints open by up to"), std::string::npos) << r.report().reason;
+  EXPECT_GT(r.report().penalty.share, 0.1);
+}
+
+/// Kinetic, elastic and potential energy and that of the penalties change by what dampers of the
+/// penalties take and drives give, to second order in the step.
+TYPED_TEST(PenaltyIn, EnergyIsBalanced) {
+  using G = TypeParam;
+  Mechanism m = crank();
+  const auto unbalanced = [&](double damping, double step) {
+    const auto r = run<G>(penalised(m, ConstraintForm::Penalty, 2e5, damping), space_of<G>(m),
+                          options(0.01, step, 1, 1e-10));
+    EXPECT_NE(r.report().status, SolveStatus::NotConverged) << r.report().reason;
+    Equations<G> equations(*r.model);
+    State<G> s = r.model->initial_state();
+    double work = 0, before = 0, worst = 0;
+    for (int i = 0; i < r.trajectory().size(); ++i) {
+      r.trajectory().read(i, s);
+      const double now = power(*r.model, equations, s);
+      if (i > 0) work += 0.5 * step * (before + now);
+      before = now;
+      worst = std::max(worst, std::abs(total_energy(r, i) - total_energy(r, 0) - work));
+    }
+    return worst;
+  };
+  for (const double damping : {0., 2e-4}) {
+    const double coarse = unbalanced(damping, 2e-5), fine = unbalanced(damping, 1e-5);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.25) << damping << ": " << coarse << ", " << fine;
+  }
+}
+
+/// Of a step, with and without damping; and statics.
+TYPED_TEST(PenaltyIn, TangentIsExact) {
+  using G = TypeParam;
+  for (const double damping : {0., 1e-4}) {
+    const Mechanism m = penalised(crank(), ConstraintForm::Penalty, 1e6, damping);
+    const auto model = Model<G>::build(m, space_of<G>(m));
+    StepTangent<G> tangent(model, options(0.02, 2e-4, 0.8, 1e-9), 30, damping);
+    tangent.expect_exact("damping " + std::to_string(damping), 60);
+    tangent.expect_transposed("damping " + std::to_string(damping));
+  }
+  const Mechanism m = penalised(crank(), ConstraintForm::Penalty, 1e6);
+  const auto model = Model<G>::build(m, space_of<G>(m));
+  State<G> s = model.initial_state();
+  Random random(3);
+  model.retract(s, 1e-3 * random.vector(model.size()));
+  s.lambda = 100 * random.vector(model.constraints());
+  expect_exact_statics(model, s, {0, 1}, "penalty", 60);
+}
+
+/// Three rows too many are shared: the motion is that of the plane, and no force is left out.
+TEST(Penalty, SharesRedundantRows) {
+  const Mechanism m = four_bar(3);
+  const auto o = options(0.1, 1e-3);
+  const auto plane = run_planar(m, o);
+  Mechanism rigid = m;
+  rigid.formalism = Formalism::Rigid;
+  for (const auto form : {ConstraintForm::Penalty, ConstraintForm::Augmented}) {
+    const auto exact = run_spatial(rigid, o), shared = run_spatial(penalised(rigid, form), o);
+    ASSERT_EQ(exact.report().status, SolveStatus::Converged) << exact.report().reason;
+    ASSERT_EQ(shared.report().status, SolveStatus::Converged) << shared.report().reason;
+    EXPECT_LT(distance(shared, exact), 1e-6) << to_string(form);
+    EXPECT_GT(shared.model->constraints(), exact.model->constraints());
+    bool told = false;
+    for (const auto& w : shared.report().warnings)
+      told = told || w.find("shared by their penalties") != std::string::npos;
+    EXPECT_TRUE(told) << to_string(form);
+  }
+}
+
+TEST(Penalty, BadWeightsAreRefused) {
+  const Mechanism m = crank();
+  for (const double bad : {-1., std::nan(""), 1 / 0.}) {
+    Mechanism at = m;
+    at.penalty.form = ConstraintForm::Penalty;
+    at.penalty.displacement = bad;
+    EXPECT_THROW(Model<SE2>::build(at, space_of<SE2>(at)), std::invalid_argument);
+    at.penalty.displacement = 0;
+    at.penalty.damping = bad;
+    EXPECT_THROW(Model<SE2>::build(at, space_of<SE2>(at)), std::invalid_argument);
+  }
+}
+
+}  // namespace
+}  // namespace liesl::test
