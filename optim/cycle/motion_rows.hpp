@@ -12,7 +12,8 @@ namespace liesl {
 /// CorrectedProblem gives them their slope. Retained: every
 /// maximum over time above half of the largest (of hundreds of points the records near the largest,
 /// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Records beside a
-/// maximum bound the design before the maximum moves away from them. The objective is 0.
+/// maximum bound the design before the maximum moves away from them. Rows of constraints with a
+/// weight are those of a goal, the number of the constraint. The objective is 0 without them.
 class MotionRows final : public StaticProblem {
  public:
   /// @param motion gradients that contain those of these rows
@@ -24,6 +25,7 @@ class MotionRows final : public StaticProblem {
   int load_cases() const override { return static_cast<int>(constraints_.size()); }
   std::vector<LimitedResponse> responses() const override { return responses_; }
   std::vector<RowImage> images() const override { return images_; }
+  std::vector<RowGoal> goals() const override { return goals_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
@@ -35,6 +37,7 @@ class MotionRows final : public StaticProblem {
  private:
   std::vector<LimitedResponse> responses_;
   std::vector<RowImage> images_;
+  std::vector<RowGoal> goals_;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
   Eigen::VectorXd g_;
