@@ -29,18 +29,25 @@ double LimitedModes::frequency(std::size_t l, int i) const {
 FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& design,
                                    const SimulationOptions& options,
                                    const std::vector<FrequencyLimitSpec>& limits,
-                                   const Eigen::VectorXd& x)
+                                   const Eigen::VectorXd& x, int first_goal)
     : CaselessProblem(design.variables()),
       mechanism_(mechanism),
       design_(design),
       options_(options),
       limits_(limits) {
   for (Eigen::Index i = 0; i < x.size(); ++i) variables_[static_cast<std::size_t>(i)].start = x[i];
-  for (const FrequencyLimitSpec& limit : limits_)
-    for (int i = 0; i < limit.count; ++i)
+  bool any = false;
+  for (std::size_t l = 0; l < limits_.size(); ++l)
+    for (int i = 0; i < limits_[l].count; ++i) {
+      const FrequencyLimitSpec& limit = limits_[l];
       constraints_.push_back(
           {static_cast<ConstraintId>(constraints_.size()),
            limit.count == 1 ? limit.name : fmt::format("{} {}", limit.name, i + 1), 1});
+      const bool goal = limit.weight > 0;
+      goals_.push_back({goal ? first_goal + static_cast<int>(l) : -1, limit.weight * limit.least});
+      any = any || goal;
+    }
+  if (!any) goals_.clear();
 }
 
 void FrequencyProblem::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {

@@ -12,10 +12,11 @@ struct MotionGoal {
   double weight_duration = 0, weight_effort = 0;
   double effort = 0;
   Eigen::VectorXd by_effort;  ///< dJ/dx
+  double extremes = 0;        ///< of largest values and lowest frequencies: rows tell their change
 };
 
-/// minimise w_T T + w_e J exp(sum_i c_i s_i), c = dJ/dx / J at x_k, without constraints; s as in
-/// CorrectedProblem: a power of the variables, positive everywhere.
+/// minimise extremes + w_T T + w_e J exp(sum_i c_i s_i), c = dJ/dx / J at x_k, without constraints;
+/// s as in CorrectedProblem: a power of the variables, positive everywhere.
 class GoalProblem final : public CaselessProblem {
  public:
   GoalProblem(MotionGoal goal, const Eigen::VectorXd& x_k,

@@ -28,6 +28,12 @@ struct RowImage {
   int response = -1, record = -1;
 };
 
+/// A row that is no limit: the objective has `weight` times the largest g of all rows of its goal.
+struct RowGoal {
+  int number = -1;  ///< of the goal; -1: the row is a limit
+  double weight = 0;
+};
+
 /// Minimise a quantity of the parts subject to limits in retained load cases.
 class StaticProblem : public Problem {
  public:
@@ -41,6 +47,8 @@ class StaticProblem : public Problem {
   virtual std::vector<RowImage> images() const {
     return std::vector<RowImage>(constraints().size());
   }
+  /// One a row; empty: all rows are limits. The value of the objective has no such terms.
+  virtual std::vector<RowGoal> goals() const { return {}; }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
   virtual std::string undefined_reason() const { return {}; }
 };

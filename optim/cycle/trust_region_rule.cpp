@@ -28,7 +28,7 @@ TrustRegionRule::TrustRegionRule(const CycleOptions& options)
 
 template <class Figures>
 double TrustRegionRule::merit(const Figures& a) const {
-  return a.objective / objective_0_ + penalty_ * std::max(0.0, a.worst);
+  return a.objective / scale() + penalty_ * std::max(0.0, a.worst);
 }
 
 Step TrustRegionRule::resume(CycleRecord& record) {
@@ -172,7 +172,7 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
 void TrustRegionRule::solve(CycleRecord& record) {
   const double allowed = record.options().feasibility;
   const auto at = [&](double penalty) {
-    return solve_elastic(*surrogate_.problem, {1 / objective_0_, penalty}, record.options(), warm_,
+    return solve_elastic(*surrogate_.problem, {1 / scale(), penalty}, record.options(), warm_,
                          record.hooks().keep_going);
   };
   answer_ = at(penalty_);
