@@ -100,6 +100,8 @@ bool check_all_derivatives(const Study& study, const ChosenSpace& space,
   fmt::print("{}", report.text());
   const bool moves =
       study.spec.loads.empty() && study.scene.simulation.type == SimulationType::Dynamic;
+  if (study.scene.simulation.type == SimulationType::Static && study.spec.loads.empty())
+    fmt::print("the sensitivities of the equilibria\n  not checked here: those of a motion are\n");
   const bool right = !moves || check_motion_derivatives(study, space, options);
   return report.right && right;
 }

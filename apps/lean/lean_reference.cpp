@@ -17,7 +17,18 @@ namespace {
 constexpr int kMostRefinement = 16;  // of the reference, from the scene as given
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-void refuse_what_has_no_records(const Scene& scene) {
+void refuse_what_it_cannot_judge(const Scene& scene) {
+  for (const BodySpec& body : scene.mechanism.bodies) {
+    const auto* beam = std::get_if<BeamSpec>(&body.kind);
+    if (beam &&
+        (beam->as == BeamModel::Segments || scene.mechanism.formalism == Formalism::Segments))
+      throw InputError({{scene.file, 0, 0,
+                         "'" + body.name +
+                             "' is a chain of segments, which no other model of a "
+                             "beam here contains",
+                         "beams of another formalism",
+                         "--set simulation.formalism=\"se3\", without 'potential' and 'mass'"}});
+  }
   const SimulationOptions& o = scene.simulation;
   if (o.type == SimulationType::Modes)
     throw InputError({{scene.file, 0, 0, "simulation.type = \"modes\" has no response over time",
@@ -50,7 +61,7 @@ void keep_places(LeanRuns& runs) {
 
 bool run_as_given(LeanRuns& runs) {
   const Scene scene = runs.given_scene();
-  refuse_what_has_no_records(scene);
+  refuse_what_it_cannot_judge(scene);
   runs.result.given = setting_of(scene);
   runs.lean = runs.result.given;
   const Trial& t = runs.trial(runs.result.given);

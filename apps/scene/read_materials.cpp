@@ -163,6 +163,12 @@ void read_simulation(Reader& reader) {
                         fmt::format("there are no statics of 'simulation.formalism' = \"{}\"",
                                     to_string(formalism)),
                         "simulation.start = \"assembled\", or formalism se3, r3so3 or classical");
+  if (o.start == StartChoice::Equilibrium &&
+      reader.scene.mechanism.penalty.form == ConstraintForm::Augmented)
+    reader.problems.add(*table->get("start"),
+                        "an equilibrium at the start with 'simulation.constraints' = \"augmented\"",
+                        "simulation.constraints = \"multipliers\" or \"penalty\"",
+                        "rows that repeat others leave its forces open");
   const toml::node& step = *table->get("step");
   const toml::node& duration = *table->get("duration");
   if (o.step > o.duration)

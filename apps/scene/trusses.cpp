@@ -183,8 +183,12 @@ class Truss {
       }
     grow_tree(joints);
     int number = 0;
-    for (const Joint& j : joints)
-      out.insert(fmt::format("{}_j{}", name_, ++number), joint_table(j));
+    for (const Joint& j : joints) {
+      const std::string name = fmt::format("{}_j{}", name_, ++number);
+      if (!out.insert(name, joint_table(j)).second)
+        refuse(table_, fmt::format("has a hinge '{}', as a joint is called", name),
+               "another name of the joint");
+    }
   }
 
   /// The joints that keep bars from spinning: a tree from the ground, or from the first bar.

@@ -237,7 +237,13 @@ void read_mass_limit(StudyReader& reader, const Entry& entry) {
   MassLimitSpec limit{entry.name, {}, number(*entry.table, "limit")};
   Problems& problems = reader.scene.problems;
   for (const toml::node* node : strings(*entry.table, "mass"))
-    for (const int body : reader.scene.bodies_of(*node)) limit.bodies.push_back(body);
+    for (const int body : reader.scene.bodies_of(*node)) {
+      if (std::find(limit.bodies.begin(), limit.bodies.end(), body) != limit.bodies.end()) {
+        problems.add(*node, "a body is named twice", "each body once");
+        break;
+      }
+      limit.bodies.push_back(body);
+    }
   for (const char* key : {"side", "treatment"})
     if (const toml::node* node = entry.table->get(key); node && written(*node))
       problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");
@@ -310,6 +316,13 @@ void read_frequencies(StudyReader& reader) {
   if (limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
     refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
   const Mechanism& mechanism = reader.scene.scene.mechanism;
+  for (const BodySpec& body : mechanism.bodies) {
+    const auto* beam = std::get_if<BeamSpec>(&body.kind);
+    if (beam && (beam->as == BeamModel::Segments || mechanism.formalism == Formalism::Segments))
+      return refuse("frequencies are those in space, and '" + body.name +
+                        "' is a chain of segments, which has no torsion",
+                    "a beam of another formalism");
+  }
   for (const BodySpec& body : mechanism.bodies)
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
       return refuse("frequencies are those in space, and '" + body.name + "' is meshed in a plane",
@@ -391,6 +404,10 @@ void read_cycle(StudyReader& reader) {
 /// What varies of a motion only.
 void check_statics(StudyReader& reader) {
   if (reader.scene.scene.simulation.type == SimulationType::Dynamic) return;
+  if (reader.scene.scene.simulation.arc_length)
+    reader.scene.problems.add(
+        reader.root, "simulation.arc_length, whose load factors follow the design",
+        "simulation.arc_length = false", "limits hold at the same load factors for every design");
   for (const ConstantSpec& c : reader.spec.constants)
     if (c.quantity == ConstantQuantity::Damping || c.quantity >= ConstantQuantity::DriveValue)
       reader.scene.problems.add(
@@ -419,8 +436,9 @@ void check_images(StudyReader& reader) {
   for (const ConstraintSpec& c : reader.spec.constraints)
     if (c.weight == 0 && (!c.has_image || c.treatment != Treatment::Auto)) {
       const std::string& name = c.response.name;  // "limit bar" of a limit of a truss
+      const toml::table& limits = *reader.root["constraints"].as_table();
       const toml::table& table =
-          *reader.root["constraints"][name.substr(0, name.find(' '))].as_table();
+          *limits.get(limits.contains(name) ? name : name.substr(0, name.rfind(' ')))->as_table();
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(

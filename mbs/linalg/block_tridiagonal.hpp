@@ -1,7 +1,7 @@
 #pragma once
 /// @file
-/// Block-tridiagonal matrices: what a chain of nodes is to linear algebra. Where elements join three
-/// nodes the chain is wide: block-pentadiagonal.
+/// Block-tridiagonal matrices: what a chain of nodes is to linear algebra. Where elements join
+/// three nodes the chain is wide: block-pentadiagonal.
 
 #include <Eigen/Core>
 #include <Eigen/StdVector>
@@ -82,8 +82,8 @@ class BlockTridiagonal {
   Blocks U2, L2;  ///< of a wide chain, else empty
 };
 
-/// LU factors of a block-tridiagonal matrix, wide or not, without pivoting between blocks (the matrices here
-/// are inertia plus stiffness, near to symmetric positive definite).
+/// LU factors of a block-tridiagonal matrix, wide or not, without pivoting between blocks (the
+/// matrices here are inertia plus stiffness, near to symmetric positive definite).
 template <int N>
 class BlockTridiagonalLU {
  public:

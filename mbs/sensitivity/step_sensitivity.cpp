@@ -73,7 +73,8 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
       matrix_(model) {
   if (model.formalism == Formalism::R3SO3 || model.formalism == Formalism::Classical)
     throw std::invalid_argument(
-        "sensitivities of the motion are those of the formalisms se3, floating and rigid; "
+        "sensitivities of the motion are those of the formalisms se3, segments, floating and "
+        "rigid; "
         "simulation.formalism = \"se3\" has the same bodies and joints");
   if (model.penalty.form == ConstraintForm::Multipliers) return;
   if (model.penalty.damping > 0)

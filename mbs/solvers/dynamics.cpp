@@ -95,14 +95,14 @@ class LargestBend {
         };
         if (!turns(e) || !turns(e + 1)) continue;
         const double now = turn(s.H[first + e], s.H[first + e + 1]), by = std::abs(now - rest);
-        if (now > whole) whole = now, folded = b;
+        if (now > whole) whole = now, turned = b;
         if (by > bend) bend = by, bent = b;
       }
     }
   }
 
   double whole = 0, bend = 0;   ///< rad: largest turn, largest change of it
-  size_t folded = 0, bent = 0;  ///< bodies where they are
+  size_t turned = 0, bent = 0;  ///< bodies where they are
 
  private:
   /// trace(R_a^T R_b) is 1 + 2 cos(angle) in space, 2 cos(angle) in the plane.
@@ -314,7 +314,7 @@ bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
         SolveStatus::NotConverged,
         fmt::format("an element of '{}' turns by pi at t = {:.6g} s, where its strain has no "
                     "unique value: use more elements",
-                    model.bodies[bend.folded]->name, s.t));
+                    model.bodies[bend.turned]->name, s.t));
   if (auto why = contradiction(model, s, s.t); !why.empty())
     return end(SolveStatus::Inconsistent, std::move(why));
   if (progress && !progress(s.t))

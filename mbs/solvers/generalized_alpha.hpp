@@ -66,8 +66,8 @@ class GeneralizedAlpha {
   /// The strategy in use (never Auto).
   TangentStrategy tangent() const { return tangent_; }
 
-  /// Advances s by h; on failure s is left as it was (positions perhaps in other axes). Nothing is allocated once each step size
-  /// has been used.
+  /// Advances s by h; on failure s is left as it was (positions perhaps in other axes). Nothing is
+  /// allocated once each step size has been used.
   StepResult step(State<G>& s, double h);
 
   /// Between two steps: restore() makes the next ones those, bit for bit, that followed memory().

@@ -20,7 +20,8 @@ Eigen::SparseMatrix<double> mass_matrix(const Model<G>& model) {
 }
 
 /// Columns of the identity of the nodes' components, and of the constraints, that are unknowns:
-/// those that pad the amplitudes of a body would be modes of their own.
+/// those that pad the amplitudes of a body would be modes of their own, and so would the rotations
+/// of nodes that are positions.
 template <FrameGroup G>
 Eigen::SparseMatrix<double> unknowns(const Model<G>& model, int rows) {
   std::vector<bool> real(rows, true);
@@ -29,6 +30,8 @@ Eigen::SparseMatrix<double> unknowns(const Model<G>& model, int rows) {
     const int end = G::dim * model.first_node(static_cast<int>(b)) + body.size();
     std::fill(real.begin() + end - body.padding(), real.begin() + end, false);
   }
+  for (const int k : model.positions())
+    std::fill_n(real.begin() + G::dim * k + G::space_dim, G::rotation_dim, false);
   Eigen::SparseMatrix<double> chosen(rows, std::count(real.begin(), real.end(), true));
   for (int i = 0, column = 0; i < rows; ++i)
     if (real[i]) chosen.insert(i, column++) = 1;

@@ -10,8 +10,8 @@
 ///              w = T(psi) psidot, wdot = T psiddot + D_psi[T psidot] psidot
 ///              (Geradin, Cardona 2001; thesis section 2.2.1)
 ///
-/// In a plane the last two are the same. A node that is a position has x += R dq_u with R held within
-/// a step, and rates v, vdot, in all of them.
+/// In a plane the last two are the same. A node that is a position has x += R dq_u with R held
+/// within a step, and rates v, vdot, in all of them.
 
 #include <initializer_list>
 
@@ -54,7 +54,8 @@ class NodeCoordinates {
   /// Turns the axes of positions to where the bodies are, and what is in them: v, vdot and a of the
   /// state, and further vectors.
   void turn_positions(State<G>& s, std::initializer_list<Eigen::VectorXd*> further) const;
-  /// Takes rounding out of the rotations; rescales; turns positions, and `rates`. @returns true if coordinates were changed.
+  /// Takes rounding out of the rotations; rescales; turns positions, and `rates`. @returns true if
+  /// coordinates were changed.
   bool finish(State<G>& s, Eigen::VectorXd& rates) const;
 
  private:

@@ -70,10 +70,10 @@ std::string verdict(const CatalogueTree& tree, const CatalogueReport& r) {
       above(r.above_continuous), r.gap > kNone ? "at most " : "", above(r.gap), r.bound, r.designs,
       r.boxes, r.infeasible);
   if (tree.undecided() > 0)
-    text +=
-        fmt::format("; the optimisation of {} boxes did not close, the bounds around them count",
-                    tree.undecided());
-  return text;
+    text += fmt::format(
+        "; the optimisation of {} boxes did not end optimal, the bounds around them count",
+        tree.undecided());
+  return text + "; bounds are local optima of boxes, which may have better ones";
 }
 
 }  // namespace
@@ -93,7 +93,8 @@ void conclude(const CatalogueTree& tree, const CycleOptions& options, const Loop
   if (!tree.found()) {
     end.status = stopped.reason.empty() ? CycleStatus::Infeasible : stopped.status;
     end.reason = why + fmt::format(
-                           "no design of the catalogues meets all limits{}; this is the "
+                           "no design of the catalogues was found that meets all limits{}, "
+                           "where boxes are given up by their local optima; this is the "
                            "continuous optimum ({})",
                            stopped.reason.empty() ? "" : " so far", continuous.reason);
     return;

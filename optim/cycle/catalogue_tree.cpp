@@ -58,7 +58,7 @@ BoxAnswer box_answer(const History& history, const CycleOptions& options) {
   out.objective = best->objective;
   out.feasible = meets(*best);
   const auto end = history.back().end;
-  out.closed = end && (out.feasible ? closed(*end) : *end == CycleStatus::Infeasible);
+  out.closed = end == (out.feasible ? CycleStatus::Optimal : CycleStatus::Infeasible);
   return out;
 }
 
@@ -125,12 +125,17 @@ bool CatalogueTree::tell(const BoxAnswer& answer) {
   const bool root = root_, design = is_design(node.box);
   root_ = false;
   if (design) designs_.push_back(node.box.lower);
-  if (!answer.feasible && (answer.closed || design)) {
+  const bool simulated = answer.x.size() > 0 && node.box.lower == node.box.upper;
+  if (!answer.feasible && (answer.closed || simulated)) {
     ++infeasible_;
     return false;
   }
   if (design) {
-    if (!(answer.objective < best_)) return false;
+    if (!answer.closed && !simulated) {
+      ++undecided_;
+      unclosed_ = std::min(unclosed_, node.bound);
+    }
+    if (!answer.feasible || !(answer.objective < best_)) return false;
     best_ = answer.objective;
     return true;
   }
@@ -202,7 +207,7 @@ void CatalogueTree::add_around(const Node& node, const VectorXd& x, double bound
 }
 
 double CatalogueTree::bound() const {
-  double least = best_;
+  double least = std::min(best_, unclosed_);
   for (const Node& n : open_) least = std::min(least, n.bound);
   if (current_) least = std::min(least, current_->bound);
   return least;

@@ -30,8 +30,9 @@ struct BoxAnswer {
   Eigen::VectorXd x;     ///< its best design; empty: none could be simulated
   double objective = 0;  ///< of x
   bool feasible = false;
-  bool closed = false;  ///< by its own rules: the objective bounds those of all designs of the box,
-                        ///< or there is none that is feasible
+  /// Optimal, so that the objective bounds those of all designs of the box; or no design near was
+  /// feasible. Both are local: of the best optimum of the box only if there is one alone.
+  bool closed = false;
 };
 
 /// The answer that the cycles of a box tell.
@@ -70,7 +71,7 @@ class CatalogueTree {
     DesignBox box;
     double bound = -std::numeric_limits<double>::infinity();
   };
-  bool is_design(const DesignBox& box) const;  ///< of catalogues: nothing is left to choose
+  bool is_design(const DesignBox& box) const;  ///< of catalogues: no size is left to choose
   bool good_enough(double bound) const;
   void branch(const Node& node, const Eigen::VectorXd& x, double bound);
   void add(const Node& node, int variable, double lower, double upper, const Eigen::VectorXd& x,
@@ -87,6 +88,7 @@ class CatalogueTree {
   std::vector<Eigen::VectorXd> designs_;  ///< of catalogues that were told of, lower bounds
   bool root_ = true;                      ///< the next answer is of all designs
   double best_ = std::numeric_limits<double>::infinity();
+  double unclosed_ = best_;  ///< least bound of designs of catalogues whose search did not close
   int infeasible_ = 0, undecided_ = 0;
 };
 

@@ -7,9 +7,19 @@
 
 namespace liesl {
 
+namespace {
+
+/// Joints hold in modes, also where the motion has penalties.
+Mechanism with_multipliers(Mechanism mechanism) {
+  mechanism.penalty = {};
+  return mechanism;
+}
+
+}  // namespace
+
 LimitedModes::LimitedModes(Mechanism designed, const SimulationOptions& options,
                            const std::vector<FrequencyLimitSpec>& limits)
-    : mechanism(std::move(designed)), model(Model<SE3>::build(mechanism, {})) {
+    : mechanism(with_multipliers(std::move(designed))), model(Model<SE3>::build(mechanism, {})) {
   for (const FrequencyLimitSpec& limit : limits) {
     modes.push_back(pose_modes(model, options, limit.at, limit.count));
     const PoseModes& found = modes.back();

@@ -18,7 +18,6 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr std::size_t kFewVariables = 12;  // differences simulate twice for each
-constexpr double kNone = 1e-300;           // a goal that is zero, as a size
 
 /// The study with what its method takes from static problems.
 template <FrameGroup G>
@@ -145,9 +144,11 @@ StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
   for (std::size_t c = 0; c < study.constraints.size(); ++c) {
     ConstraintSpec& goal = study.constraints[c];
     if (!(goal.weight > 0)) continue;
-    goal.limit = kNone;
+    goal.limit = 0;
     for (const MotionLimits& m : a.limits)
       if (c < m.limits.size()) goal.limit = std::max(goal.limit, m.limits[c].measure);
+    if (!(goal.limit > 0))
+      throw NoSensitivities("'" + goal.response.name + "' of the objective is 0 all the time");
   }
   for (std::size_t f = 0; f < study.frequencies.size(); ++f) {
     FrequencyLimitSpec& goal = study.frequencies[f];
@@ -155,7 +156,7 @@ StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
     goal.least = std::numeric_limits<double>::infinity();
     for (const MotionLimits& m : a.limits)
       if (f < m.frequencies.size()) goal.least = std::min(goal.least, m.frequencies[f].value);
-    goal.least = std::isfinite(goal.least) ? std::max(goal.least, kNone) : kNone;
+    if (!(goal.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
   }
   return study;
 }

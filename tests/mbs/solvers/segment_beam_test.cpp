@@ -5,6 +5,7 @@
 #include "mbs/bodies/segment_beam.hpp"
 
 #include "mbs/run.hpp"
+#include "mbs/solvers/modes.hpp"
 #include "mbs/solvers/simulation.hpp"
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
@@ -280,6 +281,24 @@ TEST(SegmentBeam, MovesWithEveryFormOfConstraints) {
             .norm();
     EXPECT_LT(off, 1e-6) << to_string(form);
   }
+}
+
+/// Those of the beam on the group, and none of the rotations that inner nodes have not.
+TEST(SegmentBeam, ModesAreThoseOfItsPositions) {
+  Mechanism m = pendulum(8);
+  m.joints[0].type = JointType::Fixed;
+  m.gravity.setZero();
+  SimulationOptions o;
+  o.modes = 8;
+  const auto modes = [&](const Mechanism& of) {
+    return solve_modes(Model<SE2>::build(of, space_of<SE2>(of)), o);
+  };
+  const auto chain = modes(segments(m)), beam = modes(m);
+  ASSERT_EQ(chain.report.status, SolveStatus::Converged) << chain.report.reason;
+  ASSERT_GE(chain.frequency.size(), 5u);
+  for (int i = 0; i < 5; ++i)
+    EXPECT_NEAR(chain.frequency[std::size_t(i)] / beam.frequency[std::size_t(i)], 1, 0.02 * (i + 1))
+        << i;
 }
 
 TEST(SegmentBeam, WhatItCannotDoIsRefused) {
