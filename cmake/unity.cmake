@@ -1,7 +1,6 @@
 # Unity builds: the sources of a folder are compiled a few at once, so that headers and the templates of
-# Eigen are paid for once in a group. For readers, writers and commands alone: in
-# the engine, where functions are overloaded for many types, what stands in the unnamed namespace of
-# one source must not be seen by the next. -DLIESL_UNITY=OFF compiles each source alone, which is
+# Eigen are paid for once in a group. Not for mbs, where functions are overloaded for many types: there
+# what stands in the unnamed namespace of one source must not be seen by the next. -DLIESL_UNITY=OFF compiles each source alone, which is
 # faster where one source changes at a time.
 option(LIESL_UNITY "Compile the sources of a folder together" ON)
 

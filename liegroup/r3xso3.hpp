@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "liegroup/coefficients.hpp"
 #include "liegroup/concepts.hpp"
 #include "liegroup/so3.hpp"
 
@@ -27,10 +28,10 @@ struct R3xSO3 {
       : R(rotation), x(position) {}
 
   static R3xSO3 identity() { return {}; }
-  R3xSO3 operator*(const R3xSO3& other) const { return {R * other.R, x + other.x}; }
+  R3xSO3 operator*(const R3xSO3& other) const { return {product<3>(R, other.R), x + other.x}; }
   /// Inertial coordinates R p + x of the point with local coordinates p.
-  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return R * p + x; }
-  R3xSO3 inverse() const { return {R.transpose(), -x}; }
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return product_plus<3>(R, p, x); }
+  R3xSO3 inverse() const { return {transpose<3>(R), -x}; }
 
   static R3xSO3 exp(const Tangent& h) { return {SO3::exp(h.tail<3>()).R, h.head<3>()}; }
 
@@ -62,7 +63,7 @@ struct R3xSO3 {
   }
 
   /// One Newton step of R towards the nearest rotation; x is kept.
-  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
+  void orthonormalize() { newton_step_to_rotation<3>(R); }
 
  private:
   /// diag(scale I, A)

@@ -6,6 +6,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "liegroup/coefficients.hpp"
 #include "liegroup/concepts.hpp"
 #include "liegroup/trig_series.hpp"
 
@@ -26,10 +27,12 @@ struct SE2 {
       : R(rotation), x(position) {}
 
   static SE2 identity() { return {}; }
-  SE2 operator*(const SE2& other) const { return {R * other.R, R * other.x + x}; }
+  SE2 operator*(const SE2& other) const {
+    return {product<2>(R, other.R), product_plus<2>(R, other.x, x)};
+  }
   /// Inertial coordinates R p + x of the point with local coordinates p.
-  Eigen::Vector2d operator*(const Eigen::Vector2d& p) const { return R * p + x; }
-  SE2 inverse() const { return {R.transpose(), -(R.transpose() * x)}; }
+  Eigen::Vector2d operator*(const Eigen::Vector2d& p) const { return product_plus<2>(R, p, x); }
+  SE2 inverse() const { return {transpose<2>(R), minus_transposed_product<2>(R, x)}; }
 
   /// R = [cos w, -sin w; sin w, cos w], x = c1 u + w c2 J u.
   static SE2 exp(const Tangent& h) {
@@ -133,7 +136,7 @@ struct SE2 {
   }
 
   /// One Newton step of R towards the nearest rotation; x is kept.
-  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix2d::Identity() - R.transpose() * R); }
+  void orthonormalize() { newton_step_to_rotation<2>(R); }
 
  private:
   static double angle(const Eigen::Matrix2d& R) {

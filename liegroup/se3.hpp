@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include "liegroup/coefficients.hpp"
 #include "liegroup/concepts.hpp"
 #include "liegroup/so3.hpp"
 
@@ -26,10 +27,12 @@ struct SE3 {
       : R(rotation), x(position) {}
 
   static SE3 identity() { return {}; }
-  SE3 operator*(const SE3& other) const { return {R * other.R, R * other.x + x}; }
+  SE3 operator*(const SE3& other) const {
+    return {product<3>(R, other.R), product_plus<3>(R, other.x, x)};
+  }
   /// Inertial coordinates R p + x of the point with local coordinates p.
-  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return R * p + x; }
-  SE3 inverse() const { return {R.transpose(), -(R.transpose() * x)}; }
+  Eigen::Vector3d operator*(const Eigen::Vector3d& p) const { return product_plus<3>(R, p, x); }
+  SE3 inverse() const { return {transpose<3>(R), minus_transposed_product<3>(R, x)}; }
 
   /// R = exp(w), x = T(w)' u = u + c2 w x u + c3 w x (w x u).
   static SE3 exp(const Tangent& h) {
@@ -106,7 +109,7 @@ struct SE3 {
   }
 
   /// One Newton step of R towards the nearest rotation; x is kept.
-  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
+  void orthonormalize() { newton_step_to_rotation<3>(R); }
 
  private:
   static Tangent join(const Eigen::Vector3d& u, const Eigen::Vector3d& w) {

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <cmath>
 
+#include "liegroup/coefficients.hpp"
 #include "liegroup/concepts.hpp"
 #include "liegroup/so3_series.hpp"
 
@@ -23,9 +24,9 @@ struct SO3 {
   explicit SO3(const Eigen::Matrix3d& rotation) : R(rotation) {}
 
   static SO3 identity() { return {}; }
-  SO3 operator*(const SO3& other) const { return SO3(R * other.R); }
+  SO3 operator*(const SO3& other) const { return SO3(product<3>(R, other.R)); }
   Eigen::Vector3d operator*(const Eigen::Vector3d& a) const { return R * a; }
-  SO3 inverse() const { return SO3(R.transpose()); }
+  SO3 inverse() const { return SO3(transpose<3>(R)); }
 
   /// Rodrigues: exp(w) = I + c1 w~ + c2 w~^2.
   static SO3 exp(const Tangent& w) {
@@ -69,7 +70,7 @@ struct SO3 {
   }
 
   /// One Newton step R <- R (3 I - R'R)/2 towards the nearest rotation (polar factor).
-  void orthonormalize() { R = 0.5 * R * (3 * Eigen::Matrix3d::Identity() - R.transpose() * R); }
+  void orthonormalize() { newton_step_to_rotation<3>(R); }
 
  private:
   /// Quaternion (W, V) up to scale from the row of 4 q q' with the largest pivot [Shepperd 1978];

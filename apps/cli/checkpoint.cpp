@@ -72,7 +72,14 @@ Json to_json(const Cycle& c) {
                 {"effort", to_json(c.effort)},
                 {"seconds", c.seconds}};
   if (c.load_change) cycle["load_change"] = *c.load_change;
+  if (c.end) cycle["end"] = to_string(*c.end);
   return cycle;
+}
+
+std::optional<CycleStatus> read_end(const std::string& text) {
+  for (int s = 0; s <= static_cast<int>(CycleStatus::Interrupted); ++s)
+    if (text == to_string(static_cast<CycleStatus>(s))) return static_cast<CycleStatus>(s);
+  return {};
 }
 
 Cycle read_cycle(const Json& j) {
@@ -101,6 +108,7 @@ Cycle read_cycle(const Json& j) {
   c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),
               effort.at("factorizations")};
   c.seconds = j.at("seconds");
+  if (j.contains("end")) c.end = read_end(j.at("end"));
   return c;
 }
 

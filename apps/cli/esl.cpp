@@ -9,8 +9,7 @@
 namespace liesl {
 
 int esl_command(const CommandOptions& options) {
-  throw output::IoError("extract loads of", options.file,
-                        "this build has no load extraction; configure with -DLIESL_OPTIM=ON");
+  throw output::without_optimisation("extract loads of", options.file);
 }
 
 }  // namespace liesl

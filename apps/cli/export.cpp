@@ -75,8 +75,7 @@ int export_deck(const CommandOptions& options) {
 #else
 
 int export_deck(const CommandOptions& options) {
-  throw output::IoError("export", options.file,
-                        "this build has no load extraction; configure with -DLIESL_OPTIM=ON");
+  throw output::without_optimisation("export", options.file);
 }
 
 #endif
@@ -85,8 +84,10 @@ int export_deck(const CommandOptions& options) {
 
 int export_command(const CommandOptions& options) {
   if (options.to != "xdmf") return export_deck(options);
-  if (!options.part.empty() || !options.out.empty() || !options.set.empty())
-    throw InputError({{options.file, 0, 0, "--part, --set and -o are for --to calculix or nastran",
+  if (!options.part.empty() || !options.out.empty() || !options.set.empty() || options.force ||
+      options.cases != "peaks")
+    throw InputError({{options.file, 0, 0,
+                       "--part, --cases, --set, --force and -o are for --to calculix or nastran",
                        "a results folder alone", "--to calculix"}});
   output::export_xdmf(options.file);
   if (!options.quiet)

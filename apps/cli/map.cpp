@@ -9,9 +9,7 @@
 namespace liesl {
 
 int map_command(const CommandOptions& options) {
-  throw output::IoError(
-      "map", options.file,
-      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+  throw output::without_optimisation("map", options.file);
 }
 
 }  // namespace liesl

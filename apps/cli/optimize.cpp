@@ -9,9 +9,7 @@
 namespace liesl {
 
 int optimize_command(const CommandOptions& options) {
-  throw output::IoError(
-      "optimise", options.file,
-      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+  throw output::without_optimisation("optimise", options.file);
 }
 
 }  // namespace liesl
@@ -42,6 +40,9 @@ void check_options(const Study& study, const CommandOptions& options) {
   if (options.nucleate > 0 && study.spec.shapes.empty())
     refuse("--nucleate: the study changes no outline", "a study with variables of a meshed part",
            "run without --nucleate");
+  if (options.nucleate > 0 && has_catalogue(study.spec))
+    refuse("--nucleate: sizes are of catalogues, whose search tries no holes",
+           "a study without 'values'", "insert holes first, then give the catalogues");
 }
 
 /// Lines on the terminal, and a folder that is complete after every cycle.
@@ -64,6 +65,9 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
   };
   hooks.on_hole = [&options](const std::string& feature, const Nucleus& n) {
     print_hole(feature, n, options.quiet);
+  };
+  hooks.on_box = [&options](const std::string& branch) {
+    if (!options.quiet) fmt::print("      {}\n", branch);
   };
   return hooks;
 }

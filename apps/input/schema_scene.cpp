@@ -47,11 +47,23 @@ std::vector<Key> material_keys() {
 std::vector<Key> body_keys() {
   return {
     {"bodies", Type::Named, "", kRequired, kAny, "Bodies by name: beams, rigid bodies and meshed parts. `ground` is the name of the inertial frame."},
-    {"bodies.*", Type::Table, "", kOptional, kAny, "A body: exactly one of `beam`, `rigid` and `solid`."},
+    {"bodies.*", Type::Table, "", kOptional, kAny, "A body: exactly one of `beam`, `rigid`, `solid` and `truss`."},
     {"bodies.*.velocity", Type::Vector, "m/s", "[0, 0, 0]", kAny, "At the start, of the first node or of the origin, inertial axes.", 3},
     {"bodies.*.angular_velocity", Type::Vector, "rad/s", "[0, 0, 0]", kAny, "At the start, inertial axes.", 3},
 
     {"bodies.*.beam", Type::Table, "", kOneOf, kAny, "Chain of beam elements. Ports: start, end, mid, node0, node1, ..."},
+    {"bodies.*.truss", Type::Table, "", kOneOf, kAny, "Bars between nodes, hinged at both ends. Nodes are ports, `T.n1`; bars are beams of one element, `T_chord1`, `T_chord2`, ...; in a study `T` means all bars and `T.chord` those of a group."},
+    {"bodies.*.truss.nodes", Type::Named, "", kRequired, kAny, "Nodes by name."},
+    {"bodies.*.truss.nodes.*", Type::Vector, "m", kOptional, kAny, "Position.", 3},
+    {"bodies.*.truss.bars", Type::Named, "", kRequired, kAny, "Groups of bars by name."},
+    {"bodies.*.truss.bars.*", Type::List, "", kOptional, kAny, "Pairs of nodes, [[\"n1\", \"n2\"], ...], a bar each."},
+    {"bodies.*.truss.section", Type::Text, "", kRequired, kAny, "Section of all bars."},
+    {"bodies.*.truss.sections", Type::Named, "", kOptional, kAny, "Other sections, by group."},
+    {"bodies.*.truss.sections.*", Type::Text, "", kOptional, kAny, "Section of the bars of a group."},
+    {"bodies.*.truss.material", Type::Text, "", kRequired, kAny, "Material of all bars."},
+    {"bodies.*.truss.held", Type::Texts, "", kOptional, kAny, "Nodes that the ground holds, in all directions."},
+    {"bodies.*.truss.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional damping of the bars."},
+
     {"bodies.*.beam.from", Type::Vector, "m", kOneOf, kAny, "Straight axis: first point; needs `to`.", 3},
     {"bodies.*.beam.to", Type::Vector, "m", kOptional, kAny, "Straight axis: last point.", 3},
     {"bodies.*.beam.arc", Type::Table, "", kOneOf, kAny, "Circular axis."},
@@ -169,7 +181,8 @@ Key response_choice(std::string_view parent, std::string_view preset) {
       "Which quantity.",
       0,
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
-      "joint_force drive_force section_force stress energy compliance"};
+      "joint_force drive_force section_force stress energy compliance axial_stress buckling "
+      "local_buckling translation"};
 }
 
 }  // namespace
@@ -179,13 +192,15 @@ std::vector<Key> response_keys(std::string_view parent) {
   const bool scene = parent == "responses.*";
   std::vector<Key> keys{
     response_choice(parent, scene ? kRequired : kOneOf),
-    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement"},
+    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` and `translation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement translation"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them.", 0, "", "response=deflection"},
-    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance"},
+    {".of", Type::Text, "", kRequired, kAny, "Beam.", 0, "", "response=deflection section_force stress compliance axial_stress buckling local_buckling"},
+    {".factor", Type::Number, "-", "1", {0, 100, true}, "Factor K of the buckling length K L: 1 hinged at both ends, 0.5 clamped at both, 2 clamped at one.", 0, "", "response=buckling"},
+    {".factor", Type::Number, "-", "1", {0, 1, true}, "Share of the classical stress at which the wall of a real tube buckles.", 0, "", "response=local_buckling"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force drive_force"},
-    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement"},
+    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement translation"},
     {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port.", 0, "inertial body", "response=velocity rotation"},
     {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement"},
     {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate drive_force"},

@@ -35,4 +35,11 @@ class IoError : public std::runtime_error {
   std::string reason_;
 };
 
+/// Of what only a build with optimisation can do.
+inline IoError without_optimisation(const std::string& what, const std::filesystem::path& path) {
+  return {what, path,
+          "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and "
+          "NLopt)"};
+}
+
 }  // namespace liesl::output

@@ -37,6 +37,7 @@ def draw_mechanism(folder, pictures, _summary):
     axes = shown_axes(instants)
     figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
     ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
+    ax.set_anchor("N")  # below the heading; what stays free is cut off
     scale = 1 if abscissa.startswith("frequency") else bending_scale(instants)
     shown = few(instants)
     marks = mechanism(ax, instants, shown, axes, scale, abscissa)

@@ -347,6 +347,7 @@ void read_bodies(Reader& reader) {
                           "another name for the body");
       continue;
     }
+    if (entry.table->contains("truss")) continue;  // one that could not be expanded
     BodySpec body;
     body.name = entry.name;
     body.velocity = vec3(*entry.table, "velocity");

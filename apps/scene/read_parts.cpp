@@ -90,6 +90,7 @@ void check_movers(Reader& reader) {
 
 void read_parts(Reader& reader) {
   reader.scene.mechanism.name = text(reader.root, "name");
+  reader.trusses = expand_trusses(reader.root, reader.broken, reader.problems);
   read_simulation(reader);
   read_gravity(reader);
   read_ground(reader);

@@ -81,7 +81,8 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
                         "a port of a body");
     return false;
   }
-  if (response.kind == ResponseKind::Position) return true;
+  if (response.kind == ResponseKind::Position || response.kind == ResponseKind::Translation)
+    return true;
   response.in = text(table, "in") == "body" ? Axes::Body : Axes::Inertial;
   if (response.kind != ResponseKind::Displacement) return true;
   const auto& bodies = reader.scene.mechanism.bodies;
@@ -152,7 +153,20 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   const int n = static_cast<int>(spec.sections.size());
   warn_of_rigid(reader, *beam, response);
   if (response.kind == ResponseKind::Deflection) return read_place(reader, table, response);
-  if (response.kind == ResponseKind::Stress) {
+  if (response.kind == ResponseKind::Buckling) response.factor = number(table, "factor");
+  if (response.kind == ResponseKind::LocalBuckling) {
+    response.factor = number(table, "factor");
+    for (const Section& s : spec.sections)
+      if (!std::holds_alternative<Tube>(s.shape)) {
+        reader.problems.add(*table.get("of"),
+                            fmt::format("section '{}' has no wall whose buckling is known in "
+                                        "closed form",
+                                        s.name),
+                            "a beam whose sections are tubes");
+        return false;
+      }
+  }
+  if (response.kind == ResponseKind::Stress || response.kind == ResponseKind::AxialStress) {
     const bool full = std::any_of(spec.sections.begin(), spec.sections.end(), [](const Section& s) {
       return std::holds_alternative<FullSection>(s.shape);
     });
@@ -231,7 +245,8 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
   // In the order of ResponseKind.
   static const auto kinds = words(
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
-      "joint_force drive_force section_force stress energy compliance");
+      "joint_force drive_force section_force stress energy compliance axial_stress buckling "
+      "local_buckling translation");
   ResponseSpec response;
   response.name = name;
   const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));
@@ -243,6 +258,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::AngularVelocity:
     case ResponseKind::Rotation:
     case ResponseKind::Displacement:
+    case ResponseKind::Translation:
       ok = read_port_response(reader, table, response);
       break;
     case ResponseKind::Elongation:
@@ -252,6 +268,9 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::SectionForce:
     case ResponseKind::Stress:
     case ResponseKind::Compliance:
+    case ResponseKind::AxialStress:
+    case ResponseKind::Buckling:
+    case ResponseKind::LocalBuckling:
       ok = read_beam_response(reader, table, response);
       break;
     case ResponseKind::Coordinate:

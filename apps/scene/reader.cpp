@@ -45,10 +45,27 @@ bool Reader::known(const toml::node& at, std::string_view group, std::string_vie
 
 std::optional<int> Reader::body(const toml::node& node) {
   const std::string name = as_text(node);
+  if (const auto truss = trusses.bars.find(name); truss != trusses.bars.end()) {
+    problems.add(node, fmt::format("'{}' is of {} bars", name, truss->second.size()), "one body",
+                 fmt::format("a bar, as '{}'", truss->second.front()));
+    return {};
+  }
   if (!known(node, "bodies", "body", name)) return {};
   const int index = scene.mechanism.body(name);
   if (index < 0) return {};  // broken, said before
   return index;
+}
+
+std::vector<int> Reader::bodies_of(const toml::node& node) {
+  const auto truss = trusses.bars.find(as_text(node));
+  if (truss == trusses.bars.end()) {
+    const auto one = body(node);
+    return one ? std::vector<int>{*one} : std::vector<int>();
+  }
+  std::vector<int> out;
+  for (const std::string& bar : truss->second)
+    if (const int index = scene.mechanism.body(bar); index >= 0) out.push_back(index);
+  return out;
 }
 
 std::optional<int> Reader::beam(const toml::node& node) {
@@ -101,6 +118,16 @@ std::optional<Port> Reader::port(const toml::node& node) {
   const auto dot = given.find('.');
   const std::string name = given.substr(0, dot);
   if (name == "ground") return ground_point(*this, node, given);
+  if (const auto at = trusses.nodes.find(given); at != trusses.nodes.end())
+    return scene.mechanism.port(at->second);
+  if (trusses.bars.contains(name)) {
+    std::vector<std::string> nodes;
+    for (const auto& [node_name, port] : trusses.nodes)
+      if (node_name.starts_with(name + ".")) nodes.push_back(node_name);
+    problems.add(node, fmt::format("truss '{}' has no node '{}'", name, given),
+                 "a node of the truss", suggestion(given, nodes));
+    return {};
+  }
   if (!known(node, "bodies", "body", name)) return {};
   const int index = scene.mechanism.body(name);
   if (index < 0) return {};

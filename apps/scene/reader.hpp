@@ -12,6 +12,7 @@
 #include "apps/input/validate.hpp"
 #include "apps/input/values.hpp"
 #include "apps/scene/scene.hpp"
+#include "apps/scene/trusses.hpp"
 
 namespace liesl {
 
@@ -24,6 +25,7 @@ struct Reader {
   std::map<std::string, Section> sections;
   std::map<std::string, Material> materials;
   bool fixed_loads = false;  ///< a study brings the loads; nothing has to move
+  TrussNames trusses = {};
 
   /// Names in a top-level table, in the order of the file.
   std::vector<std::string> names(std::string_view group) const;
@@ -35,6 +37,8 @@ struct Reader {
   std::optional<int> body(const toml::node& name);
   /// The same for a beam.
   std::optional<int> beam(const toml::node& name);
+  /// The same for a body, or for all bars of a truss or of a group of them.
+  std::vector<int> bodies_of(const toml::node& name);
   std::optional<int> joint(const toml::node& name);
   std::optional<int> joint(const toml::node& at, const std::string& name);
   /// A joint and its coordinate, "joint" or "joint.1".

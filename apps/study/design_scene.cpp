@@ -8,6 +8,7 @@
 
 #include "apps/input/document.hpp"
 #include "apps/scene/outline_text.hpp"
+#include "apps/scene/trusses.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "optim/design/drive_tables.hpp"
 
@@ -94,6 +95,8 @@ std::string design_scene(const Study& study, const Mechanism& final,
                          const std::map<std::string, levelset::ShapeSpec>& outlines,
                          const std::map<std::string, double>& values) {
   Document document = parse_document(study.scene_text, study.scene.file);
+  Problems none(study.scene.file);
+  expand_trusses(document.root, {}, none);  // each bar has a section of its own now
   std::set<int> sized;
   for (const DesignSpec& d : study.spec.design) sized.insert(d.bodies.begin(), d.bodies.end());
   for (const int body : sized)

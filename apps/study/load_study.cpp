@@ -119,9 +119,14 @@ void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study&
       problems.add(*texts[s].node,
                    "scenario '" + texts[s].name + "' has other bodies than '" + texts[0].name + "'",
                    "speeds, masses, loads, times; the same beams with the same elements");
-    if (scene.simulation.type != SimulationType::Dynamic)
-      problems.add(*texts[s].node, "scenario '" + texts[s].name + "' is no motion",
-                   "simulation.type = \"dynamic\"");
+    if (scene.simulation.type == SimulationType::Modes ||
+        scene.simulation.type != study.scene.simulation.type)
+      problems.add(
+          *texts[s].node,
+          "scenario '" + texts[s].name + "' is no " +
+              (study.scene.simulation.type == SimulationType::Static ? "equilibrium" : "motion") +
+              ", as the first one is",
+          "one simulation.type for all, \"dynamic\" or \"static\"");
   }
 }
 
@@ -149,7 +154,8 @@ toml::table with_whole_paths(const Document& scene) {
 std::string without_ends(const toml::table& study) {
   toml::table copy = study;
   if (toml::table* cycle = copy["cycle"].as_table())
-    for (const char* key : {"max", "tolerance", "objective_tolerance", "optimality"})
+    for (const char* key :
+         {"max", "tolerance", "objective_tolerance", "optimality", "gap", "max_designs"})
       cycle->erase(key);
   return content(copy);
 }

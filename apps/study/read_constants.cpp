@@ -107,6 +107,7 @@ void read_constant(StudyReader& reader, const Entry& entry) {
     if (other.force == c.force && other.body == c.body && other.quantity == c.quantity)
       return reader.scene.problems.add(
           property, fmt::format("this is already varied by '{}'", other.name), "each number once");
+  c.values = read_values(reader, entry, c.lower, c.upper);
   reader.spec.constants.push_back(c);
 }
 

@@ -30,6 +30,7 @@ class DesignReader {
   DesignReader(StudyReader& reader, const Entry& entry)
       : reader_(reader), problems_(reader.scene.problems), table_(*entry.table) {
     design_.name = entry.name;
+    entry_ = &entry;
   }
 
   std::optional<DesignSpec> read() {
@@ -55,6 +56,7 @@ class DesignReader {
     properties();
     groups();
     start();
+    design_.values = read_values(reader_, *entry_, design_.lower, design_.upper);
     return ok_ ? std::optional(design_) : std::nullopt;
   }
 
@@ -67,17 +69,24 @@ class DesignReader {
 
   void bodies() {
     for (const toml::node* node : strings(table_, "of")) {
+      if (reader_.scene.trusses.bars.contains(node->value_or(std::string()))) {
+        for (const int bar : reader_.scene.bodies_of(*node)) add(bar, *node);
+        continue;
+      }
       const auto beam = reader_.scene.beam(*node);
       ok_ = ok_ && beam;
-      if (!beam) continue;
-      const auto& list = design_.bodies;
-      if (std::find(list.begin(), list.end(), *beam) != list.end()) {
-        problems_.add(*node, fmt::format("beam '{}' is named twice", name_of(reader_, *beam)),
-                      "each beam once");
-        ok_ = false;
-      }
-      design_.bodies.push_back(*beam);
+      if (beam) add(*beam, *node);
     }
+  }
+
+  void add(int beam, const toml::node& node) {
+    const auto& list = design_.bodies;
+    if (std::find(list.begin(), list.end(), beam) != list.end()) {
+      problems_.add(node, fmt::format("beam '{}' is named twice", name_of(reader_, beam)),
+                    "each beam once");
+      ok_ = false;
+    }
+    design_.bodies.push_back(beam);
   }
 
   void properties() {
@@ -167,6 +176,7 @@ class DesignReader {
   StudyReader& reader_;
   Problems& problems_;
   const toml::table& table_;
+  const Entry* entry_ = nullptr;
   DesignSpec design_;
   bool ok_ = true;
 };
@@ -215,6 +225,31 @@ void check_walls(StudyReader& reader) {
 }
 
 }  // namespace
+
+std::vector<double> read_values(StudyReader& reader, const Entry& entry, double lower,
+                                double upper) {
+  const toml::node* node = entry.table->get("values");
+  if (!node) return {};
+  std::vector<double> values = numbers(*node);
+  Problems& problems = reader.scene.problems;
+  const auto refuse = [&](const std::string& what, const char* expected) {
+    problems.add(*node, fmt::format("the catalogue of '{}' {}", entry.name, what), expected);
+    return std::vector<double>();
+  };
+  if (values.empty()) return refuse("is empty", "one value or more");
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0 && !(values[i] > values[i - 1]))
+      return refuse(fmt::format("has {:g} after {:g}", values[i], values[i - 1]),
+                    "increasing values, each once");
+    if (values[i] < lower * (1 - std::copysign(kRelative, lower)) ||
+        values[i] > upper * (1 + std::copysign(kRelative, upper)))
+      return refuse(
+          fmt::format("has {:g}, outside the bounds [{:g}, {:g}]", values[i], lower, upper),
+          "values within the bounds");
+    values[i] = std::clamp(values[i], lower, upper);
+  }
+  return values;
+}
 
 void read_design(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "design"))

@@ -115,7 +115,7 @@ void read_drive_value(StudyReader& reader, const Entry& entry, ConstantSpec c) {
 void read_duration(StudyReader& reader, const Entry& entry, ConstantSpec c) {
   c.quantity = ConstantQuantity::Duration;
   reader.spec.duration = reader.scene.scene.simulation.duration;
-  if (!read_bounds(reader, *entry.table, reader.spec.duration, c)) return;
+  read_bounds(reader, *entry.table, reader.spec.duration, c);
   for (const ConstantSpec& other : reader.spec.constants)
     if (other.quantity == c.quantity)
       return reader.scene.problems.add(*entry.table->get("property"),
@@ -136,6 +136,10 @@ void read_motion_variable(StudyReader& reader, const Entry& entry) {
   ConstantSpec c;
   c.name = entry.name;
   c.quantity = ConstantQuantity::DriveValue;
+  if (const toml::node* values = entry.table->get("values"))
+    reader.scene.problems.add(
+        *values, fmt::format("'{}' is a variable of the motion, of which no catalogue is", c.name),
+        "sizes of sections, parameters of outlines, constants of forces and bodies");
   if (only(*entry.table, "of") == "simulation") return read_duration(reader, entry, c);
   read_drive_value(reader, entry, c);
 }

@@ -184,6 +184,7 @@ void read_shape_variable(StudyReader& reader, const Entry& entry) {
     return;
   }
   if (const toml::node* node = table.get("start")) v.start = numbers(*node)[0];
+  v.values = read_values(reader, entry, v.lower, v.upper);
   reader.spec.shapes[*body].variables.push_back(std::move(v));
 }
 

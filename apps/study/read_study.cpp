@@ -49,9 +49,10 @@ Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& resp
 
 /// Why a limit needs the sensitivities of a motion, and this study has none; empty: it has.
 std::string without_sensitivities(const StudyReader& reader) {
-  if (reader.root.contains("loads")) return "loads that stay move nothing";
-  if (reader.scene.scene.simulation.type != SimulationType::Dynamic)
-    return "statics has no sensitivities";
+  if (reader.root.contains("loads")) return "fixed loads have no motion";
+  const Formalism formalism = reader.scene.scene.mechanism.formalism;
+  if (formalism == Formalism::R3SO3 || formalism == Formalism::Classical)
+    return std::string("the formalism \"") + to_string(formalism) + "\" has no sensitivities";
   if (reader.spec.cycle.method == CycleMethod::Esl)
     return "the method \"esl\" uses static problems only";
   return "";
@@ -103,12 +104,61 @@ int read_support(StudyReader& reader, const std::string& body, const toml::node&
 
 }  // namespace
 
+namespace {
+
+/// Largest values in the objective, as constraints with a weight.
+void read_largest(StudyReader& reader, const toml::table& table, const toml::table* weights) {
+  const toml::node* given = weights ? weights->get("largest") : nullptr;
+  const auto names = strings(table, "largest");
+  std::vector<double> weight = given ? numbers(*given) : std::vector<double>();
+  if (weight.size() == 1) weight.assign(names.size(), weight.front());
+  if (weight.size() != names.size())
+    return reader.scene.problems.add(
+        given ? *given : *table.get("largest"),
+        fmt::format("{} responses in 'largest' and {} weights", names.size(), weight.size()),
+        "weights.largest: one for all, or one each");
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    const std::string name = names[i]->value_or(std::string());
+    if (!reader.scene.known(*names[i], "responses", "response", name)) continue;
+    if (!(weight[i] > 0)) {
+      reader.scene.problems.add(*given, fmt::format("the weight of '{}' is zero", name),
+                                "a weight > 0");
+      continue;
+    }
+    for (const ResponseSpec& response : reader.scene.scene.responses) {
+      if (response.name != name) continue;
+      ConstraintSpec term{response, 1, false};
+      term.response.name = name;
+      term.weight = weight[i];
+      reader.spec.constraints.push_back(std::move(term));
+      reader.spec.goal.extremes = true;
+    }
+  }
+}
+
+void read_frequency_goal(StudyReader& reader, const toml::table& table, double weight) {
+  const bool chosen = written(*table.get("count")) || written(*table.get("at"));
+  if (!(weight > 0)) {
+    if (chosen)
+      reader.scene.problems.add(
+          written(*table.get("count")) ? *table.get("count") : *table.get("at"),
+          "'count' and 'at' are of a frequency in the objective", "weights.frequency > 0");
+    return;
+  }
+  FrequencyLimitSpec goal{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
+  goal.weight = weight;
+  reader.spec.frequencies.push_back(goal);
+  reader.spec.goal.extremes = true;
+}
+
+}  // namespace
+
 /// Weights of an objective that is not the mass alone.
 void read_goal(StudyReader& reader, const toml::table& table) {
   Goal& goal = reader.spec.goal;
   Problems& problems = reader.scene.problems;
   if (text(table, "minimize") != "weighted") {
-    for (const char* key : {"weights", "effort"})
+    for (const char* key : {"weights", "effort", "largest"})
       if (const toml::node* node = table.get(key))
         problems.add(*node, fmt::format("'{}', but the objective is not \"weighted\"", key),
                      "objective.minimize = \"weighted\"");
@@ -119,6 +169,8 @@ void read_goal(StudyReader& reader, const toml::table& table) {
   goal.mass = weight("mass");
   goal.duration = weight("duration");
   goal.effort = weight("effort");
+  read_largest(reader, table, weights);
+  read_frequency_goal(reader, table, weight("frequency"));
   for (const toml::node* node : strings(table, "effort")) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
@@ -126,8 +178,9 @@ void read_goal(StudyReader& reader, const toml::table& table) {
       if (response.name == name) goal.responses.push_back(response);
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
-  if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0))
-    problems.add(at, "all weights are zero", "a weight > 0 of mass, duration or effort");
+  if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0 || goal.extremes))
+    problems.add(at, "all weights are zero",
+                 "a weight > 0 of mass, largest, frequency, duration or effort");
   if ((goal.effort > 0) != !goal.responses.empty())
     problems.add(at,
                  goal.effort > 0 ? "effort has a weight, but no responses"
@@ -147,19 +200,20 @@ void read_objective(StudyReader& reader) {
   if (!table || reader.broken.contains("objective")) return;
   bool varied = false, complete = true;
   for (const toml::node* node : strings(*table, "of")) {
-    const auto body = reader.scene.body(*node);
-    complete = complete && body;
-    if (!body) continue;
-    auto& counted = reader.spec.mass_of;
-    if (std::find(counted.begin(), counted.end(), *body) != counted.end()) {
-      reader.scene.problems.add(*node, "this body is named twice", "each body once");
-      continue;
+    const auto bodies = reader.scene.bodies_of(*node);
+    complete = complete && !bodies.empty();
+    for (const int body : bodies) {
+      auto& counted = reader.spec.mass_of;
+      if (std::find(counted.begin(), counted.end(), body) != counted.end()) {
+        reader.scene.problems.add(*node, "this body is named twice", "each body once");
+        break;
+      }
+      counted.push_back(body);
+      for (const DesignSpec& design : reader.spec.design)
+        varied = varied || std::count(design.bodies.begin(), design.bodies.end(), body);
+      varied = varied || reader.spec.shapes.contains(body);
+      for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == body;
     }
-    counted.push_back(*body);
-    for (const DesignSpec& design : reader.spec.design)
-      varied = varied || std::count(design.bodies.begin(), design.bodies.end(), *body);
-    varied = varied || reader.spec.shapes.contains(*body);
-    for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == *body;
   }
   read_goal(reader, *table);
   const std::string quantity = text(*table, "minimize");
@@ -176,16 +230,65 @@ void read_objective(StudyReader& reader) {
                               "a body of [design]");
 }
 
+namespace {
+
+/// The mass of some bodies.
+void read_mass_limit(StudyReader& reader, const Entry& entry) {
+  MassLimitSpec limit{entry.name, {}, number(*entry.table, "limit")};
+  Problems& problems = reader.scene.problems;
+  for (const toml::node* node : strings(*entry.table, "mass"))
+    for (const int body : reader.scene.bodies_of(*node)) limit.bodies.push_back(body);
+  for (const char* key : {"side", "treatment"})
+    if (const toml::node* node = entry.table->get(key); node && written(*node))
+      problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");
+  if (reader.root.contains("loads"))
+    problems.add(*entry.table->get("mass"), "a mass in a study under fixed loads",
+                 "[part_limits] with quantity = \"mass\"");
+  reader.spec.mass_limits.push_back(std::move(limit));
+}
+
+/// A constraint on each bar of a truss, of which there is one entry.
+std::vector<Entry> for_each_bar(StudyReader& reader, const Entry& entry,
+                                std::vector<toml::table>& tables) {
+  const std::string of = text(*entry.table, "of");
+  const auto truss = reader.scene.trusses.bars.find(of);
+  const std::string kind = text(*entry.table, "response");
+  const bool member = kind == "axial_stress" || kind == "buckling" || kind == "local_buckling";
+  if (truss == reader.scene.trusses.bars.end() || !member) return {entry};
+  std::vector<Entry> out;
+  for (const std::string& bar : truss->second) {
+    toml::table& table = tables.emplace_back(*entry.table);
+    table.insert_or_assign("of", bar);
+    out.push_back({entry.name + " " + bar, entry.key, nullptr});
+  }
+  return out;
+}
+
+void read_constraint(StudyReader& reader, const Entry& entry) {
+  auto response = response_of(reader, entry);
+  if (!response) return;
+  response->side = read_side(reader, entry, *response);
+  const bool image = has_static_image(*response, reader.scene.scene.mechanism);
+  ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
+  limit.treatment = read_treatment(text(*entry.table, "treatment"));
+  if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
+  reader.spec.constraints.push_back(std::move(limit));
+}
+
+}  // namespace
+
 void read_constraints(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "constraints")) {
-    auto response = response_of(reader, entry);
-    if (!response) continue;
-    response->side = read_side(reader, entry, *response);
-    const bool image = has_static_image(*response, reader.scene.scene.mechanism);
-    ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
-    limit.treatment = read_treatment(text(*entry.table, "treatment"));
-    if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
-    reader.spec.constraints.push_back(std::move(limit));
+    if (entry.table->contains("mass")) {
+      read_mass_limit(reader, entry);
+      continue;
+    }
+    std::vector<toml::table> tables;
+    std::vector<Entry> each = for_each_bar(reader, entry, tables);
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      if (!each[i].table) each[i].table = &tables[i];
+      read_constraint(reader, each[i]);
+    }
   }
   for (const char* group : {"constraints", "part_limits", "walls", "frequencies"})
     if (const toml::table* table = reader.root[group].as_table(); table && !table->empty()) return;
@@ -199,10 +302,13 @@ void read_frequencies(StudyReader& reader) {
   for (const Entry& entry : limits)
     reader.spec.frequencies.push_back({entry.name, number(*entry.table, "least"),
                                        integer(*entry.table, "count"), number(*entry.table, "at")});
-  if (limits.empty()) return;
+  if (reader.spec.frequencies.empty()) return;
   const auto refuse = [&](const std::string& what, const char* expected) {
-    reader.scene.problems.add(*reader.root.get("frequencies"), what, expected);
+    reader.scene.problems.add(*reader.root.get(limits.empty() ? "objective" : "frequencies"), what,
+                              expected);
   };
+  if (limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
+    refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   for (const BodySpec& body : mechanism.bodies)
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
@@ -262,6 +368,8 @@ void read_cycle(StudyReader& reader) {
   o.move_limit = number(*table, "move_limit");
   o.screening = number(*table, "screening");
   o.min_cases = integer(*table, "min_cases");
+  o.gap = number(*table, "gap");
+  o.max_designs = integer(*table, "max_designs");
   const std::string optimizer = text(*table, "optimizer");
   const auto names = words("ipopt mma ccsaq slsqp");  // in the order of Optimizer
   const auto found = std::find(names.begin(), names.end(), optimizer);
@@ -280,7 +388,22 @@ void read_cycle(StudyReader& reader) {
                                     : OptimalityCheck::Auto;
 }
 
+/// What varies of a motion only.
+void check_statics(StudyReader& reader) {
+  if (reader.scene.scene.simulation.type == SimulationType::Dynamic) return;
+  for (const ConstantSpec& c : reader.spec.constants)
+    if (c.quantity == ConstantQuantity::Damping || c.quantity >= ConstantQuantity::DriveValue)
+      reader.scene.problems.add(
+          *reader.root["design"][c.name].node(),
+          fmt::format("'{}' changes a constant of a motion, and statics has none", c.name),
+          "dimensions of sections, stiffness or rest value of a spring");
+  if (reader.spec.goal.effort > 0)
+    reader.scene.problems.add(*reader.root["objective"].as_table()->get("effort"),
+                              "an effort over time, and statics has none", "weights.largest");
+}
+
 void check_images(StudyReader& reader) {
+  check_statics(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
   if (!reader.spec.goal.only_mass())
@@ -294,8 +417,10 @@ void check_images(StudyReader& reader) {
         "dimensions of sections or parameters of an outline",
         "constants need a motion and cycle.method \"esl1\" or \"full\"");
   for (const ConstraintSpec& c : reader.spec.constraints)
-    if (!c.has_image || c.treatment != Treatment::Auto) {
-      const toml::table& table = *reader.root["constraints"][c.response.name].as_table();
+    if (c.weight == 0 && (!c.has_image || c.treatment != Treatment::Auto)) {
+      const std::string& name = c.response.name;  // "limit bar" of a limit of a truss
+      const toml::table& table =
+          *reader.root["constraints"][name.substr(0, name.find(' '))].as_table();
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(

@@ -16,6 +16,10 @@ struct StudyReader {
 };
 
 void read_design(StudyReader& reader);
+/// The catalogue `values` of an entry of [design], said if they are none, not increasing, or
+/// outside the bounds; empty: there are none.
+std::vector<double> read_values(StudyReader& reader, const Entry& entry, double lower,
+                                double upper);
 /// An entry of [design] that moves parameters of an outline.
 void read_shape_variable(StudyReader& reader, const Entry& entry);
 /// Does an entry of [design] mean a constant of a force or of a rigid body?

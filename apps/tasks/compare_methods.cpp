@@ -11,9 +11,7 @@
 namespace liesl {
 
 MeasuredMethod measure_method(const Comparison& comparison, std::size_t) {
-  throw output::IoError(
-      "optimise", comparison.rows.of,
-      "this build has no optimisation; configure with -DLIESL_OPTIM=ON (needs Ipopt and NLopt)");
+  throw output::without_optimisation("optimise", comparison.rows.of);
 }
 
 }  // namespace liesl

@@ -12,6 +12,7 @@
 #include "apps/tasks/start_kinks.hpp"
 #include "apps/tasks/study_motions.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/catalogue.hpp"
 #include "optim/cycle/derivative_check.hpp"
 
 namespace liesl {
@@ -53,6 +54,7 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
   for (std::size_t s = 0; s < r.final.size(); ++s)
     for (std::size_t i = 0; i < r.final[s].limits.size(); ++i) {
       const LimitSeries& last = r.final[s].limits[i];
+      if (last.goal) continue;
       const auto& spec = study.spec.constraints[i].response;
       const LimitedResponse which{static_cast<int>(i), spec, static_cast<int>(s)};
       const double initial = s < r.initial.size() ? r.initial[s].limits[i].largest : 0;
@@ -63,6 +65,7 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
   for (std::size_t s = 0; s < r.final.size(); ++s)
     for (std::size_t i = 0; i < r.final[s].frequencies.size(); ++i) {
       const FrequencyCheck& last = r.final[s].frequencies[i];
+      if (last.goal) continue;
       const std::string scenario =
           study.spec.scenarios.empty() ? "" : " (" + study.spec.scenarios[s] + ")";
       const double initial = s < r.initial.size() && i < r.initial[s].frequencies.size()
@@ -71,6 +74,49 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
       summary.constraints.push_back({last.name + scenario, "frequency", "Hz", last.least, initial,
                                      last.value, 0, 1 - last.value / last.least});
     }
+}
+
+template <FrameGroup G>
+void describe_masses(output::OptimizeSummary& summary, const CycleResult<G>& r) {
+  if (r.final.empty()) return;  // the design alone: the same in all scenarios
+  for (std::size_t i = 0; i < r.final.front().masses.size(); ++i) {
+    const MassCheck& last = r.final.front().masses[i];
+    const bool known = !r.initial.empty() && i < r.initial.front().masses.size();
+    summary.constraints.push_back({last.name, "mass", "kg", last.limit,
+                                   known ? r.initial.front().masses[i].value : 0, last.value, 0,
+                                   last.value / last.limit - 1});
+  }
+}
+
+/// The parts of a weighted objective: largest values and frequencies, over all scenarios.
+template <FrameGroup G>
+void describe_goals(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r) {
+  auto& goals = summary.more["goals"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < study.spec.constraints.size(); ++i) {
+    const ConstraintSpec& c = study.spec.constraints[i];
+    if (!(c.weight > 0)) continue;
+    double first = 0, last = 0;
+    for (const MotionLimits& m : r.initial) first = std::max(first, m.limits[i].measure);
+    for (const MotionLimits& m : r.final) last = std::max(last, m.limits[i].measure);
+    goals[c.response.name] = {{"quantity", name_of(c.response.kind)},
+                              {"unit", unit(c.response, study.scene.mechanism)},
+                              {"weight", c.weight},
+                              {"initial", first},
+                              {"final", last}};
+  }
+  for (std::size_t i = 0; i < study.spec.frequencies.size(); ++i) {
+    const FrequencyLimitSpec& f = study.spec.frequencies[i];
+    if (!(f.weight > 0) || r.initial.empty() || r.final.empty()) continue;
+    double first = r.initial.front().frequencies[i].value,
+           last = r.final.front().frequencies[i].value;
+    for (const MotionLimits& m : r.initial) first = std::min(first, m.frequencies[i].value);
+    for (const MotionLimits& m : r.final) last = std::min(last, m.frequencies[i].value);
+    goals[f.name] = {{"quantity", "frequency"},
+                     {"unit", "Hz"},
+                     {"weight", f.weight},
+                     {"initial", first},
+                     {"final", last}};
+  }
 }
 
 template <FrameGroup G>
@@ -88,6 +134,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
                                  {"unit", "-"},
                                  {"initial", r.first->objective},
                                  {"final", r.best->objective}};
+  if (study.spec.goal.extremes && r.first && r.best) describe_goals(summary, study, r);
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
@@ -95,6 +142,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
     summary.factorizations.emplace_back(bodies[b].name, r.effort.factorizations[b]);
   summary.design = design_figures(design.variables(), design.units(), r.x);
   describe_limits(summary, study, r);
+  describe_masses(summary, r);
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
     identity[bodies[body].name] = {
@@ -171,7 +219,8 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
       out.summary.warnings.push_back(std::move(text));
   }
   SimulationEffort effort;
-  for (std::size_t r = 0; r + 1 < resume.size(); ++r) effort += resume[r].back().effort;
+  for (std::size_t r = 0; r + 1 < resume.size(); ++r)
+    if (!resume[r].empty()) effort += resume[r].back().effort;
   auto motions = motions_of(given, space);
   const OptimiseRound<CycleResult<G>> optimise =
       [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,
@@ -181,11 +230,11 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
         effort += end.effort;
         return end;
       };
-  Topology<CycleResult<G>> rounds = optimise_in_rounds<CycleResult<G>>(
-      given.spec, scene.mechanism, nucleate, optimise,
-      round_hooks(out.summary, hooks, SolidResponse::Mass), resume);
+  Topology<CycleResult<G>> rounds =
+      optimise_study<CycleResult<G>>(given.spec, scene.mechanism, nucleate, optimise,
+                                     round_hooks(out.summary, hooks, SolidResponse::Mass), resume);
   CycleResult<G>& end = rounds.last.end;
-  end.effort = effort;
+  end.effort = rounds.catalogue ? rounds.catalogue->effort : effort;
   start_with(end, rounds.first);
   Study study = given;  // with the holes that stayed
   study.spec = rounds.last.study;
@@ -193,6 +242,7 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
   const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
   describe_cycles(out.summary, {rounds.before, end.history}, SolidResponse::Mass);
   describe_result(out.summary, study, *design, end);
+  describe_catalogue(out.summary, rounds.catalogue);
   for (auto& figure : out.summary.design)
     for (const NlpVariable& v : first.variables())
       if (v.name == figure.name) figure.initial = v.start;
@@ -254,6 +304,24 @@ void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& round
                                  c.worst_at});
 }
 
+void describe_catalogue(output::OptimizeSummary& summary, const std::optional<CatalogueReport>& r) {
+  if (!r) return;
+  const auto known = [](bool is, double value) {
+    return is ? nlohmann::json(value) : nlohmann::json(nullptr);
+  };
+  summary.more["catalogue"] = {
+      {"found", r->found},
+      {"gap", known(r->found, r->gap)},
+      {"bound", known(r->found, r->bound)},
+      {"continuous", r->continuous},
+      {"above_continuous", known(r->found, r->above_continuous)},
+      {"continuous_kkt_residual", known(r->kkt_residual.has_value(), r->kkt_residual.value_or(0))},
+      {"designs", r->designs},
+      {"boxes", r->boxes},
+      {"infeasible", r->infeasible},
+      {"undecided", r->undecided}};
+}
+
 void describe_optimality(output::OptimizeSummary& summary,
                          const std::optional<DynamicOptimality>& optimality) {
   const KktResidual* kkt = optimality && optimality->residual ? &*optimality->residual : nullptr;
@@ -270,6 +338,7 @@ TopologyHooks round_hooks(const output::OptimizeSummary& summary, const Optimize
   out.progress = hooks.progress;
   out.keep_going = hooks.keep_going;
   out.on_hole = hooks.on_hole;
+  out.on_box = hooks.on_box;
   if (!hooks.on_cycle) return out;
   out.on_round_cycle = [summary, objective, on_cycle = hooks.on_cycle](const RoundHistory& rounds) {
     output::OptimizeSummary so_far = summary;

@@ -41,6 +41,7 @@ struct OptimizeHooks {
   /// After each cycle, with those of all rounds.
   std::function<void(const output::OptimizeSummary&, const RoundHistory&)> on_cycle;
   std::function<void(const std::string& feature, const Nucleus&)> on_hole;
+  std::function<void(const std::string& branch)> on_box;  ///< of a search in catalogues
 };
 
 /// Optimises under the loads of the motion, or under fixed ones if the study has them.
@@ -69,6 +70,9 @@ DerivativeReport part_derivatives_task(const Study& study);
 /// Fills in the cycles so far, numbered through.
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
                      SolidResponse objective);
+/// Fills in what a search in catalogues has proven; nothing if there was none.
+void describe_catalogue(output::OptimizeSummary& summary,
+                        const std::optional<CatalogueReport>& report);
 /// Fills in the residual of the KKT conditions and what the limits cost.
 void describe_optimality(output::OptimizeSummary& summary,
                          const std::optional<DynamicOptimality>& optimality);

@@ -6,6 +6,7 @@
 
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/start_kinks.hpp"
+#include "optim/cycle/catalogue.hpp"
 #include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
@@ -86,16 +87,22 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
     return optimise_outline(spec, mechanism, body, cycle, cycles);
   };
   Topology<PartEnd> rounds =
-      optimise_in_rounds<PartEnd>(study.spec, study.scene.mechanism, nucleate, optimise,
-                                  round_hooks(summary, hooks, objective), resume);
+      optimise_study<PartEnd>(study.spec, study.scene.mechanism, nucleate, optimise,
+                              round_hooks(summary, hooks, objective), resume);
   PartEnd& end = rounds.last.end;
   OptimizeOutcome out;
   out.summary = summary;
   out.status = end.status;
   out.holes = holes_of(rounds, study.scene.mechanism, quantity(objective).unit);
   describe_end(out.summary, rounds);
+  describe_catalogue(out.summary, rounds.catalogue);
   const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
   const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+  if (rounds.catalogue)  // the bounds of the study, not those of the last box
+    for (std::size_t j = 0; j < out.summary.design.size(); ++j) {
+      out.summary.design[j].lower = start.design.variables()[j].lower;
+      out.summary.design[j].upper = start.design.variables()[j].upper;
+    }
   for (auto& text : start_warnings(name, start)) out.summary.warnings.push_back(std::move(text));
   describe_holes(out.summary, *out.holes);
   if (!end.best) return out;

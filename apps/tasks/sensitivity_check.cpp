@@ -108,7 +108,7 @@ SensitivityCheck check_on(const SensitivityProblem& problem, const Space<G>& spa
   options.largest_step = kLargestStep;
   options.steps = kSteps;
   options.tolerance = kRight;
-  options.beside_kinks = false;  // the gradients are of one point
+  options.avoid_kinks = false;  // the gradients are of one point
   DerivativeReport report = check_derivatives(functionals, problem.values(), options);
   std::erase_if(report.checks, [](const auto& c) { return c.function == "objective"; });
   return {report.right, report.text(static_cast<int>(report.checks.size()))};

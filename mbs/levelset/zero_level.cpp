@@ -66,7 +66,7 @@ class Grid {
 
   Vector3d onto_zero(const Vector3d& start) const {
     Vector3d x = start;
-    const double reach = step_.norm();
+    const double radius = step_.norm();
     for (int k = 0; k < 20; ++k) {
       Vector3d g, gb;
       double phi = shape_.evaluate(x, g, nullptr);
@@ -77,8 +77,8 @@ class Grid {
       if (!(slope > 0)) return start;
       const Vector3d move = phi / slope * g;
       x -= move;
-      if ((x - start).norm() > reach) return start;  // no zero near: a kink between the nodes
-      if (move.norm() < 1e-15 * (x.norm() + reach)) break;
+      if ((x - start).norm() > radius) return start;  // no zero near: a kink between the nodes
+      if (move.norm() < 1e-15 * (x.norm() + radius)) break;
     }
     return x;
   }

@@ -23,31 +23,35 @@ enum class ResponseKind {
   Position,         ///< of port `at`, inertial, m; along `axis` if given
   Velocity,         ///< of port `at`, m/s, in `in`: inertial or the port's axes; along `axis`
   AngularVelocity,  ///< of port `at`, rad/s, in `in`; along `axis`
-  Rotation,      ///< of port `at` since the scene as given, rotation vector of at most pi, rad; in
-                 ///< `in`: inertial or the port's axes; along `axis`
-  Displacement,  ///< of port `at` seen from node 0 of its body, minus its undeformed value, m;
-                 ///< in `in`: inertial or the axes of node 0; along `axis`
-  Deflection,    ///< offset of a beam's point from the chord start-end, minus its undeformed
-                 ///< value, m; signed in a planar scene, two components (y, z) in space
-  Elongation,    ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
-  Coordinate,    ///< of a joint, m or rad
-  JointForce,    ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
-  DriveForce,    ///< force or torque of the drive on `coordinate` of a joint, N or N m; it does
-                 ///< positive work where the coordinate grows
-  SectionForce,  ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
-  Stress,        ///< von Mises stress of a beam, largest over both ends of its elements or at a
-                 ///< `point`, Pa
-  Energy,        ///< kinetic + elastic (springs, too) + potential, J
-  Compliance     ///< twice the elastic energy of a beam: load times displacement, J
+  Rotation,       ///< of port `at` since the scene as given, rotation vector of at most pi, rad; in
+                  ///< `in`: inertial or the port's axes; along `axis`
+  Displacement,   ///< of port `at` seen from node 0 of its body, minus its undeformed value, m;
+                  ///< in `in`: inertial or the axes of node 0; along `axis`
+  Deflection,     ///< offset of a beam's point from the chord start-end, minus its undeformed
+                  ///< value, m; signed in a planar scene, two components (y, z) in space
+  Elongation,     ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
+  Coordinate,     ///< of a joint, m or rad
+  JointForce,     ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
+  DriveForce,     ///< force or torque of the drive on `coordinate` of a joint, N or N m; it does
+                  ///< positive work where the coordinate grows
+  SectionForce,   ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
+  Stress,         ///< von Mises stress of a beam, largest over both ends of its elements or at a
+                  ///< `point`, Pa
+  Energy,         ///< kinetic + elastic (springs, too) + potential, J
+  Compliance,     ///< twice the elastic energy of a beam: load times displacement, J
+  AxialStress,    ///< N/A of a beam, tension positive, of the element where it is largest, Pa
+  Buckling,       ///< compressive force of a beam over its Euler load, the largest; 0 in tension
+  LocalBuckling,  ///< largest compressive stress of a tube over that of its wall
+  Translation     ///< of port `at` since the scene as given, inertial, m; along `axis`
 };
 
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
-  Port at;         ///< Position, Velocity, AngularVelocity, Rotation, Displacement, Elongation
-  Port to;         ///< Elongation
-  int body = -1;   ///< Deflection, SectionForce, Stress, Compliance; Elongation: of both ports, -1
-                   ///< if they are of two bodies
+  Port at;        ///< Position, Velocity, AngularVelocity, Rotation, Displacement, Elongation
+  Port to;        ///< Elongation
+  int body = -1;  ///< Deflection and from SectionForce on but Energy; Elongation: of both ports, -1
+                  ///< if they are of two bodies
   double s = 0.5;  ///< Deflection: place on the beam by node number / n, in [0, 1];
                    ///< `everywhere` = largest over the nodes
   bool everywhere = false;
@@ -56,6 +60,7 @@ struct ResponseSpec {
   /// Stress: a stress point of `element`, counted over its first end, then its last; -1 = largest
   int point = -1;
   int component = 0;         ///< SectionForce, 0..5
+  double factor = 1;         ///< Buckling: K of the buckling length K L; LocalBuckling: knock-down
   int joint = -1;            ///< Coordinate, JointForce, DriveForce
   int coordinate = 0;        ///< Coordinate, DriveForce
   std::optional<Vec3> axis;  ///< unit

@@ -34,9 +34,13 @@ class Derivatives {
   }
   /// At the state after a step. @param previous coupling rows at the state before
   const ResidualDerivative& at(const State<G>& s, const VectorXd& previous) {
+    return at(s, previous, {s.t, 1});
+  }
+  const ResidualDerivative& at(const State<G>& s, const VectorXd& previous,
+                               const LoadLevel& level) {
     for (size_t i = 0; i < parameters_.size(); ++i) {
       phi_p_.setZero();
-      parameters_[i].add(s, previous, {s.t, 1}, r_p_, phi_p_);
+      parameters_[i].add(s, previous, level, r_p_, phi_p_);
       const auto column = static_cast<Eigen::Index>(i);
       by_p_.phi.col(column) = phi_p_;
       for (Eigen::SparseMatrix<double>::InnerIterator it(by_p_.r, column); it; ++it) {
@@ -163,6 +167,24 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
 }
 
 template <FrameGroup G>
+SensitivityEnd static_sensitivity(const Model<G>& model, const Trajectory<G>& path, double time,
+                                  const Parameters<G>& parameters, const SensitivityAt<G>& at) {
+  Derivatives<G> derivatives(model, parameters);
+  StepSensitivity<G> sensitivity(model, 1);
+  StateSensitivity ds;
+  State<G> s = model.initial_state();
+  for (int n = 1; n < path.size(); ++n) {
+    path.read(n, s);
+    const LoadLevel level{time, s.t};
+    if (!sensitivity.equilibrium(s, level))
+      return {fmt::format("the tangent at the load factor {:.6g} is singular", s.t)};
+    sensitivity.forward(derivatives.at(s, s.rows, level), ds);
+    at(n, s, ds);
+  }
+  return {};
+}
+
+template <FrameGroup G>
 SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                    const Parameters<G>& parameters, int functionals,
                                    const CotangentsAt<G>& at, MatrixXd& gradient) {
@@ -200,6 +222,10 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
 template SensitivityEnd direct_sensitivity(const Model<SE2>&, const Tape<SE2>&,
                                            const Parameters<SE2>&, const SensitivityAt<SE2>&);
 template SensitivityEnd direct_sensitivity(const Model<SE3>&, const Tape<SE3>&,
+                                           const Parameters<SE3>&, const SensitivityAt<SE3>&);
+template SensitivityEnd static_sensitivity(const Model<SE2>&, const Trajectory<SE2>&, double,
+                                           const Parameters<SE2>&, const SensitivityAt<SE2>&);
+template SensitivityEnd static_sensitivity(const Model<SE3>&, const Trajectory<SE3>&, double,
                                            const Parameters<SE3>&, const SensitivityAt<SE3>&);
 template SensitivityEnd adjoint_sensitivity(const Model<SE2>&, const Tape<SE2>&,
                                             const Parameters<SE2>&, int, const CotangentsAt<SE2>&,

@@ -12,6 +12,7 @@
 
 #include "mbs/sensitivity/step_sensitivity.hpp"
 #include "mbs/solvers/replay.hpp"
+#include "mbs/solvers/trajectory.hpp"
 #include "mbs/system/parameter_residual.hpp"
 
 namespace liesl {
@@ -38,6 +39,14 @@ template <FrameGroup G>
 SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at);
 
+/// Of equilibria under a growing load, [K B^T; B 0] [eta; lambda'] = -[r_p; Phi_p] at each record
+/// but the first, which has no load. Called with the number of the record; v' = w' = 0.
+/// @param path equilibria, t = load factor  @param time of drives, tables and expressions
+/// (simulation.at)
+template <FrameGroup G>
+SensitivityEnd static_sensitivity(const Model<G>& model, const Trajectory<G>& path, double time,
+                                  const Parameters<G>& parameters, const SensitivityAt<G>& at);
+
 /// Adds the derivatives of the functionals' terms j_n by the state of a step: to the columns of
 /// `bars` by eta, v, w = vdot and lambda (a: not used), to `gradient` (n_p x functionals) by p.
 template <FrameGroup G>
@@ -57,6 +66,12 @@ extern template SensitivityEnd direct_sensitivity(const Model<SE2>&, const Tape<
                                                   const Parameters<SE2>&,
                                                   const SensitivityAt<SE2>&);
 extern template SensitivityEnd direct_sensitivity(const Model<SE3>&, const Tape<SE3>&,
+                                                  const Parameters<SE3>&,
+                                                  const SensitivityAt<SE3>&);
+extern template SensitivityEnd static_sensitivity(const Model<SE2>&, const Trajectory<SE2>&, double,
+                                                  const Parameters<SE2>&,
+                                                  const SensitivityAt<SE2>&);
+extern template SensitivityEnd static_sensitivity(const Model<SE3>&, const Trajectory<SE3>&, double,
                                                   const Parameters<SE3>&,
                                                   const SensitivityAt<SE3>&);
 extern template SensitivityEnd adjoint_sensitivity(const Model<SE2>&, const Tape<SE2>&,

@@ -127,11 +127,11 @@ bool StepSensitivity<G>::start(const State<G>& s) {
 }
 
 template <FrameGroup G>
-bool StepSensitivity<G>::start_in_equilibrium(const State<G>& s) {
+bool StepSensitivity<G>::equilibrium(const State<G>& s, const LoadLevel& level) {
   at_start_ = in_equilibrium_ = true;
-  equations_.evaluate(s, s.rows, {s.t, 1});
+  equations_.evaluate(s, s.rows, level);
   matrix_.take_prestress(equations_, s);
-  start_matrix_ = matrix_.assemble(equations_, s, {s.t, 1});
+  start_matrix_ = matrix_.assemble(equations_, s, level);
   start_lu_ = SparseLu();
   return start_lu_.factor(start_matrix_);
 }

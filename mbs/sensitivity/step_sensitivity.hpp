@@ -54,7 +54,9 @@ class StepSensitivity {
   bool start(const State<G>& s);
   /// At a start in static equilibrium and at rest: [K B^T; B 0] [eta; lambda'] = -[r_p; Phi_p],
   /// v' = w' = 0. @pre v = w = 0
-  bool start_in_equilibrium(const State<G>& s);
+  bool start_in_equilibrium(const State<G>& s) { return equilibrium(s, {s.t, 1}); }
+  /// The same of any equilibrium, under loads of that level: `forward` gives eta and lambda'.
+  bool equilibrium(const State<G>& s, const LoadLevel& level);
   /// At the step from `before` to `after` of size h. @param factor false: `solve` is not used
   bool step(const State<G>& before, const State<G>& after, double h, bool factor = true);
 

@@ -88,9 +88,9 @@ void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports
   Vec3 at_a = mechanism.frame(j.a).x, at_b = mechanism.frame(j.b).x;
   const JointKind& kind = kind_of(j.type);
   const Vec3 gap = at_b - at_a, free = kind.free_part(j.axis, gap);
-  const bool near = (gap - free).norm() <= kNear * mechanism.size();
+  const bool closed = (gap - free).norm() <= kNear * mechanism.size();
   const auto anywhere = [&](const Port& p) {
-    return p.body < 0 && (!near || p.offset.x.isZero(0));
+    return p.body < 0 && (!closed || p.offset.x.isZero(0));
   };
   if (kind.acts_on_distance())
     ;  // from port to port

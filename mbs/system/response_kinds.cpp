@@ -39,6 +39,11 @@ Eigen::VectorXd ResponseValues<G>::position(const ResponseSpec& r, const State<G
 }
 
 template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::translation(const ResponseSpec& r, const State<G>& s) const {
+  return along(r, view_.frame(s.H.data(), r.at).x - mechanism_.frame(r.at).x);
+}
+
+template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::velocity(const ResponseSpec& r, const State<G>& s) const {
   const Vec3 u = view_.velocity(s.v.data(), r.at).template head<3>();
   return along(r, r.in == Axes::Body ? u : Vec3(view_.frame(s.H.data(), r.at).R * u));

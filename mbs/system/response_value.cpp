@@ -15,6 +15,7 @@ const char* radians_a_second(const ResponseSpec&, const Mechanism&) { return "ra
 const char* radians(const ResponseSpec&, const Mechanism&) { return "rad"; }
 const char* newtons(const ResponseSpec&, const Mechanism&) { return "N"; }
 const char* pascals(const ResponseSpec&, const Mechanism&) { return "Pa"; }
+const char* share(const ResponseSpec&, const Mechanism&) { return "-"; }
 const char* joules(const ResponseSpec&, const Mechanism&) { return "J"; }
 const char* of_section(const ResponseSpec& r, const Mechanism&) {
   return r.component < 3 ? "N" : "N m";
@@ -34,7 +35,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 14> rows{{
+  static const std::array<Kind, 18> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -77,6 +78,10 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        &R::compliance,
        &R::add_compliance,
        &R::compliance_by},
+      {K::AxialStress, {"axial_stress", one, pascals}, &R::member, &R::add_member, &R::member_by},
+      {K::Buckling, {"buckling", one, share}, &R::member, &R::add_member, &R::member_by},
+      {K::LocalBuckling, {"local_buckling", one, share}, &R::member, &R::add_member, &R::member_by},
+      {K::Translation, {"translation", vector, metres}, &R::translation, &R::add_position, nullptr},
   }};
   return rows[static_cast<size_t>(kind)];
 }

@@ -130,6 +130,8 @@ class ResponseValues {
   Eigen::VectorXd stress(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd energy(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd compliance(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd translation(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd member(const ResponseSpec& r, const State<G>& s) const;
 
   void add_position(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
@@ -145,6 +147,7 @@ class ResponseValues {
   void add_stress(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_energy(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_compliance(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_member(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_body_energy(int body, const BodyEnergy& weight, const At& at, Cotangent& out) const;
 
   double section_force_by(const ResponseSpec& r, const State<G>& s,
@@ -157,7 +160,20 @@ class ResponseValues {
                    const ParameterResidual<G>& parameter) const;
   double compliance_by(const ResponseSpec& r, const State<G>& s,
                        const ParameterResidual<G>& parameter) const;
+  double member_by(const ResponseSpec& r, const State<G>& s,
+                   const ParameterResidual<G>& parameter) const;
 
+  /// AxialStress, Buckling, LocalBuckling: n . row at the place where it is largest, n the section
+  /// force; the row follows from the section.
+  struct MemberAt {
+    int element = 0;
+    ElementPlace place = ElementPlace::Middle;
+    int point = -1;  ///< stress point; -1: none
+    SE3::Tangent row = SE3::Tangent::Zero();
+    double value = 0;
+    SE3::Tangent n = SE3::Tangent::Zero();
+  };
+  MemberAt largest_of_member(const ResponseSpec& r, const State<G>& s) const;
   /// Rotation vector of a port since the scene as given, in the axes that the response is in.
   Vec3 rotation_of(const ResponseSpec& r, const State<G>& s) const;
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.

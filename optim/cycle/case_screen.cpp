@@ -29,8 +29,8 @@ CasesByLimit near_largest(const ValuesByLimit& value, const std::vector<Screened
                      [&](int a, int b) { return value[l][a] > value[l][b]; });
     for (std::size_t k = 0; k < order.size(); ++k) {
       const bool few = static_cast<int>(k) < o.min_cases;
-      const bool near = value[l][order[k]] >= (1 - o.screening) * worst[limits[l].constraint];
-      if (limits[l].many ? few && near : few || near) cases[l].push_back(order[k]);
+      const bool large = value[l][order[k]] >= (1 - o.screening) * worst[limits[l].constraint];
+      if (limits[l].many ? few && large : few || large) cases[l].push_back(order[k]);
     }
   }
   return cases;

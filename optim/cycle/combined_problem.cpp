@@ -85,6 +85,17 @@ std::vector<RowImage> CombinedProblem::images() const {
   return all;
 }
 
+std::vector<RowGoal> CombinedProblem::goals() const {
+  std::vector<RowGoal> all(constraints_.size());
+  bool any = false;
+  for (std::size_t k = 0; k < members_.size(); ++k) {
+    const std::vector<RowGoal> own = members_[k].problem->goals();
+    std::copy(own.begin(), own.end(), all.begin() + places_[k].row);
+    any = any || !own.empty();
+  }
+  return any ? all : std::vector<RowGoal>();
+}
+
 std::string CombinedProblem::undefined_reason() const {
   for (const Member& m : members_)
     if (std::string text = m.problem->undefined_reason(); !text.empty()) return text;

@@ -6,7 +6,7 @@ namespace liesl {
 
 ConstantsProblem::ConstantsProblem(const Constants& constants, const std::vector<int>& counted,
                                    const Eigen::VectorXd& x, double move)
-    : variables_(constants.variables()), df_(constants.mass_gradient(counted)) {
+    : CaselessProblem(constants.variables()), df_(constants.mass_gradient(counted)) {
   for (int i = 0; i < x.size(); ++i) {
     NlpVariable& v = variables_[static_cast<std::size_t>(i)];
     const double most = move * (v.upper - v.lower);

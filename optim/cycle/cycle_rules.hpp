@@ -55,6 +55,8 @@ struct Cycle {
   /// Multipliers that the optimiser starts from: trust region: in this cycle; else in the next one.
   NlpWarmStart warm;
   SimulationEffort effort;  ///< of all simulations so far
+  /// How the loop ended here by its own rules; none: it went on, or was stopped.
+  std::optional<CycleStatus> end;
 };
 /// Size of the step from the simulated design to y: |y - x| / |x|, or |(y - x) / unit|.
 double step_size(const Cycle& cycle, const Eigen::VectorXd& y);

@@ -20,8 +20,7 @@ DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space
   const Eigen::VectorXd x = simulator.design().start();
   const DesignRun<G> run = simulator.run(x);
   if (!run.good())
-    throw std::runtime_error("the start design cannot be simulated: " +
-                             run.simulation.report.reason);
+    throw std::runtime_error("the start design cannot be simulated: " + run.reason());
   DerivativeCheckOptions options;
   options.every_variable = true;
   const auto problem = motion_problem(study, simulator, run, x, study.cycle.move_limit);

@@ -119,6 +119,8 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
     Cycle& cycle = record.add(analysis, step.x);
     step = rule.next(record, analysis, cycle);
     cycle.seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    cycle.end.reset();
+    if (step.end && step.end->status != CycleStatus::Interrupted) cycle.end = step.end->status;
     if (hooks.on_cycle) hooks.on_cycle(record.history());
     if (record.asked_to_stop() && !step.end)
       step.end = CycleEnd{CycleStatus::Interrupted,

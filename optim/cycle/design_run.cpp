@@ -58,11 +58,14 @@ DesignRun<G> DesignSimulator<G>::run(const Eigen::VectorXd& x, const Progress& p
   r.mass = mass_of(r.mechanism, study_.mass_of);
   const SimulationOptions options = design_.simulation(options_, x);
   r.duration = options.duration;
+  r.pose_time = options.at;
+  r.statics = options.type == SimulationType::Static;
   r.simulation = run_simulation(*r.model, options, progress, &r.tape);
   if (!r.good()) return r;
   extract(r);
   measure(r);
   measure_frequencies(r);
+  measure_masses(r);
   measure_walls(r, x);
   return r;
 }
@@ -79,12 +82,27 @@ void DesignSimulator<G>::extract(DesignRun<G>& r) const {
 
 template <FrameGroup G>
 void DesignSimulator<G>::measure_frequencies(DesignRun<G>& r) const {
-  for (const FrequencyLimitSpec& limit : study_.frequencies) {
-    std::string reason;
-    const auto values = lowest_frequencies(r.mechanism, options_, limit, reason);
-    const double lowest = values.empty() ? 0 : values.front();
-    r.frequencies.push_back({limit.name, limit.least, lowest});
+  if (study_.frequencies.empty()) return;
+  const LimitedModes modes(r.mechanism, options_, study_.frequencies);
+  r.undefined = modes.reason;
+  for (std::size_t l = 0; l < study_.frequencies.size(); ++l) {
+    const FrequencyLimitSpec& limit = study_.frequencies[l];
+    const double lowest = modes.frequency(l, 0);
+    r.frequencies.push_back({limit.name, limit.least, lowest, limit.weight > 0});
+    if (limit.weight > 0) continue;
     if (const double g = 1 - lowest / limit.least; g > r.worst) {
+      r.worst = g;
+      r.worst_at.clear();
+      r.worst_constraint = limit.name;
+    }
+  }
+}
+
+template <FrameGroup G>
+void DesignSimulator<G>::measure_masses(DesignRun<G>& r) const {
+  for (const MassLimitSpec& limit : study_.mass_limits) {
+    r.masses.push_back({limit.name, limit.limit, mass_of(r.mechanism, limit.bodies)});
+    if (const double g = r.masses.back().value / limit.limit - 1; g > r.worst) {
       r.worst = g;
       r.worst_at.clear();
       r.worst_constraint = limit.name;
@@ -115,7 +133,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   const auto& trajectory = r.simulation.trajectory;
   State<G> s = r.model->initial_state();
   for (const auto& c : study_.constraints)
-    r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0});
+    r.limits.push_back({c.response.name, c.limit, {}, 0, 0, 0, c.weight > 0});
   const std::vector<double> weights = time_weights(r.times());
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
@@ -135,7 +153,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   for (std::size_t i = 0; i < r.limits.size(); ++i)
     r.limits[i].measure = treated_value(study_.constraints[i], times, r.limits[i].values);
   for (const auto& series : r.limits)
-    if (const double g = series.measure / series.limit - 1; g > r.worst) {
+    if (const double g = series.measure / series.limit - 1; !series.goal && g > r.worst) {
       r.worst = g;
       r.worst_at = fmt::format("t = {:.6g} s", series.at_time);
       r.worst_constraint = series.name;

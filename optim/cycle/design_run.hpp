@@ -21,12 +21,20 @@ struct LimitSeries {
   std::vector<double> values;
   double largest = 0, at_time = 0;
   double measure = 0;  ///< what is compared with the limit: the largest, or what its treatment says
+  bool goal = false;   ///< no limit: part of the objective
 };
 
 /// The lowest of the frequencies that are limited.
 struct FrequencyCheck {
   std::string name;
-  double least = 0, value = 0;  ///< Hz
+  double least = 0, value = 0;  ///< Hz; NaN where the run says why
+  bool goal = false;            ///< no limit: part of the objective
+};
+
+/// A mass that is limited.
+struct MassCheck {
+  std::string name;
+  double limit = 0, value = 0;  ///< kg
 };
 
 /// Everything after `simulation` is empty or zero unless the simulation converged.
@@ -36,6 +44,7 @@ struct DesignRun {
   std::shared_ptr<Model<G>> model;  ///< of `mechanism`
   double mass = 0;                  ///< of the bodies in the objective, kg
   double duration = 0;              ///< s, of this design
+  double pose_time = 0;             ///< simulation.at of statics, s
   double effort = 0;                ///< of the goal: sum of the integrals of squared responses
   Simulation<G> simulation;
   Tape<G> tape;  ///< of a dynamic simulation, for its sensitivities; empty if not asked for
@@ -43,11 +52,22 @@ struct DesignRun {
   std::vector<SolidLoadSet> solid_loads;    ///< one for each meshed part whose outline changes
   std::vector<LimitSeries> limits;          ///< one for each constraint
   std::vector<FrequencyCheck> frequencies;  ///< one for each limit
+  std::string undefined;                    ///< why a limited frequency has no value; else empty
+  std::vector<MassCheck> masses;            ///< one for each limit
+  bool statics = false;                     ///< equilibria, no motion
   double worst = -1;                        ///< largest |r|/limit - 1 over all records and limits
   std::string worst_constraint;
   std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
-  bool good() const { return simulation.report.status == SolveStatus::Converged; }
+  bool good() const { return status() == SolveStatus::Converged; }
+  SolveStatus status() const {
+    return undefined.empty() ? simulation.report.status : SolveStatus::Inconsistent;
+  }
+  const std::string& reason() const {
+    return undefined.empty() ? simulation.report.reason : undefined;
+  }
+  /// Are there equilibria, or a motion on tape, to be differentiated?
+  bool differentiable() const { return statics || !tape.checkpoints.empty(); }
   std::vector<double> times() const;  ///< of the records, s
 };
 
@@ -68,6 +88,7 @@ class DesignSimulator {
   void extract(DesignRun<G>& run) const;
   void measure(DesignRun<G>& run) const;
   void measure_frequencies(DesignRun<G>& run) const;
+  void measure_masses(DesignRun<G>& run) const;
   void measure_walls(DesignRun<G>& run, const Eigen::VectorXd& x) const;
 
   const Mechanism& mechanism_;

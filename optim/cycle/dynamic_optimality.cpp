@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <stdexcept>
 
@@ -20,6 +21,7 @@ struct Peak {
   std::string limit;
   double time = 0, g = 0;  ///< g = value/limit - 1
   VectorXd dg;             ///< by the variables
+  RowGoal goal = {};       ///< where it is no limit
 };
 
 bool is_peak(const std::vector<double>& v, std::size_t n) {
@@ -96,7 +98,42 @@ class RowProblem final : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-/// Sums of the multipliers of what has one name, largest first.
+/// The bounds s_k of goals as further variables: minimise f + sum_k w_k s_k, g_j <= s_k.
+class GoalBounds {
+ public:
+  GoalBounds(const std::vector<RowGoal>& rows, const std::vector<Peak>& peaks) {
+    for (const RowGoal& r : rows) add(r);
+    for (const Peak& p : peaks) add(p.goal);
+  }
+  int count() const { return static_cast<int>(weights_.size()); }
+  void extend(std::vector<NlpVariable>& variables, NlpPoint& point) const {
+    const auto n = point.x.size();
+    point.x.conservativeResizeLike(VectorXd::Zero(n + count()));
+    point.df.conservativeResizeLike(VectorXd::Zero(n + count()));
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    for (const auto& [number, weight] : weights_) {
+      point.df[n + place(number)] = weight;
+      variables.push_back({fmt::format("goal {}", number), -kInfinity, kInfinity, 0});
+    }
+  }
+  VectorXd row(const VectorXd& dg, const RowGoal& goal) const {
+    VectorXd out = VectorXd::Zero(dg.size() + count());
+    out.head(dg.size()) = dg;
+    if (goal.number >= 0) out[dg.size() + place(goal.number)] = -1;
+    return out;
+  }
+
+ private:
+  void add(const RowGoal& r) {
+    if (r.number >= 0) weights_[r.number] = r.weight;
+  }
+  Eigen::Index place(int number) const {
+    return std::distance(weights_.begin(), weights_.find(number));
+  }
+  std::map<int, double> weights_;  ///< by the number of the goal
+};
+
+/// Sums of the multipliers of what has one name, largest first; none: a goal.
 std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktResidual& kkt) {
   std::map<std::string, double> sum;
   double most = 0;
@@ -104,7 +141,7 @@ std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktR
     most = std::max(most, sum[names[id]] += multiplier);
   std::vector<LimitPrice> out;
   for (const auto& [name, price] : sum)
-    if (price > kPaid * most) out.push_back({name, price});
+    if (!name.empty() && price > kPaid * most) out.push_back({name, price});
   std::sort(out.begin(), out.end(), [](const auto& a, const auto& b) { return a.price > b.price; });
   return out;
 }
@@ -118,17 +155,25 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
   RowMatrix dg(m, n);
   statics.values(x, point.f, g);
   statics.gradients(x, point.df, dg);
-  RowProblem problem(variables);
+  const std::vector<RowGoal> goals = statics.goals();
+  const GoalBounds bounds(goals, peaks);
+  std::vector<NlpVariable> extended = variables;
+  bounds.extend(extended, point);
+  RowProblem problem(extended);
+  point.dg.resize(0, point.x.size());
   std::vector<std::string> names;
   for (const Peak& p : peaks) {
-    names.push_back(p.limit);
-    problem.add(point, fmt::format("{} at t = {:.6g} s", names.back(), p.time), p.g, p.dg);
+    names.push_back(p.goal.number >= 0 ? "" : p.limit);
+    problem.add(point, fmt::format("{} at t = {:.6g} s", p.limit, p.time), p.g,
+                bounds.row(p.dg, p.goal));
   }
   const std::vector<RowImage> image = statics.images();
   for (Eigen::Index i = 0; i < m; ++i) {
     if (image[static_cast<std::size_t>(i)].response >= 0) continue;
-    names.push_back(statics.constraints()[static_cast<std::size_t>(i)].name);
-    problem.add(point, names.back(), g[i], dg.row(i));
+    const std::string& name = statics.constraints()[static_cast<std::size_t>(i)].name;
+    const RowGoal goal = goals.empty() ? RowGoal() : goals[static_cast<std::size_t>(i)];
+    names.push_back(goal.number >= 0 ? "" : name);
+    problem.add(point, name, g[i], bounds.row(dg.row(i), goal));
   }
   KktOptions options;
   options.active = active;
@@ -140,8 +185,7 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
 /// What is wrong with a neighbouring run; empty: it can be compared with the design's.
 template <FrameGroup G>
 std::string not_comparable(const DesignRun<G>& run, const std::vector<double>& times) {
-  if (!run.good())
-    return "the simulation of a neighbouring design failed: " + run.simulation.report.reason;
+  if (!run.good()) return "the simulation of a neighbouring design failed: " + run.reason();
   if (run.times() != times)
     return "the simulations of neighbouring designs have other time steps; use a fixed step that "
            "is not halved";
@@ -166,10 +210,16 @@ DynamicOptimality check_optimality(const StudySpec& study,
   if (!out.reason.empty()) return out;
   std::vector<Peak> between, records;
   for (int r = 0; r < motion.responses(); ++r) {
-    const double limit = study.constraints[motion.response(r).constraint].limit;
+    const int c = motion.response(r).constraint;
+    const ConstraintSpec& spec = study.constraints[static_cast<std::size_t>(c)];
     const std::string name = limit_name(study, motion.response(r));
-    add_peaks_between(motion, r, name, limit, active, between);
-    add_peaks_of_records(motion, r, name, limit, active, records);
+    const std::size_t before[] = {between.size(), records.size()};
+    add_peaks_between(motion, r, name, spec.limit, active, between);
+    add_peaks_of_records(motion, r, name, spec.limit, active, records);
+    if (!(spec.weight > 0)) continue;
+    const RowGoal goal{c, spec.weight * spec.limit};
+    for (std::size_t k = before[0]; k < between.size(); ++k) between[k].goal = goal;
+    for (std::size_t k = before[1]; k < records.size(); ++k) records[k].goal = goal;
   }
   evaluate(variables, x, between, statics, active, out);
   if (out.holds()) return out;

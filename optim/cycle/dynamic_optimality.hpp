@@ -35,6 +35,8 @@ struct DynamicOptimality {
   std::string brief() const;
 };
 
+inline constexpr double kNearActive = 1e-2;  ///< limits that may carry a multiplier at the end
+
 /// First-order optimality conditions of the dynamic problem
 ///     minimise mass(x)  subject to  |r_c(t_n; x)| / limit_c - 1 <= 0  at every record n,
 ///     walls, limits of the parts and bounds

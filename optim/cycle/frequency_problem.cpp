@@ -7,69 +7,72 @@
 
 namespace liesl {
 
-std::vector<double> lowest_frequencies(const Mechanism& designed, const SimulationOptions& options,
-                                       const FrequencyLimitSpec& limit, std::string& reason) {
-  const auto model = Model<SE3>::build(designed, {});
-  const PoseModes modes = pose_modes(model, options, limit.at, limit.count);
-  reason = modes.reason;
-  std::vector<double> out;
-  for (const double lambda : modes.lambda) out.push_back(std::sqrt(lambda) / (2 * M_PI));
-  return out;
+LimitedModes::LimitedModes(Mechanism designed, const SimulationOptions& options,
+                           const std::vector<FrequencyLimitSpec>& limits)
+    : mechanism(std::move(designed)), model(Model<SE3>::build(mechanism, {})) {
+  for (const FrequencyLimitSpec& limit : limits) {
+    modes.push_back(pose_modes(model, options, limit.at, limit.count));
+    const PoseModes& found = modes.back();
+    if (!reason.empty() || found.lambda.size() >= limit.count) continue;
+    reason = fmt::format("frequency '{}': ", limit.name);
+    if (found.reason.empty())
+      reason += fmt::format("the mechanism has only {}", found.lambda.size());
+    reason += found.reason;
+  }
+}
+
+double LimitedModes::frequency(std::size_t l, int i) const {
+  if (i >= modes[l].lambda.size()) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(modes[l].lambda[i]) / (2 * M_PI);
 }
 
 FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& design,
                                    const SimulationOptions& options,
                                    const std::vector<FrequencyLimitSpec>& limits,
-                                   const Eigen::VectorXd& x)
-    : mechanism_(mechanism),
+                                   const Eigen::VectorXd& x, int first_goal)
+    : CaselessProblem(design.variables()),
+      mechanism_(mechanism),
       design_(design),
       options_(options),
-      limits_(limits),
-      variables_(design.variables()) {
+      limits_(limits) {
   for (Eigen::Index i = 0; i < x.size(); ++i) variables_[static_cast<std::size_t>(i)].start = x[i];
-  for (const FrequencyLimitSpec& limit : limits_)
-    for (int i = 0; i < limit.count; ++i)
+  bool any = false;
+  for (std::size_t l = 0; l < limits_.size(); ++l)
+    for (int i = 0; i < limits_[l].count; ++i) {
+      const FrequencyLimitSpec& limit = limits_[l];
       constraints_.push_back(
           {static_cast<ConstraintId>(constraints_.size()),
            limit.count == 1 ? limit.name : fmt::format("{} {}", limit.name, i + 1), 1});
-}
-
-void FrequencyProblem::evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* g, RowMatrix* dg) {
-  const Mechanism designed = design_.apply(mechanism_, x);
-  const auto model = Model<SE3>::build(designed, {});
-  const auto parameters = dg ? design_.parameters(designed, x) : std::vector<Parameter>();
-  Eigen::Index row = 0;
-  reason_.clear();
-  for (const FrequencyLimitSpec& limit : limits_) {
-    const PoseModes modes = pose_modes(model, options_, limit.at, limit.count);
-    if (!modes.reason.empty()) reason_ = "frequency '" + limit.name + "': " + modes.reason;
-    Eigen::MatrixXd by_x(modes.lambda.size(), static_cast<Eigen::Index>(parameters.size()));
-    for (std::size_t p = 0; p < parameters.size(); ++p)
-      by_x.col(static_cast<Eigen::Index>(p)) =
-          lambda_derivative(designed, model, modes, parameters[p]);
-    for (Eigen::Index i = 0; i < limit.count; ++i, ++row) {
-      const bool found = i < modes.lambda.size();
-      if (!found && reason_.empty())
-        reason_ = fmt::format("frequency '{}': the mechanism has only {}", limit.name,
-                              modes.lambda.size());
-      const double omega = found ? std::sqrt(modes.lambda[i])
-                                 : std::numeric_limits<double>::quiet_NaN();  // the reason says why
-      if (g) (*g)[row] = 1 - omega / (2 * M_PI) / limit.least;
-      if (!dg) continue;
-      dg->row(row).setZero();
-      if (found) dg->row(row) = -by_x.row(i) / (4 * M_PI * omega * limit.least);
+      const bool goal = limit.weight > 0;
+      goals_.push_back({goal ? first_goal + static_cast<int>(l) : -1, limit.weight * limit.least});
+      any = any || goal;
     }
-  }
+  if (!any) goals_.clear();
 }
 
 void FrequencyProblem::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
+  latest_ = std::make_unique<LimitedModes>(design_.apply(mechanism_, x), options_, limits_);
   f = 0;
-  evaluate(x, &g, nullptr);
+  Eigen::Index row = 0;
+  for (std::size_t l = 0; l < limits_.size(); ++l)
+    for (int i = 0; i < limits_[l].count; ++i)
+      g[row++] = 1 - latest_->frequency(l, i) / limits_[l].least;
 }
 
+/// df_i/dx = dlambda_i/dx / (8 pi^2 f_i).
 void FrequencyProblem::gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) {
   df.setZero();
-  evaluate(x, nullptr, &dg);
+  dg.setZero();
+  const auto parameters = design_.parameters(latest_->mechanism, x);
+  Eigen::Index row = 0;
+  for (std::size_t l = 0; l < limits_.size(); row += limits_[l].count, ++l)
+    for (std::size_t p = 0; p < parameters.size(); ++p) {
+      const Eigen::VectorXd by_p =
+          lambda_derivative(latest_->mechanism, latest_->model, latest_->modes[l], parameters[p]);
+      for (int i = 0; i < by_p.size(); ++i)
+        dg(row + i, static_cast<Eigen::Index>(p)) =
+            -by_p[i] / (8 * M_PI * M_PI * latest_->frequency(l, i) * limits_[l].least);
+    }
 }
 
 }  // namespace liesl

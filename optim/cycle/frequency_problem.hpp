@@ -2,45 +2,51 @@
 /// @file
 /// Limits on the natural frequencies of a mechanism in a pose.
 
+#include <memory>
+
 #include "mbs/solvers/pose_modes.hpp"
 #include "optim/cycle/static_problem.hpp"
 #include "optim/design/design.hpp"
 
 namespace liesl {
 
-/// The lowest frequencies of a design, Hz; empty, with the reason, where there are none.
-std::vector<double> lowest_frequencies(const Mechanism& designed, const SimulationOptions& options,
-                                       const FrequencyLimitSpec& limit, std::string& reason);
+/// The modes of one design in the poses of the limits on its frequencies.
+struct LimitedModes {
+  LimitedModes(Mechanism designed, const SimulationOptions& options,
+               const std::vector<FrequencyLimitSpec>& limits);
+  LimitedModes(const LimitedModes&) = delete;
+  LimitedModes& operator=(const LimitedModes&) = delete;
+
+  /// Number i of limit l, Hz; NaN where `reason` says why there is none.
+  double frequency(std::size_t l, int i) const;
+
+  Mechanism mechanism;  ///< with the design
+  Model<SE3> model;
+  std::vector<PoseModes> modes;  ///< one a limit
+  std::string reason;  ///< why a limit has fewer frequencies than it counts; empty: none has
+};
 
 /// Rows 1 - f_i/least <= 0 of the lowest frequencies, exact at every x (without second derivatives:
-/// frequencies are nearly linear in dimensions of sections). The objective is 0.
-class FrequencyProblem final : public StaticProblem {
+/// frequencies are nearly linear in dimensions of sections). The objective is 0. Those with a
+/// weight are rows of a goal, numbered from `first_goal` on.
+class FrequencyProblem final : public CaselessProblem {
  public:
   FrequencyProblem(const Mechanism& mechanism, const Design& design,
                    const SimulationOptions& options, const std::vector<FrequencyLimitSpec>& limits,
-                   const Eigen::VectorXd& x);
+                   const Eigen::VectorXd& x, int first_goal = 0);
 
-  int add_violated(const Eigen::VectorXd&, double) override { return 0; }
-  int load_cases() const override { return 0; }
-  std::string undefined_reason() const override { return reason_; }
-  const std::vector<NlpVariable>& variables() const override { return variables_; }
-  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  std::string undefined_reason() const override { return latest_ ? latest_->reason : ""; }
+  std::vector<RowGoal> goals() const override { return goals_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
-  HessianShape hessian_shape() const override { return HessianShape::Dense; }
-  void hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&, Eigen::MatrixXd&) override {}
 
  private:
-  /// Rows at x, with gradients if asked for.
-  void evaluate(const Eigen::VectorXd& x, Eigen::VectorXd* g, RowMatrix* dg);
-
   const Mechanism& mechanism_;
   const Design& design_;
   const SimulationOptions options_;
   const std::vector<FrequencyLimitSpec> limits_;
-  std::vector<NlpVariable> variables_;
-  std::vector<NlpConstraint> constraints_;
-  std::string reason_;
+  std::vector<RowGoal> goals_;
+  std::unique_ptr<LimitedModes> latest_;  ///< of the latest values, for their gradients
 };
 
 }  // namespace liesl

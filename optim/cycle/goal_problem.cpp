@@ -29,7 +29,7 @@ GoalProblem::Effort GoalProblem::effort(const VectorXd& x) const {
 }
 
 void GoalProblem::values(const VectorXd& x, double& f, VectorXd&) {
-  f = goal_.weight_effort * effort(x).value;
+  f = goal_.extremes + goal_.weight_effort * effort(x).value;
   if (goal_.duration >= 0) f += goal_.weight_duration * x[goal_.duration];
 }
 

@@ -12,23 +12,19 @@ struct MotionGoal {
   double weight_duration = 0, weight_effort = 0;
   double effort = 0;
   Eigen::VectorXd by_effort;  ///< dJ/dx
+  double extremes = 0;        ///< of largest values and lowest frequencies: rows tell their change
 };
 
-/// minimise w_T T + w_e J exp(sum_i c_i s_i), c = dJ/dx / J at x_k, without constraints; s as in
-/// CorrectedProblem: a power of the variables, positive everywhere.
-class GoalProblem final : public StaticProblem {
+/// minimise extremes + w_T T + w_e J exp(sum_i c_i s_i), c = dJ/dx / J at x_k, without constraints;
+/// s as in CorrectedProblem: a power of the variables, positive everywhere.
+class GoalProblem final : public CaselessProblem {
  public:
   GoalProblem(MotionGoal goal, const Eigen::VectorXd& x_k,
               const std::vector<NlpVariable>& variables)
-      : goal_(std::move(goal)), x_k_(x_k), variables_(variables) {}
+      : CaselessProblem(variables), goal_(std::move(goal)), x_k_(x_k) {}
 
-  int add_violated(const Eigen::VectorXd&, double) override { return 0; }
-  int load_cases() const override { return 0; }
-  const std::vector<NlpVariable>& variables() const override { return variables_; }
-  const std::vector<NlpConstraint>& constraints() const override { return none_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd&) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix&) override;
-  HessianShape hessian_shape() const override { return HessianShape::Dense; }
   void hessian(const Eigen::VectorXd& x, double sigma, const Eigen::VectorXd&,
                Eigen::MatrixXd& h) override;
 
@@ -42,8 +38,6 @@ class GoalProblem final : public StaticProblem {
 
   const MotionGoal goal_;
   const Eigen::VectorXd x_k_;
-  const std::vector<NlpVariable> variables_;
-  const std::vector<NlpConstraint> none_;
 };
 
 }  // namespace liesl

@@ -85,8 +85,7 @@ template <FrameGroup G>
 CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
                          const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   const CycleMethod method = study.cycle.method;
-  const bool moves = scenarios.front().simulation.type == SimulationType::Dynamic;
-  if (method == CycleMethod::Esl || !moves)
+  if (method == CycleMethod::Esl)
     return run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
   if (method != CycleMethod::Auto) return run_with(scenarios, study, method, hooks, resume);
   try {

@@ -26,6 +26,7 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
   }
   State<G> completed;
   std::size_t record = 0;
+  record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
     if (record == records || s.t != (*times)[record]) return;
     completed = s;
@@ -40,7 +41,10 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
     }
     ++record;
   };
-  reason_ = direct_sensitivity<G>(model, run.tape, parameters, take).reason;
+  const SensitivityEnd end = run.statics ? static_sensitivity<G>(model, run.simulation.trajectory,
+                                                                 run.pose_time, parameters, take)
+                                         : direct_sensitivity<G>(model, run.tape, parameters, take);
+  reason_ = end.reason;
 }
 
 void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) {

@@ -4,6 +4,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <mutex>
 
 #include "optim/cycle/motion_rows.hpp"
@@ -16,7 +18,7 @@ namespace {
 using Eigen::VectorXd;
 
 constexpr std::size_t kFewVariables = 12;  // differences simulate twice for each
-constexpr double kNearActive = 1e-2;       // limits that may hold the objective up at the end
+constexpr double kNone = 1e-300;           // a goal that is zero, as a size
 
 /// The study with what its method takes from static problems.
 template <FrameGroup G>
@@ -112,11 +114,11 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
   for (std::size_t s = 0; s < a.runs.size(); ++s) {
     const DesignRun<G>& run = a.runs[s];
     if (!run.good() && a.status != SolveStatus::Interrupted) {
-      a.status = run.simulation.report.status;
-      a.reason = run.simulation.report.reason;
+      a.status = run.status();
+      a.reason = run.reason();
       if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
     }
-    a.limits.push_back({run.times(), run.limits, run.frequencies});
+    a.limits.push_back({run.times(), run.limits, run.frequencies, run.masses});
     if (run.worst <= a.worst) continue;
     a.worst = run.worst;
     a.worst_at = run.worst_at;
@@ -124,12 +126,45 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
     if (!study_.scenarios.empty() && !run.worst_at.empty())
       a.worst_constraint += " (" + study_.scenarios[s] + ")";
   }
+  a.objective += extremes(a);
 }
 
 template <FrameGroup G>
-auto MotionModel<G>::static_members(std::size_t s, const MotionAnalysis<G>& at, const VectorXd& x,
+double MotionModel<G>::extremes(const MotionAnalysis<G>& a) const {
+  double sum = 0;
+  const StudySpec at = scaled(a);
+  for (const ConstraintSpec& c : at.constraints) sum += c.weight * c.limit;
+  for (const FrequencyLimitSpec& f : at.frequencies) sum -= f.weight * f.least;
+  return sum;
+}
+
+template <FrameGroup G>
+StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
+  StudySpec study = study_;
+  if (!study.goal.extremes) return study;
+  for (std::size_t c = 0; c < study.constraints.size(); ++c) {
+    ConstraintSpec& goal = study.constraints[c];
+    if (!(goal.weight > 0)) continue;
+    goal.limit = kNone;
+    for (const MotionLimits& m : a.limits)
+      if (c < m.limits.size()) goal.limit = std::max(goal.limit, m.limits[c].measure);
+  }
+  for (std::size_t f = 0; f < study.frequencies.size(); ++f) {
+    FrequencyLimitSpec& goal = study.frequencies[f];
+    if (!(goal.weight > 0)) continue;
+    goal.least = std::numeric_limits<double>::infinity();
+    for (const MotionLimits& m : a.limits)
+      if (f < m.frequencies.size()) goal.least = std::min(goal.least, m.frequencies[f].value);
+    goal.least = std::isfinite(goal.least) ? std::max(goal.least, kNone) : kNone;
+  }
+  return study;
+}
+
+template <FrameGroup G>
+auto MotionModel<G>::static_members(const StudySpec& study, std::size_t s,
+                                    const MotionAnalysis<G>& at, const VectorXd& x,
                                     double move) const -> Members {
-  Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move);
+  Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move, study.frequencies);
   for (auto& member : members)  // the objective counts once
     member.weight = s > 0 ? 0 : member.weight * study_.goal.mass;
   return members;
@@ -142,7 +177,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalys
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   Members all;
   for (std::size_t s = 0; s < simulators_.size(); ++s)
-    for (auto& member : static_members(s, at, x, move)) all.push_back(std::move(member));
+    for (auto& member : static_members(study_, s, at, x, move)) all.push_back(std::move(member));
   return combined(std::move(all));
 }
 
@@ -160,12 +195,17 @@ bool MotionModel<G>::drop_images() {
 
 /// dJ/dx of J = T sum_n w_n v_n^2, T the duration.
 template <FrameGroup G>
-MotionGoal MotionModel<G>::goal_of(const DesignRun<G>& run, const MotionGradients& goal) const {
+MotionGoal MotionModel<G>::goal_of(const MotionAnalysis<G>& at, const MotionGradients& goal) const {
+  const DesignRun<G>& run = at.runs.front();
   const Constants& constants = design().constants();
   const int duration =
       constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
-  MotionGoal out{duration, study_.goal.duration, study_.goal.effort, run.effort,
-                 VectorXd::Zero(static_cast<Eigen::Index>(variables().size()))};
+  MotionGoal out{duration,
+                 study_.goal.duration,
+                 study_.goal.effort,
+                 run.effort,
+                 VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
+                 extremes(at)};
   for (int r = 0; r < goal.responses(); ++r) {
     std::vector<double> times;
     for (int n = 0; n < goal.records(r); ++n) times.push_back(goal.time(r, n));
@@ -181,6 +221,7 @@ MotionGoal MotionModel<G>::goal_of(const DesignRun<G>& run, const MotionGradient
 /// Static problems and rows of all limits, with their gradients in the order of the rows.
 template <FrameGroup G>
 std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalysis<G>& at,
+                                                              const StudySpec& study,
                                                               const VectorXd& x, double move,
                                                               MotionGradients& gradients) const
     try {
@@ -194,7 +235,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
     Part& p = parts[s];
     const DesignRun<G>& run = at.runs[s];
-    p.members = static_members(s, at, x, move);
+    p.members = static_members(study, s, at, x, move);
     std::vector<LimitedResponse> responses;
     for (const auto& member : p.members)
       for (auto& r : member.problem->responses()) responses.push_back(std::move(r));
@@ -214,14 +255,13 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
   });
   Members members;
   if (!study_.goal.only_mass())
-    members.push_back({std::make_unique<GoalProblem>(goal_of(at.runs.front(), parts.front().goal),
-                                                     x, variables()),
-                       1, 0});
+    members.push_back(
+        {std::make_unique<GoalProblem>(goal_of(at, parts.front().goal), x, variables()), 1, 0});
   for (Part& p : parts) {
     for (auto& member : p.members) members.push_back(std::move(member));
     if (const int rows = p.gradients.responses() - p.imaged; rows > 0)
       members.push_back(
-          {std::make_unique<MotionRows>(p.gradients, p.imaged, rows, study_, variables()), 0, 0});
+          {std::make_unique<MotionRows>(p.gradients, p.imaged, rows, study, variables()), 0, 0});
     gradients.append(std::move(p.gradients));
   }
   return combined(std::move(members));
@@ -235,8 +275,9 @@ Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd&
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   Surrogate out;
   MotionGradients gradients;
-  auto statics = with_gradients(at, x, move, gradients);
-  out.optimality = check_optimality(study_, variables(), x, gradients, *statics, active);
+  const StudySpec study = scaled(at);
+  auto statics = with_gradients(at, study, x, move, gradients);
+  out.optimality = check_optimality(study, variables(), x, gradients, *statics, active);
   if (gradients.reason().empty())
     out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
                                                      study_.cycle.approximation);
@@ -248,8 +289,8 @@ DynamicOptimality MotionModel<G>::optimality(const DesignAnalysis& given, const 
                                              const Progress& progress) const {
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   DynamicOptimality none;
-  none.reason = "statics has no sensitivities";
-  if (!at.runs.front().tape.checkpoints.empty()) try {
+  none.reason = "there is no motion to be differentiated";
+  if (at.runs.front().differentiable()) try {
       return surrogate(at, x, study_.cycle.move_limit, kNearActive).optimality;
     } catch (const NoSensitivities& error) {
       none.reason = error.what();

@@ -21,6 +21,7 @@ struct MotionLimits {
   std::vector<double> times;        ///< s
   std::vector<LimitSeries> limits;  ///< one for each constraint
   std::vector<FrequencyCheck> frequencies = {};
+  std::vector<MassCheck> masses = {};
 };
 
 template <FrameGroup G>
@@ -65,11 +66,15 @@ class MotionModel final : public DesignModel {
  private:
   using Members = std::vector<CombinedProblem::Member>;
   void judge(MotionAnalysis<G>& analysis) const;
+  /// The study with what goals are at a design as their limits.
+  StudySpec scaled(const MotionAnalysis<G>& at) const;
+  /// The objective that largest values and lowest frequencies are.
+  double extremes(const MotionAnalysis<G>& at) const;
   /// Static problems of one scenario; the objective counts in the first.
-  Members static_members(std::size_t scenario, const MotionAnalysis<G>& at,
+  Members static_members(const StudySpec& study, std::size_t scenario, const MotionAnalysis<G>& at,
                          const Eigen::VectorXd& x, double move) const;
-  MotionGoal goal_of(const DesignRun<G>& run, const MotionGradients& goal) const;
-  std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at,
+  MotionGoal goal_of(const MotionAnalysis<G>& at, const MotionGradients& goal) const;
+  std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at, const StudySpec& study,
                                                 const Eigen::VectorXd& x, double move,
                                                 MotionGradients& gradients) const;
 

@@ -7,6 +7,7 @@
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/constants_problem.hpp"
 #include "optim/cycle/frequency_problem.hpp"
+#include "optim/cycle/mass_problem.hpp"
 #include "optim/cycle/static_sizing.hpp"
 
 namespace liesl {
@@ -46,10 +47,9 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
 }
 
 template <FrameGroup G>
-std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
-                                                  const DesignSimulator<G>& simulator,
-                                                  const DesignRun<G>& run, const Eigen::VectorXd& x,
-                                                  double move) {
+std::vector<CombinedProblem::Member> static_parts(
+    const StudySpec& study, const DesignSimulator<G>& simulator, const DesignRun<G>& run,
+    const Eigen::VectorXd& x, double move, const std::vector<FrequencyLimitSpec>& frequencies) {
   const Design& design = simulator.design();
   std::vector<CombinedProblem::Member> members;
   if (design.sizing().size() > 0) {
@@ -70,11 +70,14 @@ std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
     members.push_back(
         {std::make_unique<ConstantsProblem>(design.constants(), study.mass_of, x.tail(n), move), 1,
          design.first_constant()});
-  if (!study.frequencies.empty())
+  if (!frequencies.empty())
+    members.push_back({std::make_unique<FrequencyProblem>(
+                           simulator.mechanism(), design, simulator.options(), frequencies, x,
+                           static_cast<int>(study.constraints.size())),
+                       0, 0});
+  if (!study.mass_limits.empty())
     members.push_back(
-        {std::make_unique<FrequencyProblem>(simulator.mechanism(), design, simulator.options(),
-                                            study.frequencies, x),
-         0, 0});
+        {std::make_unique<MassProblem>(simulator.mechanism(), design, study.mass_limits, x), 0, 0});
   return members;
 }
 
@@ -85,10 +88,12 @@ template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, in
 template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
                                                            const DesignSimulator<SE2>&,
                                                            const DesignRun<SE2>&,
-                                                           const Eigen::VectorXd&, double);
+                                                           const Eigen::VectorXd&, double,
+                                                           const std::vector<FrequencyLimitSpec>&);
 template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
                                                            const DesignSimulator<SE3>&,
                                                            const DesignRun<SE3>&,
-                                                           const Eigen::VectorXd&, double);
+                                                           const Eigen::VectorXd&, double,
+                                                           const std::vector<FrequencyLimitSpec>&);
 
 }  // namespace liesl

@@ -18,11 +18,11 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
 /// x (1 -+ move); outlines within `move` of the range of a variable, and within
 /// study.cycle.move_cells cells at the first move limit, study.cycle.move_limit, less as `move`
 /// shrinks. @pre everything outlives the problem
+/// @param frequencies those of the study, goals with their size at x
 template <FrameGroup G>
-std::vector<CombinedProblem::Member> static_parts(const StudySpec& study,
-                                                  const DesignSimulator<G>& simulator,
-                                                  const DesignRun<G>& run, const Eigen::VectorXd& x,
-                                                  double move);
+std::vector<CombinedProblem::Member> static_parts(
+    const StudySpec& study, const DesignSimulator<G>& simulator, const DesignRun<G>& run,
+    const Eigen::VectorXd& x, double move, const std::vector<FrequencyLimitSpec>& frequencies);
 
 /// The same as one problem.
 template <FrameGroup G>
@@ -30,20 +30,18 @@ std::unique_ptr<StaticProblem> motion_problem(const StudySpec& study,
                                               const DesignSimulator<G>& simulator,
                                               const DesignRun<G>& run, const Eigen::VectorXd& x,
                                               double move) {
-  return combined(static_parts(study, simulator, run, x, move));
+  return combined(static_parts(study, simulator, run, x, move, study.frequencies));
 }
 
 extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE2>&, int,
                                       const DesignRun<SE2>&);
 extern template SolidTask motion_task(const StudySpec&, const DesignSimulator<SE3>&, int,
                                       const DesignRun<SE3>&);
-extern template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
-                                                                  const DesignSimulator<SE2>&,
-                                                                  const DesignRun<SE2>&,
-                                                                  const Eigen::VectorXd&, double);
-extern template std::vector<CombinedProblem::Member> static_parts(const StudySpec&,
-                                                                  const DesignSimulator<SE3>&,
-                                                                  const DesignRun<SE3>&,
-                                                                  const Eigen::VectorXd&, double);
+extern template std::vector<CombinedProblem::Member> static_parts(
+    const StudySpec&, const DesignSimulator<SE2>&, const DesignRun<SE2>&, const Eigen::VectorXd&,
+    double, const std::vector<FrequencyLimitSpec>&);
+extern template std::vector<CombinedProblem::Member> static_parts(
+    const StudySpec&, const DesignSimulator<SE3>&, const DesignRun<SE3>&, const Eigen::VectorXd&,
+    double, const std::vector<FrequencyLimitSpec>&);
 
 }  // namespace liesl

@@ -15,10 +15,10 @@ namespace {
 using Eigen::VectorXd;
 
 /// The records that become rows of a limit.
-std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& near,
+std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& screened,
                          const std::vector<double>& v) {
   if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
-  if (many) return {near.begin(), near.end()};
+  if (many) return {screened.begin(), screened.end()};
   return treated_records(Treatment::Maxima, v);
 }
 
@@ -26,7 +26,7 @@ std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vect
 
 MotionRows::MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
                        const std::vector<NlpVariable>& variables)
-    : variables_(variables) {
+    : CaselessProblem(variables) {
   std::vector<ScreenedLimit> limits;
   ValuesByLimit values;
   std::vector<int> of_constraint(study.constraints.size(), 0);
@@ -38,11 +38,11 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
     auto& v = values.emplace_back();
     for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
   }
-  const CasesByLimit near = near_largest(values, limits, study.cycle);
+  const CasesByLimit screened = near_largest(values, limits, study.cycle);
   std::vector<double> g;
   for (int l = 0; l < count; ++l) {
     const ConstraintSpec& limit = study.constraints[limits[l].constraint];
-    for (const int n : records_of(limit, limits[l].many, near[l], values[l])) {
+    for (const int n : records_of(limit, limits[l].many, screened[l], values[l])) {
       const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
       constraints_.push_back(
           {id,
@@ -50,9 +50,12 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
                        motion.time(first + l, n)),
            1});
       images_.push_back({l, n});
+      goals_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
       g.push_back(values[l][n] / limits[l].limit - 1);
     }
   }
+  if (std::all_of(goals_.begin(), goals_.end(), [](const RowGoal& o) { return o.number < 0; }))
+    goals_.clear();
   g_ = Eigen::Map<const VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
 }
 

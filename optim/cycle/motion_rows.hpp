@@ -12,31 +12,26 @@ namespace liesl {
 /// CorrectedProblem gives them their slope. Retained: every
 /// maximum over time above half of the largest (of hundreds of points the records near the largest,
 /// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Records beside a
-/// maximum bound the design before the maximum moves away from them. The objective is 0.
-class MotionRows final : public StaticProblem {
+/// maximum bound the design before the maximum moves away from them. Rows of constraints with a
+/// weight are those of a goal, the number of the constraint. The objective is 0 without them.
+class MotionRows final : public CaselessProblem {
  public:
   /// @param motion gradients that contain those of these rows
   /// @param first, count of their responses in `motion`  @param variables of the whole design
   MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
              const std::vector<NlpVariable>& variables);
 
-  int add_violated(const Eigen::VectorXd&, double) override { return 0; }
   int load_cases() const override { return static_cast<int>(constraints_.size()); }
   std::vector<LimitedResponse> responses() const override { return responses_; }
   std::vector<RowImage> images() const override { return images_; }
-
-  const std::vector<NlpVariable>& variables() const override { return variables_; }
-  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  std::vector<RowGoal> goals() const override { return goals_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
-  HessianShape hessian_shape() const override { return HessianShape::Dense; }
-  void hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&, Eigen::MatrixXd&) override {}
 
  private:
   std::vector<LimitedResponse> responses_;
   std::vector<RowImage> images_;
-  std::vector<NlpVariable> variables_;
-  std::vector<NlpConstraint> constraints_;
+  std::vector<RowGoal> goals_;
   Eigen::VectorXd g_;
 };
 

@@ -3,19 +3,14 @@
 #include "optim/cycle/trust_region_rule.hpp"
 
 namespace liesl {
-namespace {
 
 using Eigen::VectorXd;
-
-constexpr double kNearActive = 1e-2;  // limits that may hold the objective up at the end
-
-}  // namespace
 
 VectorXd PartModel::unit(const VectorXd& x) const {
   VectorXd unit(x.size());
   for (int j = 0; j < x.size(); ++j) {
     const NlpVariable& v = variables()[static_cast<std::size_t>(j)];
-    unit[j] = v.upper - v.lower;
+    unit[j] = v.upper > v.lower ? v.upper - v.lower : 1;  // 1: one value of a catalogue
   }
   return unit;
 }

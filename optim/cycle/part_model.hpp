@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Studies of one meshed part under loads that stay.
+/// Studies of one meshed part under fixed loads.
 
 #include "optim/cycle/design_loop.hpp"
 #include "optim/cycle/nucleation.hpp"

@@ -1,6 +1,7 @@
 #include "optim/cycle/static_problem.hpp"
 
 #include <algorithm>
+#include <map>
 
 #include "optim/nlp/ipopt_driver.hpp"
 #include "optim/nlp/nlopt_driver.hpp"
@@ -58,6 +59,26 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
   return answer;
 }
 
+namespace {
+
+/// The goals among the rows, each with its largest g.
+std::vector<Epigraph> epigraphs(const std::vector<RowGoal>& goals, const Eigen::VectorXd& g) {
+  std::map<int, Epigraph> by_number;
+  for (std::size_t i = 0; i < goals.size(); ++i) {
+    if (goals[i].number < 0) continue;
+    const int row = static_cast<int>(i);
+    Epigraph& e = by_number[goals[i].number];
+    e.start = e.rows.empty() ? g[row] : std::max(e.start, g[row]);
+    e.weight = goals[i].weight;
+    e.rows.push_back(row);
+  }
+  std::vector<Epigraph> out;
+  for (auto& [number, e] : by_number) out.push_back(std::move(e));
+  return out;
+}
+
+}  // namespace
+
 ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weights,
                             const CycleOptions& options, NlpWarmStart& warm,
                             const std::function<bool()>& keep_going) {
@@ -73,16 +94,25 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     Eigen::VectorXd g(m);
     double f = 0;
     problem.values(answer.x, f, g);
-    const double violation = m > 0 ? std::max(0.0, g.maxCoeff()) : 0;
-    ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation);
+    const std::vector<RowGoal> goals = problem.goals();
+    double violation = 0;
+    for (Eigen::Index i = 0; i < m; ++i)
+      if (goals.empty() || goals[static_cast<std::size_t>(i)].number < 0)
+        violation = std::max(violation, g[i]);
+    ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation,
+                           epigraphs(goals, g));
     result = optimise(elastic, options, warm, keep_going, most);
     answer.iterations += result.iterations;
     answer.x = result.x.head(n);
-    answer.violation = std::max(0.0, result.x[n]);
+    answer.violation = std::max(0.0, result.x[result.x.size() - 1]);
     answer.merit = result.f;
     if (problem.add_violated(answer.x, 1e-6) == 0) break;
   }
-  for (const auto& [id, multiplier] : result.multipliers) answer.multipliers += multiplier;
+  const std::vector<RowGoal> goals = problem.goals();
+  for (std::size_t i = 0; i < problem.constraints().size(); ++i)
+    if (const auto found = result.multipliers.find(problem.constraints()[i].id);
+        found != result.multipliers.end() && (goals.empty() || goals[i].number < 0))
+      answer.multipliers += found->second;
   warm = result.warm_start();
   return answer;
 }

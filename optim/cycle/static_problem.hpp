@@ -28,21 +28,47 @@ struct RowImage {
   int response = -1, record = -1;
 };
 
+/// A row that is no limit: the objective has `weight` times the largest g of all rows of its goal.
+struct RowGoal {
+  int number = -1;  ///< of the goal; -1: the row is a limit
+  double weight = 0;
+};
+
 /// Minimise a quantity of the parts subject to limits in retained load cases.
 class StaticProblem : public Problem {
  public:
   /// Checks all load cases at x and adds those that violate a limit by more than `tolerance`.
   /// @returns how many were added
   virtual int add_violated(const Eigen::VectorXd& x, double tolerance) = 0;
-  virtual int load_cases() const = 0;
+  virtual int load_cases() const = 0;  ///< retained
   /// Of a problem whose load cases are the records of a motion: what its rows are images of.
   virtual std::vector<LimitedResponse> responses() const { return {}; }
   /// One a row.
   virtual std::vector<RowImage> images() const {
     return std::vector<RowImage>(constraints().size());
   }
+  /// One a row; empty: all rows are limits. The value of the objective has no such terms.
+  virtual std::vector<RowGoal> goals() const { return {}; }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
   virtual std::string undefined_reason() const { return {}; }
+};
+
+/// One without load cases: of the design alone, or of values of the motion. Second derivatives are
+/// zero unless a problem has its own.
+class CaselessProblem : public StaticProblem {
+ public:
+  explicit CaselessProblem(std::vector<NlpVariable> variables) : variables_(std::move(variables)) {}
+
+  int add_violated(const Eigen::VectorXd&, double) override { return 0; }
+  int load_cases() const override { return 0; }
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  HessianShape hessian_shape() const override { return HessianShape::Dense; }
+  void hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&, Eigen::MatrixXd&) override {}
+
+ protected:
+  std::vector<NlpVariable> variables_;
+  std::vector<NlpConstraint> constraints_;  ///< filled by the constructors of those that have rows
 };
 
 /// The answer of an optimiser with all load cases met that the problem knows.

@@ -22,6 +22,19 @@ struct HoleRound {
   std::string reason;
 };
 
+/// How a search among sizes of catalogues ended (catalogue.hpp).
+struct CatalogueReport {
+  bool found = false;                    ///< a design of the catalogues that meets the limits
+  double continuous = 0;                 ///< objective of the continuous optimum
+  double bound = 0;                      ///< no design of the catalogues has a lower objective
+  double gap = 0;                        ///< of the objective found above the bound, relative
+  double above_continuous = 0;           ///< the same above the continuous optimum
+  int designs = 0, boxes = 0;            ///< simulated; searched
+  int infeasible = 0, undecided = 0;     ///< boxes
+  std::optional<double> kkt_residual{};  ///< of the continuous optimum
+  SimulationEffort effort{};             ///< of all boxes
+};
+
 /// Where a round begins, and how it ended.
 template <class End>
 struct Round {
@@ -37,6 +50,8 @@ struct TopologyHooks : CycleHooks {
   /// Instead of `on_cycle`.
   std::function<void(const RoundHistory&)> on_round_cycle;
   std::function<void(const std::string& feature, const Nucleus&)> on_hole;
+  /// A box of a search in catalogues begins.
+  std::function<void(const std::string& branch)> on_box;
 };
 
 template <class End>
@@ -47,6 +62,7 @@ struct Topology {
   std::vector<HoleRound> holes;      ///< all that were tried
   std::optional<PartProposal> next;  ///< the hole that would reduce the objective most
   std::string reason;                ///< why there is none
+  std::optional<CatalogueReport> catalogue = {};  ///< of a study whose sizes are of catalogues
 };
 
 /// The hole with the largest gain of all proposals; the reason if there is none.
@@ -87,7 +103,7 @@ Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechan
     round.end = optimise(round.study, round.mechanism, cycle,
                          known ? resume[rounds.size() - 1] : std::vector<Cycle>());
   };
-  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}};
+  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}, {}};
   run(out.last);
   out.first.history = out.last.end.history;
   out.first.first = out.last.end.first;
@@ -123,7 +139,7 @@ Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechan
   return out;
 }
 
-/// A part under loads that stay, its shape and its final place.
+/// A part under fixed loads, its shape and its final place.
 struct PartEnd : PartResult {
   Mechanism mechanism;              ///< final
   std::shared_ptr<PartShape> part;  ///< what was optimised

@@ -28,7 +28,7 @@ TrustRegionRule::TrustRegionRule(const CycleOptions& options)
 
 template <class Figures>
 double TrustRegionRule::merit(const Figures& a) const {
-  return a.objective / objective_0_ + penalty_ * std::max(0.0, a.worst);
+  return a.objective / scale() + penalty_ * std::max(0.0, a.worst);
 }
 
 Step TrustRegionRule::resume(CycleRecord& record) {
@@ -113,14 +113,13 @@ bool TrustRegionRule::on_bound() const {
 /// dropped.
 Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
   Step step = with_surrogate(record, cycle);
-  const bool beside = step.end && (step.end->status == CycleStatus::Infeasible ||
-                                   step.end->status == CycleStatus::Converged);
-  if (!beside || used_up(record.history(), record.options()) || !record.model().drop_images())
+  const bool no_optimum = step.end && (step.end->status == CycleStatus::Infeasible ||
+                                       step.end->status == CycleStatus::Converged);
+  if (!no_optimum || used_up(record.history(), record.options()) || !record.model().drop_images())
     return step;
   record.warn(
-      fmt::format("static images led to no optimum by cycle {}; the cycle went on with the "
-                  "maxima of the motion itself: {}",
-                  record.history().back().number, step.end->reason));
+      "static images led to no optimum; the cycle went on with the maxima of the motion itself: " +
+      step.end->reason);
   record.certify({});
   images_ = false;
   surrogate_ = {};
@@ -173,7 +172,7 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
 void TrustRegionRule::solve(CycleRecord& record) {
   const double allowed = record.options().feasibility;
   const auto at = [&](double penalty) {
-    return solve_elastic(*surrogate_.problem, {1 / objective_0_, penalty}, record.options(), warm_,
+    return solve_elastic(*surrogate_.problem, {1 / scale(), penalty}, record.options(), warm_,
                          record.hooks().keep_going);
   };
   answer_ = at(penalty_);
@@ -191,8 +190,9 @@ void TrustRegionRule::solve(CycleRecord& record) {
 
 std::optional<CycleEnd> TrustRegionRule::settled(CycleRecord& record, double predicted) const {
   const double counts = kCounts * record.options().objective_tolerance;
-  if (predicted > (surrogate_.optimality.holds() ? counts : kNothing)) return {};
-  if (at_->worst > record.options().feasibility) return infeasible();
+  const bool meets = at_->worst <= record.options().feasibility;
+  if (predicted > (meets && surrogate_.optimality.holds() ? counts : kNothing)) return {};
+  if (!meets) return infeasible();
   return stalled(record);
 }
 

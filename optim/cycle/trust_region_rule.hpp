@@ -5,6 +5,8 @@
 /// managing the use of approximation models", Struct. Optim. 15; for loads of the design: Stolpe,
 /// Pollini 2023).
 
+#include <cmath>
+
 #include "optim/cycle/design_loop.hpp"
 
 namespace liesl {
@@ -29,6 +31,7 @@ class TrustRegionRule final : public StepRule {
   /// phi of an analysis or a cycle.
   template <class Figures>
   double merit(const Figures& a) const;
+  double scale() const { return objective_0_ == 0 ? 1 : std::abs(objective_0_); }
   /// Judges the answer by what it really brings: taken? @param merit none: it has no analysis
   bool judge(std::optional<double> merit);
   /// Solves and judges again what an interrupted run did from x_k on; no design is analysed.

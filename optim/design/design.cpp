@@ -33,7 +33,10 @@ Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
   if (parts_.empty() && constants_.size() == 0) return {};
   Eigen::VectorXd unit = x;
   for (int i = sizing_.size(); i < x.size(); ++i)
-    unit[i] = variables_[i].upper - variables_[i].lower;
+    if (variables_[i].upper > variables_[i].lower)
+      unit[i] = variables_[i].upper - variables_[i].lower;
+    else
+      unit[i] = 1;  // one value of a catalogue
   return unit;
 }
 

@@ -66,7 +66,7 @@ void ShapeDesign::add_variable(const ShapeVariableSpec& v, std::vector<std::stri
   units_.emplace_back();
   x0_[j] = 0;
   if (v.drives.empty()) errors.push_back("'" + v.name + "' moves no parameter");
-  if (!(v.lower < v.upper))
+  if (!(v.lower < v.upper || (!v.values.empty() && v.lower == v.upper)))
     errors.push_back(fmt::format("'{}': bounds [{:g}, {:g}], expected least < largest", v.name,
                                  v.lower, v.upper));
   for (std::size_t d = 0; d < v.drives.size(); ++d) {

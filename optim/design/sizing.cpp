@@ -42,8 +42,9 @@ Sizing::Sizing(const std::vector<DesignSpec>& design, const Mechanism& mechanism
     for (int g = 0; g < spec.groups; ++g) {
       NlpVariable v;
       v.name = spec.groups == 1 ? spec.name : fmt::format("{}[{}]", spec.name, g);
-      v.lower = spec.lower;
-      v.upper = spec.upper;
+      const bool narrow = !spec.group_bounds.empty();
+      v.lower = narrow ? spec.group_bounds.at(g)[0] : spec.lower;
+      v.upper = narrow ? spec.group_bounds.at(g)[1] : spec.upper;
       std::vector<SizedElement> at;
       for (const int body : spec.bodies) {
         const auto& beam = beam_of(mechanism, body);

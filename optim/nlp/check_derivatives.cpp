@@ -133,6 +133,8 @@ class Sweep {
     if (!given_.allFinite())
       throw std::runtime_error("check_derivatives: a derivative is not finite at x");
     norms_ = given_.rowwise().norm();
+    for (int i = 0; i < stack.functions(); ++i)
+      if (norms_[i] <= kZero * std::abs(here_[i])) norms_[i] = kSmall * std::abs(here_[i]);
     const int n = static_cast<int>(stack.range.size());
     if (stack.hessian) norms_.tail(n).setConstant(given_.bottomRows(n).norm());
   }
@@ -164,6 +166,9 @@ class Sweep {
   }
 
  private:
+  static constexpr double kZero = 1e-9;   // of a value over all ranges: no change
+  static constexpr double kSmall = 1e-3;  // of the value, in the place of such a derivative
+
   std::string function(int row) const {
     if (row == 0) return "objective";
     if (row < stack_.functions())
@@ -258,19 +263,19 @@ DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
   report.x = inside(problem, x, stack.range, o.largest_step);
   sweep_all(stack, o, random, report);
   if (report.kinks.empty()) return report;
-  if (!o.beside_kinks) {
+  if (!o.avoid_kinks) {
     report.right = std::all_of(report.checks.begin(), report.checks.end(),
                                [](const DerivativeCheck& c) { return c.right || c.kink; });
     return report;
   }
-  VectorXd beside = report.x;
-  for (int j = 0; j < beside.size(); ++j) {
+  VectorXd shifted = report.x;
+  for (int j = 0; j < shifted.size(); ++j) {
     const auto& v = problem.variables()[static_cast<std::size_t>(j)];
     if (v.lower < v.upper)
-      beside[j] += (random() % 2 ? 1 : -1) * around(random) * o.largest_step * stack.range[j];
+      shifted[j] += (random() % 2 ? 1 : -1) * around(random) * o.largest_step * stack.range[j];
   }
   DerivativeReport moved;
-  moved.x = inside(problem, beside, stack.range, o.largest_step);
+  moved.x = inside(problem, shifted, stack.range, o.largest_step);
   sweep_all(stack, o, random, moved);
   moved.failed_evaluations += report.failed_evaluations;
   moved.kinks = std::move(report.kinks);

@@ -21,13 +21,15 @@ struct DerivativeCheckOptions {
   int steps = 17;              ///< each 10^(-1/2) of the one before, >= 3
   double tolerance = 1e-6;     ///< best relative error that counts as right, in (0, 1)
   bool hessian = true;         ///< check it too if the problem has one
-  bool beside_kinks = true;    ///< check at a point beside kinks; false: do not judge them
+  bool avoid_kinks = true;     ///< move off kinks and check there; false: do not judge them
 
   std::vector<std::string> errors() const;
 };
 
 /// One function in one direction d (scaled by the ranges D of the variables):
-///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2.
+///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2,
+/// with 1e-3 |r| in the place of a norm below 1e-9 |r|: a function that does not change, as the
+/// prescribed coordinate of a joint, differs by round-off.
 struct DerivativeCheck {
   std::string function;         ///< "objective", name of a constraint, "Hessian of the Lagrangian"
   std::string direction;        ///< name of a variable, or "random"

@@ -1,5 +1,7 @@
 #include "optim/nlp/elastic.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <limits>
 
@@ -8,36 +10,54 @@ namespace liesl {
 using Eigen::VectorXd;
 
 ElasticProblem::ElasticProblem(Problem& inner, Weights weights, VectorXd scale,
-                               const VectorXd& start, double start_violation)
-    : inner_(inner), weights_(weights), scale_(std::move(scale)), variables_(inner.variables()) {
+                               const VectorXd& start, double start_violation,
+                               std::vector<Epigraph> goals)
+    : inner_(inner),
+      weights_(weights),
+      scale_(std::move(scale)),
+      goals_(std::move(goals)),
+      variables_(inner.variables()) {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < variables_.size(); ++j)
     variables_[j].start = start[static_cast<int>(j)];
-  variables_.push_back({"largest violation", 0, std::numeric_limits<double>::infinity(),
-                        std::max(1.1 * start_violation, 1e-3)});
+  const auto last = static_cast<Eigen::Index>(variables_.size() + goals_.size());
+  bound_.assign(inner.constraints().size(), last);
+  for (std::size_t k = 0; k < goals_.size(); ++k) {
+    for (const int row : goals_[k].rows)
+      bound_[static_cast<std::size_t>(row)] = static_cast<Eigen::Index>(variables_.size());
+    variables_.push_back({fmt::format("goal {}", k), -kInfinity, kInfinity, goals_[k].start});
+  }
+  variables_.push_back({"largest violation", 0, kInfinity, std::max(1.1 * start_violation, 1e-3)});
   for (const auto& c : inner.constraints()) constraints_.push_back({c.id, c.name, 1});
 }
 
 void ElasticProblem::values(const VectorXd& x, double& f, VectorXd& g) {
-  const auto n = x.size() - 1;
+  const auto n = static_cast<Eigen::Index>(inner_.variables().size()), last = x.size() - 1;
   inner_.values(x.head(n), f, g);
-  g = (g.array() / scale_.array() - x[n]).matrix();
-  f = weights_.objective * f + weights_.penalty * x[n];
+  g = (g.array() / scale_.array()).matrix();
+  for (Eigen::Index i = 0; i < g.size(); ++i) g[i] -= x[bound_[static_cast<std::size_t>(i)]];
+  for (std::size_t k = 0; k < goals_.size(); ++k)
+    f += goals_[k].weight * x[n + static_cast<Eigen::Index>(k)];
+  f = weights_.objective * f + weights_.penalty * x[last];
 }
 
 void ElasticProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
-  const auto n = x.size() - 1;
+  const auto n = static_cast<Eigen::Index>(inner_.variables().size()), last = x.size() - 1;
   RowMatrix inner_dg(dg.rows(), n);
   VectorXd inner_df(n);
   inner_.gradients(x.head(n), inner_df, inner_dg);
+  dg.setZero();
   dg.leftCols(n) = scale_.cwiseInverse().asDiagonal() * inner_dg;
-  dg.col(n).setConstant(-1);
+  for (Eigen::Index i = 0; i < dg.rows(); ++i) dg(i, bound_[static_cast<std::size_t>(i)]) = -1;
   df.head(n) = weights_.objective * inner_df;
-  df[n] = weights_.penalty;
+  for (std::size_t k = 0; k < goals_.size(); ++k)
+    df[n + static_cast<Eigen::Index>(k)] = weights_.objective * goals_[k].weight;
+  df[last] = weights_.penalty;
 }
 
 void ElasticProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
                              Eigen::MatrixXd& h) {
-  const auto n = x.size() - 1;
+  const auto n = static_cast<Eigen::Index>(inner_.variables().size());
   Eigen::MatrixXd inner_h = Eigen::MatrixXd::Zero(n, n);
   inner_.hessian(x.head(n), sigma * weights_.objective, lambda.cwiseQuotient(scale_), inner_h);
   h.topLeftCorner(n, n) = inner_h;

@@ -38,9 +38,9 @@ Columns near_active(const Problem& problem, const NlpPoint& p, const NlpScaling&
       out.carriers.push_back({Carrier::Constraint, i, s.f / s.g[i]});
   for (int j = 0; j < n; ++j) {
     const auto& v = problem.variables()[j];
-    const double near = options.active_bound * s.x[j];
-    if (p.x[j] - v.lower <= near) out.carriers.push_back({Carrier::Lower, j, s.f / s.x[j]});
-    if (v.upper - p.x[j] <= near) out.carriers.push_back({Carrier::Upper, j, s.f / s.x[j]});
+    const double bound = options.active_bound * s.x[j];
+    if (p.x[j] - v.lower <= bound) out.carriers.push_back({Carrier::Lower, j, s.f / s.x[j]});
+    if (v.upper - p.x[j] <= bound) out.carriers.push_back({Carrier::Upper, j, s.f / s.x[j]});
   }
   out.a.setZero(n, static_cast<int>(out.carriers.size()));
   for (std::size_t k = 0; k < out.carriers.size(); ++k) {

@@ -3,6 +3,7 @@
 /// A sizing study as data: what may change, what must hold, how to cycle.
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -20,9 +21,12 @@ struct DesignSpec {
   /// Dimensions of the section that take the value: {"diameter"}, or several that are linked, as
   /// {"width", "height"} of a square box.
   std::vector<std::string> properties;
-  int groups = 1;               ///< >= 1, divides into the elements as evenly as possible
-  double lower = 0, upper = 0;  ///< m
-  std::vector<double> start;    ///< empty = as in the scene; else one value or one a group
+  int groups = 1;                   ///< >= 1, divides into the elements as evenly as possible
+  double lower = 0, upper = 0;      ///< m
+  std::vector<double> start;        ///< empty = as in the scene; else one value or one a group
+  std::vector<double> values = {};  ///< of a catalogue, increasing; empty: any within the bounds
+  /// Narrower bounds [lower, upper] of each group; empty: those above. They may be equal.
+  std::vector<std::array<double, 2>> group_bounds = {};
 };
 
 /// A constant of a mechanism that may change.
@@ -45,6 +49,7 @@ struct ConstantSpec {
   double lower = 0, upper = 0;
   /// None: as in the scene. Always given of DriveValue and Duration.
   std::optional<double> start;
+  std::vector<double> values = {};  ///< of a catalogue, increasing; empty: any within the bounds
 };
 
 /// The table that a drive follows, q_i at t_i.
@@ -55,11 +60,14 @@ struct DriveTable {
 };
 
 /// What a study of motions minimises: mass [kg] x mass + duration [1/s] x duration + effort x the
-/// sum over the responses of the integral of their squares over the (first) motion.
+/// sum over the responses of the integral of their squares over the (first) motion + the terms of
+/// constraints and frequencies with a weight: the largest value over all motions, less the lowest
+/// frequency.
 struct Goal {
   double mass = 1, duration = 0, effort = 0;
   std::vector<ResponseSpec> responses;
-  bool only_mass() const { return mass == 1 && duration == 0 && effort == 0; }
+  bool extremes = false;  ///< a constraint or a frequency has a weight
+  bool only_mass() const { return mass == 1 && duration == 0 && effort == 0 && !extremes; }
 };
 
 /// The number in the mechanism. @pre it is there
@@ -94,6 +102,9 @@ struct ConstraintSpec {
   bool has_image = true;
   Treatment treatment = Treatment::Auto;
   double p = 2;  ///< exponent of Treatment::PNorm
+  /// Above 0: no limit, but this times the largest value over all motions in the objective; `limit`
+  /// is then a size of it, has_image false.
+  double weight = 0;
 };
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
@@ -108,6 +119,7 @@ struct ShapeVariableSpec {
   std::vector<DrivenParameter> drives;  ///< at least one; the first gives the unit and x_0
   double lower = 0, upper = 0;          ///< of the first parameter
   std::optional<double> start;          ///< default x_0
+  std::vector<double> values = {};  ///< of a catalogue, increasing; empty: any within the bounds
 };
 
 /// Material of at least this thickness is left between a feature and another one (or the nodes of
@@ -149,6 +161,15 @@ struct FrequencyLimitSpec {
   double least = 0;  ///< Hz, > 0
   int count = 1;
   double at = 0;  ///< s
+  /// Above 0: no limit, but minus this times the lowest one in the objective.
+  double weight = 0;
+};
+
+/// The mass of these bodies is at most `limit`, in studies of motions.
+struct MassLimitSpec {
+  std::string name;
+  std::vector<int> bodies;
+  double limit = 0;  ///< kg, > 0
 };
 
 /// A load of a meshed part that stays, whatever the design. Loads of one case add up.
@@ -203,6 +224,8 @@ struct CycleOptions {
   double screening = 0.1;   ///< keep load cases within this of a constraint's largest;
                             ///< others that turn out to violate it are added
   int min_cases = 10;       ///< kept per constraint
+  double gap = 1e-3;        ///< of a design of catalogues to the least objective possible
+  int max_designs = 500;    ///< that a search in catalogues may simulate
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
   OptimalityCheck optimality = OptimalityCheck::Auto;
@@ -238,6 +261,7 @@ struct StudySpec {
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;
   std::vector<FrequencyLimitSpec> frequencies;
+  std::vector<MassLimitSpec> mass_limits;
   std::vector<FixedLoad> loads;  ///< if there are any, nothing is simulated
   StressSpec stress;
   std::map<int, Support> supports;  ///< by body; default "start"
@@ -262,6 +286,17 @@ inline bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) 
     default:
       return false;
   }
+}
+
+/// Is any size of a catalogue?
+inline bool has_catalogue(const StudySpec& study) {
+  const auto listed = [](const auto& v) { return !v.values.empty(); };
+  return std::any_of(study.design.begin(), study.design.end(), listed) ||
+         std::any_of(study.constants.begin(), study.constants.end(), listed) ||
+         std::any_of(study.shapes.begin(), study.shapes.end(), [&](const auto& shape) {
+           const auto& variables = shape.second.variables;
+           return std::any_of(variables.begin(), variables.end(), listed);
+         });
 }
 
 /// Bodies that carry limits with a static image, each once.

@@ -46,6 +46,10 @@ class StudyCheck {
       expect(l.least > 0, "frequency '" + l.name + "'", "a least value > 0", l.least);
       expect(l.count >= 1, "frequency '" + l.name + "'", "a count >= 1", l.count);
     }
+    for (const MassLimitSpec& l : study_.mass_limits) {
+      expect(l.limit > 0, "mass limit '" + l.name + "'", "a limit > 0", l.limit);
+      for (const int index : l.bodies) body("mass limit '" + l.name + "'", index);
+    }
     for (const FixedLoad& load : study_.loads) meshed("load '" + load.load_case + "'", load.body);
     for (const auto& [index, support] : study_.supports) body("support", index);
     expect(study_.stress.p >= 1, "stress.p", ">= 1", study_.stress.p);
@@ -86,6 +90,9 @@ class StudyCheck {
       errors_.push_back(fmt::format("{}: expected bounds 0 < lower < upper, got [{:g}, {:g}]",
                                     place, d.lower, d.upper));
     expect(d.groups >= 1, place, "at least one group", d.groups);
+    if (!d.group_bounds.empty())
+      expect(static_cast<int>(d.group_bounds.size()) == d.groups, place,
+             "narrower bounds of every group", static_cast<double>(d.group_bounds.size()));
     const auto starts = static_cast<int>(d.start.size());
     if (starts > 1 && starts != d.groups)
       errors_.push_back(
@@ -110,7 +117,8 @@ class StudyCheck {
 
   void check(const ConstantSpec& c) {
     const std::string place = "design '" + c.name + "'";
-    if (!(c.lower < c.upper))
+    const bool one = !c.values.empty() && c.lower == c.upper;  // of a catalogue
+    if (!(c.lower < c.upper || one))
       errors_.push_back(fmt::format("{}: expected bounds lower < upper, got [{:g}, {:g}]", place,
                                     c.lower, c.upper));
     if (c.quantity == ConstantQuantity::Duration)
@@ -156,6 +164,8 @@ std::vector<std::string> CycleOptions::errors() const {
   expect(share(move_limit), "move_limit", "in (0, 1]", move_limit);
   expect(screening >= 0 && screening <= 1, "screening", "in [0, 1]", screening);
   expect(min_cases >= 1, "min_cases", ">= 1", min_cases);
+  expect(gap >= 0, "gap", ">= 0", gap);
+  expect(max_designs >= 1, "max_designs", ">= 1", max_designs);
   expect(move_cells > 0, "move_cells", "> 0", move_cells);
   return list;
 }

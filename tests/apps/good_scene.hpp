@@ -2,8 +2,14 @@
 /// @file
 /// A scene without a fault, for tests that put one in.
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include "apps/input/problem.hpp"
 
 namespace liesl::test {
 
@@ -50,6 +56,39 @@ inline std::string changed(std::string text, const std::string& from, const std:
   const auto at = text.find(from);
   if (at == std::string::npos) throw std::invalid_argument("the scene has no '" + from + "'");
   return text.replace(at, from.size(), to);
+}
+
+/// A text whose '@' marks where a problem is expected, without it.
+struct MarkedText {
+  explicit MarkedText(std::string marked) : text(std::move(marked)) {
+    const auto mark = text.find('@');
+    if (mark == std::string::npos) throw std::invalid_argument("no '@' in the text");
+    text.erase(mark, 1);
+    line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(mark), '\n');
+    const auto start = mark == 0 ? std::string::npos : text.rfind('\n', mark - 1);
+    column = static_cast<long>(start == std::string::npos ? mark + 1 : mark - start);
+  }
+
+  std::string text;
+  long line = 0, column = 0;
+};
+
+/// `read(text, file)` refuses the text with one problem at its mark, in these words.
+template <class Read>
+void expect_refused(const MarkedText& marked, const std::string& file, const Read& read,
+                    const std::vector<const char*>& words) {
+  try {
+    read(marked.text, file);
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    ASSERT_EQ(error.problems.size(), 1u) << error.what();
+    const InputProblem& problem = error.problems.front();
+    EXPECT_EQ(problem.file, file);
+    EXPECT_EQ(problem.line, marked.line) << error.what();
+    EXPECT_EQ(problem.column, marked.column) << error.what();
+    for (const char* word : words)
+      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
+  }
 }
 
 }  // namespace liesl::test

@@ -166,6 +166,9 @@ TEST_F(SolidRun, LargeMeshesAreLeftToExport) {
   EXPECT_EQ(text_of(results() / "results.xdmf").find("rod mesh"), std::string::npos);
   ASSERT_EQ(run({"export", results()}).code, 0);
   EXPECT_NE(text_of(results() / "results.xdmf").find("rod mesh"), std::string::npos);
+  const Outcome cases = run({"export", results(), "--cases", "all"});
+  EXPECT_EQ(cases.code, 2);
+  EXPECT_NE(cases.err.find("--cases"), std::string::npos) << "has no effect on xdmf, so is refused";
 }
 
 /// The stress of a mode at the centre of a cell, by hand: plane stress of the mean gradient.

@@ -30,25 +30,9 @@ class Bad : public testing::TestWithParam<BadScene> {};
 
 TEST_P(Bad, IsRefusedAtItsPlace) {
   const BadScene& c = GetParam();
-  std::string text = changed(kGoodScene, c.from, c.to);
-  const auto mark = text.find('@');
-  ASSERT_NE(mark, std::string::npos);
-  text.erase(mark, 1);
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(mark), '\n');
-  const auto start = text.rfind('\n', mark - 1);
-  const auto column = start == std::string::npos || mark == 0 ? mark + 1 : mark - start;
-  try {
-    read_scene(text, "scene.toml");
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    ASSERT_EQ(error.problems.size(), 1u) << error.what();
-    const InputProblem& problem = error.problems.front();
-    EXPECT_EQ(problem.file, "scene.toml");
-    EXPECT_EQ(problem.line, line) << error.what();
-    EXPECT_EQ(problem.column, static_cast<int>(column)) << error.what();
-    for (const char* word : c.words)
-      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
-  }
+  const test::MarkedText marked(changed(kGoodScene, c.from, c.to));
+  const auto read = [](const auto& text, const auto& file) { read_scene(text, file); };
+  test::expect_refused(marked, "scene.toml", read, c.words);
 }
 
 // clang-format off

@@ -154,21 +154,9 @@ class BadSolid : public testing::TestWithParam<BadPart> {};
 
 TEST_P(BadSolid, IsRefusedAtItsPlace) {
   const BadPart& c = GetParam();
-  std::string text = changed(kPlateScene, c.from, c.to);
-  const auto mark = text.find('@');
-  ASSERT_NE(mark, std::string::npos);
-  text.erase(mark, 1);
-  try {
-    read_scene(text, "scene.toml");
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    const InputProblem& problem = error.problems.front();
-    EXPECT_EQ(problem.line, 1 + std::count(text.begin(), text.begin() + long(mark), '\n'))
-        << error.what();
-    EXPECT_EQ(problem.column, long(mark - text.rfind('\n', mark - 1))) << error.what();
-    for (const char* word : c.words)
-      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
-  }
+  const test::MarkedText marked(changed(kPlateScene, c.from, c.to));
+  const auto read = [](const auto& text, const auto& file) { read_scene(text, file); };
+  test::expect_refused(marked, "scene.toml", read, c.words);
 }
 
 // clang-format off

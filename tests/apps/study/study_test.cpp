@@ -125,24 +125,9 @@ class Refused : public testing::TestWithParam<BadStudy> {};
 
 TEST_P(Refused, AtItsPlace) {
   const BadStudy& c = GetParam();
-  std::string text = changed(kGoodStudy, c.from, c.to);
-  const auto mark = text.find('@');
-  ASSERT_NE(mark, std::string::npos);
-  text.erase(mark, 1);
-  const auto line = 1 + std::count(text.begin(), text.begin() + static_cast<long>(mark), '\n');
-  const auto start = mark == 0 ? std::string::npos : text.rfind('\n', mark - 1);
-  const auto column = start == std::string::npos ? mark + 1 : mark - start;
-  try {
-    read(text);
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    ASSERT_EQ(error.problems.size(), 1u) << error.what();
-    const InputProblem& problem = error.problems.front();
-    EXPECT_EQ(problem.line, line) << error.what();
-    EXPECT_EQ(problem.column, static_cast<int>(column)) << error.what();
-    for (const char* word : c.words)
-      EXPECT_NE(problem.text().find(word), std::string::npos) << word << " in\n" << error.what();
-  }
+  const test::MarkedText marked(changed(kGoodStudy, c.from, c.to));
+  const auto refused = [](const auto& text, const auto& file) { read_study(text, file, kScenes); };
+  test::expect_refused(marked, "study.toml", refused, c.words);
 }
 
 // clang-format off

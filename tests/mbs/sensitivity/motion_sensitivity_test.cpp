@@ -60,10 +60,10 @@ TYPED_TEST_SUITE(MotionSensitivity, Groups);
 /// J_i = sum over all steps of (weight of the step) y_i, and y_i at the last step alone. An error
 /// counts against the sum of |weight dy_i/dp|, and against the largest |dy_i/dp|.
 template <class G>
-void expect_direct_equals_adjoint(int steps) {
-  const Mechanism machine = test::sensitive_machine();
+void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
+                                  const std::vector<Quantity>& quantities) {
   const Taped<G> run(machine, test::tight(steps * 2e-4, 2e-4));
-  const auto parameters = run.parameters(test::quantities(machine));
+  const auto parameters = run.parameters(quantities);
   const Outputs<G> outputs(run.model);
   const int n = outputs.size(), n_p = int(parameters.size());
   const auto weight = [](long step) { return std::sin(0.3 + 0.1 * double(step)); };
@@ -103,7 +103,18 @@ void expect_direct_equals_adjoint(int steps) {
 }
 
 TYPED_TEST(MotionSensitivity, DirectEqualsAdjoint) {
-  for (const int steps : {10, 100, 1000}) expect_direct_equals_adjoint<TypeParam>(steps);
+  const Mechanism machine = test::sensitive_machine();
+  for (const int steps : {10, 100, 1000})
+    expect_direct_equals_adjoint<TypeParam>(steps, machine, test::quantities(machine));
+}
+
+/// Every step stretches, and with it what the drive does in it.
+TYPED_TEST(MotionSensitivity, DirectEqualsAdjointByTheDuration) {
+  Mechanism machine = test::sensitive_machine();
+  machine.loads.pop_back();  // follows time, not the duration
+  const int steps = 100;
+  const Parameter duration{"duration", {StepDerivative{1 / (steps * 2e-4)}}};
+  expect_direct_equals_adjoint<TypeParam>(steps, machine, {{steps * 2e-4, {}, duration}});
 }
 
 /// At every step of the motion, relative to the largest value over it.

@@ -47,11 +47,10 @@ double first_frequency(double h) {
 
 TEST(FrequencyLimit, FrequenciesAreThoseOfTheBeam) {
   const Scene scene = read_scene(kScene, "beam.toml");
-  std::string reason;
-  const auto f = lowest_frequencies(scene.mechanism, scene.simulation, {"first", 1, 2, 0}, reason);
-  ASSERT_EQ(f.size(), 2u) << reason;
-  EXPECT_NEAR(f[0] / first_frequency(0.02), 1, 0.01);
-  EXPECT_NEAR(f[1] / first_frequency(0.04), 1, 0.01);
+  const LimitedModes f(scene.mechanism, scene.simulation, {{"first", 1, 2, 0}});
+  ASSERT_EQ(f.reason, "");
+  EXPECT_NEAR(f.frequency(0, 0) / first_frequency(0.02), 1, 0.01);
+  EXPECT_NEAR(f.frequency(0, 1) / first_frequency(0.04), 1, 0.01);
 }
 
 /// dg/dx against central differences of order 2, of dimensions; of the slider-crank in a pose.
@@ -66,6 +65,7 @@ TEST(FrequencyLimit, GradientIsThatOfTheValue) {
   double f = 0;
   Eigen::VectorXd df = x, a(rows), b(rows);
   RowMatrix dg(rows, x.size());
+  problem.values(x, f, a);
   problem.gradients(x, df, dg);
   EXPECT_GT(dg.norm(), 1);
   std::vector<double> errors;
@@ -103,6 +103,19 @@ TEST(FrequencyLimit, LightestBarIsThatOfTheClosedForm) {
     ASSERT_EQ(r.final[0].frequencies.size(), 1u);
     EXPECT_NEAR(r.final[0].frequencies[0].value / least, 1, 2e-3);
   }
+}
+
+/// A limit on more frequencies than there are ends the study with the reason, not with 0 Hz.
+TEST(FrequencyLimit, ThatHasNoValueEndsTheStudyWithAReason) {
+  Scene scene = read_scene(kScene, "beam.toml");
+  StudySpec study = lightest(20, 61);  // 10 nodes with 6 coordinates move
+  study.constraints = {{scene.responses[0], 1, true}};
+  study.cycle.method = CycleMethod::Esl1;
+  const auto r =
+      run_cycle<SE2>(scene.mechanism, space_of<SE2>(scene.mechanism), scene.simulation, study);
+  EXPECT_EQ(r.status, CycleStatus::SimulationFailed) << r.reason;
+  EXPECT_NE(r.reason.find("frequency 'first': the mechanism has only 60"), std::string::npos)
+      << r.reason;
 }
 
 TEST(FrequencyLimit, IsRead) {

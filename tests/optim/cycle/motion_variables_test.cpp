@@ -163,12 +163,13 @@ TEST(MotionVariables, GradientsAreThoseOfDifferencesWithSlopeTwo) {
 }
 
 TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
-  const auto refused = [](const Changes& changes, const std::string& why) {
+  const auto refused = [](const Changes& changes, const std::string& why, std::size_t places = 1) {
     try {
       shipped_study("robot_codesign", changes);
       ADD_FAILURE() << "not refused: " << why;
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(why), std::string::npos) << error.what();
+      EXPECT_EQ(error.problems.size(), places) << error.what();
     }
   };
   refused({"design.elbow_3.property=drive.table.9"}, "is no row of the table of the drive");
@@ -180,8 +181,8 @@ TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
   refused({"objective.weights.mass=0", "objective.weights.duration=0"}, "all weights are zero");
   refused({"objective.weights.effort=1"}, "effort has a weight, but no responses");
   refused({"objective.minimize=mass"}, "the objective is not \"weighted\"");
-  refused({"cycle.method=esl"}, "the objective is of the motion");
-  refused({"joints.elbow.drive={rate=1, ramp=0.1}"}, "has no drive with a table");
+  refused({"cycle.method=esl"}, "the objective is of the motion", 10);
+  refused({"joints.elbow.drive={rate=1, ramp=0.1}"}, "has no drive with a table", 4);
   refused({"responses.elbow_torque.of=flange"}, "has no coordinate 0");
 }
 

@@ -97,6 +97,27 @@ class Kinked : public SvanbergBeam {
 
 /// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
 /// are checked beside it. One that is wrong stays so.
+/// A function that changes by round-off alone has the derivative zero; one that changes has not.
+TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
+  struct Prescribed : SvanbergBeam {
+    double changes = 0, derivative = 0;
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      SvanbergBeam::values(x, f, g);
+      g[0] = 3 + 1e-13 * std::sin(1e5 * x.sum()) + changes * x.sum();
+    }
+    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+      SvanbergBeam::gradients(x, df, dg);
+      dg.row(0).setConstant(derivative);
+    }
+    HessianShape hessian_shape() const override { return HessianShape::None; }
+  } problem;
+  problem.derivative = 1e-16;
+  const Eigen::VectorXd x = start_of(problem);
+  EXPECT_TRUE(check_derivatives(problem, x).right) << check_derivatives(problem, x).text();
+  problem.changes = 1e-6;
+  EXPECT_FALSE(check_derivatives(problem, x).right) << "a derivative that is left out";
+}
+
 TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
   DerivativeCheckOptions each;
   each.every_variable = true;

@@ -1,0 +1,112 @@
+#include "optim/cycle/catalogue.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace liesl {
+
+std::vector<CatalogueVariable> catalogue_variables(const StudySpec& study,
+                                                   const std::vector<NlpVariable>& variables) {
+  std::vector<CatalogueVariable> out;
+  const auto add = [&](const std::vector<double>& values) {
+    const std::string name = variables[out.size()].name;
+    out.push_back({name, values});
+  };
+  for (const DesignSpec& d : study.design)
+    for (int g = 0; g < d.groups; ++g) add(d.values);
+  for (const auto& [body, shape] : study.shapes)
+    for (const ShapeVariableSpec& v : shape.variables) add(v.values);
+  for (const ConstantSpec& c : study.constants) add(c.values);
+  return out;
+}
+
+DesignBox all_designs(const std::vector<NlpVariable>& variables) {
+  const auto n = static_cast<Eigen::Index>(variables.size());
+  DesignBox all{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), ""};
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const NlpVariable& v = variables[static_cast<std::size_t>(i)];
+    all.lower[i] = v.lower;
+    all.upper[i] = v.upper;
+    all.start[i] = v.start;
+  }
+  return all;
+}
+
+StudySpec within_box(StudySpec study, const DesignBox& box) {
+  Eigen::Index j = 0;
+  for (DesignSpec& d : study.design) {
+    d.start.clear();
+    d.group_bounds.clear();
+    for (int g = 0; g < d.groups; ++g, ++j) {
+      d.start.push_back(box.start[j]);
+      d.group_bounds.push_back({box.lower[j], box.upper[j]});
+    }
+  }
+  const auto narrow = [&](auto& v) {
+    v.start = box.start[j];
+    v.lower = box.lower[j];
+    v.upper = box.upper[j++];
+  };
+  for (auto& [body, shape] : study.shapes)
+    for (ShapeVariableSpec& v : shape.variables) narrow(v);
+  for (ConstantSpec& c : study.constants) narrow(c);
+  return study;
+}
+
+namespace {
+
+constexpr double kNone = 1e-6;  // a share of the objective that optimisers leave
+
+std::string above(double share) {
+  return share > kNone ? fmt::format("{:.3g} % above", 100 * share) : "no worse than";
+}
+
+/// What was proven, and how sure it is.
+std::string verdict(const CatalogueTree& tree, const CatalogueReport& r) {
+  std::string text = fmt::format(
+      "the best design of the catalogues found is {} the continuous optimum, and {}{} the bound "
+      "{:.7g} of all of them ({} designs in {} boxes, {} of them infeasible)",
+      above(r.above_continuous), r.gap > kNone ? "at most " : "", above(r.gap), r.bound, r.designs,
+      r.boxes, r.infeasible);
+  if (tree.undecided() > 0)
+    text +=
+        fmt::format("; the optimisation of {} boxes did not close, the bounds around them count",
+                    tree.undecided());
+  return text;
+}
+
+}  // namespace
+
+void conclude(const CatalogueTree& tree, const CycleOptions& options, const LoopResult& continuous,
+              const CycleEnd& stopped, bool all_of_catalogues, CatalogueReport& report,
+              LoopResult& end) {
+  report.found = tree.found();
+  report.bound = tree.bound();
+  report.gap = tree.gap();
+  report.infeasible = tree.infeasible();
+  report.undecided = tree.undecided();
+  report.above_continuous = (tree.best() - report.continuous) / std::abs(report.continuous);
+  if (continuous.optimality && continuous.optimality->residual)
+    report.kkt_residual = continuous.optimality->residual->stationarity;
+  const std::string why = stopped.reason.empty() ? "" : stopped.reason + "; ";
+  if (!tree.found()) {
+    end.status = stopped.reason.empty() ? CycleStatus::Infeasible : stopped.status;
+    end.reason = why + fmt::format(
+                           "no design of the catalogues meets all limits{}; this is the "
+                           "continuous optimum ({})",
+                           stopped.reason.empty() ? "" : " so far", continuous.reason);
+    return;
+  }
+  end.status = !stopped.reason.empty()                            ? stopped.status
+               : report.gap > options.gap || tree.undecided() > 0 ? CycleStatus::Converged
+                                                                  : continuous.status;
+  end.reason = why + verdict(tree, report) + "; the continuous optimum: " + continuous.reason;
+  if (!all_of_catalogues || !continuous.optimality) return;
+  end.optimality = continuous.optimality;
+  end.optimality->reason =
+      "all sizes are of catalogues; of the continuous optimum: " + continuous.optimality->brief();
+  end.optimality->residual.reset();
+}
+
+}  // namespace liesl

@@ -1,0 +1,147 @@
+#pragma once
+/// @file
+/// Studies whose sizes are of catalogues: the continuous optimum, then branch and bound, each box
+/// an optimisation of the study itself, each design checked by its motion.
+
+#include "optim/cycle/catalogue_tree.hpp"
+#include "optim/cycle/topology_cycle.hpp"
+
+namespace liesl {
+
+/// The variables of a study in the order of Design::variables(), with their catalogues.
+std::vector<CatalogueVariable> catalogue_variables(const StudySpec& study,
+                                                   const std::vector<NlpVariable>& variables);
+
+/// All designs of a study.
+DesignBox all_designs(const std::vector<NlpVariable>& variables);
+
+/// The study within a box, from its start.
+StudySpec within_box(StudySpec study, const DesignBox& box);
+
+/// Fills in what a search has found: numbers, status and a sentence.
+/// @param continuous how the continuous study ended  @param stopped why it ended early; empty: it
+/// did not
+void conclude(const CatalogueTree& tree, const CycleOptions& options, const LoopResult& continuous,
+              const CycleEnd& stopped, bool all_of_catalogues, CatalogueReport& report,
+              LoopResult& end);
+
+namespace detail {
+
+/// Runs the rounds of a search, or takes them from an interrupted run.
+template <class End>
+class CatalogueRounds {
+ public:
+  CatalogueRounds(const StudySpec& study, const Mechanism& mechanism,
+                  const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
+                  const RoundHistory& resume)
+      : study_(study), mechanism_(mechanism), optimise_(optimise), hooks_(hooks), resume_(resume) {}
+
+  const RoundHistory& histories() const { return rounds_; }
+  /// The next round; its end only where it had to be optimised.
+  std::optional<End> run(const DesignBox& box) {
+    const std::size_t n = rounds_.size();
+    const bool over = n + 1 < resume_.size() ||
+                      (n < resume_.size() && !resume_[n].empty() && resume_[n].back().end);
+    rounds_.push_back(n < resume_.size() ? resume_[n] : History());
+    if (over) return {};
+    if (hooks_.on_box && !box.branch.empty()) hooks_.on_box(box.branch);
+    return again(n, box);
+  }
+  /// Round n with its model and motion, from the cycles that there are.
+  End again(std::size_t n, const DesignBox& box) {
+    CycleHooks cycle = hooks_;
+    cycle.on_cycle = [this, n](const std::vector<Cycle>& history) {
+      rounds_[n] = history;
+      if (hooks_.on_round_cycle) hooks_.on_round_cycle(rounds_);
+    };
+    return optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
+  }
+
+ private:
+  const StudySpec& study_;
+  const Mechanism& mechanism_;
+  const OptimiseRound<End>& optimise_;
+  const TopologyHooks& hooks_;
+  const RoundHistory& resume_;
+  RoundHistory rounds_;
+};
+
+}  // namespace detail
+
+/// Searches the designs of the catalogues of a study. The first round is the continuous study; if
+/// it does not end by its own rules, it is the answer. `last` is the best design of the catalogues
+/// (none: the continuous optimum, status Infeasible), `before` the cycles of all other rounds.
+/// @param resume rounds of an interrupted run of the same study: those that had ended are taken as
+/// they are
+template <class End>
+Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanism,
+                               const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
+                               const RoundHistory& resume = {}) {
+  const std::vector<NlpVariable> variables = Design(study, mechanism).variables();
+  const auto catalogues = catalogue_variables(study, variables);
+  CatalogueTree tree(catalogues, all_designs(variables), study.cycle.gap);
+  detail::CatalogueRounds<End> rounds(study, mechanism, optimise, hooks, resume);
+  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}, CatalogueReport{}};
+  const DesignBox whole = *tree.next();
+  std::optional<End> root = rounds.run(whole);
+  if (!root) root = rounds.again(0, whole);
+  out.first.history = root->history;
+  out.first.first = root->first;
+  out.last.end = std::move(*root);
+  out.reason = "no holes are tried where sizes are of catalogues";
+  if (!closed(out.last.end.status)) {
+    out.last.end.reason =
+        "the catalogues were not searched, since the continuous study comes first: " +
+        out.last.end.reason;
+    out.catalogue.reset();
+    return out;
+  }
+  LoopResult continuous = out.last.end;
+  out.catalogue->continuous = continuous.best->objective;
+  tree.tell(box_answer(rounds.histories().front(), study.cycle));
+  std::size_t best = 0;
+  std::optional<std::pair<DesignBox, std::optional<End>>> found;
+  CycleEnd stopped;
+  int designs = static_cast<int>(rounds.histories().front().size());
+  while (stopped.reason.empty()) {
+    const std::optional<DesignBox> box = tree.next();
+    if (!box) break;
+    std::optional<End> end = rounds.run(*box);
+    const History& history = rounds.histories().back();
+    designs += static_cast<int>(history.size());
+    if (end && end->status == CycleStatus::Interrupted)
+      stopped = {end->status, end->reason};
+    else if (tree.tell(box_answer(history, study.cycle))) {
+      best = rounds.histories().size() - 1;
+      found.emplace(*box, std::move(end));
+    }
+    if (stopped.reason.empty() && designs >= study.cycle.max_designs &&
+        tree.gap() > study.cycle.gap)
+      stopped = {CycleStatus::CycleLimit,
+                 std::to_string(study.cycle.max_designs) + " designs are used up"};
+  }
+  if (found)
+    out.last.end = found->second ? std::move(*found->second) : rounds.again(best, found->first);
+  out.catalogue->boxes = static_cast<int>(rounds.histories().size());
+  for (std::size_t r = 0; r < rounds.histories().size(); ++r) {
+    const History& history = rounds.histories()[r];
+    if (!history.empty()) out.catalogue->effort += history.back().effort;
+    if (r != best) out.before.insert(out.before.end(), history.begin(), history.end());
+  }
+  out.catalogue->designs = designs;
+  const bool all = std::none_of(catalogues.begin(), catalogues.end(),
+                                [](const CatalogueVariable& v) { return v.values.empty(); });
+  conclude(tree, study.cycle, continuous, stopped, all, *out.catalogue, out.last.end);
+  return out;
+}
+
+/// By catalogues if the study has any, else in rounds with new holes, `most` of them.
+template <class End>
+Topology<End> optimise_study(const StudySpec& study, const Mechanism& mechanism, int most,
+                             const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
+                             const RoundHistory& resume = {}) {
+  if (has_catalogue(study)) return search_catalogue<End>(study, mechanism, optimise, hooks, resume);
+  return optimise_in_rounds<End>(study, mechanism, most, optimise, hooks, resume);
+}
+
+}  // namespace liesl

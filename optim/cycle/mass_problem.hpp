@@ -1,0 +1,25 @@
+#pragma once
+/// @file
+/// Limits on the mass of bodies in studies of motions.
+
+#include "optim/cycle/static_problem.hpp"
+#include "optim/design/design.hpp"
+
+namespace liesl {
+
+/// Rows mass/limit - 1 <= 0, exact at every x (without second derivatives). The objective is 0.
+class MassProblem final : public CaselessProblem {
+ public:
+  MassProblem(const Mechanism& mechanism, const Design& design,
+              const std::vector<MassLimitSpec>& limits, const Eigen::VectorXd& x);
+
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
+
+ private:
+  const Mechanism& mechanism_;
+  const Design& design_;
+  const std::vector<MassLimitSpec> limits_;
+};
+
+}  // namespace liesl

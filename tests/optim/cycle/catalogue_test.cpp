@@ -1,0 +1,151 @@
+/// @file
+/// Sizes of catalogues in whole studies: the best of all designs, each of them simulated; the same
+/// after an interruption.
+#include "optim/cycle/catalogue.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/scene/space.hpp"
+#include "apps/study/load_study.hpp"
+#include "reference/places.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::VectorXd;
+
+class RodOfCatalogue : public testing::Test {
+ protected:
+  static std::vector<std::string> changes() {
+    return {"simulation.duration=0.02", "design.rod_diameters.groups=2",
+            "design.rod_diameters.values=[0.0105,0.0112,0.0119,0.0126,0.0133,0.014,0.0155]",
+            "constraints.bending.limit=1.5e-4", "cycle.gap=0"};
+  }
+  const Study study_ =
+      load_study(std::string(kDataDir) + "/studies/slider_crank_rod.toml", changes());
+  const ChosenSpace space_ = choose_space(study_.scene);
+  const Space<SE2>& plane_ = std::get<Space<SE2>>(space_.space);
+
+  Topology<CycleResult<SE2>> search(const TopologyHooks& hooks, const RoundHistory& resume) const {
+    const OptimiseRound<CycleResult<SE2>> optimise =
+        [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,
+            const std::vector<Cycle>& cycles) {
+          return run_cycle<SE2>(mechanism, plane_, study_.scene.simulation, study, cycle, cycles);
+        };
+    return search_catalogue<CycleResult<SE2>>(study_.spec, study_.scene.mechanism, optimise, hooks,
+                                              resume);
+  }
+};
+
+TEST_F(RodOfCatalogue, IsTheBestOfAllDesigns) {
+  const auto found = search({}, {});
+  const DesignSimulator<SE2> simulator(study_.scene.mechanism, plane_, study_.scene.simulation,
+                                       study_.spec);
+  double best = std::numeric_limits<double>::infinity();
+  VectorXd x(2), at;
+  for (const double a : study_.spec.design[0].values)
+    for (const double b : study_.spec.design[0].values) {
+      x << a, b;
+      const auto run = simulator.run(x);
+      if (!run.good() || run.worst > study_.spec.cycle.feasibility || run.mass >= best) continue;
+      best = run.mass;
+      at = x;
+    }
+  const CycleResult<SE2>& end = found.last.end;
+  ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
+  EXPECT_DOUBLE_EQ(end.mass, best) << end.x.transpose() << " for " << at.transpose();
+  EXPECT_EQ(end.x, at);
+  ASSERT_TRUE(found.catalogue);
+  EXPECT_TRUE(found.catalogue->found);
+  EXPECT_EQ(found.catalogue->gap, 0);
+  EXPECT_LE(found.catalogue->continuous, best);
+  EXPECT_NEAR(found.catalogue->above_continuous, best / found.catalogue->continuous - 1, 1e-12);
+  EXPECT_FALSE(end.optimality->residual);  // of sizes that may not move there is none
+  EXPECT_LT(*found.catalogue->kkt_residual, kOptimalResidual);
+  EXPECT_NE(end.reason.find("designs in"), std::string::npos) << end.reason;
+}
+
+TEST_F(RodOfCatalogue, AnInterruptedSearchGoesOnAsIfItHadNotBeen) {
+  std::vector<RoundHistory> states;
+  TopologyHooks hooks;
+  hooks.on_round_cycle = [&](const RoundHistory& rounds) { states.push_back(rounds); };
+  const auto whole = search(hooks, {});
+  ASSERT_GT(states.size(), 8u);
+  for (std::size_t k = 0; k + 1 < states.size(); k += states.size() / 4) {
+    RoundHistory last;
+    TopologyHooks again;
+    again.on_round_cycle = [&](const RoundHistory& rounds) { last = rounds; };
+    const auto resumed = search(again, states[k]);
+    EXPECT_EQ(resumed.last.end.status, whole.last.end.status) << k;
+    EXPECT_EQ(resumed.last.end.reason, whole.last.end.reason) << k;
+    EXPECT_EQ(resumed.last.end.x, whole.last.end.x) << k;
+    EXPECT_EQ(resumed.catalogue->designs, whole.catalogue->designs) << k;
+    EXPECT_EQ(resumed.catalogue->effort.newton_iterations,
+              whole.catalogue->effort.newton_iterations);
+    EXPECT_EQ(last.size(), states.back().size());
+  }
+}
+
+TEST_F(RodOfCatalogue, StopsOnRequestWithTheBestSoFar) {
+  int cycles = 0;
+  TopologyHooks hooks;
+  hooks.on_round_cycle = [&](const RoundHistory&) { ++cycles; };
+  const int whole = search(hooks, {}).catalogue->designs;
+  cycles = 0;
+  hooks.keep_going = [&] { return cycles < whole - 1; };
+  const auto stopped = search(hooks, {});
+  EXPECT_EQ(stopped.last.end.status, CycleStatus::Interrupted) << stopped.last.end.reason;
+  EXPECT_LT(stopped.catalogue->designs, whole + 1);
+}
+
+TEST_F(RodOfCatalogue, SaysTheGapWhenTheDesignsAreUsedUp) {
+  Study few = study_;
+  few.spec.cycle.max_designs = 8;
+  const OptimiseRound<CycleResult<SE2>> optimise =
+      [&](const StudySpec& study, const Mechanism& mechanism, const CycleHooks& cycle,
+          const std::vector<Cycle>& cycles) {
+        return run_cycle<SE2>(mechanism, plane_, few.scene.simulation, study, cycle, cycles);
+      };
+  const auto end = search_catalogue<CycleResult<SE2>>(few.spec, few.scene.mechanism, optimise, {});
+  EXPECT_EQ(end.last.end.status, CycleStatus::CycleLimit);
+  EXPECT_GT(end.catalogue->gap, 0);
+  EXPECT_NE(end.last.end.reason.find("8 designs are used up"), std::string::npos)
+      << end.last.end.reason;
+}
+
+/// Under fixed loads: the half-axes of a hole of drills and mills.
+TEST(PartOfCatalogue, IsTheBestOfAllDesigns) {
+  const Study study =
+      load_study(std::string(kDataDir) + "/studies/plate_with_hole.toml",
+                 {"bodies.plate.solid.mesh.cells=[20,20]", "design.a.values=[0.12,0.13,0.14]",
+                  "design.b.values=[0.06,0.07,0.08]", "design.b.start=0.08", "cycle.gap=0"});
+  const Mechanism& mechanism = study.scene.mechanism;
+  const int body = study.spec.shapes.begin()->first;
+  const OptimiseRound<PartEnd> optimise = [&](const StudySpec& spec, const Mechanism& m,
+                                              const CycleHooks& cycle,
+                                              const std::vector<Cycle>& cycles) {
+    return optimise_outline(spec, m, body, cycle, cycles);
+  };
+  const auto found = search_catalogue<PartEnd>(study.spec, mechanism, optimise, {});
+  PartShape part(mechanism, body, study.spec.shapes.at(body));
+  const SolidTask task = solid_task(study.spec, part);
+  PartModel model(task);
+  double best = std::numeric_limits<double>::infinity();
+  VectorXd x(2), at;
+  for (const double a : {0.12, 0.13, 0.14})
+    for (const double b : {0.06, 0.07, 0.08}) {
+      x << a, b;
+      const auto end = model.analyse(x, {});
+      if (!end->good() || end->worst > study.spec.cycle.feasibility || end->objective >= best)
+        continue;
+      best = end->objective;
+      at = x;
+    }
+  ASSERT_TRUE(closed(found.last.end.status)) << found.last.end.reason;
+  EXPECT_EQ(found.last.end.x, at);
+  EXPECT_DOUBLE_EQ(found.last.end.best->objective, best);
+  EXPECT_EQ(found.catalogue->gap, 0);
+}
+
+}  // namespace
+}  // namespace liesl::test

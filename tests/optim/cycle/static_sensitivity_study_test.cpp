@@ -1,0 +1,211 @@
+/// @file
+/// Studies of equilibria by the sensitivities of statics: gradients, published trusses, limits of
+/// members, goals with the mass as a limit.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/scene/load_scene.hpp"
+#include "apps/scene/space.hpp"
+#include "apps/study/load_study.hpp"
+#include "mbs/system/response_value.hpp"
+#include "optim/cycle/motion_cycle.hpp"
+#include "reference/places.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A frame of two beams under a load, a spring at its tip; large displacements.
+constexpr const char* kFrame = R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+tube = { type = "tube", diameter = 0.05, thickness = 0.003 }
+[bodies]
+a = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "tube", material = "steel", elements = 2 } }
+b = { beam = { from = [1, 0, 0], to = [1, -0.6, 0], section = "tube", material = "steel", elements = 2 } }
+[joints]
+clamp = { fixed = ["ground", "a.start"] }
+corner = { revolute = ["a.end", "b.start"] }
+foot = { spherical = ["ground", "b.end"] }
+[loads]
+f = { at = "a.end", force = [3e3, -4e4, 0] }
+[forces]
+spring = { on = "corner", stiffness = 500 }
+[simulation]
+type = "static"
+load_steps = 2
+space = "spatial"
+)";
+
+Scene frame(const std::string& foot) {
+  std::string text = kFrame;
+  const std::string key = "foot = { spherical";
+  text.replace(text.find(key), key.size(), foot);
+  return read_scene(text, "frame.toml");
+}
+
+std::vector<ResponseSpec> members() {
+  std::vector<ResponseSpec> all;
+  const auto add = [&](const char* name, ResponseKind kind) -> ResponseSpec& {
+    all.emplace_back();
+    all.back().name = name;
+    all.back().kind = kind;
+    all.back().body = 1;
+    return all.back();
+  };
+  add("euler", ResponseKind::Buckling).factor = 0.8;
+  add("wall", ResponseKind::LocalBuckling).factor = 0.7;
+  add("mean", ResponseKind::AxialStress);
+  add("down", ResponseKind::AxialStress).side = Side::Down;
+  add("stress", ResponseKind::Stress).body = 0;
+  add("compliance", ResponseKind::Compliance).body = 0;
+  ResponseSpec& tip = add("tip", ResponseKind::Translation);
+  tip.at = {0, 2, SE3::identity()};
+  ResponseSpec& along = add("along", ResponseKind::Translation);
+  along.at = tip.at;
+  along.axis = Vec3(0, 1, 0);
+  ResponseSpec& force = add("force", ResponseKind::JointForce);
+  force.joint = 2;
+  return all;
+}
+
+StudySpec frame_study(const Mechanism& m) {
+  StudySpec study;
+  study.mass_of = {0, 1};
+  study.design = {{"diameter", {0, 1}, {"diameter"}, 1, 0.02, 0.2, {}},
+                  {"wall", {1}, {"thickness"}, 1, 0.001, 0.008, {}}};
+  ConstantSpec spring;
+  spring.name = "spring";
+  spring.force = 0;
+  spring.lower = 10;
+  spring.upper = 1e4;
+  study.constants = {spring};
+  for (const ResponseSpec& r : members()) study.constraints.push_back({r, 1, false});
+  (void)m;
+  return study;
+}
+
+/// Every gradient at every load step against central differences of whole equilibria.
+TEST(StaticSensitivity, GradientsAreThoseOfTheEquilibria) {
+  const Scene scene = frame("foot = { spherical");
+  const StudySpec study = frame_study(scene.mechanism);
+  const Space<SE3> space{};
+  SimulationOptions options = scene.simulation;
+  options.tolerance = 1e-12;
+  const DesignSimulator<SE3> simulator(scene.mechanism, space, options, study);
+  const VectorXd x = simulator.design().start();
+  const auto run = simulator.run(x);
+  ASSERT_TRUE(run.good()) << run.simulation.report.reason;
+  std::vector<LimitedResponse> limited;
+  for (std::size_t c = 0; c < study.constraints.size(); ++c)
+    limited.push_back({static_cast<int>(c), study.constraints[c].response, 0, 0});
+  const MotionGradients gradients(simulator.design(), run, x, limited);
+  ASSERT_EQ(gradients.reason(), "");
+  for (Eigen::Index j = 0; j < x.size(); ++j) {
+    VectorXd plus = x, minus = x;
+    const double h = 1e-4 * x[j];
+    plus[j] += h;
+    minus[j] -= h;
+    const auto up = simulator.run(plus), down = simulator.run(minus);
+    for (int r = 0; r < gradients.responses(); ++r)
+      for (int n = 1; n < gradients.records(r); ++n) {
+        const auto k = static_cast<std::size_t>(n), c = static_cast<std::size_t>(r);
+        const double slope = (up.limits[c].values[k] - down.limits[c].values[k]) / (2 * h);
+        const VectorXd* dv = gradients.gradient(r, n);
+        if (gradients.value(r, n) == 0) continue;
+        ASSERT_TRUE(dv) << run.limits[c].name;
+        const double size = gradients.value(r, n) / x[j];
+        EXPECT_NEAR((*dv)[j], slope, 2e-6 * size)
+            << run.limits[c].name << " by " << simulator.design().variables()[std::size_t(j)].name;
+      }
+  }
+  for (const char* name : {"euler", "wall", "mean", "down"})  // the strut is compressed
+    for (const auto& series : run.limits)
+      if (series.name == name) {
+        EXPECT_GT(series.largest, 0) << name;
+      }
+}
+
+/// The Euler load of the response is the critical load that statics itself locates.
+TEST(MemberResponse, ColumnBucklesWhereTheResponseIsOne) {
+  constexpr const char* kColumn = R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+flat = { type = "rectangle", width = 0.03, height = 0.01 }
+[bodies]
+c = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 16 } }
+[joints]
+clamp = { fixed = ["ground", "c.start"] }
+[loads]
+f = { at = "c.end", force = [-1000, 0, 0] }
+[simulation]
+type = "static"
+critical = true
+max_load = 2
+load_steps = 4
+[responses]
+euler = { response = "buckling", of = "c", factor = 2 }
+)";
+  const Scene scene = read_scene(kColumn, "column.toml");
+  const auto model = Model<SE3>::build(scene.mechanism, {});
+  const auto found = solve_static(model, scene.simulation);
+  ASSERT_FALSE(found.critical.empty());
+  State<SE3> s = model.initial_state();
+  found.trajectory.read(1, s);  // at half the load, straight
+  const ResponseValues<SE3> values(scene.mechanism, model);
+  const double share = values(scene.responses[0], s)[0] / s.t;  // of the load at factor 1
+  EXPECT_NEAR(found.critical.front().load * share, 1, 0.01);
+}
+
+std::string studies() { return std::string(kDataDir) + "/studies/"; }
+
+struct End {
+  CycleStatus status;
+  std::string reason;
+  double mass, worst;
+};
+
+template <FrameGroup G>
+End optimise_on(const Study& study, const Space<G>& space) {
+  std::vector<Scenario<G>> scenarios{{study.scene.mechanism, space, study.scene.simulation}};
+  for (const Scene& s : study.scenarios) scenarios.push_back({s.mechanism, space, s.simulation});
+  const auto r = run_cycle<G>(scenarios, study.spec);
+  return {r.status, r.reason, r.mass, r.worst};
+}
+
+End optimise(const Study& study) {
+  const ChosenSpace space = choose_space(study.scene);
+  return std::visit([&](const auto& s) { return optimise_on(study, s); }, space.space);
+}
+
+constexpr double kPound = 0.45359237;  // kg
+
+struct Published {
+  const char* study;
+  double least, most;  ///< lb
+};
+class PublishedTruss : public testing::TestWithParam<Published> {};
+
+/// 10 bars 5060.85 lb, 25 bars 545.16 to 545.22 lb, 72 bars 379.6 to 380 lb: the digits of the
+/// literature (sources in the studies). Limits are exceeded by up to 1e-4 here.
+TEST_P(PublishedTruss, ComesOutToThePublishedDigits) {
+  const Study study = load_study(studies() + GetParam().study);
+  const auto end = optimise(study);
+  EXPECT_EQ(end.status, CycleStatus::Optimal) << end.reason;
+  EXPECT_GT(end.mass / kPound, GetParam().least);
+  EXPECT_LT(end.mass / kPound, GetParam().most);
+  EXPECT_LT(end.worst, 1e-4);
+}
+
+INSTANTIATE_TEST_SUITE_P(Bars, PublishedTruss,
+                         testing::Values(Published{"truss_10.toml", 5060.5, 5061.2},
+                                         Published{"truss_25.toml", 545.1, 545.25},
+                                         Published{"truss_72.toml", 379.5, 380.0}),
+                         [](const auto& of) { return std::string(of.param.study).substr(0, 8); });
+
+}  // namespace
+}  // namespace liesl::test
