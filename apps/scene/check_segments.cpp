@@ -14,8 +14,8 @@ namespace {
 
 bool is_chain(const Mechanism& m, const BodySpec& body) {
   const auto* beam = std::get_if<BeamSpec>(&body.kind);
-  return beam && (beam->as == BeamModel::Segments || (beam->as == BeamModel::AsFormalism &&
-                                                      m.formalism == Formalism::Segments));
+  return beam && (beam->as == BeamModel::Segments ||
+                  (beam->as == BeamModel::AsFormalism && m.formalism == Formalism::Segments));
 }
 
 class SegmentCheck {
@@ -104,8 +104,8 @@ class SegmentCheck {
   }
 
   void check_load(const LoadSpec& load) {
-    const bool chain = load.port.body >= 0 &&
-                       is_chain(m_, m_.bodies[static_cast<std::size_t>(load.port.body)]);
+    const bool chain =
+        load.port.body >= 0 && is_chain(m_, m_.bodies[static_cast<std::size_t>(load.port.body)]);
     if (!chain || !(load.spread || inner(load.port))) return;
     if (!load.spread) check_lug("loads", load.name, load.port);
     if (load.moment.norm() == 0 && !load.follower) return;

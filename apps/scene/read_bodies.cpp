@@ -36,6 +36,25 @@ std::vector<Section> tapered_sections(const std::vector<Section>& at, int n) {
   return out;
 }
 
+/// Keys of chains of segments where the beam is none.
+void check_segment_keys(Reader& reader, const std::string& name, const toml::table& table,
+                        BeamModel as) {
+  const bool chain =
+      as == BeamModel::Segments ||
+      (as == BeamModel::AsFormalism && reader.scene.mechanism.formalism == Formalism::Segments);
+  for (const char* key : {"potential", "mass"})
+    if (const toml::node* node = table.get(key); node && written(*node) && !chain)
+      reader.problems.add(*node, fmt::format("beam '{}' has no '{}'", name, key),
+                          "as = \"segments\", or simulation.formalism = \"segments\"",
+                          "leave it out");
+}
+
+BeamModel beam_model_of(const std::string& as) {
+  if (as == "rigid") return BeamModel::Rigid;
+  if (as == "modal") return BeamModel::Modal;
+  return as == "segments" ? BeamModel::Segments : BeamModel::AsFormalism;
+}
+
 /// Reads one beam; `ok` turns false if it cannot be built.
 class BeamReader {
  public:
@@ -46,14 +65,11 @@ class BeamReader {
     BeamSpec beam;
     beam.damping = number(table_, "damping");
     const std::string as = text(table_, "as");
-    beam.as = as == "rigid"      ? BeamModel::Rigid
-              : as == "modal"    ? BeamModel::Modal
-              : as == "segments" ? BeamModel::Segments
-                                 : BeamModel::AsFormalism;
+    beam.as = beam_model_of(as);
     if (text(table_, "potential") == "neo_hookean")
       beam.segment.potential = AxialPotential::NeoHookean;
     beam.segment.lumped = text(table_, "mass") == "lumped";
-    check_segment_keys(beam.as);
+    check_segment_keys(reader_, name_, table_, beam.as);
     if (table_.contains("modes")) beam.modes = integer(table_, "modes");
     if (beam.as != BeamModel::AsFormalism && beam.as != BeamModel::Segments &&
         reader_.scene.simulation.type != SimulationType::Dynamic)
@@ -69,17 +85,6 @@ class BeamReader {
   }
 
  private:
-  /// Keys of chains of segments where the beam is none.
-  void check_segment_keys(BeamModel as) {
-    const bool chain = as == BeamModel::Segments ||
-                       (as == BeamModel::AsFormalism &&
-                        reader_.scene.mechanism.formalism == Formalism::Segments);
-    for (const char* key : {"potential", "mass"})
-      if (const toml::node* node = table_.get(key); node && written(*node) && !chain)
-        reader_.problems.add(*node, fmt::format("beam '{}' has no '{}'", name_, key),
-                             "as = \"segments\", or simulation.formalism = \"segments\"",
-                             "leave it out");
-  }
   void refuse(const toml::node& at, const std::string& what, const std::string& expected,
               const std::string& hint = "") {
     reader_.problems.add(at, fmt::format("beam '{}' {}", name_, what), expected, hint);

@@ -22,14 +22,10 @@ namespace {
 
 void describe(output::RunSummary& summary, const PenaltyReport& p, ConstraintForm form) {
   auto& json = summary.more["penalty"];
-  json = {{"constraints", to_string(form)},
-          {"weight", p.displacement},
-          {"weight_rotation", p.rotation},
-          {"largest_opening", p.opening},
-          {"largest_deformation", nullptr},
-          {"share", p.share},
-          {"augmentations", p.augmentations},
-          {"most_augmentations", p.most_augmentations}};
+  json = {{"constraints", to_string(form)},   {"weight", p.displacement},
+          {"weight_rotation", p.rotation},    {"largest_opening", p.opening},
+          {"largest_deformation", nullptr},   {"share", p.share},
+          {"augmentations", p.augmentations}, {"most_augmentations", p.most_augmentations}};
   if (!p.rigid) json["largest_deformation"] = p.deformation;
 }
 

@@ -10,12 +10,22 @@ namespace {
 using Vec2 = Eigen::Vector2d;
 
 constexpr double kCoupled = 1e-12;  // of the diagonal
+constexpr double kSeries = 0.1;     // kSeries^16/17 is below the round-off of 1
 
 /// J a = e_z x a.
 Vec2 turned(const Vec2& a) { return {-a[1], a[0]}; }
 
+/// Angle from a to b, unit vectors, in (-pi, pi]. Neighbouring segments are nearly in line: with u
+/// = tan(angle/2) = sin/(1 + cos) it is 2 atan(u), whose series to u^15 is exact to round-off for
+/// |u| < kSeries and takes a fifth of the time of atan2.
 double angle_between(const Vec2& a, const Vec2& b) {
-  return std::atan2(a[0] * b[1] - a[1] * b[0], a.dot(b));
+  const double sine = a[0] * b[1] - a[1] * b[0], cosine = a.dot(b);
+  const double u = sine / (1 + cosine), z = u * u;
+  if (!(z < kSeries * kSeries)) return std::atan2(sine, cosine);
+  double sum = -1. / 15;
+  for (const double c : {1. / 13, -1. / 11, 1. / 9, -1. / 7, 1. / 5, -1. / 3, 1.})
+    sum = c + z * sum;
+  return 2 * u * sum;
 }
 
 /// Velocity of a node in inertial axes.
@@ -258,8 +268,10 @@ SegmentBeam::Gradient SegmentBeam::angle_rate_gradient(const BodyState<SE2>& s, 
 }
 
 void SegmentBeam::turn_axes(SE2* H) const {
+  Vec2 before = segment(H, 0).t;
   for (int i = 1; i < elements(); ++i) {
-    const Vec2 t = (segment(H, i - 1).t + segment(H, i).t).normalized();
+    const Vec2 after = segment(H, i).t, t = (before + after).normalized();
+    before = after;
     Matrix2 bisector;
     bisector << t, turned(t);
     H[i].R = bisector * from_bisector_[i];

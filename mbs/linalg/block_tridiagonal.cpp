@@ -4,8 +4,8 @@
 
 namespace liesl {
 
-/// Row k is done with when its pivot is: rows k + 1 and k + 2 have lost what it says of them. `U` and
-/// `L` are what is left of the off-diagonal blocks beside the pivot.
+/// Row k is done with when its pivot is: rows k + 1 and k + 2 have lost what it says of them. `U`
+/// and `L` are what is left of the off-diagonal blocks beside the pivot.
 template <int N>
 bool BlockTridiagonalLU<N>::factor(const Matrix& A) {
   const int n = A.blocks();

@@ -205,8 +205,7 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
     replay.run(i, [&](const State<G>&, const State<G>& after, double h) {
       stretch.push_back({in_inertial_axes(model, after), h});
     });
-    const State<G> start =
-        in_inertial_axes(model, tape.checkpoints[static_cast<size_t>(i)].s);
+    const State<G> start = in_inertial_axes(model, tape.checkpoints[static_cast<size_t>(i)].s);
     for (auto k = stretch.size(); k-- > 0;) {
       const StepEnd<G>& end = stretch[k];
       const State<G>& before = k > 0 ? stretch[k - 1].s : start;

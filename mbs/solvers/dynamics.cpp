@@ -322,6 +322,12 @@ bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
   return false;
 }
 
+template <FrameGroup G>
+State<G> completed(const Model<G>& model, State<G> s) {
+  model.complete(s);
+  return s;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -392,11 +398,7 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
       report.smallest_step = std::min(report.smallest_step, grid.h());
     const long whole = grid.whole();
     watch.stop(report);
-    if (penalised) {
-      seen = s;
-      model.complete(seen);
-      open.step(equations.gap, seen);
-    }
+    if (penalised) open.step(equations.gap, completed(model, s));
     show(whole > 0 && (whole % o.output_every == 0 || whole == whole_steps));
     watch.go();
     if (ends(model, s, bend, progress, report)) break;

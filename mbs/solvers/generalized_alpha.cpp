@@ -11,8 +11,8 @@ constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance 
 constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
 constexpr int kAugmentations = 10;    // a step
 constexpr double kUnknown = std::numeric_limits<double>::infinity();  // an augmentation is between
-constexpr double kMemory = 0.1;       // share of the largest force so far in the scale
-constexpr double kQuiet = 1e-8;       // forces on a body below this share of all count as none
+constexpr double kMemory = 0.1;  // share of the largest force so far in the scale
+constexpr double kQuiet = 1e-8;  // forces on a body below this share of all count as none
 
 }  // namespace
 
@@ -37,6 +37,10 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
     equations_.compliance = model.penalty.weight.cwiseInverse();
     equations_.damping = model.penalty.damping;
   }
+  for (const auto& c : model.couplings)
+    for (const int k : model.positions())
+      turns_are_observed_ = turns_are_observed_ || (c.a.body >= 0 && c.a.node == k) ||
+                            (c.b.body >= 0 && c.b.node == k);
   factorizations_.assign(model.bodies.size(), 0);
   scales_.assign(model.bodies.size(), 0);
   trial_ = model.initial_state();
@@ -112,8 +116,8 @@ void GeneralizedAlpha<G>::predict(const State<G>& old, double h) {
 template <FrameGroup G>
 void GeneralizedAlpha<G>::turn_axes(State<G>& old) {
   if (model_.positions().empty()) return;
-  coordinates_.turn_positions(trial_, {&dq_, &u_, &udot_, &old_u_, &old_udot_, &older_udot_, &old.v,
-                                       &old.vdot, &old.a});
+  coordinates_.turn_positions(
+      trial_, {&dq_, &u_, &udot_, &old_u_, &old_udot_, &older_udot_, &old.v, &old.vdot, &old.a});
   for (const int k : model_.positions()) old.H[k].R = trial_.H[k].R;
 }
 
@@ -176,9 +180,9 @@ double GeneralizedAlpha<G>::imbalance() const {
 }
 
 /// lambda* <- lambda at a converged iterate, while the joints are open by more than they may be (E.
-/// Bayo, J. Garcia de Jalon, M. A. Serna, A modified Lagrangian formulation for the dynamic analysis
-/// of constrained mechanical systems, CMAME 71 (1988) 183-195). @returns whether the iteration goes
-/// on
+/// Bayo, J. Garcia de Jalon, M. A. Serna, A modified Lagrangian formulation for the dynamic
+/// analysis of constrained mechanical systems, CMAME 71 (1988) 183-195). @returns whether the
+/// iteration goes on
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::augment(StepResult& result) {
   if (model_.penalty.form != ConstraintForm::Augmented) return false;
@@ -258,7 +262,8 @@ void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
     error = std::max(error, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
   result.error = h * h * std::abs(beta - 1. / 6) * error;
   older_udot_ = old_udot_;
-  const bool moved = coordinates_.finish(trial_, older_udot_);
+  if (turns_are_observed_) coordinates_.turn_positions(trial_, {&older_udot_});
+  const bool moved = coordinates_.finish(trial_);
   equations_.observe(trial_, s.rows, trial_.rows);
   previous_h_ = moved ? 0 : h;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b)

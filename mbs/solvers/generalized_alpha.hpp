@@ -99,6 +99,7 @@ class GeneralizedAlpha {
   const SimulationOptions options_;
   const AlphaWeights weights_;
   const TangentStrategy tangent_;
+  bool turns_are_observed_ = false;  ///< a coupling is at a position, whose axes it may observe
   NodeCoordinates<G> coordinates_;
   Equations<G> equations_;
   IterationMatrix<G> tangent_at_;  ///< at the trial state, where the constant one does not do

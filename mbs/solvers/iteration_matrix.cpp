@@ -166,8 +166,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
     const bool constraint = e.role == Role::Constraint;
     turned +=
         (constraint ? s.lambda[c.first_constraint + i] : prestress_.force[index][i]) * hessian;
-    if (constraint && damped_)
-      rates_[index].row(i) = eq.damping * (v.transpose() * hessian * J);
+    if (constraint && damped_) rates_[index].row(i) = eq.damping * (v.transpose() * hessian * J);
     if (constraint) continue;
     const Columns row = B.row(i).transpose();
     K += slope[i] * row * row.transpose();
@@ -202,8 +201,7 @@ auto IterationMatrix<G>::assemble(const Equations<G>& eq, const State<G>& s, con
       for (const auto& [port, first] : {std::pair{&c.a, 0}, std::pair{&c.b, dim}})
         for (int j = 0; j < dim && port->body >= 0; ++j) {
           const int row = model_.size() + c.first_constraint + i, column = dim * port->node + j;
-          assembly_.add(row, column,
-                        B(i, first + j) + (damped_ ? rates_[index](i, first + j) : 0));
+          assembly_.add(row, column, B(i, first + j) + (damped_ ? rates_[index](i, first + j) : 0));
           assembly_.add(column, row, B(i, first + j));
         }
   }

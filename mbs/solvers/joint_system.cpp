@@ -5,7 +5,7 @@ namespace {
 
 constexpr double kPoint = 1e-15;        // of mass times length^2: no inertia at all
 constexpr double kPointInertia = 1e-8;  // what is put in its place in the iteration matrix
-constexpr double kShared = 1e-10;       // of S, where penalised rows that repeat others share forces
+constexpr double kShared = 1e-10;  // of S, where penalised rows that repeat others share forces
 
 /// 0, or for a rigid body without inertia about some axis a small one: what holds the body can act
 /// on it through the inverse of its matrix then. The residual has none of it, so that the solution
@@ -175,8 +175,9 @@ void JointSystem<G>::assemble(const Equations<G>& eq, bool compliant) {
   if (model_.penalty.form != ConstraintForm::Multipliers) add_compliance(eq, compliant);
 }
 
-/// In a step that of the penalties; where positions, velocities or accelerations are made consistent
-/// so little that a few solutions are exact, and rows that repeat others share what they carry.
+/// In a step that of the penalties; where positions, velocities or accelerations are made
+/// consistent so little that a few solutions are exact, and rows that repeat others share what they
+/// carry.
 template <FrameGroup G>
 void JointSystem<G>::add_compliance(const Equations<G>& eq, bool compliant) {
   const double little = kShared * S_.diagonal().maxCoeff();

@@ -203,8 +203,7 @@ void NodeCoordinates<G>::turn_positions(State<G>& s,
 }
 
 template <FrameGroup G>
-bool NodeCoordinates<G>::finish(State<G>& s, Eigen::VectorXd& rates) const {
-  turn_positions(s, {&rates});
+bool NodeCoordinates<G>::finish(State<G>& s) const {
   if (model_.formalism != Formalism::Classical) {
     for (const int k : model_.frames()) s.H[k].orthonormalize();
     return false;

@@ -54,9 +54,8 @@ class NodeCoordinates {
   /// Turns the axes of positions to where the bodies are, and what is in them: v, vdot and a of the
   /// state, and further vectors.
   void turn_positions(State<G>& s, std::initializer_list<Eigen::VectorXd*> further) const;
-  /// Takes rounding out of the rotations; rescales; turns positions, and `rates`. @returns true if
-  /// coordinates were changed.
-  bool finish(State<G>& s, Eigen::VectorXd& rates) const;
+  /// Takes rounding out of the rotations; rescales. @returns true if coordinates were changed.
+  bool finish(State<G>& s) const;
 
  private:
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;

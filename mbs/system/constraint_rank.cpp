@@ -123,12 +123,12 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
   for (const auto& [coupling, count] : repeated) {
     const auto& c = model.couplings[coupling];
     const auto& names = others[coupling];
-    out.sentences.push_back(
-        fmt::format("joint '{}' repeats rows of {}: {} of its {} rows {}", c.name,
-                    names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")), count,
-                    c.constraints, shares    ? "shared by their penalties"
-                                   : count == 1 ? "is left out"
-                                                : "are left out"));
+    out.sentences.push_back(fmt::format(
+        "joint '{}' repeats rows of {}: {} of its {} rows {}", c.name,
+        names.empty() ? "itself" : fmt::format("{}", fmt::join(names, ", ")), count, c.constraints,
+        shares       ? "shared by their penalties"
+        : count == 1 ? "is left out"
+                     : "are left out"));
   }
   return out;
 }

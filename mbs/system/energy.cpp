@@ -55,8 +55,7 @@ double penalty_dissipation(const Model<G>& model, const Equations<G>& eq, const 
     const auto& c = model.couplings[k];
     auto of = rate.segment(c.first_constraint, c.constraints);
     const auto B = eq.couplings[k].B.topRows(c.constraints);
-    if (c.a.body >= 0)
-      of += B.template leftCols<dim>() * s.v.template segment<dim>(dim * c.a.node);
+    if (c.a.body >= 0) of += B.template leftCols<dim>() * s.v.template segment<dim>(dim * c.a.node);
     if (c.b.body >= 0)
       of += B.template rightCols<dim>() * s.v.template segment<dim>(dim * c.b.node);
     for (int i = 0; i < c.constraints; ++i) of[i] -= c.rows[i].target.rate(s.t);

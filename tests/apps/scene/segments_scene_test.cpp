@@ -1,0 +1,90 @@
+/// @file
+/// Scenes of beams that are chains of segments, and of joints by penalties: what is read, and what
+/// is refused by name.
+#include <gtest/gtest.h>
+
+#include "apps/good_scene.hpp"
+#include "apps/scene/load_scene.hpp"
+
+namespace liesl {
+namespace {
+
+using test::changed;
+using test::kGoodScene;
+
+/// The good scene with its load that follows left out.
+std::string chain(const std::string& more = "") {
+  const std::string dead =
+      changed(kGoodScene, "force = [0, 3, 0], follower = true }", "force = [0, 3, 0] }");
+  return changed(dead, "[simulation]", "[simulation]\nformalism = \"segments\"\n" + more);
+}
+
+void expect_refused(const std::string& text, const std::string& words) {
+  try {
+    read_scene(text, "scene.toml");
+    FAIL() << "not refused: " << words;
+  } catch (const InputError& error) {
+    EXPECT_EQ(error.problems.size(), 1u) << error.what();
+    EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    EXPECT_GT(error.problems.front().line, 1) << error.what();
+  }
+}
+
+TEST(SegmentsScene, IsRead) {
+  const Mechanism m = read_scene(chain(), "a").mechanism;
+  EXPECT_EQ(m.formalism, Formalism::Segments);
+  const std::string one =
+      changed(kGoodScene, "elements = 4 }",
+              "elements = 4, as = \"segments\", potential = \"neo_hookean\", mass = \"lumped\" }");
+  const auto& beam = std::get<BeamSpec>(read_scene(one, "a").mechanism.bodies[0].kind);
+  EXPECT_EQ(beam.as, BeamModel::Segments);
+  EXPECT_EQ(beam.segment.potential, AxialPotential::NeoHookean);
+  EXPECT_TRUE(beam.segment.lumped);
+}
+
+TEST(SegmentsScene, WhatNeedsTorsionOrTurnsAnInnerNodeIsRefused) {
+  expect_refused(chain("space = \"spatial\""), "has no torsion as a chain of segments");
+  expect_refused(changed(chain(), "gravity = [0, -9.81, 0]", "gravity = [0, -9.81, 1]"),
+                 "has no torsion as a chain of segments");
+  expect_refused(changed(chain(), "force = [0, 3, 0] }", "force = [0, 3, 0], follower = true }"),
+                 "load 'wind' follows nodes of 'rod'");
+  expect_refused(changed(chain(), "wind = { over = \"rod\", force = [0, 3, 0] }",
+                         "twist = { at = \"rod.node2\", moment = [0, 0, 1] }"),
+                 "load 'twist' turns nodes of 'rod'");
+  EXPECT_NO_THROW(read_scene(changed(chain(), "wind = { over = \"rod\", force = [0, 3, 0] }",
+                                     "twist = { at = \"rod.end\", moment = [0, 0, 1] }"),
+                             "a"));
+  const std::string disc =
+      changed(chain(), "slider = {",
+              "disc = { rigid = { at = [0.1, 0, 0], mass = 1, inertia = [1, 1, 1] } }\nslider = {");
+  expect_refused(
+      changed(disc, "[forces]", "bolt = { fixed = [\"crank.mid\", \"disc.origin\"] }\n[forces]"),
+      "joint 'bolt' turns a node of 'crank'");
+  EXPECT_NO_THROW(read_scene(
+      changed(disc, "[forces]", "bolt = { revolute = [\"crank.mid\", \"disc.origin\"] }\n[forces]"),
+      "a"));
+}
+
+TEST(PenaltyScene, IsRead) {
+  const std::string text = changed(kGoodScene, "[simulation]",
+                                   "[simulation]\nconstraints = \"augmented\"\npenalty = 1e9\n"
+                                   "penalty_rotation = 1e7\npenalty_damping = 1e-4");
+  const PenaltySpec spec = read_scene(text, "a").mechanism.penalty;
+  EXPECT_EQ(spec.form, ConstraintForm::Augmented);
+  EXPECT_EQ(spec.displacement, 1e9);
+  EXPECT_EQ(spec.rotation, 1e7);
+  EXPECT_EQ(spec.damping, 1e-4);
+  EXPECT_EQ(spec.step, 1e-3);
+  EXPECT_EQ(read_scene(kGoodScene, "a").mechanism.penalty.form, ConstraintForm::Multipliers);
+}
+
+/// A drive that jumps would tear its penalty.
+TEST(PenaltyScene, ADriveThatJumpsIsRefused) {
+  const std::string jumps = changed(kGoodScene, "drive = { rate = 10, ramp = 0.1 }",
+                                    "drive = { expression = \"t < 0.2 ? t : t + 1\" }");
+  expect_refused(changed(jumps, "[simulation]", "[simulation]\nconstraints = \"penalty\""),
+                 "jumps by 1");
+}
+
+}  // namespace
+}  // namespace liesl
