@@ -105,7 +105,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"cycle.move_cells", Type::Number, "cells", "2", kPositive, "Largest movement of the outline of a meshed part in a cycle, at first."},
     {"cycle.screening", Type::Number, "-", "0.1", {0, 1}, "Keep load cases within this share of a constraint's largest value; others that turn out to violate it are added."},
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
-    {"cycle.gap", Type::Number, "-", "1e-3", kNotNegative, "Sizes of catalogues (`design.*.values`): the search ends when the best design is proven to be within this of the least objective possible, relative; 0: the best of all. The proof takes each continuous optimum for the best of its kind."},
+    {"cycle.gap", Type::Number, "-", "1e-3", kNotNegative, "Sizes of catalogues (`design.*.values`): the search ends when the best design is proven to be within this of the least objective possible, relative; 0: the best of all. The proof takes each continuous optimum for the best of its kind; designs all of whose sizes are of catalogues meet the limits to 1e-6, whatever `cycle.feasibility` allows."},
     {"cycle.max_designs", Type::Integer, "", "500", {.lower = 1}, "Sizes of catalogues: designs simulated at most, those of the continuous optimum among them; then the status is \"cycle limit\", and the gap is said."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
