@@ -59,7 +59,9 @@ class CatalogueRounds {
       rounds_[n] = history;
       if (hooks_.on_round_cycle) hooks_.on_round_cycle(rounds_);
     };
-    return optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
+    End end = optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
+    rounds_[n] = end.history;  // with how it ended, which a resumed round knows here only
+    return end;
   }
 
  private:
