@@ -67,7 +67,7 @@ std::vector<Key> design_and_limit_keys() {
 /// Parts under fixed loads, frequencies, and the cycle.
 std::vector<Key> part_and_cycle_keys() {
   return {
-    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part, by name; compliance and stress in every load case."},
+    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step, where they need cycle.method \"esl\"."},
     {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
     {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
     {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},
@@ -105,7 +105,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"cycle.move_cells", Type::Number, "cells", "2", kPositive, "Largest movement of the outline of a meshed part in a cycle, at first."},
     {"cycle.screening", Type::Number, "-", "0.1", {0, 1}, "Keep load cases within this share of a constraint's largest value; others that turn out to violate it are added."},
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
-    {"cycle.gap", Type::Number, "-", "1e-3", kNotNegative, "Sizes of catalogues (`design.*.values`): the search ends when the best design is within this of the bound, relative; 0: of the best of all. The bound is made of the continuous optima of boxes of designs and holds as far as each is the best of its box."},
+    {"cycle.gap", Type::Number, "-", "1e-3", kNotNegative, "Sizes of catalogues (`design.*.values`): the search ends when the best design is within this of the bound, relative; 0: of the best of all. The bound is made of the continuous optima of boxes of designs and holds as far as each is the best of its box. Designs all of whose sizes are of catalogues meet the limits to 1e-6, whatever `cycle.feasibility` allows."},
     {"cycle.max_designs", Type::Integer, "", "500", {.lower = 1}, "Sizes of catalogues: designs simulated at most, those of the continuous optimum among them; then the status is \"cycle limit\", and the gap is said."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},

@@ -131,9 +131,21 @@ bool changes(const StudySpec& spec, int body) {
 void check_motion(StudyReader& reader) {
   const StudySpec& spec = reader.spec;
   Problems& problems = reader.scene.problems;
-  if (!spec.part_limits.empty())
-    problems.add(*reader.root.get("part_limits"), "limits of a part itself are for fixed [loads]",
-                 "constraints on responses of the motion");
+  for (const PartLimitSpec& l : spec.part_limits) {
+    const toml::table& table = *reader.root["part_limits"][l.name].as_table();
+    const bool of_loads =
+        l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance;
+    if (!spec.shapes.contains(l.body))
+      problems.add(
+          *table.get("of"),
+          fmt::format("part limit '{}' is of a part whose outline does not change", l.name),
+          "a part of [design]");
+    else if (of_loads && spec.cycle.method != CycleMethod::Esl)
+      problems.add(*table.get("quantity"),
+                   fmt::format("part limit '{}' has no gradient by the motion", l.name),
+                   "mass or frequency, or cycle.method = \"esl\"",
+                   "\"esl\" takes the loads of the last motion as constants");
+  }
   for (const ConstraintSpec& c : spec.constraints) {
     const int body = limited_body(c.response);
     if (!c.has_image || changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body)))

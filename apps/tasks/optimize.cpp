@@ -88,6 +88,23 @@ void describe_masses(output::OptimizeSummary& summary, const CycleResult<G>& r) 
   }
 }
 
+/// Limits of meshed parts themselves, in every scenario.
+template <FrameGroup G>
+void describe_part_limits(output::OptimizeSummary& summary, const Study& study,
+                          const CycleResult<G>& r) {
+  for (std::size_t s = 0; s < r.final.size(); ++s)
+    for (std::size_t i = 0; i < r.final[s].parts.size(); ++i) {
+      const auto& [limit, last] = r.final[s].parts[i];
+      const std::string scenario =
+          study.spec.scenarios.empty() ? "" : " (" + study.spec.scenarios[s] + ")";
+      const bool known = s < r.initial.size() && i < r.initial[s].parts.size();
+      const Quantity q = quantity(limit.quantity);
+      summary.constraints.push_back({limit.name + scenario, q.name, q.unit, last.limit,
+                                     known ? r.initial[s].parts[i].value.value : 0, last.value, 0,
+                                     last.excess});
+    }
+}
+
 /// The parts of a weighted objective: largest values and frequencies, over all scenarios.
 template <FrameGroup G>
 void describe_goals(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r) {
@@ -143,6 +160,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   summary.design = design_figures(design.variables(), design.units(), r.x);
   describe_limits(summary, study, r);
   describe_masses(summary, r);
+  describe_part_limits(summary, study, r);
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
     identity[bodies[body].name] = {

@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace liesl {
+namespace {
+
+constexpr double kMet = 1e-6;  // relative violation of a limit that round-off and solvers leave
+
+}  // namespace
 
 std::vector<CatalogueVariable> catalogue_variables(const StudySpec& study,
                                                    const std::vector<NlpVariable>& variables) {
@@ -52,6 +58,10 @@ StudySpec within_box(StudySpec study, const DesignBox& box) {
     for (ShapeVariableSpec& v : shape.variables) narrow(v);
   for (ConstantSpec& c : study.constants) narrow(c);
   return study;
+}
+
+double allowed_in(const DesignBox& box, const CycleOptions& options) {
+  return box.lower == box.upper ? std::min(options.feasibility, kMet) : options.feasibility;
 }
 
 namespace {

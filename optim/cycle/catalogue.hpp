@@ -18,6 +18,11 @@ DesignBox all_designs(const std::vector<NlpVariable>& variables);
 /// The study within a box, from its start.
 StudySpec within_box(StudySpec study, const DesignBox& box);
 
+/// Allowed relative violation of a limit in a box: that of the study; where all variables are fixed
+/// 1e-6 at most. The continuous optimum that bounds a design meets the limits, too, and a design
+/// that exceeds them by more could be below it.
+double allowed_in(const DesignBox& box, const CycleOptions& options);
+
 /// Fills in what a search has found: numbers, status and a sentence.
 /// @param continuous how the continuous study ended  @param stopped why it ended early; empty: it
 /// did not
@@ -54,7 +59,9 @@ class CatalogueRounds {
       rounds_[n] = history;
       if (hooks_.on_round_cycle) hooks_.on_round_cycle(rounds_);
     };
-    return optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
+    End end = optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
+    rounds_[n] = end.history;  // with how it ended, which a resumed round knows here only
+    return end;
   }
 
  private:
@@ -98,7 +105,7 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
   }
   LoopResult continuous = out.last.end;
   out.catalogue->continuous = continuous.best->objective;
-  tree.tell(box_answer(rounds.histories().front(), study.cycle));
+  tree.tell(box_answer(rounds.histories().front(), allowed_in(whole, study.cycle)));
   std::size_t best = 0;
   std::optional<std::pair<DesignBox, std::optional<End>>> found;
   CycleEnd stopped;
@@ -111,7 +118,7 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
     designs += static_cast<int>(history.size());
     if (end && end->status == CycleStatus::Interrupted)
       stopped = {end->status, end->reason};
-    else if (tree.tell(box_answer(history, study.cycle))) {
+    else if (tree.tell(box_answer(history, allowed_in(*box, study.cycle)))) {
       best = rounds.histories().size() - 1;
       found.emplace(*box, std::move(end));
     }

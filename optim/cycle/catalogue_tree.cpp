@@ -43,11 +43,11 @@ struct Neighbours {
 
 }  // namespace
 
-BoxAnswer box_answer(const History& history, const CycleOptions& options) {
+BoxAnswer box_answer(const History& history, double feasibility) {
   BoxAnswer out;
   if (history.empty()) return out;
   const Cycle* best = nullptr;
-  const auto meets = [&](const Cycle& c) { return c.worst <= options.feasibility; };
+  const auto meets = [&](const Cycle& c) { return c.worst <= feasibility; };
   for (const Cycle& c : history) {
     const bool better = !best || (meets(c) != meets(*best) ? meets(c)
                                   : meets(c)               ? c.objective < best->objective

@@ -36,7 +36,8 @@ struct BoxAnswer {
 };
 
 /// The answer that the cycles of a box tell.
-BoxAnswer box_answer(const History& history, const CycleOptions& options);
+/// @param feasibility allowed relative violation of a limit
+BoxAnswer box_answer(const History& history, double feasibility);
 
 /// Branch and bound (Land, Doig 1960, Econometrica 28; Dakin 1965, Comput. J. 8) over boxes whose
 /// continuous optima are found by others: `next`, then `tell`, until there is no next. The

@@ -70,6 +70,8 @@ void CycleRecord::go_on() {
 LoopResult CycleRecord::finish(const CycleEnd& end) {
   result_.status = end.status;
   result_.reason = end.reason;
+  if (!history().empty() && end.status != CycleStatus::Interrupted)
+    result_.history.back().end = end.status;
   last_.reset();
   if (result_.best && !result_.optimality) evaluate_certificate();
   return std::move(result_);

@@ -23,6 +23,12 @@ constexpr std::size_t kFewVariables = 12;  // differences simulate twice for eac
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
+  for (const PartLimitSpec& l : study.part_limits)
+    if ((l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) &&
+        study.cycle.method != CycleMethod::Esl)
+      throw std::invalid_argument("part limit '" + l.name +
+                                  "' has no gradient by the motion; expected cycle.method = "
+                                  "\"esl\"");
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
     if (c.treatment != Treatment::Auto) c.has_image = false;
@@ -98,13 +104,13 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
     const Report& r = run.simulation.report;
     effort_ += {r.steps, r.newton_iterations, r.stepping_s, r.factorizations};
   }
-  judge(*out);
+  judge(*out, x);
   return out;
 }
 
 /// The worst of all scenarios.
 template <FrameGroup G>
-void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
+void MotionModel<G>::judge(MotionAnalysis<G>& a, const VectorXd& x) const {
   const DesignRun<G>& first = a.runs.front();
   const Goal& goal = study_.goal;
   a.mass = first.mass;
@@ -118,6 +124,7 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
       if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
     }
     a.limits.push_back({run.times(), run.limits, run.frequencies, run.masses});
+    if (run.good() && !study_.part_limits.empty()) judge_parts(a, s, x);
     if (run.worst <= a.worst) continue;
     a.worst = run.worst;
     a.worst_at = run.worst_at;
@@ -126,6 +133,28 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a) const {
       a.worst_constraint += " (" + study_.scenarios[s] + ")";
   }
   a.objective += extremes(a);
+}
+
+/// Limits of meshed parts, under all loads of the motion.
+template <FrameGroup G>
+void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const VectorXd& x) const {
+  for (int k = 0; k < design().parts(); ++k) {
+    const SolidTask task = motion_task(study_, *simulators_[s], k, a.runs[s]);
+    const VectorXd of_part = design().of_part(k, x);
+    StaticShape problem(task, of_part, study_.cycle.move_cells);
+    const auto check = problem.check(of_part);
+    if (!check) continue;  // then there is no motion either
+    for (const PartLimitSpec& limit : study_.part_limits)
+      for (const LimitCheck& found : check->limits) {
+        if (limit.body != design().part(k).body || found.name != limit.name) continue;
+        a.limits[s].parts.push_back({limit, found});
+        if (found.excess <= a.worst) continue;
+        a.worst = found.excess;
+        a.worst_at = found.at;
+        a.worst_constraint = limit.name;
+        if (!study_.scenarios.empty()) a.worst_constraint += " (" + study_.scenarios[s] + ")";
+      }
+  }
 }
 
 template <FrameGroup G>
@@ -290,6 +319,10 @@ DynamicOptimality MotionModel<G>::optimality(const DesignAnalysis& given, const 
                                              const Progress& progress) const {
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   DynamicOptimality none;
+  none.reason =
+      "limits on the stress or compliance of a meshed part have no gradient by the motion";
+  for (const PartLimitSpec& l : study_.part_limits)
+    if (l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) return none;
   none.reason = "there is no motion to be differentiated";
   if (at.runs.front().differentiable()) try {
       return surrogate(at, x, study_.cycle.move_limit, kNearActive).optimality;

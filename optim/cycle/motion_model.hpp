@@ -16,12 +16,19 @@ struct Scenario {
   SimulationOptions simulation;
 };
 
+/// A limit of a meshed part itself.
+struct PartCheck {
+  PartLimitSpec limit;
+  LimitCheck value;  ///< in the load case of the motion where it is worst
+};
+
 /// Limited responses over one motion.
 struct MotionLimits {
   std::vector<double> times;        ///< s
   std::vector<LimitSeries> limits;  ///< one for each constraint
   std::vector<FrequencyCheck> frequencies = {};
   std::vector<MassCheck> masses = {};
+  std::vector<PartCheck> parts = {};
 };
 
 template <FrameGroup G>
@@ -65,7 +72,9 @@ class MotionModel final : public DesignModel {
 
  private:
   using Members = std::vector<CombinedProblem::Member>;
-  void judge(MotionAnalysis<G>& analysis) const;
+  void judge(MotionAnalysis<G>& analysis, const Eigen::VectorXd& x) const;
+  void judge_parts(MotionAnalysis<G>& analysis, std::size_t scenario,
+                   const Eigen::VectorXd& x) const;
   /// The study with what goals are at a design as their limits.
   StudySpec scaled(const MotionAnalysis<G>& at) const;
   /// The objective that largest values and lowest frequencies are.

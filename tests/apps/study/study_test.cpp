@@ -152,7 +152,7 @@ const BadStudy kStudies[] = {
     {"LimitMissing", "bending = { response = \"deflection\", of = \"rod\", at = \"mid\", limit = 1.0e-3 }", "bending = @{ response = \"deflection\", of = \"rod\" }", {"missing key 'constraints.bending.limit'"}},
     {"NoResponse", "use = \"bend\"", "use = @\"bent\"", {"no response 'bent'", "'bend'"}},
     {"NotOfAPart", "use = \"bend\"", "use = @\"slider_x\"", {"'again' is not on the deformation of a part"}},
-    {"NothingToUse", "again = { use = \"bend\", ", "again = @{ ", {"missing key", "use, response"}},
+    {"NothingToUse", "again = { use = \"bend\", ", "again = @{ ", {"missing key", "use, mass, response"}},
     {"NoNode", "at = \"mid\", limit", "at = @\"node12\", limit", {"no node 'node12'"}},
     {"ObjectiveUnvaried", "of = [\"rod\", \"crank\"]", "of = @[\"slider\"]", {"no design variable changes the objective"}},
     {"NoSupportNode", "[\"start:xyz,rx\", \"end:yz\"]", "[\"start:xyz,rx\", @\"ent:yz\"]", {"no node 'ent'", "'end'"}},

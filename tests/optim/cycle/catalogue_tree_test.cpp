@@ -163,8 +163,8 @@ TEST(CatalogueTree, RefusesACatalogueWithoutAValue) {
 }
 
 TEST(BoxAnswer, IsTheBestCycleAndSaysWhetherItClosed) {
-  CycleOptions options;
-  EXPECT_EQ(box_answer({}, options).x.size(), 0);
+  const double feasibility = 1e-3;
+  EXPECT_EQ(box_answer({}, feasibility).x.size(), 0);
   History history(3);
   const double objective[] = {3, 1, 2}, worst[] = {-0.1, 0.2, -0.05};
   for (int i = 0; i < 3; ++i) {
@@ -172,16 +172,16 @@ TEST(BoxAnswer, IsTheBestCycleAndSaysWhetherItClosed) {
     history[std::size_t(i)].objective = objective[i];
     history[std::size_t(i)].worst = worst[i];
   }
-  EXPECT_EQ(box_answer(history, options).x[0], 2);
-  EXPECT_FALSE(box_answer(history, options).closed);
+  EXPECT_EQ(box_answer(history, feasibility).x[0], 2);
+  EXPECT_FALSE(box_answer(history, feasibility).closed);
   history.back().end = CycleStatus::Optimal;
-  EXPECT_TRUE(box_answer(history, options).closed);
+  EXPECT_TRUE(box_answer(history, feasibility).closed);
   history.back().end = CycleStatus::CycleLimit;
-  EXPECT_FALSE(box_answer(history, options).closed);
+  EXPECT_FALSE(box_answer(history, feasibility).closed);
   for (Cycle& cycle : history) cycle.worst = 0.3;
   history.back().end = CycleStatus::Infeasible;
-  EXPECT_TRUE(box_answer(history, options).closed);
-  EXPECT_FALSE(box_answer(history, options).feasible);
+  EXPECT_TRUE(box_answer(history, feasibility).closed);
+  EXPECT_FALSE(box_answer(history, feasibility).feasible);
 }
 
 }  // namespace
