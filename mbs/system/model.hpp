@@ -64,6 +64,7 @@ class Model {
   }
 
   Formalism formalism = Formalism::SE3;
+  NodeUpdate update = NodeUpdate::Screw;  ///< never AsFormalism
   Space<G> space;
   Vector gravity = Vector::Zero();
   TimeFunction gravity_scale = TimeFunction::constant(1);
