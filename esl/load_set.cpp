@@ -50,13 +50,14 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
   using Tangent = typename G::Tangent;
   H.assign(beam.reference.begin(), beam.reference.end());
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
-  std::vector<Tangent, Eigen::aligned_allocator<Tangent>> stress(beam.elements(), Tangent::Zero());
+  typename Body<G>::Stresses stress(beam.elements(), Tangent::Zero());
   BodyMatrix<G::dim> A(beam.nodes());
   BlockTridiagonalLU<G::dim> lu;
   double best = std::numeric_limits<double>::infinity(), moved = best;
   const double length = length_of(beam);
   for (int i = 0; i < kMaxNewton; ++i) {
-    const BodyState<G> s{H.data(), rest.data(), rest.data()};
+    BodyState<G> s{H.data(), rest.data(), rest.data()};
+    s.stress = stress.front().data();
     Eigen::VectorXd r = -f;
     ForceScale scale;
     beam.add_internal(s, r.data(), scale);
@@ -91,12 +92,11 @@ const BlockTridiagonal<G::dim>& linear_stiffness(const Body<G>& body) {
 template <FrameGroup G>
 Strains<G> linear_strains(const Body<G>& body, const Eigen::VectorXd& u) {
   constexpr int dim = G::dim;
-  if (const auto* beam = dynamic_cast<const Beam<G>*>(&body)) {
+  const bool reissner = dynamic_cast<const ReissnerBeam<G>*>(&body);
+  if (const auto* beam = dynamic_cast<const BeamChain<G>*>(&body); beam && !reissner) {
     Strains<G> eps(dim, beam->elements());
-    for (int e = 0; e < beam->elements(); ++e) {
-      const auto& element = beam->element(e);
-      eps.col(e) = BeamElement<G>::P(element.d0()) * u.segment<2 * dim>(dim * e) / element.length();
-    }
+    for (int e = 0; e < beam->elements(); ++e)
+      eps.col(e) = BeamElement<G>::P(beam->d0(e)) * u.segment<2 * dim>(dim * e) / beam->length(e);
     return eps;
   }
   Frames<G> H(body.reference.begin(), body.reference.end());

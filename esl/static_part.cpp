@@ -32,7 +32,7 @@ std::vector<int> directions(const std::string& letters) {
 
 /// A rigid motion h of node 0, [size of G] increments: that of node k is Ad(H_k^-1 H_0) h.
 template <FrameGroup G>
-typename StaticPart<G>::Law rigid_motions(const Beam<G>& beam) {
+typename StaticPart<G>::Law rigid_motions(const BeamChain<G>& beam) {
   typename StaticPart<G>::Law motions;
   for (const auto& H : beam.reference) motions.push_back((H.inverse() * beam.reference[0]).Ad());
   return motions;
@@ -87,7 +87,7 @@ PartSupport read_support(const std::vector<std::string>& support, const Mechanis
         "support of '{}' holds {} directions; expected {}, as many as the part has rigid motions",
         name, fixed.size(), G::dim));
   held.fixed.assign(fixed.begin(), fixed.end());
-  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
   const typename G::Matrix motions = held_motions<G>(rigid_motions(beam), held.fixed);
   if (linalg::rank(motions, 1e-9) < G::dim)
     throw std::invalid_argument(
@@ -98,14 +98,14 @@ PartSupport read_support(const std::vector<std::string>& support, const Mechanis
 }
 
 template <FrameGroup G>
-StaticPart<G>::StaticPart(const Beam<G>& beam, PartSupport held, Eigen::MatrixXd outputs)
+StaticPart<G>::StaticPart(const BeamChain<G>& beam, PartSupport held, Eigen::MatrixXd outputs)
     : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), rigid_(rigid_motions(beam)) {
   for (int e = 0; e < beam.elements(); ++e) {
-    const auto& d = beam.element(e).d0();
+    const auto& d = beam.d0(e);
     P0_.push_back(BeamElement<G>::P(d));
     T_.push_back(G::T(d));
     back_.push_back(G::exp(-d).Ad());
-    length_.push_back(beam.element(e).length());
+    length_.push_back(beam.length(e));
   }
   held_inverse_ = linalg::inverse<G::dim>(held_motions<G>(rigid_, held_.fixed));
 }
@@ -223,10 +223,9 @@ void StaticPart<G>::add_second(const std::vector<Law>& dK, const Second& d2K,
 }
 
 template <FrameGroup G>
-Eigen::MatrixXd StaticPart<G>::strain_output(const Beam<G>& beam, int e) {
+Eigen::MatrixXd StaticPart<G>::strain_output(const BeamChain<G>& beam, int e) {
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(beam.size(), dim);
-  const auto& element = beam.element(e);
-  c.middleRows<2 * dim>(dim * e) = BeamElement<G>::P(element.d0()).transpose() / element.length();
+  c.middleRows<2 * dim>(dim * e) = BeamElement<G>::P(beam.d0(e)).transpose() / beam.length(e);
   return c;
 }
 

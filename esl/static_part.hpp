@@ -41,11 +41,12 @@ class StaticPart {
   using Strain = Eigen::Matrix<double, dim, Eigen::Dynamic>;          ///< of one element, by case
 
   /// @param outputs C, size of the body x m: gradients of the outputs at the reference shape
-  StaticPart(const Beam<G>& beam, PartSupport held, Eigen::MatrixXd outputs);
+  StaticPart(const BeamChain<G>& beam, PartSupport held, Eigen::MatrixXd outputs);
 
   /// Loads of the cases [size x n] from here on; balanced if the part has inertia relief.
   void set_loads(const Eigen::MatrixXd& f);
-  /// Section stiffnesses K_s of the elements. Solves all cases and all outputs.
+  /// Stiffnesses K_s of the elements at rest (BeamChain::rest_stiffness_of; at order 2 those
+  /// of the sections). Solves all cases and all outputs.
   /// @returns false if a K_s is singular
   bool solve(const Law& K_s);
 
@@ -77,7 +78,7 @@ class StaticPart {
                   Eigen::MatrixXd& h) const;
 
   /// The output that is the strain of one element: dim columns of C.
-  static Eigen::MatrixXd strain_output(const Beam<G>& beam, int element);
+  static Eigen::MatrixXd strain_output(const BeamChain<G>& beam, int element);
 
  private:
   /// K' u for a change of sections, [size x columns], from the strains P0 u.
@@ -86,7 +87,7 @@ class StaticPart {
   void solve_columns(Eigen::MatrixXd& x, std::vector<Strain>& strain) const;
   void solve_column(double* x, std::vector<Strain>& strain, int column) const;
 
-  const Beam<G>& beam_;
+  const BeamChain<G>& beam_;
   PartSupport held_;
   Eigen::MatrixXd C_, f_, u_, mu_, y_;
   std::vector<typename BeamElement<G>::Gradient,

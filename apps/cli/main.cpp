@@ -104,6 +104,9 @@ void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
 
 /// Options that one command has, or few.
 void add_options(CLI::App& command, const std::string& name, liesl::CommandOptions& o) {
+  if (name == "run" || name == "optimize")
+    command.add_flag("--verify", o.verify,
+                     "Errors of peaks or limits by mesh and step, from finer runs");
   if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
     command.add_flag("--no-report", o.no_report, "Write no report.html");
   if (name == "optimize") {

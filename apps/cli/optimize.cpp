@@ -27,6 +27,7 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/sensitivity.hpp"
+#include "apps/tasks/verify_limits.hpp"
 #include "optim/cycle/design_model.hpp"
 
 namespace liesl {
@@ -141,6 +142,8 @@ int optimize_command(const CommandOptions& options) {
                          "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
     }
   }();
+  if (options.verify && out.simulated)
+    verify_limits(final_scene(out, study), study, out.summary, std::ref(line));
   line.clear();
   out.summary.more["input"] = options.file;
   out.summary.wall_s = clock.seconds();

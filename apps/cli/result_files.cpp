@@ -43,6 +43,12 @@ std::map<std::string, double> final_values(const OptimizeOutcome& out) {
 
 }  // namespace
 
+std::string final_scene(const OptimizeOutcome& out, const Study& study) {
+  std::map<std::string, levelset::ShapeSpec> outlines;
+  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
+  return design_scene(study, out.mechanism, outlines, final_values(out));
+}
+
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,
                         const Study& study) {
   const Scene& scene = study.scene;
@@ -55,11 +61,7 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
                      r.times, r.responses, scene);
   }
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
-  std::map<std::string, levelset::ShapeSpec> outlines;
-  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
-  if (out.simulated)
-    output::write_file(folder / "design.toml",
-                       design_scene(study, out.mechanism, outlines, final_values(out)));
+  if (out.simulated) output::write_file(folder / "design.toml", final_scene(out, study));
   for (const PartOutcome& part : out.parts) write_part(folder, part);
   output::write_summary(folder / "summary.json", output::to_json(out.summary));
 }

@@ -3,6 +3,7 @@
 /// Files that a finished task leaves in its folder, beside report.html.
 
 #include <filesystem>
+#include <string>
 
 #include "apps/tasks/run.hpp"
 
@@ -17,6 +18,8 @@ namespace liesl {
 void write_run(const std::filesystem::path& folder, const RunOutcome& out);
 
 #ifdef LIESL_OPTIM
+/// The scene at the final design of an optimisation: design.toml.
+std::string final_scene(const OptimizeOutcome& out, const Study& study);
 /// Of an optimisation: its final motion and limits, the design as table and as scene, its parts,
 /// summary.json.
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,

@@ -2,8 +2,10 @@
 
 #include "apps/cli/result_files.hpp"
 #include "apps/cli/terminal.hpp"
+#include "apps/input/document.hpp"
 #include "apps/output/atomic_folder.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/tasks/verify.hpp"
 
 namespace liesl {
 
@@ -14,6 +16,9 @@ int run_command(const CommandOptions& options) {
   output::AtomicFolder folder(options.out, options.force);
   SimulationLine line(scene.simulation, options.quiet);
   RunOutcome out = run_task(scene, space, std::ref(line));
+  if (options.verify && out.status == SolveStatus::Converged)
+    verify({load_document(options.file).text, options.file, options.set}, scene, out.summary,
+           std::ref(line));
   line.clear();
   out.summary.overrides = options.set;
   out.summary.more["input"] = options.file;

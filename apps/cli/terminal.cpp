@@ -27,6 +27,12 @@ void print_frequencies(const output::RunSummary& summary) {
   if (list.size() > kMostModes) fmt::print("  {} more in summary.json\n", list.size() - kMostModes);
 }
 
+/// " +- 2.3e-05" where the response was verified.
+std::string verified_error(const output::ResponseFigure& r) {
+  if (!r.error_mesh && !r.error_step) return "";
+  return fmt::format(" +- {:.2g}", r.error_mesh.value_or(0) + r.error_step.value_or(0));
+}
+
 }  // namespace
 
 SimulationLine::SimulationLine(const SimulationOptions& o, bool quiet)
@@ -62,8 +68,8 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
   print_frequencies(summary);
   for (const auto& r : summary.responses)
     if (!r.final.empty())
-      fmt::print("  {:<16} largest {:.6g} {} at {:.6g}, at the end {}\n", r.name, r.max_abs, r.unit,
-                 r.at_time,
+      fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}\n", r.name, r.max_abs,
+                 verified_error(r), r.unit, r.at_time,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);

@@ -26,6 +26,8 @@ Json responses_json(const std::vector<ResponseFigure>& responses) {
                     {"final", number_or_list(r.final)},
                     {"unit", r.unit}};
     if (!r.axes.empty()) json[r.name]["axes"] = r.axes;
+    if (r.error_mesh) json[r.name]["error"]["mesh"] = *r.error_mesh;
+    if (r.error_step) json[r.name]["error"]["step"] = *r.error_step;
   }
   return json;
 }
@@ -64,6 +66,8 @@ Json constraints_json(const std::vector<ConstraintFigure>& constraints) {
                     {"max_abs_final", c.max_abs_final},
                     {"at_time", c.at_time},
                     {"violation", c.violation}};
+    if (c.error_mesh) json[c.name]["error"]["mesh"] = *c.error_mesh;
+    if (c.error_step) json[c.name]["error"]["step"] = *c.error_step;
   }
   return json;
 }

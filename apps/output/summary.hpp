@@ -22,6 +22,7 @@ struct ResponseFigure {
   double at_time = 0;         ///< where that is
   std::vector<double> final;  ///< value of the last record, one number a component
   std::string axes = {};      ///< letters of the components, see ResponseResult
+  std::optional<double> error_mesh = {}, error_step = {};  ///< of max_abs, if it was verified
 };
 
 /// Of a recorded series; zeros if it is empty.
@@ -51,6 +52,7 @@ struct ConstraintFigure {
   double max_abs_initial = 0, max_abs_final = 0;
   double at_time = 0;    ///< of max_abs_final
   double violation = 0;  ///< max_abs_final / limit - 1: negative inside
+  std::optional<double> error_mesh = {}, error_step = {};  ///< of max_abs_final, if verified
 };
 
 struct DesignFigure {

@@ -125,6 +125,23 @@ const toml::node& culprit(const toml::table& table) {
   return table;
 }
 
+/// An update that the formalism cannot take is refused.
+void read_update(Reader& reader, const toml::table& table) {
+  const std::string update = text(table, "update");
+  Mechanism& mechanism = reader.scene.mechanism;
+  if (update == "se3") mechanism.update = NodeUpdate::Screw;
+  if (update == "r3so3") mechanism.update = NodeUpdate::Decoupled;
+  if (mechanism.update == NodeUpdate::AsFormalism) return;
+  if (mechanism.formalism == Formalism::Classical || mechanism.formalism == Formalism::Floating)
+    reader.problems.add(*table.get("update"),
+                        fmt::format("'simulation.update' = \"{}\" in the formalism {}", update,
+                                    to_string(mechanism.formalism)),
+                        "\"formalism\", or formalism se3, r3so3 or rigid");
+  else if (reader.scene.simulation.type != SimulationType::Dynamic)
+    reader.problems.add(*table.get("update"), "'simulation.update' is for motions only",
+                        "simulation.type = \"dynamic\"");
+}
+
 }  // namespace
 
 void read_simulation(Reader& reader) {
@@ -135,6 +152,7 @@ void read_simulation(Reader& reader) {
   o.space = space_of(text(*table, "space"));
   reader.scene.mechanism.formalism = formalism_of(text(*table, "formalism"));
   o.tangent = tangent_of(text(*table, "tangent"));
+  read_update(reader, *table);
   if (reader.broken.contains("simulation")) return;
   o.rescale = boolean(*table, "rescale");
   o.duration = number(*table, "duration");

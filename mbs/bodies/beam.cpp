@@ -3,15 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 
 namespace liesl {
 
 template <FrameGroup G, class E>
 ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
                            const std::vector<ElementSection<G>>& sections, double damping)
-    : Body<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
-  this->M_.resize(this->nodes());
-  this->K_.resize(this->nodes());
+    : BeamChain<G>(std::move(body_name), std::move(nodes_at_rest)), damping_(damping) {
   int lawless = -1;  // slot of the element without a law
   for (int e = 0; e + 1 < this->nodes(); ++e) {
     const bool acts = !sections[e].K.isZero(0) || !sections[e].M.isZero(0);
@@ -21,11 +20,59 @@ ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
       if (!acts) lawless = static_cast<int>(elements_.size()) - 1;
     }
     slot_.push_back(acts ? static_cast<int>(elements_.size()) - 1 : lawless);
-    if (!acts) continue;
-    acting_.push_back(e);
+    if (acts) acting_.push_back(e);
+  }
+  assemble_constant_matrices();
+}
+
+template <FrameGroup G, class E>
+ChainBeam<G, E>::ChainBeam(const ChainBeam& of, const std::vector<ElementSection<G>>& derivative)
+    : BeamChain<G>(of.name, of.reference), damping_(of.damping_) {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>) {
+    int lawless = -1;
+    for (int e = 0; e < of.elements(); ++e) {
+      const ElementSection<G>& by = derivative[e];
+      const bool acts = !by.K.isZero(0) || !by.M.isZero(0);
+      if (acts || lawless < 0) elements_.emplace_back(of.element(e), by.K, by.M);
+      const int last = static_cast<int>(elements_.size()) - 1;
+      if (!acts && lawless < 0) lawless = last;
+      slot_.push_back(acts ? last : lawless);
+      if (acts) acting_.push_back(e);
+    }
+    assemble_constant_matrices();
+  }
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::assemble_constant_matrices() {
+  this->M_.resize(this->nodes());
+  this->K_.resize(this->nodes());
+  for (const int e : acting_) {
     this->M_.add_element(e, element(e).mass());
     this->K_.add_element(e, element(e).constant_tangent());
   }
+}
+
+template <FrameGroup G, class E>
+auto ChainBeam<G, E>::rest_stiffness_of(int e, const Matrix& K) const -> Matrix {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>)
+    return CondensedLaw<G>(d0(e), K).stiffness_at_rest();
+  return K;
+}
+
+template <FrameGroup G, class E>
+auto ChainBeam<G, E>::rest_stiffness_by(int e, const Matrix& K, const Matrix& dK) const -> Matrix {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>)
+    return CondensedLaw<G>(d0(e), K).stiffness_at_rest_by(dK);
+  return dK;
+}
+
+template <FrameGroup G, class E>
+auto ChainBeam<G, E>::rest_stiffness_second(int e, const Matrix& K, const Matrix& K_x,
+                                            const Matrix& K_y, const Matrix& K_xy) const -> Matrix {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>)
+    return CondensedLaw<G>(d0(e), K).stiffness_at_rest_second(K_x, K_y, K_xy);
+  return K_xy;
 }
 
 template <FrameGroup G, class E>
@@ -51,28 +98,11 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
   Pair g;
   for (const int e : acting_) {
-    element(e).internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g);
+    element(e).internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g,
+                              s.stress ? s.stress + dim * e : nullptr);
     Eigen::Map<Pair>(r + dim * e) += g;
     scale.add<G>(g.template head<dim>());
   }
-}
-
-/// With damping c the stress is n + c K P v/L, whose strain rate P(d) v changes with d, too.
-template <FrameGroup G, class E>
-auto ChainBeam<G, E>::element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
-                                        const Vector& gravity) const -> PairMatrix {
-  const Element& element = this->element(e);
-  const G &A = s.H[e], &B = s.H[e + 1];
-  const double* v = s.v + dim * e;
-  PairMatrix k = element.inertia_stiffness(A, B, v, a, gravity);
-  if (damping_ > 0) {
-    const Tangent d = Element::relative(A, B);
-    const typename Element::Gradient P = Element::P(d);
-    const typename G::Matrix K = element.section_stiffness() * (damping_ / element.length());
-    n += K * (P * Eigen::Map<const Pair>(v));
-    k += P.transpose() * K * Element::dP(d, v) * P;
-  }
-  return k + element.tangent(A, B, n);
 }
 
 template <FrameGroup G, class E>
@@ -87,13 +117,14 @@ void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity
       Pair acceleration;
       acceleration << apparent_acceleration<G>(s, e, gravity),
           apparent_acceleration<G>(s, e + 1, gravity);
+      const double* v = s.v + dim * e;
       k = w.stiffness *
-          element_stiffness(s, e, stress ? stress[e] : section_force(s, e, ElementPlace::Middle),
-                            acceleration, gravity);
+          (element.inertia_stiffness(a, b, v, acceleration, gravity) +
+           element.damped_tangent(a, b, stress ? stress[e] : element.stress(a, b), v, damping_));
     }
     if (w.damping != 0) {
       k += w.damping * element.gyroscopic_tangent(a, b, s.v + dim * e);
-      if (damping_ > 0) k += w.damping * damping_ * element.material_tangent(a, b);
+      if (damping_ > 0) k += w.damping * element.damping_tangent(a, b, s.v + dim * e, damping_);
     }
     if (w.mass != 0) k += w.mass * element.mass(a, b);
     A.add_element(e, k);
@@ -119,7 +150,7 @@ void ChainBeam<G, E>::add_spread_curvature_tangent(const BodyState<G>& s, const 
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Matrices ChainBeam<G, E>::load_distribution() const {
   Matrices W(this->nodes());
-  for (int e = 0; e < elements(); ++e) W.add_element(e, element(e).integral(G::Matrix::Identity()));
+  for (int e = 0; e < elements(); ++e) W.add_element(e, element(e).load_shares());
   return W;
 }
 
@@ -131,9 +162,11 @@ typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::strain(const BodyState<G>& s,
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s, int e,
                                                                  ElementPlace at) const {
-  const Tangent n = element(e).section_stiffness() * strain(s, e);
-  if (at == ElementPlace::Middle) return n;
-  const auto P = Element::P(Element::relative(s.H[e], s.H[e + 1]));
+  const Element& element = this->element(e);
+  const G &A = s.H[e], &B = s.H[e + 1];
+  if (at == ElementPlace::Middle) return element.stress(A, B);
+  const Tangent n = element.conjugate(A, B);
+  const auto P = Element::P(Element::relative(A, B));
   if (at == ElementPlace::First) return -P.template leftCols<dim>().transpose() * n;
   return P.template rightCols<dim>().transpose() * n;
 }
@@ -141,12 +174,9 @@ typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::extrapolate_stress(const BodyState<G>& s, const double* delta,
                                          Tangent* stress) const {
-  for (int e = 0; e < elements(); ++e) {
-    const Element& element = this->element(e);
-    const Tangent d = Element::relative(s.H[e], s.H[e + 1]);
-    const Tangent change = Element::P(d) * Eigen::Map<const Pair>(delta + dim * e);
-    stress[e] = element.section_stiffness() * (d - element.d0() + change) / element.length();
-  }
+  for (int e = 0; e < elements(); ++e)
+    stress[e] = element(e).extrapolated(s.H[e], s.H[e + 1], stress[e],
+                                        Eigen::Map<const Pair>(delta + dim * e));
 }
 
 template <FrameGroup G, class E>
@@ -155,9 +185,8 @@ BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity)
   for (int e = 0; e < elements(); ++e) {
     const Element& element = this->element(e);
     const Eigen::Map<const Pair> v(s.v + dim * e);
-    const Tangent eps = strain(s, e);
     energy.kinetic += 0.5 * v.dot(element.mass(s.H[e], s.H[e + 1]) * v);
-    energy.elastic += 0.5 * element.length() * eps.dot(element.section_stiffness() * eps);
+    energy.elastic += element.elastic_energy(s.H[e], s.H[e + 1]);
     energy.potential += element.weight_potential(s.H[e], s.H[e + 1], gravity);
   }
   return energy;
@@ -166,12 +195,8 @@ BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity)
 template <FrameGroup G, class E>
 double ChainBeam<G, E>::dissipation(const BodyState<G>& s) const {
   double power = 0;
-  for (int e = 0; e < elements() && damping_ > 0; ++e) {
-    const Element& element = this->element(e);
-    const Tangent rate =
-        Element::P(Element::relative(s.H[e], s.H[e + 1])) * Eigen::Map<const Pair>(s.v + dim * e);
-    power += damping_ / element.length() * rate.dot(element.section_stiffness() * rate);
-  }
+  for (int e = 0; e < elements() && damping_ > 0; ++e)
+    power += element(e).dissipation(s.H[e], s.H[e + 1], s.v + dim * e, damping_);
   return power;
 }
 
@@ -185,7 +210,7 @@ double ChainBeam<G, E>::total_mass() const {
 template <FrameGroup G, class E>
 double ChainBeam<G, E>::axial_stiffness() const {
   double k = 0;
-  for (const auto& e : elements_) k = std::max(k, e.section_stiffness()(0, 0) / e.length());
+  for (const auto& e : elements_) k = std::max(k, e.axial_stiffness());
   return k;
 }
 
@@ -197,11 +222,11 @@ void ChainBeam<G, E>::add_section_force_gradient(const BodyState<G>& s, int e, E
   const G &A = s.H[e], &B = s.H[e + 1];
   Eigen::Map<Pair> on_h(h + dim * e);
   if (at == ElementPlace::Middle) {
-    const Tangent on_strain = element.section_stiffness().transpose() * f / element.length();
-    on_h += Element::P(Element::relative(A, B)).transpose() * on_strain;
+    const Tangent on_d = element.stress_gradient(A, B).transpose() * f;
+    on_h += Element::P(Element::relative(A, B)).transpose() * on_d;
     return;
   }
-  const PairMatrix k = element.tangent(A, B, section_force(s, e, ElementPlace::Middle));
+  const PairMatrix k = element.tangent(A, B, element.stress(A, B));
   if (at == ElementPlace::First)
     on_h -= k.template topRows<dim>().transpose() * f;
   else
@@ -220,8 +245,8 @@ void ChainBeam<G, E>::add_energy_gradient(const BodyState<G>& s, const Vector& g
     on_v += weight.kinetic * (element.mass(A, B) * V);
     on_h += weight.kinetic * element.kinetic_gradient(A, B, s.v + dim * e);
     on_h += weight.potential * element.weight_gradient(A, B, gravity);
-    on_h += weight.elastic * (Element::P(Element::relative(A, B)).transpose() *
-                              section_force(s, e, ElementPlace::Middle));
+    on_h += weight.elastic *
+            (Element::P(Element::relative(A, B)).transpose() * element.conjugate(A, B));
   }
 }
 
@@ -232,11 +257,15 @@ std::unique_ptr<Body<G>> ChainBeam<G, E>::derivative(const LawDerivative<G>& law
     throw std::invalid_argument("derivative of beam '" + this->name +
                                 "': expected d(K, M_s)/dp of " + std::to_string(elements()) +
                                 " elements");
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>)
+    return std::unique_ptr<Body<G>>(new ChainBeam(*this, *sections));
   return std::make_unique<ChainBeam>(this->name, this->reference, *sections, damping_);
 }
 
 template class ChainBeam<SE2, BeamElement<SE2>>;
 template class ChainBeam<SE3, BeamElement<SE3>>;
+template class ChainBeam<SE2, FourthOrderElement<SE2>>;
+template class ChainBeam<SE3, FourthOrderElement<SE3>>;
 template class ChainBeam<SE2, ReissnerElement<SE2>>;
 template class ChainBeam<SE3, ReissnerElement<SE3>>;
 

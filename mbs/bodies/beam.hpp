@@ -4,15 +4,37 @@
 
 #include "mbs/bodies/beam_element.hpp"
 #include "mbs/bodies/body.hpp"
+#include "mbs/bodies/fourth_order_element.hpp"
 #include "mbs/bodies/reissner_element.hpp"
 
 namespace liesl {
 
-/// @tparam E the element: BeamElement or ReissnerElement
+/// What the linear problem of a beam at rest needs of its elements, whatever their order: strains
+/// P(d0) [u_A; u_B] / L, and section forces by a stiffness that follows from that of the section.
+template <FrameGroup G>
+class BeamChain : public Body<G> {
+ public:
+  using Body<G>::Body;
+  using typename Body<G>::Tangent;
+  using Matrix = typename G::Matrix;
+
+  virtual const Tangent& d0(int e) const = 0;
+  virtual double length(int e) const = 0;  ///< m
+  /// n = C (P(d0) u / L): C, C for a section stiffness K in its place, and dC/dx for dK/dx.
+  virtual const Matrix& rest_stiffness(int e) const = 0;
+  virtual Matrix rest_stiffness_of(int e, const Matrix& K) const = 0;
+  virtual Matrix rest_stiffness_by(int e, const Matrix& K, const Matrix& dK) const = 0;
+  /// d2C/dx dy for K, its derivatives by x and y, and by both.
+  virtual Matrix rest_stiffness_second(int e, const Matrix& K, const Matrix& K_x, const Matrix& K_y,
+                                       const Matrix& K_xy) const = 0;
+};
+
+/// @tparam E the element: BeamElement, FourthOrderElement or ReissnerElement
 template <FrameGroup G, class E>
-class ChainBeam final : public Body<G> {
+class ChainBeam final : public BeamChain<G> {
  public:
   using Body<G>::dim;
+  using typename BeamChain<G>::Matrix;
   using typename Body<G>::Tangent;
   using typename Body<G>::Vector;
   using typename Body<G>::Matrices;
@@ -27,6 +49,13 @@ class ChainBeam final : public Body<G> {
 
   const Element& element(int e) const { return elements_[slot_[e]]; }
   int elements() const override { return static_cast<int>(slot_.size()); }
+  const Tangent& d0(int e) const override { return element(e).d0(); }
+  double length(int e) const override { return element(e).length(); }
+  const Matrix& rest_stiffness(int e) const override { return element(e).stiffness_at_rest(); }
+  Matrix rest_stiffness_of(int e, const Matrix& K) const override;
+  Matrix rest_stiffness_by(int e, const Matrix& K, const Matrix& dK) const override;
+  Matrix rest_stiffness_second(int e, const Matrix& K, const Matrix& K_x, const Matrix& K_y,
+                               const Matrix& K_xy) const override;
   double damping() const override { return damping_; }
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
@@ -54,9 +83,9 @@ class ChainBeam final : public Body<G> {
                            double* h, double* v) const override;
 
  private:
-  /// D_[h_A; h_B] of the residual of element e under the elastic stress n; `a`: vdot - R^T gravity.
-  PairMatrix element_stiffness(const BodyState<G>& s, int e, Tangent n, const Pair& a,
-                               const Vector& gravity) const;
+  /// The body whose elements are the derivatives of those of `of`.
+  ChainBeam(const ChainBeam& of, const std::vector<ElementSection<G>>& derivative);
+  void assemble_constant_matrices();
 
   /// Those without a law, of which a derivative by a section has many, share one.
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;
@@ -65,14 +94,19 @@ class ChainBeam final : public Body<G> {
   double damping_;
 };
 
-/// The beam of the Lie group formalism, and that of the classical ones.
+/// The beams of the Lie group formalism, of second and fourth order, and that of the classical
+/// ones.
 template <FrameGroup G>
 using Beam = ChainBeam<G, BeamElement<G>>;
+template <FrameGroup G>
+using FourthOrderBeam = ChainBeam<G, FourthOrderElement<G>>;
 template <FrameGroup G>
 using ReissnerBeam = ChainBeam<G, ReissnerElement<G>>;
 
 extern template class ChainBeam<SE2, BeamElement<SE2>>;
 extern template class ChainBeam<SE3, BeamElement<SE3>>;
+extern template class ChainBeam<SE2, FourthOrderElement<SE2>>;
+extern template class ChainBeam<SE3, FourthOrderElement<SE3>>;
 extern template class ChainBeam<SE2, ReissnerElement<SE2>>;
 extern template class ChainBeam<SE3, ReissnerElement<SE3>>;
 

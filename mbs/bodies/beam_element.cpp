@@ -36,7 +36,7 @@ auto BeamElement<G>::P(const Tangent& d) -> Gradient {
 
 template <FrameGroup G>
 auto BeamElement<G>::internal_force(const G& A, const G& B, const double* v, double damping,
-                                    Pair& g) const -> Tangent {
+                                    Pair& g, const double* /*about*/) const -> Tangent {
   Tangent d;
   Matrix Ti;
   G::log_and_Tinv(A.inverse() * B, d, Ti);

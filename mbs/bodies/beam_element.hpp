@@ -12,11 +12,12 @@
 
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
+#include "mbs/bodies/linear_law.hpp"
 
 namespace liesl {
 
 template <FrameGroup G>
-class BeamElement {
+class BeamElement : public LinearLaw<BeamElement<G>, G> {
  public:
   static constexpr int dim = G::dim;
   using Tangent = typename G::Tangent;
@@ -48,7 +49,9 @@ class BeamElement {
 
   /// g = P(d)^T n with n = K eps + damping K d(eps)/dt; returns n.
   /// @param v velocities [v_A; v_B]; used only if damping > 0 (stiffness-proportional, s)
-  Tangent internal_force(const G& A, const G& B, const double* v, double damping, Pair& g) const;
+  /// @param about unused: the law is linear in the stress
+  Tangent internal_force(const G& A, const G& B, const double* v, double damping, Pair& g,
+                         const double* about = nullptr) const;
 
   /// K_t = P(d0)^T K P(d0) / L, constant in the local frames.
   PairMatrix constant_tangent() const;

@@ -29,6 +29,9 @@ struct BodyState {
   const double* vdot = nullptr;   ///< their rates, dim a node
   const double* w = nullptr;      ///< amplitudes of modes, dim a node
   BodyWorkspace* work = nullptr;  ///< null: a function that needs one makes its own
+  /// Statics: section forces (elements x dim) about which a law that is not linear in them is
+  /// linearised, those of `exact_tangent`; null = exact. Equal at equilibrium.
+  const double* stress = nullptr;
 };
 
 /// What a node of a body is to the solvers.
@@ -74,6 +77,7 @@ class Body {
   using Tangent = typename G::Tangent;
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
   using Matrices = BodyMatrix<dim>;
+  using Stresses = std::vector<Tangent, Eigen::aligned_allocator<Tangent>>;  ///< by element
 
   Body(std::string body_name, std::vector<G> nodes_at_rest)
       : name(std::move(body_name)), reference(std::move(nodes_at_rest)) {}
@@ -144,7 +148,8 @@ class Body {
     return Tangent::Zero();
   }
   /// stress[e] = section force + its first-order change by the nodal increments `delta` (dim a
-  /// node), one an element: n = K (eps + P(d) delta / L).
+  /// node), one an element: n = K (eps + P(d) delta / L). On entry the stress that the increments
+  /// were found with.
   virtual void extrapolate_stress(const BodyState<G>&, const double* /*delta*/,
                                   Tangent* /*stress*/) const {}
   virtual BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const = 0;

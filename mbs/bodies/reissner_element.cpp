@@ -99,7 +99,7 @@ auto ReissnerElement<G>::material_tangent(const G& A, const G& B) const -> PairM
 
 template <FrameGroup G>
 void ReissnerElement<G>::internal_force(const G& A, const G& B, const double* v, double damping,
-                                        Pair& g) const {
+                                        Pair& g, const double* /*about*/) const {
   const Tangent d = relative(A, B);
   const Gradient p = P(d);
   Tangent strain = (d - d0_) / L_;

@@ -11,11 +11,12 @@
 /// either element fits the same solvers.
 
 #include "liegroup/rotation.hpp"
+#include "mbs/bodies/linear_law.hpp"
 
 namespace liesl {
 
 template <FrameGroup G>
-class ReissnerElement {
+class ReissnerElement : public LinearLaw<ReissnerElement<G>, G> {
  public:
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
   using Tangent = typename G::Tangent;
@@ -46,7 +47,9 @@ class ReissnerElement {
 
   Tangent strain(const G& A, const G& B) const { return (relative(A, B) - d0_) / L_; }
   /// g = P(d)^T (n + damping K d(eps)/dt).  @param v velocities [v_A; v_B], used if damping > 0
-  void internal_force(const G& A, const G& B, const double* v, double damping, Pair& g) const;
+  /// @param about unused: the law is linear in the stress
+  void internal_force(const G& A, const G& B, const double* v, double damping, Pair& g,
+                      const double* about = nullptr) const;
   /// P^T K P / L
   PairMatrix material_tangent(const G& A, const G& B) const;
   /// D_[h_A; h_B] (P^T n) with the stress n of its geometric term given. Not symmetric off

@@ -76,6 +76,12 @@ std::vector<std::string> names_of(const SolidSpec& solid) {
 
 }  // namespace
 
+NodeUpdate update_of(NodeUpdate chosen, Formalism formalism) {
+  if (chosen != NodeUpdate::AsFormalism) return chosen;
+  if (formalism == Formalism::R3SO3) return NodeUpdate::Decoupled;
+  return formalism == Formalism::Classical ? NodeUpdate::RotationVector : NodeUpdate::Screw;
+}
+
 const char* to_string(Formalism formalism) {
   switch (formalism) {
     case Formalism::SE3:

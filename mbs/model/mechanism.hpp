@@ -52,6 +52,7 @@ struct BeamSpec {
   std::vector<Section> sections;  ///< n, one an element
   Material material;              ///< of all elements; unused by FullSection
   double damping = 0;             ///< stiffness-proportional, in s: n_d = damping K d(eps)/dt
+  int order = 2;  ///< of the elements: displacements converge as (1/n)^order, 2 or 4 (se3 only)
   BeamModel as = BeamModel::AsFormalism;
   int modes = -1;                                ///< internal modes of a modal body, -1 = all
   SegmentSpec segment = {};                      ///< of a chain of segments
@@ -165,10 +166,21 @@ struct PenaltySpec {
   double step = 1e-3;       ///< s, > 0: what weights that are chosen take the inertia over
 };
 
+/// How a step moves the frames of the nodes (see NodeCoordinates).
+enum class NodeUpdate {
+  AsFormalism,     ///< Screw for se3, floating and rigid, Decoupled for r3so3
+  Screw,           ///< H <- H exp(dq): translation and rotation as one screw motion
+  Decoupled,       ///< x <- x + dx, R <- R exp(dphi): keeps linear momentum
+  RotationVector,  ///< x <- x + dx, psi <- psi + dpsi: the classical formalism and no other
+};
+/// The update that a formalism takes; itself unless AsFormalism.
+NodeUpdate update_of(NodeUpdate chosen, Formalism formalism);
+
 struct Mechanism {
   std::string name;
   Formalism formalism = Formalism::SE3;
   PenaltySpec penalty = {};
+  NodeUpdate update = NodeUpdate::AsFormalism;
   Vec3 gravity = Vec3::Zero();
   TimeFunction gravity_scale = TimeFunction::constant(1);  ///< factor of gravity over time
   std::map<std::string, Vec3> ground_points;  ///< ports of the ground, with inertial axes

@@ -21,9 +21,7 @@ namespace liesl {
 /// Forces in the geometric stiffness.
 template <FrameGroup G>
 struct Prestress {
-  using Tangent = typename G::Tangent;
-  std::vector<std::vector<Tangent, Eigen::aligned_allocator<Tangent>>>
-      section;                         ///< bodies x elements
+  typename Equations<G>::SectionForces section;  ///< bodies x elements
   std::vector<Eigen::VectorXd> force;  ///< couplings x acting rows; constraints: unused
 };
 
@@ -45,6 +43,7 @@ class IterationMatrix {
   /// structural problem discretized via displacement-based finite elements", CMAME 313).
   void extrapolate_prestress(const Equations<G>& eq, const State<G>& s,
                              const Eigen::VectorXd& delta);
+  const Prestress<G>& prestress() const { return prestress_; }
 
   /// The blocks of S at s with the prestress last taken. @param rates null: statics
   void linearise(const Equations<G>& eq, const State<G>& s, const LoadLevel& level,

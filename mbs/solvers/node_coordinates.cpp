@@ -5,7 +5,7 @@
 namespace liesl {
 namespace {
 
-bool uses_local(Formalism f) { return f != Formalism::R3SO3 && f != Formalism::Classical; }
+bool uses_local(NodeUpdate update) { return update == NodeUpdate::Screw; }
 
 }  // namespace
 
@@ -15,7 +15,7 @@ NodeCoordinates<G>::NodeCoordinates(const Model<G>& model, bool rescale)
 
 template <FrameGroup G>
 void NodeCoordinates<G>::start(State<G>& s) const {
-  if (model_.formalism != Formalism::Classical) return;
+  if (model_.update != NodeUpdate::RotationVector) return;
   for (const int k : model_.frames()) s.w.template segment<rd>(dim * k + sd) = Rot::log(s.H[k].R);
 }
 
@@ -23,14 +23,14 @@ template <FrameGroup G>
 void NodeCoordinates<G>::rates(const State<G>& s, Eigen::VectorXd& u, Eigen::VectorXd& udot) const {
   u = s.v;
   udot = s.vdot;
-  if (uses_local(model_.formalism)) return;
+  if (uses_local(model_.update)) return;
   for (const int k : model_.frames()) {
     const auto v = s.v.template segment<sd>(dim * k);
     const Angular w = s.v.template segment<rd>(dim * k + sd);
     u.template segment<sd>(dim * k) = s.H[k].R * v;
     udot.template segment<sd>(dim * k) =
         s.H[k].R * (s.vdot.template segment<sd>(dim * k) - Rot::cross(v) * w);
-    if (model_.formalism != Formalism::Classical) continue;
+    if (model_.update != NodeUpdate::RotationVector) continue;
     const Angular p = psi(s, k);
     const auto Tinv = Rot::Tinv(p);
     const Angular rate = Tinv * w;
@@ -45,9 +45,9 @@ void NodeCoordinates<G>::local_rates(const Eigen::VectorXd& u, const Eigen::Vect
                                      State<G>& s) const {
   s.v = u;
   s.vdot = udot;
-  if (uses_local(model_.formalism)) return;
+  if (uses_local(model_.update)) return;
   for (const int k : model_.frames()) {
-    if (model_.formalism == Formalism::Classical) {
+    if (model_.update == NodeUpdate::RotationVector) {
       const Angular p = psi(s, k), rate = u.template segment<rd>(dim * k + sd);
       const auto T = Rot::T(p);
       s.v.template segment<rd>(dim * k + sd) = T * rate;
@@ -66,11 +66,11 @@ template <FrameGroup G>
 void NodeCoordinates<G>::place(const State<G>& old, const Eigen::VectorXd& dq,
                                const Eigen::VectorXd& u, const Eigen::VectorXd& udot,
                                State<G>& s) const {
-  if (uses_local(model_.formalism)) {
+  if (uses_local(model_.update)) {
     for (const int k : model_.frames())
       s.H[k] = old.H[k] * G::exp(dq.template segment<dim>(dim * k));
   } else {
-    const bool vector = model_.formalism == Formalism::Classical;
+    const bool vector = model_.update == NodeUpdate::RotationVector;
     if (vector) s.w = old.w;
     for (const int k : model_.frames()) {
       const Angular turn = dq.template segment<rd>(dim * k + sd);
@@ -98,11 +98,11 @@ void NodeCoordinates<G>::increment(const State<G>& s, const Eigen::VectorXd& dq,
   for (const int k : model_.frames()) {
     const auto d = delta.template segment<dim>(dim * k);
     auto out = e.template segment<dim>(dim * k);
-    if (uses_local(model_.formalism)) {
+    if (uses_local(model_.update)) {
       out.noalias() = G::Tinv(dq.template segment<dim>(dim * k)) * d;
       continue;
     }
-    const Angular at = model_.formalism == Formalism::Classical
+    const Angular at = model_.update == NodeUpdate::RotationVector
                            ? psi(s, k)
                            : Angular(dq.template segment<rd>(dim * k + sd));
     out.template head<sd>() = s.H[k].R * d.template head<sd>();
@@ -127,14 +127,14 @@ void NodeCoordinates<G>::rate_tangents(const State<G>& s, const Eigen::VectorXd&
     }
   for (const int k : model_.frames()) {
     Matrix &V = out.v[k], &W = out.vdot[k];
-    if (uses_local(model_.formalism)) {
+    if (uses_local(model_.update)) {
       const Matrix Ti = G::Tinv(dq.template segment<dim>(dim * k));
       V = first * Ti;
       W = second * Ti;
       continue;
     }
     auto V_w = V.template bottomRightCorner<rd, rd>(), W_w = W.template bottomRightCorner<rd, rd>();
-    if (model_.formalism == Formalism::Classical) {
+    if (model_.update == NodeUpdate::RotationVector) {
       const Angular p = psi(s, k), rate = u.template segment<rd>(dim * k + sd),
                     acceleration = udot.template segment<rd>(dim * k + sd);
       const auto Ti = Rot::Tinv(p), dT = Rot::dT(p, rate);
@@ -172,12 +172,12 @@ void NodeCoordinates<G>::difference(const State<G>& old, const State<G>& s,
     dq.template segment<sd>(dim * k) = old.H[k].R.transpose() * (s.H[k].x - old.H[k].x);
   for (const int k : model_.frames()) {
     auto d = dq.template segment<dim>(dim * k);
-    if (uses_local(model_.formalism)) {
+    if (uses_local(model_.update)) {
       d = G::log(old.H[k].inverse() * s.H[k]);
       continue;
     }
     d.template head<sd>() = s.H[k].x - old.H[k].x;
-    if (model_.formalism == Formalism::Classical)
+    if (model_.update == NodeUpdate::RotationVector)
       d.template tail<rd>() = psi(s, k) - psi(old, k);
     else
       d.template tail<rd>() = Rot::log(old.H[k].R.transpose() * s.H[k].R);
@@ -204,7 +204,7 @@ void NodeCoordinates<G>::turn_positions(State<G>& s,
 
 template <FrameGroup G>
 bool NodeCoordinates<G>::finish(State<G>& s) const {
-  if (model_.formalism != Formalism::Classical) {
+  if (model_.update != NodeUpdate::RotationVector) {
     for (const int k : model_.frames()) s.H[k].orthonormalize();
     return false;
   }

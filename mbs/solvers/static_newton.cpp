@@ -24,6 +24,11 @@ void StaticNewton<G>::evaluate(const State<G>& s, double load) {
 }
 
 template <FrameGroup G>
+void StaticNewton<G>::evaluate_about_prestress(const State<G>& s, double load) {
+  equations_.evaluate(s, s.rows, level(load), &system_.prestress().section);
+}
+
+template <FrameGroup G>
 bool StaticNewton<G>::small_enough() const {
   const double round_off = equations_.round_off() * std::sqrt(model_.nodes());
   return equations_.residual() <= options_.tolerance * equations_.scale() + round_off &&
@@ -48,9 +53,9 @@ template <FrameGroup G>
 void StaticNewton<G>::load_column(const State<G>& s, double load,
                                   Eigen::Ref<Eigen::VectorXd> column) {
   const double h = kLoadStep * options_.max_load;
-  evaluate(s, load + h);
+  evaluate_about_prestress(s, load + h);
   column << equations_.r, equations_.phi;
-  evaluate(s, load - h);
+  evaluate_about_prestress(s, load - h);
   column.head(system_.size()) -= equations_.r;
   column.tail(system_.constraints()) -= equations_.phi;
   column /= 2 * h;
@@ -60,7 +65,7 @@ void StaticNewton<G>::load_column(const State<G>& s, double load,
 template <FrameGroup G>
 bool StaticNewton<G>::solve_both(const State<G>& s, double load) {
   load_column(s, load, rhs_.col(1));
-  evaluate(s, load);
+  evaluate_about_prestress(s, load);
   rhs_.col(0) << equations_.r, equations_.phi;
   system_.assemble(equations_, s, level(load));
   if (!system_.factor()) return false;
@@ -162,7 +167,7 @@ NewtonResult StaticNewton<G>::solve(State<G>& s, double load) {
     correct(rhs_.col(0));
     ++result.iterations;
     equations_.observe(trial_, trial_.rows, trial_.rows);
-    evaluate(trial_, load);
+    evaluate_about_prestress(trial_, load);
   }
   finish(s, load, result);
   return result;
@@ -212,7 +217,7 @@ NewtonResult StaticNewton<G>::follow(State<G>& s, double ds, const Eigen::Vector
     correct(rhs_.col(0));
     ++result.iterations;
     equations_.observe(trial_, trial_.rows, trial_.rows);
-    evaluate(trial_, load);
+    evaluate_about_prestress(trial_, load);
   } while (check(result));
   finish(s, load, result);
   if (result.converged) predictor_ = t;

@@ -54,6 +54,9 @@ class StaticNewton {
  private:
   LoadLevel level(double load) const { return {options_.at, load}; }
   void evaluate(const State<G>& s, double load);
+  /// The same linearised about the extrapolated prestress where laws are not linear in it: what
+  /// the tangent belongs to. Equal to the exact residual at equilibrium.
+  void evaluate_about_prestress(const State<G>& s, double load);
   bool small_enough() const;
   void load_column(const State<G>& s, double load, Eigen::Ref<Eigen::VectorXd> column);
   bool solve_both(const State<G>& s, double load);

@@ -65,6 +65,7 @@ template <class G>
 Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   Model model;
   model.formalism = mechanism.formalism;
+  model.update = update_of(mechanism.update, mechanism.formalism);
   model.space = space;
   model.gravity = space.reduce_vector(mechanism.gravity);
   model.gravity_scale = mechanism.gravity_scale;

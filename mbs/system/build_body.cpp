@@ -13,6 +13,24 @@
 namespace liesl {
 namespace {
 
+/// What a beam of fourth order cannot be is refused.
+template <class G>
+std::unique_ptr<Body<G>> fourth_order(const std::string& name, const BeamSpec& beam,
+                                      std::vector<G> nodes,
+                                      const std::vector<ElementSection<G>>& sections,
+                                      Formalism formalism) {
+  const auto refuse = [&name](const std::string& why) {
+    throw std::invalid_argument("beam '" + name + "' of order 4: " + why + "; expected order = 2");
+  };
+  if (formalism != Formalism::SE3)
+    refuse(std::string("not in the formalism ") + to_string(formalism));
+  if (beam.as != BeamModel::AsFormalism) refuse("not as a rigid or modal body");
+  for (const ElementSection<G>& section : sections)
+    if (!section.M.template topRightCorner<G::space_dim, G::rotation_dim>().isZero(0))
+      refuse("its axis is not through the centres of mass of the sections");
+  return std::make_unique<FourthOrderBeam<G>>(name, std::move(nodes), sections, beam.damping);
+}
+
 template <class G>
 std::unique_ptr<Body<G>> make_segments(const std::string& name, std::vector<G> nodes,
                                        const std::vector<ElementSection<G>>& sections,
@@ -36,6 +54,7 @@ std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, con
                      (beam.as == BeamModel::AsFormalism && formalism == Formalism::Rigid);
   const bool modal = beam.as == BeamModel::Modal ||
                      (beam.as == BeamModel::AsFormalism && formalism == Formalism::Floating);
+  if (beam.order == 4) return fourth_order(name, beam, std::move(nodes), sections, formalism);
   if (rigid || modal) {
     auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
     if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));

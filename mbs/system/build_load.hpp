@@ -2,6 +2,9 @@
 /// @file
 /// Loads at ports and along bodies.
 
+#include <stdexcept>
+
+#include "mbs/bodies/beam.hpp"
 #include "mbs/system/build_port.hpp"
 
 namespace liesl {
@@ -20,6 +23,9 @@ Load<G> build_load(const LoadSpec& l, const Mechanism& mechanism, const Model<G>
                            : space.reduce_wrench(l.force, l.moment);
   if (l.spread) {
     const Body<G>& body = *model.bodies[l.port.body];
+    if (dynamic_cast<const FourthOrderBeam<G>*>(&body) && (l.follower || l.moment.norm() > 0))
+      throw std::invalid_argument("load '" + l.name + "' over beam '" + body.name +
+                                  "' of order 4: expected a force in inertial axes");
     load.distribution = body.load_distribution();
     load.share = body.load_share(l.follower);
   }

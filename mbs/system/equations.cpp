@@ -27,11 +27,11 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
 
 template <FrameGroup G>
 void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
-                            const LoadLevel& level) {
+                            const LoadLevel& level, const SectionForces* stress) {
   for (auto& scale : scales_) scale = {};
   r.setZero();
   phi.setZero();
-  add_bodies(s, level);
+  add_bodies(s, level, stress);
   add_loads(s, level);
   for (size_t c = 0; c < couplings.size(); ++c)
     add_coupling(model.couplings[c], couplings[c], s, previous, level);
@@ -46,11 +46,13 @@ void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
 }
 
 template <FrameGroup G>
-void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level) {
+void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level,
+                              const SectionForces* stress) {
   const typename Model<G>::Vector gravity = level.factor * model.gravity_at(level.t);
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     BodyState<G> state = model.body_state(s, static_cast<int>(b));
     state.work = work_[b].get();
+    if (stress && !(*stress)[b].empty()) state.stress = (*stress)[b].front().data();
     double* out = r.data() + dim * model.first_node(static_cast<int>(b));
     model.bodies[b]->add_internal(state, out, scales_[b]);
     model.bodies[b]->add_inertia(state, gravity, out, scales_[b]);

@@ -29,8 +29,10 @@ class Equations {
   explicit Equations(const Model<G>& model);
 
   /// Fills r, phi, B, the scales. `previous`: coupling rows at the last accepted state (angles are
-  /// continued from there).
-  void evaluate(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level);
+  /// continued from there). `stress`: section forces of each body, see BodyState; null = exact.
+  using SectionForces = std::vector<typename Body<G>::Stresses>;
+  void evaluate(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
+                const SectionForces* stress = nullptr);
 
   /// Values of all coupling rows at a state, into `rows`.
   void observe(const State<G>& s, const Eigen::VectorXd& previous, Eigen::VectorXd& rows) const;
@@ -76,7 +78,7 @@ class Equations {
   void acceleration_target(const State<G>& s, double t, Eigen::VectorXd& rate) const;
 
  private:
-  void add_bodies(const State<G>& s, const LoadLevel& level);
+  void add_bodies(const State<G>& s, const LoadLevel& level, const SectionForces* stress);
   void add_loads(const State<G>& s, const LoadLevel& level);
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
                     const Eigen::VectorXd& previous, const LoadLevel& level);

@@ -74,6 +74,7 @@ class Model {
 
   Formalism formalism = Formalism::SE3;
   Penalty penalty;
+  NodeUpdate update = NodeUpdate::Screw;  ///< never AsFormalism
   Space<G> space;
   Vector gravity = Vector::Zero();
   TimeFunction gravity_scale = TimeFunction::constant(1);

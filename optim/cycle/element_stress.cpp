@@ -13,24 +13,24 @@ Vec3 weighted(const Vec3& s) { return {s[0], 3 * s[1], 3 * s[2]}; }
 }  // namespace
 
 template <FrameGroup G>
-auto ElementStress<G>::to_end(const BeamElement<G>& element, ElementPlace end) -> Matrix {
-  const auto P = BeamElement<G>::P(element.d0());
+auto ElementStress<G>::to_end(const BeamChain<G>& beam, int e, ElementPlace end) -> Matrix {
+  const auto P = BeamElement<G>::P(beam.d0(e));
   if (end == ElementPlace::First) return -P.template leftCols<G::dim>().transpose();
   return P.template rightCols<G::dim>().transpose();
 }
 
 template <FrameGroup G>
-auto ElementStress<G>::strain_of(const BeamElement<G>& element, ElementPlace end, const Strain& n)
+auto ElementStress<G>::strain_of(const BeamChain<G>& beam, int e, ElementPlace end, const Strain& n)
     -> Strain {
-  const Strain middle = to_end(element, end).partialPivLu().solve(n);
-  return element.section_stiffness().partialPivLu().solve(middle);
+  const Strain middle = to_end(beam, e, end).partialPivLu().solve(n);
+  return beam.rest_stiffness(e).partialPivLu().solve(middle);
 }
 
 template <FrameGroup G>
-ElementStress<G>::ElementStress(const BeamElement<G>& element, const Section& section,
+ElementStress<G>::ElementStress(const BeamChain<G>& beam, int e, const Section& section,
                                 const Material& material, const Space<G>& space, const SE3& align)
-    : K_(space.reduce_law(section_law(section, material).K, align)),
-      B_{to_end(element, ElementPlace::First), to_end(element, ElementPlace::Last)} {
+    : K_(beam.rest_stiffness_of(e, space.reduce_law(section_law(section, material).K, align))),
+      B_{to_end(beam, e, ElementPlace::First), to_end(beam, e, ElementPlace::Last)} {
   for (int j = 0; j < G::dim; ++j) embed_.col(j) = space.embed_local(G::Tangent::Unit(j), align);
   for (const auto& point : stress_points(section, material.nu)) S_.push_back(point.S * embed_);
   for (const Matrix& to_this_end : B_)

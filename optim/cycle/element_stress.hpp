@@ -27,13 +27,13 @@ class ElementStress {
     std::vector<Eigen::Matrix<double, 3, 6>> dS;
   };
 
-  /// @param element at the design whose d0 it has; its section is `section`
+  /// @param beam, e the element, at the design whose d0 it has; its section is `section`
   /// @param align of the element's axes to those of G, as in Space::alignment
-  ElementStress(const BeamElement<G>& element, const Section& section, const Material& material,
+  ElementStress(const BeamChain<G>& beam, int e, const Section& section, const Material& material,
                 const Space<G>& space, const SE3& align);
 
   /// Pairs (B K_s) eps -> eps: the strain whose stress at an end is that of the section force n.
-  static Strain strain_of(const BeamElement<G>& element, ElementPlace end, const Strain& n);
+  static Strain strain_of(const BeamChain<G>& beam, int e, ElementPlace end, const Strain& n);
 
   /// Pa; `slope`: gradient with respect to the strain.
   double value(int point, const Strain& strain, Strain* slope) const;
@@ -42,7 +42,7 @@ class ElementStress {
 
  private:
   using Rows = Eigen::Matrix<double, 3, G::dim>;
-  static Matrix to_end(const BeamElement<G>& element, ElementPlace end);
+  static Matrix to_end(const BeamChain<G>& beam, int e, ElementPlace end);
   int on_section(int point) const { return point % static_cast<int>(S_.size()); }
   const Matrix& B(int point) const { return B_[point / static_cast<int>(S_.size())]; }
 

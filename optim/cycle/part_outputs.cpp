@@ -47,7 +47,7 @@ template <FrameGroup G>
 PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
                             const Model<G>& model, int body) {
   PartOutputs out;
-  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
   out.C.resize(beam.size(), 0);
   const auto append = [&out](const Eigen::MatrixXd& c) {
     const auto first = out.C.cols();
@@ -93,7 +93,7 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
                                 const Mechanism& mechanism, const Model<G>& model,
                                 const Trajectory<G>& trajectory, int body) {
   const ResponseValues<G> values(mechanism, model);
-  const auto& beam = dynamic_cast<const Beam<G>&>(*model.bodies[body]);
+  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
   const int elements = beam.elements();
   Eigen::MatrixXd y(outputs.count(), trajectory.size());
   State<G> s = model.initial_state();
@@ -109,7 +109,7 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
       if (limit.element >= 0) {
         const auto end = limit.point == 0 ? ElementPlace::First : ElementPlace::Last;
         out = ElementStress<G>::strain_of(
-            beam.element(limit.element), end,
+            beam, limit.element, end,
             beam.section_force(model.body_state(s, body), limit.element, end));
       } else if (r.everywhere) {
         node = node + 1 < elements ? node + 1 : 1;

@@ -30,6 +30,19 @@ void StaticSizing<G>::output_gradients() {
 }
 
 template <FrameGroup G>
+typename G::Matrix StaticSizing<G>::section_derivative(const Part& part, int i,
+                                                       SizedElement at) const {
+  return space_.reduce_law(sizing_.derivative(mechanism_, i, at).K, part.align[at.element]);
+}
+
+template <FrameGroup G>
+typename G::Matrix StaticSizing<G>::stiffness_derivative(const Part& part, int i,
+                                                         SizedElement at) const {
+  return part.beam->rest_stiffness_by(at.element, part.section[at.element],
+                                      section_derivative(part, i, at));
+}
+
+template <FrameGroup G>
 std::vector<typename StaticSizing<G>::Law> StaticSizing<G>::stiffness_derivatives(
     const Part& part) const {
   std::vector<Law> dK(sizing_.size());
@@ -37,8 +50,7 @@ std::vector<typename StaticSizing<G>::Law> StaticSizing<G>::stiffness_derivative
     for (const auto& at : sizing_.elements(i)) {
       if (at.body != part.body) continue;
       if (dK[i].empty()) dK[i].assign(part.align.size(), G::Matrix::Zero());
-      dK[i][at.element] =
-          space_.reduce_law(sizing_.derivative(mechanism_, i, at).K, part.align[at.element]);
+      dK[i][at.element] = stiffness_derivative(part, i, at);
     }
   return dK;
 }
@@ -53,8 +65,7 @@ typename StaticSizing<G>::StressChanges StaticSizing<G>::stress_changes() const 
         if (at.body != parts_[p].body) continue;
         const auto& beam = std::get<BeamSpec>(mechanism_.bodies[at.body].kind);
         StressChange& change = changes[{static_cast<int>(p), at.element, i}];
-        change.dK =
-            space_.reduce_law(sizing_.derivative(mechanism_, i, at).K, parts_[p].align[at.element]);
+        change.dK = stiffness_derivative(parts_[p], i, at);
         for (const auto& name : sizing_.dimensions(i)) {
           const auto dS =
               stress_points_derivative(beam.sections[at.element], beam.material.nu, name);
@@ -147,13 +158,17 @@ void StaticSizing<G>::hessian(const Eigen::VectorXd&, double sigma, const Eigen:
         for (const auto& [at, law] : second[i][j]) {
           if (at.body != part.body) continue;
           if (d2K[i][j].empty()) d2K[i][j].assign(part.align.size(), G::Matrix::Zero());
-          d2K[i][j][at.element] = space_.reduce_law(law.K, part.align[at.element]);
+          d2K[i][j][at.element] = part.beam->rest_stiffness_second(
+              at.element, part.section[at.element], section_derivative(part, i, at),
+              section_derivative(part, j, at), space_.reduce_law(law.K, part.align[at.element]));
         }
     part.problem.add_second(stiffness_derivatives(part), d2K, w, h);
   }
 }
 
 template void StaticSizing<SE2>::output_gradients();
+template SE2::Matrix StaticSizing<SE2>::section_derivative(const Part&, int, SizedElement) const;
+template SE2::Matrix StaticSizing<SE2>::stiffness_derivative(const Part&, int, SizedElement) const;
 template std::vector<typename StaticSizing<SE2>::Law> StaticSizing<SE2>::stiffness_derivatives(
     const Part&) const;
 template typename StaticSizing<SE2>::StressChanges StaticSizing<SE2>::stress_changes() const;
@@ -164,6 +179,8 @@ template Eigen::MatrixXd StaticSizing<SE2>::output_weights(int, const Eigen::Vec
 template void StaticSizing<SE2>::hessian(const Eigen::VectorXd&, double, const Eigen::VectorXd&,
                                          Eigen::MatrixXd&);
 template void StaticSizing<SE3>::output_gradients();
+template SE3::Matrix StaticSizing<SE3>::section_derivative(const Part&, int, SizedElement) const;
+template SE3::Matrix StaticSizing<SE3>::stiffness_derivative(const Part&, int, SizedElement) const;
 template std::vector<typename StaticSizing<SE3>::Law> StaticSizing<SE3>::stiffness_derivatives(
     const Part&) const;
 template typename StaticSizing<SE3>::StressChanges StaticSizing<SE3>::stress_changes() const;

@@ -61,7 +61,7 @@ StaticSizing<G>::StaticSizing(const Analysis<G>& at, const Sizing& sizing, const
 template <FrameGroup G>
 void StaticSizing<G>::make_parts(const Analysis<G>& at) {
   for (const auto& loads : *at.loads) {
-    const auto& beam = dynamic_cast<const Beam<G>&>(*model_.bodies[loads.body]);
+    const auto& beam = dynamic_cast<const BeamChain<G>&>(*model_.bodies[loads.body]);
     PartOutputs outputs = limited_outputs(study_, at.mechanism, model_, loads.body);
     for (auto limit : outputs.limits) {
       limit.part = static_cast<int>(parts_.size());
@@ -73,7 +73,8 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
     PartSupport held = read_support(support == study_.supports.end() ? Support{} : support->second,
                                     at.mechanism, model_, loads.body);
     StaticPart<G> problem(beam, std::move(held), outputs.C);
-    Part part{loads.body, &loads, std::move(outputs), std::move(problem), {}, {}, {}, {}, {}};
+    Part part{loads.body, &beam, &loads, std::move(outputs), std::move(problem), {}, {}, {},
+              {},         {},    {}};
     for (int e = 0; e < beam.elements(); ++e)
       part.align.push_back(space_.alignment(at.mechanism.frame({loads.body, e, SE3::identity()})));
     parts_.push_back(std::move(part));
@@ -81,11 +82,19 @@ void StaticSizing<G>::make_parts(const Analysis<G>& at) {
 }
 
 template <FrameGroup G>
-typename StaticSizing<G>::Law StaticSizing<G>::stiffness(const Part& part) const {
+typename StaticSizing<G>::Law StaticSizing<G>::section_stiffness(const Part& part) const {
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
   Law law;
   for (size_t e = 0; e < beam.sections.size(); ++e)
     law.push_back(space_.reduce_law(section_law(beam.sections[e], beam.material).K, part.align[e]));
+  return law;
+}
+
+template <FrameGroup G>
+typename StaticSizing<G>::Law StaticSizing<G>::stiffness(const Part& part) const {
+  Law law;
+  for (size_t e = 0; e < part.section.size(); ++e)
+    law.push_back(part.beam->rest_stiffness_of(static_cast<int>(e), part.section[e]));
   return law;
 }
 
@@ -99,6 +108,7 @@ bool StaticSizing<G>::solve(const Eigen::VectorXd& x) {
 template <FrameGroup G>
 bool StaticSizing<G>::solve_parts() {
   for (auto& part : parts_) {
+    part.section = section_stiffness(part);
     if (!part.problem.solve(stiffness(part))) return false;
     part.y.resize(part.outputs.count(), part.problem.cases());
     part.y.topRows(part.problem.outputs()) = part.problem.y();
@@ -108,9 +118,8 @@ bool StaticSizing<G>::solve_parts() {
     if (std::none_of(limits.begin(), limits.end(), [](const Limit& l) { return l.element >= 0; }))
       continue;
     const auto& beam = std::get<BeamSpec>(mechanism_.bodies[part.body].kind);
-    const auto& body = dynamic_cast<const Beam<G>&>(*model_.bodies[part.body]);
     for (size_t e = 0; e < beam.sections.size(); ++e)
-      part.stress.emplace_back(body.element(static_cast<int>(e)), beam.sections[e], beam.material,
+      part.stress.emplace_back(*part.beam, static_cast<int>(e), beam.sections[e], beam.material,
                                space_, part.align[e]);
   }
   return true;

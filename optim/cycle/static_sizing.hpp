@@ -60,6 +60,7 @@ class StaticSizing final : public StaticProblem {
   using Law = typename StaticPart<G>::Law;
   struct Part {
     int body = 0;
+    const BeamChain<G>* beam = nullptr;
     const LoadSet* loads = nullptr;
     PartOutputs outputs;
     StaticPart<G> problem;
@@ -68,6 +69,7 @@ class StaticSizing final : public StaticProblem {
     Eigen::MatrixXd y;                     ///< outputs x retained cases, at the latest x
     std::vector<ElementStress<G>> stress;  ///< by element, at the latest x; if stress is limited
     std::vector<int> kept;                 ///< numbers of the retained cases
+    Law section;                           ///< section stiffnesses at the latest x
   };
 
   ResponseKind kind_of(const Limit& limit) const {
@@ -80,6 +82,7 @@ class StaticSizing final : public StaticProblem {
   void keep(const CasesByLimit& cases);
   bool solve(const Eigen::VectorXd& x);
   bool solve_parts();
+  Law section_stiffness(const Part& part) const;
   Law stiffness(const Part& part) const;
   /// Value of a limit for the outputs y (corrected); `slope`: its gradient with respect to y.
   double limit_value(const Limit& limit, const Eigen::VectorXd& y, Eigen::VectorXd* slope) const;
@@ -92,6 +95,9 @@ class StaticSizing final : public StaticProblem {
   using StressChanges = std::map<std::array<int, 3>, StressChange>;  ///< part, element, variable
   StressChanges stress_changes() const;
   void output_gradients();
+  using Matrix = typename G::Matrix;
+  Matrix section_derivative(const Part& part, int i, SizedElement at) const;
+  Matrix stiffness_derivative(const Part& part, int i, SizedElement at) const;
   std::vector<Law> stiffness_derivatives(const Part& part) const;
 
   using SecondLaws = std::vector<std::vector<std::vector<std::pair<SizedElement, SectionLaw>>>>;

@@ -46,6 +46,19 @@ TYPED_TEST(Loads, GiveTheDeformationBackInTheNonlinearProblem) {
   }
 }
 
+/// Beams of fourth order alike: the identity is that of the law, not of the element.
+TYPED_TEST(Loads, OfFourthOrderGiveTheDeformationBack) {
+  Mechanism m = slider_crank();
+  for (const int body : {kCrank, kRod}) std::get<BeamSpec>(m.bodies[body].kind).order = 4;
+  const auto motion = run<TypeParam>(m);
+  ASSERT_TRUE(motion.good());
+  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), kRod);
+  const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
+  EXPECT_GE(identity.cases, 18);
+  EXPECT_LT(identity.nonlinear, 1e-9);
+  EXPECT_LT(identity.linear, 0.5);
+}
+
 TYPED_TEST(Loads, BalanceEachOtherInTheDeformedShape) {
   using G = TypeParam;
   const auto motion = run<G>(slider_crank());

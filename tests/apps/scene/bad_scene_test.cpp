@@ -90,6 +90,10 @@ const BadScene kScenes[] = {
     {"NoPoint", "{ at = \"slider.tip\"", "{ at = @\"slider.tap\"", {"no port 'tap'", "'tip'"}},
     {"BodyForPort", "{ at = \"slider.tip\"", "{ at = @\"slider\"", {"a body, not a port", "origin"}},
     {"NoJoint", "on = \"guide\"", "on = @\"giude\"", {"no joint 'giude'", "'guide'"}},
+    {"OddOrder", "elements = 4 }", "elements = 4, order = @3 }", {"beam 'crank' has order 3", "2 or 4"}},
+    {"OrderTooHigh", "elements = 4 }", "elements = 4, order = @6 }", {"order"}},
+    {"OrderOfARigidBeam", "elements = 4 }", "elements = 4, as = \"rigid\", order = @4 }", {"beam 'crank' of order 4 as \"rigid\"", "order = 2"}},
+    {"NoSuchUpdate", "step = 1e-3", "step = 1e-3\nformalism = \"classical\"\nupdate = @\"r3so3\"", {"'simulation.update'", "classical"}},
     {"NoBeam", "over = \"rod\"", "over = @\"slider\"", {"'slider' is rigid", "a beam"}},
     {"MidOfOddBeam", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"rod\", at = @\"mid\"", {"5 elements", "even number"}},
     {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node3"}},
@@ -245,6 +249,19 @@ TEST(Units, LikelyMistakesAreNamed) {
 
 INSTANTIATE_TEST_SUITE_P(Scene, Bad, testing::ValuesIn(kScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+TEST(BadScene, LoadsThatFollowABeamOfFourthOrderAreRefused) {
+  const std::string text = changed(kGoodScene, "elements = 5 }", "elements = 5, order = 4 }");
+  try {
+    read_scene(text, "scene.toml");
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("load 'wind' over a beam of order 4 follows it"),
+              std::string::npos)
+        << error.what();
+  }
+  EXPECT_NO_THROW(read_scene(changed(text, ", follower = true", ""), "scene.toml"));
+}
 
 }  // namespace
 }  // namespace liesl

@@ -77,6 +77,18 @@ TEST_P(Derivatives, AreRight) {
   EXPECT_TRUE(report.right) << report.text(5);
 }
 
+/// Beams of fourth order: condensed stiffnesses with their first and second derivatives.
+TEST(DerivativesOfFourthOrder, AreRight) {
+  Study study = test::shipped_study("slider_crank_rod");
+  for (BodySpec& body : study.scene.mechanism.bodies)
+    if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->order = 4;
+  const Mechanism& mechanism = study.scene.mechanism;
+  const DerivativeReport report = check_study_derivatives<SE2>(
+      mechanism, test::space_of<SE2>(mechanism), study.scene.simulation, study.spec);
+  EXPECT_GT(report.checks.size(), 10u);
+  EXPECT_TRUE(report.right) << report.text(5);
+}
+
 INSTANTIATE_TEST_SUITE_P(StaticSizing, Derivatives,
                          testing::Values(Case{"Rod", "slider_crank_rod", false},
                                          Case{"RodInSpace", "slider_crank_rod", true},

@@ -1,0 +1,54 @@
+#pragma once
+/// @file
+/// Errors of the peaks of responses by mesh and by step, from runs with half of each.
+///
+/// With the given mesh and step R, half the elements' length R_m, half the step R_s (Richardson
+/// 1911, see mbs/solvers/richardson.hpp), p the order of the elements, 2 of the step:
+///
+///   error of R by the mesh = |R - R_m| / (1 - 2^-p), by the step = |R - R_s| / (1 - 2^-2).
+///
+/// A fourth run, twice as coarse in whichever of the two costs more, shows the order; where it is
+/// lower, it counts.
+
+#include <string>
+#include <vector>
+
+#include "apps/output/summary.hpp"
+#include "apps/scene/scene.hpp"
+#include "mbs/solvers/simulation.hpp"
+
+namespace liesl {
+
+/// One figure on meshes (or steps) of the given and half the length, and twice it.
+struct Refinement {
+  double given = 0, finer = 0;
+  std::optional<double> coarser = {};
+};
+
+/// What a refinement says of the error of the given figure.
+struct ErrorEstimate {
+  double error = 0;                     ///< >= 0
+  std::optional<double> observed = {};  ///< order, where three figures show one
+  bool as_expected = true;              ///< within a half of the order, or nothing to see
+};
+
+/// @param order expected  @param resolution differences below are rounding
+ErrorEstimate estimate_error(const Refinement& r, double order, double resolution);
+
+/// A scene as text, with what changes it.
+struct VerifiedScene {
+  std::string text, file;
+  std::vector<std::string> overrides;
+  /// Beside those of the text: responses on its mesh, which move with it where that is refined.
+  std::vector<ResponseSpec> responses = {};
+};
+
+/// Adds `error_mesh`, `error_step` to the responses of a summary, the key `verification`, and
+/// warnings where orders are not as expected or a part cannot be refined. Simulates the scene at
+/// most three times more.
+/// @param scene as read, with the further responses  @param summary of its run, with its space
+/// @throws InputError for natural frequencies and scenes that trace a path by arc length
+void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,
+            const Progress& progress = {});
+
+}  // namespace liesl

@@ -1,0 +1,158 @@
+#include "mbs/bodies/condensed_law.hpp"
+
+#include <Eigen/Cholesky>
+#include <Eigen/LU>
+
+namespace liesl {
+namespace {
+
+/// Slope of the curvature of the axis, from d0_u = L e1 + (L^3/12) e1 x kappa_1.
+template <class G>
+typename G::Tangent slope_of_axis(const typename G::Tangent& d0) {
+  typename G::Tangent a = G::Tangent::Zero();
+  const double scale = 12 / (d0[0] * d0[0] * d0[0]);
+  a[G::dim - 1] = -scale * d0[1];
+  if constexpr (G::space_dim == 3) a[4] = scale * d0[2];
+  return a;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+CondensedLaw<G>::CondensedLaw(const Tangent& d0, const Matrix& K)
+    : d0_(d0), L_(d0[0]), K_(K), Kinv_(K.inverse()) {
+  slope_ = (L_ * L_ / 12) * G::ad(slope_of_axis<G>(d0));
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  uncoupled_ = K.template topRightCorner<sd, rd>().isZero(0);
+  varied_ = Kinv_ - slope_ * Kinv_ - Kinv_ * slope_.transpose();
+  C0_ = flexibility(d0_).inverse();
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::flexibility(const Tangent& d) const -> Matrix {
+  const Matrix a = G::ad(d);
+  const Matrix half = a.lazyProduct(Kinv_);
+  return varied_ + half.lazyProduct(a.transpose()) / 12;
+}
+
+/// F n = e. In a plane ad has no last row; in space ad = [w~ u~; 0 w~], and where K^-1 has no
+/// blocks that couple them, ad K^-1 ad^T = [w~ a w~^T + u~ b u~^T, u~ b w~^T; ., w~ b w~^T].
+template <FrameGroup G>
+auto CondensedLaw<G>::stress(const Tangent& d, const Tangent& e) const -> Tangent {
+  if constexpr (G::space_dim == 2) {
+    const Tangent y(0, -d[2], d[1]), x(d[2], 0, -d[0]);  // rows of ad
+    const Tangent fy = Kinv_.lazyProduct(y) / 12, fx = Kinv_.lazyProduct(x) / 12;
+    const double a = varied_(0, 0) + y.dot(fy), b = varied_(0, 1) + y.dot(fx), c = varied_(0, 2),
+                 p = varied_(1, 1) + x.dot(fx), q = varied_(1, 2), r = varied_(2, 2);
+    const double A = p * r - q * q, B = c * q - b * r, C = b * q - c * p;  // cofactors
+    const Tangent n(A * e[0] + B * e[1] + C * e[2],
+                    B * e[0] + (a * r - c * c) * e[1] + (b * c - a * q) * e[2],
+                    C * e[0] + (b * c - a * q) * e[1] + (a * p - b * b) * e[2]);
+    return n / (a * A + b * B + c * C);
+  } else {
+    if (!uncoupled_) return flexibility(d).llt().solve(e);
+    using Block = Eigen::Matrix3d;
+    using Vector = Eigen::Vector3d;
+    const Block w = hat(d.template tail<3>()), u = hat(d.template head<3>());
+    const Block b = Kinv_.template bottomRightCorner<3, 3>() / 12;
+    const Block wa = w.lazyProduct(Kinv_.template topLeftCorner<3, 3>() / 12);
+    const Block ub = u.lazyProduct(b), wb = w.lazyProduct(b);
+    Block P = varied_.template topLeftCorner<3, 3>(), Q = varied_.template topRightCorner<3, 3>(),
+          R = varied_.template bottomRightCorner<3, 3>();
+    P -= wa.lazyProduct(w) + ub.lazyProduct(u);  // w~^T = -w~
+    Q -= ub.lazyProduct(w);
+    R -= wb.lazyProduct(w);
+    const Block Ri = R.inverse(), QRi = Q.lazyProduct(Ri);
+    const Block schur = P - QRi.lazyProduct(Q.transpose());
+    const Vector m = e.template tail<3>(), f = e.template head<3>() - QRi.lazyProduct(m);
+    Tangent n;
+    const Vector n_u = schur.inverse().lazyProduct(f);
+    n << n_u, Ri.lazyProduct(m) - QRi.transpose().lazyProduct(n_u);
+    return n;
+  }
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::conjugate(const Tangent& d, const Tangent& n) const -> Tangent {
+  const Tangent z = -Kinv_.lazyProduct(BeamElement<G>::minus_ad_transpose(d, n));
+  return n - (L_ / 12) * BeamElement<G>::minus_ad_transpose(z, n);
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::force_operator(const Tangent& n) -> Matrix {
+  Matrix N = Matrix::Zero();
+  if constexpr (G::space_dim == 2) {
+    N(0, 2) = n[1];
+    N(1, 2) = -n[0];
+    N(2, 0) = -n[1];
+    N(2, 1) = n[0];
+  } else {
+    const Eigen::Matrix3d f = hat(n.template head<3>());
+    N.template topRightCorner<3, 3>() = f;
+    N.template bottomLeftCorner<3, 3>() = f;
+    N.template bottomRightCorner<3, 3>() = hat(n.template tail<3>());
+  }
+  return N;
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::Y(const Tangent& d, const Tangent& n) const -> Matrix {
+  const Matrix a = G::ad(d), N = force_operator(n);
+  const Tangent z = Kinv_ * (a.transpose() * n);
+  return Matrix::Identity() + (L_ / 12) * (G::ad(z) - a * Kinv_ * N);
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n) const -> Matrix {
+  const Matrix y = Y(d, n), N = force_operator(n);
+  const Matrix c = flexibility(d).llt().solve(y);
+  return y.transpose() * c / L_ - (L_ / 12) * N.transpose() * Kinv_ * N;
+}
+
+/// -F' n = K^-1 K' (K^-1 n + K^-1 ad^T(d) n / 12 ...) with K^-1' = -K^-1 K' K^-1.
+template <FrameGroup G>
+auto CondensedLaw<G>::minus_flexibility_by(const Tangent& d, const Tangent& n,
+                                           const Matrix& dK) const -> Tangent {
+  const Matrix a = G::ad(d), D = Kinv_ * dK * Kinv_;
+  return D * n - slope_ * (D * n) - D * (slope_.transpose() * n) +
+         a * (D * (a.transpose() * n)) / 12;
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::stress_by(const Tangent& d, const Tangent& n, const Matrix& dK) const
+    -> Tangent {
+  return stress(d, minus_flexibility_by(d, n, dK));
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::conjugate_by(const Tangent& d, const Tangent& n, const Tangent& dn,
+                                   const Matrix& dK) const -> Tangent {
+  const Matrix a = G::ad(d);
+  const Tangent z = Kinv_ * (a.transpose() * n), dz = Kinv_ * (a.transpose() * dn - dK * z);
+  return dn + (L_ / 12) * (G::ad(dz).transpose() * n + G::ad(z).transpose() * dn);
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::of_flexibility(const Matrix& X) const -> Matrix {
+  const Matrix a = G::ad(d0_);
+  return X - slope_ * X - X * slope_.transpose() + a * X * a.transpose() / 12;
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::stiffness_at_rest_by(const Matrix& dK) const -> Matrix {
+  return C0_ * of_flexibility(Kinv_ * dK * Kinv_) * C0_;
+}
+
+/// F_p C F_q + F_q C F_p - F_pq between two C.
+template <FrameGroup G>
+auto CondensedLaw<G>::stiffness_at_rest_second(const Matrix& K_p, const Matrix& K_q,
+                                               const Matrix& K_pq) const -> Matrix {
+  const Matrix F_p = of_flexibility(Kinv_ * K_p * Kinv_), F_q = of_flexibility(Kinv_ * K_q * Kinv_);
+  const Matrix X = Kinv_ * (K_p * Kinv_ * K_q + K_q * Kinv_ * K_p - K_pq) * Kinv_;
+  return C0_ * (F_p * C0_ * F_q + F_q * C0_ * F_p - of_flexibility(X)) * C0_;
+}
+
+template class CondensedLaw<SE2>;
+template class CondensedLaw<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,84 @@
+#pragma once
+/// @file
+/// Elastic law of a beam element whose strain varies linearly along it, its slope condensed: a
+/// two-node element of fourth order that neither locks nor has internal unknowns.
+///
+/// With a(s) = a_0 + a_1 (s - L/2) for the strains including those of the axis, the motion over
+/// the element is (Magnus expansion, Iserles, Norsett 1999, to fourth order)
+///
+///   d = log(H_A^-1 H_B) = L a_0 + (L^3/12) ad(a_0) a_1.
+///
+/// Potential L/2 eps_0^T K eps_0 + L^3/24 eps_1^T K eps_1 with that as constraint, n its
+/// multiplier: K eps_1 = ad(a_0)^T n, the equilibrium of the section forces, and with a_0 = d/L in
+/// the terms of higher order
+///
+///   F(d) n = (d - d0)/L,   F(d) = K^-1 + ad(d) K^-1 ad(d)^T / 12 + F_r,
+///   V(d) = (L/2) eps^T F(d)^-1 eps,   dV/dd = n + (L/12) ad(z)^T n,   z = K^-1 ad(d)^T n.
+///
+/// On a straight axis F has 1/(GA) + L^2/(12 EI) for shear: the exact stiffness of Timoshenko's
+/// beam. F_r = -(L^2/12)(ad(a_r) K^-1 + K^-1 ad(a_r)^T) is there where the curvature of the axis
+/// varies, a_r = [0; kappa_1] its slope, which follows from d0 as nodal frames are tangent to it.
+
+#include "mbs/bodies/beam_element.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+class CondensedLaw {
+ public:
+  using Tangent = typename G::Tangent;
+  using Matrix = typename G::Matrix;
+
+  /// @param d0 relative motion of the nodes at rest, x along the axis at both
+  /// @param K section stiffness
+  CondensedLaw(const Tangent& d0, const Matrix& K);
+
+  /// Length along the axis, m.
+  double length() const { return L_; }
+  const Tangent& d0() const { return d0_; }
+  const Matrix& section_stiffness() const { return K_; }
+  const Matrix& section_flexibility() const { return Kinv_; }
+
+  /// F(d); F(d0)^-1, constant.
+  Matrix flexibility(const Tangent& d) const;
+  const Matrix& stiffness_at_rest() const { return C0_; }
+  /// n of F(d) n = e for a strain e (of (d - d0)/L, of its rate too where there is damping).
+  Tangent stress(const Tangent& d, const Tangent& e) const;
+  /// n + (L/12) ad(z)^T n: the section force that works on d, g = P(d)^T of it.
+  Tangent conjugate(const Tangent& d, const Tangent& n) const;
+  /// Y = I + (L/12)(ad(z) - ad(d) K^-1 N(n)): dn = F^-1 Y dd/L, and Y^T dn is what the conjugate
+  /// force changes by. N(n) x = ad(x)^T n.
+  Matrix Y(const Tangent& d, const Tangent& n) const;
+  /// d(conjugate)/dd = Y^T F^-1 Y / L - (L/12) N^T K^-1 N, symmetric.
+  Matrix hessian(const Tangent& d, const Tangent& n) const;
+  /// N(n): N x = ad(x)^T n, antisymmetric.
+  static Matrix force_operator(const Tangent& n);
+
+  /// By a parameter of the section, K' = dK/dp, at constant d and e.
+  /// dn/dp = F^-1 [K^-1 K' K^-1 n + ad(d) K^-1 K' z / 12 + F_r' terms]
+  Tangent stress_by(const Tangent& d, const Tangent& n, const Matrix& dK) const;
+  /// d(conjugate)/dp, n and its derivative given.
+  Tangent conjugate_by(const Tangent& d, const Tangent& n, const Tangent& dn,
+                       const Matrix& dK) const;
+  /// d(F(d0)^-1)/dp = C (-dF/dp) C, and d2/dp dq.
+  Matrix stiffness_at_rest_by(const Matrix& dK) const;
+  Matrix stiffness_at_rest_second(const Matrix& K_p, const Matrix& K_q, const Matrix& K_pq) const;
+
+ private:
+  /// F(d0) as a linear function of the flexibility X of the section.
+  Matrix of_flexibility(const Matrix& X) const;
+  /// -dF(d)/dp n
+  Tangent minus_flexibility_by(const Tangent& d, const Tangent& n, const Matrix& dK) const;
+
+  Tangent d0_;
+  double L_;
+  Matrix K_, Kinv_, C0_;
+  Matrix slope_;    ///< ad(a_r) L^2/12
+  Matrix varied_;   ///< K^-1 + F_r
+  bool uncoupled_;  ///< K has no blocks that couple translation and rotation
+};
+
+extern template class CondensedLaw<SE2>;
+extern template class CondensedLaw<SE3>;
+
+}  // namespace liesl

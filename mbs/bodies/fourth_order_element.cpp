@@ -1,0 +1,202 @@
+#include "mbs/bodies/fourth_order_element.hpp"
+
+#include <stdexcept>
+
+#include "mbs/bodies/body.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+FourthOrderElement<G>::FourthOrderElement(const G& A, const G& B, const Matrix& K,
+                                          const Matrix& M_s)
+    : law_(relative(A, B), K),
+      M_s_(M_s),
+      C0_(law_.stiffness_at_rest()),
+      inertia_(length(), HermiteInertia<G>::coefficients(length(), M_s, bending_share())),
+      mass_(inertia_.mass(A, B)) {}
+
+template <FrameGroup G>
+FourthOrderElement<G>::FourthOrderElement(const FourthOrderElement& of, const Matrix& dK,
+                                          const Matrix& dM_s)
+    : law_(of.law_),
+      M_s_(dM_s),
+      C0_(law_.stiffness_at_rest_by(dK)),
+      dK_(dK),
+      inertia_(length(), HermiteInertia<G>::derivative(length(), of.M_s_, of.bending_share(), dM_s,
+                                                       bending_share_by(dK))),
+      mass_(inertia_.mass(G::identity(), G::exp(d0()))) {}
+
+/// eta = (L^2/12)(K^-1)_rr C_ii: shear i, and the rotation r that bends along i.
+template <FrameGroup G>
+auto FourthOrderElement<G>::bending_share() const -> Share {
+  Share eta = Share::Zero();
+  const Matrix &C = law_.stiffness_at_rest(), &f = law_.section_flexibility();
+  for (int i = 1; i < G::space_dim; ++i) {
+    const int r = dim - i;
+    eta[i] = length() * length() / 12 * C(i, i) * f(r, r);
+  }
+  return eta;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::bending_share_by(const Matrix& dK) const -> Share {
+  Share eta = Share::Zero();
+  const Matrix &C = law_.stiffness_at_rest(), &f = law_.section_flexibility();
+  const Matrix dC = law_.stiffness_at_rest_by(dK), df = -f * dK * f;
+  for (int i = 1; i < G::space_dim; ++i) {
+    const int r = dim - i;
+    eta[i] = length() * length() / 12 * (dC(i, i) * f(r, r) + C(i, i) * df(r, r));
+  }
+  return eta;
+}
+
+template <FrameGroup G>
+void FourthOrderElement<G>::need_law(const char* what) const {
+  if (dK_)
+    throw std::logic_error(std::string("the derivative of a beam element of fourth order has no ") +
+                           what);
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::strain_rate(const Tangent& d, const double* v) const -> Tangent {
+  return P(d) * Eigen::Map<const Pair>(v) / length();
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::conjugate_to(const Tangent& d, const Tangent& e) const -> Tangent {
+  const Tangent n = law_.stress(d, e);
+  if (!dK_) return law_.conjugate(d, n);
+  return law_.conjugate_by(d, n, law_.stress_by(d, n, *dK_), *dK_);
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::stress(const G& A, const G& B) const -> Tangent {
+  const Tangent d = relative(A, B), n = law_.stress(d, (d - d0()) / length());
+  return dK_ ? law_.stress_by(d, n, *dK_) : n;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::conjugate(const G& A, const G& B) const -> Tangent {
+  const Tangent d = relative(A, B);
+  return conjugate_to(d, (d - d0()) / length());
+}
+
+/// Column by column: F dn = Y dd/L.
+template <FrameGroup G>
+auto FourthOrderElement<G>::stress_gradient(const G& A, const G& B) const -> Matrix {
+  need_law("gradient of its section force");
+  const Tangent d = relative(A, B);
+  const Matrix y = law_.Y(d, law_.stress(d, (d - d0()) / length()));
+  Matrix out;
+  for (int j = 0; j < dim; ++j) out.col(j) = law_.stress(d, y.col(j)) / length();
+  return out;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::extrapolated(const G& A, const G& B, const Tangent& about,
+                                         const Pair& delta) const -> Tangent {
+  const Tangent d = relative(A, B);
+  return law_.stress(d, (d - d0() + law_.Y(d, about) * (P(d) * delta)) / length());
+}
+
+template <FrameGroup G>
+double FourthOrderElement<G>::elastic_energy(const G& A, const G& B) const {
+  return 0.5 * length() * strain(A, B).dot(stress(A, B));
+}
+
+template <FrameGroup G>
+double FourthOrderElement<G>::dissipation(const G& A, const G& B, const double* v,
+                                          double damping) const {
+  const Tangent d = relative(A, B), e = (d - d0()) / length(), rate = strain_rate(d, v);
+  return length() * rate.dot(conjugate_to(d, e + damping * rate) - conjugate_to(d, e));
+}
+
+template <FrameGroup G>
+void FourthOrderElement<G>::internal_force(const G& A, const G& B, const double* v, double damping,
+                                           Pair& g, const double* about) const {
+  Tangent d;
+  Matrix Ti;
+  G::log_and_Tinv(A.inverse() * B, d, Ti);
+  Tangent e = (d - d0()) / length();
+  if (damping > 0) e += damping * strain_rate(d, v);
+  Tangent n;
+  if (about) {
+    const Tangent at = Eigen::Map<const Tangent>(about);
+    n = law_.conjugate(d, at) + law_.Y(d, at).transpose() * (law_.stress(d, e) - at);
+  } else {
+    n = conjugate_to(d, e);
+  }
+  const Tangent on_B = Ti.transpose().lazyProduct(n);
+  g.template head<dim>() = -on_B - Second::minus_ad_transpose(d, n);
+  g.template tail<dim>() = on_B;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::constant_tangent() const -> PairMatrix {
+  const Gradient p = P(d0());
+  return p.transpose() * C0_ * p / length();
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::damping_tangent(const G& A, const G& B, const double* v,
+                                            double damping) const -> PairMatrix {
+  need_law("tangent");
+  const Tangent d = relative(A, B);
+  const Tangent n = law_.stress(d, (d - d0()) / length() + damping * strain_rate(d, v));
+  const Gradient p = P(d);
+  const Matrix y = law_.Y(d, n);
+  Gradient n_by_v;
+  for (int j = 0; j < 2 * dim; ++j) n_by_v.col(j) = law_.stress(d, p.col(j)) * (damping / length());
+  return p.transpose() * y.transpose() * n_by_v;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::damped_tangent(const G& A, const G& B, const Tangent& elastic,
+                                           const double* v, double damping) const -> PairMatrix {
+  need_law("tangent");
+  const Tangent d = relative(A, B);
+  const Gradient p = P(d);
+  Tangent n = elastic;
+  if (damping > 0) n += law_.stress(d, damping * strain_rate(d, v));
+  Matrix H = law_.hessian(d, n);
+  if (damping > 0) {
+    const Matrix turning = dP(d, v), y = law_.Y(d, n);
+    for (int j = 0; j < dim; ++j)
+      H.col(j) += y.transpose() * law_.stress(d, turning.col(j)) * (damping / length());
+  }
+  const Tangent force = law_.conjugate(d, n);
+  PairMatrix k = p.transpose() * H * p;
+  k.template topRows<dim>() += G::dTinvT(-d, force) * p;
+  k.template bottomRows<dim>() += G::dTinvT(d, force) * p;
+  return k;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::load_shares() const -> PairMatrix {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  const double L = length();
+  const auto X = HermiteInertia<G>::turning();
+  PairMatrix W = PairMatrix::Zero();
+  W.template block<sd, sd>(0, 0).diagonal().setConstant(L / 2);
+  W.template block<sd, sd>(dim, dim).diagonal().setConstant(L / 2);
+  W.template block<rd, sd>(sd, 0) = L * L / 12 * X.transpose();
+  W.template block<rd, sd>(dim + sd, dim) = -L * L / 12 * X.transpose();
+  return W;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::inertia_stiffness(const G& A, const G& B, const double* v,
+                                              const Pair& a, const Vector& gravity) const
+    -> PairMatrix {
+  PairMatrix k = inertia_.stiffness(A, B, v, a);
+  if (gravity.squaredNorm() == 0) return k;
+  PairMatrix D = PairMatrix::Zero();
+  D.template topLeftCorner<dim, dim>() = liesl::weight_tangent<G>(A, gravity);
+  D.template bottomRightCorner<dim, dim>() = liesl::weight_tangent<G>(B, gravity);
+  return k + mass(A, B) * D;
+}
+
+template class FourthOrderElement<SE2>;
+template class FourthOrderElement<SE3>;
+
+}  // namespace liesl

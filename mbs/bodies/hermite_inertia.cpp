@@ -1,0 +1,285 @@
+#include "mbs/bodies/hermite_inertia.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+namespace {
+
+/// Index among the rotations of the one that bends along direction i.
+template <int rd>
+constexpr int bends(int i) {
+  return rd == 1 ? 0 : 3 - i;
+}
+
+constexpr double kMost = 0.9;  // of the largest D that leaves the kinetic energy positive
+
+/// The largest D: J w^2 + 2 D w rdot + (m L^2/12) rdot^2 > 0. No section of solid material gets
+/// there; inertia that is set without it may.
+double most(double L, double m, double J) { return kMost * L * std::sqrt(m * J / 12); }
+
+}  // namespace
+
+template <FrameGroup G>
+auto HermiteInertia<G>::turning() -> Eigen::Matrix<double, sd, rd> {
+  return -RotationOf<G>::cross(Vector::Unit(0));
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta) -> Coefficients {
+  Coefficients c{M, Share::Zero(), Share::Zero()};
+  for (int i = 1; i < sd; ++i) {
+    const int r = sd + bends<rd>(i);
+    const double J = M(r, r), shear = 1 - eta[i];
+    c.D[i] = eta[i] * J - 0.5 * eta[i] * shear * J + L * L / 24 * M(0, 0) * shear;
+    c.D[i] = std::min(c.D[i], most(L, M(0, 0), J));
+    c.shear[i] = shear * J;
+  }
+  return c;
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
+                                   const Share& deta) -> Coefficients {
+  Coefficients c{dM, Share::Zero(), Share::Zero()};
+  const Coefficients at = coefficients(L, M, eta);
+  const double m = M(0, 0), dm = dM(0, 0);
+  for (int i = 1; i < sd; ++i) {
+    const int r = sd + bends<rd>(i);
+    const double J = M(r, r), dJ = dM(r, r), shear = 1 - eta[i], largest = most(L, m, J);
+    if (at.D[i] == largest)
+      c.D[i] = 0.5 * largest * (dm / m + dJ / J);
+    else
+      c.D[i] = eta[i] * dJ - 0.5 * eta[i] * shear * dJ + L * L / 24 * dm * shear +
+               deta[i] * (J - 0.5 * (1 - 2 * eta[i]) * J - L * L / 24 * m);
+    c.shear[i] = shear * dJ - deta[i] * J;
+  }
+  return c;
+}
+
+template <FrameGroup G>
+HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c) : L_(L), m_(c.M(0, 0)), D_(c.D) {
+  const double m = m_ * L, mL = m * L, mLL = mL * L;
+  AA_ << 5 * m / 12, mL / 12, -0.5, mL / 12, mLL / 32, -L / 4, -0.5, -L / 4, 0;
+  BB_ << 5 * m / 12, -mL / 12, 0.5, -mL / 12, mLL / 32, -L / 4, 0.5, -L / 4, 0;
+  AB_ << m / 12, 0, -0.5, 0, mLL / 96, -L / 4, 0.5, -L / 4, 0;
+  const auto J = c.M.template bottomRightCorner<rd, rd>().eval();
+  Eigen::Matrix<double, rd, rd> moved = Eigen::Matrix<double, rd, rd>::Zero();
+  if (rd == 3) moved(0, 0) = J(0, 0) / 12;
+  for (int i = 1; i < sd; ++i) moved(bends<rd>(i), bends<rd>(i)) = c.shear[i] / 12;
+  Ja_ = L * (J / 3 + moved);
+  Jc_ = L * (J / 6 - moved);
+}
+
+/// w x e_1 = (0, w_z, -w_y), of a plane (0, w).
+template <FrameGroup G>
+auto HermiteInertia<G>::of_node(const Tangent& v) const -> Three {
+  Three p;
+  p.col(0) = v.template head<sd>();
+  p(0, 1) = p(0, 2) = 0;
+  p(1, 1) = v[dim - 1];
+  p(1, 2) = D_[1] * v[dim - 1];
+  if constexpr (sd == 3) {
+    p(2, 1) = -v[4];
+    p(2, 2) = -D_[2] * v[4];
+  }
+  return p;
+}
+
+/// N a + w x (N v), N v by column: rates of R u, R (w x e_1), R D (w x e_1) in the axes of R.
+template <FrameGroup G>
+auto HermiteInertia<G>::acceleration(const Tangent& v, const Tangent& a) const -> Three {
+  Three p = of_node(a);
+  if constexpr (sd == 2) {
+    const double w = v[2];
+    p(0, 0) -= w * v[1];
+    p(1, 0) += w * v[0];
+    p(0, 1) = -w * w;
+    p(0, 2) = -D_[1] * w * w;
+  } else {
+    const double x = v[3], y = v[4], z = v[5], xy = x * y, xz = x * z, yy = y * y, zz = z * z;
+    p(0, 0) += y * v[2] - z * v[1];
+    p(1, 0) += z * v[0] - x * v[2];
+    p(2, 0) += x * v[1] - y * v[0];
+    p(0, 1) = -yy - zz;
+    p(1, 1) += xy;
+    p(2, 1) += xz;
+    p(0, 2) = -D_[2] * yy - D_[1] * zz;
+    p(1, 2) += D_[2] * xy;
+    p(2, 2) += D_[1] * xz;
+  }
+  return p;
+}
+
+/// N^T f
+template <FrameGroup G>
+auto HermiteInertia<G>::collect(const Three& f) const -> Tangent {
+  Tangent g;
+  g.template head<sd>() = f.col(0);
+  g[dim - 1] = f(1, 1) + D_[1] * f(1, 2);
+  if constexpr (sd == 3) {
+    g[3] = 0;
+    g[4] = -f(2, 1) - D_[2] * f(2, 2);
+  }
+  return g;
+}
+
+template <FrameGroup G>
+void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pair& a,
+                              Pair& g) const {
+  const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
+  const Rotation S = A.R.transpose() * B.R;
+  const Three p = acceleration(v_A, a.template head<dim>()),
+              q = acceleration(v_B, a.template tail<dim>());
+  const Three from_B = q.lazyProduct(AB_.transpose()), from_A = p.lazyProduct(AB_);
+  Three on_A = p.lazyProduct(AA_), on_B = q.lazyProduct(BB_);
+  on_A += S.lazyProduct(from_B);
+  on_B += S.transpose().lazyProduct(from_A);
+  g.template head<dim>() = collect(on_A);
+  g.template tail<dim>() = collect(on_B);
+  const Angular b_A = a.template segment<rd>(sd), b_B = a.template tail<rd>();
+  g.template segment<rd>(sd) += Ja_.lazyProduct(b_A) + Jc_.lazyProduct(b_B);
+  g.template tail<rd>() += Ja_.lazyProduct(b_B) + Jc_.transpose().lazyProduct(b_A);
+  if constexpr (rd == 3) {
+    const Angular w_A = v_A.template tail<3>(), w_B = v_B.template tail<3>();
+    const Angular L_A = Ja_.lazyProduct(w_A) + Jc_.lazyProduct(w_B),
+                  L_B = Ja_.lazyProduct(w_B) + Jc_.transpose().lazyProduct(w_A);
+    g.template segment<3>(sd) += w_A.cross(L_A);
+    g.template tail<3>() += w_B.cross(L_B);
+  }
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::by_node() const -> ThreeByNode {
+  ThreeByNode N;
+  for (int j = 0; j < dim; ++j) N.col(j) = of_node(Tangent::Unit(j)).reshaped();
+  return N;
+}
+
+/// The two coupled blocks N^T (c x S) N.
+template <FrameGroup G>
+auto HermiteInertia<G>::coupled(const Rotation& S) const -> PairMatrix {
+  const ThreeByNode N = by_node();
+  Eigen::Matrix<double, 3 * sd, 3 * sd> C;
+  PairMatrix M = PairMatrix::Zero();
+  const auto block = [&](const Eigen::Matrix3d& c, const Rotation& R) {
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j) C.template block<sd, sd>(sd * i, sd * j) = c(i, j) * R;
+    return Matrix(N.transpose() * C * N);
+  };
+  M.template topLeftCorner<dim, dim>() = block(AA_, Rotation::Identity());
+  M.template bottomRightCorner<dim, dim>() = block(BB_, Rotation::Identity());
+  M.template topRightCorner<dim, dim>() = block(AB_, S);
+  M.template bottomLeftCorner<dim, dim>() = M.template topRightCorner<dim, dim>().transpose();
+  return M;
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::mass(const G& A, const G& B) const -> PairMatrix {
+  PairMatrix M = coupled(A.R.transpose() * B.R);
+  M.template block<rd, rd>(sd, sd) += Ja_;
+  M.template bottomRightCorner<rd, rd>() += Ja_;
+  M.template block<rd, rd>(sd, dim + sd) += Jc_;
+  M.template block<rd, rd>(dim + sd, sd) += Jc_.transpose();
+  return M;
+}
+
+/// D_v acceleration(v, a): d(w x q) = w x dq - q x dw.
+template <FrameGroup G>
+auto HermiteInertia<G>::gyroscopic_columns(const Tangent& v) const -> ThreeByNode {
+  ThreeByNode C;
+  const Three q = of_node(v);
+  const Angular w = v.template tail<rd>();
+  for (int j = 0; j < dim; ++j) {
+    const Tangent e = Tangent::Unit(j);
+    const Three dq = of_node(e);
+    const Angular dw = e.template tail<rd>();
+    Three column;
+    for (int i = 0; i < 3; ++i)
+      column.col(i) = -RotationOf<G>::cross(Vector(dq.col(i))) * w -
+                      RotationOf<G>::cross(Vector(q.col(i))) * dw;
+    C.col(j) = column.reshaped();
+  }
+  return C;
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const double* v) const
+    -> PairMatrix {
+  const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
+  const Rotation S = A.R.transpose() * B.R;
+  const ThreeByNode by_A = gyroscopic_columns(v_A), by_B = gyroscopic_columns(v_B);
+  PairMatrix c;
+  for (int j = 0; j < dim; ++j) {
+    const Three p = by_A.col(j).reshaped(sd, 3), q = by_B.col(j).reshaped(sd, 3);
+    c.col(j) << collect(p * AA_), collect(S.transpose() * (p * AB_));
+    c.col(dim + j) << collect(S * (q * AB_.transpose())), collect(q * BB_);
+  }
+  if constexpr (rd == 3) {
+    const Angular w_A = v_A.template tail<3>(), w_B = v_B.template tail<3>();
+    c.template block<3, 3>(3, 3) += hat(w_A) * Ja_ - hat(Angular(Ja_ * w_A + Jc_ * w_B));
+    c.template block<3, 3>(3, 9) += hat(w_A) * Jc_;
+    c.template block<3, 3>(9, 9) +=
+        hat(w_B) * Ja_ - hat(Angular(Ja_ * w_B + Jc_.transpose() * w_A));
+    c.template block<3, 3>(9, 3) += hat(w_B) * Jc_.transpose();
+  }
+  return c;
+}
+
+/// dS = -w_A~ S + S w_B~ on what each node has of the other.
+template <FrameGroup G>
+auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const Pair& a) const
+    -> PairMatrix {
+  using Rot = RotationOf<G>;
+  const Rotation S = A.R.transpose() * B.R;
+  const Three p = acceleration(Eigen::Map<const Tangent>(v), a.template head<dim>()),
+              q = acceleration(Eigen::Map<const Tangent>(v + dim), a.template tail<dim>());
+  const Three y = q * AB_.transpose(), z = p * AB_;
+  PairMatrix k = PairMatrix::Zero();
+  for (int j = 0; j < rd; ++j) {
+    Three on_A, on_B, by_B_on_A, by_B_on_B;
+    for (int i = 0; i < 3; ++i) {
+      on_A.col(i) = Rot::cross(Vector(S * y.col(i))).col(j);
+      by_B_on_A.col(i) = -S * Rot::cross(Vector(y.col(i))).col(j);
+      on_B.col(i) = -S.transpose() * Rot::cross(Vector(z.col(i))).col(j);
+      by_B_on_B.col(i) = Rot::cross(Vector(S.transpose() * z.col(i))).col(j);
+    }
+    k.col(sd + j) << collect(on_A), collect(on_B);
+    k.col(dim + sd + j) << collect(by_B_on_A), collect(by_B_on_B);
+  }
+  return k;
+}
+
+/// p_A . dS y, y = c p_B.
+template <FrameGroup G>
+auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const double* v) const -> Pair {
+  using Rot = RotationOf<G>;
+  const Rotation S = A.R.transpose() * B.R;
+  const Three p = of_node(Eigen::Map<const Tangent>(v)),
+              y = of_node(Eigen::Map<const Tangent>(v + dim)) * AB_.transpose();
+  Pair g = Pair::Zero();
+  for (int i = 0; i < 3; ++i) {
+    g.template segment<rd>(sd) += Rot::cross(Vector(S * y.col(i))).transpose() * p.col(i);
+    g.template tail<rd>() -= Rot::cross(Vector(y.col(i))).transpose() * (S.transpose() * p.col(i));
+  }
+  return g;
+}
+
+template <FrameGroup G>
+double HermiteInertia<G>::weight_potential(const G& A, const G& B, const Vector& a) const {
+  return -m_ * L_ * a.dot(0.5 * (A.x + B.x) + L_ / 12 * (A.R.col(0) - B.R.col(0)));
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::weight_gradient(const G& A, const G& B, const Vector& a) const -> Pair {
+  const Vector at_A = A.R.transpose() * a, at_B = B.R.transpose() * a;
+  Pair g;
+  g << 0.5 * at_A, L_ / 12 * (turning().transpose() * at_A), 0.5 * at_B,
+      -L_ / 12 * (turning().transpose() * at_B);
+  return -m_ * L_ * g;
+}
+
+template class HermiteInertia<SE2>;
+template class HermiteInertia<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,92 @@
+#pragma once
+/// @file
+/// Inertia of a two-node beam element of fourth order.
+///
+/// Kinetic energy of translation by Simpson's rule, the middle where the cubic through both nodes
+/// with tangents b_k = R_k e_1 is, x_m = (x_A + x_B)/2 + (L/8)(b_A - b_B), in inertial axes:
+///
+///   T = m L [|xdot_A|^2 + 4 |xdot_m|^2 + |xdot_B|^2]/12 + (m L^3/24)|rdot|^2
+///     + (L/2) rdot . Pdot + rotation,
+///   r = (x_B - x_A)/L - (b_A + b_B)/2,   Pdot = sum_k R_k D (w_k x e_1).
+///
+/// The second term makes waves along the axis of fourth order (masses 5/12, 1/12 of a linear
+/// element), the third is the rotation of sections in the middle by bending and the same for shear,
+/// D = eta J - eta(1 - eta) J/2 + m L^2 (1 - eta)/24 with eta the share of bending in the
+/// flexibility L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1), at most what leaves T
+/// positive. Rotation of sections: (5/12, 1/12) of J L for torsion, (1/3, 1/6) and what eta leaves
+/// for bending.
+///
+/// T depends on x_B - x_A and S = R_A^T R_B only and is exact for translations: linear momentum
+/// and energy are kept, and so is the weight exact. Forces are virtual work of accelerations,
+/// sum_k (dV_k)^T Vdot. Of fourth order for small deformations of any straight beam; what turns
+/// with the sections of a bent or curved one is of second order times (radius of inertia x
+/// curvature)^2.
+
+#include "liegroup/rotation.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+class HermiteInertia {
+ public:
+  static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
+  using Tangent = typename G::Tangent;
+  using Matrix = typename G::Matrix;
+  using Pair = Eigen::Matrix<double, 2 * dim, 1>;
+  using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
+  using Vector = Eigen::Matrix<double, sd, 1>;
+  using Rotation = Eigen::Matrix<double, sd, sd>;
+  using Angular = Eigen::Matrix<double, rd, 1>;
+  using Share = Eigen::Matrix<double, sd, 1>;
+
+  /// What T is linear in: the inertia per length M_s (without coupling of translation and
+  /// rotation), and the products of J, m and eta that go with bending along y and z (component 0
+  /// is unused).
+  struct Coefficients {
+    Matrix M;     ///< kg/m, kg m
+    Share D;      ///< kg m
+    Share shear;  ///< (1 - eta) J, kg m
+  };
+  /// @param eta share of bending by direction
+  static Coefficients coefficients(double L, const Matrix& M, const Share& eta);
+  /// d(coefficients)/dp.
+  static Coefficients derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
+                                 const Share& deta);
+
+  HermiteInertia(double L, const Coefficients& c);
+
+  void force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
+  PairMatrix mass(const G& A, const G& B) const;
+  /// d (force without M vdot)/dv.
+  PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
+  /// d force/d[h_A; h_B] at constant v and a, without what turns in a.
+  PairMatrix stiffness(const G& A, const G& B, const double* v, const Pair& a) const;
+  /// dT/d[h_A; h_B] at constant v.
+  Pair kinetic_gradient(const G& A, const G& B, const double* v) const;
+  double weight_potential(const G& A, const G& B, const Vector& a) const;
+  Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
+
+  /// X w = w x e_1.
+  static Eigen::Matrix<double, sd, rd> turning();
+
+ private:
+  using Three = Eigen::Matrix<double, sd, 3>;  ///< [u, w x e_1, D (w x e_1)] of a node
+  using ThreeByNode = Eigen::Matrix<double, 3 * sd, dim>;
+
+  Three of_node(const Tangent& v) const;
+  Three acceleration(const Tangent& v, const Tangent& a) const;
+  Tangent collect(const Three& f) const;
+  ThreeByNode by_node() const;
+  ThreeByNode gyroscopic_columns(const Tangent& v) const;
+  PairMatrix coupled(const Rotation& S) const;
+
+  double L_, m_;
+  Share D_;
+  Eigen::Matrix<double, rd, rd> Ja_, Jc_;  ///< rotation: L J (1/3 + ...), L J (1/6 - ...)
+  Eigen::Matrix3d AA_, AB_, BB_;
+};
+
+extern template class HermiteInertia<SE2>;
+extern template class HermiteInertia<SE3>;
+
+}  // namespace liesl
