@@ -119,6 +119,7 @@ int optimize_command(const CommandOptions& options) {
   const ChosenSpace space = choose_space(study.scene);
   if (options.check_derivatives) return check_all_derivatives(study, space, options) ? 0 : 1;
   check_options(study, options);
+  if (options.verify) check_verifiable(study.scene.simulation);
   output::OptimizeSummary summary;
   summary.command = "optimize";
   summary.overrides = options.set;

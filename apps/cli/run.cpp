@@ -12,6 +12,7 @@ namespace liesl {
 int run_command(const CommandOptions& options) {
   const Stopwatch clock;
   const Scene scene = load_scene(options.file, options.set);
+  if (options.verify) check_verifiable(scene.simulation);
   const ChosenSpace space = choose_space(scene);
   output::AtomicFolder folder(options.out, options.force);
   SimulationLine line(scene.simulation, options.quiet);

@@ -30,7 +30,10 @@ void print_frequencies(const output::RunSummary& summary) {
 /// " +- 2.3e-05" where the response was verified.
 std::string verified_error(const output::ResponseFigure& r) {
   if (!r.error_mesh && !r.error_step) return "";
-  return fmt::format(" +- {:.2g}", r.error_mesh.value_or(0) + r.error_step.value_or(0));
+  return fmt::format(" +- {:.2g}{}", r.error_mesh.value_or(0) + r.error_step.value_or(0),
+                     !r.error_mesh   ? " (step alone)"
+                     : !r.error_step ? " (mesh alone)"
+                                     : "");
 }
 
 }  // namespace

@@ -71,6 +71,7 @@ bool read_order(Reader& reader, const std::string& name, const toml::table& tabl
            "order = 2, or simulation.formalism = \"se3\"");
   if (beam.as != BeamModel::AsFormalism)
     refuse(fmt::format("of order 4 as \"{}\"", text(table, "as")), "order = 2");
+  if (beam.damping > 0) refuse("of order 4 has damping", "order = 2, or damping = 0");
   for (const Section& section : beam.sections) {
     const auto* full = std::get_if<FullSection>(&section.shape);
     if (!full || full->inertia.topRightCorner<3, 3>().isZero(0)) continue;

@@ -132,7 +132,8 @@ void read_update(Reader& reader, const toml::table& table) {
   if (update == "se3") mechanism.update = NodeUpdate::Screw;
   if (update == "r3so3") mechanism.update = NodeUpdate::Decoupled;
   if (mechanism.update == NodeUpdate::AsFormalism) return;
-  if (mechanism.formalism == Formalism::Classical || mechanism.formalism == Formalism::Floating)
+  const Formalism f = mechanism.formalism;
+  if (f == Formalism::Classical || f == Formalism::Floating || f == Formalism::Segments)
     reader.problems.add(*table.get("update"),
                         fmt::format("'simulation.update' = \"{}\" in the formalism {}", update,
                                     to_string(mechanism.formalism)),

@@ -153,9 +153,16 @@ class Verification {
   /// Empty if the run does not reach its end.
   Peaks peaks(const Setting& s) {
     ++runs_;
-    const Scene scene = read(changes(s, given_));
-    const RunOutcome out = run_task(scene, choose_space(scene), progress_);
     Peaks found;
+    RunOutcome out;
+    try {
+      const Scene scene = read(changes(s, given_));
+      out = run_task(scene, choose_space(scene), progress_);
+    } catch (const InputError& refused) {
+      summary_.warnings.push_back("verification: another mesh or step is refused: " +
+                                  refused.problems.front().what);
+      return found;
+    }
     if (out.status != SolveStatus::Converged) {
       summary_.warnings.push_back(
           fmt::format("verification: a run did not reach its end: {}", out.summary.reason));
@@ -222,15 +229,18 @@ ErrorEstimate estimate_error(const Refinement& r, double order, double resolutio
   return e;
 }
 
-void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,
-            const Progress& progress) {
-  const SimulationOptions& o = scene.simulation;
+void check_verifiable(const SimulationOptions& o) {
   if (o.type == SimulationType::Modes || (o.type == SimulationType::Static && o.arc_length))
     throw InputError({{"--verify", 0, 0,
                        o.type == SimulationType::Modes
                            ? "natural frequencies have no responses to verify"
                            : "two paths by arc length have no load factors in common",
                        "a motion, or load steps", ""}});
+}
+
+void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,
+            const Progress& progress) {
+  check_verifiable(scene.simulation);
   Verification(source, scene, summary, progress).run();
 }
 

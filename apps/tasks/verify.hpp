@@ -43,11 +43,14 @@ struct VerifiedScene {
   std::vector<ResponseSpec> responses = {};
 };
 
+/// @throws InputError for natural frequencies and scenes that trace a path by arc length
+void check_verifiable(const SimulationOptions& options);
+
 /// Adds `error_mesh`, `error_step` to the responses of a summary, the key `verification`, and
 /// warnings where orders are not as expected or a part cannot be refined. Simulates the scene at
 /// most three times more.
 /// @param scene as read, with the further responses  @param summary of its run, with its space
-/// @throws InputError for natural frequencies and scenes that trace a path by arc length
+/// @throws InputError as check_verifiable
 void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,
             const Progress& progress = {});
 

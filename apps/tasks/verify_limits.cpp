@@ -34,9 +34,12 @@ void verify_limits(const std::string& design, const Study& study, output::Optimi
   VerifiedScene source{design, "design.toml", {}, limited(study.spec)};
   if (source.responses.empty()) return;
   Scene scene = read_scene(design, source.file, {});
-  scene.responses = source.responses;
+  for (const ResponseSpec& r : source.responses) scene.responses.push_back(r);
   RunOutcome given = run_task(scene, choose_space(scene), progress);
-  if (given.status != SolveStatus::Converged) return;
+  if (given.status != SolveStatus::Converged) {
+    summary.warnings.push_back("the limits were not verified: " + given.summary.reason);
+    return;
+  }
   given.summary.warnings.clear();
   verify(source, scene, given.summary, progress);
   double worst = 0;
@@ -49,6 +52,11 @@ void verify_limits(const std::string& design, const Study& study, output::Optimi
     if (found == all.end() || i >= summary.constraints.size()) continue;
     summary.constraints[i].error_mesh = found->error_mesh;
     summary.constraints[i].error_step = found->error_step;
+    for (const auto& [part, known] : {std::pair("mesh", found->error_mesh.has_value()),
+                                      std::pair("step", found->error_step.has_value())})
+      if (!known)
+        summary.warnings.push_back(
+            fmt::format("limit {}: its error by the {} is not known", c.response.name, part));
     const double error = found->error_mesh.value_or(0) + found->error_step.value_or(0);
     worst = std::max(worst, error / c.limit);
     if (error > study.spec.cycle.feasibility * c.limit)

@@ -83,6 +83,11 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     }
     model.nodes_ += model.bodies.back()->nodes();
   }
+  if (model.update == NodeUpdate::Decoupled &&
+      !(model.positions_.empty() && model.amplitudes_.empty()))
+    throw std::invalid_argument(
+        "simulation.update = \"r3so3\" moves nodes that are frames; chains of segments and bodies "
+        "with modes have others");
   const Ports<G> ports(mechanism, model);
   for (size_t j = 0; j < mechanism.joints.size(); ++j)
     model.couplings.push_back(build_joint(mechanism, static_cast<int>(j), space, ports));

@@ -28,6 +28,12 @@ std::unique_ptr<Body<G>> fourth_order(const std::string& name, const BeamSpec& b
   for (const ElementSection<G>& section : sections)
     if (!section.M.template topRightCorner<G::space_dim, G::rotation_dim>().isZero(0))
       refuse("its axis is not through the centres of mass of the sections");
+  for (const ElementSection<G>& section : sections) {
+    const auto mass = section.M.template topLeftCorner<G::space_dim, G::space_dim>();
+    if (!mass.isApprox(mass(0, 0) * SquareMatrix<G::space_dim>::Identity()))
+      refuse("the mass of a section is not the same in all directions");
+  }
+  if (beam.damping > 0) refuse("with damping, which could bring energy in where elements bend");
   return std::make_unique<FourthOrderBeam<G>>(name, std::move(nodes), sections, beam.damping);
 }
 
