@@ -123,6 +123,33 @@ TEST_F(RodOfCatalogue, SaysTheGapWhenTheDesignsAreUsedUp) {
       << end.last.end.reason;
 }
 
+/// The shipped rod: of all 14641 designs those that are lighter than the answer, and not below the
+/// continuous optimum, exceed the limit; each is simulated.
+TEST(RodOfCatalogueSlow, NoLighterDesignMeetsTheLimit) {
+  const Study study = load_study(std::string(kDataDir) + "/studies/rod_catalogue.toml");
+  const ChosenSpace space = choose_space(study.scene);
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, std::get<Space<SE2>>(space.space),
+                                       study.scene.simulation, study.spec);
+  const auto& values = study.spec.design[0].values;
+  VectorXd x(4);
+  x << 0.009, 0.012, 0.012, 0.010;
+  const auto answer = simulator.run(x);
+  ASSERT_LE(answer.worst, 1e-6);
+  const double square = x.squaredNorm(), least = square * 0.2102 / answer.mass;
+  int simulated = 0;
+  for (const double a : values)
+    for (const double b : values)
+      for (const double c : values)
+        for (const double d : values) {
+          x << a, b, c, d;
+          if (x.squaredNorm() >= square * (1 - 1e-12) || x.squaredNorm() < least) continue;
+          const auto run = simulator.run(x);
+          EXPECT_TRUE(!run.good() || run.worst > 1e-6) << x.transpose() << ": " << run.mass;
+          ++simulated;
+        }
+  EXPECT_EQ(simulated, 468);
+}
+
 /// Under fixed loads: the half-axes of a hole of drills and mills.
 TEST(PartOfCatalogue, IsTheBestOfAllDesigns) {
   const Study study =
