@@ -36,8 +36,8 @@ struct BodyState {
 
 /// What a node of a body is to the solvers.
 enum class NodeKind {
-  Frame,       ///< an unknown frame
-  Position,    ///< an unknown position: its axes are held within a step and follow the body after it
+  Frame,     ///< an unknown frame
+  Position,  ///< an unknown position: its axes are held within a step and follow the body after it
   Amplitudes,  ///< dim unknown amplitudes of modes: a vector; its frame follows
   Follower     ///< no unknowns: its frame follows from those of the body's other nodes
 };

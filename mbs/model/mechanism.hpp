@@ -156,8 +156,8 @@ enum class ConstraintForm {
 /// "multipliers", "penalty", "augmented": as a scene calls it.
 const char* to_string(ConstraintForm form);
 
-/// Weights alpha of the rows. Those that are 0 are chosen from the stiffness and, for bodies without,
-/// from the inertia within a step (mbs/system/penalty.hpp).
+/// Weights alpha of the rows. Those that are 0 are chosen from the stiffness and, for bodies
+/// without, from the inertia within a step (mbs/system/penalty.hpp).
 struct PenaltySpec {
   ConstraintForm form = ConstraintForm::Multipliers;
   double displacement = 0;  ///< of rows that are lengths, N/m; >= 0

@@ -74,7 +74,8 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
   if (model.update != NodeUpdate::Screw)
     throw std::invalid_argument(
         "sensitivities of the motion are those of the formalisms se3, segments, floating and "
-        "rigid; simulation.formalism = \"se3\", with its own update, has the same bodies and joints");
+        "rigid; simulation.formalism = \"se3\", with its own update, has the same bodies and "
+        "joints");
   if (model.penalty.form == ConstraintForm::Multipliers) return;
   if (model.penalty.damping > 0)
     throw std::invalid_argument(

@@ -5,8 +5,8 @@
 /// By penalties lambda is an unknown all the same, so that nothing is as stiff as they are: with
 /// compliances C = 1/alpha the rows are
 ///   Phi + tau dPhi/dt - C (lambda - lambda*) = 0,
-/// which eliminated is M vdot + B^T alpha Phi = Q (Garcia Orden, Arribas, Dopico, Gabaldon 2024, eq.
-/// 3).
+/// which eliminated is M vdot + B^T alpha Phi = Q (Garcia Orden, Arribas, Dopico, Gabaldon 2024,
+/// eq. 3).
 
 #include "mbs/system/model.hpp"
 

@@ -19,8 +19,8 @@ namespace liesl {
 /// How the constraints of a model are enforced, see `ConstraintForm`.
 struct Penalty {
   ConstraintForm form = ConstraintForm::Multipliers;
-  Eigen::VectorXd weight;  ///< alpha by multiplier, N/m or N m; empty: multipliers
-  double damping = 0;      ///< tau, s
+  Eigen::VectorXd weight;                 ///< alpha by multiplier, N/m or N m; empty: multipliers
+  double damping = 0;                     ///< tau, s
   double displacement = 0, rotation = 0;  ///< the weights by kind of row
 };
 
@@ -57,7 +57,8 @@ class Model {
   const std::vector<int>& frames() const { return frames_; }
   const std::vector<int>& positions() const { return positions_; }
   const std::vector<int>& amplitudes() const { return amplitudes_; }
-  /// Moves a state by left-invariant increments, dim a node: frames H <- H exp(delta_k), positions x
+  /// Moves a state by left-invariant increments, dim a node: frames H <- H exp(delta_k), positions
+  /// x
   /// <- x + R delta_k, amplitudes w <- w + delta_k. Nodes that follow others stay: see `complete`.
   void retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const;
   /// Sets all that follows from the unknowns: what records and responses see.

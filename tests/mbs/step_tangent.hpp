@@ -11,8 +11,8 @@
 
 namespace liesl::test {
 
-/// Columns that are unknowns: not of nodes that follow others, nor turns of positions, nor what pads
-/// amplitudes.
+/// Columns that are unknowns: not of nodes that follow others, nor turns of positions, nor what
+/// pads amplitudes.
 template <FrameGroup G>
 std::vector<int> unknowns(const Model<G>& model) {
   std::vector<int> out;
