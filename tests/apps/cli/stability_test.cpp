@@ -250,14 +250,16 @@ TEST_F(Stability, PenaltiesShareRedundantRows) {
     EXPECT_NE(end_of("four_bar_space", {set}), Ending::Stopped) << reason();
     EXPECT_TRUE(warns("shared by their penalties"));
     const auto space = column("rocker_angle");
-    for (size_t i = 0; i < plane.size(); ++i) EXPECT_NEAR(space[i], plane[i], 1e-6) << form;
+    const double close = form == "penalty" ? 3e-6 : 1e-8;
+    for (size_t i = 0; i < plane.size(); ++i) EXPECT_NEAR(space[i], plane[i], close) << form;
     EXPECT_NE(end_of("bricard", {set}), Ending::Stopped) << reason();
     const auto c = column("c"), a = column("a");
     for (size_t i = 0; i < a.size(); ++i) EXPECT_NEAR(std::abs(c[i]), std::abs(a[i]), 1e-5) << form;
     const auto& penalty = summary_["penalty"];
     EXPECT_EQ(penalty["constraints"], form);
     EXPECT_LE(penalty["most_augmentations"].get<int>(), 3);
-    EXPECT_LT(penalty["largest_opening"].get<double>(), form == "penalty" ? 1e-5 : 1e-9);
+    const double open = summary_["max_constraint_residual"];
+    EXPECT_LE(open, form == "penalty" ? 1e-5 : 1e-9);
   }
 }
 
