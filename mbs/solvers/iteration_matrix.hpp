@@ -21,7 +21,7 @@ namespace liesl {
 template <FrameGroup G>
 struct Prestress {
   typename Equations<G>::SectionForces section;  ///< bodies x elements
-  std::vector<Eigen::VectorXd> force;  ///< couplings x acting rows; constraints: unused
+  std::vector<Eigen::VectorXd> force;            ///< couplings x acting rows; constraints: unused
 };
 
 template <FrameGroup G>
