@@ -145,6 +145,7 @@ class Verification {
     auto all = overrides_;
     all.insert(all.end(), more.begin(), more.end());
     Scene scene = read_scene(source_.text, source_.file, all);
+    if (!source_.responses.empty()) scene.responses.clear();
     for (const ResponseSpec& r : source_.responses)
       scene.responses.push_back(on_mesh(r, mechanism_, scene.mechanism));
     return scene;
