@@ -151,10 +151,16 @@ class Verification {
     return scene;
   }
 
-  /// Empty if the run does not reach its end.
+  /// Empty if the run does not reach its end, or the scene does not allow it (sections by element
+  /// have no coarser mesh).
   Peaks peaks(const Setting& s) {
+    Scene scene;
+    try {
+      scene = read(changes(s, given_));
+    } catch (const InputError&) {
+      return {};
+    }
     ++runs_;
-    const Scene scene = read(changes(s, given_));
     const RunOutcome out = run_task(scene, choose_space(scene), progress_);
     Peaks found;
     if (out.status != SolveStatus::Converged) {
