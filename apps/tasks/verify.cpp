@@ -145,24 +145,24 @@ class Verification {
     auto all = overrides_;
     all.insert(all.end(), more.begin(), more.end());
     Scene scene = read_scene(source_.text, source_.file, all);
+    if (!source_.responses.empty()) scene.responses.clear();
     for (const ResponseSpec& r : source_.responses)
       scene.responses.push_back(on_mesh(r, mechanism_, scene.mechanism));
     return scene;
   }
 
-  /// Empty if the run does not reach its end.
+  /// Empty if the run does not reach its end, or the scene does not allow it (sections by element
+  /// have no coarser mesh).
   Peaks peaks(const Setting& s) {
-    ++runs_;
-    Peaks found;
-    RunOutcome out;
+    Scene scene;
     try {
-      const Scene scene = read(changes(s, given_));
-      out = run_task(scene, choose_space(scene), progress_);
-    } catch (const InputError& refused) {
-      summary_.warnings.push_back("verification: another mesh or step is refused: " +
-                                  refused.problems.front().what);
-      return found;
+      scene = read(changes(s, given_));
+    } catch (const InputError&) {
+      return {};
     }
+    ++runs_;
+    const RunOutcome out = run_task(scene, choose_space(scene), progress_);
+    Peaks found;
     if (out.status != SolveStatus::Converged) {
       summary_.warnings.push_back(
           fmt::format("verification: a run did not reach its end: {}", out.summary.reason));

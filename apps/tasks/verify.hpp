@@ -39,7 +39,7 @@ ErrorEstimate estimate_error(const Refinement& r, double order, double resolutio
 struct VerifiedScene {
   std::string text, file;
   std::vector<std::string> overrides;
-  /// Beside those of the text: responses on its mesh, which move with it where that is refined.
+  /// Instead of those of the text: responses on its mesh, which move with it where it is refined.
   std::vector<ResponseSpec> responses = {};
 };
 
@@ -49,7 +49,7 @@ void check_verifiable(const SimulationOptions& options);
 /// Adds `error_mesh`, `error_step` to the responses of a summary, the key `verification`, and
 /// warnings where orders are not as expected or a part cannot be refined. Simulates the scene at
 /// most three times more.
-/// @param scene as read, with the further responses  @param summary of its run, with its space
+/// @param scene as read, with these responses  @param summary of its run, with its space
 /// @throws InputError as check_verifiable
 void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,
             const Progress& progress = {});

@@ -34,7 +34,7 @@ void verify_limits(const std::string& design, const Study& study, output::Optimi
   VerifiedScene source{design, "design.toml", {}, limited(study.spec)};
   if (source.responses.empty()) return;
   Scene scene = read_scene(design, source.file, {});
-  for (const ResponseSpec& r : source.responses) scene.responses.push_back(r);
+  scene.responses = source.responses;
   RunOutcome given = run_task(scene, choose_space(scene), progress);
   if (given.status != SolveStatus::Converged) {
     summary.warnings.push_back("the limits were not verified: " + given.summary.reason);

@@ -1,5 +1,7 @@
 #include "mbs/solvers/iteration_matrix.hpp"
 
+#include <algorithm>
+
 #include "mbs/bodies/assemble_body.hpp"
 
 namespace liesl {
@@ -52,6 +54,8 @@ auto IterationMatrix<G>::empty() const -> BodyMatrices {
 
 template <FrameGroup G>
 void IterationMatrix<G>::take_prestress(const Equations<G>& eq, const State<G>& s) {
+  for (auto& stress : prestress_.section)  // of an iteration that may have diverged
+    std::fill(stress.begin(), stress.end(), G::Tangent::Zero());
   extrapolate_prestress(eq, s, still_);
 }
 
