@@ -17,9 +17,11 @@ enum class Applies { Yes, No, Unknown };
 Applies applies(FileKind kind, const Key& key, const toml::table& table) {
   if (key.when.empty()) return Applies::Yes;
   const auto equals = key.when.find('=');
-  const auto chosen = table[key.when.substr(0, equals)].value<std::string>();
-  const Key* choice =
-      find_key(kind, fmt::format("{}.{}", key.parent(), key.when.substr(0, equals)));
+  const auto name = key.when.substr(0, equals);
+  auto chosen = table[name].value<std::string>();
+  const Key* choice = find_key(kind, fmt::format("{}.{}", key.parent(), name));
+  if (choice && !table.contains(name) && choice->preset.starts_with('"'))
+    chosen = choice->preset.substr(1, choice->preset.size() - 2);  // left out: its default
   const auto options = choice ? words(choice->options) : std::vector<std::string>{};
   if (!chosen || !std::count(options.begin(), options.end(), *chosen)) return Applies::Unknown;
   const auto allowed = words(key.when.substr(equals + 1));

@@ -152,6 +152,7 @@ class Truss {
                 own && own->contains(group) ? text(*own, group) : text(table_, "section"));
     beam.insert("material", text(table_, "material"));
     beam.insert("elements", 1);
+    beam.insert("order", 2);
     if (number(table_, "damping") > 0) beam.insert("damping", number(table_, "damping"));
     if (bodies.contains(bar.name))
       return refuse(table_, fmt::format("has a bar '{}', as a body is called", bar.name),

@@ -6,7 +6,8 @@ namespace {
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kLoadStep = 1e-4;    // central difference in the load factor, of max_load
 constexpr double kIncrement = 0.1;  // last correction: this * sqrt(tolerance), of length or in rad
-constexpr double kFold = M_PI - 1e-6;  // log is singular at a relative rotation of pi
+constexpr double kFold = M_PI - 1e-6;      // log is singular at a relative rotation of pi
+constexpr double kNearFold = 0.999 * M_PI;  // where a step that fails has that reason
 
 }  // namespace
 
@@ -117,14 +118,14 @@ bool StaticNewton<G>::check(NewtonResult& result) {
   return false;
 }
 
-/// Does an element turn by pi, where its strain has no unique value?
+/// Does an element turn by more than an angle? By pi its strain has no unique value.
 template <FrameGroup G>
-bool StaticNewton<G>::turns_by_pi(const State<G>& s) const {
+bool StaticNewton<G>::turns_by(double angle, const State<G>& s) const {
   for (size_t b = 0; b < model_.bodies.size(); ++b) {
     const int first = model_.first_node(static_cast<int>(b));
     for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
       const auto d = G::log(s.H[first + e].inverse() * s.H[first + e + 1]);
-      if (d.template tail<G::rotation_dim>().norm() > kFold) return true;
+      if (d.template tail<G::rotation_dim>().norm() > angle) return true;
     }
   }
   return false;
@@ -132,12 +133,16 @@ bool StaticNewton<G>::turns_by_pi(const State<G>& s) const {
 
 template <FrameGroup G>
 void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
-  if (!result.converged) return;
+  const char* const kTurns = "an element turns by pi: use more elements";
+  if (!result.converged) {
+    if (turns_by(kNearFold, s)) result.failure = kTurns;
+    return;
+  }
   for (size_t b = 0; b < model_.bodies.size(); ++b)
     model_.bodies[b]->turn_axes(trial_.H.data() + model_.first_node(static_cast<int>(b)));
-  if (turns_by_pi(trial_)) {
+  if (turns_by(kFold, trial_)) {
     result.converged = false;
-    result.failure = "an element turns by pi: use more elements";
+    result.failure = kTurns;
     return;
   }
   for (auto& H : trial_.H) H.orthonormalize();

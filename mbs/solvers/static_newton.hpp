@@ -64,7 +64,7 @@ class StaticNewton {
   void correct(Eigen::Ref<const Eigen::VectorXd> step);
   bool check(NewtonResult& result);
   void finish(State<G>& s, double load, NewtonResult& result);
-  bool turns_by_pi(const State<G>& s) const;
+  bool turns_by(double angle, const State<G>& s) const;
 
   const Model<G>& model_;
   const SimulationOptions options_;

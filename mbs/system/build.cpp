@@ -83,7 +83,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     }
     model.nodes_ += model.bodies.back()->nodes();
   }
-  if (model.update == NodeUpdate::Decoupled &&
+  if (mechanism.update == NodeUpdate::Decoupled && model.formalism != Formalism::R3SO3 &&
       !(model.positions_.empty() && model.amplitudes_.empty()))
     throw std::invalid_argument(
         "simulation.update = \"r3so3\" moves nodes that are frames; chains of segments and bodies "

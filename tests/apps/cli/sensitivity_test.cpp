@@ -149,7 +149,7 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.formalism=r3so3"},
-          "of the formalisms se3, floating and rigid");
+          "of the formalisms se3, segments, floating and rigid");
   refused({study("slider_crank_rod"), "--by", "sections.rod.diameter"}, "by its variables");
   refused({study("batch_rod")}, "this is a batch");
 }
