@@ -1,0 +1,31 @@
+/// @file
+/// `--verify`: errors beside what they are of; what has none is refused before any work.
+#include "apps/program.hpp"
+
+namespace liesl::test {
+namespace {
+
+class VerifyCommand : public Program {};
+
+/// With 64 elements a link the optimised rod bends 1.8 % more than with its 8.
+TEST_F(VerifyCommand, SaysWhatTheMeshHidesOfALimit) {
+  const Outcome o =
+      run({"optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  const double error = summary()["worst_constraint_error"];
+  EXPECT_GT(error, 0.018 / 3);
+  EXPECT_LT(error, 0.018 * 3);
+  EXPECT_NE(o.out.find("limit bending is known to"), std::string::npos) << o.out << o.err;
+}
+
+TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
+  const Outcome o = run({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
+                         "simulation.type=modes"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("natural frequencies have no responses to verify"), std::string::npos)
+      << o.err;
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+}  // namespace
+}  // namespace liesl::test
