@@ -6,7 +6,7 @@ namespace {
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kLoadStep = 1e-4;    // central difference in the load factor, of max_load
 constexpr double kIncrement = 0.1;  // last correction: this * sqrt(tolerance), of length or in rad
-constexpr double kFold = M_PI - 1e-6;      // log is singular at a relative rotation of pi
+constexpr double kFold = M_PI - 1e-6;       // log is singular at a relative rotation of pi
 constexpr double kNearFold = 0.999 * M_PI;  // where a step that fails has that reason
 
 }  // namespace
