@@ -320,7 +320,7 @@ void read_frequencies(StudyReader& reader) {
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   for (const BodySpec& body : mechanism.bodies) {
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
-    if (beam && (beam->as == BeamModel::Segments || mechanism.formalism == Formalism::Segments))
+    if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Segments)
       return refuse("frequencies are those in space, and '" + body.name +
                         "' is a chain of segments, which has no torsion",
                     "a beam of another formalism");

@@ -25,8 +25,7 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
     series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(records)), {}});
   }
   State<G> completed;
-  std::size_t record = 0;
-  record = run.statics ? 1 : 0;  // equilibria: not that without a load
+  std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
     if (record == records || s.t != (*times)[record]) return;
     completed = s;
