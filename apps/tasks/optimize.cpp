@@ -300,6 +300,15 @@ DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space) 
   return std::visit([&](const auto& s) { return derivatives_on(study, s); }, space.space);
 }
 
+DerivativeReport equilibrium_derivatives_task(const Study& study, const ChosenSpace& space) {
+  return std::visit(
+      [&]<FrameGroup G>(const Space<G>& s) {
+        return check_equilibrium_derivatives<G>(study.scene.mechanism, s, study.scene.simulation,
+                                                study.spec);
+      },
+      space.space);
+}
+
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
                      SolidResponse objective) {
   summary.history.clear();

@@ -95,8 +95,6 @@ class Kinked : public SvanbergBeam {
   }
 };
 
-/// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
-/// are checked beside it. One that is wrong stays so.
 /// A function that changes by round-off alone has the derivative zero; one that changes has not.
 TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
   struct Prescribed : SvanbergBeam {
@@ -118,6 +116,8 @@ TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
   EXPECT_FALSE(check_derivatives(problem, x).right) << "a derivative that is left out";
 }
 
+/// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
+/// are checked beside it. One that is wrong stays so.
 TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
   DerivativeCheckOptions each;
   each.every_variable = true;
