@@ -67,7 +67,7 @@ class PartValues final : public StudyValues {
 
   DesignModel& model() override { return model_; }
   std::vector<double> of(const DesignAnalysis& analysis) const override {
-    const SolidCheck& check = dynamic_cast<const PartAnalysis&>(analysis).check;
+    const StaticCheck& check = dynamic_cast<const PartAnalysis&>(analysis).check;
     std::vector<double> out{check.objective};
     for (std::size_t i = 0; i < task_.limits.size(); ++i) out.push_back(check.limits[i].value);
     return out;

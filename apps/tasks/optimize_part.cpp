@@ -7,7 +7,8 @@
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
-#include "optim/cycle/solid_task.hpp"
+#include "optim/cycle/esl_problem.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 
 namespace liesl {
 
@@ -30,7 +31,7 @@ Quantity quantity(SolidResponse r) {
 namespace {
 
 void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
-                     const SolidCheck& initial, const SolidCheck& final) {
+                     const StaticCheck& initial, const StaticCheck& final) {
   for (std::size_t i = 0; i < final.limits.size(); ++i) {
     const bool wall = i >= task.limits.size();
     const Quantity q = wall ? Quantity{"wall", "-"} : quantity(task.limits[i].response);
@@ -57,7 +58,7 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   summary.reason = end.reason;
   if (!end.best) return;
   const SolidTask task = solid_task(rounds.last.study, *end.part);
-  const SolidCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
+  const StaticCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
   describe_cycles(summary, {rounds.before, end.history}, task.objective);
   summary.mass_initial = initial.mass;
   summary.mass_final = end.final.mass;
@@ -121,8 +122,9 @@ DerivativeReport part_derivatives_task(const Study& study) {
   const auto& [body, spec] = *study.spec.shapes.begin();
   PartShape part(study.scene.mechanism, body, spec);
   const SolidTask task = solid_task(study.spec, part);
-  StaticShape problem(task, part.design.start(), study.spec.cycle.move_cells,
-                      study.spec.cycle.move_limit);
+  const CycleOptions& cycle = study.spec.cycle;
+  EslProblem problem(std::make_unique<MeshStatics>(task, cycle.move_cells, cycle.move_limit), cycle,
+                     part.design.start());
   if (!problem.undefined_reason().empty())
     throw std::runtime_error("the start design has no part: " + problem.undefined_reason());
   DerivativeCheckOptions options;

@@ -141,7 +141,7 @@ void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const Vect
   for (int k = 0; k < design().parts(); ++k) {
     const SolidTask task = motion_task(study_, *simulators_[s], k, a.runs[s]);
     const VectorXd of_part = design().of_part(k, x);
-    StaticShape problem(task, of_part, study_.cycle.move_cells);
+    EslProblem problem(std::make_unique<MeshStatics>(task), study_.cycle, of_part);
     const auto check = problem.check(of_part);
     if (!check) continue;  // then there is no motion either
     for (const PartLimitSpec& limit : study_.part_limits)

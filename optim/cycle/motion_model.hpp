@@ -3,6 +3,7 @@
 /// A study of one or several motions of one design.
 
 #include "optim/cycle/design_loop.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/goal_problem.hpp"
 #include "optim/cycle/motion_problem.hpp"
 

@@ -7,7 +7,7 @@
 /// shape optimization of structures", Structural Optimization 8, 42-51; the derivative:
 /// mbs/solids/topological_derivative.hpp.
 
-#include "optim/cycle/static_shape.hpp"
+#include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
 

@@ -1,7 +1,7 @@
 /// @file
 /// The static problem of a cycle: its derivatives, its values at the analysed design, its
 /// screening.
-#include "optim/cycle/static_sizing.hpp"
+#include "optim/cycle/beam_statics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include "apps/study/load_study.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #include "reference/places.hpp"
@@ -52,8 +53,9 @@ struct First {
       loads.push_back(extract_loads(motion.model, motion.trajectory(), body));
     for (int i = 0; i < x.size(); ++i) x[i] = sizing.variables()[i].start;
   }
-  StaticSizing<G> problem(double move = 0.5) const {
-    return StaticSizing<G>(analysis, sizing, study.spec, x, move);
+  EslProblem problem(double move = 0.5) const {
+    return EslProblem(std::make_unique<BeamStatics<G>>(analysis, sizing, study.spec, move),
+                      study.spec.cycle, x);
   }
 };
 
@@ -89,7 +91,7 @@ TEST(DerivativesOfFourthOrder, AreRight) {
   EXPECT_TRUE(report.right) << report.text(5);
 }
 
-INSTANTIATE_TEST_SUITE_P(StaticSizing, Derivatives,
+INSTANTIATE_TEST_SUITE_P(BeamStatics, Derivatives,
                          testing::Values(Case{"Rod", "slider_crank_rod", false},
                                          Case{"RodInSpace", "slider_crank_rod", true},
                                          Case{"RodAndCrankWithStress", "slider_crank_both", false},
@@ -125,14 +127,14 @@ void expect_exact_at_analysed_design(const std::string& name) {
   }
 }
 
-TEST(StaticSizing, IsExactAtTheAnalysedDesign) {
+TEST(BeamStatics, IsExactAtTheAnalysedDesign) {
   expect_exact_at_analysed_design<SE2>("slider_crank_rod");
   expect_exact_at_analysed_design<SE3>("slider_crank_rod");
   expect_exact_at_analysed_design<SE2>("slider_crank_both");
   expect_exact_at_analysed_design<SE3>("robot_arms");
 }
 
-TEST(StaticSizing, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
+TEST(BeamStatics, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   const char* kThick =
       "design.arm1_walls.start=0.0035";  // within a move of what the limits ask for
   NlpOptions options;
@@ -162,7 +164,7 @@ TEST(StaticSizing, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
 
 /// Gradients of the rows by constraint id.
 template <FrameGroup G>
-std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, StaticSizing<G>& problem) {
+std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, EslProblem& problem) {
   const auto m = static_cast<int>(problem.constraints().size());
   double f = 0;
   Eigen::VectorXd g(m), df(first.x.size());
@@ -174,7 +176,7 @@ std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, StaticS
   return rows;
 }
 
-TEST(StaticSizing, DirectAndAdjointFormsGiveTheSameGradients) {
+TEST(BeamStatics, DirectAndAdjointFormsGiveTheSameGradients) {
   const First<SE2> few("slider_crank_both", {"cycle.screening=0", "cycle.min_cases=1"});
   const First<SE2> many("slider_crank_both", {"cycle.screening=0.5", "cycle.min_cases=20"});
   auto direct = few.problem(), adjoint = many.problem();
@@ -240,7 +242,7 @@ TEST(Compliance, AsALimitGivesThePublishedOptimumOfTheTipDeflection) {
                 1e-3 * SvanbergBeam::solution[i]);
 }
 
-TEST(StaticSizing, BoundsAreThoseOfTheMoveLimit) {
+TEST(BeamStatics, BoundsAreThoseOfTheMoveLimit) {
   const First<SE2> first("slider_crank_rod");
   const auto narrow = first.problem(0.1), wide = first.problem(10);
   EXPECT_DOUBLE_EQ(narrow.variables()[0].lower, 0.9 * first.x[0]);
