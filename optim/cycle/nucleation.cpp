@@ -107,6 +107,10 @@ void take_off(FeatureSpec feature, ShapeSpec& outline) {
 HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& walls,
                           const VectorXd& x) {
   HoleProposal out;
+  if (task.weighted()) {
+    out.reason = "there is no topological derivative of a weighted objective";
+    return out;
+  }
   StaticShape problem(task, x, 1);
   if (!problem.undefined_reason().empty()) {
     out.reason = problem.undefined_reason();

@@ -10,7 +10,7 @@ HoleDerivative StaticShape::hole_derivative(
     const std::map<ConstraintId, double>& multipliers) const {
   const double rho = task_.model->material().rho;
   HoleDerivative out{VectorXd::Zero(task_.model->mesh().cell_count()), {}};
-  if (task_.objective == SolidResponse::Mass) out.value.setConstant(-rho);
+  if (task_.objective == SolidResponse::Mass) out.value.setConstant(-rho * task_.mass_weight);
   if (task_.objective == SolidResponse::Stress) out.missing = "the stress that is minimised";
   if (task_.objective == SolidResponse::Compliance)
     out.value +=

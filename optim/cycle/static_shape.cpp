@@ -47,8 +47,9 @@ StaticShape::StaticShape(const SolidTask& task, const VectorXd& x0, double cells
   narrow(x0, cells, share);
   if (!solved) return;
   if (task_.measured.size() > 0) correction_ = task_.measured - corrected();
-  if (task_.objective == SolidResponse::Mass)
-    keep(near_largest(all_values(), screened(), task_.cycle));
+  if (task_.objective != SolidResponse::Mass) return;
+  at_start_ = all_values();
+  keep(near_largest(at_start_, screened(), task_.cycle));
 }
 
 void StaticShape::narrow(const VectorXd& x0, double cells, double share) {
@@ -134,6 +135,53 @@ std::vector<LimitedResponse> StaticShape::responses() const {
   return out;
 }
 
+std::vector<LimitedResponse> StaticShape::responses_with_slopes() {
+  std::vector<LimitedResponse> out = responses();
+  const bool any =
+      std::any_of(out.begin(), out.end(), [](const auto& r) { return r.part_limit >= 0; });
+  if (!any || !undefined_reason_.empty()) return out;
+  VectorXd x0(static_cast<Eigen::Index>(variables_.size()));
+  for (Eigen::Index j = 0; j < x0.size(); ++j)
+    x0[j] = variables_[static_cast<std::size_t>(j)].start;
+  if (!solve(x0)) return out;  // of the retained cases
+  std::size_t number = 0;
+  for (std::size_t l = 0; l < limit_of_.size(); ++l) {
+    if (!task_.limits[static_cast<std::size_t>(limit_of_[l])].motion) continue;
+    LimitedResponse& r = out[number++];
+    if (r.part_limit >= 0) r.slopes = std::make_shared<PartSlopes>(slopes_of(l));
+  }
+  return out;
+}
+
+/// Loads follow the reduced forces g = K_e e of the motion, f = K Psi K_e^-1 g with the shapes as
+/// they are at x0: dv = dv at constant loads + a^T (K_e^-1 dK_e e + de), a = Psi^T dv/dq.
+PartSlopes StaticShape::slopes_of(std::size_t screened) {
+  const SolidLimit& limit = task_.limits[static_cast<std::size_t>(limit_of_[screened])];
+  const std::vector<int>& kept = retained_.kept[0];
+  const MatrixXd K_e = task_.basis.transpose() * task_.loads;
+  const MatrixXd e = kept_columns(task_.combination, kept);
+  MatrixXd own = gradients_of(limit);
+  const MatrixXd a = limit.response == SolidResponse::Stress
+                         ? MatrixXd(task_.basis.transpose() * stress(true).by_displacement)
+                         : MatrixXd(2 * K_e * e);
+  const MatrixXd c = K_e.ldlt().solve(a), dv = fractions_.derivative;
+  for (int j = 0; j < dv.cols(); ++j) {
+    const auto& dK = task_.model->stiffness_derivative(fractions_.value, dv.col(j));
+    const MatrixXd dK_e =
+        task_.basis.transpose() * (dK.selfadjointView<Eigen::Lower>() * task_.basis);
+    own.col(j) += c.cwiseProduct(dK_e * e).colwise().sum().transpose();
+  }
+  PartSlopes out;
+  out.body = limit.motion->response.body;
+  out.value = Eigen::Map<const VectorXd>(at_start_[screened].data(),
+                                         static_cast<Eigen::Index>(at_start_[screened].size()));
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    out.own[kept[k]] = own.row(static_cast<Eigen::Index>(k));
+    out.by_coordinates[kept[k]] = a.col(static_cast<Eigen::Index>(k));
+  }
+  return out;
+}
+
 std::vector<RowImage> StaticShape::images() const {
   std::vector<int> number(limit_of_.size(), -1);
   int count = 0;
@@ -143,6 +191,24 @@ std::vector<RowImage> StaticShape::images() const {
   for (std::size_t r = 0; r < retained_.rows.size(); ++r)
     if (const int n = number[retained_.rows[r].limit]; n >= 0)
       out[r] = {n, retained_.kept[0][retained_.rows[r].kept]};
+  return out;
+}
+
+std::vector<RowGoal> StaticShape::goals() const {
+  if (!task_.weighted()) return {};
+  std::vector<RowGoal> out(constraints_.size());
+  const auto goal_of = [&](std::size_t limit) {
+    const SolidLimit& l = task_.limits[limit];
+    return l.weight > 0 ? RowGoal{static_cast<int>(limit), l.weight * l.limit} : RowGoal();
+  };
+  std::size_t row = 0;  // in the order of the constraints
+  for (const auto& r : retained_.rows)
+    out[row++] = goal_of(static_cast<std::size_t>(limit_of_[static_cast<std::size_t>(r.limit)]));
+  for (std::size_t i = 0; i < task_.limits.size(); ++i) {
+    const SolidLimit& l = task_.limits[i];
+    const int rows = l.response == SolidResponse::Frequency ? l.count : 1;
+    for (int k = 0; k < rows && !by_case(l.response); ++k) out[row++] = goal_of(i);
+  }
   return out;
 }
 
@@ -245,6 +311,15 @@ MatrixXd StaticShape::gradients_of(const SolidLimit& l) {
   return {};
 }
 
+/// What limits with a weight are at the analysed design; their rows tell the change.
+double StaticShape::extremes() const {
+  double sum = 0;
+  for (const SolidLimit& l : task_.limits)
+    sum += (l.response == SolidResponse::Frequency ? -l.weight : l.weight) * l.limit;
+  return sum;
+}
+
+/// Without what is weighted.
 double StaticShape::objective() {
   switch (task_.objective) {
     case SolidResponse::Compliance:
@@ -255,13 +330,13 @@ double StaticShape::objective() {
       return most > 0 ? most * std::pow((s / most).array().pow(p).mean(), 1 / p) : 0;
     }
     default:
-      return task_.model->total_mass(fractions_.value);
+      return task_.mass_weight * task_.model->total_mass(fractions_.value);
   }
 }
 
 LimitCheck StaticShape::check_limit(const SolidLimit& l) {
   const VectorXd v = values_of(l);
-  LimitCheck c{l.name, l.limit, 0, 0, {}};
+  LimitCheck c{l.name, l.limit, 0, 0, {}, l.weight};
   if (l.response == SolidResponse::Frequency) {
     c.value = v.minCoeff();
     c.excess = 1 - c.value / l.limit;
@@ -291,10 +366,15 @@ std::optional<SolidCheck> StaticShape::check(const VectorXd& x) {
     out.emplace();
     out->objective = objective();
     out->mass = task_.model->total_mass(fractions_.value);
-    for (const SolidLimit& l : task_.limits) out->limits.push_back(check_limit(l));
+    for (const SolidLimit& l : task_.limits) {
+      out->limits.push_back(check_limit(l));
+      const double value = out->limits.back().value;
+      out->objective +=
+          l.response == SolidResponse::Frequency ? -l.weight * value : l.weight * value;
+    }
     if (auto walls = check_walls()) out->limits.push_back(*walls);
     for (const LimitCheck& l : out->limits) {
-      if (!(l.excess > out->worst)) continue;
+      if (l.weight > 0 || !(l.excess > out->worst)) continue;
       out->worst = l.excess;
       out->worst_limit = l.name;
     }
@@ -309,7 +389,7 @@ void StaticShape::values(const VectorXd& x, double& f, VectorXd& g) {
     g.setConstant(kNone);
     return;
   }
-  f = objective();
+  f = objective() + extremes();
   std::vector<VectorXd> by_limit;
   for (const int i : limit_of_) by_limit.push_back(values_of(task_.limits[i]));
   int row = 0;
@@ -340,7 +420,7 @@ void StaticShape::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
       break;
     }
     default:
-      df = fractions_.derivative.transpose() * task_.model->cell_masses();
+      df = task_.mass_weight * (fractions_.derivative.transpose() * task_.model->cell_masses());
   }
   std::vector<MatrixXd> by_limit;
   for (const int i : limit_of_) by_limit.push_back(gradients_of(task_.limits[i]));

@@ -2,6 +2,8 @@
 /// @file
 /// The static problem of a meshed part (thesis eq. 3.24): its features move, its loads stay.
 
+#include <algorithm>
+
 #include "mbs/solids/reduction.hpp"
 #include "mbs/solids/solid_statics.hpp"
 #include "mbs/solids/stress_norm.hpp"
@@ -17,7 +19,10 @@ struct SolidLimit {
   int first = 0, count = 1;  ///< Output: columns of C; Frequency: `count`
   double limit = 0;          ///< > 0
   std::optional<LimitedResponse> motion =
-      {};  ///< Output: what it is the image of; none: fixed loads
+      {};  ///< of a motion: what it is the image of; none: fixed loads, mass, frequency
+  /// Above 0: no limit, but this times the largest value of its cases (of a frequency minus the
+  /// lowest) in the objective; `limit` is then its size at the analysed design.
+  double weight = 0;
 };
 
 /// A meshed part, what it has to carry and what it has to meet. Nothing is copied but data: what is
@@ -33,12 +38,19 @@ struct SolidTask {
   /// k x cases: the loads of the cases are loads * combination, so that outputs take k solutions,
   /// however many cases there are. Empty: `loads` are the cases.
   Eigen::MatrixXd combination;
+  /// q x k: the displacements of the motion are basis * combination (SolidLoadSet); empty: none.
+  Eigen::MatrixXd basis;
   /// What the motion says of the outputs at the analysed design, m x cases; y is moved by the
   /// constant that makes it agree there, as in StaticSizing. Empty: y as it is.
   Eigen::MatrixXd measured;
   std::vector<SolidLimit> limits;
   SolidResponse objective = SolidResponse::Mass;  ///< Mass; Compliance, the mean of the cases; or
                                                   ///< Stress, their p-mean
+  double mass_weight = 1;  ///< of the mass that is the objective; limits with a weight are added
+  bool weighted() const {
+    return std::any_of(limits.begin(), limits.end(),
+                       [](const SolidLimit& l) { return l.weight > 0; });
+  }
   StressOptions stress;
   CycleOptions cycle;  ///< for the screening of cases
 };
@@ -49,11 +61,12 @@ struct LimitCheck {
   double limit = 0, value = 0;  ///< of a frequency the lowest, of a wall 1 and least/thickness
   double excess = 0;            ///< value/limit - 1, of a frequency limit 1 - value/limit
   std::string at;               ///< load case; empty if it has none
+  double weight = 0;            ///< above 0: no limit, part of the objective
 };
 
 /// One design, measured in all load cases.
 struct SolidCheck {
-  double objective = 0;
+  double objective = 0;            ///< with all that is weighted
   double mass = 0;                 ///< kg
   std::vector<LimitCheck> limits;  ///< those of the task, then the worst wall if there are walls
   double worst = -1;               ///< largest excess
@@ -67,10 +80,11 @@ struct HoleDerivative {
   std::string missing;  ///< what counts and has no such derivative: stress, frequencies
 };
 
-/// minimise objective(x) subject to value/limit - 1 <= 0 in the retained cases (all cases if the
-/// objective depends on them), mass and frequency limits, and the walls of the design. Gradients by
-/// adjoints; no second derivatives. At an x that leaves no part (a cut interface, a defect of the
-/// shape) there is no value, and `undefined_reason` says why.
+/// minimise objective(x) + sum_k w_k limit_k max_n g_kn over the limits with a weight (rows of
+/// `goals`; a frequency has -w_k limit_k min), subject to value/limit - 1 <= 0 in the retained
+/// cases (all cases if the objective depends on them), mass and frequency limits, and the walls of
+/// the design. Gradients by adjoints; no second derivatives. At an x that leaves no part (a cut
+/// interface, a defect of the shape) there is no value, and `undefined_reason` says why.
 class StaticShape final : public StaticProblem {
  public:
   /// @param x0 the analysed design
@@ -81,7 +95,10 @@ class StaticShape final : public StaticProblem {
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override { return static_cast<int>(retained_.kept[0].size()); }
   std::vector<LimitedResponse> responses() const override;
+  /// In the retained cases. @pre before any other x
+  std::vector<LimitedResponse> responses_with_slopes() override;
   std::vector<RowImage> images() const override;
+  std::vector<RowGoal> goals() const override;  ///< numbered as the limits of the task
   std::string undefined_reason() const override { return undefined_reason_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
@@ -115,9 +132,11 @@ class StaticShape final : public StaticProblem {
   /// And their gradients, cases x variables.
   Eigen::MatrixXd gradients_of(const SolidLimit& limit);
   Eigen::MatrixXd corrected() const;
+  PartSlopes slopes_of(std::size_t screened);
   const StressNorm& stress(bool with_gradient);
   const FrequencyGradient& frequencies();
   double objective();
+  double extremes() const;
   LimitCheck check_limit(const SolidLimit& limit);
   std::optional<LimitCheck> check_walls() const;
 
@@ -128,6 +147,7 @@ class StaticShape final : public StaticProblem {
   SolidStatics statics_;
   Fractions fractions_;  ///< derivative with respect to the variables
   Eigen::MatrixXd correction_;
+  ValuesByLimit at_start_;  ///< values of all cases at x0, by screened limit
   RetainedCases retained_;
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;
