@@ -20,8 +20,13 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 void refuse_what_it_cannot_judge(const Scene& scene) {
   for (const BodySpec& body : scene.mechanism.bodies) {
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
-    if (beam &&
-        (beam->as == BeamModel::Segments || scene.mechanism.formalism == Formalism::Segments))
+    if (beam && beam->order != 2)
+      throw InputError({{scene.file, 0, 0,
+                         "'" + body.name +
+                             "' is of order 4, and estimates and simpler models of beams here are "
+                             "of order 2",
+                         "beams of order 2", "--set bodies." + body.name + ".beam.order=2"}});
+    if (beam && model_of(*beam, scene.mechanism.formalism) == BeamModel::Segments)
       throw InputError({{scene.file, 0, 0,
                          "'" + body.name +
                              "' is a chain of segments, which no other model of a "

@@ -14,8 +14,7 @@ namespace {
 
 bool is_chain(const Mechanism& m, const BodySpec& body) {
   const auto* beam = std::get_if<BeamSpec>(&body.kind);
-  return beam && (beam->as == BeamModel::Segments ||
-                  (beam->as == BeamModel::AsFormalism && m.formalism == Formalism::Segments));
+  return beam && model_of(*beam, m.formalism) == BeamModel::Segments;
 }
 
 class SegmentCheck {

@@ -38,10 +38,8 @@ std::vector<Section> tapered_sections(const std::vector<Section>& at, int n) {
 
 /// Keys of chains of segments where the beam is none.
 void check_segment_keys(Reader& reader, const std::string& name, const toml::table& table,
-                        BeamModel as) {
-  const bool chain =
-      as == BeamModel::Segments ||
-      (as == BeamModel::AsFormalism && reader.scene.mechanism.formalism == Formalism::Segments);
+                        const BeamSpec& beam) {
+  const bool chain = model_of(beam, reader.scene.mechanism.formalism) == BeamModel::Segments;
   for (const char* key : {"potential", "mass"})
     if (const toml::node* node = table.get(key); node && written(*node) && !chain)
       reader.problems.add(*node, fmt::format("beam '{}' has no '{}'", name, key),
@@ -98,7 +96,7 @@ class BeamReader {
     if (text(table_, "potential") == "neo_hookean")
       beam.segment.potential = AxialPotential::NeoHookean;
     beam.segment.lumped = text(table_, "mass") == "lumped";
-    check_segment_keys(reader_, name_, table_, beam.as);
+    check_segment_keys(reader_, name_, table_, beam);
     if (table_.contains("modes")) beam.modes = integer(table_, "modes");
     if (beam.as != BeamModel::AsFormalism && beam.as != BeamModel::Segments &&
         reader_.scene.simulation.type != SimulationType::Dynamic)

@@ -61,8 +61,7 @@ void warn_of_rigid(Reader& reader, int body, const ResponseSpec& response) {
   const Mechanism& mechanism = reader.scene.mechanism;
   const BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
   const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-  const bool as_all = beam && beam->as == BeamModel::AsFormalism;
-  if (beam && (beam->as == BeamModel::Rigid || (as_all && mechanism.formalism == Formalism::Rigid)))
+  if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid)
     reader.scene.warnings.push_back(
         fmt::format("response '{}' is 0 by definition: '{}' is simulated as a rigid body",
                     response.name, spec.name));

@@ -155,9 +155,7 @@ int read_vibrating(StudyReader& reader, const toml::node* of) {
   const int body = mechanism.body(name);
   if (body < 0) return -1;  // broken, said before
   const auto* beam = std::get_if<BeamSpec>(&body_of(reader, body).kind);
-  const bool chosen = beam && beam->as != BeamModel::AsFormalism;
-  if (beam && (chosen ? beam->as != BeamModel::Rigid : mechanism.formalism != Formalism::Rigid))
-    return body;
+  if (beam && model_of(*beam, mechanism.formalism) != BeamModel::Rigid) return body;
   reader.scene.problems.add(*of, fmt::format("'{}' is no flexible beam", name),
                             "a beam that is not rigid",
                             "of a meshed part: [part_limits] with quantity = \"frequency\"");
@@ -396,7 +394,7 @@ void read_frequencies(StudyReader& reader) {
     const BodySpec& body = mechanism.bodies[b];
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
     if (beam && (whole || vibrates[b]) &&
-        (beam->as == BeamModel::Segments || mechanism.formalism == Formalism::Segments))
+        model_of(*beam, mechanism.formalism) == BeamModel::Segments)
       return refuse("frequencies are those in space, and '" + body.name +
                         "' is a chain of segments, which has no torsion",
                     "a beam of another formalism");

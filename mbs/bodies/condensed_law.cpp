@@ -21,10 +21,10 @@ typename G::Tangent slope_of_axis(const typename G::Tangent& d0) {
 template <FrameGroup G>
 CondensedLaw<G>::CondensedLaw(const Tangent& d0, const Matrix& K)
     : d0_(d0), L_(d0[0]), K_(K), Kinv_(K.inverse()) {
-  slope_ = (L_ * L_ / 12) * G::ad(slope_of_axis<G>(d0));
+  W_ = Matrix::Identity() - (L_ * L_ / 12) * G::ad(slope_of_axis<G>(d0));
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   uncoupled_ = K.template topRightCorner<sd, rd>().isZero(0);
-  varied_ = Kinv_ - slope_ * Kinv_ - Kinv_ * slope_.transpose();
+  varied_ = W_ * Kinv_ * W_.transpose();
   C0_ = flexibility(d0_).inverse();
 }
 
@@ -109,13 +109,12 @@ auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n) const -> Matri
   return y.transpose() * c / L_ - (L_ / 12) * N.transpose() * Kinv_ * N;
 }
 
-/// -F' n = K^-1 K' (K^-1 n + K^-1 ad^T(d) n / 12 ...) with K^-1' = -K^-1 K' K^-1.
+/// K^-1' = -K^-1 K' K^-1 = -D.
 template <FrameGroup G>
 auto CondensedLaw<G>::minus_flexibility_by(const Tangent& d, const Tangent& n,
                                            const Matrix& dK) const -> Tangent {
   const Matrix a = G::ad(d), D = Kinv_ * dK * Kinv_;
-  return D * n - slope_ * (D * n) - D * (slope_.transpose() * n) +
-         a * (D * (a.transpose() * n)) / 12;
+  return W_ * (D * (W_.transpose() * n)) + a * (D * (a.transpose() * n)) / 12;
 }
 
 template <FrameGroup G>
@@ -135,7 +134,7 @@ auto CondensedLaw<G>::conjugate_by(const Tangent& d, const Tangent& n, const Tan
 template <FrameGroup G>
 auto CondensedLaw<G>::of_flexibility(const Matrix& X) const -> Matrix {
   const Matrix a = G::ad(d0_);
-  return X - slope_ * X - X * slope_.transpose() + a * X * a.transpose() / 12;
+  return W_ * X * W_.transpose() + a * X * a.transpose() / 12;
 }
 
 template <FrameGroup G>

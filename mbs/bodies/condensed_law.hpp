@@ -12,12 +12,12 @@
 /// multiplier: K eps_1 = ad(a_0)^T n, the equilibrium of the section forces, and with a_0 = d/L in
 /// the terms of higher order
 ///
-///   F(d) n = (d - d0)/L,   F(d) = K^-1 + ad(d) K^-1 ad(d)^T / 12 + F_r,
+///   F(d) n = (d - d0)/L,   F(d) = W K^-1 W^T + ad(d) K^-1 ad(d)^T / 12,
 ///   V(d) = (L/2) eps^T F(d)^-1 eps,   dV/dd = n + (L/12) ad(z)^T n,   z = K^-1 ad(d)^T n.
 ///
 /// On a straight axis F has 1/(GA) + L^2/(12 EI) for shear: the exact stiffness of Timoshenko's
-/// beam. F_r = -(L^2/12)(ad(a_r) K^-1 + K^-1 ad(a_r)^T) is there where the curvature of the axis
-/// varies, a_r = [0; kappa_1] its slope, which follows from d0 as nodal frames are tangent to it.
+/// beam. W = I - (L^2/12) ad(a_r) where the curvature of the axis varies, a_r = [0; kappa_1] its
+/// slope, which follows from d0 as nodal frames are tangent to it. F is positive definite.
 
 #include "mbs/bodies/beam_element.hpp"
 
@@ -55,7 +55,7 @@ class CondensedLaw {
   static Matrix force_operator(const Tangent& n);
 
   /// By a parameter of the section, K' = dK/dp, at constant d and e.
-  /// dn/dp = F^-1 [K^-1 K' K^-1 n + ad(d) K^-1 K' z / 12 + F_r' terms]
+  /// dn/dp = F^-1 [W K^-1 K' K^-1 W^T n + ad(d) K^-1 K' z / 12]
   Tangent stress_by(const Tangent& d, const Tangent& n, const Matrix& dK) const;
   /// d(conjugate)/dp, n and its derivative given.
   Tangent conjugate_by(const Tangent& d, const Tangent& n, const Tangent& dn,
@@ -73,8 +73,8 @@ class CondensedLaw {
   Tangent d0_;
   double L_;
   Matrix K_, Kinv_, C0_;
-  Matrix slope_;    ///< ad(a_r) L^2/12
-  Matrix varied_;   ///< K^-1 + F_r
+  Matrix W_;        ///< I - (L^2/12) ad(a_r)
+  Matrix varied_;   ///< W K^-1 W^T
   bool uncoupled_;  ///< K has no blocks that couple translation and rotation
 };
 

@@ -47,8 +47,8 @@ auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, 
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
     const double J = M(r, r), dJ = dM(r, r), shear = 1 - eta[i], largest = most(L, m, J);
-    if (at.D[i] == largest)
-      c.D[i] = 0.5 * largest * (dm / m + dJ / J);
+    if (at.D[i] == largest)  // 0: of a section without mass, or without inertia
+      c.D[i] = largest == 0 ? 0 : 0.5 * largest * (dm / m + dJ / J);
     else
       c.D[i] = eta[i] * dJ - 0.5 * eta[i] * shear * dJ + L * L / 24 * dm * shear +
                deta[i] * (J - 0.5 * (1 - 2 * eta[i]) * J - L * L / 24 * m);

@@ -76,6 +76,13 @@ std::vector<std::string> names_of(const SolidSpec& solid) {
 
 }  // namespace
 
+BeamModel model_of(const BeamSpec& beam, Formalism formalism) {
+  if (beam.as != BeamModel::AsFormalism) return beam.as;
+  if (formalism == Formalism::Rigid) return BeamModel::Rigid;
+  if (formalism == Formalism::Floating) return BeamModel::Modal;
+  return formalism == Formalism::Segments ? BeamModel::Segments : BeamModel::AsFormalism;
+}
+
 NodeUpdate update_of(NodeUpdate chosen, Formalism formalism) {
   if (chosen != NodeUpdate::AsFormalism) return chosen;
   if (formalism == Formalism::R3SO3) return NodeUpdate::Decoupled;

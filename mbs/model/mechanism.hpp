@@ -146,6 +146,8 @@ enum class Formalism {
 };
 /// "se3", "r3so3", "classical", "floating", "rigid", "segments": as a scene calls it.
 const char* to_string(Formalism formalism);
+/// What a beam is simulated as under a formalism; AsFormalism: as the elements of that.
+BeamModel model_of(const BeamSpec& beam, Formalism formalism);
 
 /// How the rows Phi of joints and drives are enforced, forces B^T lambda.
 enum class ConstraintForm {

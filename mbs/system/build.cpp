@@ -83,6 +83,9 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
     }
     model.nodes_ += model.bodies.back()->nodes();
   }
+  if ((model.update == NodeUpdate::RotationVector) != (model.formalism == Formalism::Classical))
+    throw std::invalid_argument(
+        "rotation vectors are the update of the classical formalism, and of no other");
   if (mechanism.update == NodeUpdate::Decoupled && model.formalism != Formalism::R3SO3 &&
       !(model.positions_.empty() && model.amplitudes_.empty()))
     throw std::invalid_argument(

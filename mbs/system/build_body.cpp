@@ -25,10 +25,11 @@ std::unique_ptr<Body<G>> fourth_order(const std::string& name, const BeamSpec& b
   if (formalism != Formalism::SE3)
     refuse(std::string("not in the formalism ") + to_string(formalism));
   if (beam.as != BeamModel::AsFormalism) refuse("not as a rigid or modal body");
-  for (const ElementSection<G>& section : sections)
+  for (const ElementSection<G>& section : sections) {
+    if (section.K.llt().info() != Eigen::Success)
+      refuse("the stiffness of a section is not positive definite");
     if (!section.M.template topRightCorner<G::space_dim, G::rotation_dim>().isZero(0))
       refuse("its axis is not through the centres of mass of the sections");
-  for (const ElementSection<G>& section : sections) {
     const auto mass = section.M.template topLeftCorner<G::space_dim, G::space_dim>();
     if (!mass.isApprox(mass(0, 0) * SquareMatrix<G::space_dim>::Identity()))
       refuse("the mass of a section is not the same in all directions");
@@ -56,19 +57,14 @@ std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, con
   std::vector<SectionLaw> laws;
   for (const Section& section : beam.sections) laws.push_back(section_law(section, beam.material));
   const std::vector<ElementSection<G>> sections = reduce_laws(beam, laws, space);
-  const bool rigid = beam.as == BeamModel::Rigid ||
-                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Rigid);
-  const bool modal = beam.as == BeamModel::Modal ||
-                     (beam.as == BeamModel::AsFormalism && formalism == Formalism::Floating);
+  const BeamModel as = model_of(beam, formalism);
   if (beam.order == 4) return fourth_order(name, beam, std::move(nodes), sections, formalism);
-  if (rigid || modal) {
+  if (as == BeamModel::Rigid || as == BeamModel::Modal) {
     auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
-    if (rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
+    if (as == BeamModel::Rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));
     return std::make_unique<ModalBody<G>>(std::move(linear), held, beam.modes);
   }
-  const bool segments = beam.as == BeamModel::Segments ||
-                        (beam.as == BeamModel::AsFormalism && formalism == Formalism::Segments);
-  if (segments)
+  if (as == BeamModel::Segments)
     return make_segments<G>(name, std::move(nodes), sections, beam.damping, beam.segment);
   if (formalism == Formalism::R3SO3 || formalism == Formalism::Classical)
     return std::make_unique<ReissnerBeam<G>>(name, std::move(nodes), sections, beam.damping);

@@ -47,8 +47,7 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
     if (r.slopes) series_.back().value = r.slopes->value;
   }
   State<G> completed;
-  std::size_t record = 0;
-  record = run.statics ? 1 : 0;  // equilibria: not that without a load
+  std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
     if (record == records || s.t != (*times)[record]) return;
     completed = s;
