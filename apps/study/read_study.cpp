@@ -129,7 +129,15 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
     }
     for (const ResponseSpec& response : reader.scene.scene.responses) {
       if (response.name != name) continue;
-      ConstraintSpec term{response, 1, false};
+      const bool fixed = reader.root.contains("loads"),
+                 image = has_static_image(response, reader.scene.scene.mechanism);
+      if (fixed && !image)
+        reader.scene.problems.add(
+            *names[i],
+            fmt::format(
+                "'{}' is not on the deformation of the part, and fixed loads have no motion", name),
+            "a displacement or elongation of the meshed part");
+      ConstraintSpec term{response, 1, fixed};
       term.response.name = name;
       term.weight = weight[i];
       reader.spec.constraints.push_back(std::move(term));
@@ -138,17 +146,65 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
   }
 }
 
+/// The beam whose own frequencies are meant; -1: the whole mechanism, or it is none (and said).
+int read_vibrating(StudyReader& reader, const toml::node* of) {
+  if (!of) return -1;
+  const auto name = of->value_or(std::string());
+  if (!reader.scene.known(*of, "bodies", "body", name)) return -1;
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  const int body = mechanism.body(name);
+  if (body < 0) return -1;  // broken, said before
+  const auto* beam = std::get_if<BeamSpec>(&body_of(reader, body).kind);
+  if (beam && model_of(*beam, mechanism.formalism) != BeamModel::Rigid) return body;
+  reader.scene.problems.add(*of, fmt::format("'{}' is no flexible beam", name),
+                            "a beam that is not rigid",
+                            "of a meshed part: [part_limits] with quantity = \"frequency\"");
+  return -1;
+}
+
+/// A quantity of the one meshed part under fixed loads in the objective.
+void add_part_goal(StudyReader& reader, const char* name, SolidResponse quantity, double weight,
+                   int count = 1) {
+  if (reader.spec.shapes.empty()) return;  // said by check_shapes
+  PartLimitSpec goal{name, reader.spec.shapes.begin()->first, quantity, 1, count};
+  goal.weight = weight;
+  reader.spec.part_limits.push_back(std::move(goal));
+  reader.spec.goal.extremes = true;
+}
+
+void read_part_goals(StudyReader& reader, const toml::table* weights) {
+  const auto read = [&](const char* key, const char* name, SolidResponse quantity) {
+    const double weight = weights ? (*weights)[key].value_or(0.0) : 0;
+    if (!(weight > 0)) return;
+    if (reader.root.contains("loads")) return add_part_goal(reader, name, quantity, weight);
+    reader.scene.problems.add(*weights->get(key),
+                              fmt::format("'{}' is that of a meshed part under fixed [loads]", key),
+                              "weights.largest and a response");
+  };
+  read("compliance", "largest compliance", SolidResponse::Compliance);
+  read("stress", "largest stress", SolidResponse::Stress);
+}
+
 void read_frequency_goal(StudyReader& reader, const toml::table& table, double weight) {
-  const bool chosen = written(*table.get("count")) || written(*table.get("at"));
-  if (!(weight > 0)) {
-    if (chosen)
-      reader.scene.problems.add(
-          written(*table.get("count")) ? *table.get("count") : *table.get("at"),
-          "'count' and 'at' are of a frequency in the objective", "weights.frequency > 0");
-    return;
+  const auto refuse_written = [&](const char* key, const char* what, const char* expected) {
+    const toml::node* node = table.get(key);
+    if (node && written(*node))
+      reader.scene.problems.add(*node, fmt::format("'{}' is {}", key, what), expected);
+  };
+  const bool fixed = reader.root.contains("loads");
+  for (const char* key : {"count", "at", "frequency_of"}) {
+    if (!(weight > 0))
+      refuse_written(key, "of a frequency in the objective", "weights.frequency > 0");
+    else if (fixed && key != std::string("count"))
+      refuse_written(key, "of a mechanism, and under fixed loads the part is free", "'count'");
   }
+  if (!(weight > 0)) return;
+  if (fixed)
+    return add_part_goal(reader, "lowest frequency", SolidResponse::Frequency, weight,
+                         integer(table, "count"));
   FrequencyLimitSpec goal{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
   goal.weight = weight;
+  goal.body = read_vibrating(reader, table.get("frequency_of"));
   reader.spec.frequencies.push_back(goal);
   reader.spec.goal.extremes = true;
 }
@@ -173,6 +229,7 @@ void read_goal(StudyReader& reader, const toml::table& table) {
   goal.effort = weight("effort");
   read_largest(reader, table, weights);
   read_frequency_goal(reader, table, weight("frequency"));
+  read_part_goals(reader, weights);
   for (const toml::node* node : strings(table, "effort")) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
@@ -181,8 +238,10 @@ void read_goal(StudyReader& reader, const toml::table& table) {
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
   if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0 || goal.extremes))
-    problems.add(at, "all weights are zero",
-                 "a weight > 0 of mass, largest, frequency, duration or effort");
+    problems.add(
+        at, "all weights are zero",
+        "a weight > 0 of mass, largest, frequency, duration or effort; under fixed [loads] "
+        "of mass, largest, frequency, compliance or stress");
   if ((goal.effort > 0) != !goal.responses.empty())
     problems.add(at,
                  goal.effort > 0 ? "effort has a weight, but no responses"
@@ -307,32 +366,48 @@ void read_constraints(StudyReader& reader) {
 
 void read_frequencies(StudyReader& reader) {
   const auto limits = entries(reader.root, reader.broken, "frequencies");
-  for (const Entry& entry : limits)
-    reader.spec.frequencies.push_back({entry.name, number(*entry.table, "least"),
-                                       integer(*entry.table, "count"), number(*entry.table, "at")});
+  for (const Entry& entry : limits) {
+    FrequencyLimitSpec limit{entry.name, number(*entry.table, "least"),
+                             integer(*entry.table, "count"), number(*entry.table, "at")};
+    const toml::node* of = entry.table->get("of");
+    limit.body = read_vibrating(reader, of);
+    if (const toml::node* at = entry.table->get("at"); of && written(*at))
+      reader.scene.problems.add(*at, "'at' is a pose of the mechanism, and one beam has none",
+                                "'of' or 'at'");
+    reader.spec.frequencies.push_back(std::move(limit));
+  }
   if (reader.spec.frequencies.empty()) return;
   const auto refuse = [&](const std::string& what, const char* expected) {
     reader.scene.problems.add(*reader.root.get(limits.empty() ? "objective" : "frequencies"), what,
                               expected);
   };
-  if (limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
-    refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
   const Mechanism& mechanism = reader.scene.scene.mechanism;
-  for (const BodySpec& body : mechanism.bodies) {
+  std::vector<bool> vibrates(mechanism.bodies.size(), false);
+  bool whole = false;
+  for (const FrequencyLimitSpec& f : reader.spec.frequencies) {
+    if (f.body >= 0) vibrates[static_cast<std::size_t>(f.body)] = true;
+    whole = whole || f.body < 0;
+  }
+  if (whole && limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
+    refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const BodySpec& body = mechanism.bodies[b];
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
-    if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Segments)
+    if (beam && (whole || vibrates[b]) &&
+        model_of(*beam, mechanism.formalism) == BeamModel::Segments)
       return refuse("frequencies are those in space, and '" + body.name +
                         "' is a chain of segments, which has no torsion",
                     "a beam of another formalism");
   }
+  if (reader.root.contains("loads"))
+    refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
+  if (!whole) return;
   for (const BodySpec& body : mechanism.bodies)
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
       return refuse("frequencies are those in space, and '" + body.name + "' is meshed in a plane",
                     "[part_limits] with quantity = \"frequency\"");
   if (!reader.spec.shapes.empty())
     refuse("frequencies of a mechanism whose outlines change", "design variables of sections");
-  if (reader.root.contains("loads"))
-    refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
   if (mechanism.formalism == Formalism::Rigid)
     refuse("no part of a rigid mechanism vibrates", "another simulation.formalism");
 }
@@ -425,7 +500,10 @@ void check_images(StudyReader& reader) {
   check_statics(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
-  if (!reader.spec.goal.only_mass())
+  const Goal& goal = reader.spec.goal;
+  const bool of_motion =
+      reader.root.contains("loads") ? goal.duration > 0 || goal.effort > 0 : !goal.only_mass();
+  if (of_motion)
     reader.scene.problems.add(*reader.root["objective"].as_table()->get("minimize"),
                               "the objective is of the motion, and " + why, "\"mass\"",
                               "\"weighted\" needs cycle.method \"esl1\" or \"full\"");

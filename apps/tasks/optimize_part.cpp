@@ -34,12 +34,35 @@ void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
                      const StaticCheck& initial, const StaticCheck& final) {
   for (std::size_t i = 0; i < final.limits.size(); ++i) {
     const bool wall = i >= task.limits.size();
+    if (!wall && task.limits[i].weight > 0) continue;
     const Quantity q = wall ? Quantity{"wall", "-"} : quantity(task.limits[i].response);
     const LimitCheck& last = final.limits[i];
     const double first = i < initial.limits.size() ? initial.limits[i].value : last.value;
     summary.constraints.push_back(
         {last.name, q.name, q.unit, last.limit, first, last.value, 0, last.excess});
   }
+}
+
+/// The parts of a weighted objective.
+void describe_goals(output::OptimizeSummary& summary, const SolidTask& task,
+                    const StaticCheck& initial, const StaticCheck& final) {
+  auto& goals = summary.more["goals"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < task.limits.size(); ++i) {
+    const SolidLimit& goal = task.limits[i];
+    if (!(goal.weight > 0)) continue;
+    const Quantity q = quantity(goal.response);
+    goals[goal.name] = {{"quantity", q.name},
+                        {"unit", q.unit},
+                        {"weight", goal.weight},
+                        {"initial", initial.limits[i].value},
+                        {"final", final.limits[i].value}};
+  }
+}
+
+/// What is minimised.
+Quantity objective_of(const SolidTask& task) {
+  const bool mass_alone = task.objective != SolidResponse::Mass || task.mass_weight == 1;
+  return task.weighted() || !mass_alone ? Quantity{"weighted sum", "-"} : quantity(task.objective);
 }
 
 /// Of a variable that a new hole brought with it, the start is where it was inserted.
@@ -66,8 +89,9 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   describe_limits(summary, task, initial, end.final);
   describe_design(summary, task, rounds);
   auto& more = summary.more;
-  more["objective"] = {{"quantity", quantity(task.objective).name},
-                       {"unit", quantity(task.objective).unit},
+  if (task.weighted()) describe_goals(summary, task, initial, end.final);
+  more["objective"] = {{"quantity", objective_of(task).name},
+                       {"unit", objective_of(task).unit},
                        {"initial", initial.objective},
                        {"final", end.final.objective}};
   describe_optimality(summary, end.optimality);

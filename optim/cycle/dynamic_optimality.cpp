@@ -210,12 +210,14 @@ DynamicOptimality check_optimality(const StudySpec& study,
   if (!out.reason.empty()) return out;
   std::vector<Peak> between, records;
   for (int r = 0; r < motion.responses(); ++r) {
+    const std::string name = limit_name(study, motion.response(r));
+    const double limit = limit_value(study, motion.response(r));
+    const std::size_t before[] = {between.size(), records.size()};
+    add_peaks_between(motion, r, name, limit, active, between);
+    add_peaks_of_records(motion, r, name, limit, active, records);
+    if (motion.response(r).part_limit >= 0) continue;
     const int c = motion.response(r).constraint;
     const ConstraintSpec& spec = study.constraints[static_cast<std::size_t>(c)];
-    const std::string name = limit_name(study, motion.response(r));
-    const std::size_t before[] = {between.size(), records.size()};
-    add_peaks_between(motion, r, name, spec.limit, active, between);
-    add_peaks_of_records(motion, r, name, spec.limit, active, records);
     if (!(spec.weight > 0)) continue;
     const RowGoal goal{c, spec.weight * spec.limit};
     for (std::size_t k = before[0]; k < between.size(); ++k) between[k].goal = goal;

@@ -22,7 +22,8 @@ EslProblem::EslProblem(std::unique_ptr<PartStatics> parts, const CycleOptions& o
     correction_[p] = measured - parts_->y(static_cast<int>(p)).topRows(measured.rows());
   }
   const bool every = !solved || parts_->needs_every_case();
-  keep(every ? CasesByLimit() : near_largest(all_values(), screened_, options));
+  if (!every) at_start_ = all_values();
+  keep(every ? CasesByLimit() : near_largest(at_start_, screened_, options));
 }
 
 void EslProblem::retain_all() {
@@ -96,6 +97,43 @@ std::vector<LimitedResponse> EslProblem::responses() const {
   return out;
 }
 
+std::vector<LimitedResponse> EslProblem::responses_with_slopes() {
+  std::vector<LimitedResponse> out = responses();
+  const bool any =
+      std::any_of(out.begin(), out.end(), [](const auto& r) { return r.part_limit >= 0; });
+  if (!any || at_start_.empty()) return out;
+  VectorXd x0(static_cast<Eigen::Index>(variables_.size()));
+  for (Eigen::Index j = 0; j < x0.size(); ++j)
+    x0[j] = variables_[static_cast<std::size_t>(j)].start;
+  if (!solve(x0)) return out;  // of the retained cases
+  std::size_t number = 0;
+  for (std::size_t l = 0; l < at_start_.size(); ++l) {
+    if (!parts_->limits()[l].motion) continue;
+    LimitedResponse& r = out[number++];
+    if (r.part_limit < 0) continue;
+    PartSlopes slopes = parts_->slopes(static_cast<int>(l), kept_[screened_[l].part]);
+    slopes.value = Eigen::Map<const VectorXd>(at_start_[l].data(),
+                                              static_cast<Eigen::Index>(at_start_[l].size()));
+    r.slopes = std::make_shared<PartSlopes>(std::move(slopes));
+  }
+  return out;
+}
+
+std::vector<RowGoal> EslProblem::goals() const {
+  std::vector<RowGoal> out;
+  for (const auto& r : retained_.rows) {
+    const CaseLimit& l = parts_->limits()[r.limit];
+    out.push_back(l.weight > 0 ? RowGoal{l.screened.constraint, l.weight * l.screened.limit}
+                               : RowGoal());
+  }
+  const std::vector<RowGoal> own = parts_->own_goals();
+  out.insert(out.end(), own.begin(), own.end());
+  out.resize(constraints_.size());
+  const bool any =
+      std::any_of(out.begin(), out.end(), [](const RowGoal& g) { return g.number >= 0; });
+  return any ? out : std::vector<RowGoal>();
+}
+
 std::vector<RowImage> EslProblem::images() const {
   std::vector<int> number;
   int count = 0;
@@ -125,17 +163,19 @@ std::optional<StaticCheck> EslProblem::check(const VectorXd& x) {
     out.emplace(StaticCheck{parts_->objective(), parts_->mass(), {}, -1, {}});
     const ValuesByLimit values = all_values();
     for (std::size_t l = 0; l < values.size(); ++l) {
-      const auto& [name, screened, first, count, motion] = parts_->limits()[l];
-      LimitCheck& c = out->limits.emplace_back(LimitCheck{name, screened.limit, 0, -1, {}});
+      const CaseLimit& limit = parts_->limits()[l];
+      LimitCheck& c = out->limits.emplace_back(
+          LimitCheck{limit.name, limit.screened.limit, 0, -1, {}, limit.weight});
       if (values[l].empty()) continue;
       const auto worst = std::max_element(values[l].begin(), values[l].end());
       c.value = *worst;
       c.excess = c.value / c.limit - 1;
-      c.at = parts_->cases()[screened.part][worst - values[l].begin()];
+      c.at = parts_->cases()[limit.screened.part][worst - values[l].begin()];
+      out->objective += c.weight * c.value;
     }
-    parts_->add_checks(out->limits);
+    out->objective += parts_->add_checks(out->limits);
     for (const LimitCheck& l : out->limits) {
-      if (!(l.excess > out->worst)) continue;
+      if (l.weight > 0 || !(l.excess > out->worst)) continue;
       out->worst = l.excess;
       out->worst_limit = l.name;
     }
@@ -147,7 +187,7 @@ std::optional<StaticCheck> EslProblem::check(const VectorXd& x) {
 void EslProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const bool solved = solve(x);
-  f = solved ? parts_->objective() : kNone;
+  f = solved ? parts_->objective() + parts_->goals_at_start() : kNone;
   g.setConstant(kNone);
   if (!solved) return;
   for (std::size_t r = 0; r < retained_.rows.size(); ++r) {

@@ -11,16 +11,18 @@ namespace liesl {
 
 /// One design, measured in all load cases.
 struct StaticCheck {
-  double objective = 0;
+  double objective = 0;            ///< with all that is weighted
   double mass = 0;                 ///< kg
   std::vector<LimitCheck> limits;  ///< those of the study, then the worst wall if there are walls
   double worst = -1;               ///< largest excess
   std::string worst_limit;
 };
 
-/// minimise objective(x) subject to value_l(y_n(x))/limit_l - 1 <= 0 in the retained cases n (all
-/// cases if the objective depends on them) and the limits of the design alone. Outputs are those of
-/// the linear static problem plus the constant that makes them exact at the analysed design x0,
+/// minimise objective(x) + sum_k w_k limit_k max_n g_kn over the limits with a weight (rows of
+/// `goals`; of a frequency -w_k limit_k min) subject to value_l(y_n(x))/limit_l - 1 <= 0 in the
+/// retained cases n (all cases if the objective depends on them) and the limits of the design
+/// alone. Outputs are those of the linear static problem plus the constant that makes them exact at
+/// the analysed design x0,
 ///   y_n(x) = C^T K(x)^-1 f_n + (y_n^dynamic - C^T K(x0)^-1 f_n),
 /// so that a fixed point of the cycle satisfies the limits of the motion itself; under fixed loads
 /// as they are. Without a part at x there is no value, and `undefined_reason` says why.
@@ -33,7 +35,10 @@ class EslProblem final : public StaticProblem {
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override;
   std::vector<LimitedResponse> responses() const override;
+  /// In the retained cases. @pre before any other x
+  std::vector<LimitedResponse> responses_with_slopes() override;
   std::vector<RowImage> images() const override;
+  std::vector<RowGoal> goals() const override;  ///< numbered as the screened limits
   std::string undefined_reason() const override { return undefined_reason_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
@@ -64,6 +69,7 @@ class EslProblem final : public StaticProblem {
   std::unique_ptr<PartStatics> parts_;
   std::vector<ScreenedLimit> screened_;
   std::vector<Eigen::MatrixXd> correction_;  ///< by part: first outputs x all cases
+  ValuesByLimit at_start_;  ///< values of all cases at x0; empty if every case is needed
   RetainedCases retained_;
   std::vector<std::vector<int>> kept_;  ///< by part: numbers of the cases that are solved
   std::vector<NlpVariable> variables_;

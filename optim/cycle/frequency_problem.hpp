@@ -4,13 +4,15 @@
 
 #include <memory>
 
+#include "mbs/model/body_alone.hpp"
 #include "mbs/solvers/pose_modes.hpp"
 #include "optim/cycle/static_problem.hpp"
 #include "optim/design/design.hpp"
 
 namespace liesl {
 
-/// The modes of one design in the poses of the limits on its frequencies.
+/// The modes of one design in the poses of the limits on its frequencies: of the whole mechanism,
+/// or of one body alone.
 struct LimitedModes {
   LimitedModes(Mechanism designed, const SimulationOptions& options,
                const std::vector<FrequencyLimitSpec>& limits);
@@ -19,10 +21,22 @@ struct LimitedModes {
 
   /// Number i of limit l, Hz; NaN where `reason` says why there is none.
   double frequency(std::size_t l, int i) const;
+  /// d lambda/dp of limit l.
+  Eigen::VectorXd lambda_by(std::size_t l, const Parameter& parameter) const;
 
-  Mechanism mechanism;  ///< with the design
-  Model<SE3> model;
-  std::vector<PoseModes> modes;  ///< one a limit
+  /// What vibrates; the model refers to the mechanism.
+  struct Vibrating {
+    Vibrating(BodyAlone&& of, const SimulationOptions& options, const FrequencyLimitSpec& limit);
+    Vibrating(const Vibrating&) = delete;
+    Vibrating& operator=(const Vibrating&) = delete;
+
+    BodyAlone of;  ///< of the whole: its mechanism
+    Model<SE3> model;
+    PoseModes modes;
+  };
+
+  Mechanism mechanism;                              ///< with the design
+  std::vector<std::unique_ptr<Vibrating>> limited;  ///< one a limit
   std::string reason;  ///< why a limit has fewer frequencies than it counts; empty: none has
 };
 

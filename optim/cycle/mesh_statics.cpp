@@ -41,7 +41,8 @@ MeshStatics::MeshStatics(const SolidTask& task, double cells, double share)
   for (std::size_t i = 0; i < task_.limits.size(); ++i) {
     const SolidLimit& l = task_.limits[i];
     if (!by_case(l.response)) continue;
-    CaseLimit limit{l.name, {static_cast<int>(i), 0, false, l.limit}, l.first, l.count, l.motion};
+    CaseLimit limit{l.name,  {static_cast<int>(i), 0, false, l.limit}, l.first, l.count, l.motion,
+                    l.weight};
     if (needs_displacements(l.response)) {
       expanded_ = true;
       limit.first = statics_.outputs() + static_cast<int>(extra_.size());
@@ -135,9 +136,41 @@ std::vector<MatrixXd> MeshStatics::output_gradients(int) {
   const int m = statics_.outputs();
   for (int o = 0; o < m; ++o) take(o, combination_.transpose() * statics_.output_gradient(o, dv));
   for (std::size_t k = 0; k < extra_.size(); ++k)
-    take(m + static_cast<int>(k), extra_[k]->response == SolidResponse::Stress
-                                      ? stress(true).gradient
-                                      : statics_.compliance_gradient(dv));
+    take(m + static_cast<int>(k), extra_gradient(*extra_[k]));
+  return out;
+}
+
+/// Of a stress or compliance, retained cases x variables.
+MatrixXd MeshStatics::extra_gradient(const SolidLimit& limit) {
+  return limit.response == SolidResponse::Stress
+             ? stress(true).gradient
+             : statics_.compliance_gradient(fractions_.derivative);
+}
+
+/// Loads follow the reduced forces g = K_e e of the motion, f = K Psi K_e^-1 g with the shapes as
+/// they are at x0: dv = dv at constant loads + a^T (K_e^-1 dK_e e + de), a = Psi^T dv/dq.
+PartSlopes MeshStatics::slopes(int number, const std::vector<int>& kept) {
+  const CaseLimit& row = limits_[static_cast<std::size_t>(number)];
+  const SolidLimit& limit = *extra_[static_cast<std::size_t>(row.first - statics_.outputs())];
+  const MatrixXd K_e = task_.basis.transpose() * task_.loads;
+  const MatrixXd e = kept_columns(task_.combination, kept);
+  MatrixXd own = extra_gradient(limit);
+  const MatrixXd a = limit.response == SolidResponse::Stress
+                         ? MatrixXd(task_.basis.transpose() * stress(true).by_displacement)
+                         : MatrixXd(2 * K_e * e);
+  const MatrixXd c = K_e.ldlt().solve(a), dv = fractions_.derivative;
+  for (int j = 0; j < dv.cols(); ++j) {
+    const auto& dK = task_.model->stiffness_derivative(fractions_.value, dv.col(j));
+    const MatrixXd dK_e =
+        task_.basis.transpose() * (dK.selfadjointView<Eigen::Lower>() * task_.basis);
+    own.col(j) += c.cwiseProduct(dK_e * e).colwise().sum().transpose();
+  }
+  PartSlopes out;
+  out.body = row.motion->response.body;
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    out.own[kept[k]] = own.row(static_cast<Eigen::Index>(k));
+    out.by_coordinates[kept[k]] = a.col(static_cast<Eigen::Index>(k));
+  }
   return out;
 }
 
@@ -151,7 +184,7 @@ double MeshStatics::objective() {
       return most > 0 ? most * std::pow((s / most).array().pow(p).mean(), 1 / p) : 0;
     }
     default:
-      return mass();
+      return task_.mass_weight * mass();
   }
 }
 
@@ -170,7 +203,7 @@ void MeshStatics::objective_gradient(VectorXd& df) {
       break;
     }
     default:
-      df = fractions_.derivative.transpose() * task_.model->cell_masses();
+      df = task_.mass_weight * (fractions_.derivative.transpose() * task_.model->cell_masses());
   }
 }
 
@@ -229,29 +262,53 @@ RowMatrix MeshStatics::own_gradients() {
   return dg;
 }
 
-void MeshStatics::add_checks(std::vector<LimitCheck>& checks) {
+RowGoal MeshStatics::goal_of(const SolidLimit& l) const {
+  const int number = static_cast<int>(&l - task_.limits.data());
+  return l.weight > 0 ? RowGoal{number, l.weight * l.limit} : RowGoal();
+}
+
+std::vector<RowGoal> MeshStatics::own_goals() const {
+  if (!task_.weighted()) return {};
+  std::vector<RowGoal> out;
+  for (const SolidLimit* l : own_limits())
+    out.insert(out.end(), l->response == SolidResponse::Frequency ? l->count : 1, goal_of(*l));
+  out.resize(out.size() + task_.design->wall_names().size());
+  return out;
+}
+
+double MeshStatics::goals_at_start() const {
+  double sum = 0;
+  for (const SolidLimit& l : task_.limits)
+    sum += (l.response == SolidResponse::Frequency ? -l.weight : l.weight) * l.limit;
+  return sum;
+}
+
+double MeshStatics::add_checks(std::vector<LimitCheck>& checks) {
+  double weighted = 0;
   for (const SolidLimit* l : own_limits()) {
-    LimitCheck c{l->name, l->limit, mass(), mass() / l->limit - 1, {}};
+    LimitCheck c{l->name, l->limit, mass(), mass() / l->limit - 1, {}, l->weight};
     if (l->response == SolidResponse::Frequency) {
       const VectorXd& f = frequencies().frequency;
       c.value = f.size() >= l->count ? f.head(l->count).minCoeff()
                                      : std::numeric_limits<double>::quiet_NaN();
       c.excess = 1 - c.value / l->limit;
     }
+    weighted += (l->response == SolidResponse::Frequency ? -l->weight : l->weight) * c.value;
     checks.insert(checks.begin() + (l - task_.limits.data()), std::move(c));
   }
   const VectorXd g = task_.design->walls();  // 1 - thickness/least
-  if (g.size() == 0) return;
+  if (g.size() == 0) return weighted;
   Eigen::Index w = 0;
   const double worst = g.maxCoeff(&w);
   checks.push_back(
       {task_.design->wall_names()[static_cast<std::size_t>(w)], 1, 1 + worst, worst, {}});
+  return weighted;
 }
 
 HoleDerivative MeshStatics::hole_derivative(const MatrixXd& weights, const VectorXd& own) const {
   const double rho = task_.model->material().rho;
   HoleDerivative out{VectorXd::Zero(task_.model->mesh().cell_count()), {}};
-  if (task_.objective == SolidResponse::Mass) out.value.setConstant(-rho);
+  if (task_.objective == SolidResponse::Mass) out.value.setConstant(-rho * task_.mass_weight);
   if (task_.objective == SolidResponse::Stress) out.missing = "the stress that is minimised";
   if (task_.objective == SolidResponse::Compliance)
     out.value +=

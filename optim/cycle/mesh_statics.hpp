@@ -33,13 +33,16 @@ class MeshStatics final : public PartStatics {
   const Eigen::MatrixXd& y(int) const override { return y_; }
   const Eigen::MatrixXd& measured(int) const override { return task_.measured; }
   std::vector<Eigen::MatrixXd> output_gradients(int) override;
+  PartSlopes slopes(int limit, const std::vector<int>& kept) override;
   double mass() const override { return task_.model->total_mass(fractions_.value); }
   double objective() override;
   void objective_gradient(Eigen::VectorXd& df) override;
   std::vector<NlpConstraint> own_rows() const override;
   Eigen::VectorXd own_values() override;
   RowMatrix own_gradients() override;
-  void add_checks(std::vector<LimitCheck>& checks) override;
+  std::vector<RowGoal> own_goals() const override;
+  double goals_at_start() const override;
+  double add_checks(std::vector<LimitCheck>& checks) override;
 
   /// Solves every case at x by itself, for `statics`; false if there is no part there.
   bool show_all(const Eigen::VectorXd& x);
@@ -54,6 +57,8 @@ class MeshStatics final : public PartStatics {
   const StressNorm& stress(bool with_gradient);
   const FrequencyGradient& frequencies();
   std::vector<const SolidLimit*> own_limits() const;
+  RowGoal goal_of(const SolidLimit& limit) const;
+  Eigen::MatrixXd extra_gradient(const SolidLimit& limit);
 
   SolidTask task_;
   const double cells_, share_;

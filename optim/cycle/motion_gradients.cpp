@@ -3,11 +3,32 @@
 #include <algorithm>
 #include <iterator>
 
+#include "mbs/bodies/solid_body.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
 
 namespace liesl {
 
 using Eigen::VectorXd;
+
+namespace {
+
+/// dv/dx of the stress or compliance of a meshed part at a record that has slopes.
+template <FrameGroup G>
+VectorXd part_gradient(const Model<G>& model, const PartSlopes& slopes, int record,
+                       const State<G>& s, const StateSensitivity& ds) {
+  const auto& body =
+      dynamic_cast<const SolidBody<G>&>(*model.bodies[static_cast<std::size_t>(slopes.body)]);
+  VectorXd h = VectorXd::Zero(body.size());
+  body.add_coordinates_gradient(model.body_state(s, slopes.body), slopes.by_coordinates.at(record),
+                                h.data());
+  VectorXd dv =
+      ds.eta.middleRows(G::dim * model.first_node(slopes.body), body.size()).transpose() * h;
+  const VectorXd& own = slopes.own.at(record);
+  dv.segment(slopes.first, own.size()) += own;
+  return dv;
+}
+
+}  // namespace
 
 template <FrameGroup G>
 MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, const VectorXd& x,
@@ -23,6 +44,7 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
   for (const auto& r : responses) {
     sensitivities.emplace_back(model, values, r.response, parameters);
     series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(records)), {}});
+    if (r.slopes) series_.back().value = r.slopes->value;
   }
   State<G> completed;
   std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
@@ -31,12 +53,18 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
     completed = s;
     model.complete(completed);
     for (std::size_t r = 0; r < series_.size(); ++r) {
+      const int n = static_cast<int>(record);
+      if (const PartSlopes* part = responses[r].slopes.get()) {
+        if (part->own.contains(n) && part->value[n] > 0)
+          series_[r].gradient[n] = part_gradient(model, *part, n, s, ds);
+        continue;
+      }
       const VectorXd y = values(responses[r].response, completed);
       const double v = y.norm();
       series_[r].value[static_cast<Eigen::Index>(record)] = v;
       const int c = responses[r].constraint;
       if (v > 0 && (c < 0 || v >= responses[r].kept * run.limits[std::size_t(c)].largest))
-        series_[r].gradient[static_cast<int>(record)] = sensitivities[r](s, ds).transpose() * y / v;
+        series_[r].gradient[n] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
   };

@@ -23,12 +23,6 @@ constexpr std::size_t kFewVariables = 12;  // differences simulate twice for eac
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
-  for (const PartLimitSpec& l : study.part_limits)
-    if ((l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) &&
-        study.cycle.method != CycleMethod::Esl)
-      throw std::invalid_argument("part limit '" + l.name +
-                                  "' has no gradient by the motion; expected cycle.method = "
-                                  "\"esl\"");
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
     if (c.treatment != Treatment::Auto) c.has_image = false;
@@ -268,7 +262,14 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     p.members = static_members(study, s, at, x, move);
     std::vector<LimitedResponse> responses;
     for (const auto& member : p.members)
-      for (auto& r : member.problem->responses()) responses.push_back(std::move(r));
+      for (auto& r : member.problem->responses_with_slopes()) {
+        if (r.slopes) {
+          auto placed = std::make_shared<PartSlopes>(*r.slopes);
+          placed->first = member.first;
+          r.slopes = std::move(placed);
+        }
+        responses.push_back(std::move(r));
+      }
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)
@@ -319,16 +320,14 @@ DynamicOptimality MotionModel<G>::optimality(const DesignAnalysis& given, const 
                                              const Progress& progress) const {
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   DynamicOptimality none;
-  none.reason =
-      "limits on the stress or compliance of a meshed part have no gradient by the motion";
-  for (const PartLimitSpec& l : study_.part_limits)
-    if (l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) return none;
   none.reason = "there is no motion to be differentiated";
   if (at.runs.front().differentiable()) try {
       return surrogate(at, x, study_.cycle.move_limit, kNearActive).optimality;
     } catch (const NoSensitivities& error) {
       none.reason = error.what();
     }
+  for (const PartLimitSpec& l : study_.part_limits)
+    if (follows_loads(l.quantity)) return none;  // not among the differences
   const bool differences =
       study_.cycle.optimality == OptimalityCheck::Always || variables().size() <= kFewVariables;
   if (!differences || at.runs.size() > 1) return none;

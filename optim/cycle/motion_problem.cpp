@@ -30,6 +30,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
   const SolidLoadSet& loads = loads_of(run.solid_loads, part.body);
   task.loads = loads.shapes;
   task.combination = loads.e;
+  task.basis = loads.basis;
   for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
 
   const ResponseValues<G> values(run.mechanism, *run.model);

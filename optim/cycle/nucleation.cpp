@@ -109,6 +109,10 @@ void take_off(FeatureSpec feature, ShapeSpec& outline) {
 HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& walls,
                           const VectorXd& x) {
   HoleProposal out;
+  if (task.weighted()) {
+    out.reason = "there is no topological derivative of a weighted objective";
+    return out;
+  }
   auto owned = std::make_unique<MeshStatics>(task, 1);
   const MeshStatics& part = *owned;
   EslProblem problem(std::move(owned), task.cycle, x);

@@ -35,10 +35,23 @@ std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Prog
   return out;
 }
 
-std::unique_ptr<StaticProblem> PartModel::static_problem(const DesignAnalysis&, const VectorXd& x,
-                                                         double move) const {
+SolidTask PartModel::scaled(const DesignAnalysis& at) const {
+  SolidTask task = task_;
+  const StaticCheck& check = dynamic_cast<const PartAnalysis&>(at).check;
+  for (std::size_t i = 0; i < task.limits.size(); ++i) {
+    SolidLimit& goal = task.limits[i];
+    if (!(goal.weight > 0)) continue;
+    goal.limit = check.limits[i].value;
+    if (!(goal.limit > 0))
+      throw std::invalid_argument("'" + goal.name + "' of the objective is 0 in all load cases");
+  }
+  return task;
+}
+
+std::unique_ptr<StaticProblem> PartModel::static_problem(const DesignAnalysis& at,
+                                                         const VectorXd& x, double move) const {
   const double cells = task_.cycle.move_cells * move / task_.cycle.move_limit;
-  return std::make_unique<EslProblem>(std::make_unique<MeshStatics>(task_, cells, move),
+  return std::make_unique<EslProblem>(std::make_unique<MeshStatics>(scaled(at), cells, move),
                                       task_.cycle, x);
 }
 

@@ -37,6 +37,9 @@ class PartModel final : public DesignModel {
   }
 
  private:
+  /// The task with what its goals are at a design as their limits.
+  SolidTask scaled(const DesignAnalysis& at) const;
+
   const SolidTask& task_;
 };
 

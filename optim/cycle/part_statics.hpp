@@ -16,6 +16,9 @@ struct CaseLimit {
   ScreenedLimit screened;
   int first = 0, count = 1;
   std::optional<LimitedResponse> motion = {};  ///< what it is the image of; none: fixed loads
+  /// Above 0: no limit, but this times the largest value of its cases in the objective; the limit
+  /// is then its size at the analysed design.
+  double weight = 0;
 };
 
 /// A limit of a problem at one design: its worst value and the case of it.
@@ -24,6 +27,7 @@ struct LimitCheck {
   double limit = 0, value = 0;  ///< of a frequency the lowest, of a wall 1 and least/thickness
   double excess = 0;            ///< value/limit - 1, of a frequency limit 1 - value/limit
   std::string at;               ///< load case; empty if it has none
+  double weight = 0;            ///< above 0: no limit, part of the objective
 };
 
 /// Contract: `retain` and `solve` come before what is asked of a design; derivatives are those at
@@ -65,7 +69,15 @@ class PartStatics {
   /// d value/dx_i at fixed outputs.
   virtual double explicit_slope(int, const Eigen::VectorXd&, int) const { return 0; }
 
+  /// Of a limit of a part itself over its motion, in the retained cases `kept` of the latest
+  /// design; without `value`. @pre the limit's motion has a part_limit
+  virtual PartSlopes slopes(int limit, const std::vector<int>& kept) {
+    (void)limit, (void)kept;
+    return {};
+  }
+
   virtual double mass() const = 0;  ///< kg, of what counts
+  /// Without what is weighted.
   virtual double objective() { return mass(); }
   virtual void objective_gradient(Eigen::VectorXd& df) = 0;
 
@@ -81,8 +93,14 @@ class PartStatics {
   virtual std::vector<NlpConstraint> own_rows() const { return {}; }
   virtual Eigen::VectorXd own_values() { return {}; }
   virtual RowMatrix own_gradients() { return {}; }
-  /// Adds them to those by load case, in the order of the study.
-  virtual void add_checks(std::vector<LimitCheck>&) {}
+  /// One a row; empty: all are limits. Numbers as those of the screened limits.
+  virtual std::vector<RowGoal> own_goals() const { return {}; }
+  /// What the weighted quantities were at the analysed design, times their weights; their rows tell
+  /// the change.
+  virtual double goals_at_start() const { return 0; }
+  /// Adds them to those by load case, in the order of the study. @returns what they add to the
+  /// objective
+  virtual double add_checks(std::vector<LimitCheck>&) { return 0; }
 
  protected:
   std::vector<CaseLimit> limits_;  ///< filled by the constructor, as the cases

@@ -2,6 +2,7 @@
 /// @file
 /// What a meshed part has to carry and to meet, as data and as a study states it.
 
+#include <algorithm>
 #include <optional>
 
 #include "mbs/solids/solid_statics.hpp"
@@ -17,7 +18,10 @@ struct SolidLimit {
   int first = 0, count = 1;  ///< Output: columns of C; Frequency: `count`
   double limit = 0;          ///< > 0
   std::optional<LimitedResponse> motion =
-      {};  ///< Output: what it is the image of; none: fixed loads
+      {};  ///< of a motion: what it is the image of; none: fixed loads, mass, frequency
+  /// Above 0: no limit, but this times the largest value of its cases (of a frequency minus the
+  /// lowest) in the objective; `limit` is then its size at the analysed design.
+  double weight = 0;
 };
 
 /// Nothing is copied but data: what is referred to must outlive the task.
@@ -32,11 +36,18 @@ struct SolidTask {
   /// k x cases: the loads of the cases are loads * combination, so that outputs take k solutions,
   /// however many cases there are. Empty: `loads` are the cases.
   Eigen::MatrixXd combination;
+  /// q x k: the displacements of the motion are basis * combination (SolidLoadSet); empty: none.
+  Eigen::MatrixXd basis;
   /// What the motion says of the outputs at the analysed design, m x cases. Empty: fixed loads.
   Eigen::MatrixXd measured;
   std::vector<SolidLimit> limits;
   SolidResponse objective = SolidResponse::Mass;  ///< Mass; Compliance, the mean of the cases; or
                                                   ///< Stress, their p-mean
+  double mass_weight = 1;  ///< of the mass that is the objective; limits with a weight are added
+  bool weighted() const {
+    return std::any_of(limits.begin(), limits.end(),
+                       [](const SolidLimit& l) { return l.weight > 0; });
+  }
   StressOptions stress;
   CycleOptions cycle;  ///< for the screening of cases
 };

@@ -40,8 +40,15 @@ NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmSta
 
 }  // namespace
 
+double limit_value(const StudySpec& study, const LimitedResponse& r) {
+  if (r.part_limit >= 0) return study.part_limits[static_cast<std::size_t>(r.part_limit)].limit;
+  return study.constraints[static_cast<std::size_t>(r.constraint)].limit;
+}
+
 std::string limit_name(const StudySpec& study, const LimitedResponse& r) {
-  const std::string& name = study.constraints[static_cast<std::size_t>(r.constraint)].response.name;
+  const std::string& name =
+      r.part_limit >= 0 ? study.part_limits[static_cast<std::size_t>(r.part_limit)].name
+                        : study.constraints[static_cast<std::size_t>(r.constraint)].response.name;
   if (study.scenarios.empty()) return name;
   return name + " (" + study.scenarios[static_cast<std::size_t>(r.scenario)] + ")";
 }

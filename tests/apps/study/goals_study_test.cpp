@@ -77,7 +77,11 @@ TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
       {"largest = 300", "largest = 0", "the weight of 'bend' is zero"},
       {"largest = \"bend\"", "largest = \"bent\"", "there is no response 'bent'"},
       {"mass = 2, largest = 300, frequency = 0.01", "mass = 2, largest = 300",
-       "'count' and 'at' are of a frequency"},
+       "'count' is of a frequency"},
+      {"count = 2", "count = 2\nfrequency_of = \"slider\"", "'slider' is no flexible beam"},
+      {"frequency = 0.01", "compliance = 1", "'compliance' is that of a meshed part under fixed"},
+      {"[constraints]", "[frequencies]\nf = { of = \"rod\", least = 10, at = 0.1 }\n[constraints]",
+       "one beam has none"},
       {"minimize = \"weighted\"", "minimize = \"mass\"", "the objective is not \"weighted\""},
       {"\"crank\"], limit = 1.5", "\"crnk\"], limit = 1.5", "there is no body 'crnk'"},
       {"\"crank\"], limit = 1.5", "\"crank\"], limit = 1.5, side = \"up\"", "a mass has no 'side'"},
@@ -87,6 +91,18 @@ TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
     EXPECT_NE(said.find(f.said), std::string::npos) << f.to << ": " << said;
     EXPECT_NE(said.find("study.toml:"), std::string::npos) << said;
   }
+}
+
+TEST(GoalStudy, FrequencyMayBeThatOfOneBeam) {
+  const std::string text =
+      changed(changed(kStudy, "count = 2", "count = 2\nfrequency_of = \"rod\""), "[constraints]",
+              "[frequencies]\nf = { of = \"crank\", least = 10 }\n[constraints]");
+  const Study study = read(text);
+  ASSERT_EQ(study.spec.frequencies.size(), 2u);
+  const Mechanism& mechanism = study.scene.mechanism;
+  EXPECT_EQ(study.spec.frequencies[0].body, mechanism.body("rod"));
+  EXPECT_EQ(study.spec.frequencies[1].body, mechanism.body("crank"));
+  EXPECT_EQ(read(kStudy).spec.frequencies[0].body, -1);
 }
 
 /// A static scene has scenarios of equilibria, and nothing that only a motion has.

@@ -238,6 +238,20 @@ TEST(Optimality, EndOfStolpesCycleIsNotCalledOptimal) {
   EXPECT_FALSE(r.warnings.empty());
 }
 
+/// The start is lighter than where the plain cycle ends, and meets the limits.
+TEST(Optimality, AnEarlierDesignThatIsReturnedIsNamed) {
+  Study study = test::stability_study("esl_non_optimal");
+  study.spec.design[0].start = {0.001};
+  study.spec.design[1].start = {0.0012};
+  const auto r = cycle(study);
+  ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
+  EXPECT_NEAR(r.x[1], 0.0012, 1e-12);
+  EXPECT_NE(r.reason.find("the design is that of cycle 1, the best that meets all limits (worst "
+                          "limit at -0.14)"),
+            std::string::npos)
+      << r.reason;
+}
+
 TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
   const Study study = test::stability_study("esl_non_optimal");
   const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
