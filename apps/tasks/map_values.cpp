@@ -85,7 +85,7 @@ class PartValues final : public StudyValues {
 std::vector<MappedQuantity> quantities(const Study& study) {
   const Quantity objective = quantity(study.spec.objective);
   std::vector<MappedQuantity> out{{objective.name, objective.unit, {}}};
-  if (!study.spec.goal.only_mass()) out.front() = {"objective", "-", {}};
+  if (!study.spec.motion_objective.only_mass()) out.front() = {"objective", "-", {}};
   if (study.spec.loads.empty()) {
     for (const ConstraintSpec& c : study.spec.constraints)
       out.push_back({c.response.name, unit(c.response, study.scene.mechanism), c.limit});

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Statics of a meshed part whose outline changes and whose loads stay.
+/// Statics of a meshed part whose outline changes, under fixed loads or those of a motion.
 
 #include <limits>
 
