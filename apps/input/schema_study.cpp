@@ -84,7 +84,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest: as many as may come to lie together, since which one is the lowest may change there. Motions that nothing holds do not count."},
     {"frequencies.*.at", Type::Number, "s", "0", kNotNegative, "The time whose values the drives have in the pose."},
 
-    {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},
+    {"loads", Type::Named, "", kOptional, kAny, "Fixed loads of a meshed part, by name. If there are any, nothing is simulated."},
     {"loads.*", Type::Table, "", kOptional, kAny, "A load on an interface, or on a side."},
     {"loads.*.at", Type::Text, "", kOneOf, kAny, "Port of the part, \"plate.right\": takes `force` and `moment`."},
     {"loads.*.force", Type::Vector, "N", "[0, 0, 0]", kAny, "In the axes of the mesh.", 3},

@@ -63,7 +63,7 @@ struct DriveTable {
 /// sum over the responses of the integral of their squares over the (first) motion + the terms of
 /// constraints and frequencies with a weight: the largest value over all motions, less the lowest
 /// frequency.
-struct Goal {
+struct MotionObjective {
   double mass = 1, duration = 0, effort = 0;
   std::vector<ResponseSpec> responses;
   bool extremes = false;  ///< a constraint or a frequency has a weight
@@ -181,7 +181,7 @@ struct MassLimitSpec {
   double limit = 0;  ///< kg, > 0
 };
 
-/// A load of a meshed part that stays, whatever the design. Loads of one case add up.
+/// A fixed load of a meshed part, whatever the design. Loads of one case add up.
 struct FixedLoad {
   std::string load_case;
   int body = 0;
@@ -263,9 +263,9 @@ struct StudySpec {
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   std::vector<ConstantSpec> constants;
-  std::vector<DriveTable> drives;  ///< those whose values or duration may change
-  double duration = 0;             ///< s, of the scene
-  Goal goal;                       ///< of motions
+  std::vector<DriveTable> drives;    ///< those whose values or duration may change
+  double duration = 0;               ///< s, of the scene
+  MotionObjective motion_objective;  ///< of motions
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;
