@@ -17,6 +17,7 @@ struct LimitedResponse {
   ResponseSpec response;
   int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
+  Treatment treatment = Treatment::Auto;  ///< whose records have gradients in any case
 };
 
 /// What a limit is called in reports: its name, and the scenario if there are several.
@@ -70,6 +71,10 @@ class CaselessProblem : public StaticProblem {
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;  ///< filled by the constructors of those that have rows
 };
+
+/// By the optimiser that cycle.optimizer and cycle.model name.
+NlpResult solve_by(Problem& problem, const CycleOptions& cycle, NlpOptions options,
+                   const NlpWarmStart& warm = {});
 
 /// The answer of an optimiser with all load cases met that the problem knows.
 struct StaticAnswer {
