@@ -460,16 +460,18 @@ void read_cycle(StudyReader& reader) {
   o.min_cases = integer(*table, "min_cases");
   o.gap = number(*table, "gap");
   o.max_designs = integer(*table, "max_designs");
+  o.restarts = integer(*table, "restarts");
   const std::string optimizer = text(*table, "optimizer");
   const auto names = words("ipopt mma ccsaq slsqp");  // in the order of Optimizer
   const auto found = std::find(names.begin(), names.end(), optimizer);
   if (found != names.end()) o.optimizer = static_cast<Optimizer>(found - names.begin());
   o.model = text(*table, "model") == "separable" ? NlpModel::Separable : NlpModel::Exact;
   const std::string method = text(*table, "method");
-  o.method = method == "esl"    ? CycleMethod::Esl
-             : method == "esl1" ? CycleMethod::Esl1
-             : method == "full" ? CycleMethod::Full
-                                : CycleMethod::Auto;
+  o.method = method == "esl"      ? CycleMethod::Esl
+             : method == "esl1"   ? CycleMethod::Esl1
+             : method == "full"   ? CycleMethod::Full
+             : method == "direct" ? CycleMethod::Direct
+                                  : CycleMethod::Auto;
   o.approximation =
       text(*table, "approximation") == "linear" ? Approximation::Linear : Approximation::Power;
   const std::string check = text(*table, "optimality");
@@ -496,8 +498,35 @@ void check_statics(StudyReader& reader) {
                               "an effort over time, and statics has none", "weights.largest");
 }
 
+/// The table of a constraint; "limit bar" is one of a limit of a truss.
+const toml::table& constraint_table(const StudyReader& reader, const std::string& name) {
+  const toml::table& limits = *reader.root["constraints"].as_table();
+  return *limits.get(limits.contains(name) ? name : name.substr(0, name.rfind(' ')))->as_table();
+}
+
+/// The optimiser of the motion itself has as many constraints at every design.
+void check_direct(StudyReader& reader) {
+  if (reader.spec.cycle.method != CycleMethod::Direct) return;
+  const auto refuse = [&](const toml::node& at, const std::string& what, const char* expected) {
+    reader.scene.problems.add(at, what + ", and cycle.method is \"direct\"", expected,
+                              "\"full\" approximates the same responses");
+  };
+  if (const toml::node* loads = reader.root.get("loads"))
+    refuse(*loads, "fixed loads have no motion", "a study of a motion");
+  if (reader.spec.goal.extremes)
+    refuse(*reader.root["objective"].as_table()->get("minimize"),
+           "largest values or lowest frequencies have kinks", "the mass, efforts, the duration");
+  for (const ConstraintSpec& c : reader.spec.constraints)
+    if (c.treatment == Treatment::Maxima || c.treatment == Treatment::Neighbours ||
+        c.treatment == Treatment::Ks)
+      refuse(*constraint_table(reader, c.response.name).get("treatment"),
+             "the number of maxima changes with the design",
+             "\"auto\", \"all\", \"worst\", \"functional\" or \"p_norm\"");
+}
+
 void check_images(StudyReader& reader) {
   check_statics(reader);
+  check_direct(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
   const MotionObjective& objective = reader.spec.motion_objective;
@@ -516,10 +545,7 @@ void check_images(StudyReader& reader) {
         "constants need a motion and cycle.method \"esl1\" or \"full\"");
   for (const ConstraintSpec& c : reader.spec.constraints)
     if (c.weight == 0 && (!c.has_image || c.treatment != Treatment::Auto)) {
-      const std::string& name = c.response.name;  // "limit bar" of a limit of a truss
-      const toml::table& limits = *reader.root["constraints"].as_table();
-      const toml::table& table =
-          *limits.get(limits.contains(name) ? name : name.substr(0, name.rfind(' ')))->as_table();
+      const toml::table& table = constraint_table(reader, c.response.name);
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(

@@ -192,7 +192,8 @@ LocalProblem local_problem(const Study& study, DesignModel& model, const VectorX
       study.scene.simulation.type == SimulationType::Dynamic)
     try {
       Surrogate surrogate = model.surrogate(*at, x, move, kNear);
-      what = study.spec.cycle.method == CycleMethod::Full
+      what = study.spec.cycle.method == CycleMethod::Full ||
+                     study.spec.cycle.method == CycleMethod::Direct
                  ? "the responses of the motion to first order (cycle.method \"full\")"
                  : "the static problem, corrected to first order (cycle.method \"esl1\")";
       if (!surrogate.problem) what = "none: " + surrogate.optimality.reason;

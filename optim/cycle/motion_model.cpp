@@ -19,6 +19,19 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kFewVariables = 12;  // differences simulate twice for each
 
+/// A limit as the optimiser of the motion itself has it: constraints whose number stays.
+void check_direct(ConstraintSpec& c) {
+  c.has_image = false;
+  if (c.treatment == Treatment::All) c.treatment = Treatment::Auto;
+  if (c.treatment == Treatment::Maxima || c.treatment == Treatment::Neighbours ||
+      c.treatment == Treatment::Ks)
+    throw std::invalid_argument(
+        "limit '" + c.response.name +
+        "': the number of its maxima changes with the design; expected treatment \"auto\", "
+        "\"all\", "
+        "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
+}
+
 /// The study with what its method takes from static problems.
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
@@ -28,7 +41,12 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (c.treatment != Treatment::Auto) c.has_image = false;
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
+    if (study.cycle.method == CycleMethod::Direct) check_direct(c);
   }
+  if (study.goal.extremes && study.cycle.method == CycleMethod::Direct)
+    throw std::invalid_argument(
+        "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
+        "expected \"esl1\" or \"full\"");
   if (!study.constants.empty() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument("'" + study.constants.front().name +
                                 "' changes a constant of the motion, which no static problem "
@@ -43,9 +61,15 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   return study;
 }
 
+/// Is every record differentiated, or those that may bound the design?
+bool every_record(const StudySpec& study, const ConstraintSpec& limit) {
+  return aggregates(limit.treatment) || study.cycle.method == CycleMethod::Direct;
+}
+
 /// The responses whose rows a limit has: one a point, or where their largest is aggregated, that.
-std::vector<ResponseSpec> rows_of(const ConstraintSpec& limit, const Mechanism& mechanism) {
-  if (aggregates(limit.treatment)) return {limit.response};
+std::vector<ResponseSpec> rows_of(const StudySpec& study, const ConstraintSpec& limit,
+                                  const Mechanism& mechanism) {
+  if (every_record(study, limit)) return {limit.response};
   return at_every_point(limit.response, mechanism);
 }
 
@@ -274,9 +298,10 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)
-        for (auto& r : rows_of(study_.constraints[c], run.mechanism))
+        for (auto& r : rows_of(study_, study_.constraints[c], run.mechanism))
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
-                               aggregates(study_.constraints[c].treatment) ? 0 : 0.5});
+                               every_record(study_, study_.constraints[c]) ? 0 : 0.5,
+                               study_.constraints[c].treatment});
     const auto limited = static_cast<int>(responses.size());
     if (s == 0)
       for (const ResponseSpec& r : study_.motion_objective.responses)

@@ -14,9 +14,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// The records that become rows of a limit.
-std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& screened,
-                         const std::vector<double>& v) {
+/// The records that become rows of a limit. An optimiser that is given the motion itself has the
+/// same rows at every design.
+std::set<int> records_of(const ConstraintSpec& limit, CycleMethod method, bool many,
+                         const std::vector<int>& screened, const std::vector<double>& v) {
+  if (method == CycleMethod::Direct && limit.treatment == Treatment::Auto) {
+    std::set<int> every;
+    for (std::size_t n = 0; n < v.size(); ++n) every.insert(every.end(), static_cast<int>(n));
+    return every;
+  }
   if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
   if (many) return {screened.begin(), screened.end()};
   return treated_records(Treatment::Maxima, v);
@@ -42,7 +48,8 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
   std::vector<double> g;
   for (int l = 0; l < count; ++l) {
     const ConstraintSpec& limit = study.constraints[limits[l].constraint];
-    for (const int n : records_of(limit, limits[l].many, screened[l], values[l])) {
+    for (const int n :
+         records_of(limit, study.cycle.method, limits[l].many, screened[l], values[l])) {
       const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
       constraints_.push_back(
           {id,

@@ -21,6 +21,13 @@ NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmSta
   options.progress = [&](const NlpProgress&) { return !keep_going || keep_going(); };
   options.tolerance = 1e-7;
   options.feasibility = 1e-7;
+  return solve_by(problem, cycle, std::move(options), warm);
+}
+
+}  // namespace
+
+NlpResult solve_by(Problem& problem, const CycleOptions& cycle, NlpOptions options,
+                   const NlpWarmStart& warm) {
   switch (cycle.optimizer) {
     case Optimizer::Mma:
       return solve_nlopt(problem, NloptMethod::Mma, options);
@@ -32,13 +39,12 @@ NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmSta
       break;
   }
   if (cycle.model == NlpModel::Separable) {
-    options.tolerance = 1e-6;
+    options.tolerance = std::max(options.tolerance, 1e-6);
+    options.acceptable = std::max(options.acceptable, options.tolerance);
     return solve_separable(problem, options);
   }
   return solve_ipopt(problem, options, warm.multipliers.empty() ? nullptr : &warm);
 }
-
-}  // namespace
 
 double limit_value(const StudySpec& study, const LimitedResponse& r) {
   if (r.part_limit >= 0) return study.part_limits[static_cast<std::size_t>(r.part_limit)].limit;

@@ -32,6 +32,7 @@ struct LimitedResponse {
   /// Of the study: the limit of a meshed part itself, in place of `constraint`; -1: it is none.
   int part_limit = -1;
   std::shared_ptr<const PartSlopes> slopes = {};  ///< of a part limit; null: not asked for
+  Treatment treatment = Treatment::Auto;          ///< whose records have gradients in any case
 };
 
 /// What a limit is called in reports: its name, and the scenario if there are several.
@@ -90,6 +91,10 @@ class CaselessProblem : public StaticProblem {
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;  ///< filled by the constructors of those that have rows
 };
+
+/// By the optimiser that cycle.optimizer and cycle.model name.
+NlpResult solve_by(Problem& problem, const CycleOptions& cycle, NlpOptions options,
+                   const NlpWarmStart& warm = {});
 
 /// The answer of an optimiser with all load cases met that the problem knows.
 struct StaticAnswer {
