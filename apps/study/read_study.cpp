@@ -513,7 +513,7 @@ void check_direct(StudyReader& reader) {
   };
   if (const toml::node* loads = reader.root.get("loads"))
     refuse(*loads, "fixed loads have no motion", "a study of a motion");
-  if (reader.spec.goal.extremes)
+  if (reader.spec.motion_objective.extremes)
     refuse(*reader.root["objective"].as_table()->get("minimize"),
            "largest values or lowest frequencies have kinks", "the mass, efforts, the duration");
   for (const ConstraintSpec& c : reader.spec.constraints)

@@ -43,7 +43,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
     if (study.cycle.method == CycleMethod::Direct) check_direct(c);
   }
-  if (study.goal.extremes && study.cycle.method == CycleMethod::Direct)
+  if (study.motion_objective.extremes && study.cycle.method == CycleMethod::Direct)
     throw std::invalid_argument(
         "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
         "expected \"esl1\" or \"full\"");
