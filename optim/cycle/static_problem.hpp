@@ -33,7 +33,6 @@ struct LimitedResponse {
   /// Of the study: the limit of a meshed part itself, in place of `constraint`; -1: it is none.
   int part_limit = -1;
   std::shared_ptr<const PartSlopes> slopes = {};  ///< of a part limit; null: not asked for
-  Treatment treatment = Treatment::Auto;          ///< whose records have gradients in any case
 };
 
 /// What a limit is called in reports: its name, and the scenario if there are several.
