@@ -151,7 +151,7 @@ void check_motion(StudyReader& reader) {
   }
 }
 
-/// Limits and goals under fixed loads are of the part that changes.
+/// Limits and terms of the objective under fixed loads are of the part that changes.
 void check_fixed_loads(StudyReader& reader) {
   for (const ConstraintSpec& c : reader.spec.constraints) {
     const int body = limited_body(c.response);

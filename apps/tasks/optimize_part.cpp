@@ -44,16 +44,16 @@ void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
 }
 
 /// The parts of a weighted objective.
-void describe_goals(output::OptimizeSummary& summary, const SolidTask& task,
-                    const StaticCheck& initial, const StaticCheck& final) {
-  auto& goals = summary.more["goals"] = nlohmann::ordered_json::object();
+void describe_part_terms(output::OptimizeSummary& summary, const SolidTask& task,
+                         const StaticCheck& initial, const StaticCheck& final) {
+  auto& terms = summary.more["goals"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < task.limits.size(); ++i) {
-    const SolidLimit& goal = task.limits[i];
-    if (!(goal.weight > 0)) continue;
-    const Quantity q = quantity(goal.response);
-    goals[goal.name] = {{"quantity", q.name},
+    const SolidLimit& term = task.limits[i];
+    if (!(term.weight > 0)) continue;
+    const Quantity q = quantity(term.response);
+    terms[term.name] = {{"quantity", q.name},
                         {"unit", q.unit},
-                        {"weight", goal.weight},
+                        {"weight", term.weight},
                         {"initial", initial.limits[i].value},
                         {"final", final.limits[i].value}};
   }
@@ -89,7 +89,7 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   describe_limits(summary, task, initial, end.final);
   describe_design(summary, task, rounds);
   auto& more = summary.more;
-  if (task.weighted()) describe_goals(summary, task, initial, end.final);
+  if (task.weighted()) describe_part_terms(summary, task, initial, end.final);
   more["objective"] = {{"quantity", objective_of(task).name},
                        {"unit", objective_of(task).unit},
                        {"initial", initial.objective},

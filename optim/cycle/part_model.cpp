@@ -39,11 +39,11 @@ SolidTask PartModel::scaled(const DesignAnalysis& at) const {
   SolidTask task = task_;
   const StaticCheck& check = dynamic_cast<const PartAnalysis&>(at).check;
   for (std::size_t i = 0; i < task.limits.size(); ++i) {
-    SolidLimit& goal = task.limits[i];
-    if (!(goal.weight > 0)) continue;
-    goal.limit = check.limits[i].value;
-    if (!(goal.limit > 0))
-      throw std::invalid_argument("'" + goal.name + "' of the objective is 0 in all load cases");
+    SolidLimit& term = task.limits[i];
+    if (!(term.weight > 0)) continue;
+    term.limit = check.limits[i].value;
+    if (!(term.limit > 0))
+      throw std::invalid_argument("'" + term.name + "' of the objective is 0 in all load cases");
   }
   return task;
 }

@@ -37,7 +37,7 @@ class PartModel final : public DesignModel {
   }
 
  private:
-  /// The task with what its goals are at a design as their limits.
+  /// The task with what terms of the objective are at a design as their limits.
   SolidTask scaled(const DesignAnalysis& at) const;
 
   const SolidTask& task_;

@@ -94,7 +94,7 @@ TEST(ObjectiveStudy, FaultsAreSaidAtTheirPlaces) {
   }
 }
 
-TEST(GoalStudy, FrequencyMayBeThatOfOneBeam) {
+TEST(ObjectiveStudy, FrequencyMayBeThatOfOneBeam) {
   const std::string text =
       changed(changed(kStudy, "count = 2", "count = 2\nfrequency_of = \"rod\""), "[constraints]",
               "[frequencies]\nf = { of = \"crank\", least = 10 }\n[constraints]");

@@ -1,6 +1,6 @@
 /// @file
-/// Goals of a meshed part under fixed loads: largest value, compliance, stress, lowest frequency,
-/// several weighted, with the mass as a limit.
+/// Objectives of a meshed part under fixed loads: largest value, compliance, stress, lowest
+/// frequency, several weighted, with the mass as a limit.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,7 +48,7 @@ move_cells = 3
 }
 
 /// Cherepanov's hole: axes as the stresses, 2 : 1; of one case the largest compliance is the mean.
-TEST(PartGoals, ComplianceOfOneCaseIsThatOfThePlainObjective) {
+TEST(PartObjective, ComplianceOfOneCaseIsThatOfThePlainObjective) {
   const PartEnd weighted =
       optimise(plate("minimize = \"weighted\"\nweights = { compliance = 1e-3 }", 100e6, 50e6, "1"));
   ASSERT_EQ(weighted.status, CycleStatus::Optimal) << weighted.reason;
@@ -59,7 +59,7 @@ TEST(PartGoals, ComplianceOfOneCaseIsThatOfThePlainObjective) {
 }
 
 /// Of two alike cases the largest is least where both are equal: the round hole of the symmetry.
-TEST(PartGoals, LargestOfTwoCasesIsLeastWhereBothAreEqual) {
+TEST(PartObjective, LargestOfTwoCasesIsLeastWhereBothAreEqual) {
   const PartEnd end =
       optimise(plate("minimize = \"weighted\"\nweights = { compliance = 1e-3 }", 80e6, 80e6, "2"));
   ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
@@ -88,33 +88,36 @@ tip = { at = "plate.tip", force = [0, -20e3, 0] }
 )";
 }
 
-struct Goal1D {
+struct Objective1D {
   const char* objective;
-  double slope;  ///< d ln(goal)/d ln(mass) of a slender bar
+  double slope;  ///< d ln(f)/d ln(mass) of a slender bar
   double within;
 };
 
-/// The price of the mass is the goal times its power of the mass, and what another mass changes.
-TEST(PartGoals, PriceOfTheMassIsWhatTheGoalGains) {
-  for (const Goal1D& goal : {Goal1D{"weights = { largest = 1e3 }\nlargest = \"sag\"", -3, 0.6},
-                             Goal1D{"weights = { stress = 1e-8 }", -2, 0.6},
-                             Goal1D{"weights = { frequency = 1e-3 }", 1, 0.4}}) {
+/// The price of the mass is the objective times its power of the mass, and what another mass
+/// changes.
+TEST(PartObjective, PriceOfTheMassIsWhatTheObjectiveGains) {
+  for (const Objective1D& tried :
+       {Objective1D{"weights = { largest = 1e3 }\nlargest = \"sag\"", -3, 0.6},
+        Objective1D{"weights = { stress = 1e-8 }", -2, 0.6},
+        Objective1D{"weights = { frequency = 1e-3 }", 1, 0.4}}) {
     const double mass = 7850 * 0.01 * 0.2 * 0.06, more = 1.01;
-    const PartEnd end = optimise(cantilever(goal.objective, mass)),
-                  heavier = optimise(cantilever(goal.objective, more * mass));
-    ASSERT_EQ(end.status, CycleStatus::Optimal) << goal.objective << end.reason;
-    ASSERT_EQ(heavier.status, CycleStatus::Optimal) << goal.objective << heavier.reason;
-    EXPECT_NEAR(end.final.mass / mass, 1, 1e-3) << goal.objective;
-    ASSERT_EQ(end.optimality->prices.size(), 1u) << goal.objective;
+    const PartEnd end = optimise(cantilever(tried.objective, mass)),
+                  heavier = optimise(cantilever(tried.objective, more * mass));
+    ASSERT_EQ(end.status, CycleStatus::Optimal) << tried.objective << end.reason;
+    ASSERT_EQ(heavier.status, CycleStatus::Optimal) << tried.objective << heavier.reason;
+    EXPECT_NEAR(end.final.mass / mass, 1, 1e-3) << tried.objective;
+    ASSERT_EQ(end.optimality->prices.size(), 1u) << tried.objective;
     const double f = end.final.objective, gained = heavier.final.objective - f;
-    EXPECT_NEAR(-end.optimality->prices[0].price * (more - 1) / gained, 1, 0.03) << goal.objective;
-    EXPECT_NEAR(gained / std::abs(f) / (more - 1), std::copysign(1.0, f) * goal.slope, goal.within)
-        << goal.objective;
+    EXPECT_NEAR(-end.optimality->prices[0].price * (more - 1) / gained, 1, 0.03) << tried.objective;
+    EXPECT_NEAR(gained / std::abs(f) / (more - 1), std::copysign(1.0, f) * tried.slope,
+                tried.within)
+        << tried.objective;
   }
 }
 
 /// m/m_0 + w u: with u ~ m^-s the optimum has s u = m/m_0 of the weights.
-TEST(PartGoals, MassAndDisplacementWeighted) {
+TEST(PartObjective, MassAndDisplacementWeighted) {
   const PartEnd end =
       optimise(cantilever("weights = { mass = 1, largest = 1000 }\nlargest = \"sag\"", 10));
   ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
@@ -126,7 +129,7 @@ TEST(PartGoals, MassAndDisplacementWeighted) {
   EXPECT_NEAR(end.final.mass / (1000 * sag), 3, 0.5);  // s of a slender bar is 3
 }
 
-TEST(PartGoals, WhatFixedLoadsDoNotHaveIsRefused) {
+TEST(PartObjective, WhatFixedLoadsDoNotHaveIsRefused) {
   const auto refused = [](const std::string& objective, const std::string& why) {
     try {
       optimise(cantilever(objective, 1));
