@@ -51,6 +51,7 @@ Json to_json(const SimulationEffort& e) {
 
 Json to_json(const Cycle& c) {
   Json cycle = {{"number", c.number},
+                {"start", c.start},
                 {"x", numbers(c.x)},
                 {"answer", numbers(c.answer)},
                 {"next", numbers(c.next)},
@@ -85,6 +86,7 @@ std::optional<CycleStatus> read_end(const std::string& text) {
 Cycle read_cycle(const Json& j) {
   Cycle c;
   c.number = j.at("number");
+  c.start = j.at("start");
   c.x = vector(j.at("x"));
   c.answer = vector(j.at("answer"));
   c.next = vector(j.at("next"));

@@ -118,7 +118,7 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
             "--method",
             [&o](const std::string& method) { o.set.push_back("cycle.method=\"" + method + "\""); },
             "How a cycle finds the next design, as cycle.method")
-        ->check(CLI::IsMember({"auto", "esl", "esl1", "full"}));
+        ->check(CLI::IsMember({"auto", "esl", "esl1", "full", "direct"}));
     command
         .add_flag("--nucleate{10}", o.nucleate,
                   "Insert new holes where they reduce the objective, --nucleate=N at most N "

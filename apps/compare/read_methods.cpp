@@ -52,8 +52,16 @@ std::vector<std::string> keys_of_axis(std::string_view name, const Study& study)
   return keys;
 }
 
-/// The plain cycle has no treatments: it gets one row for all of them.
-void leave_out_treatments_of_esl(CaseList& cases) {
+/// The plain cycle has no treatments: it gets one row for all of them. An optimiser of the motion
+/// itself has those whose number of constraints stays; "all" is its "auto".
+bool has_treatment(const std::string& method, const std::string& treatment) {
+  if (treatment == "auto") return true;
+  if (method == "direct")
+    return treatment == "worst" || treatment == "functional" || treatment == "p_norm";
+  return method != "esl";
+}
+
+void leave_out_treatments(CaseList& cases) {
   const auto column = [&](const char* name) {
     return std::find_if(cases.columns.begin(), cases.columns.end(),
                         [&](const CaseColumn& c) { return c.name == name; }) -
@@ -63,8 +71,8 @@ void leave_out_treatments_of_esl(CaseList& cases) {
              end = static_cast<std::ptrdiff_t>(cases.columns.size());
   if (method == end || treatment == end) return;
   std::erase_if(cases.rows, [&](const CaseList::Row& row) {
-    return plain(row.values[static_cast<std::size_t>(method)].text) == "esl" &&
-           plain(row.values[static_cast<std::size_t>(treatment)].text) != "auto";
+    return !has_treatment(plain(row.values[static_cast<std::size_t>(method)].text),
+                          plain(row.values[static_cast<std::size_t>(treatment)].text));
   });
 }
 
@@ -87,7 +95,7 @@ void read_methods(const toml::table& root, const std::filesystem::path& path,
       root, [&](std::string_view name) { return keys_of_axis(name, study); }, problems);
   problems.throw_if_any();
   rows.cases = expand(axes);
-  leave_out_treatments_of_esl(rows.cases);
+  leave_out_treatments(rows.cases);
   check_cases(rows, problems);
 }
 

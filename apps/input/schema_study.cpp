@@ -84,7 +84,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest: as many as may come to lie together, since which one is the lowest may change there. Motions that nothing holds do not count."},
     {"frequencies.*.at", Type::Number, "s", "0", kNotNegative, "The time whose values the drives have in the pose."},
 
-    {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},
+    {"loads", Type::Named, "", kOptional, kAny, "Fixed loads of a meshed part, by name. If there are any, nothing is simulated."},
     {"loads.*", Type::Table, "", kOptional, kAny, "A load on an interface, or on a side."},
     {"loads.*.at", Type::Text, "", kOneOf, kAny, "Port of the part, \"plate.right\": takes `force` and `moment`."},
     {"loads.*.force", Type::Vector, "N", "[0, 0, 0]", kAny, "In the axes of the mesh.", 3},
@@ -111,9 +111,10 @@ std::vector<Key> part_and_cycle_keys() {
     {"cycle.min_cases", Type::Integer, "", "10", {.lower = 1}, "Load cases kept per constraint at least."},
     {"cycle.gap", Type::Number, "-", "1e-3", kNotNegative, "Sizes of catalogues (`design.*.values`): the search ends when the best design is within this of the bound, relative; 0: of the best of all. The bound is made of the continuous optima of boxes of designs and holds as far as each is the best of its box. Designs all of whose sizes are of catalogues meet the limits to 1e-6, whatever `cycle.feasibility` allows."},
     {"cycle.max_designs", Type::Integer, "", "500", {.lower = 1}, "Sizes of catalogues: designs simulated at most, those of the continuous optimum among them; then the status is \"cycle limit\", and the gap is said."},
+    {"cycle.restarts", Type::Integer, "", "0", {0, 5}, "A study that ends infeasible begins again, so many times at most, until a design meets all limits: with every variable at 0.9 of its range, then at 0.5, 0.1, 0.7 and 0.3. Values of drives and the duration keep their start. The answer is the design that meets the limits, or exceeds them least."},
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
-    {"cycle.method", Type::Choice, "", "\"auto\"", kAny, "How a cycle finds the next design: \"esl\", loads of the last motion as constants; \"esl1\", a static problem that agrees with the motion in value and gradient, within a trust region: ends at the optimum of the motion; \"full\", the fully coupled method: no static problem, the responses themselves to first order, within a trust region. \"auto\": esl1 where the motion has sensitivities, else esl.", 0, "auto esl esl1 full"},
+    {"cycle.method", Type::Choice, "", "\"auto\"", kAny, "How a cycle finds the next design: \"esl\", loads of the last motion as constants; \"esl1\", a static problem that agrees with the motion in value and gradient, within a trust region: ends at the optimum of the motion; \"full\", the fully coupled method: no static problem, the responses themselves to first order, within a trust region; \"direct\": no approximation at all, the optimiser is given the motion and its sensitivities at every point, every step a constraint (treatments \"auto\", \"worst\", \"functional\", \"p_norm\"). \"auto\": esl1 where the motion has sensitivities, else esl.", 0, "auto esl esl1 full direct"},
     {"cycle.approximation", Type::Choice, "", "\"power\"", kAny, "How \"esl1\" and \"full\" continue a response from the analysed design: as a power of the variables, or linearly.", 0, "power linear"},
     {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end. By sensitivities; for a motion that has none by two simulations a variable, with \"auto\" for up to 12 variables.", 0, "auto always never"},
   };

@@ -5,7 +5,7 @@ import re
 
 import matplotlib.pyplot as plt
 
-from style import BLUE, COLOURS, GREEN, LIMIT, ORANGE, RED, label, legend, stacked
+from style import BLUE, COLOURS, GREEN, LIMIT, ORANGE, PURPLE, RED, label, legend, stacked
 from tables import is_number, NothingToDraw
 
 
@@ -220,7 +220,7 @@ def draw_stability(comparison, pictures, arguments):
     pictures.save(figure, name, "how runs end (the worst over what else is varied)")
 
 
-METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN}
+METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN, "direct": PURPLE}
 
 
 def draw_methods(series, pictures):

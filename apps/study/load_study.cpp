@@ -154,8 +154,8 @@ toml::table with_whole_paths(const Document& scene) {
 std::string without_ends(const toml::table& study) {
   toml::table copy = study;
   if (toml::table* cycle = copy["cycle"].as_table())
-    for (const char* key :
-         {"max", "tolerance", "objective_tolerance", "optimality", "gap", "max_designs"})
+    for (const char* key : {"max", "tolerance", "objective_tolerance", "optimality", "gap",
+                            "max_designs", "restarts"})
       cycle->erase(key);
   return content(copy);
 }

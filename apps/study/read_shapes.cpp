@@ -259,8 +259,7 @@ void check_shapes(StudyReader& reader) {
     check_fixed_loads(reader);
   if (spec.loads.empty() && spec.objective != SolidResponse::Mass)
     problems.add(*reader.root.get("objective"),
-                 "compliance and stress are minimised under loads "
-                 "that stay",
+                 "compliance and stress are minimised under fixed loads",
                  "'mass', or fixed [loads]");
 #ifdef LIESL_OPTIM
   for (const auto& [body, shape] : spec.shapes) try {

@@ -141,7 +141,7 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
       term.response.name = name;
       term.weight = weight[i];
       reader.spec.constraints.push_back(std::move(term));
-      reader.spec.goal.extremes = true;
+      reader.spec.motion_objective.extremes = true;
     }
   }
 }
@@ -163,20 +163,20 @@ int read_vibrating(StudyReader& reader, const toml::node* of) {
 }
 
 /// A quantity of the one meshed part under fixed loads in the objective.
-void add_part_goal(StudyReader& reader, const char* name, SolidResponse quantity, double weight,
+void add_part_term(StudyReader& reader, const char* name, SolidResponse quantity, double weight,
                    int count = 1) {
   if (reader.spec.shapes.empty()) return;  // said by check_shapes
-  PartLimitSpec goal{name, reader.spec.shapes.begin()->first, quantity, 1, count};
-  goal.weight = weight;
-  reader.spec.part_limits.push_back(std::move(goal));
-  reader.spec.goal.extremes = true;
+  PartLimitSpec term{name, reader.spec.shapes.begin()->first, quantity, 1, count};
+  term.weight = weight;
+  reader.spec.part_limits.push_back(std::move(term));
+  reader.spec.motion_objective.extremes = true;
 }
 
-void read_part_goals(StudyReader& reader, const toml::table* weights) {
+void read_part_terms(StudyReader& reader, const toml::table* weights) {
   const auto read = [&](const char* key, const char* name, SolidResponse quantity) {
     const double weight = weights ? (*weights)[key].value_or(0.0) : 0;
     if (!(weight > 0)) return;
-    if (reader.root.contains("loads")) return add_part_goal(reader, name, quantity, weight);
+    if (reader.root.contains("loads")) return add_part_term(reader, name, quantity, weight);
     reader.scene.problems.add(*weights->get(key),
                               fmt::format("'{}' is that of a meshed part under fixed [loads]", key),
                               "weights.largest and a response");
@@ -185,7 +185,7 @@ void read_part_goals(StudyReader& reader, const toml::table* weights) {
   read("stress", "largest stress", SolidResponse::Stress);
 }
 
-void read_frequency_goal(StudyReader& reader, const toml::table& table, double weight) {
+void read_frequency_term(StudyReader& reader, const toml::table& table, double weight) {
   const auto refuse_written = [&](const char* key, const char* what, const char* expected) {
     const toml::node* node = table.get(key);
     if (node && written(*node))
@@ -200,20 +200,20 @@ void read_frequency_goal(StudyReader& reader, const toml::table& table, double w
   }
   if (!(weight > 0)) return;
   if (fixed)
-    return add_part_goal(reader, "lowest frequency", SolidResponse::Frequency, weight,
+    return add_part_term(reader, "lowest frequency", SolidResponse::Frequency, weight,
                          integer(table, "count"));
-  FrequencyLimitSpec goal{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
-  goal.weight = weight;
-  goal.body = read_vibrating(reader, table.get("frequency_of"));
-  reader.spec.frequencies.push_back(goal);
-  reader.spec.goal.extremes = true;
+  FrequencyLimitSpec term{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
+  term.weight = weight;
+  term.body = read_vibrating(reader, table.get("frequency_of"));
+  reader.spec.frequencies.push_back(term);
+  reader.spec.motion_objective.extremes = true;
 }
 
 }  // namespace
 
 /// Weights of an objective that is not the mass alone.
-void read_goal(StudyReader& reader, const toml::table& table) {
-  Goal& goal = reader.spec.goal;
+void read_motion_objective(StudyReader& reader, const toml::table& table) {
+  MotionObjective& objective = reader.spec.motion_objective;
   Problems& problems = reader.scene.problems;
   if (text(table, "minimize") != "weighted") {
     for (const char* key : {"weights", "effort", "largest"})
@@ -224,31 +224,31 @@ void read_goal(StudyReader& reader, const toml::table& table) {
   }
   const toml::table* weights = table["weights"].as_table();
   const auto weight = [&](const char* key) { return weights ? (*weights)[key].value_or(0.0) : 0; };
-  goal.mass = weight("mass");
-  goal.duration = weight("duration");
-  goal.effort = weight("effort");
+  objective.mass = weight("mass");
+  objective.duration = weight("duration");
+  objective.effort = weight("effort");
   read_largest(reader, table, weights);
-  read_frequency_goal(reader, table, weight("frequency"));
-  read_part_goals(reader, weights);
+  read_frequency_term(reader, table, weight("frequency"));
+  read_part_terms(reader, weights);
   for (const toml::node* node : strings(table, "effort")) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
     for (const ResponseSpec& response : reader.scene.scene.responses)
-      if (response.name == name) goal.responses.push_back(response);
+      if (response.name == name) objective.responses.push_back(response);
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
-  if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0 || goal.extremes))
+  if (!(objective.mass > 0 || objective.duration > 0 || objective.effort > 0 || objective.extremes))
     problems.add(
         at, "all weights are zero",
         "a weight > 0 of mass, largest, frequency, duration or effort; under fixed [loads] "
         "of mass, largest, frequency, compliance or stress");
-  if ((goal.effort > 0) != !goal.responses.empty())
+  if ((objective.effort > 0) != !objective.responses.empty())
     problems.add(at,
-                 goal.effort > 0 ? "effort has a weight, but no responses"
-                                 : "responses of the effort, but no weight",
+                 objective.effort > 0 ? "effort has a weight, but no responses"
+                                      : "responses of the effort, but no weight",
                  "weights.effort > 0 and effort = [responses]");
   const auto& constants = reader.spec.constants;
-  if (goal.duration > 0 && std::none_of(constants.begin(), constants.end(), [](const auto& c) {
+  if (objective.duration > 0 && std::none_of(constants.begin(), constants.end(), [](const auto& c) {
         return c.quantity == ConstantQuantity::Duration;
       }))
     problems.add(
@@ -276,7 +276,7 @@ void read_objective(StudyReader& reader) {
       for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == body;
     }
   }
-  read_goal(reader, *table);
+  read_motion_objective(reader, *table);
   const std::string quantity = text(*table, "minimize");
   reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
                           : quantity == "stress"   ? SolidResponse::Stress
@@ -286,7 +286,7 @@ void read_objective(StudyReader& reader) {
   std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
   for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
   const bool read = design && design->size() == entries_read;
-  if (!varied && complete && read && reader.spec.goal.only_mass())
+  if (!varied && complete && read && reader.spec.motion_objective.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
                               "a body of [design]");
 }
@@ -460,16 +460,18 @@ void read_cycle(StudyReader& reader) {
   o.min_cases = integer(*table, "min_cases");
   o.gap = number(*table, "gap");
   o.max_designs = integer(*table, "max_designs");
+  o.restarts = integer(*table, "restarts");
   const std::string optimizer = text(*table, "optimizer");
   const auto names = words("ipopt mma ccsaq slsqp");  // in the order of Optimizer
   const auto found = std::find(names.begin(), names.end(), optimizer);
   if (found != names.end()) o.optimizer = static_cast<Optimizer>(found - names.begin());
   o.model = text(*table, "model") == "separable" ? NlpModel::Separable : NlpModel::Exact;
   const std::string method = text(*table, "method");
-  o.method = method == "esl"    ? CycleMethod::Esl
-             : method == "esl1" ? CycleMethod::Esl1
-             : method == "full" ? CycleMethod::Full
-                                : CycleMethod::Auto;
+  o.method = method == "esl"      ? CycleMethod::Esl
+             : method == "esl1"   ? CycleMethod::Esl1
+             : method == "full"   ? CycleMethod::Full
+             : method == "direct" ? CycleMethod::Direct
+                                  : CycleMethod::Auto;
   o.approximation =
       text(*table, "approximation") == "linear" ? Approximation::Linear : Approximation::Power;
   const std::string check = text(*table, "optimality");
@@ -491,18 +493,46 @@ void check_statics(StudyReader& reader) {
           *reader.root["design"][c.name].node(),
           fmt::format("'{}' changes a constant of a motion, and statics has none", c.name),
           "dimensions of sections, stiffness or rest value of a spring");
-  if (reader.spec.goal.effort > 0)
+  if (reader.spec.motion_objective.effort > 0)
     reader.scene.problems.add(*reader.root["objective"].as_table()->get("effort"),
                               "an effort over time, and statics has none", "weights.largest");
 }
 
+/// The table of a constraint; "limit bar" is one of a limit of a truss.
+const toml::table& constraint_table(const StudyReader& reader, const std::string& name) {
+  const toml::table& limits = *reader.root["constraints"].as_table();
+  return *limits.get(limits.contains(name) ? name : name.substr(0, name.rfind(' ')))->as_table();
+}
+
+/// The optimiser of the motion itself has as many constraints at every design.
+void check_direct(StudyReader& reader) {
+  if (reader.spec.cycle.method != CycleMethod::Direct) return;
+  const auto refuse = [&](const toml::node& at, const std::string& what, const char* expected) {
+    reader.scene.problems.add(at, what + ", and cycle.method is \"direct\"", expected,
+                              "\"full\" approximates the same responses");
+  };
+  if (const toml::node* loads = reader.root.get("loads"))
+    refuse(*loads, "fixed loads have no motion", "a study of a motion");
+  if (reader.spec.motion_objective.extremes)
+    refuse(*reader.root["objective"].as_table()->get("minimize"),
+           "largest values or lowest frequencies have kinks", "the mass, efforts, the duration");
+  for (const ConstraintSpec& c : reader.spec.constraints)
+    if (c.treatment == Treatment::Maxima || c.treatment == Treatment::Neighbours ||
+        c.treatment == Treatment::Ks)
+      refuse(*constraint_table(reader, c.response.name).get("treatment"),
+             "the number of maxima changes with the design",
+             "\"auto\", \"all\", \"worst\", \"functional\" or \"p_norm\"");
+}
+
 void check_images(StudyReader& reader) {
   check_statics(reader);
+  check_direct(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
-  const Goal& goal = reader.spec.goal;
-  const bool of_motion =
-      reader.root.contains("loads") ? goal.duration > 0 || goal.effort > 0 : !goal.only_mass();
+  const MotionObjective& objective = reader.spec.motion_objective;
+  const bool of_motion = reader.root.contains("loads")
+                             ? objective.duration > 0 || objective.effort > 0
+                             : !objective.only_mass();
   if (of_motion)
     reader.scene.problems.add(*reader.root["objective"].as_table()->get("minimize"),
                               "the objective is of the motion, and " + why, "\"mass\"",
@@ -515,10 +545,7 @@ void check_images(StudyReader& reader) {
         "constants need a motion and cycle.method \"esl1\" or \"full\"");
   for (const ConstraintSpec& c : reader.spec.constraints)
     if (c.weight == 0 && (!c.has_image || c.treatment != Treatment::Auto)) {
-      const std::string& name = c.response.name;  // "limit bar" of a limit of a truss
-      const toml::table& limits = *reader.root["constraints"].as_table();
-      const toml::table& table =
-          *limits.get(limits.contains(name) ? name : name.substr(0, name.rfind(' ')))->as_table();
+      const toml::table& table = constraint_table(reader, c.response.name);
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(

@@ -192,7 +192,8 @@ LocalProblem local_problem(const Study& study, DesignModel& model, const VectorX
       study.scene.simulation.type == SimulationType::Dynamic)
     try {
       Surrogate surrogate = model.surrogate(*at, x, move, kNear);
-      what = study.spec.cycle.method == CycleMethod::Full
+      what = study.spec.cycle.method == CycleMethod::Full ||
+                     study.spec.cycle.method == CycleMethod::Direct
                  ? "the responses of the motion to first order (cycle.method \"full\")"
                  : "the static problem, corrected to first order (cycle.method \"esl1\")";
       if (!surrogate.problem) what = "none: " + surrogate.optimality.reason;
@@ -253,7 +254,7 @@ MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapReque
   if (!study.spec.frequencies.empty())
     throw InputError({{study.file, 0, 0, "a map shows no limits on frequencies",
                        "a study without [frequencies]", "leave them out of a copy"}});
-  if (!study.spec.mass_limits.empty() || study.spec.goal.extremes)
+  if (!study.spec.mass_limits.empty() || study.spec.motion_objective.extremes)
     throw InputError({{study.file, 0, 0, "a map shows no limits on mass and no largest values",
                        "a study of responses and mass", "leave them out of a copy"}});
   const MakeValues make = values_of(study, space);

@@ -86,8 +86,8 @@ class PartValues final : public StudyValues {
 std::vector<MappedQuantity> quantities(const Study& study) {
   const Quantity objective = quantity(study.spec.objective);
   std::vector<MappedQuantity> out{{objective.name, objective.unit, {}}};
-  if (!study.spec.goal.only_mass()) out.front() = {"objective", "-", {}};
-  const auto limit_of = [](const auto& c) {  // goals have none
+  if (!study.spec.motion_objective.only_mass()) out.front() = {"objective", "-", {}};
+  const auto limit_of = [](const auto& c) {  // terms of the objective have none
     return c.weight > 0 ? std::nullopt : std::optional(c.limit);
   };
   if (study.spec.loads.empty()) {

@@ -180,7 +180,9 @@ SensitivityProblem study_problem(const std::string& file, const std::vector<std:
 #endif
 
 SensitivityMethod faster_method(std::size_t parameters, std::size_t functionals) {
-  return parameters > functionals + 4 ? SensitivityMethod::Adjoint : SensitivityMethod::Direct;
+  return adjoint_is_faster(static_cast<int>(parameters), static_cast<int>(functionals))
+             ? SensitivityMethod::Adjoint
+             : SensitivityMethod::Direct;
 }
 
 SensitivityOutcome sensitivity_task(const SensitivityProblem& problem, const ChosenSpace& space,

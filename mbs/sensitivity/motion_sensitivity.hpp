@@ -31,6 +31,11 @@ struct SensitivityEnd {
 template <FrameGroup G>
 using SensitivityAt = std::function<void(long step, const State<G>& s, const StateSensitivity& ds)>;
 
+/// Which form takes less time, as measured (docs/sensitivities.md, "What it costs").
+constexpr bool adjoint_is_faster(int parameters, int functionals) {
+  return parameters > functionals + 4;
+}
+
 /// Direct form: one factorisation and n_p solutions a step.
 /// @throws std::invalid_argument if the start depends on the parameters: it was moved onto joints
 /// or drives, or a drive that depends on them does not start from zero and from rest. A static

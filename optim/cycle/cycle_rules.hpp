@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// By which rules a cycle goes on or ends, from its history alone.
+/// By which rules a cycle continues or ends, from its history alone.
 
 #include <Eigen/Core>
 #include <optional>
@@ -31,7 +31,8 @@ inline bool closed(CycleStatus s) {
 
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
-  int number = 0;
+  int number = 0;        ///< from 1 at each start
+  int start = 0;         ///< 0: from the start of the study; else that of a restart (restarts.hpp)
   Eigen::VectorXd x;     ///< simulated design
   double mass = 0;       ///< kg
   double objective = 0;  ///< what is minimised; often the mass

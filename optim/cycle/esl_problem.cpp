@@ -119,19 +119,19 @@ std::vector<LimitedResponse> EslProblem::responses_with_slopes() {
   return out;
 }
 
-std::vector<RowGoal> EslProblem::goals() const {
-  std::vector<RowGoal> out;
+std::vector<ObjectiveTerm> EslProblem::objective_terms() const {
+  std::vector<ObjectiveTerm> out;
   for (const auto& r : retained_.rows) {
     const CaseLimit& l = parts_->limits()[r.limit];
-    out.push_back(l.weight > 0 ? RowGoal{l.screened.constraint, l.weight * l.screened.limit}
-                               : RowGoal());
+    out.push_back(l.weight > 0 ? ObjectiveTerm{l.screened.constraint, l.weight * l.screened.limit}
+                               : ObjectiveTerm());
   }
-  const std::vector<RowGoal> own = parts_->own_goals();
+  const std::vector<ObjectiveTerm> own = parts_->own_terms();
   out.insert(out.end(), own.begin(), own.end());
   out.resize(constraints_.size());
   const bool any =
-      std::any_of(out.begin(), out.end(), [](const RowGoal& g) { return g.number >= 0; });
-  return any ? out : std::vector<RowGoal>();
+      std::any_of(out.begin(), out.end(), [](const ObjectiveTerm& g) { return g.number >= 0; });
+  return any ? out : std::vector<ObjectiveTerm>();
 }
 
 std::vector<RowImage> EslProblem::images() const {
@@ -187,7 +187,7 @@ std::optional<StaticCheck> EslProblem::check(const VectorXd& x) {
 void EslProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
   const bool solved = solve(x);
-  f = solved ? parts_->objective() + parts_->goals_at_start() : kNone;
+  f = solved ? parts_->objective() + parts_->terms_at_start() : kNone;
   g.setConstant(kNone);
   if (!solved) return;
   for (std::size_t r = 0; r < retained_.rows.size(); ++r) {

@@ -19,10 +19,10 @@ struct StaticCheck {
 };
 
 /// minimise objective(x) + sum_k w_k limit_k max_n g_kn over the limits with a weight (rows of
-/// `goals`; of a frequency -w_k limit_k min) subject to value_l(y_n(x))/limit_l - 1 <= 0 in the
-/// retained cases n (all cases if the objective depends on them) and the limits of the design
-/// alone. Outputs are those of the linear static problem plus the constant that makes them exact at
-/// the analysed design x0,
+/// `objective_terms`; of a frequency -w_k limit_k min) subject to value_l(y_n(x))/limit_l - 1 <= 0
+/// in the retained cases n (all cases if the objective depends on them) and the limits of the
+/// design alone. Outputs are those of the linear static problem plus the constant that makes them
+/// exact at the analysed design x0,
 ///   y_n(x) = C^T K(x)^-1 f_n + (y_n^dynamic - C^T K(x0)^-1 f_n),
 /// so that a fixed point of the cycle satisfies the limits of the motion itself; under fixed loads
 /// as they are. Without a part at x there is no value, and `undefined_reason` says why.
@@ -38,7 +38,7 @@ class EslProblem final : public StaticProblem {
   /// In the retained cases. @pre before any other x
   std::vector<LimitedResponse> responses_with_slopes() override;
   std::vector<RowImage> images() const override;
-  std::vector<RowGoal> goals() const override;  ///< numbered as the screened limits
+  std::vector<ObjectiveTerm> objective_terms() const override;  ///< numbered as the screened limits
   std::string undefined_reason() const override { return undefined_reason_; }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }

@@ -55,7 +55,7 @@ Eigen::VectorXd LimitedModes::lambda_by(std::size_t l, const Parameter& paramete
 FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& design,
                                    const SimulationOptions& options,
                                    const std::vector<FrequencyLimitSpec>& limits,
-                                   const Eigen::VectorXd& x, int first_goal)
+                                   const Eigen::VectorXd& x, int first_term)
     : CaselessProblem(design.variables()),
       mechanism_(mechanism),
       design_(design),
@@ -69,11 +69,12 @@ FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& des
       constraints_.push_back(
           {static_cast<ConstraintId>(constraints_.size()),
            limit.count == 1 ? limit.name : fmt::format("{} {}", limit.name, i + 1), 1});
-      const bool goal = limit.weight > 0;
-      goals_.push_back({goal ? first_goal + static_cast<int>(l) : -1, limit.weight * limit.least});
-      any = any || goal;
+      const bool is_term = limit.weight > 0;
+      terms_.push_back(
+          {is_term ? first_term + static_cast<int>(l) : -1, limit.weight * limit.least});
+      any = any || is_term;
     }
-  if (!any) goals_.clear();
+  if (!any) terms_.clear();
 }
 
 void FrequencyProblem::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {

@@ -42,15 +42,15 @@ struct LimitedModes {
 
 /// Rows 1 - f_i/least <= 0 of the lowest frequencies, exact at every x (without second derivatives:
 /// frequencies are nearly linear in dimensions of sections). The objective is 0. Those with a
-/// weight are rows of a goal, numbered from `first_goal` on.
+/// weight are rows of a term of the objective, numbered from `first_term` on.
 class FrequencyProblem final : public CaselessProblem {
  public:
   FrequencyProblem(const Mechanism& mechanism, const Design& design,
                    const SimulationOptions& options, const std::vector<FrequencyLimitSpec>& limits,
-                   const Eigen::VectorXd& x, int first_goal = 0);
+                   const Eigen::VectorXd& x, int first_term = 0);
 
   std::string undefined_reason() const override { return latest_ ? latest_->reason : ""; }
-  std::vector<RowGoal> goals() const override { return goals_; }
+  std::vector<ObjectiveTerm> objective_terms() const override { return terms_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
@@ -59,7 +59,7 @@ class FrequencyProblem final : public CaselessProblem {
   const Design& design_;
   const SimulationOptions options_;
   const std::vector<FrequencyLimitSpec> limits_;
-  std::vector<RowGoal> goals_;
+  std::vector<ObjectiveTerm> terms_;
   std::unique_ptr<LimitedModes> latest_;  ///< of the latest values, for their gradients
 };
 

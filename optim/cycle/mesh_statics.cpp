@@ -262,21 +262,21 @@ RowMatrix MeshStatics::own_gradients() {
   return dg;
 }
 
-RowGoal MeshStatics::goal_of(const SolidLimit& l) const {
+ObjectiveTerm MeshStatics::term_of(const SolidLimit& l) const {
   const int number = static_cast<int>(&l - task_.limits.data());
-  return l.weight > 0 ? RowGoal{number, l.weight * l.limit} : RowGoal();
+  return l.weight > 0 ? ObjectiveTerm{number, l.weight * l.limit} : ObjectiveTerm();
 }
 
-std::vector<RowGoal> MeshStatics::own_goals() const {
+std::vector<ObjectiveTerm> MeshStatics::own_terms() const {
   if (!task_.weighted()) return {};
-  std::vector<RowGoal> out;
+  std::vector<ObjectiveTerm> out;
   for (const SolidLimit* l : own_limits())
-    out.insert(out.end(), l->response == SolidResponse::Frequency ? l->count : 1, goal_of(*l));
+    out.insert(out.end(), l->response == SolidResponse::Frequency ? l->count : 1, term_of(*l));
   out.resize(out.size() + task_.design->wall_names().size());
   return out;
 }
 
-double MeshStatics::goals_at_start() const {
+double MeshStatics::terms_at_start() const {
   double sum = 0;
   for (const SolidLimit& l : task_.limits)
     sum += (l.response == SolidResponse::Frequency ? -l.weight : l.weight) * l.limit;

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Statics of a meshed part whose outline changes and whose loads stay.
+/// Statics of a meshed part whose outline changes, under fixed loads or those of a motion.
 
 #include <limits>
 
@@ -40,8 +40,8 @@ class MeshStatics final : public PartStatics {
   std::vector<NlpConstraint> own_rows() const override;
   Eigen::VectorXd own_values() override;
   RowMatrix own_gradients() override;
-  std::vector<RowGoal> own_goals() const override;
-  double goals_at_start() const override;
+  std::vector<ObjectiveTerm> own_terms() const override;
+  double terms_at_start() const override;
   double add_checks(std::vector<LimitCheck>& checks) override;
 
   /// Solves every case at x by itself, for `statics`; false if there is no part there.
@@ -57,7 +57,7 @@ class MeshStatics final : public PartStatics {
   const StressNorm& stress(bool with_gradient);
   const FrequencyGradient& frequencies();
   std::vector<const SolidLimit*> own_limits() const;
-  RowGoal goal_of(const SolidLimit& limit) const;
+  ObjectiveTerm term_of(const SolidLimit& limit) const;
   Eigen::MatrixXd extra_gradient(const SolidLimit& limit);
 
   SolidTask task_;

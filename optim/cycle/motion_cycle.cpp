@@ -2,7 +2,9 @@
 
 #include <algorithm>
 
+#include "optim/cycle/direct_optimum.hpp"
 #include "optim/cycle/fixed_point_rule.hpp"
+#include "optim/cycle/restarts.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
 
 namespace liesl {
@@ -71,6 +73,8 @@ CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec stu
   const bool automatic = study.cycle.method == CycleMethod::Auto;
   study.cycle.method = method;
   MotionModel<G> model(scenarios, study, automatic);
+  if (method == CycleMethod::Direct)
+    return described(model, optimise_directly(model, study.cycle, hooks, resume));
   std::unique_ptr<StepRule> rule;
   if (method == CycleMethod::Esl)
     rule = std::make_unique<FixedPointRule>(study.cycle);
@@ -79,25 +83,41 @@ CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec stu
   return described(model, run_loop(model, *rule, study.cycle, hooks, resume));
 }
 
-}  // namespace
-
+/// From the start of the study.
 template <FrameGroup G>
-CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
-                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+CycleResult<G> run_once(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
+                        const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   const CycleMethod method = study.cycle.method;
-  if (method == CycleMethod::Esl)
-    return run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
   if (method != CycleMethod::Auto) return run_with(scenarios, study, method, hooks, resume);
   try {
     return run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
   } catch (const NoSensitivities& error) {
-    if (!study.constants.empty() || !study.goal.only_mass()) throw;  // the plain cycle has neither
+    if (!study.constants.empty() || !study.motion_objective.only_mass())
+      throw;  // the plain cycle has neither
     CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
     result.warnings.push_back(
         "the plain ESL cycle ran, because this motion has no sensitivities: " +
         std::string(error.what()));
     return result;
   }
+}
+
+}  // namespace
+
+template <FrameGroup G>
+CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
+                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+  SimulationEffort effort;
+  auto out = optimise_from_starts(
+      study, [&] { return Design(study, scenarios.front().mechanism).variables(); }, hooks, resume,
+      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles) {
+        auto end = run_once(scenarios, from, h, cycles);
+        effort += end.effort;
+        return end;
+      });
+  out.effort = effort;
+  start_with(out, out);
+  return out;
 }
 
 template CycleResult<SE2> run_cycle(const std::vector<Scenario<SE2>>&, const StudySpec&,

@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <iterator>
+#include <set>
 
 #include "mbs/bodies/solid_body.hpp"
-#include "mbs/sensitivity/response_sensitivity.hpp"
 
 namespace liesl {
 
@@ -28,42 +28,76 @@ VectorXd part_gradient(const Model<G>& model, const PartSlopes& slopes, int reco
   return dv;
 }
 
+/// Below as many parameters the direct form is taken unasked.
+constexpr std::size_t kFew = 6;
+
+/// A value whose gradient is wanted: a functional of the adjoint form.
+struct Wanted {
+  int response = 0, record = 0;
+  VectorXd weight;  ///< dv/dy = y/v
+};
+
+/// Local maxima of at least `least` with the records beside them, for the parabola through them.
+std::set<int> about_maxima(const VectorXd& v, double least) {
+  std::set<int> out;
+  const int size = static_cast<int>(v.size());
+  for (int n = 0; n < size; ++n) {
+    if (v[n] < least || (n > 0 && v[n] < v[n - 1]) || (n + 1 < size && v[n] <= v[n + 1])) continue;
+    for (int k = std::max(0, n - 1); k <= std::min(size - 1, n + 1); ++k) out.insert(k);
+  }
+  return out;
+}
+
 }  // namespace
 
 template <FrameGroup G>
 MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, const VectorXd& x,
                                  const std::vector<LimitedResponse>& responses) {
   const auto times = std::make_shared<const std::vector<double>>(run.times());
-  const auto records = times->size();
-  const Model<G>& model = *run.model;
   Parameters<G> parameters;
   for (const Parameter& p : design.parameters(run.mechanism, x))
-    parameters.emplace_back(run.mechanism, model, p);
-  const ResponseValues<G> values(run.mechanism, model);
+    parameters.emplace_back(run.mechanism, *run.model, p);
+  const ResponseValues<G> values(run.mechanism, *run.model);
+  for (const auto& r : responses)
+    series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(times->size())), {}});
+  if (run.statics || parameters.size() < kFew || !differentiate_maxima(run, values, parameters))
+    differentiate(run, values, parameters);
+}
+
+template <FrameGroup G>
+double MotionGradients::least_kept(const DesignRun<G>& run, const LimitedResponse& of) const {
+  return of.constraint < 0 ? 0 : of.kept * run.limits[std::size_t(of.constraint)].largest;
+}
+
+/// By the direct form, all values at once.
+template <FrameGroup G>
+void MotionGradients::differentiate(const DesignRun<G>& run, const ResponseValues<G>& values,
+                                    const Parameters<G>& parameters) {
+  const Model<G>& model = *run.model;
+  const std::vector<double> times = run.times();
   std::vector<ResponseSensitivity<G>> sensitivities;
-  for (const auto& r : responses) {
-    sensitivities.emplace_back(model, values, r.response, parameters);
-    series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(records)), {}});
-    if (r.slopes) series_.back().value = r.slopes->value;
+  for (Series& s : series_) {
+    sensitivities.emplace_back(model, values, s.response.response, parameters);
+    if (s.response.slopes) s.value = s.response.slopes->value;
   }
   State<G> completed;
   std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
-    if (record == records || s.t != (*times)[record]) return;
+    if (record == times.size() || s.t != times[record]) return;
     completed = s;
     model.complete(completed);
     for (std::size_t r = 0; r < series_.size(); ++r) {
+      const LimitedResponse& of = series_[r].response;
       const int n = static_cast<int>(record);
-      if (const PartSlopes* part = responses[r].slopes.get()) {
+      if (const PartSlopes* part = of.slopes.get()) {
         if (part->own.contains(n) && part->value[n] > 0)
           series_[r].gradient[n] = part_gradient(model, *part, n, s, ds);
         continue;
       }
-      const VectorXd y = values(responses[r].response, completed);
+      const VectorXd y = values(of.response, completed);
       const double v = y.norm();
-      series_[r].value[static_cast<Eigen::Index>(record)] = v;
-      const int c = responses[r].constraint;
-      if (v > 0 && (c < 0 || v >= responses[r].kept * run.limits[std::size_t(c)].largest))
+      series_[r].value[n] = v;
+      if (v > 0 && v >= least_kept(run, of))
         series_[r].gradient[n] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
@@ -72,6 +106,62 @@ MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, 
                                                                  run.pose_time, parameters, take)
                                          : direct_sensitivity<G>(model, run.tape, parameters, take);
   reason_ = end.reason;
+}
+
+/// By the adjoint form the maxima only, where that takes less time. @returns whether it does
+template <FrameGroup G>
+bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const ResponseValues<G>& values,
+                                           const Parameters<G>& parameters) {
+  const Model<G>& model = *run.model;
+  const auto& trajectory = run.simulation.trajectory;
+  std::vector<std::vector<VectorXd>> y(series_.size());
+  State<G> s = model.initial_state();
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    for (std::size_t r = 0; r < series_.size(); ++r) {
+      y[r].push_back(values(series_[r].response.response, s));
+      series_[r].value[n] = y[r].back().norm();
+    }
+  }
+  std::vector<Wanted> wanted;
+  std::multimap<double, int> at;  // numbers in `wanted`, by time
+  for (std::size_t r = 0; r < series_.size(); ++r) {
+    const LimitedResponse& of = series_[r].response;
+    const VectorXd& v = series_[r].value;
+    if (of.kept == 0 || of.slopes) return false;  // every record; of the direct form
+    std::set<int> records = about_maxima(v, least_kept(run, of));
+    if (of.treatment != Treatment::Auto)
+      records.merge(treated_records(of.treatment, {v.data(), v.data() + v.size()}));
+    for (const int n : records) {
+      if (!(v[n] > 0)) continue;
+      at.emplace(trajectory.time(n), static_cast<int>(wanted.size()));
+      wanted.push_back({static_cast<int>(r), n, y[r][std::size_t(n)] / v[n]});
+    }
+  }
+  const int functionals = static_cast<int>(wanted.size());
+  if (!adjoint_is_faster(static_cast<int>(parameters.size()), functionals)) return false;
+  by_adjoint_ = true;
+  std::vector<ResponseSensitivity<G>> sensitivities;
+  for (const Series& of : series_)
+    sensitivities.emplace_back(model, values, of.response.response, parameters);
+  Eigen::MatrixXd gradient;
+  const SensitivityEnd end = adjoint_sensitivity<G>(
+      model, run.tape, parameters, functionals,
+      [&](long, const State<G>& now, StateSensitivity& bars, Eigen::MatrixXd& by_p) {
+        const auto [first, last] = at.equal_range(now.t);
+        for (auto k = first; k != last; ++k) {
+          const Wanted& w = wanted[static_cast<std::size_t>(k->second)];
+          sensitivities[static_cast<std::size_t>(w.response)].add_cotangents(now, w.weight,
+                                                                             k->second, bars, by_p);
+        }
+      },
+      gradient);
+  reason_ = end.reason;
+  for (int k = 0; k < functionals; ++k) {
+    const Wanted& w = wanted[static_cast<std::size_t>(k)];
+    series_[static_cast<std::size_t>(w.response)].gradient[w.record] = gradient.col(k);
+  }
+  return true;
 }
 
 void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) {

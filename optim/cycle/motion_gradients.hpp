@@ -6,16 +6,18 @@
 #include <memory>
 #include <string>
 
+#include "mbs/sensitivity/response_sensitivity.hpp"
 #include "optim/cycle/design_run.hpp"
 #include "optim/cycle/static_problem.hpp"
 #include "optim/cycle/treatment.hpp"
 
 namespace liesl {
 
-/// v_rn = |y_r(t_n)| of each response r at the records n of its motion, and dv_rn/dx by the direct
-/// form of the sensitivities (mbs/sensitivity), exact but for the tolerance of the simulation.
-/// Gradients are kept where v_rn is at least `kept` of the largest value of its limit: less does
-/// not bound the design.
+/// v_rn = |y_r(t_n)| of each response r at the records n of its motion, and dv_rn/dx by the
+/// sensitivities (mbs/sensitivity), exact but for the tolerance of the simulation. Gradients are
+/// kept where v_rn is at least `kept` of the largest value of its limit: less does not bound the
+/// design. By the direct form; of many variables by the adjoint one (`adjoint_is_faster`), then of
+/// each maximum over time, the records beside it and those of its treatment only.
 class MotionGradients {
  public:
   MotionGradients() = default;
@@ -25,6 +27,8 @@ class MotionGradients {
   template <FrameGroup G>
   MotionGradients(const Design& design, const DesignRun<G>& run, const Eigen::VectorXd& x,
                   const std::vector<LimitedResponse>& responses);
+
+  bool by_adjoint() const { return by_adjoint_; }
 
   /// Puts those of another motion of the same design behind these.
   void append(MotionGradients other);
@@ -57,9 +61,18 @@ class MotionGradients {
     std::map<int, Eigen::VectorXd> gradient;  ///< by record
   };
   const Series& at(int response) const { return series_[static_cast<std::size_t>(response)]; }
+  template <FrameGroup G>
+  void differentiate(const DesignRun<G>& run, const ResponseValues<G>& values,
+                     const Parameters<G>& parameters);
+  template <FrameGroup G>
+  bool differentiate_maxima(const DesignRun<G>& run, const ResponseValues<G>& values,
+                            const Parameters<G>& parameters);
+  template <FrameGroup G>
+  double least_kept(const DesignRun<G>& run, const LimitedResponse& response) const;
 
   std::vector<Series> series_;
   std::string reason_;
+  bool by_adjoint_ = false;
 };
 
 extern template MotionGradients::MotionGradients(const Design&, const DesignRun<SE2>&,

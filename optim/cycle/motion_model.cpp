@@ -19,6 +19,19 @@ using Eigen::VectorXd;
 
 constexpr std::size_t kFewVariables = 12;  // differences simulate twice for each
 
+/// A limit as the optimiser of the motion itself has it: constraints whose number stays.
+void check_direct(ConstraintSpec& c) {
+  c.has_image = false;
+  if (c.treatment == Treatment::All) c.treatment = Treatment::Auto;
+  if (c.treatment == Treatment::Maxima || c.treatment == Treatment::Neighbours ||
+      c.treatment == Treatment::Ks)
+    throw std::invalid_argument(
+        "limit '" + c.response.name +
+        "': the number of its maxima changes with the design; expected treatment \"auto\", "
+        "\"all\", "
+        "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
+}
+
 /// The study with what its method takes from static problems.
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
@@ -28,12 +41,17 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (c.treatment != Treatment::Auto) c.has_image = false;
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
+    if (study.cycle.method == CycleMethod::Direct) check_direct(c);
   }
+  if (study.motion_objective.extremes && study.cycle.method == CycleMethod::Direct)
+    throw std::invalid_argument(
+        "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
+        "expected \"esl1\" or \"full\"");
   if (!study.constants.empty() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument("'" + study.constants.front().name +
                                 "' changes a constant of the motion, which no static problem "
                                 "has; expected cycle.method = \"esl1\" or \"full\"");
-  if (!study.goal.only_mass() && study.cycle.method == CycleMethod::Esl)
+  if (!study.motion_objective.only_mass() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument(
         "the objective is not the mass alone, which is all that a static problem has; expected "
         "cycle.method = \"esl1\" or \"full\"");
@@ -43,9 +61,15 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   return study;
 }
 
+/// Is every record differentiated, or those that may bound the design?
+bool every_record(const StudySpec& study, const ConstraintSpec& limit) {
+  return aggregates(limit.treatment) || study.cycle.method == CycleMethod::Direct;
+}
+
 /// The responses whose rows a limit has: one a point, or where their largest is aggregated, that.
-std::vector<ResponseSpec> rows_of(const ConstraintSpec& limit, const Mechanism& mechanism) {
-  if (aggregates(limit.treatment)) return {limit.response};
+std::vector<ResponseSpec> rows_of(const StudySpec& study, const ConstraintSpec& limit,
+                                  const Mechanism& mechanism) {
+  if (every_record(study, limit)) return {limit.response};
   return at_every_point(limit.response, mechanism);
 }
 
@@ -106,10 +130,10 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
 template <FrameGroup G>
 void MotionModel<G>::judge(MotionAnalysis<G>& a, const VectorXd& x) const {
   const DesignRun<G>& first = a.runs.front();
-  const Goal& goal = study_.goal;
+  const MotionObjective& weights = study_.motion_objective;
   a.mass = first.mass;
   a.objective =
-      goal.mass * first.mass + goal.duration * first.duration + goal.effort * first.effort;
+      weights.mass * first.mass + weights.duration * first.duration + weights.effort * first.effort;
   for (std::size_t s = 0; s < a.runs.size(); ++s) {
     const DesignRun<G>& run = a.runs[s];
     if (!run.good() && a.status != SolveStatus::Interrupted) {
@@ -163,23 +187,23 @@ double MotionModel<G>::extremes(const MotionAnalysis<G>& a) const {
 template <FrameGroup G>
 StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
   StudySpec study = study_;
-  if (!study.goal.extremes) return study;
+  if (!study.motion_objective.extremes) return study;
   for (std::size_t c = 0; c < study.constraints.size(); ++c) {
-    ConstraintSpec& goal = study.constraints[c];
-    if (!(goal.weight > 0)) continue;
-    goal.limit = 0;
+    ConstraintSpec& term = study.constraints[c];
+    if (!(term.weight > 0)) continue;
+    term.limit = 0;
     for (const MotionLimits& m : a.limits)
-      if (c < m.limits.size()) goal.limit = std::max(goal.limit, m.limits[c].measure);
-    if (!(goal.limit > 0))
-      throw NoSensitivities("'" + goal.response.name + "' of the objective is 0 all the time");
+      if (c < m.limits.size()) term.limit = std::max(term.limit, m.limits[c].measure);
+    if (!(term.limit > 0))
+      throw NoSensitivities("'" + term.response.name + "' of the objective is 0 all the time");
   }
   for (std::size_t f = 0; f < study.frequencies.size(); ++f) {
-    FrequencyLimitSpec& goal = study.frequencies[f];
-    if (!(goal.weight > 0)) continue;
-    goal.least = std::numeric_limits<double>::infinity();
+    FrequencyLimitSpec& term = study.frequencies[f];
+    if (!(term.weight > 0)) continue;
+    term.least = std::numeric_limits<double>::infinity();
     for (const MotionLimits& m : a.limits)
-      if (f < m.frequencies.size()) goal.least = std::min(goal.least, m.frequencies[f].value);
-    if (!(goal.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
+      if (f < m.frequencies.size()) term.least = std::min(term.least, m.frequencies[f].value);
+    if (!(term.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
   }
   return study;
 }
@@ -190,7 +214,7 @@ auto MotionModel<G>::static_members(const StudySpec& study, std::size_t s,
                                     double move) const -> Members {
   Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move, study.frequencies);
   for (auto& member : members)  // the objective counts once
-    member.weight = s > 0 ? 0 : member.weight * study_.goal.mass;
+    member.weight = s > 0 ? 0 : member.weight * study_.motion_objective.mass;
   return members;
 }
 
@@ -219,24 +243,25 @@ bool MotionModel<G>::drop_images() {
 
 /// dJ/dx of J = T sum_n w_n v_n^2, T the duration.
 template <FrameGroup G>
-MotionGoal MotionModel<G>::goal_of(const MotionAnalysis<G>& at, const MotionGradients& goal) const {
+ObjectiveModel MotionModel<G>::objective_model(const MotionAnalysis<G>& at,
+                                               const MotionGradients& effort) const {
   const DesignRun<G>& run = at.runs.front();
   const Constants& constants = design().constants();
   const int duration =
       constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
-  MotionGoal out{duration,
-                 study_.goal.duration,
-                 study_.goal.effort,
-                 run.effort,
-                 VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
-                 extremes(at)};
-  for (int r = 0; r < goal.responses(); ++r) {
+  ObjectiveModel out{duration,
+                     study_.motion_objective.duration,
+                     study_.motion_objective.effort,
+                     run.effort,
+                     VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
+                     extremes(at)};
+  for (int r = 0; r < effort.responses(); ++r) {
     std::vector<double> times;
-    for (int n = 0; n < goal.records(r); ++n) times.push_back(goal.time(r, n));
+    for (int n = 0; n < effort.records(r); ++n) times.push_back(effort.time(r, n));
     const std::vector<double> weights = time_weights(times);
-    for (int n = 0; n < goal.records(r); ++n)
-      if (const VectorXd* dv = goal.gradient(r, n))
-        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * goal.value(r, n) * *dv;
+    for (int n = 0; n < effort.records(r); ++n)
+      if (const VectorXd* dv = effort.gradient(r, n))
+        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * effort.value(r, n) * *dv;
   }
   if (duration >= 0) out.by_effort[duration] += run.effort / run.duration;
   return out;
@@ -253,7 +278,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     Members members;
     MotionGradients gradients;
     int imaged = 0;  ///< responses of the static problems
-    MotionGradients goal;
+    MotionGradients effort;
   };
   std::vector<Part> parts(simulators_.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
@@ -273,21 +298,24 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)
-        for (auto& r : rows_of(study_.constraints[c], run.mechanism))
+        for (auto& r : rows_of(study_, study_.constraints[c], run.mechanism))
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
-                               aggregates(study_.constraints[c].treatment) ? 0 : 0.5});
+                               every_record(study_, study_.constraints[c]) ? 0 : 0.5,
+                               study_.constraints[c].treatment});
     const auto limited = static_cast<int>(responses.size());
     if (s == 0)
-      for (const ResponseSpec& r : study_.goal.responses) responses.push_back({-1, r, 0, 0});
+      for (const ResponseSpec& r : study_.motion_objective.responses)
+        responses.push_back({-1, r, 0, 0});
     for (auto& r : responses) r.scenario = static_cast<int>(s);
     p.gradients = MotionGradients(simulators_[s]->design(), run, x, responses);
-    p.goal = p.gradients.split(limited);
+    p.effort = p.gradients.split(limited);
     for (int r = p.imaged; r < p.gradients.responses(); ++r) aggregate(study_, r, p.gradients);
   });
   Members members;
-  if (!study_.goal.only_mass())
-    members.push_back(
-        {std::make_unique<GoalProblem>(goal_of(at, parts.front().goal), x, variables()), 1, 0});
+  if (!study_.motion_objective.only_mass())
+    members.push_back({std::make_unique<ObjectiveProblem>(objective_model(at, parts.front().effort),
+                                                          x, variables()),
+                       1, 0});
   for (Part& p : parts) {
     for (auto& member : p.members) members.push_back(std::move(member));
     if (const int rows = p.gradients.responses() - p.imaged; rows > 0)

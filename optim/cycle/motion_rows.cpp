@@ -14,9 +14,15 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// The records that become rows of a limit.
-std::set<int> records_of(const ConstraintSpec& limit, bool many, const std::vector<int>& screened,
-                         const std::vector<double>& v) {
+/// The records that become rows of a limit. An optimiser that is given the motion itself has the
+/// same rows at every design.
+std::set<int> records_of(const ConstraintSpec& limit, CycleMethod method, bool many,
+                         const std::vector<int>& screened, const std::vector<double>& v) {
+  if (method == CycleMethod::Direct && limit.treatment == Treatment::Auto) {
+    std::set<int> every;
+    for (std::size_t n = 0; n < v.size(); ++n) every.insert(every.end(), static_cast<int>(n));
+    return every;
+  }
   if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
   if (many) return {screened.begin(), screened.end()};
   return treated_records(Treatment::Maxima, v);
@@ -42,7 +48,8 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
   std::vector<double> g;
   for (int l = 0; l < count; ++l) {
     const ConstraintSpec& limit = study.constraints[limits[l].constraint];
-    for (const int n : records_of(limit, limits[l].many, screened[l], values[l])) {
+    for (const int n :
+         records_of(limit, study.cycle.method, limits[l].many, screened[l], values[l])) {
       const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
       constraints_.push_back(
           {id,
@@ -50,12 +57,13 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
                        motion.time(first + l, n)),
            1});
       images_.push_back({l, n});
-      goals_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
+      terms_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
       g.push_back(values[l][n] / limits[l].limit - 1);
     }
   }
-  if (std::all_of(goals_.begin(), goals_.end(), [](const RowGoal& o) { return o.number < 0; }))
-    goals_.clear();
+  if (std::all_of(terms_.begin(), terms_.end(),
+                  [](const ObjectiveTerm& o) { return o.number < 0; }))
+    terms_.clear();
   g_ = Eigen::Map<const VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
 }
 

@@ -143,9 +143,10 @@ HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& wa
   for (const auto& [name, least] : thinnest_walls(walls)) wall = std::max(wall, least);
   out.nucleus = best_place(task.model->mesh(), kept_nodes(task, v), out.gain, wall);
   if (!out.nucleus)
-    out.reason = out.gain.maxCoeff() > 0
-                     ? "no place where a hole would pay is far enough from all edges"
-                     : "a hole would pay nowhere";
+    out.reason =
+        out.gain.maxCoeff() > 0
+            ? "no place where a hole would reduce the objective is far enough from all edges"
+            : "a hole would reduce the objective nowhere";
   return out;
 }
 

@@ -94,10 +94,10 @@ class PartStatics {
   virtual Eigen::VectorXd own_values() { return {}; }
   virtual RowMatrix own_gradients() { return {}; }
   /// One a row; empty: all are limits. Numbers as those of the screened limits.
-  virtual std::vector<RowGoal> own_goals() const { return {}; }
+  virtual std::vector<ObjectiveTerm> own_terms() const { return {}; }
   /// What the weighted quantities were at the analysed design, times their weights; their rows tell
   /// the change.
-  virtual double goals_at_start() const { return 0; }
+  virtual double terms_at_start() const { return 0; }
   /// Adds them to those by load case, in the order of the study. @returns what they add to the
   /// objective
   virtual double add_checks(std::vector<LimitCheck>&) { return 0; }

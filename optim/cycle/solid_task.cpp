@@ -111,7 +111,7 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
     task.limits.push_back(std::move(limit));
   }
   task.objective = study.objective;
-  if (!moves) task.mass_weight = study.goal.mass;
+  if (!moves) task.mass_weight = study.motion_objective.mass;
   task.stress = {study.stress.p, study.stress.relaxation};
   task.cycle = study.cycle;
   task.loads.resize(part.model.size(), 0);

@@ -25,10 +25,11 @@ struct PartSlopes {
 
 /// A response of the motion that rows of a static problem are images of.
 struct LimitedResponse {
-  int constraint = 0;  ///< of the study; -1: of its goal, gradients are kept at every record
+  int constraint = 0;  ///< of the study; -1: of its objective, gradients are kept at every record
   ResponseSpec response;
   int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
+  Treatment treatment = Treatment::Auto;  ///< whose records have gradients in any case
   /// Of the study: the limit of a meshed part itself, in place of `constraint`; -1: it is none.
   int part_limit = -1;
   std::shared_ptr<const PartSlopes> slopes = {};  ///< of a part limit; null: not asked for
@@ -45,9 +46,10 @@ struct RowImage {
   int response = -1, record = -1;
 };
 
-/// A row that is no limit: the objective has `weight` times the largest g of all rows of its goal.
-struct RowGoal {
-  int number = -1;  ///< of the goal; -1: the row is a limit
+/// A row that is no limit: the objective has `weight` times the largest g of all rows of its
+/// term.
+struct ObjectiveTerm {
+  int number = -1;  ///< of the term; -1: the row is a limit
   double weight = 0;
 };
 
@@ -66,8 +68,8 @@ class StaticProblem : public Problem {
   virtual std::vector<RowImage> images() const {
     return std::vector<RowImage>(constraints().size());
   }
-  /// One a row; empty: all rows are limits. The value of the objective has no such terms.
-  virtual std::vector<RowGoal> goals() const { return {}; }
+  /// One a row; empty: all rows are limits. The value of the objective leaves these terms out.
+  virtual std::vector<ObjectiveTerm> objective_terms() const { return {}; }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
   virtual std::string undefined_reason() const { return {}; }
 };
@@ -89,6 +91,10 @@ class CaselessProblem : public StaticProblem {
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;  ///< filled by the constructors of those that have rows
 };
+
+/// By the optimiser that cycle.optimizer and cycle.model name.
+NlpResult solve_by(Problem& problem, const CycleOptions& cycle, NlpOptions options,
+                   const NlpWarmStart& warm = {});
 
 /// The answer of an optimiser with all load cases met that the problem knows.
 struct StaticAnswer {

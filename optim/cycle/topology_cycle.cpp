@@ -1,5 +1,6 @@
 #include "optim/cycle/topology_cycle.hpp"
 
+#include "optim/cycle/restarts.hpp"
 #include "optim/study/study_errors.hpp"
 
 namespace liesl {
@@ -60,8 +61,10 @@ bool judge_round(const LoopResult& end, double objective_tolerance, HoleRound& h
   return hole.kept;
 }
 
-PartEnd optimise_outline(const StudySpec& study, const Mechanism& mechanism, int body,
-                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+namespace {
+
+PartEnd optimise_outline_once(const StudySpec& study, const Mechanism& mechanism, int body,
+                              const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   const ShapeDesignSpec& design = checked(study, mechanism).shapes.at(body);
   PartEnd out;
   out.part = std::make_shared<PartShape>(mechanism, body, design);
@@ -71,6 +74,19 @@ PartEnd optimise_outline(const StudySpec& study, const Mechanism& mechanism, int
   if (!out.best) return out;
   out.part->apply(out.x, out.mechanism);
   if (closed(out.status)) out.proposals = {{body, propose_hole(task, design.walls, out.x)}};
+  return out;
+}
+
+}  // namespace
+
+PartEnd optimise_outline(const StudySpec& study, const Mechanism& mechanism, int body,
+                         const CycleHooks& hooks, const std::vector<Cycle>& resume) {
+  PartEnd out = optimise_from_starts(
+      study, [&] { return Design(study, mechanism).variables(); }, hooks, resume,
+      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles) {
+        return optimise_outline_once(from, mechanism, body, h, cycles);
+      });
+  if (out.first) out.initial = dynamic_cast<const PartAnalysis&>(*out.first).check;
   return out;
 }
 

@@ -215,8 +215,7 @@ CycleEnd TrustRegionRule::stalled(CycleRecord& record) const {
 CycleEnd TrustRegionRule::infeasible() const {
   return {CycleStatus::Infeasible,
           fmt::format("no design near meets all limits: '{}' is exceeded by {:.3g} %{}, "
-                      "and by at least {:.3g} % nearby; widen the bounds or the limit, "
-                      "start from another design, or from the optimum of a slower motion",
+                      "and by at least {:.3g} % nearby; widen the bounds or the limit",
                       at_->worst_constraint, 100 * at_->worst, place(), 100 * answer_.violation)};
 }
 

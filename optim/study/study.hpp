@@ -63,7 +63,7 @@ struct DriveTable {
 /// sum over the responses of the integral of their squares over the (first) motion + the terms of
 /// constraints and frequencies with a weight: the largest value over all motions, less the lowest
 /// frequency.
-struct Goal {
+struct MotionObjective {
   double mass = 1, duration = 0, effort = 0;
   std::vector<ResponseSpec> responses;
   bool extremes = false;  ///< a constraint or a frequency has a weight
@@ -181,7 +181,7 @@ struct MassLimitSpec {
   double limit = 0;  ///< kg, > 0
 };
 
-/// A load of a meshed part that stays, whatever the design. Loads of one case add up.
+/// A fixed load of a meshed part, whatever the design. Loads of one case add up.
 struct FixedLoad {
   std::string load_case;
   int body = 0;
@@ -198,10 +198,11 @@ enum class NlpModel { Exact, Separable };
 
 /// How a cycle goes from one design to the next (docs/theory.md).
 enum class CycleMethod {
-  Auto,  ///< Esl1 where the motion has sensitivities, else Esl
-  Esl,   ///< the loads of the last motion are constant in the static problem
-  Esl1,  ///< the static problem agrees with the motion to first order; trust region
-  Full   ///< no static problem: the responses of the motion themselves, approximated; trust region
+  Auto,   ///< Esl1 where the motion has sensitivities, else Esl
+  Esl,    ///< the loads of the last motion are constant in the static problem
+  Esl1,   ///< the static problem agrees with the motion to first order; trust region
+  Full,   ///< no static problem: the responses of the motion themselves, approximated; trust region
+  Direct  ///< no approximation: the optimiser is given the motion itself and its sensitivities
 };
 
 /// The factor that makes rows of a trust region agree with the motion to first order at x_k.
@@ -222,6 +223,8 @@ enum class OptimalityCheck {
 /// deformation. "start", "node3:xyz", "end:yz,rx", or "inertia_relief".
 using Support = std::vector<std::string>;
 
+constexpr int kMostRestarts = 5;
+
 struct CycleOptions {
   CycleMethod method = CycleMethod::Auto;
   Approximation approximation = Approximation::Power;
@@ -235,6 +238,7 @@ struct CycleOptions {
   int min_cases = 10;       ///< kept per constraint
   double gap = 1e-3;        ///< of a design of catalogues to the least objective possible
   int max_designs = 500;    ///< that a search in catalogues may simulate
+  int restarts = 0;         ///< other starts of a study that ends infeasible, at most kMostRestarts
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
   OptimalityCheck optimality = OptimalityCheck::Auto;
@@ -263,9 +267,9 @@ struct StudySpec {
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   std::vector<ConstantSpec> constants;
-  std::vector<DriveTable> drives;  ///< those whose values or duration may change
-  double duration = 0;             ///< s, of the scene
-  Goal goal;                       ///< of motions
+  std::vector<DriveTable> drives;    ///< those whose values or duration may change
+  double duration = 0;               ///< s, of the scene
+  MotionObjective motion_objective;  ///< of motions
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;

@@ -166,6 +166,7 @@ std::vector<std::string> CycleOptions::errors() const {
   expect(min_cases >= 1, "min_cases", ">= 1", min_cases);
   expect(gap >= 0, "gap", ">= 0", gap);
   expect(max_designs >= 1, "max_designs", ">= 1", max_designs);
+  expect(restarts >= 0 && restarts <= kMostRestarts, "restarts", "0 to 5", restarts);
   expect(move_cells > 0, "move_cells", "> 0", move_cells);
   return list;
 }

@@ -358,17 +358,20 @@ TEST(ShippedComparisons, AreRead) {
   EXPECT_GE(count, 7);
 }
 
-/// A row an optimisation; the plain cycle has one row for all treatments.
+/// A row an optimisation; the plain cycle has one row for all treatments, an optimiser of the
+/// motion itself those whose number of constraints stays.
 TEST_F(Compare, MethodsAreRows) {
   const std::string text =
       "study = \"" + study("slider_crank_rod") +
       "\"\nset = { \"simulation.duration\" = 0.02, \"constraints.bending.limit\" = 2e-4 }\n"
-      "[grid]\nmethod = [\"esl\", \"esl1\", \"full\"]\ntreatment = [\"auto\", \"maxima\"]\n";
+      "[grid]\nmethod = [\"esl\", \"esl1\", \"full\", \"direct\"]\n"
+      "treatment = [\"auto\", \"maxima\"]\n";
   const Outcome o = compare(text);
   ASSERT_EQ(o.code, 0) << o.err;
   const auto rows = read_rows(results() / "rows.csv");
-  ASSERT_EQ(rows.size(), 5u);
+  ASSERT_EQ(rows.size(), 6u);
   EXPECT_EQ(rows[0].at("method"), "esl");
+  EXPECT_EQ(rows[5].at("method"), "direct");
   EXPECT_EQ(number(rows[0], "sensitivities"), 1);
   for (const Row& row : rows) {
     EXPECT_LT(number(row, "violation"), 1e-3) << row.at("method");

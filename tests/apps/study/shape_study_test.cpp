@@ -129,7 +129,7 @@ TEST(ShapeStudy, FixedLoadsHaveWeightedGoalsOfThePart) {
       << refusal(goals);
   const StudySpec spec =
       read(changed(changed(goals, "largest = \"shift\"\n", ""), "largest = 3, ", "")).spec;
-  EXPECT_EQ(spec.goal.mass, 0.5);
+  EXPECT_EQ(spec.motion_objective.mass, 0.5);
   ASSERT_EQ(spec.part_limits.size(), 5u);  // three goals, then the limits
   EXPECT_EQ(spec.part_limits[0].quantity, SolidResponse::Frequency);
   EXPECT_EQ(spec.part_limits[0].count, 3);

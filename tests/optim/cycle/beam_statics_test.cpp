@@ -17,10 +17,8 @@
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::Changes;
 
 /// The scene with the design that the study starts from.
 Study started(Study study) {
@@ -36,13 +34,13 @@ template <FrameGroup G>
 struct First {
   Study study;
   Sizing sizing;
-  test::Motion<G> motion;
+  Motion<G> motion;
   std::vector<LoadSet> loads;
   Analysis<G> analysis;
   Eigen::VectorXd x;
 
   explicit First(const std::string& name, const Changes& changes = {})
-      : First(test::shipped_study(name, changes)) {}
+      : First(shipped_study(name, changes)) {}
   explicit First(const Study& s)
       : study(started(s)),
         sizing(study.spec.design, study.scene.mechanism),
@@ -69,11 +67,11 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Derivatives : public testing::TestWithParam<Case> {};
 
 TEST_P(Derivatives, AreRight) {
-  const Study study = test::shipped_study(GetParam().study);
+  const Study study = shipped_study(GetParam().study);
   const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
   const DerivativeReport report =
       GetParam().spatial ? check_study_derivatives<SE3>(mechanism, {}, simulation, study.spec)
-                         : check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
+                         : check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
                                                         simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
@@ -81,12 +79,12 @@ TEST_P(Derivatives, AreRight) {
 
 /// Beams of fourth order: condensed stiffnesses with their first and second derivatives.
 TEST(DerivativesOfFourthOrder, AreRight) {
-  Study study = test::shipped_study("slider_crank_rod");
+  Study study = shipped_study("slider_crank_rod");
   for (BodySpec& body : study.scene.mechanism.bodies)
     if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->order = 4;
   const Mechanism& mechanism = study.scene.mechanism;
-  const DerivativeReport report = check_study_derivatives<SE2>(
-      mechanism, test::space_of<SE2>(mechanism), study.scene.simulation, study.spec);
+  const DerivativeReport report = check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
+                                                               study.scene.simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
 }
@@ -200,7 +198,7 @@ Study compliance_study(const std::string& scene, const std::string& design, cons
                         design + " }\n[objective]\nof = [\"" + beam +
                         "\"]\n[constraints]\nenergy = { response = \"compliance\", of = \"" + beam +
                         "\", limit = " + limit + " }\n",
-                    "compliance.toml", std::filesystem::path(test::kDataDir) / "scenes");
+                    "compliance.toml", std::filesystem::path(kDataDir) / "scenes");
 }
 
 const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.004, 0.020]";
@@ -208,7 +206,7 @@ const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.0
 TEST(Compliance, DerivativesAreRight) {
   const Study study = compliance_study("slider_crank", kFourDiameters, "rod", "1");
   const Mechanism& mechanism = study.scene.mechanism;
-  const auto report = check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
+  const auto report = check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
                                                    study.scene.simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
@@ -231,11 +229,10 @@ TEST(Compliance, AsALimitGivesThePublishedOptimumOfTheTipDeflection) {
   const Study study = compliance_study(
       "svanberg_cantilever",
       "property = [\"width\", \"height\"], groups = 5, bounds = [0.01, 0.10]", "beam", "2.1e-4");
-  const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
+  const auto r = run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
                                 study.scene.simulation, study.spec);
   ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
   EXPECT_LT(std::abs(r.worst), 1e-4) << "the limit is not used";
-  using test::SvanbergBeam;
   EXPECT_NEAR(r.mass, SvanbergBeam::optimum, 1e-4 * SvanbergBeam::optimum);
   for (int i = 0; i < 5; ++i)
     EXPECT_NEAR((r.x[i] - 2e-5) / 0.01, SvanbergBeam::solution[i],
@@ -252,4 +249,4 @@ TEST(BeamStatics, BoundsAreThoseOfTheMoveLimit) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

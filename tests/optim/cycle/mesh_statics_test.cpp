@@ -154,7 +154,7 @@ TEST(MeshStatics, ErrorsOfDifferencesFallWithTheSquareOfTheStep) { expect_second
 
 TEST(MeshStatics, OrderInSpace) { expect_second_order(true); }
 
-TEST(MeshStatics, DerivativesOfOtherGoalsPassTheStepSweep) {
+TEST(MeshStatics, DerivativesOfOtherObjectivesPassTheStepSweep) {
   for (const SolidResponse objective : {SolidResponse::Compliance, SolidResponse::Stress}) {
     Block block(all_shapes()[9]);
     block.task.objective = objective;

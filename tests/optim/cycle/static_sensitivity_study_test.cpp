@@ -1,6 +1,6 @@
 /// @file
 /// Studies of equilibria by the sensitivities of statics: gradients, published trusses, limits of
-/// members, goals with the mass as a limit.
+/// members, objectives with the mass as a limit.
 #include <gtest/gtest.h>
 
 #include <cmath>

@@ -1,5 +1,6 @@
 /// @file
-/// Catalogues, goals and limits on mass in studies: the right data, and faults at their places.
+/// Catalogues, objectives and limits on mass in studies: the right data, and faults at their
+/// places.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -42,13 +43,13 @@ std::string refusal(const std::string& text) {
   }
 }
 
-TEST(GoalStudy, HasTheDataOfTheFile) {
+TEST(ObjectiveStudy, HasTheDataOfTheFile) {
   const StudySpec spec = read(kStudy).spec;
   EXPECT_EQ(spec.design[0].values, (std::vector<double>{0.008, 0.01, 0.012}));
   EXPECT_TRUE(has_catalogue(spec));
-  EXPECT_EQ(spec.goal.mass, 2);
-  EXPECT_TRUE(spec.goal.extremes);
-  EXPECT_FALSE(spec.goal.only_mass());
+  EXPECT_EQ(spec.motion_objective.mass, 2);
+  EXPECT_TRUE(spec.motion_objective.extremes);
+  EXPECT_FALSE(spec.motion_objective.only_mass());
   ASSERT_EQ(spec.constraints.size(), 1u);
   EXPECT_EQ(spec.constraints[0].response.name, "bend");
   EXPECT_EQ(spec.constraints[0].weight, 300);
@@ -65,7 +66,7 @@ struct Fault {
   const char *from, *to, *said;
 };
 
-TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
+TEST(ObjectiveStudy, FaultsAreSaidAtTheirPlaces) {
   const Fault faults[] = {
       {"[0.008, 0.01, 0.012]", "[]", "catalogue of 'rod' is empty"},
       {"[0.008, 0.01, 0.012]", "[0.008, 0.012, 0.01]", "has 0.01 after 0.012"},
@@ -106,7 +107,7 @@ TEST(GoalStudy, FrequencyMayBeThatOfOneBeam) {
 }
 
 /// A static scene has scenarios of equilibria, and nothing that only a motion has.
-TEST(GoalStudy, LoadSetsOfAStaticSceneAreScenarios) {
+TEST(ObjectiveStudy, LoadSetsOfAStaticSceneAreScenarios) {
   const Study study = load_study(std::filesystem::path(test::kDataDir) / "studies/truss_25.toml");
   EXPECT_EQ(study.spec.scenarios, (std::vector<std::string>{"side", "twist"}));
   ASSERT_EQ(study.scenarios.size(), 1u);

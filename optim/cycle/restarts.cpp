@@ -1,0 +1,94 @@
+#include "optim/cycle/restarts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <iterator>
+
+namespace liesl {
+namespace {
+
+constexpr double kShares[kMostRestarts] = {0.9, 0.5, 0.1, 0.7, 0.3};
+
+bool of_the_motion(const ConstantSpec& c) {
+  return c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration;
+}
+
+}  // namespace
+
+std::optional<StudySpec> restarted(const StudySpec& given,
+                                   const std::vector<NlpVariable>& variables, int number) {
+  StudySpec study = given;
+  bool elsewhere = false;
+  std::size_t j = 0;
+  const auto next = [&] {
+    const NlpVariable& v = variables[j++];
+    const double x = v.lower + kShares[number - 1] * (v.upper - v.lower);
+    elsewhere = elsewhere || x != v.start;
+    return x;
+  };
+  for (DesignSpec& d : study.design) {
+    d.start.clear();
+    for (int g = 0; g < d.groups; ++g) d.start.push_back(next());
+  }
+  for (auto& [body, shape] : study.shapes)
+    for (ShapeVariableSpec& v : shape.variables) v.start = next();
+  for (ConstantSpec& c : study.constants)
+    if (of_the_motion(c))
+      ++j;
+    else
+      c.start = next();
+  if (!elsewhere) return {};
+  return study;
+}
+
+namespace detail {
+
+CycleHooks StartHistory::hooks(int start) const {
+  CycleHooks out = hooks_;
+  if (!hooks_.on_cycle) return out;
+  out.on_cycle = [this, start](const std::vector<Cycle>& cycles) {
+    std::vector<Cycle> so_far = all_;
+    for (Cycle c : cycles) {
+      c.start = start;
+      so_far.push_back(std::move(c));
+    }
+    hooks_.on_cycle(so_far);
+  };
+  return out;
+}
+
+std::vector<Cycle> StartHistory::resume(int start) const {
+  std::vector<Cycle> out;
+  std::copy_if(resume_.begin(), resume_.end(), std::back_inserter(out),
+               [start](const Cycle& c) { return c.start == start; });
+  return out;
+}
+
+void StartHistory::add(int start, std::vector<Cycle> cycles) {
+  for (Cycle& c : cycles) {
+    c.start = start;
+    all_.push_back(std::move(c));
+  }
+}
+
+std::string restart_note(int number, const std::string& why) {
+  return fmt::format(
+      "the study began again with every variable at {:g} of its range, since it had ended "
+      "infeasible: {}",
+      kShares[number - 1], why);
+}
+
+bool replaces(const LoopResult& next, const LoopResult& best) {
+  return next.best && (!best.best || next.best->worst < best.best->worst);
+}
+
+std::string on_restarts(int allowed, int tried) {
+  if (tried > 0)
+    return fmt::format("; {} other start{} came no nearer", tried, tried > 1 ? "s" : "");
+  if (allowed > 0) return "; there is no other start";
+  return "; cycle.restarts = 3 begins again from other designs";
+}
+
+}  // namespace detail
+}  // namespace liesl

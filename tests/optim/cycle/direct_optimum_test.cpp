@@ -1,0 +1,101 @@
+/// @file
+/// Optimisers that are given the motion itself, against the cycles that approximate it.
+#include "optim/cycle/direct_optimum.hpp"
+
+#include <gtest/gtest.h>
+
+#include "optim/cycle/motion_cycle.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl::test {
+namespace {
+
+struct DirectRod {
+  explicit DirectRod(Changes more = {}) {
+    more.insert(more.end(), {"simulation.duration=0.02", "constraints.bending.limit=2e-4"});
+    study = shipped_study("slider_crank_rod", more);
+    study.spec.cycle.method = CycleMethod::Direct;
+  }
+  CycleResult<SE2> optimise(const CycleHooks& hooks = {}, const History& resume = {}) const {
+    return run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
+                          study.scene.simulation, study.spec, hooks, resume);
+  }
+  Study study;
+};
+
+/// One optimum, by trust regions and static images, and by three optimisers on the motion itself.
+TEST(DirectOptimum, IsThatOfTheTrustRegion) {
+  DirectRod rod;
+  rod.study.spec.cycle.method = CycleMethod::Esl1;
+  const double mass = rod.optimise().mass;
+  rod.study.spec.cycle.method = CycleMethod::Direct;
+  for (const Optimizer optimizer : {Optimizer::Ipopt, Optimizer::Mma, Optimizer::Slsqp}) {
+    rod.study.spec.cycle.optimizer = optimizer;
+    const auto r = rod.optimise();
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << static_cast<int>(optimizer) << r.reason;
+    EXPECT_NEAR(r.mass, mass, 1e-3 * mass) << static_cast<int>(optimizer);
+    EXPECT_LE(r.worst, 1e-4);
+    ASSERT_TRUE(r.optimality && r.optimality->residual);
+    EXPECT_LE(r.optimality->residual->stationarity, kOptimalResidual);
+  }
+}
+
+TEST(DirectOptimum, TreatmentsOfOneConstraint) {
+  DirectRod rod;
+  const double mass = rod.optimise().mass;
+  rod.study.spec.constraints[0].treatment = Treatment::Functional;
+  const auto functional = rod.optimise();
+  EXPECT_NEAR(functional.mass, mass, 5e-3 * mass) << functional.reason;
+  rod.study.spec.constraints[0].treatment = Treatment::PNorm;
+  const auto r = rod.optimise();
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_LT(r.mass, mass) << "the root mean square is below the largest";
+}
+
+TEST(DirectOptimum, RefusesConstraintsWhoseNumberChanges) {
+  for (const Treatment t : {Treatment::Maxima, Treatment::Neighbours, Treatment::Ks}) {
+    DirectRod rod;
+    rod.study.spec.constraints[0].treatment = t;
+    EXPECT_THROW(rod.optimise(), std::invalid_argument);
+  }
+}
+
+TEST(DirectOptimum, EndsAfterSoManyCycles) {
+  DirectRod rod({"cycle.max=3"});
+  const auto r = rod.optimise();
+  EXPECT_EQ(r.status, CycleStatus::CycleLimit) << r.reason;
+  EXPECT_GE(r.history.size(), 3u);
+  EXPECT_LE(r.history.size(), 6u) << "a line search may look further";
+}
+
+TEST(DirectOptimum, NamesALimitThatCannotBeMet) {
+  DirectRod rod;
+  rod.study.spec.constraints[0].limit = 1e-6;
+  const auto r = rod.optimise();
+  EXPECT_FALSE(closed(r.status));
+  EXPECT_GT(r.worst, 1);
+  EXPECT_NE((r.reason + to_string(r.status))
+                .find(r.status == CycleStatus::Infeasible ? "'bending'" : "cycle limit"),
+            std::string::npos)
+      << r.reason;
+}
+
+/// The designs before the interruption are analysed again: the same ones.
+TEST(DirectOptimum, ResumedEndsAtTheSameDesign) {
+  const DirectRod rod;
+  const auto whole = rod.optimise();
+  History kept;
+  CycleHooks stopping;
+  stopping.on_cycle = [&](const History& history) { kept = history; };
+  stopping.keep_going = [&] { return kept.size() < 4; };
+  const auto part = rod.optimise(stopping);
+  EXPECT_EQ(part.status, CycleStatus::Interrupted) << part.reason;
+  ASSERT_TRUE(part.model) << "the best design so far";
+  const auto r = rod.optimise({}, kept);
+  EXPECT_EQ(r.status, whole.status);
+  EXPECT_EQ(r.x, whole.x);
+  EXPECT_EQ(r.effort.steps, whole.effort.steps);
+}
+
+}  // namespace
+}  // namespace liesl::test
