@@ -27,7 +27,7 @@ std::string plate(const std::string& objective, double along_x, double along_y,
   return R"(
 scene = "../parts/plate_with_hole.toml"
 [set]
-"bodies.plate.solid.mesh.cells" = [60, 60]
+"bodies.plate.solid.mesh.cells" = [80, 80]
 [design]
 a = { of = "plate", parameters = "hole.a", bounds = [0.05, 0.5], start = 0.16 }
 b = { of = "plate", parameters = "hole.b", bounds = [0.05, 0.5], start = 0.125 }
