@@ -1,5 +1,7 @@
 #include "optim/cycle/fixed_point_rule.hpp"
 
+#include <fmt/format.h>
+
 namespace liesl {
 namespace {
 
@@ -51,7 +53,14 @@ Step FixedPointRule::next(CycleRecord& record, const CycleRecord::Analysis& anal
   cycle.move = move_;
   if (auto end = ended(record)) return {cycle.x, std::move(end)};
   const auto problem = record.model().static_problem(*analysis, cycle.x, move_);
+  const NlpWarmStart before = warm_;
   solve(record, *problem, cycle);
+  if (record.asked_to_stop()) {  // half an optimum says nothing of the design; `resume` solves anew
+    cycle.answer.resize(0);
+    cycle.warm = before;
+    return {cycle.x, CycleEnd{CycleStatus::Interrupted,
+                              fmt::format("stopped in cycle {} on request", cycle.number)}};
+  }
   cycle.next = next_design(record.history(), record.model().variables());
   std::optional<CycleEnd> end = fixed_point(cycle, record.options());
   if (!end) end = stuck(cycle, record.options());

@@ -321,6 +321,26 @@ TEST(CycleEnds, InterruptedAndResumedIsAsIfNothingHadHappened) {
   }
 }
 
+/// Stopped within the static problem: half an optimum is no end of the cycle, and no next design.
+TEST(CycleEnds, StoppedInTheStaticProblemIsInterruptedAndResumesToTheSameDesign) {
+  const Study study = rod({"design.rod_diameters.start=0.006"});
+  const auto whole = cycle(study);
+  int asked = 0;
+  std::vector<Cycle> kept;
+  CycleHooks hooks;
+  hooks.keep_going = [&] { return ++asked < 3; };
+  hooks.on_cycle = [&](const History& history) { kept = history; };
+  const auto part = cycle(study, hooks);
+  EXPECT_EQ(part.status, CycleStatus::Interrupted) << part.reason;
+  ASSERT_EQ(kept.size(), 1u);
+  EXPECT_EQ(kept[0].answer.size(), 0);
+  EXPECT_EQ(kept[0].next.size(), 0);
+  const auto r = cycle(study, {}, kept);
+  EXPECT_EQ(r.status, whole.status) << r.reason;
+  EXPECT_EQ(r.history.size(), whole.history.size());
+  EXPECT_EQ(r.x, whole.x);
+}
+
 TEST(CycleEnds, ResumeRefusesAnotherStudy) {
   std::vector<Cycle> kept(1);
   kept[0].x = Eigen::VectorXd::Constant(3, 0.01);

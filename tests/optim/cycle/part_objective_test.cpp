@@ -2,9 +2,11 @@
 /// Objectives of a meshed part under fixed loads: largest value, compliance, stress, lowest
 /// frequency, several weighted, with the mass as a limit.
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 
 #include "apps/input/problem.hpp"
 #include "apps/study/load_study.hpp"
@@ -25,7 +27,7 @@ std::string plate(const std::string& objective, double along_x, double along_y,
   return R"(
 scene = "../parts/plate_with_hole.toml"
 [set]
-"bodies.plate.solid.mesh.cells" = [60, 60]
+"bodies.plate.solid.mesh.cells" = [80, 80]
 [design]
 a = { of = "plate", parameters = "hole.a", bounds = [0.05, 0.5], start = 0.16 }
 b = { of = "plate", parameters = "hole.b", bounds = [0.05, 0.5], start = 0.125 }
@@ -67,14 +69,39 @@ TEST(PartObjective, LargestOfTwoCasesIsLeastWhereBothAreEqual) {
   EXPECT_LT(end.optimality->residual->stationarity, 1e-2);
 }
 
-/// The height of a cantilever that its mass limits.
-std::string cantilever(const std::string& objective, double mass) {
-  return R"(
-scene = "../parts/cantilever.toml"
-[set]
-responses = { sag = { response = "displacement", at = "plate.tip", axis = [0, 1, 0] } }
+/// A cantilever; stiffness in proportion to the fractions of the cells, as that of beams.
+class CantileverObjective : public testing::Test {
+ protected:
+  CantileverObjective() {
+    std::ofstream(file_) << R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.plate.solid]
+mesh = { from = [0, -0.05], to = [0.2, 0.05], cells = [80, 40] }
+material = "steel"
+thickness = 0.01
+ersatz = { exponent = 1 }
+[bodies.plate.solid.interfaces]
+wall = { set = "x_min" }
+tip  = { box = { from = [0.195, -0.005], to = [0.2, 0.005] } }
+[bodies.plate.solid.outline]
+plate = { type = "rectangle", x = 0.1, width = 0.3, height = 0.09 }
+[responses]
+sag = { response = "displacement", at = "plate.tip", axis = [0, 1, 0] }
+)";
+  }
+  ~CantileverObjective() override { std::filesystem::remove(file_); }
+  std::string cantilever(const std::string& objective, double mass) const;
+
+  const std::filesystem::path file_ = std::filesystem::temp_directory_path() /
+                                      ("part_goals_" + std::to_string(::getpid()) + ".toml");
+};
+
+/// Its height, with a limit on the mass.
+std::string CantileverObjective::cantilever(const std::string& objective, double mass) const {
+  return "scene = \"" + file_.string() + R"("
 [design]
-height = { of = "plate", parameters = "plate.height", bounds = [0.03, 0.0995], start = 0.061 }
+height = { of = "plate", parameters = "plate.height", bounds = [0.03, 0.0995], start = 0.0597 }
 [objective]
 of = "plate"
 minimize = "weighted"
@@ -90,18 +117,18 @@ tip = { at = "plate.tip", force = [0, -20e3, 0] }
 
 struct Objective1D {
   const char* objective;
-  double slope;  ///< d ln(f)/d ln(mass) of a slender bar
+  double slope;  ///< d ln(f)/d ln(mass) of a slender bar; this one is a third as high as long
   double within;
 };
 
 /// The price of the mass is the objective times its power of the mass, and what another mass
 /// changes.
-TEST(PartObjective, PriceOfTheMassIsWhatTheObjectiveGains) {
+TEST_F(CantileverObjective, PriceOfTheMassIsWhatTheObjectiveGains) {
   for (const Objective1D& tried :
-       {Objective1D{"weights = { largest = 1e3 }\nlargest = \"sag\"", -3, 0.6},
-        Objective1D{"weights = { stress = 1e-8 }", -2, 0.6},
-        Objective1D{"weights = { frequency = 1e-3 }", 1, 0.4}}) {
-    const double mass = 7850 * 0.01 * 0.2 * 0.06, more = 1.01;
+       {Objective1D{"weights = { largest = 1e3 }\nlargest = \"sag\"", -3, 0.3},
+        Objective1D{"weights = { stress = 1e-8 }", -2, 2},
+        Objective1D{"weights = { frequency = 1e-3 }", 1, 0.45}}) {
+    const double mass = 7850 * 0.01 * 0.2 * 0.0587, more = 1.0002;
     const PartEnd end = optimise(cantilever(tried.objective, mass)),
                   heavier = optimise(cantilever(tried.objective, more * mass));
     ASSERT_EQ(end.status, CycleStatus::Optimal) << tried.objective << end.reason;
@@ -117,7 +144,7 @@ TEST(PartObjective, PriceOfTheMassIsWhatTheObjectiveGains) {
 }
 
 /// m/m_0 + w u: with u ~ m^-s the optimum has s u = m/m_0 of the weights.
-TEST(PartObjective, MassAndDisplacementWeighted) {
+TEST_F(CantileverObjective, MassAndDisplacementWeighted) {
   const PartEnd end =
       optimise(cantilever("weights = { mass = 1, largest = 1000 }\nlargest = \"sag\"", 10));
   ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
@@ -126,11 +153,11 @@ TEST(PartObjective, MassAndDisplacementWeighted) {
   for (const LimitCheck& l : end.final.limits)
     if (l.name == "sag") sag = l.value;
   EXPECT_NEAR(end.final.objective, end.final.mass + 1000 * sag, 1e-9);
-  EXPECT_NEAR(end.final.mass / (1000 * sag), 3, 0.5);  // s of a slender bar is 3
+  EXPECT_NEAR(end.final.mass / (1000 * sag), 2.7, 0.3);  // s is 3 less the share of shear
 }
 
-TEST(PartObjective, WhatFixedLoadsDoNotHaveIsRefused) {
-  const auto refused = [](const std::string& objective, const std::string& why) {
+TEST_F(CantileverObjective, WhatFixedLoadsDoNotHaveIsRefused) {
+  const auto refused = [this](const std::string& objective, const std::string& why) {
     try {
       optimise(cantilever(objective, 1));
       ADD_FAILURE() << "not refused: " << why;
