@@ -6,7 +6,8 @@ set(LIESL_PCH_ENGINE
   <set> <stdexcept> <string> <utility> <variant> <vector>
   <Eigen/Core> <Eigen/Cholesky> <Eigen/Geometry> <Eigen/LU> <Eigen/SparseCore> <Eigen/StdVector>
   <fmt/format.h>
-  <liegroup/product.hpp> <liegroup/r3xso3.hpp> <liegroup/se2.hpp> <liegroup/se3.hpp>)
+  <liegroup/product.hpp> <liegroup/r3xso3.hpp> <liegroup/se2.hpp> <liegroup/se3.hpp>
+  <mbs/linalg/eigen_kernels.hpp>)
 set(LIESL_PCH_APPS ${LIESL_PCH_ENGINE}
   <chrono> <filesystem> <sstream> <nlohmann/json.hpp> <toml++/toml.h>)
 set(LIESL_PCH_TESTS ${LIESL_PCH_ENGINE} <filesystem> <fstream> <random> <sstream> <gtest/gtest.h>)

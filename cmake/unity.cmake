@@ -1,10 +1,10 @@
 # Unity builds: the sources of a folder are compiled a few at once, so that headers and the templates of
-# Eigen are paid for once in a group. Not for mbs, where functions are overloaded for many types: there
-# what stands in the unnamed namespace of one source must not be seen by the next. -DLIESL_UNITY=OFF compiles each source alone, which is
+# Eigen are paid for once in a group. What stands in the unnamed namespace of one source is seen by the
+# next of its folder: one name there, one meaning. -DLIESL_UNITY=OFF compiles each source alone, which is
 # faster where one source changes at a time.
 option(LIESL_UNITY "Compile the sources of a folder together" ON)
 
-# liesl_unity(<target> <sources at once>)
+# liesl_unity(<target> <sources at once> [sources that stand alone...])
 function(liesl_unity target size)
   if(NOT LIESL_UNITY)
     return()
@@ -14,6 +14,9 @@ function(liesl_unity target size)
   endif()
   get_target_property(sources ${target} SOURCES)
   foreach(source IN LISTS sources)
+    if(source IN_LIST ARGN)
+      continue()
+    endif()
     cmake_path(RELATIVE_PATH source BASE_DIRECTORY ${PROJECT_SOURCE_DIR} OUTPUT_VARIABLE relative)
     cmake_path(GET relative PARENT_PATH folder)
     string(MAKE_C_IDENTIFIER "${folder}" folder)

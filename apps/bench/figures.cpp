@@ -13,8 +13,9 @@
 #include "mbs/solvers/simulation.hpp"
 
 #ifdef LIESL_OPTIM
+#include "optim/cycle/beam_statics.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
-#include "optim/cycle/static_sizing.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #endif
 
@@ -117,8 +118,9 @@ void static_sizing(benchmark::State& state) {
   const Analysis<SE2> at{run.mechanism, run.model.get(), &run.simulation.trajectory, &run.loads};
   int iterations = 0, kept = 0;
   for (auto _ : state) {
-    StaticSizing<SE2> problem(at, simulator.design().sizing(), study.spec, x,
-                              study.spec.cycle.move_limit);
+    EslProblem problem(std::make_unique<BeamStatics<SE2>>(at, simulator.design().sizing(),
+                                                          study.spec, study.spec.cycle.move_limit),
+                       study.spec.cycle, x);
     for (int round = 0; round < 8; ++round) {
       const NlpResult answer = solve_ipopt(problem);
       iterations += answer.iterations;

@@ -10,7 +10,7 @@
 
 namespace liesl {
 
-/// @param input_sha256 of what the run that goes on has to share, `Study::resumable`
+/// @param input_sha256 of what a resumed run has to share, `Study::resumable`
 /// @throws output::IoError
 void write_checkpoint(const std::filesystem::path& path, const RoundHistory& rounds,
                       const std::string& input_sha256);

@@ -41,7 +41,7 @@ const Template& scene_of_study(const std::string& name) {
   return find("scene", name);
 }
 
-/// A study that names its scene as a file beside it.
+/// A study that names its scene as a file in its folder.
 struct StudyText {
   std::string scene;  ///< name of the shipped scene; empty for what is no study
   std::string file;   ///< of the scene
@@ -73,13 +73,13 @@ int new_command(const CommandOptions& options) {
     throw output::IoError("write", path, "it exists; choose another name with -o, or --force");
   const StudyText made = with_scene(source.text, path.filename().string());
   if (!made.scene.empty()) {
-    const fs::path beside = path.parent_path() / made.file;
-    const bool there = fs::exists(beside) && !options.force;
+    const fs::path scene = path.parent_path() / made.file;
+    const bool there = fs::exists(scene) && !options.force;
     if (!there)
-      output::replace_file(beside,
+      output::replace_file(scene,
                            without_schema_line(std::string(scene_of_study(made.scene).text)));
     if (!options.quiet)
-      fmt::print("{}{}\n", beside.string(), there ? " (was there, not changed)" : "");
+      fmt::print("{}{}\n", scene.string(), there ? " (was there, not changed)" : "");
   }
   output::replace_file(path, made.text);
   if (!options.quiet)

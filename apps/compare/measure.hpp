@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// One run of a scene as figures: how it ended, what it cost, what it kept.
+/// One run of a scene as figures: termination status, cost, conserved quantities.
 
 #include "apps/compare/conserved.hpp"
 #include "apps/output/series.hpp"

@@ -122,8 +122,8 @@ std::string nearest(std::string_view name, const std::vector<std::string>& candi
 
 std::string suggestion(std::string_view name, const std::vector<std::string>& candidates,
                        std::string_view otherwise) {
-  if (const std::string near = nearest(name, candidates); !near.empty())
-    return fmt::format("did you mean '{}'?", near);
+  if (const std::string best = nearest(name, candidates); !best.empty())
+    return fmt::format("did you mean '{}'?", best);
   if (candidates.empty()) return std::string(otherwise);
   constexpr std::size_t kMany = 12;
   if (candidates.size() <= kMany) return fmt::format("known: {}", fmt::join(candidates, ", "));

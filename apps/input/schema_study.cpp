@@ -39,12 +39,14 @@ std::vector<Key> design_and_limit_keys() {
     {"walls.*.least", Type::Number, "m", kRequired, kPositive, "Least thickness."},
 
     {"objective", Type::Table, "", kRequired, kAny, "What is minimised."},
-    {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms. \"weighted\", of a motion or equilibrium: the sum by `weights`.", 0, "mass compliance stress weighted"},
+    {"objective.minimize", Type::Choice, "", "\"mass\"", kAny, "Mass; or of one meshed part under fixed loads the mean compliance of its load cases, or the p-mean of their stress norms. \"weighted\": the sum by `weights`, of a motion or equilibrium, or of one meshed part under fixed loads.", 0, "mass compliance stress weighted"},
     {"objective.of", Type::Texts, "", kRequired, kAny, "Bodies that are summed; trusses."},
     {"objective.weights", Type::Table, "", kOptional, kAny, "What counts how much in a \"weighted\" objective."},
     {"objective.weights.mass", Type::Number, "1/kg", "0", {.lower = 0}, "Of the mass of `of`."},
-    {"objective.weights.largest", Type::NumberOrList, "1/(unit)", kOptional, kNotNegative, "Of the largest value, over all steps and scenarios, of each of the responses `largest`: one weight for all, or one each."},
-    {"objective.weights.frequency", Type::Number, "1/Hz", "0", {.lower = 0}, "Of the lowest natural frequency of the mechanism, which is made large (as in [frequencies]): minus this times it."},
+    {"objective.weights.largest", Type::NumberOrList, "1/(unit)", kOptional, kNotNegative, "Of the largest value, over all steps and scenarios (under fixed [loads] over the load cases), of each of the responses `largest`: one weight for all, or one each."},
+    {"objective.weights.frequency", Type::Number, "1/Hz", "0", {.lower = 0}, "Of the lowest natural frequency of the mechanism, which is made large (as in [frequencies]): minus this times it. Under fixed [loads] the lowest free-free frequency of the part."},
+    {"objective.weights.compliance", Type::Number, "1/J", "0", {.lower = 0}, "Of the largest compliance of the load cases of a meshed part under fixed [loads]."},
+    {"objective.weights.stress", Type::Number, "1/Pa", "0", {.lower = 0}, "Of the largest stress norm of the load cases of a meshed part under fixed [loads]."},
     {"objective.weights.duration", Type::Number, "1/s", "0", {.lower = 0}, "Of the duration, which a variable changes."},
     {"objective.weights.effort", Type::Number, "1/((N m)^2 s)", "0", {.lower = 0}, "Of the integral of the squares of the responses `effort` over the motion."},
     {"objective.effort", Type::Texts, "", kOptional, kAny, "Responses of the scene whose squares are integrated, as the torques of drives (`drive_force`)."},
@@ -52,6 +54,7 @@ std::vector<Key> design_and_limit_keys() {
     {"objective.largest", Type::Texts, "", kOptional, kAny, "Responses of the scene whose largest value is made small: a deflection, the compliance of a beam, a stress."},
     {"objective.count", Type::Integer, "", "1", {1, 20}, "With weights.frequency: how many frequencies may come to lie together."},
     {"objective.at", Type::Number, "s", "0", kNotNegative, "With weights.frequency: the time whose values the drives have in the pose."},
+    {"objective.frequency_of", Type::Text, "", kOptional, kAny, "With weights.frequency: the beam alone that it is of, as `frequencies.*.of`. Default: the mechanism."},
 
     {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step (in statics load step), by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a part otherwise. An `axial_stress`, `buckling` or `local_buckling` of a truss, or of a group of its bars, is one of each bar."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
@@ -67,7 +70,7 @@ std::vector<Key> design_and_limit_keys() {
 /// Parts under fixed loads, frequencies, and the cycle.
 std::vector<Key> part_and_cycle_keys() {
   return {
-    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step, where they need cycle.method \"esl\"."},
+    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step. Their gradients by a motion take the loads on the part as combinations of its modes (docs/theory.md): more `modes` make them more exact."},
     {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
     {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
     {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},
@@ -76,11 +79,12 @@ std::vector<Key> part_and_cycle_keys() {
 
     {"frequencies", Type::Named, "", kOptional, kAny, "Least natural frequencies of the mechanism by name: of the joined bodies in space, undeformed in a pose, without weight, loads and the forces of springs, whose stiffness counts; drives hold. Not with meshes in the plane."},
     {"frequencies.*", Type::Table, "", kOptional, kAny, "A limit."},
+    {"frequencies.*.of", Type::Text, "", kOptional, kAny, "A beam alone: what its joints and springs hold it to is the ground, at the place of the scene as given; drives hold, gears do not count. Default: the mechanism."},
     {"frequencies.*.least", Type::Number, "Hz", kRequired, kPositive, "Least value of each of them."},
     {"frequencies.*.count", Type::Integer, "", "1", {1, 20}, "How many of the lowest: as many as may come to lie together, since which one is the lowest may change there. Motions that nothing holds do not count."},
     {"frequencies.*.at", Type::Number, "s", "0", kNotNegative, "The time whose values the drives have in the pose."},
 
-    {"loads", Type::Named, "", kOptional, kAny, "Loads of a meshed part that stay, by name. If there are any, nothing is simulated."},
+    {"loads", Type::Named, "", kOptional, kAny, "Fixed loads of a meshed part, by name. If there are any, nothing is simulated."},
     {"loads.*", Type::Table, "", kOptional, kAny, "A load on an interface, or on a side."},
     {"loads.*.at", Type::Text, "", kOneOf, kAny, "Port of the part, \"plate.right\": takes `force` and `moment`."},
     {"loads.*.force", Type::Vector, "N", "[0, 0, 0]", kAny, "In the axes of the mesh.", 3},

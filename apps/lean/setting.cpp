@@ -10,11 +10,13 @@ namespace liesl {
 
 namespace {
 
-/// Smallest number of elements with a node at every place, out of the divisors of `elements`.
+/// Smallest number of elements with a node at every place, out of the divisors of `elements`;
+/// `elements` if a place is between their nodes.
 int common_multiple(const std::vector<double>& places, int elements) {
   int multiple = 1;
   for (const double place : places) {
     const int node = static_cast<int>(std::lround(place * elements));
+    if (std::abs(place * elements - node) > 0.25) return elements;
     multiple = std::lcm(multiple, elements / std::gcd(node, elements));
   }
   return multiple;
@@ -59,7 +61,7 @@ std::vector<double> places(const Scene& scene, int body) {
     if (r.body != body) continue;
     if (r.kind == ResponseKind::Deflection && !r.everywhere) found.push_back(r.s);
     if (r.kind == ResponseKind::SectionForce)
-      found.push_back((r.element + node_of(r.place)) / double(n));
+      found.push_back((r.element + (r.place == ElementPlace::Middle ? 0.5 : node_of(r.place))) / n);
   }
   for (int e = 1; e < n; ++e)
     if (beam.sections[static_cast<std::size_t>(e)].name !=

@@ -71,10 +71,10 @@ bool unfinished(const std::string& name) {
 /// "cases/<name>/rest" or "cases/.<name>.what" -> <name>; empty if it is neither.
 std::string case_of(const std::string& name, const nlohmann::json& cases) {
   static const std::regex inside(R"(cases/([^/]+)(/.*)?)"),
-      beside(R"(cases/\.(.+)\.(log|previous(/.*)?|partial-[^/]*(/.*)?))");
+      hidden(R"(cases/\.(.+)\.(log|previous(/.*)?|partial-[^/]*(/.*)?))");
   std::smatch found;
-  const bool hidden = std::regex_match(name, found, beside);
-  if (!hidden && !std::regex_match(name, found, inside)) return "";
+  const bool is_hidden = std::regex_match(name, found, hidden);
+  if (!is_hidden && !std::regex_match(name, found, inside)) return "";
   return cases.contains(found.str(1)) ? found.str(1) : "";
 }
 

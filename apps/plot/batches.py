@@ -27,8 +27,8 @@ def inputs_of(series):
 def check_column(series, name):
     if name in series.names:
         return
-    near = difflib.get_close_matches(name, series.names, 1)
-    hint = f"did you mean '{near[0]}'?" if near else "there are " + ", ".join(series.names)
+    matches = difflib.get_close_matches(name, series.names, 1)
+    hint = f"did you mean '{matches[0]}'?" if matches else "there are " + ", ".join(series.names)
     raise NothingToDraw(f"results.csv has no column '{name}'; {hint}")
 
 

@@ -37,14 +37,14 @@ def draw_quantity(ax, x, y, points, name, figure):
     limit = figure["limit"] * factor if figure["limit"] is not None else None
     local = f"{name} local"
     modelled = local in points.names
-    near = [scaled(row, factor) for row in grid_of(points.text(local), nx)] if modelled else None
+    model = [scaled(row, factor) for row in grid_of(points.text(local), nx)] if modelled else None
     if modelled:
-        ax.contour(x, y, near, levels=lines.levels, colors=ORANGE, linewidths=0.9,
+        ax.contour(x, y, model, levels=lines.levels, colors=ORANGE, linewidths=0.9,
                    linestyles="dashed")
     if limit is not None and has_contour(rows, limit):
         ax.contour(x, y, rows, levels=[limit], colors=RED, linewidths=2.2)
-    if limit is not None and modelled and has_contour(near, limit):
-        ax.contour(x, y, near, levels=[limit], colors=RED, linewidths=2.2, linestyles="dashed")
+    if limit is not None and modelled and has_contour(model, limit):
+        ax.contour(x, y, model, levels=[limit], colors=RED, linewidths=2.2, linestyles="dashed")
     return modelled
 
 

@@ -21,14 +21,14 @@ def draw_history(_folder, pictures, summary):
     changes = column("load_change")
     loads_change = any(map(math.isfinite, changes))
     figure, panels = stacked(3 if loads_change else 2, 2.0)
-    goal, worst = panels[:2]
+    upper, worst = panels[:2]
 
     objective = summary.get("objective") if "objective" in history[0] else None
     name, unit = (objective["quantity"], objective["unit"]) if objective else ("mass", "kg")
     values = column("objective" if objective else "mass")
     factor, unit = scale_of(values, unit)
-    goal.plot(cycles, scaled(values, factor), "o-", color=BLUE)
-    goal.set_ylabel(label(name, unit))
+    upper.plot(cycles, scaled(values, factor), "o-", color=BLUE)
+    upper.set_ylabel(label(name, unit))
 
     values = scaled(column("worst_constraint"), 100)
     worst.axhline(0, label="limit", **LIMIT)

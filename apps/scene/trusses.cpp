@@ -196,10 +196,10 @@ class Truss {
   void grow_tree(std::vector<Joint>& joints) const {
     std::set<int> reached;
     std::deque<int> next;
-    const auto reach = [&](int bar) {
+    const auto visit = [&](int bar) {
       if (reached.insert(bar).second) next.push_back(bar);
     };
-    reach(held_.empty() ? 0 : -1);
+    visit(held_.empty() ? 0 : -1);
     while (!next.empty()) {
       const int from = next.front();
       next.pop_front();
@@ -212,7 +212,7 @@ class Truss {
           std::swap(j.a, j.b);
           std::swap(j.port_a, j.port_b);
         }
-        reach(to);
+        visit(to);
       }
     }
   }

@@ -133,18 +133,11 @@ void check_motion(StudyReader& reader) {
   Problems& problems = reader.scene.problems;
   for (const PartLimitSpec& l : spec.part_limits) {
     const toml::table& table = *reader.root["part_limits"][l.name].as_table();
-    const bool of_loads =
-        l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance;
     if (!spec.shapes.contains(l.body))
       problems.add(
           *table.get("of"),
           fmt::format("part limit '{}' is of a part whose outline does not change", l.name),
           "a part of [design]");
-    else if (of_loads && spec.cycle.method != CycleMethod::Esl)
-      problems.add(*table.get("quantity"),
-                   fmt::format("part limit '{}' has no gradient by the motion", l.name),
-                   "mass or frequency, or cycle.method = \"esl\"",
-                   "\"esl\" takes the loads of the last motion as constants");
   }
   for (const ConstraintSpec& c : spec.constraints) {
     const int body = limited_body(c.response);
@@ -155,6 +148,21 @@ void check_motion(StudyReader& reader) {
         fmt::format("constraint '{}' is of '{}', which no variable changes", c.response.name,
                     reader.scene.scene.mechanism.bodies[std::size_t(body)].name),
         "a response of a body in [design]");
+  }
+}
+
+/// Limits and goals under fixed loads are of the part that changes.
+void check_fixed_loads(StudyReader& reader) {
+  for (const ConstraintSpec& c : reader.spec.constraints) {
+    const int body = limited_body(c.response);
+    if (!c.has_image || body < 0 || reader.spec.shapes.contains(body)) continue;
+    const toml::node* at = c.weight > 0 ? reader.root["objective"]["largest"].node()
+                                        : reader.root["constraints"][c.response.name].node();
+    reader.scene.problems.add(
+        *at,
+        fmt::format("'{}' is of '{}', which no variable changes", c.response.name,
+                    reader.scene.scene.mechanism.bodies[static_cast<std::size_t>(body)].name),
+        "a response of the part in [design]");
   }
 }
 
@@ -245,11 +253,13 @@ void check_shapes(StudyReader& reader) {
     problems.add(*reader.root.get("loads"), "fixed loads are for the outline of one meshed part",
                  "shape variables of one part",
                  "fixed loads do not couple parts: a study for each");
-  if (spec.loads.empty()) check_motion(reader);
+  if (spec.loads.empty())
+    check_motion(reader);
+  else
+    check_fixed_loads(reader);
   if (spec.loads.empty() && spec.objective != SolidResponse::Mass)
     problems.add(*reader.root.get("objective"),
-                 "compliance and stress are minimised under loads "
-                 "that stay",
+                 "compliance and stress are minimised under fixed loads",
                  "'mass', or fixed [loads]");
 #ifdef LIESL_OPTIM
   for (const auto& [body, shape] : spec.shapes) try {

@@ -129,35 +129,91 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
     }
     for (const ResponseSpec& response : reader.scene.scene.responses) {
       if (response.name != name) continue;
-      ConstraintSpec term{response, 1, false};
+      const bool fixed = reader.root.contains("loads"),
+                 image = has_static_image(response, reader.scene.scene.mechanism);
+      if (fixed && !image)
+        reader.scene.problems.add(
+            *names[i],
+            fmt::format(
+                "'{}' is not on the deformation of the part, and fixed loads have no motion", name),
+            "a displacement or elongation of the meshed part");
+      ConstraintSpec term{response, 1, fixed};
       term.response.name = name;
       term.weight = weight[i];
       reader.spec.constraints.push_back(std::move(term));
-      reader.spec.goal.extremes = true;
+      reader.spec.motion_objective.extremes = true;
     }
   }
 }
 
-void read_frequency_goal(StudyReader& reader, const toml::table& table, double weight) {
-  const bool chosen = written(*table.get("count")) || written(*table.get("at"));
-  if (!(weight > 0)) {
-    if (chosen)
-      reader.scene.problems.add(
-          written(*table.get("count")) ? *table.get("count") : *table.get("at"),
-          "'count' and 'at' are of a frequency in the objective", "weights.frequency > 0");
-    return;
+/// The beam whose own frequencies are meant; -1: the whole mechanism, or it is none (and said).
+int read_vibrating(StudyReader& reader, const toml::node* of) {
+  if (!of) return -1;
+  const auto name = of->value_or(std::string());
+  if (!reader.scene.known(*of, "bodies", "body", name)) return -1;
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  const int body = mechanism.body(name);
+  if (body < 0) return -1;  // broken, said before
+  const auto* beam = std::get_if<BeamSpec>(&body_of(reader, body).kind);
+  if (beam && model_of(*beam, mechanism.formalism) != BeamModel::Rigid) return body;
+  reader.scene.problems.add(*of, fmt::format("'{}' is no flexible beam", name),
+                            "a beam that is not rigid",
+                            "of a meshed part: [part_limits] with quantity = \"frequency\"");
+  return -1;
+}
+
+/// A quantity of the one meshed part under fixed loads in the objective.
+void add_part_term(StudyReader& reader, const char* name, SolidResponse quantity, double weight,
+                   int count = 1) {
+  if (reader.spec.shapes.empty()) return;  // said by check_shapes
+  PartLimitSpec term{name, reader.spec.shapes.begin()->first, quantity, 1, count};
+  term.weight = weight;
+  reader.spec.part_limits.push_back(std::move(term));
+  reader.spec.motion_objective.extremes = true;
+}
+
+void read_part_terms(StudyReader& reader, const toml::table* weights) {
+  const auto read = [&](const char* key, const char* name, SolidResponse quantity) {
+    const double weight = weights ? (*weights)[key].value_or(0.0) : 0;
+    if (!(weight > 0)) return;
+    if (reader.root.contains("loads")) return add_part_term(reader, name, quantity, weight);
+    reader.scene.problems.add(*weights->get(key),
+                              fmt::format("'{}' is that of a meshed part under fixed [loads]", key),
+                              "weights.largest and a response");
+  };
+  read("compliance", "largest compliance", SolidResponse::Compliance);
+  read("stress", "largest stress", SolidResponse::Stress);
+}
+
+void read_frequency_term(StudyReader& reader, const toml::table& table, double weight) {
+  const auto refuse_written = [&](const char* key, const char* what, const char* expected) {
+    const toml::node* node = table.get(key);
+    if (node && written(*node))
+      reader.scene.problems.add(*node, fmt::format("'{}' is {}", key, what), expected);
+  };
+  const bool fixed = reader.root.contains("loads");
+  for (const char* key : {"count", "at", "frequency_of"}) {
+    if (!(weight > 0))
+      refuse_written(key, "of a frequency in the objective", "weights.frequency > 0");
+    else if (fixed && key != std::string("count"))
+      refuse_written(key, "of a mechanism, and under fixed loads the part is free", "'count'");
   }
-  FrequencyLimitSpec goal{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
-  goal.weight = weight;
-  reader.spec.frequencies.push_back(goal);
-  reader.spec.goal.extremes = true;
+  if (!(weight > 0)) return;
+  if (fixed)
+    return add_part_term(reader, "lowest frequency", SolidResponse::Frequency, weight,
+                         integer(table, "count"));
+  FrequencyLimitSpec term{"lowest frequency", 1, integer(table, "count"), number(table, "at")};
+  term.weight = weight;
+  term.body = read_vibrating(reader, table.get("frequency_of"));
+  reader.spec.frequencies.push_back(term);
+  reader.spec.motion_objective.extremes = true;
 }
 
 }  // namespace
 
 /// Weights of an objective that is not the mass alone.
-void read_goal(StudyReader& reader, const toml::table& table) {
-  Goal& goal = reader.spec.goal;
+void read_motion_objective(StudyReader& reader, const toml::table& table) {
+  MotionObjective& objective = reader.spec.motion_objective;
   Problems& problems = reader.scene.problems;
   if (text(table, "minimize") != "weighted") {
     for (const char* key : {"weights", "effort", "largest"})
@@ -168,28 +224,31 @@ void read_goal(StudyReader& reader, const toml::table& table) {
   }
   const toml::table* weights = table["weights"].as_table();
   const auto weight = [&](const char* key) { return weights ? (*weights)[key].value_or(0.0) : 0; };
-  goal.mass = weight("mass");
-  goal.duration = weight("duration");
-  goal.effort = weight("effort");
+  objective.mass = weight("mass");
+  objective.duration = weight("duration");
+  objective.effort = weight("effort");
   read_largest(reader, table, weights);
-  read_frequency_goal(reader, table, weight("frequency"));
+  read_frequency_term(reader, table, weight("frequency"));
+  read_part_terms(reader, weights);
   for (const toml::node* node : strings(table, "effort")) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
     for (const ResponseSpec& response : reader.scene.scene.responses)
-      if (response.name == name) goal.responses.push_back(response);
+      if (response.name == name) objective.responses.push_back(response);
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
-  if (!(goal.mass > 0 || goal.duration > 0 || goal.effort > 0 || goal.extremes))
-    problems.add(at, "all weights are zero",
-                 "a weight > 0 of mass, largest, frequency, duration or effort");
-  if ((goal.effort > 0) != !goal.responses.empty())
+  if (!(objective.mass > 0 || objective.duration > 0 || objective.effort > 0 || objective.extremes))
+    problems.add(
+        at, "all weights are zero",
+        "a weight > 0 of mass, largest, frequency, duration or effort; under fixed [loads] "
+        "of mass, largest, frequency, compliance or stress");
+  if ((objective.effort > 0) != !objective.responses.empty())
     problems.add(at,
-                 goal.effort > 0 ? "effort has a weight, but no responses"
-                                 : "responses of the effort, but no weight",
+                 objective.effort > 0 ? "effort has a weight, but no responses"
+                                      : "responses of the effort, but no weight",
                  "weights.effort > 0 and effort = [responses]");
   const auto& constants = reader.spec.constants;
-  if (goal.duration > 0 && std::none_of(constants.begin(), constants.end(), [](const auto& c) {
+  if (objective.duration > 0 && std::none_of(constants.begin(), constants.end(), [](const auto& c) {
         return c.quantity == ConstantQuantity::Duration;
       }))
     problems.add(
@@ -217,7 +276,7 @@ void read_objective(StudyReader& reader) {
       for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == body;
     }
   }
-  read_goal(reader, *table);
+  read_motion_objective(reader, *table);
   const std::string quantity = text(*table, "minimize");
   reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
                           : quantity == "stress"   ? SolidResponse::Stress
@@ -227,7 +286,7 @@ void read_objective(StudyReader& reader) {
   std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
   for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
   const bool read = design && design->size() == entries_read;
-  if (!varied && complete && read && reader.spec.goal.only_mass())
+  if (!varied && complete && read && reader.spec.motion_objective.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
                               "a body of [design]");
 }
@@ -307,32 +366,48 @@ void read_constraints(StudyReader& reader) {
 
 void read_frequencies(StudyReader& reader) {
   const auto limits = entries(reader.root, reader.broken, "frequencies");
-  for (const Entry& entry : limits)
-    reader.spec.frequencies.push_back({entry.name, number(*entry.table, "least"),
-                                       integer(*entry.table, "count"), number(*entry.table, "at")});
+  for (const Entry& entry : limits) {
+    FrequencyLimitSpec limit{entry.name, number(*entry.table, "least"),
+                             integer(*entry.table, "count"), number(*entry.table, "at")};
+    const toml::node* of = entry.table->get("of");
+    limit.body = read_vibrating(reader, of);
+    if (const toml::node* at = entry.table->get("at"); of && written(*at))
+      reader.scene.problems.add(*at, "'at' is a pose of the mechanism, and one beam has none",
+                                "'of' or 'at'");
+    reader.spec.frequencies.push_back(std::move(limit));
+  }
   if (reader.spec.frequencies.empty()) return;
   const auto refuse = [&](const std::string& what, const char* expected) {
     reader.scene.problems.add(*reader.root.get(limits.empty() ? "objective" : "frequencies"), what,
                               expected);
   };
-  if (limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
-    refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
   const Mechanism& mechanism = reader.scene.scene.mechanism;
-  for (const BodySpec& body : mechanism.bodies) {
+  std::vector<bool> vibrates(mechanism.bodies.size(), false);
+  bool whole = false;
+  for (const FrequencyLimitSpec& f : reader.spec.frequencies) {
+    if (f.body >= 0) vibrates[static_cast<std::size_t>(f.body)] = true;
+    whole = whole || f.body < 0;
+  }
+  if (whole && limits.empty() && (!reader.spec.drives.empty() || reader.spec.duration > 0))
+    refuse("a frequency in a pose, and variables of the motion itself", "one or the other");
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const BodySpec& body = mechanism.bodies[b];
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
-    if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Segments)
+    if (beam && (whole || vibrates[b]) &&
+        model_of(*beam, mechanism.formalism) == BeamModel::Segments)
       return refuse("frequencies are those in space, and '" + body.name +
                         "' is a chain of segments, which has no torsion",
                     "a beam of another formalism");
   }
+  if (reader.root.contains("loads"))
+    refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
+  if (!whole) return;
   for (const BodySpec& body : mechanism.bodies)
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
       return refuse("frequencies are those in space, and '" + body.name + "' is meshed in a plane",
                     "[part_limits] with quantity = \"frequency\"");
   if (!reader.spec.shapes.empty())
     refuse("frequencies of a mechanism whose outlines change", "design variables of sections");
-  if (reader.root.contains("loads"))
-    refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
   if (mechanism.formalism == Formalism::Rigid)
     refuse("no part of a rigid mechanism vibrates", "another simulation.formalism");
 }
@@ -418,7 +493,7 @@ void check_statics(StudyReader& reader) {
           *reader.root["design"][c.name].node(),
           fmt::format("'{}' changes a constant of a motion, and statics has none", c.name),
           "dimensions of sections, stiffness or rest value of a spring");
-  if (reader.spec.goal.effort > 0)
+  if (reader.spec.motion_objective.effort > 0)
     reader.scene.problems.add(*reader.root["objective"].as_table()->get("effort"),
                               "an effort over time, and statics has none", "weights.largest");
 }
@@ -438,7 +513,7 @@ void check_direct(StudyReader& reader) {
   };
   if (const toml::node* loads = reader.root.get("loads"))
     refuse(*loads, "fixed loads have no motion", "a study of a motion");
-  if (reader.spec.goal.extremes)
+  if (reader.spec.motion_objective.extremes)
     refuse(*reader.root["objective"].as_table()->get("minimize"),
            "largest values or lowest frequencies have kinks", "the mass, efforts, the duration");
   for (const ConstraintSpec& c : reader.spec.constraints)
@@ -454,7 +529,11 @@ void check_images(StudyReader& reader) {
   check_direct(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
-  if (!reader.spec.goal.only_mass())
+  const MotionObjective& objective = reader.spec.motion_objective;
+  const bool of_motion = reader.root.contains("loads")
+                             ? objective.duration > 0 || objective.effort > 0
+                             : !objective.only_mass();
+  if (of_motion)
     reader.scene.problems.add(*reader.root["objective"].as_table()->get("minimize"),
                               "the objective is of the motion, and " + why, "\"mass\"",
                               "\"weighted\" needs cycle.method \"esl1\" or \"full\"");

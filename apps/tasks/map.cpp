@@ -254,7 +254,7 @@ MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapReque
   if (!study.spec.frequencies.empty())
     throw InputError({{study.file, 0, 0, "a map shows no limits on frequencies",
                        "a study without [frequencies]", "leave them out of a copy"}});
-  if (!study.spec.mass_limits.empty() || study.spec.goal.extremes)
+  if (!study.spec.mass_limits.empty() || study.spec.motion_objective.extremes)
     throw InputError({{study.file, 0, 0, "a map shows no limits on mass and no largest values",
                        "a study of responses and mass", "leave them out of a copy"}});
   const MakeValues make = values_of(study, space);

@@ -42,6 +42,7 @@ class MotionValues final : public StudyValues {
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i].response < 0) continue;
       const int c = responses[static_cast<std::size_t>(images[i].response)].constraint;
+      if (c < 0) continue;  // of a part itself
       const double value = spec_.constraints[static_cast<std::size_t>(c)].limit *
                            (1 + g[static_cast<Eigen::Index>(i)]);
       double& largest = out[static_cast<std::size_t>(c) + 1];
@@ -67,7 +68,7 @@ class PartValues final : public StudyValues {
 
   DesignModel& model() override { return model_; }
   std::vector<double> of(const DesignAnalysis& analysis) const override {
-    const SolidCheck& check = dynamic_cast<const PartAnalysis&>(analysis).check;
+    const StaticCheck& check = dynamic_cast<const PartAnalysis&>(analysis).check;
     std::vector<double> out{check.objective};
     for (std::size_t i = 0; i < task_.limits.size(); ++i) out.push_back(check.limits[i].value);
     return out;
@@ -85,16 +86,19 @@ class PartValues final : public StudyValues {
 std::vector<MappedQuantity> quantities(const Study& study) {
   const Quantity objective = quantity(study.spec.objective);
   std::vector<MappedQuantity> out{{objective.name, objective.unit, {}}};
-  if (!study.spec.goal.only_mass()) out.front() = {"objective", "-", {}};
+  if (!study.spec.motion_objective.only_mass()) out.front() = {"objective", "-", {}};
+  const auto limit_of = [](const auto& c) {  // terms of the objective have none
+    return c.weight > 0 ? std::nullopt : std::optional(c.limit);
+  };
   if (study.spec.loads.empty()) {
     for (const ConstraintSpec& c : study.spec.constraints)
-      out.push_back({c.response.name, unit(c.response, study.scene.mechanism), c.limit});
+      out.push_back({c.response.name, unit(c.response, study.scene.mechanism), limit_of(c)});
     return out;
   }
   for (const ConstraintSpec& c : study.spec.constraints)
-    if (c.has_image) out.push_back({c.response.name, "m", c.limit});
+    if (c.has_image) out.push_back({c.response.name, "m", limit_of(c)});
   for (const PartLimitSpec& l : study.spec.part_limits)
-    out.push_back({l.name, quantity(l.quantity).unit, l.limit});
+    out.push_back({l.name, quantity(l.quantity).unit, limit_of(l)});
   return out;
 }
 

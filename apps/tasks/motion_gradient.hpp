@@ -31,7 +31,7 @@ template <FrameGroup G>
 FunctionalValue functional_value(const TapedMotion<G>& motion, std::size_t response,
                                  const FunctionalSpec& functional, int peak = -1);
 
-/// Fills dy/dp over time (direct form only) and the gradients. @returns how it ended
+/// Fills dy/dp over time (direct form only) and the gradients. @returns the termination status
 template <FrameGroup G>
 SensitivityEnd differentiate(const TapedMotion<G>& motion, const SensitivityProblem& problem,
                              const SensitivityRequest& request, SensitivityMethod method,

@@ -54,7 +54,7 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
   for (std::size_t s = 0; s < r.final.size(); ++s)
     for (std::size_t i = 0; i < r.final[s].limits.size(); ++i) {
       const LimitSeries& last = r.final[s].limits[i];
-      if (last.goal) continue;
+      if (last.in_objective) continue;
       const auto& spec = study.spec.constraints[i].response;
       const LimitedResponse which{static_cast<int>(i), spec, static_cast<int>(s)};
       const double initial = s < r.initial.size() ? r.initial[s].limits[i].largest : 0;
@@ -65,7 +65,7 @@ void describe_limits(output::OptimizeSummary& summary, const Study& study,
   for (std::size_t s = 0; s < r.final.size(); ++s)
     for (std::size_t i = 0; i < r.final[s].frequencies.size(); ++i) {
       const FrequencyCheck& last = r.final[s].frequencies[i];
-      if (last.goal) continue;
+      if (last.in_objective) continue;
       const std::string scenario =
           study.spec.scenarios.empty() ? "" : " (" + study.spec.scenarios[s] + ")";
       const double initial = s < r.initial.size() && i < r.initial[s].frequencies.size()
@@ -107,15 +107,15 @@ void describe_part_limits(output::OptimizeSummary& summary, const Study& study,
 
 /// The parts of a weighted objective: largest values and frequencies, over all scenarios.
 template <FrameGroup G>
-void describe_goals(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r) {
-  auto& goals = summary.more["goals"] = nlohmann::ordered_json::object();
+void describe_terms(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r) {
+  auto& terms = summary.more["goals"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < study.spec.constraints.size(); ++i) {
     const ConstraintSpec& c = study.spec.constraints[i];
     if (!(c.weight > 0)) continue;
     double first = 0, last = 0;
     for (const MotionLimits& m : r.initial) first = std::max(first, m.limits[i].measure);
     for (const MotionLimits& m : r.final) last = std::max(last, m.limits[i].measure);
-    goals[c.response.name] = {{"quantity", name_of(c.response.kind)},
+    terms[c.response.name] = {{"quantity", name_of(c.response.kind)},
                               {"unit", unit(c.response, study.scene.mechanism)},
                               {"weight", c.weight},
                               {"initial", first},
@@ -128,7 +128,7 @@ void describe_goals(output::OptimizeSummary& summary, const Study& study, const 
            last = r.final.front().frequencies[i].value;
     for (const MotionLimits& m : r.initial) first = std::min(first, m.frequencies[i].value);
     for (const MotionLimits& m : r.final) last = std::min(last, m.frequencies[i].value);
-    goals[f.name] = {{"quantity", "frequency"},
+    terms[f.name] = {{"quantity", "frequency"},
                      {"unit", "Hz"},
                      {"weight", f.weight},
                      {"initial", first},
@@ -146,12 +146,12 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   summary.stepping_s = r.effort.stepping_s;
   summary.mass_initial = r.mass_initial;
   summary.mass_final = r.mass;
-  if (!study.spec.goal.only_mass() && r.first && r.best)
+  if (!study.spec.motion_objective.only_mass() && r.first && r.best)
     summary.more["objective"] = {{"quantity", "weighted sum"},
                                  {"unit", "-"},
                                  {"initial", r.first->objective},
                                  {"final", r.best->objective}};
-  if (study.spec.goal.extremes && r.first && r.best) describe_goals(summary, study, r);
+  if (study.spec.motion_objective.extremes && r.first && r.best) describe_terms(summary, study, r);
   summary.worst_constraint = r.worst;
   summary.load_change = r.load_change;
   const auto& bodies = study.scene.mechanism.bodies;
@@ -298,6 +298,15 @@ DerivativeReport derivatives_on(const Study& study, const Space<G>& space) {
 DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space) {
   if (!study.spec.loads.empty()) return part_derivatives_task(study);
   return std::visit([&](const auto& s) { return derivatives_on(study, s); }, space.space);
+}
+
+DerivativeReport equilibrium_derivatives_task(const Study& study, const ChosenSpace& space) {
+  return std::visit(
+      [&]<FrameGroup G>(const Space<G>& s) {
+        return check_equilibrium_derivatives<G>(study.scene.mechanism, s, study.scene.simulation,
+                                                study.spec);
+      },
+      space.space);
 }
 
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,

@@ -54,6 +54,8 @@ OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
 
 /// Gradients of the first static problem against finite differences.
 DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space);
+/// Those of the limits of equilibria. @pre simulation.type is Static, without fixed loads
+DerivativeReport equilibrium_derivatives_task(const Study& study, const ChosenSpace& space);
 
 /// Name and unit of a quantity of a meshed part.
 struct Quantity {

@@ -7,7 +7,8 @@
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
-#include "optim/cycle/solid_task.hpp"
+#include "optim/cycle/esl_problem.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 
 namespace liesl {
 
@@ -30,15 +31,38 @@ Quantity quantity(SolidResponse r) {
 namespace {
 
 void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
-                     const SolidCheck& initial, const SolidCheck& final) {
+                     const StaticCheck& initial, const StaticCheck& final) {
   for (std::size_t i = 0; i < final.limits.size(); ++i) {
     const bool wall = i >= task.limits.size();
+    if (!wall && task.limits[i].weight > 0) continue;
     const Quantity q = wall ? Quantity{"wall", "-"} : quantity(task.limits[i].response);
     const LimitCheck& last = final.limits[i];
     const double first = i < initial.limits.size() ? initial.limits[i].value : last.value;
     summary.constraints.push_back(
         {last.name, q.name, q.unit, last.limit, first, last.value, 0, last.excess});
   }
+}
+
+/// The parts of a weighted objective.
+void describe_goals(output::OptimizeSummary& summary, const SolidTask& task,
+                    const StaticCheck& initial, const StaticCheck& final) {
+  auto& goals = summary.more["goals"] = nlohmann::ordered_json::object();
+  for (std::size_t i = 0; i < task.limits.size(); ++i) {
+    const SolidLimit& goal = task.limits[i];
+    if (!(goal.weight > 0)) continue;
+    const Quantity q = quantity(goal.response);
+    goals[goal.name] = {{"quantity", q.name},
+                        {"unit", q.unit},
+                        {"weight", goal.weight},
+                        {"initial", initial.limits[i].value},
+                        {"final", final.limits[i].value}};
+  }
+}
+
+/// What is minimised.
+Quantity objective_of(const SolidTask& task) {
+  const bool mass_alone = task.objective != SolidResponse::Mass || task.mass_weight == 1;
+  return task.weighted() || !mass_alone ? Quantity{"weighted sum", "-"} : quantity(task.objective);
 }
 
 /// Of a variable that a new hole brought with it, the start is where it was inserted.
@@ -57,7 +81,7 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   summary.reason = end.reason;
   if (!end.best) return;
   const SolidTask task = solid_task(rounds.last.study, *end.part);
-  const SolidCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
+  const StaticCheck& initial = dynamic_cast<const PartAnalysis&>(*rounds.first.first).check;
   describe_cycles(summary, {rounds.before, end.history}, task.objective);
   summary.mass_initial = initial.mass;
   summary.mass_final = end.final.mass;
@@ -65,8 +89,9 @@ void describe_end(output::OptimizeSummary& summary, const Topology<PartEnd>& rou
   describe_limits(summary, task, initial, end.final);
   describe_design(summary, task, rounds);
   auto& more = summary.more;
-  more["objective"] = {{"quantity", quantity(task.objective).name},
-                       {"unit", quantity(task.objective).unit},
+  if (task.weighted()) describe_goals(summary, task, initial, end.final);
+  more["objective"] = {{"quantity", objective_of(task).name},
+                       {"unit", objective_of(task).unit},
                        {"initial", initial.objective},
                        {"final", end.final.objective}};
   describe_optimality(summary, end.optimality);
@@ -121,8 +146,9 @@ DerivativeReport part_derivatives_task(const Study& study) {
   const auto& [body, spec] = *study.spec.shapes.begin();
   PartShape part(study.scene.mechanism, body, spec);
   const SolidTask task = solid_task(study.spec, part);
-  StaticShape problem(task, part.design.start(), study.spec.cycle.move_cells,
-                      study.spec.cycle.move_limit);
+  const CycleOptions& cycle = study.spec.cycle;
+  EslProblem problem(std::make_unique<MeshStatics>(task, cycle.move_cells, cycle.move_limit), cycle,
+                     part.design.start());
   if (!problem.undefined_reason().empty())
     throw std::runtime_error("the start design has no part: " + problem.undefined_reason());
   DerivativeCheckOptions options;

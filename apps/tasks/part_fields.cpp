@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "esl/solid_loads.hpp"
-#include "optim/cycle/solid_task.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 
 namespace liesl {
 namespace {
@@ -23,10 +23,10 @@ PartFields fields_of_motion(const StudySpec& study, PartShape& part, const Eigen
   task.loads = loads.shapes;
   task.combination = loads.e(Eigen::all, std::vector<int>(chosen.begin(), chosen.end()));
   for (const int n : chosen) task.cases.push_back(fmt::format("t = {:.6g} s", loads.t[n]));
-  StaticShape problem(task, x, study.cycle.move_cells);
-  if (!problem.show_all(x)) return {};
-  return {problem.statics().fractions(), problem.statics().u(),
-          von_mises(problem.statics(), study.stress.relaxation)};
+  MeshStatics statics(task);
+  if (!statics.show_all(x)) return {};
+  return {statics.statics().fractions(), statics.statics().u(),
+          von_mises(statics.statics(), study.stress.relaxation)};
 }
 
 template PartFields fields_of_motion(const StudySpec&, PartShape&, const Eigen::VectorXd&,

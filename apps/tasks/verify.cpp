@@ -1,6 +1,7 @@
 #include "apps/tasks/verify.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +12,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/tasks/run.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/solvers/richardson.hpp"
 
 namespace liesl {
@@ -24,6 +26,21 @@ constexpr int kMostElements = 10000;
 
 using Peaks = std::map<std::string, double>;
 
+/// The same place of a response where beams have `n / before` times as many elements.
+void move_element(ResponseSpec& r, int n, int before) {
+  const int middle = (2 * r.element + 1) * n / before;  // of the element, in halves of the new ones
+  if (r.place == ElementPlace::Middle && middle % 2 == 0) {
+    r.element = middle / 2 - 1;
+    r.place = ElementPlace::Last;
+  } else if (r.place == ElementPlace::Middle) {
+    r.element = middle / 2;
+  } else if (r.place == ElementPlace::Last) {
+    r.element = (r.element + 1) * n / before - 1;
+  } else {
+    r.element = r.element * n / before;
+  }
+}
+
 /// The same place of a response where beams have other numbers of elements.
 ResponseSpec on_mesh(ResponseSpec r, const Mechanism& from, const Mechanism& to) {
   const auto count = [](const Mechanism& m, int body) {
@@ -33,10 +50,20 @@ ResponseSpec on_mesh(ResponseSpec r, const Mechanism& from, const Mechanism& to)
   };
   for (Port* port : {&r.at, &r.to})
     port->node = port->node * count(to, port->body) / count(from, port->body);
-  const int n = count(to, r.body), before = count(from, r.body);
-  r.element =
-      r.place == ElementPlace::Last ? (r.element + 1) * n / before - 1 : r.element * n / before;
+  move_element(r, count(to, r.body), count(from, r.body));
   return r;
+}
+
+/// Are there elements side by side that differ and have one section: steps of a taper, which a
+/// finer mesh makes smaller?
+bool tapers(const BeamSpec& beam) {
+  for (std::size_t e = 1; e < beam.sections.size(); ++e) {
+    const Section &a = beam.sections[e - 1], &b = beam.sections[e];
+    if (a.name != b.name) continue;
+    for (const auto name : dimensions(a.shape))
+      if (dimension(a.shape, name) != dimension(b.shape, name)) return true;
+  }
+  return false;
 }
 
 /// The runs of one verification.
@@ -62,14 +89,14 @@ class Verification {
   void run() {
     const Setting fine_mesh = with_mesh(2), fine_step = with_steps(2);
     const bool by_mesh = differs(fine_mesh), by_step = differs(fine_step) && !adaptive_;
-    const Peaks mesh = by_mesh ? peaks(fine_mesh) : Peaks{};
-    const Peaks step = by_step ? peaks(fine_step) : Peaks{};
+    const Peaks mesh = by_mesh ? peaks(fine_mesh, "mesh") : Peaks{};
+    const Peaks step = by_step ? peaks(fine_step, "step") : Peaks{};
     const bool mesh_costs_more = largest_change(mesh) >= largest_change(step);
     Peaks coarse_mesh, coarse_step;
     if (!mesh.empty() && mesh_costs_more && halves(with_mesh(0.5)))
-      coarse_mesh = peaks(with_mesh(0.5));
+      coarse_mesh = peaks(with_mesh(0.5), "mesh");
     else if (!step.empty() && !mesh_costs_more && given_.steps % 2 == 0)
-      coarse_step = peaks(with_steps(0.5));
+      coarse_step = peaks(with_steps(0.5), "step");
     auto& json = summary_.more["verification"];
     json["runs"] = runs_ + 1;
     for (auto& r : summary_.responses) {
@@ -111,13 +138,14 @@ class Verification {
             body.name));
   }
 
+  /// The lowest of the beams: that of their elements, 2 for the constant sections of a taper.
   void find_order(const Scene& scene) {
     mesh_order_ = 4;
-    for (const auto& beam : given_.beams) {
+    for (const auto& setting : given_.beams) {
       const auto& body =
-          scene.mechanism.bodies[static_cast<size_t>(scene.mechanism.body(beam.name))];
-      if (beam.multiple > 0)
-        mesh_order_ = std::min(mesh_order_, std::get<BeamSpec>(body.kind).order);
+          scene.mechanism.bodies[static_cast<size_t>(scene.mechanism.body(setting.name))];
+      const auto& beam = std::get<BeamSpec>(body.kind);
+      if (setting.multiple > 0) mesh_order_ = std::min(mesh_order_, tapers(beam) ? 2 : beam.order);
     }
   }
 
@@ -153,7 +181,7 @@ class Verification {
 
   /// Empty if the run does not reach its end, or the scene does not allow it (sections by element
   /// have no coarser mesh).
-  Peaks peaks(const Setting& s) {
+  Peaks peaks(const Setting& s, const char* of) {
     Scene scene;
     try {
       scene = read(changes(s, given_));
@@ -165,7 +193,8 @@ class Verification {
     Peaks found;
     if (out.status != SolveStatus::Converged) {
       summary_.warnings.push_back(
-          fmt::format("verification: a run did not reach its end: {}", out.summary.reason));
+          fmt::format("the error of the {} is not known: the run with {} did not reach its end: {}",
+                      of, fmt::join(changes(s, given_), ", "), out.summary.reason));
       return found;
     }
     for (const auto& r : out.summary.responses) found[r.name] = r.max_abs;

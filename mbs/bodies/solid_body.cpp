@@ -289,6 +289,17 @@ VectorXd SolidBody<G>::coordinates(const BodyState<G>& s) const {
 }
 
 template <FrameGroup G>
+void SolidBody<G>::add_coordinates_gradient(const BodyState<G>& s, const VectorXd& c,
+                                            double* h) const {
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  VectorXd padded = VectorXd::Zero(this->reduced_size()), by_rate = padded;
+  VectorXd v = VectorXd::Zero(this->size());
+  padded.head(c.size()) = c;
+  this->add_unknowns(m, s, padded, by_rate, h, v.data());
+}
+
+template <FrameGroup G>
 VectorXd SolidBody<G>::free_frequencies(int count, int kept) const {
   const Eigen::Index n = dim * ports_ + kept;
   const auto all = linalg::generalized_eigenvalues(this->K_.dense.topLeftCorner(n, n),

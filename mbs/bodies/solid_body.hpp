@@ -46,6 +46,8 @@ class SolidBody final : public FloatingBody<G> {
 
   /// e = [u_i; eta] at a state, without padding: the displacements of the mesh are basis() * e.
   Eigen::VectorXd coordinates(const BodyState<G>& s) const;
+  /// Adds the gradient of c . e by the unknowns of the body to h [size()].
+  void add_coordinates_gradient(const BodyState<G>& s, const Eigen::VectorXd& c, double* h) const;
   /// Psi, in the coordinates q of SolidModel and the axes of the mesh, seen from the frame.
   const Eigen::MatrixXd& basis() const { return basis_; }
   /// Lowest elastic frequencies of the free body, Hz, with the motions of its ports and the first

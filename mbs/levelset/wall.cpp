@@ -1,9 +1,10 @@
 #include "mbs/levelset/wall.hpp"
 
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl::levelset {
 namespace {
@@ -130,9 +131,7 @@ bool newton(const Void& a, const Void& b, double spacing, Saddle& s) {
     if (residual <= kConverged || (residual <= kStands && residual >= 0.9 * before))
       return s.w > 0 && s.w < 1;
     before = residual;
-    Eigen::CompleteOrthogonalDecomposition<Eigen::Matrix<double, 5, 5>> solver;
-    solver.setThreshold(kFlat);
-    const Eigen::Matrix<double, 5, 1> step = -solver.compute(J).solve(r);
+    const Eigen::Matrix<double, 5, 1> step = -linalg::shortest_least_squares(J, r, kFlat);
     const double cut = std::min(1.0, kLongestStep / std::max(step.head<4>().norm(), 1e-300));
     s.x += cut * spacing * step.head<3>();
     t += cut * spacing * step[3];

@@ -22,14 +22,12 @@ struct Pencil {
   int n, m;
 };
 
-/// y = top of [K - sigma M, B^T; B, 0]^-1 [x; 0]: what Spectra asks of an operator.
-class ShiftInvert {
+/// y = top of [K - sigma M, B^T; B, 0]^-1 [x; 0].
+class ShiftInvert final : public ShiftedInverse {
  public:
-  using Scalar = double;
   explicit ShiftInvert(const Pencil& p) : p_(p), work_(p.n + p.m, 1) {}
-  Eigen::Index rows() const { return p_.n; }
-  Eigen::Index cols() const { return p_.n; }
-  void set_shift(double sigma) {
+  Eigen::Index rows() const override { return p_.n; }
+  void set_shift(double sigma) override {
     Sparse shifted = p_.A;
     Sparse mass = p_.M;
     mass.conservativeResize(p_.n + p_.m, p_.n + p_.m);
@@ -39,7 +37,7 @@ class ShiftInvert {
     regular_ = lu.factor(shifted);
     lu_ = std::move(lu);
   }
-  void perform_op(const double* x, double* y) const {
+  void perform_op(const double* x, double* y) const override {
     if (!regular_) {
       std::fill(y, y + p_.n, 0.0);
       return;
@@ -49,7 +47,7 @@ class ShiftInvert {
     lu_.solve(work_);
     Eigen::Map<Eigen::VectorXd>(y, p_.n) = work_.topRows(p_.n);
   }
-  bool regular() const { return regular_; }
+  bool regular() const override { return regular_; }
 
  private:
   const Pencil& p_;
@@ -58,13 +56,11 @@ class ShiftInvert {
   mutable Eigen::MatrixXd work_;
 };
 
-class MassProduct {
+class MassProduct final : public LinearOperator {
  public:
-  using Scalar = double;
   explicit MassProduct(const Sparse& M) : M_(M) {}
-  Eigen::Index rows() const { return M_.rows(); }
-  Eigen::Index cols() const { return M_.cols(); }
-  void perform_op(const double* x, double* y) const {
+  Eigen::Index rows() const override { return M_.rows(); }
+  void perform_op(const double* x, double* y) const override {
     Eigen::Map<Eigen::VectorXd>(y, rows()) = M_ * Eigen::Map<const Eigen::VectorXd>(x, cols());
   }
 
@@ -74,7 +70,7 @@ class MassProduct {
 
 bool lanczos(const Pencil& p, int count, double sigma, double tolerance, ConstrainedModes& out) {
   ShiftInvert op(p);
-  MassProduct mass(p.M);
+  const MassProduct mass(p.M);
   return shift_invert_lanczos(op, mass, count, p.n - p.m, sigma, tolerance, out.lambda, out.phi);
 }
 

@@ -1,9 +1,9 @@
 #include "mbs/linalg/inertia.hpp"
 
 #include <Eigen/SparseCholesky>
-#include <Eigen/SparseLU>
 
 #include "mbs/linalg/dense.hpp"
+#include "mbs/linalg/sparse_lu.hpp"
 
 namespace liesl {
 namespace {
@@ -85,11 +85,12 @@ double skew_on_null_space(const Sparse& A, int n) {
 }
 
 std::optional<int> negative_determinant(const Sparse& A, int n) {
-  Eigen::SparseLU<Sparse> lu;
-  lu.compute(A);
-  if (lu.info() != Eigen::Success) return std::nullopt;
+  Sparse compressed = A;
+  compressed.makeCompressed();
+  SparseLu lu;
+  if (!lu.factor(compressed)) return std::nullopt;
   const bool odd = (A.rows() - n) % 2 == 1;
-  return lu.signDeterminant() * (odd ? -1 : 1) < 0 ? 1 : 0;
+  return lu.determinant_sign() * (odd ? -1 : 1) < 0 ? 1 : 0;
 }
 
 int negative_on_null_space_dense(const Sparse& A, int n) { return count_dense(Scaled(A, n)); }

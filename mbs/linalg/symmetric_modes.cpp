@@ -1,7 +1,5 @@
 #include "mbs/linalg/symmetric_modes.hpp"
 
-#include <Spectra/MatOp/SparseSymMatProd.h>
-
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -31,22 +29,20 @@ struct Deflation {
 };
 
 /// y = (K - sigma M)^-1 x on what the deflation leaves.
-class ShiftInverse {
+class DeflatedInverse final : public ShiftedInverse {
  public:
-  using Scalar = double;
-  ShiftInverse(const Sparse& K, const Sparse& M, const Eigen::MatrixXd& free)
+  DeflatedInverse(const Sparse& K, const Sparse& M, const Eigen::MatrixXd& free)
       : K_(K), M_(M), d_(M, free), load_(M.rows()) {}
   void deflate(const Eigen::MatrixXd& columns) { d_ = Deflation(M_, columns); }
-  Eigen::Index rows() const { return K_.rows(); }
-  Eigen::Index cols() const { return K_.cols(); }
-  void set_shift(double sigma) {
+  Eigen::Index rows() const override { return K_.rows(); }
+  void set_shift(double sigma) override {
     if (regular_ && sigma == sigma_) return;
     Sparse A = K_ - sigma * M_;
     A.makeCompressed();
     regular_ = factor_.factor(A);
     sigma_ = sigma;
   }
-  void perform_op(const double* x, double* y) const {
+  void perform_op(const double* x, double* y) const override {
     Eigen::Map<Eigen::VectorXd> out(y, rows());
     if (!regular_) {
       out.setZero();
@@ -57,7 +53,7 @@ class ShiftInverse {
     out = factor_.solve(load_);
     if (d_.Z.cols() > 0) out -= d_.Z * (d_.MZ.transpose() * out);
   }
-  bool regular() const { return regular_; }
+  bool regular() const override { return regular_; }
   int deflated() const { return static_cast<int>(d_.Z.cols()); }
 
  private:
@@ -69,16 +65,30 @@ class ShiftInverse {
   double sigma_ = 0;
 };
 
-bool lanczos(ShiftInverse& op, const Sparse& M, int count, double shift, double tolerance,
+/// y = M x, of the lower triangle of M.
+class SymmetricProduct final : public LinearOperator {
+ public:
+  explicit SymmetricProduct(const Sparse& M) : M_(M) {}
+  Eigen::Index rows() const override { return M_.rows(); }
+  void perform_op(const double* x, double* y) const override {
+    Eigen::Map<Eigen::VectorXd>(y, rows()).noalias() =
+        M_.selfadjointView<Eigen::Lower>() * Eigen::Map<const Eigen::VectorXd>(x, rows());
+  }
+
+ private:
+  const Sparse& M_;
+};
+
+bool lanczos(DeflatedInverse& op, const Sparse& M, int count, double shift, double tolerance,
              SymmetricModes& out) {
-  Spectra::SparseSymMatProd<double, Eigen::Lower> mass(M);
+  const SymmetricProduct mass(M);
   return shift_invert_lanczos(op, mass, count, static_cast<int>(M.rows()) - op.deflated(), -shift,
                               tolerance, out.lambda, out.phi);
 }
 
 /// A Krylov space may miss modes of an eigenvalue that occurs several times: as long as what the
 /// modes found leave has a lower one than the highest of them, that one takes its place.
-bool complete(ShiftInverse& op, const Sparse& M, const Eigen::MatrixXd& free, double shift,
+bool complete(DeflatedInverse& op, const Sparse& M, const Eigen::MatrixXd& free, double shift,
               SymmetricModes& out) {
   const auto count = out.lambda.size();
   for (;;) {
@@ -116,7 +126,7 @@ SymmetricModes symmetric_modes(const Sparse& K, const Sparse& M, int count,
   const double size = K.diagonal().sum() / M.diagonal().sum();
   if (!(size > 0 && std::isfinite(size))) return out;
   const Eigen::MatrixXd none(n, 0), &known = free.size() > 0 ? free : none;
-  ShiftInverse op(K, M, known);
+  DeflatedInverse op(K, M, known);
   if (!lanczos(op, M, count, kFirstShift * size, 1e-4, out)) return out;
   const double wanted = std::max(out.lambda.cwiseAbs().maxCoeff(), kFirstShift * size);
   out.converged = lanczos(op, M, count, 0.1 * wanted, kTolerance, out) &&

@@ -76,7 +76,9 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
     for (int c = 0; c < corners; ++c)
       dS_du.middleRows(model.freedom(e, c), dim) += g.middleRows(dim * c, dim);
   }
-  if (dv.cols() > 0) statics.add_adjoint_gradient(model.T().transpose() * dS_du, dv, S.gradient);
+  if (dv.cols() == 0) return S;
+  S.by_displacement = model.T().transpose() * dS_du;
+  statics.add_adjoint_gradient(S.by_displacement, dv, S.gradient);
   return S;
 }
 

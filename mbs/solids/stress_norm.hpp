@@ -14,7 +14,9 @@ struct StressOptions {
 
 struct StressNorm {
   Eigen::VectorXd value;     ///< Pa, by case
-  Eigen::MatrixXd gradient;  ///< Pa per parameter, cases x parameters
+  Eigen::MatrixXd gradient;  ///< Pa per parameter, cases x parameters, at constant loads
+  /// dS/dq at constant fractions, q x cases; empty if there are no parameters
+  Eigen::MatrixXd by_displacement;
 };
 
 /// S_n = (sum_e w_e (v_e^q sigma_e)^p)^(1/p), w_e = V_e / sum V, with sigma_e the von Mises stress

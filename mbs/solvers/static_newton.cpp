@@ -3,10 +3,10 @@
 namespace liesl {
 namespace {
 
-constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
-constexpr double kLoadStep = 1e-4;    // central difference in the load factor, of max_load
+constexpr double kClosure = 1e-3;   // constraint tolerance: this * tolerance * length
+constexpr double kLoadStep = 1e-4;  // central difference in the load factor, of max_load
 constexpr double kIncrement = 0.1;  // last correction: this * sqrt(tolerance), of length or in rad
-constexpr double kFold = M_PI - 1e-6;       // log is singular at a relative rotation of pi
+constexpr double kHalfTurn = M_PI - 1e-6;   // log is singular at a relative rotation of pi
 constexpr double kNearFold = 0.999 * M_PI;  // where a step that fails has that reason
 
 }  // namespace
@@ -33,7 +33,7 @@ template <FrameGroup G>
 bool StaticNewton<G>::small_enough() const {
   const double round_off = equations_.round_off() * std::sqrt(model_.nodes());
   return equations_.residual() <= options_.tolerance * equations_.scale() + round_off &&
-         equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length;
+         equations_.constraint_residual() <= kClosure * options_.tolerance * model_.length;
 }
 
 template <FrameGroup G>
@@ -140,7 +140,7 @@ void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   }
   for (size_t b = 0; b < model_.bodies.size(); ++b)
     model_.bodies[b]->turn_axes(trial_.H.data() + model_.first_node(static_cast<int>(b)));
-  if (turns_by(kFold, trial_)) {
+  if (turns_by(kHalfTurn, trial_)) {
     result.converged = false;
     result.failure = kTurns;
     return;

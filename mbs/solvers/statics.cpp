@@ -19,7 +19,7 @@ constexpr double kLargestArc = 4;     // of the first step
 constexpr double kLocated = 1e-5;     // of a critical load, relative
 constexpr int kMaxBisections = 40;
 constexpr int kMostCriticalPoints = 20;  // of one step
-constexpr double kUnsymmetric = 1e-7;    // of the tangent, on the motions that the joints leave
+constexpr double kSkew = 1e-7;           // of the tangent, on the motions that the joints leave
 constexpr double kSmallestPart = 1e-3;   // of a step, when the load hardly changes over it
 constexpr double kSide = 0.1;            // part of a step to either side of a possible extremum
 constexpr double kSuspicious = 1e-9;     // reciprocal condition that asks for a look at the tangent
@@ -35,7 +35,7 @@ class NegativeCount {
   /// @param A tangent with constraints  @param n unknowns without multipliers  @returns -1:
   /// singular
   int operator()(const Eigen::SparseMatrix<double>& A, int n) {
-    follows_ = follows_ || skew_on_null_space(A, n) > kUnsymmetric;
+    follows_ = follows_ || skew_on_null_space(A, n) > kSkew;
     if (follows_) return negative_determinant(A, n).value_or(-1);
     return negative_on_null_space(A, n).value_or(-1);
   }

@@ -76,8 +76,7 @@ RetainedCases retain(const CasesByLimit& cases, const std::vector<ScreenedLimit>
         kept.push_back(n);
       }
       out.rows.push_back({static_cast<int>(l), place});
-      out.constraints.push_back(
-          {row_id(l, n), names[limits[l].constraint] + " at " + labels[limits[l].part][n], 1.0});
+      out.constraints.push_back({row_id(l, n), names[l] + " at " + labels[limits[l].part][n], 1.0});
     }
   return out;
 }

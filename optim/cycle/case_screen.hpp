@@ -44,7 +44,7 @@ struct RetainedCases {
   CasesByLimit cases(const std::vector<ScreenedLimit>& limits) const;
 };
 
-/// @param names of the constraints of the study  @param labels of the cases by part, "t = 0.1 s"
+/// @param names of the limits  @param labels of the cases by part, "t = 0.1 s"
 RetainedCases retain(const CasesByLimit& cases, const std::vector<ScreenedLimit>& limits,
                      const std::vector<std::string>& names,
                      const std::vector<std::vector<std::string>>& labels);

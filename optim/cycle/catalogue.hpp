@@ -45,10 +45,11 @@ class CatalogueRounds {
   /// The next round; its end only where it had to be optimised.
   std::optional<End> run(const DesignBox& box) {
     const std::size_t n = rounds_.size();
-    const bool over = n + 1 < resume_.size() ||
-                      (n < resume_.size() && !resume_[n].empty() && resume_[n].back().end);
+    if (n < resume_.size() && !is_of(resume_[n], box)) resume_.resize(n);
+    const bool over = is_over(n);
     rounds_.push_back(n < resume_.size() ? resume_[n] : History());
     if (over) return {};
+    resume_.resize(std::min(resume_.size(), n + 1));  // what follows depends on how this one ends
     if (hooks_.on_box && !box.branch.empty()) hooks_.on_box(box.branch);
     return again(n, box);
   }
@@ -57,7 +58,12 @@ class CatalogueRounds {
     CycleHooks cycle = hooks_;
     cycle.on_cycle = [this, n](const std::vector<Cycle>& history) {
       rounds_[n] = history;
-      if (hooks_.on_round_cycle) hooks_.on_round_cycle(rounds_);
+      if (!hooks_.on_round_cycle) return;
+      RoundHistory all = rounds_;
+      if (all.size() < resume_.size())
+        all.insert(all.end(), resume_.begin() + static_cast<std::ptrdiff_t>(all.size()),
+                   resume_.end());
+      hooks_.on_round_cycle(all);
     };
     End end = optimise_(within_box(study_, box), mechanism_, cycle, rounds_[n]);
     rounds_[n] = end.history;  // with how it ended, which a resumed round knows here only
@@ -65,11 +71,25 @@ class CatalogueRounds {
   }
 
  private:
+  /// With other tolerances than those of the interrupted run, other boxes may come.
+  static bool is_of(const History& round, const DesignBox& box) {
+    return round.empty() || round.front().x.isApprox(box.start, 1e-12);
+  }
+  /// Had round n of the interrupted run ended? One at its cycle limit goes on if that is higher
+  /// now.
+  bool is_over(std::size_t n) const {
+    if (n >= resume_.size()) return false;
+    const History& round = resume_[n];
+    if (round.empty() || !round.back().end) return n + 1 < resume_.size();
+    return *round.back().end != CycleStatus::CycleLimit ||
+           static_cast<int>(round.size()) >= study_.cycle.max;
+  }
+
   const StudySpec& study_;
   const Mechanism& mechanism_;
   const OptimiseRound<End>& optimise_;
   const TopologyHooks& hooks_;
-  const RoundHistory& resume_;
+  RoundHistory resume_;
   RoundHistory rounds_;
 };
 

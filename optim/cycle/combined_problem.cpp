@@ -85,15 +85,15 @@ std::vector<RowImage> CombinedProblem::images() const {
   return all;
 }
 
-std::vector<RowGoal> CombinedProblem::goals() const {
-  std::vector<RowGoal> all(constraints_.size());
+std::vector<ObjectiveTerm> CombinedProblem::objective_terms() const {
+  std::vector<ObjectiveTerm> all(constraints_.size());
   bool any = false;
   for (std::size_t k = 0; k < members_.size(); ++k) {
-    const std::vector<RowGoal> own = members_[k].problem->goals();
+    const std::vector<ObjectiveTerm> own = members_[k].problem->objective_terms();
     std::copy(own.begin(), own.end(), all.begin() + places_[k].row);
     any = any || !own.empty();
   }
-  return any ? all : std::vector<RowGoal>();
+  return any ? all : std::vector<ObjectiveTerm>();
 }
 
 std::string CombinedProblem::undefined_reason() const {

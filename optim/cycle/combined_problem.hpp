@@ -25,7 +25,7 @@ class CombinedProblem final : public StaticProblem {
   int load_cases() const override;
   std::vector<LimitedResponse> responses() const override;
   std::vector<RowImage> images() const override;
-  std::vector<RowGoal> goals() const override;
+  std::vector<ObjectiveTerm> objective_terms() const override;
   std::string undefined_reason() const override;  ///< the first of a member
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }

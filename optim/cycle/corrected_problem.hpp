@@ -29,7 +29,7 @@ class CorrectedProblem final : public StaticProblem {
   int load_cases() const override { return inner_->load_cases(); }
   std::vector<LimitedResponse> responses() const override { return inner_->responses(); }
   std::vector<RowImage> images() const override { return inner_->images(); }
-  std::vector<RowGoal> goals() const override { return inner_->goals(); }
+  std::vector<ObjectiveTerm> objective_terms() const override { return inner_->objective_terms(); }
   std::string undefined_reason() const override { return inner_->undefined_reason(); }
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }

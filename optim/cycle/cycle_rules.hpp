@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// By which rules a cycle goes on or ends, from its history alone.
+/// By which rules a cycle continues or ends, from its history alone.
 
 #include <Eigen/Core>
 #include <optional>

@@ -1,10 +1,12 @@
 #pragma once
 /// @file
-/// The gradients of a study's first static problem against finite differences.
+/// The gradients of a study's first static problem, and of its equilibria, against finite
+/// differences.
 
+#include <algorithm>
 #include <stdexcept>
 
-#include "optim/cycle/design_run.hpp"
+#include "optim/cycle/equilibrium_limits.hpp"
 #include "optim/cycle/motion_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
@@ -25,6 +27,22 @@ DerivativeReport check_study_derivatives(const Mechanism& mechanism, const Space
   options.every_variable = true;
   const auto problem = motion_problem(study, simulator, run, x, study.cycle.move_limit);
   return check_derivatives(*problem, x, options);
+}
+
+/// Sweeps the step of every variable for the limits of the equilibria of the start design, solved
+/// to 1e-12 so that differences tell.
+/// @pre simulation.type is Static  @throws std::runtime_error if the start design has no
+/// equilibria, std::invalid_argument if the formalism has no sensitivities
+template <FrameGroup G>
+DerivativeReport check_equilibrium_derivatives(const Mechanism& mechanism, const Space<G>& space,
+                                               SimulationOptions simulation,
+                                               const StudySpec& study) {
+  simulation.tolerance = std::min(simulation.tolerance, 1e-12);
+  const DesignSimulator<G> simulator(mechanism, space, simulation, study);
+  EquilibriumLimits<G> problem(simulator, study);
+  DerivativeCheckOptions options;
+  options.every_variable = true;
+  return check_derivatives(problem, simulator.design().start(), options);
 }
 
 }  // namespace liesl

@@ -10,6 +10,24 @@ namespace liesl {
 
 using Eigen::VectorXd;
 
+namespace {
+
+/// The plain cycle ends on its last simulation, and an earlier design may be the best.
+void say_which_design(const CycleOptions& options, LoopResult& result) {
+  const History& history = result.history;
+  if (options.method != CycleMethod::Esl || !result.best || history.empty() ||
+      history.back().x == result.x)
+    return;
+  const auto at = std::find_if(history.rbegin(), history.rend(),
+                               [&](const Cycle& c) { return c.x == result.x; });
+  if (at == history.rend()) return;
+  result.reason += fmt::format(
+      "; the design is that of cycle {}, the {} (worst limit at {:+.2g})", at->number,
+      at->worst <= options.feasibility ? "best that meets all limits" : "least bad", at->worst);
+}
+
+}  // namespace
+
 Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
   Cycle c;
   c.number = history().empty() ? 1 : history().back().number + 1;
@@ -74,6 +92,7 @@ LoopResult CycleRecord::finish(const CycleEnd& end) {
     result_.history.back().end = end.status;
   last_.reset();
   if (result_.best && !result_.optimality) evaluate_certificate();
+  say_which_design(options_, result_);
   return std::move(result_);
 }
 

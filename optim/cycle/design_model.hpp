@@ -76,7 +76,7 @@ class DesignModel {
                                             const DesignAnalysis& before) const = 0;
 
   const SimulationEffort& effort() const { return effort_; }
-  /// A loop that goes on has the effort of the interrupted one, not that of simulating again.
+  /// A resumed loop has the effort of the interrupted one, not that of simulating again.
   void take_over(SimulationEffort effort) { effort_ = std::move(effort); }
 
  protected:

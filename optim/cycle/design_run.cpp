@@ -137,7 +137,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   const std::vector<double> weights = time_weights(r.times());
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
-    for (const ResponseSpec& response : study_.goal.responses)
+    for (const ResponseSpec& response : study_.motion_objective.responses)
       r.effort += r.duration * weights[std::size_t(n)] * values(response, s).squaredNorm();
     for (size_t i = 0; i < study_.constraints.size(); ++i) {
       const double v = values(study_.constraints[i].response, s).norm();
@@ -153,7 +153,7 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   for (std::size_t i = 0; i < r.limits.size(); ++i)
     r.limits[i].measure = treated_value(study_.constraints[i], times, r.limits[i].values);
   for (const auto& series : r.limits)
-    if (const double g = series.measure / series.limit - 1; !series.goal && g > r.worst) {
+    if (const double g = series.measure / series.limit - 1; !series.in_objective && g > r.worst) {
       r.worst = g;
       r.worst_at = fmt::format("t = {:.6g} s", series.at_time);
       r.worst_constraint = series.name;

@@ -21,14 +21,14 @@ struct LimitSeries {
   std::vector<double> values;
   double largest = 0, at_time = 0;
   double measure = 0;  ///< what is compared with the limit: the largest, or what its treatment says
-  bool goal = false;   ///< no limit: part of the objective
+  bool in_objective = false;  ///< no limit: part of the objective
 };
 
 /// The lowest of the frequencies that are limited.
 struct FrequencyCheck {
   std::string name;
   double least = 0, value = 0;  ///< Hz; NaN where the run says why
-  bool goal = false;            ///< no limit: part of the objective
+  bool in_objective = false;    ///< no limit: part of the objective
 };
 
 /// A mass that is limited.
@@ -45,7 +45,7 @@ struct DesignRun {
   double mass = 0;                  ///< of the bodies in the objective, kg
   double duration = 0;              ///< s, of this design
   double pose_time = 0;             ///< simulation.at of statics, s
-  double effort = 0;                ///< of the goal: sum of the integrals of squared responses
+  double effort = 0;                ///< of the objective: sum of the integrals of squared responses
   Simulation<G> simulation;
   Tape<G> tape;  ///< of a dynamic simulation, for its sensitivities; empty if not asked for
   std::vector<LoadSet> loads;               ///< one for each limited beam

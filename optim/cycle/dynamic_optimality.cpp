@@ -19,9 +19,9 @@ constexpr double kPaid = 1e-6;         // of the largest price: what counts as n
 /// A peak over time of a limited response that is near its limit.
 struct Peak {
   std::string limit;
-  double time = 0, g = 0;  ///< g = value/limit - 1
-  VectorXd dg;             ///< by the variables
-  RowGoal goal = {};       ///< where it is no limit
+  double time = 0, g = 0;   ///< g = value/limit - 1
+  VectorXd dg;              ///< by the variables
+  ObjectiveTerm term = {};  ///< where it is no limit
 };
 
 bool is_peak(const std::vector<double>& v, std::size_t n) {
@@ -98,12 +98,13 @@ class RowProblem final : public Problem {
   std::vector<NlpConstraint> constraints_;
 };
 
-/// The bounds s_k of goals as further variables: minimise f + sum_k w_k s_k, g_j <= s_k.
-class GoalBounds {
+/// The bounds s_k of terms of the objective as further variables: minimise f + sum_k w_k s_k, g_j
+/// <= s_k.
+class TermBounds {
  public:
-  GoalBounds(const std::vector<RowGoal>& rows, const std::vector<Peak>& peaks) {
-    for (const RowGoal& r : rows) add(r);
-    for (const Peak& p : peaks) add(p.goal);
+  TermBounds(const std::vector<ObjectiveTerm>& rows, const std::vector<Peak>& peaks) {
+    for (const ObjectiveTerm& r : rows) add(r);
+    for (const Peak& p : peaks) add(p.term);
   }
   int count() const { return static_cast<int>(weights_.size()); }
   void extend(std::vector<NlpVariable>& variables, NlpPoint& point) const {
@@ -113,27 +114,27 @@ class GoalBounds {
     constexpr double kInfinity = std::numeric_limits<double>::infinity();
     for (const auto& [number, weight] : weights_) {
       point.df[n + place(number)] = weight;
-      variables.push_back({fmt::format("goal {}", number), -kInfinity, kInfinity, 0});
+      variables.push_back({fmt::format("term {}", number), -kInfinity, kInfinity, 0});
     }
   }
-  VectorXd row(const VectorXd& dg, const RowGoal& goal) const {
+  VectorXd row(const VectorXd& dg, const ObjectiveTerm& term) const {
     VectorXd out = VectorXd::Zero(dg.size() + count());
     out.head(dg.size()) = dg;
-    if (goal.number >= 0) out[dg.size() + place(goal.number)] = -1;
+    if (term.number >= 0) out[dg.size() + place(term.number)] = -1;
     return out;
   }
 
  private:
-  void add(const RowGoal& r) {
+  void add(const ObjectiveTerm& r) {
     if (r.number >= 0) weights_[r.number] = r.weight;
   }
   Eigen::Index place(int number) const {
     return std::distance(weights_.begin(), weights_.find(number));
   }
-  std::map<int, double> weights_;  ///< by the number of the goal
+  std::map<int, double> weights_;  ///< by the number of the term
 };
 
-/// Sums of the multipliers of what has one name, largest first; none: a goal.
+/// Sums of the multipliers of what has one name, largest first; none: a term of the objective.
 std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktResidual& kkt) {
   std::map<std::string, double> sum;
   double most = 0;
@@ -155,25 +156,25 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
   RowMatrix dg(m, n);
   statics.values(x, point.f, g);
   statics.gradients(x, point.df, dg);
-  const std::vector<RowGoal> goals = statics.goals();
-  const GoalBounds bounds(goals, peaks);
+  const std::vector<ObjectiveTerm> terms = statics.objective_terms();
+  const TermBounds bounds(terms, peaks);
   std::vector<NlpVariable> extended = variables;
   bounds.extend(extended, point);
   RowProblem problem(extended);
   point.dg.resize(0, point.x.size());
   std::vector<std::string> names;
   for (const Peak& p : peaks) {
-    names.push_back(p.goal.number >= 0 ? "" : p.limit);
+    names.push_back(p.term.number >= 0 ? "" : p.limit);
     problem.add(point, fmt::format("{} at t = {:.6g} s", p.limit, p.time), p.g,
-                bounds.row(p.dg, p.goal));
+                bounds.row(p.dg, p.term));
   }
   const std::vector<RowImage> image = statics.images();
   for (Eigen::Index i = 0; i < m; ++i) {
     if (image[static_cast<std::size_t>(i)].response >= 0) continue;
     const std::string& name = statics.constraints()[static_cast<std::size_t>(i)].name;
-    const RowGoal goal = goals.empty() ? RowGoal() : goals[static_cast<std::size_t>(i)];
-    names.push_back(goal.number >= 0 ? "" : name);
-    problem.add(point, name, g[i], bounds.row(dg.row(i), goal));
+    const ObjectiveTerm term = terms.empty() ? ObjectiveTerm() : terms[static_cast<std::size_t>(i)];
+    names.push_back(term.number >= 0 ? "" : name);
+    problem.add(point, name, g[i], bounds.row(dg.row(i), term));
   }
   KktOptions options;
   options.active = active;
@@ -210,16 +211,18 @@ DynamicOptimality check_optimality(const StudySpec& study,
   if (!out.reason.empty()) return out;
   std::vector<Peak> between, records;
   for (int r = 0; r < motion.responses(); ++r) {
+    const std::string name = limit_name(study, motion.response(r));
+    const double limit = limit_value(study, motion.response(r));
+    const std::size_t before[] = {between.size(), records.size()};
+    add_peaks_between(motion, r, name, limit, active, between);
+    add_peaks_of_records(motion, r, name, limit, active, records);
+    if (motion.response(r).part_limit >= 0) continue;
     const int c = motion.response(r).constraint;
     const ConstraintSpec& spec = study.constraints[static_cast<std::size_t>(c)];
-    const std::string name = limit_name(study, motion.response(r));
-    const std::size_t before[] = {between.size(), records.size()};
-    add_peaks_between(motion, r, name, spec.limit, active, between);
-    add_peaks_of_records(motion, r, name, spec.limit, active, records);
     if (!(spec.weight > 0)) continue;
-    const RowGoal goal{c, spec.weight * spec.limit};
-    for (std::size_t k = before[0]; k < between.size(); ++k) between[k].goal = goal;
-    for (std::size_t k = before[1]; k < records.size(); ++k) records[k].goal = goal;
+    const ObjectiveTerm term{c, spec.weight * spec.limit};
+    for (std::size_t k = before[0]; k < between.size(); ++k) between[k].term = term;
+    for (std::size_t k = before[1]; k < records.size(); ++k) records[k].term = term;
   }
   evaluate(variables, x, between, statics, active, out);
   if (out.holds()) return out;

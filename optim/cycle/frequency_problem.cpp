@@ -17,29 +17,45 @@ Mechanism with_multipliers(Mechanism mechanism) {
 
 }  // namespace
 
+LimitedModes::Vibrating::Vibrating(BodyAlone&& part, const SimulationOptions& options,
+                                   const FrequencyLimitSpec& limit)
+    : of(std::move(part)),
+      model(Model<SE3>::build(of.mechanism, {})),
+      modes(pose_modes(model, options, limit.at, limit.count)) {}
+
 LimitedModes::LimitedModes(Mechanism designed, const SimulationOptions& options,
                            const std::vector<FrequencyLimitSpec>& limits)
-    : mechanism(with_multipliers(std::move(designed))), model(Model<SE3>::build(mechanism, {})) {
+    : mechanism(with_multipliers(std::move(designed))) {
   for (const FrequencyLimitSpec& limit : limits) {
-    modes.push_back(pose_modes(model, options, limit.at, limit.count));
-    const PoseModes& found = modes.back();
+    BodyAlone part =
+        limit.body < 0 ? BodyAlone{mechanism, -1, {}} : body_alone(mechanism, limit.body);
+    limited.push_back(std::make_unique<Vibrating>(std::move(part), options, limit));
+    const PoseModes& found = limited.back()->modes;
     if (!reason.empty() || found.lambda.size() >= limit.count) continue;
     reason = fmt::format("frequency '{}': ", limit.name);
     if (found.reason.empty())
-      reason += fmt::format("the mechanism has only {}", found.lambda.size());
+      reason += fmt::format("the {} has only {}", limit.body < 0 ? "mechanism" : "beam",
+                            found.lambda.size());
     reason += found.reason;
   }
 }
 
 double LimitedModes::frequency(std::size_t l, int i) const {
-  if (i >= modes[l].lambda.size()) return std::numeric_limits<double>::quiet_NaN();
-  return std::sqrt(modes[l].lambda[i]) / (2 * M_PI);
+  const Eigen::VectorXd& lambda = limited[l]->modes.lambda;
+  if (i >= lambda.size()) return std::numeric_limits<double>::quiet_NaN();
+  return std::sqrt(lambda[i]) / (2 * M_PI);
+}
+
+Eigen::VectorXd LimitedModes::lambda_by(std::size_t l, const Parameter& parameter) const {
+  const Vibrating& v = *limited[l];
+  return lambda_derivative(v.of.mechanism, v.model, v.modes,
+                           v.of.body < 0 ? parameter : parameter_alone(parameter, v.of));
 }
 
 FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& design,
                                    const SimulationOptions& options,
                                    const std::vector<FrequencyLimitSpec>& limits,
-                                   const Eigen::VectorXd& x, int first_goal)
+                                   const Eigen::VectorXd& x, int first_term)
     : CaselessProblem(design.variables()),
       mechanism_(mechanism),
       design_(design),
@@ -53,11 +69,12 @@ FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& des
       constraints_.push_back(
           {static_cast<ConstraintId>(constraints_.size()),
            limit.count == 1 ? limit.name : fmt::format("{} {}", limit.name, i + 1), 1});
-      const bool goal = limit.weight > 0;
-      goals_.push_back({goal ? first_goal + static_cast<int>(l) : -1, limit.weight * limit.least});
-      any = any || goal;
+      const bool is_term = limit.weight > 0;
+      terms_.push_back(
+          {is_term ? first_term + static_cast<int>(l) : -1, limit.weight * limit.least});
+      any = any || is_term;
     }
-  if (!any) goals_.clear();
+  if (!any) terms_.clear();
 }
 
 void FrequencyProblem::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
@@ -77,8 +94,7 @@ void FrequencyProblem::gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, 
   Eigen::Index row = 0;
   for (std::size_t l = 0; l < limits_.size(); row += limits_[l].count, ++l)
     for (std::size_t p = 0; p < parameters.size(); ++p) {
-      const Eigen::VectorXd by_p =
-          lambda_derivative(latest_->mechanism, latest_->model, latest_->modes[l], parameters[p]);
+      const Eigen::VectorXd by_p = latest_->lambda_by(l, parameters[p]);
       for (int i = 0; i < by_p.size(); ++i)
         dg(row + i, static_cast<Eigen::Index>(p)) =
             -by_p[i] / (8 * M_PI * M_PI * latest_->frequency(l, i) * limits_[l].least);

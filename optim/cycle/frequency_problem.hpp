@@ -4,13 +4,15 @@
 
 #include <memory>
 
+#include "mbs/model/body_alone.hpp"
 #include "mbs/solvers/pose_modes.hpp"
 #include "optim/cycle/static_problem.hpp"
 #include "optim/design/design.hpp"
 
 namespace liesl {
 
-/// The modes of one design in the poses of the limits on its frequencies.
+/// The modes of one design in the poses of the limits on its frequencies: of the whole mechanism,
+/// or of one body alone.
 struct LimitedModes {
   LimitedModes(Mechanism designed, const SimulationOptions& options,
                const std::vector<FrequencyLimitSpec>& limits);
@@ -19,24 +21,36 @@ struct LimitedModes {
 
   /// Number i of limit l, Hz; NaN where `reason` says why there is none.
   double frequency(std::size_t l, int i) const;
+  /// d lambda/dp of limit l.
+  Eigen::VectorXd lambda_by(std::size_t l, const Parameter& parameter) const;
 
-  Mechanism mechanism;  ///< with the design
-  Model<SE3> model;
-  std::vector<PoseModes> modes;  ///< one a limit
+  /// What vibrates; the model refers to the mechanism.
+  struct Vibrating {
+    Vibrating(BodyAlone&& of, const SimulationOptions& options, const FrequencyLimitSpec& limit);
+    Vibrating(const Vibrating&) = delete;
+    Vibrating& operator=(const Vibrating&) = delete;
+
+    BodyAlone of;  ///< of the whole: its mechanism
+    Model<SE3> model;
+    PoseModes modes;
+  };
+
+  Mechanism mechanism;                              ///< with the design
+  std::vector<std::unique_ptr<Vibrating>> limited;  ///< one a limit
   std::string reason;  ///< why a limit has fewer frequencies than it counts; empty: none has
 };
 
 /// Rows 1 - f_i/least <= 0 of the lowest frequencies, exact at every x (without second derivatives:
 /// frequencies are nearly linear in dimensions of sections). The objective is 0. Those with a
-/// weight are rows of a goal, numbered from `first_goal` on.
+/// weight are rows of a term of the objective, numbered from `first_term` on.
 class FrequencyProblem final : public CaselessProblem {
  public:
   FrequencyProblem(const Mechanism& mechanism, const Design& design,
                    const SimulationOptions& options, const std::vector<FrequencyLimitSpec>& limits,
-                   const Eigen::VectorXd& x, int first_goal = 0);
+                   const Eigen::VectorXd& x, int first_term = 0);
 
   std::string undefined_reason() const override { return latest_ ? latest_->reason : ""; }
-  std::vector<RowGoal> goals() const override { return goals_; }
+  std::vector<ObjectiveTerm> objective_terms() const override { return terms_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
@@ -45,7 +59,7 @@ class FrequencyProblem final : public CaselessProblem {
   const Design& design_;
   const SimulationOptions options_;
   const std::vector<FrequencyLimitSpec> limits_;
-  std::vector<RowGoal> goals_;
+  std::vector<ObjectiveTerm> terms_;
   std::unique_ptr<LimitedModes> latest_;  ///< of the latest values, for their gradients
 };
 

@@ -7,29 +7,36 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// d(mass)/dp of what a part of a parameter changes; 0: no mass.
-double by_part(const Mechanism& designed, const BeamDerivative& by) {
-  const auto& beam = std::get<BeamSpec>(designed.bodies[std::size_t(by.body)].kind);
-  double sum = 0;
-  for (std::size_t e = 0; e < by.laws.size(); ++e)
-    sum += by.laws[e].M(0, 0) * element_length(beam, static_cast<int>(e));
-  return sum;
-}
-double by_part(const Mechanism&, const RigidDerivative& by) { return by.mass; }
-double by_part(const Mechanism& designed, const SolidDerivative& by) {
-  const auto& solid = std::get<SolidSpec>(designed.bodies[std::size_t(by.body)].kind);
-  return solid_model(solid).total_mass(by.fractions);
+/// Which part of the design a body is; -1: none.
+int part_of(const Design& design, int body) {
+  for (int k = 0; k < design.parts(); ++k)
+    if (design.part(k).body == body) return k;
+  return -1;
 }
 
+/// d(mass)/dp of what a part of a parameter changes; 0: no mass.
 struct Slope {
+  const Design& design;
   const Mechanism& designed;
   const std::vector<int>& bodies;
+
+  double by(const BeamDerivative& d) const {
+    const auto& beam = std::get<BeamSpec>(designed.bodies[std::size_t(d.body)].kind);
+    double sum = 0;
+    for (std::size_t e = 0; e < d.laws.size(); ++e)
+      sum += d.laws[e].M(0, 0) * element_length(beam, static_cast<int>(e));
+    return sum;
+  }
+  double by(const RigidDerivative& d) const { return d.mass; }
+  double by(const SolidDerivative& d) const {
+    return design.part(part_of(design, d.body)).model.total_mass(d.fractions);
+  }
 
   template <class Part>
   double operator()(const Part& part) const {
     if constexpr (requires { part.body; }) {
       const bool counts = std::find(bodies.begin(), bodies.end(), part.body) != bodies.end();
-      return counts ? by_part(designed, part) : 0;
+      return counts ? by(part) : 0;
     }
     return 0;
   }
@@ -39,28 +46,39 @@ struct Slope {
 
 MassProblem::MassProblem(const Mechanism& mechanism, const Design& design,
                          const std::vector<MassLimitSpec>& limits, const VectorXd& x)
-    : CaselessProblem(design.variables()), mechanism_(mechanism), design_(design), limits_(limits) {
+    : CaselessProblem(design.variables()), design_(design), limits_(limits), designed_(mechanism) {
   for (Eigen::Index i = 0; i < x.size(); ++i) variables_[static_cast<std::size_t>(i)].start = x[i];
   for (const MassLimitSpec& limit : limits_)
     constraints_.push_back({static_cast<ConstraintId>(constraints_.size()), limit.name, 1});
 }
 
+double MassProblem::mass(int body, const VectorXd& x) const {
+  const int k = part_of(design_, body);
+  if (k < 0) return mass_of(designed_, {body});
+  const PartShape& part = design_.part(k);
+  part.shape->set(part.design.parameters(design_.of_part(k, x)));
+  return part.model.total_mass(volume_fractions(part.model.mesh(), *part.shape).value);
+}
+
 void MassProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   f = 0;
-  const Mechanism designed = design_.apply(mechanism_, x);
-  for (std::size_t i = 0; i < limits_.size(); ++i)
-    g[static_cast<Eigen::Index>(i)] = mass_of(designed, limits_[i].bodies) / limits_[i].limit - 1;
+  design_.sizing().apply(x.head(design_.sizing().size()), designed_);
+  design_.constants().apply(x.tail(design_.constants().size()), designed_);
+  for (std::size_t i = 0; i < limits_.size(); ++i) {
+    double sum = 0;
+    for (const int body : limits_[i].bodies) sum += mass(body, x);
+    g[static_cast<Eigen::Index>(i)] = sum / limits_[i].limit - 1;
+  }
 }
 
 void MassProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   df.setZero();
-  const Mechanism designed = design_.apply(mechanism_, x);
-  const std::vector<Parameter> parameters = design_.parameters(designed, x);
+  const std::vector<Parameter> parameters = design_.parameters(designed_, x);
   for (std::size_t i = 0; i < limits_.size(); ++i)
     for (std::size_t j = 0; j < parameters.size(); ++j) {
       double sum = 0;
       for (const auto& part : parameters[j].parts)
-        sum += std::visit(Slope{designed, limits_[i].bodies}, part);
+        sum += std::visit(Slope{design_, designed_, limits_[i].bodies}, part);
       dg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = sum / limits_[i].limit;
     }
 }

@@ -17,9 +17,11 @@ class MassProblem final : public CaselessProblem {
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
  private:
-  const Mechanism& mechanism_;
+  double mass(int body, const Eigen::VectorXd& x) const;
+
   const Design& design_;
   const std::vector<MassLimitSpec> limits_;
+  Mechanism designed_;  ///< sections and constants at the latest x; meshed parts are the design's
 };
 
 }  // namespace liesl

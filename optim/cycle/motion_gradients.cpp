@@ -4,11 +4,29 @@
 #include <iterator>
 #include <set>
 
+#include "mbs/bodies/solid_body.hpp"
+
 namespace liesl {
 
 using Eigen::VectorXd;
 
 namespace {
+
+/// dv/dx of the stress or compliance of a meshed part at a record that has slopes.
+template <FrameGroup G>
+VectorXd part_gradient(const Model<G>& model, const PartSlopes& slopes, int record,
+                       const State<G>& s, const StateSensitivity& ds) {
+  const auto& body =
+      dynamic_cast<const SolidBody<G>&>(*model.bodies[static_cast<std::size_t>(slopes.body)]);
+  VectorXd h = VectorXd::Zero(body.size());
+  body.add_coordinates_gradient(model.body_state(s, slopes.body), slopes.by_coordinates.at(record),
+                                h.data());
+  VectorXd dv =
+      ds.eta.middleRows(G::dim * model.first_node(slopes.body), body.size()).transpose() * h;
+  const VectorXd& own = slopes.own.at(record);
+  dv.segment(slopes.first, own.size()) += own;
+  return dv;
+}
 
 /// Below as many parameters the direct form is taken unasked.
 constexpr std::size_t kFew = 6;
@@ -58,8 +76,10 @@ void MotionGradients::differentiate(const DesignRun<G>& run, const ResponseValue
   const Model<G>& model = *run.model;
   const std::vector<double> times = run.times();
   std::vector<ResponseSensitivity<G>> sensitivities;
-  for (const Series& s : series_)
+  for (Series& s : series_) {
     sensitivities.emplace_back(model, values, s.response.response, parameters);
+    if (s.response.slopes) s.value = s.response.slopes->value;
+  }
   State<G> completed;
   std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
@@ -68,11 +88,17 @@ void MotionGradients::differentiate(const DesignRun<G>& run, const ResponseValue
     model.complete(completed);
     for (std::size_t r = 0; r < series_.size(); ++r) {
       const LimitedResponse& of = series_[r].response;
+      const int n = static_cast<int>(record);
+      if (const PartSlopes* part = of.slopes.get()) {
+        if (part->own.contains(n) && part->value[n] > 0)
+          series_[r].gradient[n] = part_gradient(model, *part, n, s, ds);
+        continue;
+      }
       const VectorXd y = values(of.response, completed);
       const double v = y.norm();
-      series_[r].value[static_cast<Eigen::Index>(record)] = v;
+      series_[r].value[n] = v;
       if (v > 0 && v >= least_kept(run, of))
-        series_[r].gradient[static_cast<int>(record)] = sensitivities[r](s, ds).transpose() * y / v;
+        series_[r].gradient[n] = sensitivities[r](s, ds).transpose() * y / v;
     }
     ++record;
   };
@@ -102,7 +128,7 @@ bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const Respon
   for (std::size_t r = 0; r < series_.size(); ++r) {
     const LimitedResponse& of = series_[r].response;
     const VectorXd& v = series_[r].value;
-    if (of.kept == 0) return false;  // every record
+    if (of.kept == 0 || of.slopes) return false;  // every record; of the direct form
     std::set<int> records = about_maxima(v, least_kept(run, of));
     if (of.treatment != Treatment::Auto)
       records.merge(treated_records(of.treatment, {v.data(), v.data() + v.size()}));

@@ -36,12 +36,6 @@ void check_direct(ConstraintSpec& c) {
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
-  for (const PartLimitSpec& l : study.part_limits)
-    if ((l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) &&
-        study.cycle.method != CycleMethod::Esl)
-      throw std::invalid_argument("part limit '" + l.name +
-                                  "' has no gradient by the motion; expected cycle.method = "
-                                  "\"esl\"");
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
     if (c.treatment != Treatment::Auto) c.has_image = false;
@@ -49,7 +43,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
     if (study.cycle.method == CycleMethod::Direct) check_direct(c);
   }
-  if (study.goal.extremes && study.cycle.method == CycleMethod::Direct)
+  if (study.motion_objective.extremes && study.cycle.method == CycleMethod::Direct)
     throw std::invalid_argument(
         "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
         "expected \"esl1\" or \"full\"");
@@ -57,7 +51,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     throw std::invalid_argument("'" + study.constants.front().name +
                                 "' changes a constant of the motion, which no static problem "
                                 "has; expected cycle.method = \"esl1\" or \"full\"");
-  if (!study.goal.only_mass() && study.cycle.method == CycleMethod::Esl)
+  if (!study.motion_objective.only_mass() && study.cycle.method == CycleMethod::Esl)
     throw std::invalid_argument(
         "the objective is not the mass alone, which is all that a static problem has; expected "
         "cycle.method = \"esl1\" or \"full\"");
@@ -136,10 +130,10 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
 template <FrameGroup G>
 void MotionModel<G>::judge(MotionAnalysis<G>& a, const VectorXd& x) const {
   const DesignRun<G>& first = a.runs.front();
-  const Goal& goal = study_.goal;
+  const MotionObjective& weights = study_.motion_objective;
   a.mass = first.mass;
   a.objective =
-      goal.mass * first.mass + goal.duration * first.duration + goal.effort * first.effort;
+      weights.mass * first.mass + weights.duration * first.duration + weights.effort * first.effort;
   for (std::size_t s = 0; s < a.runs.size(); ++s) {
     const DesignRun<G>& run = a.runs[s];
     if (!run.good() && a.status != SolveStatus::Interrupted) {
@@ -165,7 +159,7 @@ void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const Vect
   for (int k = 0; k < design().parts(); ++k) {
     const SolidTask task = motion_task(study_, *simulators_[s], k, a.runs[s]);
     const VectorXd of_part = design().of_part(k, x);
-    StaticShape problem(task, of_part, study_.cycle.move_cells);
+    EslProblem problem(std::make_unique<MeshStatics>(task), study_.cycle, of_part);
     const auto check = problem.check(of_part);
     if (!check) continue;  // then there is no motion either
     for (const PartLimitSpec& limit : study_.part_limits)
@@ -193,23 +187,23 @@ double MotionModel<G>::extremes(const MotionAnalysis<G>& a) const {
 template <FrameGroup G>
 StudySpec MotionModel<G>::scaled(const MotionAnalysis<G>& a) const {
   StudySpec study = study_;
-  if (!study.goal.extremes) return study;
+  if (!study.motion_objective.extremes) return study;
   for (std::size_t c = 0; c < study.constraints.size(); ++c) {
-    ConstraintSpec& goal = study.constraints[c];
-    if (!(goal.weight > 0)) continue;
-    goal.limit = 0;
+    ConstraintSpec& term = study.constraints[c];
+    if (!(term.weight > 0)) continue;
+    term.limit = 0;
     for (const MotionLimits& m : a.limits)
-      if (c < m.limits.size()) goal.limit = std::max(goal.limit, m.limits[c].measure);
-    if (!(goal.limit > 0))
-      throw NoSensitivities("'" + goal.response.name + "' of the objective is 0 all the time");
+      if (c < m.limits.size()) term.limit = std::max(term.limit, m.limits[c].measure);
+    if (!(term.limit > 0))
+      throw NoSensitivities("'" + term.response.name + "' of the objective is 0 all the time");
   }
   for (std::size_t f = 0; f < study.frequencies.size(); ++f) {
-    FrequencyLimitSpec& goal = study.frequencies[f];
-    if (!(goal.weight > 0)) continue;
-    goal.least = std::numeric_limits<double>::infinity();
+    FrequencyLimitSpec& term = study.frequencies[f];
+    if (!(term.weight > 0)) continue;
+    term.least = std::numeric_limits<double>::infinity();
     for (const MotionLimits& m : a.limits)
-      if (f < m.frequencies.size()) goal.least = std::min(goal.least, m.frequencies[f].value);
-    if (!(goal.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
+      if (f < m.frequencies.size()) term.least = std::min(term.least, m.frequencies[f].value);
+    if (!(term.least > 0)) throw NoSensitivities("the lowest frequency of the objective is 0");
   }
   return study;
 }
@@ -220,7 +214,7 @@ auto MotionModel<G>::static_members(const StudySpec& study, std::size_t s,
                                     double move) const -> Members {
   Members members = static_parts(study_, *simulators_[s], at.runs[s], x, move, study.frequencies);
   for (auto& member : members)  // the objective counts once
-    member.weight = s > 0 ? 0 : member.weight * study_.goal.mass;
+    member.weight = s > 0 ? 0 : member.weight * study_.motion_objective.mass;
   return members;
 }
 
@@ -249,24 +243,25 @@ bool MotionModel<G>::drop_images() {
 
 /// dJ/dx of J = T sum_n w_n v_n^2, T the duration.
 template <FrameGroup G>
-MotionGoal MotionModel<G>::goal_of(const MotionAnalysis<G>& at, const MotionGradients& goal) const {
+ObjectiveModel MotionModel<G>::objective_model(const MotionAnalysis<G>& at,
+                                               const MotionGradients& effort) const {
   const DesignRun<G>& run = at.runs.front();
   const Constants& constants = design().constants();
   const int duration =
       constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
-  MotionGoal out{duration,
-                 study_.goal.duration,
-                 study_.goal.effort,
-                 run.effort,
-                 VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
-                 extremes(at)};
-  for (int r = 0; r < goal.responses(); ++r) {
+  ObjectiveModel out{duration,
+                     study_.motion_objective.duration,
+                     study_.motion_objective.effort,
+                     run.effort,
+                     VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
+                     extremes(at)};
+  for (int r = 0; r < effort.responses(); ++r) {
     std::vector<double> times;
-    for (int n = 0; n < goal.records(r); ++n) times.push_back(goal.time(r, n));
+    for (int n = 0; n < effort.records(r); ++n) times.push_back(effort.time(r, n));
     const std::vector<double> weights = time_weights(times);
-    for (int n = 0; n < goal.records(r); ++n)
-      if (const VectorXd* dv = goal.gradient(r, n))
-        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * goal.value(r, n) * *dv;
+    for (int n = 0; n < effort.records(r); ++n)
+      if (const VectorXd* dv = effort.gradient(r, n))
+        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * effort.value(r, n) * *dv;
   }
   if (duration >= 0) out.by_effort[duration] += run.effort / run.duration;
   return out;
@@ -283,7 +278,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     Members members;
     MotionGradients gradients;
     int imaged = 0;  ///< responses of the static problems
-    MotionGradients goal;
+    MotionGradients effort;
   };
   std::vector<Part> parts(simulators_.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
@@ -292,7 +287,14 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     p.members = static_members(study, s, at, x, move);
     std::vector<LimitedResponse> responses;
     for (const auto& member : p.members)
-      for (auto& r : member.problem->responses()) responses.push_back(std::move(r));
+      for (auto& r : member.problem->responses_with_slopes()) {
+        if (r.slopes) {
+          auto placed = std::make_shared<PartSlopes>(*r.slopes);
+          placed->first = member.first;
+          r.slopes = std::move(placed);
+        }
+        responses.push_back(std::move(r));
+      }
     p.imaged = static_cast<int>(responses.size());
     for (std::size_t c = 0; c < study_.constraints.size(); ++c)
       if (!study_.constraints[c].has_image)
@@ -302,16 +304,18 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
                                study_.constraints[c].treatment});
     const auto limited = static_cast<int>(responses.size());
     if (s == 0)
-      for (const ResponseSpec& r : study_.goal.responses) responses.push_back({-1, r, 0, 0});
+      for (const ResponseSpec& r : study_.motion_objective.responses)
+        responses.push_back({-1, r, 0, 0});
     for (auto& r : responses) r.scenario = static_cast<int>(s);
     p.gradients = MotionGradients(simulators_[s]->design(), run, x, responses);
-    p.goal = p.gradients.split(limited);
+    p.effort = p.gradients.split(limited);
     for (int r = p.imaged; r < p.gradients.responses(); ++r) aggregate(study_, r, p.gradients);
   });
   Members members;
-  if (!study_.goal.only_mass())
-    members.push_back(
-        {std::make_unique<GoalProblem>(goal_of(at, parts.front().goal), x, variables()), 1, 0});
+  if (!study_.motion_objective.only_mass())
+    members.push_back({std::make_unique<ObjectiveProblem>(objective_model(at, parts.front().effort),
+                                                          x, variables()),
+                       1, 0});
   for (Part& p : parts) {
     for (auto& member : p.members) members.push_back(std::move(member));
     if (const int rows = p.gradients.responses() - p.imaged; rows > 0)
@@ -344,16 +348,14 @@ DynamicOptimality MotionModel<G>::optimality(const DesignAnalysis& given, const 
                                              const Progress& progress) const {
   const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
   DynamicOptimality none;
-  none.reason =
-      "limits on the stress or compliance of a meshed part have no gradient by the motion";
-  for (const PartLimitSpec& l : study_.part_limits)
-    if (l.quantity == SolidResponse::Stress || l.quantity == SolidResponse::Compliance) return none;
   none.reason = "there is no motion to be differentiated";
   if (at.runs.front().differentiable()) try {
       return surrogate(at, x, study_.cycle.move_limit, kNearActive).optimality;
     } catch (const NoSensitivities& error) {
       none.reason = error.what();
     }
+  for (const PartLimitSpec& l : study_.part_limits)
+    if (follows_loads(l.quantity)) return none;  // not among the differences
   const bool differences =
       study_.cycle.optimality == OptimalityCheck::Always || variables().size() <= kFewVariables;
   if (!differences || at.runs.size() > 1) return none;

@@ -3,8 +3,9 @@
 /// A study of one or several motions of one design.
 
 #include "optim/cycle/design_loop.hpp"
-#include "optim/cycle/goal_problem.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_problem.hpp"
+#include "optim/cycle/objective_problem.hpp"
 
 namespace liesl {
 
@@ -75,14 +76,14 @@ class MotionModel final : public DesignModel {
   void judge(MotionAnalysis<G>& analysis, const Eigen::VectorXd& x) const;
   void judge_parts(MotionAnalysis<G>& analysis, std::size_t scenario,
                    const Eigen::VectorXd& x) const;
-  /// The study with what goals are at a design as their limits.
+  /// The study with what terms of the objective are at a design as their limits.
   StudySpec scaled(const MotionAnalysis<G>& at) const;
   /// The objective that largest values and lowest frequencies are.
   double extremes(const MotionAnalysis<G>& at) const;
   /// Static problems of one scenario; the objective counts in the first.
   Members static_members(const StudySpec& study, std::size_t scenario, const MotionAnalysis<G>& at,
                          const Eigen::VectorXd& x, double move) const;
-  MotionGoal goal_of(const MotionAnalysis<G>& at, const MotionGradients& goal) const;
+  ObjectiveModel objective_model(const MotionAnalysis<G>& at, const MotionGradients& effort) const;
   std::unique_ptr<StaticProblem> with_gradients(const MotionAnalysis<G>& at, const StudySpec& study,
                                                 const Eigen::VectorXd& x, double move,
                                                 MotionGradients& gradients) const;

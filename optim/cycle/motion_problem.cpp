@@ -5,10 +5,12 @@
 #include <algorithm>
 
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/beam_statics.hpp"
 #include "optim/cycle/constants_problem.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/frequency_problem.hpp"
 #include "optim/cycle/mass_problem.hpp"
-#include "optim/cycle/static_sizing.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 
 namespace liesl {
 namespace {
@@ -28,6 +30,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
   const SolidLoadSet& loads = loads_of(run.solid_loads, part.body);
   task.loads = loads.shapes;
   task.combination = loads.e;
+  task.basis = loads.basis;
   for (const double t : loads.t) task.cases.push_back(fmt::format("t = {:.6g} s", t));
 
   const ResponseValues<G> values(run.mechanism, *run.model);
@@ -52,19 +55,21 @@ std::vector<CombinedProblem::Member> static_parts(
     const Eigen::VectorXd& x, double move, const std::vector<FrequencyLimitSpec>& frequencies) {
   const Design& design = simulator.design();
   std::vector<CombinedProblem::Member> members;
-  if (design.sizing().size() > 0) {
+  const auto add = [&](std::unique_ptr<PartStatics> parts, const Eigen::VectorXd& own,
+                       double weight, int first) {
+    members.push_back(
+        {std::make_unique<EslProblem>(std::move(parts), study.cycle, own), weight, first});
+  };
+  if (const int n = design.sizing().size(); n > 0) {
     const Analysis<G> at{run.mechanism, run.model.get(), &run.simulation.trajectory, &run.loads};
-    members.push_back({std::make_unique<StaticSizing<G>>(at, design.sizing(), study,
-                                                         x.head(design.sizing().size()), move),
-                       1, 0});
+    add(std::make_unique<BeamStatics<G>>(at, design.sizing(), study, move), x.head(n), 1, 0);
   }
   const double cells = study.cycle.move_cells * move / study.cycle.move_limit;
   for (int k = 0; k < design.parts(); ++k) {
     const auto counted =
         std::count(study.mass_of.begin(), study.mass_of.end(), design.part(k).body);
-    members.push_back({std::make_unique<StaticShape>(motion_task(study, simulator, k, run),
-                                                     design.of_part(k, x), cells, move),
-                       counted > 0 ? 1.0 : 0.0, design.first(k)});
+    add(std::make_unique<MeshStatics>(motion_task(study, simulator, k, run), cells, move),
+        design.of_part(k, x), counted > 0 ? 1.0 : 0.0, design.first(k));
   }
   if (const int n = design.constants().size(); n > 0)
     members.push_back(

@@ -18,7 +18,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
 /// x (1 -+ move); outlines within `move` of the range of a variable, and within
 /// study.cycle.move_cells cells at the first move limit, study.cycle.move_limit, less as `move`
 /// shrinks. @pre everything outlives the problem
-/// @param frequencies those of the study, goals with their size at x
+/// @param frequencies those of the study, terms of the objective with their size at x
 template <FrameGroup G>
 std::vector<CombinedProblem::Member> static_parts(
     const StudySpec& study, const DesignSimulator<G>& simulator, const DesignRun<G>& run,

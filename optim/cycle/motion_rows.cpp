@@ -57,12 +57,13 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
                        motion.time(first + l, n)),
            1});
       images_.push_back({l, n});
-      goals_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
+      terms_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
       g.push_back(values[l][n] / limits[l].limit - 1);
     }
   }
-  if (std::all_of(goals_.begin(), goals_.end(), [](const RowGoal& o) { return o.number < 0; }))
-    goals_.clear();
+  if (std::all_of(terms_.begin(), terms_.end(),
+                  [](const ObjectiveTerm& o) { return o.number < 0; }))
+    terms_.clear();
   g_ = Eigen::Map<const VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
 }
 

@@ -13,7 +13,8 @@ namespace liesl {
 /// maximum over time above half of the largest (of hundreds of points the records near the largest,
 /// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Records beside a
 /// maximum bound the design before the maximum moves away from them. Rows of constraints with a
-/// weight are those of a goal, the number of the constraint. The objective is 0 without them.
+/// weight are those of a term of the objective, the number of the constraint. The objective is 0
+/// without them.
 class MotionRows final : public CaselessProblem {
  public:
   /// @param motion gradients that contain those of these rows
@@ -24,14 +25,14 @@ class MotionRows final : public CaselessProblem {
   int load_cases() const override { return static_cast<int>(constraints_.size()); }
   std::vector<LimitedResponse> responses() const override { return responses_; }
   std::vector<RowImage> images() const override { return images_; }
-  std::vector<RowGoal> goals() const override { return goals_; }
+  std::vector<ObjectiveTerm> objective_terms() const override { return terms_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
  private:
   std::vector<LimitedResponse> responses_;
   std::vector<RowImage> images_;
-  std::vector<RowGoal> goals_;
+  std::vector<ObjectiveTerm> terms_;
   Eigen::VectorXd g_;
 };
 

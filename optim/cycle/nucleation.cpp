@@ -8,6 +8,8 @@
 
 #include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/mesh_surface.hpp"
+#include "optim/cycle/esl_problem.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 #include "optim/nlp/kkt.hpp"
 
 namespace liesl {
@@ -107,7 +109,13 @@ void take_off(FeatureSpec feature, ShapeSpec& outline) {
 HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& walls,
                           const VectorXd& x) {
   HoleProposal out;
-  StaticShape problem(task, x, 1);
+  if (task.weighted()) {
+    out.reason = "there is no topological derivative of a weighted objective";
+    return out;
+  }
+  auto owned = std::make_unique<MeshStatics>(task, 1);
+  const MeshStatics& part = *owned;
+  EslProblem problem(std::move(owned), task.cycle, x);
   if (!problem.undefined_reason().empty()) {
     out.reason = problem.undefined_reason();
     return out;
@@ -117,20 +125,28 @@ HoleProposal propose_hole(const SolidTask& task, const std::vector<WallSpec>& wa
     out.reason = "the design is no optimum: " + kkt.brief();
     return out;
   }
-  const HoleDerivative lagrangian = problem.hole_derivative(kkt.multipliers);
+  VectorXd lambda = VectorXd::Zero(static_cast<Eigen::Index>(problem.constraints().size()));
+  for (Eigen::Index i = 0; i < lambda.size(); ++i)
+    if (const auto at = kkt.multipliers.find(problem.constraints()[i].id);
+        at != kkt.multipliers.end())
+      lambda[i] = at->second;
+  const auto own = static_cast<Eigen::Index>(part.own_rows().size());
+  const HoleDerivative lagrangian =
+      part.hole_derivative(problem.output_weights(0, lambda), lambda.tail(own));
   if (!lagrangian.missing.empty()) {
     out.reason = "there is no topological derivative of " + lagrangian.missing;
     return out;
   }
-  const VectorXd& v = problem.statics().fractions();
+  const VectorXd& v = part.statics().fractions();
   out.gain = (v.array() >= kFull).select(-lagrangian.value, 0.0);
   double wall = 0;
   for (const auto& [name, least] : thinnest_walls(walls)) wall = std::max(wall, least);
   out.nucleus = best_place(task.model->mesh(), kept_nodes(task, v), out.gain, wall);
   if (!out.nucleus)
-    out.reason = out.gain.maxCoeff() > 0
-                     ? "no place where a hole would pay is far enough from all edges"
-                     : "a hole would pay nowhere";
+    out.reason =
+        out.gain.maxCoeff() > 0
+            ? "no place where a hole would reduce the objective is far enough from all edges"
+            : "a hole would reduce the objective nowhere";
   return out;
 }
 

@@ -1,13 +1,14 @@
 #pragma once
 /// @file
-/// Where a new hole in a meshed part would pay, from the topological derivative at an optimum, and
-/// how it becomes a feature of the outline that moves like the others. Experimental.
+/// Where a new hole in a meshed part would reduce the objective, from the topological derivative at
+/// an optimum, and how it becomes a feature of the outline that moves like the others.
+/// Experimental.
 ///
 /// Source: H. A. Eschenauer, V. V. Kobelev, A. Schumacher 1994, "Bubble method for topology and
 /// shape optimization of structures", Structural Optimization 8, 42-51; the derivative:
 /// mbs/solids/topological_derivative.hpp.
 
-#include "optim/cycle/static_shape.hpp"
+#include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
 

@@ -1,5 +1,6 @@
 #include "optim/cycle/part_model.hpp"
 
+#include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
 
 namespace liesl {
@@ -17,7 +18,7 @@ VectorXd PartModel::unit(const VectorXd& x) const {
 
 std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Progress&) {
   auto out = std::make_shared<PartAnalysis>();
-  StaticShape problem(task_, x, task_.cycle.move_cells);
+  EslProblem problem(std::make_unique<MeshStatics>(task_), task_.cycle, x);
   auto check = problem.check(x);
   if (!check) {
     out->status = SolveStatus::Inconsistent;
@@ -34,10 +35,24 @@ std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Prog
   return out;
 }
 
-std::unique_ptr<StaticProblem> PartModel::static_problem(const DesignAnalysis&, const VectorXd& x,
-                                                         double move) const {
+SolidTask PartModel::scaled(const DesignAnalysis& at) const {
+  SolidTask task = task_;
+  const StaticCheck& check = dynamic_cast<const PartAnalysis&>(at).check;
+  for (std::size_t i = 0; i < task.limits.size(); ++i) {
+    SolidLimit& goal = task.limits[i];
+    if (!(goal.weight > 0)) continue;
+    goal.limit = check.limits[i].value;
+    if (!(goal.limit > 0))
+      throw std::invalid_argument("'" + goal.name + "' of the objective is 0 in all load cases");
+  }
+  return task;
+}
+
+std::unique_ptr<StaticProblem> PartModel::static_problem(const DesignAnalysis& at,
+                                                         const VectorXd& x, double move) const {
   const double cells = task_.cycle.move_cells * move / task_.cycle.move_limit;
-  return std::make_unique<StaticShape>(task_, x, cells, move);
+  return std::make_unique<EslProblem>(std::make_unique<MeshStatics>(scaled(at), cells, move),
+                                      task_.cycle, x);
 }
 
 Surrogate PartModel::surrogate(const DesignAnalysis& at, const VectorXd& x, double move,
@@ -63,11 +78,11 @@ PartResult optimise_part(const SolidTask& task, const CycleHooks& hooks,
   if (!out.best) return out;
   out.initial = dynamic_cast<const PartAnalysis&>(*out.first).check;
   out.final = dynamic_cast<const PartAnalysis&>(*out.best).check;
-  StaticShape problem(task, out.x, task.cycle.move_cells);
-  problem.show_all(out.x);
-  out.fractions = problem.statics().fractions();
-  out.displacements = problem.statics().u();
-  out.von_mises = von_mises(problem.statics(), task.stress.relaxation);
+  MeshStatics part(task);
+  part.show_all(out.x);
+  out.fractions = part.statics().fractions();
+  out.displacements = part.statics().u();
+  out.von_mises = von_mises(part.statics(), task.stress.relaxation);
   return out;
 }
 

@@ -3,13 +3,14 @@
 /// Studies of one meshed part under fixed loads.
 
 #include "optim/cycle/design_loop.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/nucleation.hpp"
 #include "optim/cycle/solid_task.hpp"
 
 namespace liesl {
 
 struct PartAnalysis final : DesignAnalysis {
-  SolidCheck check;
+  StaticCheck check;
 
   std::shared_ptr<DesignAnalysis> figures() const override {
     return std::make_shared<PartAnalysis>(*this);
@@ -36,11 +37,14 @@ class PartModel final : public DesignModel {
   }
 
  private:
+  /// The task with what its goals are at a design as their limits.
+  SolidTask scaled(const DesignAnalysis& at) const;
+
   const SolidTask& task_;
 };
 
 struct PartResult : LoopResult {
-  SolidCheck initial, final;
+  StaticCheck initial, final;
   Eigen::VectorXd fractions;      ///< of the final design
   Eigen::MatrixXd displacements;  ///< of the nodes in all cases, node freedoms x cases, m
   Eigen::MatrixXd von_mises;      ///< relaxed, at the centres, cells x cases, Pa

@@ -94,11 +94,24 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
     task.limits.push_back(
         {c.response.name, SolidResponse::Output, static_cast<int>(first),
          static_cast<int>(C.cols()), c.limit,
-         moves ? std::optional(LimitedResponse{static_cast<int>(i), c.response}) : std::nullopt});
+         moves ? std::optional(LimitedResponse{static_cast<int>(i), c.response}) : std::nullopt,
+         moves ? 0 : c.weight});
   }
-  for (const PartLimitSpec& l : study.part_limits)
-    if (l.body == part.body) task.limits.push_back({l.name, l.quantity, 0, l.count, l.limit, {}});
+  for (std::size_t i = 0; i < study.part_limits.size(); ++i) {
+    const PartLimitSpec& l = study.part_limits[i];
+    if (l.body != part.body) continue;
+    SolidLimit limit{l.name, l.quantity, 0, l.count, l.limit, {}, l.weight};
+    if (moves && follows_loads(l.quantity)) {
+      LimitedResponse& of = limit.motion.emplace();
+      of.constraint = -1;
+      of.part_limit = static_cast<int>(i);
+      of.response.name = l.name;
+      of.response.body = l.body;
+    }
+    task.limits.push_back(std::move(limit));
+  }
   task.objective = study.objective;
+  if (!moves) task.mass_weight = study.motion_objective.mass;
   task.stress = {study.stress.p, study.stress.relaxation};
   task.cycle = study.cycle;
   task.loads.resize(part.model.size(), 0);

@@ -46,8 +46,15 @@ NlpResult solve_by(Problem& problem, const CycleOptions& cycle, NlpOptions optio
   return solve_ipopt(problem, options, warm.multipliers.empty() ? nullptr : &warm);
 }
 
+double limit_value(const StudySpec& study, const LimitedResponse& r) {
+  if (r.part_limit >= 0) return study.part_limits[static_cast<std::size_t>(r.part_limit)].limit;
+  return study.constraints[static_cast<std::size_t>(r.constraint)].limit;
+}
+
 std::string limit_name(const StudySpec& study, const LimitedResponse& r) {
-  const std::string& name = study.constraints[static_cast<std::size_t>(r.constraint)].response.name;
+  const std::string& name =
+      r.part_limit >= 0 ? study.part_limits[static_cast<std::size_t>(r.part_limit)].name
+                        : study.constraints[static_cast<std::size_t>(r.constraint)].response.name;
   if (study.scenarios.empty()) return name;
   return name + " (" + study.scenarios[static_cast<std::size_t>(r.scenario)] + ")";
 }
@@ -67,15 +74,15 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
 
 namespace {
 
-/// The goals among the rows, each with its largest g.
-std::vector<Epigraph> epigraphs(const std::vector<RowGoal>& goals, const Eigen::VectorXd& g) {
+/// The terms of the objective among the rows, each with its largest g.
+std::vector<Epigraph> epigraphs(const std::vector<ObjectiveTerm>& terms, const Eigen::VectorXd& g) {
   std::map<int, Epigraph> by_number;
-  for (std::size_t i = 0; i < goals.size(); ++i) {
-    if (goals[i].number < 0) continue;
+  for (std::size_t i = 0; i < terms.size(); ++i) {
+    if (terms[i].number < 0) continue;
     const int row = static_cast<int>(i);
-    Epigraph& e = by_number[goals[i].number];
+    Epigraph& e = by_number[terms[i].number];
     e.start = e.rows.empty() ? g[row] : std::max(e.start, g[row]);
-    e.weight = goals[i].weight;
+    e.weight = terms[i].weight;
     e.rows.push_back(row);
   }
   std::vector<Epigraph> out;
@@ -100,13 +107,13 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     Eigen::VectorXd g(m);
     double f = 0;
     problem.values(answer.x, f, g);
-    const std::vector<RowGoal> goals = problem.goals();
+    const std::vector<ObjectiveTerm> terms = problem.objective_terms();
     double violation = 0;
     for (Eigen::Index i = 0; i < m; ++i)
-      if (goals.empty() || goals[static_cast<std::size_t>(i)].number < 0)
+      if (terms.empty() || terms[static_cast<std::size_t>(i)].number < 0)
         violation = std::max(violation, g[i]);
     ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation,
-                           epigraphs(goals, g));
+                           epigraphs(terms, g));
     result = optimise(elastic, options, warm, keep_going, most);
     answer.iterations += result.iterations;
     answer.x = result.x.head(n);
@@ -114,10 +121,10 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     answer.merit = result.f;
     if (problem.add_violated(answer.x, 1e-6) == 0) break;
   }
-  const std::vector<RowGoal> goals = problem.goals();
+  const std::vector<ObjectiveTerm> terms = problem.objective_terms();
   for (std::size_t i = 0; i < problem.constraints().size(); ++i)
     if (const auto found = result.multipliers.find(problem.constraints()[i].id);
-        found != result.multipliers.end() && (goals.empty() || goals[i].number < 0))
+        found != result.multipliers.end() && (terms.empty() || terms[i].number < 0))
       answer.multipliers += found->second;
   warm = result.warm_start();
   return answer;

@@ -3,6 +3,8 @@
 /// The static problem of a cycle, whatever its parts are made of, and its solution.
 
 #include <functional>
+#include <map>
+#include <memory>
 #include <string>
 
 #include "optim/nlp/elastic.hpp"
@@ -11,17 +13,32 @@
 
 namespace liesl {
 
+/// Stress or compliance of a meshed part over its motion, a function of its fractions and of its
+/// coordinates e (SolidBody): dv_n/dx = own_n + by_coordinates_n . de_n/dx at record n.
+struct PartSlopes {
+  int body = 0;
+  int first = 0;                                  ///< of the part's variables in x
+  Eigen::VectorXd value;                          ///< v_n at every record
+  std::map<int, Eigen::VectorXd> own;             ///< by the part's variables, where kept
+  std::map<int, Eigen::VectorXd> by_coordinates;  ///< for the same records
+};
+
 /// A response of the motion that rows of a static problem are images of.
 struct LimitedResponse {
-  int constraint = 0;  ///< of the study; -1: of its goal, gradients are kept at every record
+  int constraint = 0;  ///< of the study; -1: of its objective, gradients are kept at every record
   ResponseSpec response;
   int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
   Treatment treatment = Treatment::Auto;  ///< whose records have gradients in any case
+  /// Of the study: the limit of a meshed part itself, in place of `constraint`; -1: it is none.
+  int part_limit = -1;
+  std::shared_ptr<const PartSlopes> slopes = {};  ///< of a part limit; null: not asked for
 };
 
 /// What a limit is called in reports: its name, and the scenario if there are several.
 std::string limit_name(const StudySpec& study, const LimitedResponse& response);
+/// What it is limited to.
+double limit_value(const StudySpec& study, const LimitedResponse& response);
 
 /// Where a row comes from: response number `response` of the problem at a record of the motion;
 /// -1: from the design alone (a wall, a mass, a frequency).
@@ -29,9 +46,10 @@ struct RowImage {
   int response = -1, record = -1;
 };
 
-/// A row that is no limit: the objective has `weight` times the largest g of all rows of its goal.
-struct RowGoal {
-  int number = -1;  ///< of the goal; -1: the row is a limit
+/// A row that is no limit: the objective has `weight` times the largest g of all rows of its
+/// term.
+struct ObjectiveTerm {
+  int number = -1;  ///< of the term; -1: the row is a limit
   double weight = 0;
 };
 
@@ -44,12 +62,14 @@ class StaticProblem : public Problem {
   virtual int load_cases() const = 0;  ///< retained
   /// Of a problem whose load cases are the records of a motion: what its rows are images of.
   virtual std::vector<LimitedResponse> responses() const { return {}; }
+  /// The same, those of meshed parts with their slopes at the analysed design.
+  virtual std::vector<LimitedResponse> responses_with_slopes() { return responses(); }
   /// One a row.
   virtual std::vector<RowImage> images() const {
     return std::vector<RowImage>(constraints().size());
   }
-  /// One a row; empty: all rows are limits. The value of the objective has no such terms.
-  virtual std::vector<RowGoal> goals() const { return {}; }
+  /// One a row; empty: all rows are limits. The value of the objective leaves these terms out.
+  virtual std::vector<ObjectiveTerm> objective_terms() const { return {}; }
   /// Why the latest x has no value ("interface 'pin' is cut off ..."); empty if it has one.
   virtual std::string undefined_reason() const { return {}; }
 };

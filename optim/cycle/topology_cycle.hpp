@@ -35,7 +35,7 @@ struct CatalogueReport {
   SimulationEffort effort{};             ///< of all boxes
 };
 
-/// Where a round begins, and how it ended.
+/// Where a round begins, and its termination status.
 template <class End>
 struct Round {
   StudySpec study;      ///< starts where the round begins

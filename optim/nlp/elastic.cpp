@@ -11,21 +11,21 @@ using Eigen::VectorXd;
 
 ElasticProblem::ElasticProblem(Problem& inner, Weights weights, VectorXd scale,
                                const VectorXd& start, double start_violation,
-                               std::vector<Epigraph> goals)
+                               std::vector<Epigraph> terms)
     : inner_(inner),
       weights_(weights),
       scale_(std::move(scale)),
-      goals_(std::move(goals)),
+      terms_(std::move(terms)),
       variables_(inner.variables()) {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   for (std::size_t j = 0; j < variables_.size(); ++j)
     variables_[j].start = start[static_cast<int>(j)];
-  const auto last = static_cast<Eigen::Index>(variables_.size() + goals_.size());
+  const auto last = static_cast<Eigen::Index>(variables_.size() + terms_.size());
   bound_.assign(inner.constraints().size(), last);
-  for (std::size_t k = 0; k < goals_.size(); ++k) {
-    for (const int row : goals_[k].rows)
+  for (std::size_t k = 0; k < terms_.size(); ++k) {
+    for (const int row : terms_[k].rows)
       bound_[static_cast<std::size_t>(row)] = static_cast<Eigen::Index>(variables_.size());
-    variables_.push_back({fmt::format("goal {}", k), -kInfinity, kInfinity, goals_[k].start});
+    variables_.push_back({fmt::format("term {}", k), -kInfinity, kInfinity, terms_[k].start});
   }
   variables_.push_back({"largest violation", 0, kInfinity, std::max(1.1 * start_violation, 1e-3)});
   for (const auto& c : inner.constraints()) constraints_.push_back({c.id, c.name, 1});
@@ -36,8 +36,8 @@ void ElasticProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   inner_.values(x.head(n), f, g);
   g = (g.array() / scale_.array()).matrix();
   for (Eigen::Index i = 0; i < g.size(); ++i) g[i] -= x[bound_[static_cast<std::size_t>(i)]];
-  for (std::size_t k = 0; k < goals_.size(); ++k)
-    f += goals_[k].weight * x[n + static_cast<Eigen::Index>(k)];
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    f += terms_[k].weight * x[n + static_cast<Eigen::Index>(k)];
   f = weights_.objective * f + weights_.penalty * x[last];
 }
 
@@ -50,8 +50,8 @@ void ElasticProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   dg.leftCols(n) = scale_.cwiseInverse().asDiagonal() * inner_dg;
   for (Eigen::Index i = 0; i < dg.rows(); ++i) dg(i, bound_[static_cast<std::size_t>(i)]) = -1;
   df.head(n) = weights_.objective * inner_df;
-  for (std::size_t k = 0; k < goals_.size(); ++k)
-    df[n + static_cast<Eigen::Index>(k)] = weights_.objective * goals_[k].weight;
+  for (std::size_t k = 0; k < terms_.size(); ++k)
+    df[n + static_cast<Eigen::Index>(k)] = weights_.objective * terms_[k].weight;
   df[last] = weights_.penalty;
 }
 

@@ -3,9 +3,9 @@
 /// A problem whose constraints may be exceeded at a price, so that it always has a solution:
 ///
 ///     minimise w (f(x) + sum_k w_k s_k) + sigma t   subject to   g_i(x) / scale_i <= t,
-///     g_j(x) <= s_k for the rows j of goal k,   lower <= x <= upper,   t >= 0:
+///     g_j(x) <= s_k for the rows j of term k,   lower <= x <= upper,   t >= 0:
 ///
-/// w_k times the largest g of goal k is part of the objective (epigraph form).
+/// w_k times the largest g of term k is part of the objective (epigraph form).
 /// For sigma above the sum of the multipliers t = 0 wherever the constraints can be met: an exact
 /// penalty (Fletcher, Practical Methods of Optimization, 1987, ch. 12.3).
 
@@ -31,7 +31,7 @@ class ElasticProblem final : public Problem {
   /// @param start of its variables  @param start_violation largest g/scale there, >= 0
   ElasticProblem(Problem& inner, Weights weights, Eigen::VectorXd scale,
                  const Eigen::VectorXd& start, double start_violation,
-                 std::vector<Epigraph> goals = {});
+                 std::vector<Epigraph> terms = {});
 
   const std::vector<NlpVariable>& variables() const override { return variables_; }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
@@ -45,7 +45,7 @@ class ElasticProblem final : public Problem {
   Problem& inner_;
   const Weights weights_;
   const Eigen::VectorXd scale_;
-  const std::vector<Epigraph> goals_;
+  const std::vector<Epigraph> terms_;
   std::vector<Eigen::Index> bound_;  ///< the variable that bounds a row: t, or its s_k
   std::vector<NlpVariable> variables_;
   std::vector<NlpConstraint> constraints_;

@@ -63,7 +63,7 @@ struct DriveTable {
 /// sum over the responses of the integral of their squares over the (first) motion + the terms of
 /// constraints and frequencies with a weight: the largest value over all motions, less the lowest
 /// frequency.
-struct Goal {
+struct MotionObjective {
   double mass = 1, duration = 0, effort = 0;
   std::vector<ResponseSpec> responses;
   bool extremes = false;  ///< a constraint or a frequency has a weight
@@ -145,6 +145,11 @@ enum class SolidResponse {
   Frequency    ///< every one of the lowest `count` free-free frequencies is at least `limit`, Hz
 };
 
+/// Compliance and stress are of a load case, at a record of the motion; the rest is of the design.
+inline bool follows_loads(SolidResponse r) {
+  return r == SolidResponse::Compliance || r == SolidResponse::Stress;
+}
+
 /// A limit of a meshed part that is no response of the motion.
 struct PartLimitSpec {
   std::string name;
@@ -152,6 +157,9 @@ struct PartLimitSpec {
   SolidResponse quantity = SolidResponse::Mass;  ///< not Output
   double limit = 0;                              ///< > 0
   int count = 1;                                 ///< Frequency: how many
+  /// Above 0: no limit, but this times the largest value of the load cases (of a frequency minus
+  /// the lowest) in the objective; under fixed loads.
+  double weight = 0;
 };
 
 /// The lowest `count` natural frequencies of the mechanism, in the pose that its drives have at the
@@ -163,6 +171,7 @@ struct FrequencyLimitSpec {
   double at = 0;  ///< s
   /// Above 0: no limit, but minus this times the lowest one in the objective.
   double weight = 0;
+  int body = -1;  ///< of this beam alone, what its joints hold at rest on the ground; -1: of all
 };
 
 /// The mass of these bodies is at most `limit`, in studies of motions.
@@ -172,7 +181,7 @@ struct MassLimitSpec {
   double limit = 0;  ///< kg, > 0
 };
 
-/// A load of a meshed part that stays, whatever the design. Loads of one case add up.
+/// A fixed load of a meshed part, whatever the design. Loads of one case add up.
 struct FixedLoad {
   std::string load_case;
   int body = 0;
@@ -258,9 +267,9 @@ struct StudySpec {
   std::vector<ConstraintSpec> constraints;
   std::map<int, ShapeDesignSpec> shapes;  ///< by body
   std::vector<ConstantSpec> constants;
-  std::vector<DriveTable> drives;  ///< those whose values or duration may change
-  double duration = 0;             ///< s, of the scene
-  Goal goal;                       ///< of motions
+  std::vector<DriveTable> drives;    ///< those whose values or duration may change
+  double duration = 0;               ///< s, of the scene
+  MotionObjective motion_objective;  ///< of motions
   /// Objective of a study of meshed parts: Mass, Compliance or Stress.
   SolidResponse objective = SolidResponse::Mass;
   std::vector<PartLimitSpec> part_limits;

@@ -109,7 +109,7 @@ class Result(Mapping[str, Any]):
     def energies(self) -> Group:
         return Group(self, "energies")
 
-    # --- how it ended
+    # --- termination status
 
     @property
     def status(self) -> str:

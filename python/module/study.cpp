@@ -155,7 +155,8 @@ void bind_studies(py::module_& module) {
       .def("scenarios", [](const StudyInput& s) { return s.study().spec.scenarios; })
       .def("moves", &StudyInput::moves)
       .def("changes_outlines", [](const StudyInput& s) { return s.design().parts() > 0; })
-      .def("only_mass", [](const StudyInput& s) { return s.study().spec.goal.only_mass(); })
+      .def("only_mass",
+           [](const StudyInput& s) { return s.study().spec.motion_objective.only_mass(); })
       .def("frequencies", [](const StudyInput& s) { return !s.study().spec.frequencies.empty(); })
       .def("mass", &StudyInput::mass)
       .def("mass_gradient", &StudyInput::mass_gradient)

@@ -21,9 +21,9 @@ from pathlib import Path
 # are peers and do not see each other. A folder that is not listed is an error: add it here.
 LAYERS = [
     ("liegroup",),
+    ("mbs/linalg",),
     ("mbs/levelset",),
     ("mbs/sections",),
-    ("mbs/linalg",),
     ("mbs/solids",),
     ("mbs/model",),
     ("mbs/bodies", "mbs/couplings"),

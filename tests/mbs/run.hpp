@@ -96,6 +96,22 @@ double total_energy(const Run<G>& r, int record) {
   return total(mechanical_energy(*r.model, s));
 }
 
+/// Largest |E(t) - E(0) - integral of the power|, J, by the trapezoidal rule over records `step` s
+/// apart. @param power of a state, W
+template <class G, class Power>
+double largest_energy_imbalance(const Run<G>& r, double step, const Power& power) {
+  State<G> s = r.model->initial_state();
+  double work = 0, before = 0, worst = 0;
+  for (int i = 0; i < r.trajectory().size(); ++i) {
+    r.trajectory().read(i, s);
+    const double now = power(s);
+    if (i > 0) work += 0.5 * step * (before + now);
+    before = now;
+    worst = std::max(worst, std::abs(total_energy(r, i) - total_energy(r, 0) - work));
+  }
+  return worst;
+}
+
 /// Largest offset of the middle node from the chord of a chain of nodes first .. first + n.
 template <class G>
 double largest_chord_offset(const Trajectory<G>& t, int first, int n) {

@@ -18,6 +18,37 @@ TEST_F(VerifyCommand, SaysWhatTheMeshHidesOfALimit) {
   EXPECT_NE(o.out.find("limit bending is known to"), std::string::npos) << o.out << o.err;
 }
 
+TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
+  const Outcome o =
+      run({"optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report",
+           "--set", "constraints.bending.treatment=functional", "--set", "cycle.max=1"});
+  EXPECT_NE(o.code, 2) << o.err;
+  EXPECT_NE(
+      (o.out + o.err).find("not verified, being no largest value of a response: limit bending"),
+      std::string::npos)
+      << o.out << o.err;
+}
+
+TEST_F(VerifyCommand, RefusesFixedLoads) {
+  const Outcome o = run({"optimize", study("cantilever"), "-o", results(), "--verify"});
+  EXPECT_EQ(o.code, 2);
+  EXPECT_NE(o.err.find("no motion to verify"), std::string::npos) << o.err;
+  EXPECT_FALSE(fs::exists(results()));
+}
+
+/// The middle of an element is no place of another mesh.
+TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
+  const Outcome o =
+      run({"run", scene("slider_crank"), "-o", results(), "--verify", "--no-report", "--set",
+           "responses.moment.response=section_force", "--set", "responses.moment.of=rod", "--set",
+           "responses.moment.at=mid", "--set", "responses.moment.component=Mz"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(
+      (o.out + o.err).find("leaves out beam rod: the scene names nodes or elements by number"),
+      std::string::npos)
+      << o.out << o.err;
+}
+
 TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
   const Outcome o = run({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
                          "simulation.type=modes"});

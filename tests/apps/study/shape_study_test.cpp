@@ -120,6 +120,30 @@ pull = { at = "rocker.C", force = [1, 0, 0] }
       << refusal(study);
 }
 
+TEST(ShapeStudy, FixedLoadsHaveWeightedGoalsOfThePart) {
+  const std::string goals = changed(
+      changed(kPlate, "minimize = \"compliance\"",
+              "minimize = \"weighted\"\nlargest = \"shift\"\nweights = { mass = 0.5, largest = "
+              "3, compliance = 2, stress = 1e-8, frequency = 0.1 }\ncount = 3"),
+      "[walls]",
+      "[set]\nresponses = { shift = { response = \"displacement\", at = \"plate.right\" } "
+      "}\n[walls]");
+  const std::string said = refusal(goals);
+  // The one interface of the plate is the frame that displacements are seen from.
+  EXPECT_NE(said.find("is 0 by definition"), std::string::npos) << said;
+  const StudySpec spec =
+      read(changed(changed(goals, "largest = \"shift\"\n", ""), "largest = 3, ", "")).spec;
+  EXPECT_EQ(spec.motion_objective.mass, 0.5);
+  ASSERT_EQ(spec.part_limits.size(), 5u);  // three goals, then the limits
+  EXPECT_EQ(spec.part_limits[0].quantity, SolidResponse::Frequency);
+  EXPECT_EQ(spec.part_limits[0].count, 3);
+  EXPECT_EQ(spec.part_limits[0].weight, 0.1);
+  EXPECT_EQ(spec.part_limits[1].quantity, SolidResponse::Compliance);
+  EXPECT_EQ(spec.part_limits[1].weight, 2);
+  EXPECT_EQ(spec.part_limits[2].quantity, SolidResponse::Stress);
+  EXPECT_EQ(spec.part_limits[3].weight, 0);
+}
+
 TEST(ShapeStudy, SectionsHaveBoundsAboveZero) {
   const std::string study = R"(scene = "../scenes/slider_crank.toml"
 [design]

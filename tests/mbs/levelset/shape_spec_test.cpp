@@ -52,8 +52,8 @@ TEST(ShapeSpec, TakesValuesInTheOrderOfTheParameters) {
   EXPECT_THROW(set_values(spec, p.head(5)), std::invalid_argument);
 }
 
-TEST(ShapeSpec, NamesEveryFlaw) {
-  const auto flaws_with = [](auto change) {
+TEST(ShapeSpec, NamesEveryError) {
+  const auto errors_with = [](auto change) {
     ShapeSpec spec = plate_with_holes();
     change(spec.features);
     EXPECT_THROW(make_shape(spec), std::invalid_argument);
@@ -65,18 +65,18 @@ TEST(ShapeSpec, NamesEveryFlaw) {
     return text.find(part) != std::string::npos;
   };
   EXPECT_TRUE(shape_errors(plate_with_holes()).empty());
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[3].operands[0] = "lift"; }), "'lift'"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[4].operands.push_back("left"); }),
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[3].operands[0] = "lift"; }), "'lift'"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[4].operands.push_back("left"); }),
                   "left is used by more than one operation"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[4].operands.pop_back(); }), "parts of nothing"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[4].operands.pop_back(); }), "parts of nothing"));
   EXPECT_TRUE(
-      has(flaws_with([](auto& f) { f[3].operands.push_back("shape"); }), "is a part of itself"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[3].operands.clear(); }), "no features"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[3].values[0] = -1; }), "negative radius"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[1].values[3] = 0; }), "radius is 0"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[1].values.pop_back(); }), "values"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[1].kind = FeatureKind::Sphere; }), "in the plane"));
-  EXPECT_TRUE(has(flaws_with([](auto& f) { f[2].name = "left"; }), "twice"));
+      has(errors_with([](auto& f) { f[3].operands.push_back("shape"); }), "is a part of itself"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[3].operands.clear(); }), "no features"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[3].values[0] = -1; }), "negative radius"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[1].values[3] = 0; }), "radius is 0"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[1].values.pop_back(); }), "values"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[1].kind = FeatureKind::Sphere; }), "in the plane"));
+  EXPECT_TRUE(has(errors_with([](auto& f) { f[2].name = "left"; }), "twice"));
 }
 
 /// A mirror has one operand and a placement; its numbers come after those of the operand.

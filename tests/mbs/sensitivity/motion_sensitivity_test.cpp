@@ -118,11 +118,9 @@ TYPED_TEST(MotionSensitivity, DirectEqualsAdjointByTheDuration) {
 }
 
 /// At every step of the motion, relative to the largest value over it.
-TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
-  using G = TypeParam;
-  const Mechanism machine = test::sensitive_machine();
+template <class G>
+void expect_differences(const Mechanism& machine, const std::vector<Quantity>& all) {
   const auto o = test::tight(0.02, 4e-4);
-  const auto all = test::quantities(machine);
   const Taped<G> run(machine, o);
   const auto parameters = run.parameters(all);
   const Outputs<G> outputs(run.model);
@@ -162,6 +160,26 @@ TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
       EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << all[p].parameter.name;
     }
   }
+}
+
+TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
+  const Mechanism machine = test::sensitive_machine();
+  expect_differences<TypeParam>(machine, test::quantities(machine));
+}
+
+/// Beams of fourth order, which have no damping: the first quantities, those of sections, among
+/// them.
+TYPED_TEST(MotionSensitivity, OfFourthOrderEqualsDifferencesAndTheAdjointForm) {
+  Mechanism machine = test::sensitive_machine();
+  for (const std::size_t b : {0, 1}) {
+    auto& beam = std::get<BeamSpec>(machine.bodies[b].kind);
+    beam.order = 4;
+    beam.damping = 0;
+  }
+  std::vector<Quantity> all = test::quantities(machine);
+  all.resize(5);
+  expect_direct_equals_adjoint<TypeParam>(100, machine, all);
+  expect_differences<TypeParam>(machine, all);
 }
 
 /// From static equilibrium under its weight, its loads and its spring: every parameter moves the

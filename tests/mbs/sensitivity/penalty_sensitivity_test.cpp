@@ -87,7 +87,7 @@ void expect_gradients(ConstraintForm form, const std::vector<Quantity>& all) {
          {std::pair{0, int(G::space_dim)}, std::pair{int(G::space_dim), n - G::space_dim}}) {
       double best = 1;
       for (const auto& y : found.extrapolated) best = std::min(best, error(y, first, count));
-      EXPECT_LT(best, 1e-6) << all[p].parameter.name << ", " << first;
+      EXPECT_LT(best, 1e-7) << all[p].parameter.name << ", " << first;
       const double coarse = error(found.central[0], first, count),
                    fine = error(found.central[1], first, count);
       if (fine > 1e-6) {

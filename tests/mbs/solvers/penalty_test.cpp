@@ -126,16 +126,8 @@ TYPED_TEST(PenaltyIn, EnergyIsBalanced) {
                           options(0.01, step, 1, 1e-10));
     EXPECT_NE(r.report().status, SolveStatus::NotConverged) << r.report().reason;
     Equations<G> equations(*r.model);
-    State<G> s = r.model->initial_state();
-    double work = 0, before = 0, worst = 0;
-    for (int i = 0; i < r.trajectory().size(); ++i) {
-      r.trajectory().read(i, s);
-      const double now = power(*r.model, equations, s);
-      if (i > 0) work += 0.5 * step * (before + now);
-      before = now;
-      worst = std::max(worst, std::abs(total_energy(r, i) - total_energy(r, 0) - work));
-    }
-    return worst;
+    return largest_energy_imbalance(r, step,
+                                    [&](State<G>& s) { return power(*r.model, equations, s); });
   };
   for (const double damping : {0., 2e-4}) {
     const double coarse = unbalanced(damping, 2e-5), fine = unbalanced(damping, 1e-5);

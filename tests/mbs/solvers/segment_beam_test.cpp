@@ -191,16 +191,8 @@ TEST(SegmentBeam, EnergyIsBalanced) {
         const auto r = run_planar(m, options(0.2, step, 1, 1e-10));
         EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
         Equations<SE2> equations(*r.model);
-        State<SE2> s = r.model->initial_state();
-        double work = 0, before = 0, worst = 0;
-        for (int i = 0; i < r.trajectory().size(); ++i) {
-          r.trajectory().read(i, s);
-          const double now = power(*r.model, equations, s);
-          if (i > 0) work += 0.5 * step * (before + now);
-          before = now;
-          worst = std::max(worst, std::abs(total_energy(r, i) - total_energy(r, 0) - work));
-        }
-        return worst;
+        return largest_energy_imbalance(
+            r, step, [&](State<SE2>& s) { return power(*r.model, equations, s); });
       };
       const double coarse = unbalanced(2e-4), fine = unbalanced(1e-4);
       EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << damping << ": " << coarse << ", " << fine;

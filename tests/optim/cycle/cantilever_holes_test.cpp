@@ -9,7 +9,7 @@
 #include "reference/bilinear_plate.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
@@ -34,7 +34,7 @@ double normalised(const StudySpec& spec, const SolidSpec& solid, double complian
 }
 
 TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {
-  const Study study = test::shipped_study("cantilever_holes");
+  const Study study = shipped_study("cantilever_holes");
   const auto& [body, shape] = *study.spec.shapes.begin();
   const auto& solid = std::get<SolidSpec>(study.scene.mechanism.bodies[body].kind);
   PartShape part(study.scene.mechanism, body, shape);
@@ -48,16 +48,16 @@ TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {
   const VectorXd& v = r.fractions;
   const VectorXd law = (1e-3 + (1 - 1e-3) * v.array()).matrix();
   const double own = normalised(study.spec, solid, r.final.objective);
-  EXPECT_NEAR(own / test::cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 1, law), 1, 0.01)
+  EXPECT_NEAR(own / cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 1, law), 1, 0.01)
       << "the plain element agrees";
 
   // The same design as OpenLSTO measures its own.
-  const double theirs = test::cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 0,
-                                                    v.cwiseMax(OpenLsto::void_stiffness));
+  const double theirs = cantilever_compliance(kNx, kNy, kNu, OpenLsto::force, 0,
+                                              v.cwiseMax(OpenLsto::void_stiffness));
   EXPECT_LE(theirs, OpenLsto::compliance);
   const double least =
-      test::least_compliance(kNx, kNy, kNu, OpenLsto::force, 0,
-                             v.cwiseMax(OpenLsto::void_stiffness).mean(), OpenLsto::void_stiffness);
+      least_compliance(kNx, kNy, kNu, OpenLsto::force, 0,
+                       v.cwiseMax(OpenLsto::void_stiffness).mean(), OpenLsto::void_stiffness);
   EXPECT_GE(theirs, least) << "stiffer than any sheet of this area can be";
   EXPECT_GE(OpenLsto::compliance, least);
   EXPECT_GT(least, 0);
@@ -71,8 +71,8 @@ TEST(CantileverHoles, ReferenceElementIsRightForASlenderBar) {
   const double I = h * h * h / 12, G = 1 / (2 * (1 + kNu));
   const double beam = P * P * (L * L * L / (3 * I) + L / (5. / 6 * G * h));
   const VectorXd full = VectorXd::Ones(160 * 16);
-  EXPECT_NEAR(test::cantilever_compliance(160, 16, kNu, P, 8, full) / beam, 1, 0.005);
+  EXPECT_NEAR(cantilever_compliance(160, 16, kNu, P, 8, full) / beam, 1, 0.005);
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

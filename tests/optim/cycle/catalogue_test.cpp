@@ -86,6 +86,28 @@ TEST_F(RodOfCatalogue, AnInterruptedSearchGoesOnAsIfItHadNotBeen) {
   }
 }
 
+/// As after a run with fewer cycles a box: the boxes behind one that goes on are searched anew.
+TEST_F(RodOfCatalogue, ABoxAtItsCycleLimitGoesOn) {
+  RoundHistory rounds;
+  TopologyHooks hooks;
+  hooks.on_round_cycle = [&](const RoundHistory& so_far) { rounds = so_far; };
+  const auto whole = search(hooks, {});
+  std::size_t longest = 1;
+  for (std::size_t n = 1; n < rounds.size(); ++n)
+    if (rounds[n].size() > rounds[longest].size()) longest = n;
+  ASSERT_GE(rounds[longest].size(), 2u);
+  rounds[longest].resize(1);
+  rounds[longest].back().end = CycleStatus::CycleLimit;
+  std::vector<std::size_t> sizes;
+  hooks.on_round_cycle = [&](const RoundHistory& so_far) { sizes.push_back(so_far.size()); };
+  const auto resumed = search(hooks, rounds);
+  EXPECT_EQ(resumed.last.end.reason, whole.last.end.reason);
+  EXPECT_EQ(resumed.last.end.x, whole.last.end.x);
+  EXPECT_EQ(resumed.catalogue->designs, whole.catalogue->designs);
+  ASSERT_FALSE(sizes.empty());
+  EXPECT_GT(sizes.front(), longest) << "the boxes before it are kept";
+}
+
 /// Stopped within any cycle, that in which a box would have ended among them.
 TEST_F(RodOfCatalogue, StopsOnRequestAndGoesOn) {
   const auto whole = search({}, {});

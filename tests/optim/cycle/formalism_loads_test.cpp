@@ -10,10 +10,8 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::Changes;
 
 Changes with(Changes changes, Formalism f) {
   changes.push_back(std::string("simulation.formalism=\"") + to_string(f) + "\"");
@@ -34,14 +32,14 @@ struct Extracted {
 constexpr double kLength = 0.3;  // m, that rotations and moments are compared with
 
 Extracted extract(const std::string& scene, const char* body, const Changes& changes) {
-  const Scene s = test::shipped_scene(scene, changes);
-  const test::Motion<SE2> motion(s.mechanism, s.simulation);
+  const Scene s = shipped_scene(scene, changes);
+  const Motion<SE2> motion(s.mechanism, s.simulation);
   EXPECT_TRUE(motion.good()) << motion.simulation.report.reason;
   const int index = s.mechanism.body(body);
   Extracted out{extract_loads(motion.model, motion.trajectory(), index), {}};
   Mechanism linear = s.mechanism;
   linear.formalism = Formalism::SE3;
-  const auto model = Model<SE2>::build(linear, test::space_of<SE2>(linear));
+  const auto model = Model<SE2>::build(linear, space_of<SE2>(linear));
   const auto& K = model.bodies[index]->stiffness();
   Eigen::MatrixXd free = Eigen::MatrixXd::Zero(K.size(), K.size());
   for (int k = 0; k < K.size(); ++k)
@@ -126,15 +124,15 @@ TEST(FormalismLoads, OfTheFloatingFrameAgreeToFirstOrderInTheFlexibility) {
 }
 
 TEST(FormalismLoads, OfARigidBodyAreRefusedByName) {
-  const Scene s = test::shipped_scene("slider_crank", with({}, Formalism::Rigid));
-  const test::Motion<SE2> motion(s.mechanism, s.simulation);
+  const Scene s = shipped_scene("slider_crank", with({}, Formalism::Rigid));
+  const Motion<SE2> motion(s.mechanism, s.simulation);
   ASSERT_TRUE(motion.good());
   EXPECT_THROW(extract_loads(motion.model, motion.trajectory(), 1), std::invalid_argument);
 }
 
 double sized_mass(Formalism f, const Changes& changes) {
-  const Study study = test::shipped_study("slider_crank_rod", with(with_no_check(changes), f));
-  const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
+  const Study study = shipped_study("slider_crank_rod", with(with_no_check(changes), f));
+  const auto r = run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
                                 study.scene.simulation, study.spec, {}, {});
   EXPECT_EQ(r.status, CycleStatus::Converged) << to_string(f) << ": " << r.reason;
   return r.mass;
@@ -171,4 +169,4 @@ TEST(FormalismLoads, OfTheFloatingFrameSizeTheSameRodAsItStiffens) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -85,6 +85,90 @@ TEST(FrequencyLimit, GradientIsThatOfTheValue) {
   EXPECT_NEAR(std::log2(errors[0] / errors[1]), 2, 0.3) << errors[0] << " " << errors[1];
 }
 
+/// Two bars in a row on a slider: the first clamped to the ground and hinged to the second, which
+/// is clamped to a heavy block that moves freely. Alone the first is clamped and hinged.
+constexpr const char* kRow = R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[ground]
+points = { above = [1.5, 0, 1] }
+[sections]
+flat = { type = "rectangle", width = 0.04, height = 0.02 }
+[bodies]
+b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 20, up = [0, 1, 0] } }
+c = { beam = { from = [1, 0, 0], to = [2, 0, 0], section = "flat", material = "steel", elements = 4 } }
+block = { rigid = { at = [2, 0, 0], mass = 10, inertia = [1, 1, 1] } }
+[joints]
+clamp = { fixed = ["ground", "b.start"] }
+pin = { revolute = ["b.end", "c.start"], axis = [0, 0, 1], drive = { rate = 1, ramp = 0.1 } }
+held = { fixed = ["c.end", "block.origin"] }
+[forces]
+k = { between = ["c.mid", "ground.above"], stiffness = 1e3 }
+[simulation]
+duration = 0.02
+step = 1e-3
+)";
+
+/// (beta l)^2/(2 pi) sqrt(E/rho/12) h: clamped at both ends out of the plane and, as the drive
+/// holds the pin, in it; without the drive clamped and hinged in it.
+TEST(FrequencyLimit, OfOneBeamAsItsPortsHoldIt) {
+  Scene scene = read_scene(kRow, "row.toml");
+  const auto bar = [](double root, double h) {
+    return root * root / (2 * M_PI) * std::sqrt(210e9 / 7850 / 12) * h;
+  };
+  const auto lowest = [&] {
+    FrequencyLimitSpec limit{"own", 1, 2, 0};
+    limit.body = scene.mechanism.body("b");
+    const LimitedModes f(scene.mechanism, scene.simulation, {limit});
+    EXPECT_EQ(f.reason, "");
+    return std::pair(f.frequency(0, 0), f.frequency(0, 1));
+  };
+  const double clamped = 4.7300407, hinged = 3.9266023;
+  EXPECT_NEAR(lowest().first / bar(clamped, 0.02), 1, 0.02);
+  EXPECT_NEAR(lowest().second / bar(clamped, 0.04), 1, 0.02);
+  scene.mechanism.drives.clear();
+  EXPECT_NEAR(lowest().first / bar(clamped, 0.02), 1, 0.02);
+  EXPECT_NEAR(lowest().second / bar(hinged, 0.04), 1, 0.02);
+}
+
+/// The gradient of the frequency of one beam, with a spring to another body, against differences.
+TEST(FrequencyLimit, GradientOfOneBeamIsThatOfItsValue) {
+  Scene scene = read_scene(kRow, "row.toml");
+  StudySpec study;
+  study.mass_of = {0};
+  const int c = scene.mechanism.body("c"), b = scene.mechanism.body("b");
+  study.design = {{"own", {c}, {"height"}, 1, 0.004, 0.04, {}},
+                  {"other", {b}, {"height"}, 1, 0.004, 0.04, {}}};
+  ConstantSpec k;
+  k.name = "k";
+  k.force = 0;
+  k.lower = 1;
+  k.upper = 1e7;
+  study.constants = {k};
+  study.cycle.method = CycleMethod::Esl1;
+  const Design design(study, scene.mechanism);
+  Eigen::VectorXd x = design.start();
+  x[2] = 2e5;
+  FrequencyLimitSpec limit{"own", 10, 2, 0};
+  limit.body = c;
+  FrequencyProblem problem(scene.mechanism, design, scene.simulation, {limit}, x);
+  double f = 0;
+  Eigen::VectorXd df = x, above(2), below(2);
+  RowMatrix dg(2, 3);
+  problem.values(x, f, above);
+  problem.gradients(x, df, dg);
+  EXPECT_EQ(dg.col(1).norm(), 0);  // another beam
+  EXPECT_GT(std::abs(dg(0, 2)), 0);
+  for (const Eigen::Index j : {Eigen::Index{0}, Eigen::Index{2}}) {
+    Eigen::VectorXd at = x;
+    at[j] = x[j] * (1 + 1e-3);
+    problem.values(at, f, above);
+    at[j] = x[j] * (1 - 1e-3);
+    problem.values(at, f, below);
+    EXPECT_LT(((above - below) / (2e-3 * x[j]) - dg.col(j)).norm(), 1e-4 * dg.col(j).norm()) << j;
+  }
+}
+
 /// The height is what the frequency out of the plane asks for, the width its least.
 TEST(FrequencyLimit, LightestBarIsThatOfTheClosedForm) {
   const Scene scene = read_scene(kScene, "beam.toml");

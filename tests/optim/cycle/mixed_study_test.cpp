@@ -5,25 +5,26 @@
 #include <algorithm>
 
 #include "optim/cycle/derivative_check.hpp"
+#include "optim/cycle/mass_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 TEST(MixedStudySlow, HasRightDerivatives) {
-  const Study study = test::shipped_study("four_bar_mixed");
-  const DerivativeReport report = check_study_derivatives<SE2>(
-      study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism), study.scene.simulation,
-      study.spec);
+  const Study study = shipped_study("four_bar_mixed");
+  const DerivativeReport report =
+      check_study_derivatives<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
+                                   study.scene.simulation, study.spec);
   EXPECT_GT(report.checks.size(), 1000u);
   EXPECT_TRUE(report.right) << report.text(5);
 }
 
 TEST(MixedStudySlow, MakesBeamAndPlatesLighterTogether) {
-  const Study study = test::shipped_study("four_bar_mixed");
+  const Study study = shipped_study("four_bar_mixed");
   const Mechanism& mechanism = study.scene.mechanism;
-  const Space<SE2> space = test::space_of<SE2>(mechanism);
+  const Space<SE2> space = space_of<SE2>(mechanism);
   const CycleResult<SE2> r = run_cycle<SE2>(mechanism, space, study.scene.simulation, study.spec);
   EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
   EXPECT_LE(r.worst, 1e-3);
@@ -42,5 +43,31 @@ TEST(MixedStudySlow, MakesBeamAndPlatesLighterTogether) {
   }
 }
 
+/// Without building the parts anew: the mass is that of the mechanism with the design.
+TEST(MassLimit, OfBeamAndPlatesFollowsTheDesign) {
+  const Study study = shipped_study("four_bar_mixed");
+  const Mechanism& mechanism = study.scene.mechanism;
+  const Design design(study.spec, mechanism);
+  const std::vector<int>& bodies = study.spec.mass_of;
+  Eigen::VectorXd x = design.start();
+  MassProblem problem(mechanism, design, {{"all", bodies, 0.5}}, x);
+  for (int j = 0; j < x.size(); ++j) x[j] += 0.1 * (design.variables()[j].lower - x[j]);
+  double f = 1;
+  Eigen::VectorXd g(1);
+  problem.values(x, f, g);
+  EXPECT_EQ(f, 0);
+  const double mass = mass_of(design.apply(mechanism, x), bodies);
+  EXPECT_LT(mass, 0.99 * mass_of(mechanism, bodies));
+  EXPECT_NEAR(g[0], mass / 0.5 - 1, 1e-12);
+  const DerivativeReport report = check_derivatives(problem, x, {});  // along all variables
+  int checked = 0;
+  for (const DerivativeCheck& check : report.checks) {
+    if (check.function.starts_with("Hessian")) continue;  // zero: the problem has none
+    EXPECT_TRUE(check.right) << report.text();
+    ++checked;
+  }
+  EXPECT_EQ(checked, 2);  // objective and limit
+}
+
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

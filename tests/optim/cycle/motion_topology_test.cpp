@@ -5,12 +5,12 @@
 #include "optim/cycle/topology_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 /// A plate whose height is the only variable; holes keep 10 mm from its edge and the flanges.
 Study plain_arm() {
-  Study study = test::shipped_study("robot_arm_lattice");
+  Study study = shipped_study("robot_arm_lattice");
   const int body = study.spec.shapes.begin()->first;
   auto& features = std::get<SolidSpec>(study.scene.mechanism.bodies[body].kind).outline.features;
   const auto is_opening = [](const std::string& name) { return name.starts_with("opening"); };
@@ -27,7 +27,7 @@ Study plain_arm() {
 TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
   const Study study = plain_arm();
   const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
-  const Space<SE2> space = test::space_of<SE2>(mechanism);
+  const Space<SE2> space = space_of<SE2>(mechanism);
   using End = CycleResult<SE2>;
   const auto optimised = [&](int most) {
     return optimise_in_rounds<End>(study.spec, mechanism, most,
@@ -56,4 +56,4 @@ TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -40,7 +40,7 @@ Scene block() {
       "block.toml");
 }
 
-StudySpec moved_block(const Scene& scene, const Goal& goal) {
+StudySpec moved_block(const Scene& scene, const MotionObjective& objective) {
   StudySpec study;
   study.mass_of = {scene.mechanism.body("block")};
   study.drives = {
@@ -53,7 +53,7 @@ StudySpec moved_block(const Scene& scene, const Goal& goal) {
   duration.upper = 4;
   duration.start = 1;
   study.constants = {duration};
-  study.goal = goal;
+  study.motion_objective = objective;
   return study;
 }
 
@@ -106,14 +106,15 @@ TEST(Duration, FastestMotionUnderALimitOnTheForce) {
 /// Effort goes with 1/T^3: T + w J has its least where T^4 = 3 w J_0 T_0^3.
 TEST(Duration, BalanceOfTimeAndEffort) {
   const Scene scene = block();
-  Goal goal{.mass = 0, .duration = 1, .effort = 0.05, .responses = {scene.responses[0]}};
-  Runner r(moved_block(scene, goal));
+  MotionObjective objective{
+      .mass = 0, .duration = 1, .effort = 0.05, .responses = {scene.responses[0]}};
+  Runner r(moved_block(scene, objective));
   r.study.constraints = {{scene.responses[0], 1e4, false}};
   const double J0 = r.run(VectorXd::Constant(1, 1)).effort;
   EXPECT_NEAR(r.run(VectorXd::Constant(1, 2)).effort, J0 / 8, 1e-6 * J0);
   const auto end = r.optimise();
   EXPECT_EQ(end.status, CycleStatus::Optimal) << end.reason;
-  EXPECT_NEAR(end.x[0], std::pow(3 * goal.effort * J0, 0.25), 5e-3 * end.x[0]);
+  EXPECT_NEAR(end.x[0], std::pow(3 * objective.effort * J0, 0.25), 5e-3 * end.x[0]);
 }
 
 /// Torques, deflections and positions of the robot by walls, values of drives and the duration.

@@ -7,7 +7,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 /// The study's part without its openings, named "hole...", "pocket..." or "opening...": its motion
@@ -24,14 +24,14 @@ DesignRun<G> full_part(const Study& study) {
   for (auto& feature : features) std::erase_if(feature.operands, is_opening);
   StudySpec spec = study.spec;
   spec.shapes.clear();
-  return DesignSimulator<G>(mechanism, test::space_of<G>(mechanism), study.scene.simulation, spec)
+  return DesignSimulator<G>(mechanism, space_of<G>(mechanism), study.scene.simulation, spec)
       .run(Eigen::VectorXd());
 }
 
 template <FrameGroup G>
 CycleResult<G> cycle(const Study& study) {
   const Mechanism& mechanism = study.scene.mechanism;
-  return run_cycle<G>(mechanism, test::space_of<G>(mechanism), study.scene.simulation, study.spec);
+  return run_cycle<G>(mechanism, space_of<G>(mechanism), study.scene.simulation, study.spec);
 }
 
 /// The cycle closes, and the true motion reaches the limit and keeps to it.
@@ -44,7 +44,7 @@ void expect_closed(const CycleResult<G>& r) {
 }
 
 TEST(ConnectingRodSlow, IsAQuarterLighterThanTheSolidRod) {
-  const Study study = test::shipped_study("connecting_rod");
+  const Study study = shipped_study("connecting_rod");
   const auto solid = full_part<SE2>(study);
   ASSERT_TRUE(solid.good());
   EXPECT_NEAR(1.5 * solid.limits[0].largest / solid.limits[0].limit, 1, 1e-3);
@@ -58,7 +58,7 @@ TEST(ConnectingRodSlow, IsAQuarterLighterThanTheSolidRod) {
 /// 1.5 times what the solid rod on that grid needs.
 TEST(ConnectingRodSlow, InSpaceWithPocketsIsAQuarterLighterThanTheSolidRod) {
   const std::string coarse = R"(set={"bodies.rod.solid.mesh.cells"=[30,8,4]})";
-  Study study = test::shipped_study("connecting_rod_3d", {coarse});
+  Study study = shipped_study("connecting_rod_3d", {coarse});
   const auto solid = full_part<SE3>(study);
   ASSERT_TRUE(solid.good());
   study.spec.constraints[0].limit = 1.5 * solid.limits[0].largest;
@@ -69,7 +69,7 @@ TEST(ConnectingRodSlow, InSpaceWithPocketsIsAQuarterLighterThanTheSolidRod) {
 }
 
 TEST(RobotArmLatticeSlow, IsAQuarterLighterThanTheFullArm) {
-  const Study study = test::shipped_study("robot_arm_lattice");
+  const Study study = shipped_study("robot_arm_lattice");
   const auto full = full_part<SE2>(study);
   ASSERT_TRUE(full.good());
   EXPECT_LT(full.limits[0].largest, full.limits[0].limit);
@@ -79,4 +79,4 @@ TEST(RobotArmLatticeSlow, IsAQuarterLighterThanTheFullArm) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -11,6 +11,7 @@
 
 #include "apps/study/load_study.hpp"
 #include "mbs/levelset/shape_spec.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/places.hpp"
@@ -60,7 +61,7 @@ TEST(TopologyCycle, AHoleMakesTheCantileverLighterAtTheSameLimit) {
   ASSERT_EQ(with.holes.size(), 1u);
   EXPECT_TRUE(with.holes[0].kept);
   EXPECT_EQ(outline(with).features.size(), outline(without).features.size() + 2);
-  const SolidCheck &a = end(without).final, &b = end(with).final;
+  const StaticCheck &a = end(without).final, &b = end(with).final;
   EXPECT_NEAR(a.worst, 0, study.spec.cycle.feasibility);
   EXPECT_LE(b.worst, study.spec.cycle.feasibility);
   EXPECT_LT(b.mass, 0.95 * a.mass);
@@ -81,7 +82,8 @@ TEST(TopologyCycle, TheGainIsWhatASmallHoleOfTheOutlineDoes) {
       if (f.name == "plate") f.values[4] = height;
     PartShape part(study.scene.mechanism, 0, study.spec.shapes.at(0));
     const SolidTask task = solid_task(study.spec, part);
-    const auto check = StaticShape(task, part.design.start(), 1).check(part.design.start());
+    const auto x = part.design.start();
+    const auto check = EslProblem(std::make_unique<MeshStatics>(task), task.cycle, x).check(x);
     return std::pair(check->mass, check->limits[0].excess);
   };
   const double h = end(r).x[0], d = 1e-5;
@@ -226,7 +228,7 @@ TEST(TopologyCycle, GradientsWithAnInsertedHolePassTheStepSweep) {
               study.spec.shapes.at(0));
   PartShape part(study.scene.mechanism, 0, study.spec.shapes.at(0));
   const SolidTask task = solid_task(study.spec, part);
-  StaticShape problem(task, part.design.start(), 100);
+  EslProblem problem(std::make_unique<MeshStatics>(task, 100), task.cycle, part.design.start());
   const DerivativeReport report = check_derivatives(problem, part.design.start(), {});
   for (const auto& check : report.checks)
     EXPECT_LE(check.best_error, 1e-6) << check.function << '\n' << report.text();

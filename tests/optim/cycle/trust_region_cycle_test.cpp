@@ -10,13 +10,12 @@
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
-using test::Changes;
 
-Study rod(Changes changes = {}) { return test::shipped_study("slider_crank_rod", changes); }
+Study rod(Changes changes = {}) { return shipped_study("slider_crank_rod", changes); }
 
 /// A study whose designs can be simulated; sensitivities need converged states.
 struct Simulated {
@@ -29,7 +28,7 @@ struct Simulated {
                           resume);
   }
   Study study;
-  Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   std::optional<DesignSimulator<SE2>> simulator;
 };
 
@@ -158,7 +157,7 @@ TEST(MotionGradients, OfOtherResponsesAreThoseOfDifferences) {
   for (const Case& c : {Case{"robot_arms", 2e-4, 1e-4},
                         {"slider_crank_both", 2e-4, 1e-4},
                         {"connecting_rod", 1e-3, 0.05}}) {
-    Simulated s(test::shipped_study(c.study, {"simulation.tolerance=1e-10"}));
+    Simulated s(shipped_study(c.study, {"simulation.tolerance=1e-10"}));
     const VectorXd x = s.simulator->design().start(), unit = s.simulator->design().unit(x);
     const auto run = s.simulator->run(x);
     const auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
@@ -200,7 +199,7 @@ TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
   for (const char* approximation : {"power", "linear"}) {
     Study study = rod({std::string("cycle.approximation=") + approximation});
     study.spec.cycle.method = CycleMethod::Full;
-    const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+    const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
     const auto full =
         run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
     EXPECT_EQ(full.status, CycleStatus::Optimal) << approximation << ": " << full.reason;
@@ -212,7 +211,7 @@ TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
 /// Stolpe's springs and a mass whose plain cycle oscillates: docs/stability.md.
 TEST(TrustRegionCycle, SolvesWhereThePlainCycleFails) {
   for (const char* name : {"esl_non_optimal", "esl_oscillates"}) {
-    Simulated s(test::stability_study(name));
+    Simulated s(stability_study(name));
     const auto r = s.optimise();
     EXPECT_EQ(r.status, CycleStatus::Optimal) << name << ": " << r.reason;
     EXPECT_LE(r.worst, 1e-3) << name;
@@ -282,7 +281,7 @@ TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
 /// A rod that vibrates: its static images end beside a design that meets the limit.
 TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
   Study study = rod({"joints.motor.drive.rate=150", "bodies.slider.rigid.mass=0.4"});
-  const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto run = [&](CycleMethod method, const CycleHooks& hooks = {}) {
     study.spec.cycle.method = method;
     return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks);
@@ -328,7 +327,7 @@ TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
 TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
   Study study = rod({"simulation.duration=0.05"});
   study.scene.mechanism.formalism = Formalism::R3SO3;
-  const Space<SE2> space = test::space_of<SE2>(study.scene.mechanism);
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
   EXPECT_TRUE(closed(r.status)) << r.reason;
   ASSERT_FALSE(r.warnings.empty());
@@ -338,4 +337,4 @@ TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -10,7 +10,7 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 DesignSpec design(const char* name, std::vector<int> bodies, int groups) {
@@ -24,7 +24,7 @@ DesignSpec design(const char* name, std::vector<int> bodies, int groups) {
   return spec;
 }
 
-Mechanism slider_crank() { return test::shipped_scene("slider_crank").mechanism; }
+Mechanism slider_crank() { return shipped_scene("slider_crank").mechanism; }
 
 double diameter(const Mechanism& m, int body, int element) {
   return dimension(std::get<BeamSpec>(m.bodies[body].kind).sections[element].shape, "diameter");
@@ -76,7 +76,7 @@ TEST(Sizing, MassIsDensityTimesVolume) {
 }
 
 TEST(Sizing, DerivativesAgreeWithDifferences) {
-  const Scene scene = test::shipped_scene("svanberg_cantilever");
+  const Scene scene = shipped_scene("svanberg_cantilever");
   DesignSpec spec = design("side", {0}, 5);
   spec.properties = {"width", "height"};  // one variable moves both
   const Sizing sizing({spec}, scene.mechanism);
@@ -120,4 +120,4 @@ TEST(Sizing, RefusesRigidBodiesAndTooManyGroups) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -12,11 +12,8 @@
 #include "reference/svanberg_beam.hpp"
 #include "reference/ten_bar_truss.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::SvanbergBeam;
-using test::TenBarTruss;
 
 void expect_right(Problem& p, const Eigen::VectorXd& x) {
   const DerivativeReport report = check_derivatives(p, x);
@@ -33,7 +30,7 @@ void expect_right(Problem& p, const Eigen::VectorXd& x) {
 TEST(CheckDerivatives, SlopeTwoForRightOnes) {
   SvanbergBeam beam;
   TenBarTruss truss;
-  test::ManyLoadCases cases(6, 40);
+  ManyLoadCases cases(6, 40);
   expect_right(beam, start_of(beam));
   expect_right(truss, start_of(truss));
   expect_right(cases, start_of(cases));
@@ -95,8 +92,6 @@ class Kinked : public SvanbergBeam {
   }
 };
 
-/// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
-/// are checked beside it. One that is wrong stays so.
 /// A function that changes by round-off alone has the derivative zero; one that changes has not.
 TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
   struct Prescribed : SvanbergBeam {
@@ -118,6 +113,8 @@ TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
   EXPECT_FALSE(check_derivatives(problem, x).right) << "a derivative that is left out";
 }
 
+/// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
+/// are checked beside it. One that is wrong stays so.
 TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
   DerivativeCheckOptions each;
   each.every_variable = true;
@@ -199,4 +196,4 @@ TEST(ElasticProblem, RightDerivatives) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -11,18 +11,12 @@
 #include "reference/ten_bar_truss.hpp"
 #include "reference/two_springs.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
-using test::SvanbergBeam;
-using test::TenBarTruss;
-using test::TwoSprings;
-
-class EveryDriver : public testing::TestWithParam<test::Driver> {
+class EveryDriver : public testing::TestWithParam<Driver> {
  protected:
-  NlpResult solve(Problem& p, const NlpOptions& o = test::moderate()) {
-    return GetParam().second(p, o);
-  }
+  NlpResult solve(Problem& p, const NlpOptions& o = moderate()) { return GetParam().second(p, o); }
 };
 
 void expect_finite(const NlpResult& r) {
@@ -57,7 +51,7 @@ TEST_P(EveryDriver, DynamicTwoSprings) {
 }
 
 TEST_P(EveryDriver, InfeasibleNamesTheConflict) {
-  test::Lambda p = test::contradiction(8, 2);  // x1 + x2 >= 8, x1 <= 2, x2 <= 5: short by 1
+  Lambda p = contradiction(8, 2);  // x1 + x2 >= 8, x1 <= 2, x2 <= 5: short by 1
   const NlpResult r = solve(p);
   ASSERT_EQ(r.status, NlpStatus::Infeasible) << r.brief();
   ASSERT_EQ(r.conflict.size(), 2u) << r.brief();
@@ -85,7 +79,7 @@ TEST_P(EveryDriver, ExceptionArrivesUnchanged) {
   for (int when = 1; when <= 4; ++when)
     for (const bool in_gradient : {false, true}) {
       SvanbergBeam good;
-      test::Lambda p;
+      Lambda p;
       p.v = good.variables();
       p.c = good.constraints();
       int calls = 0;
@@ -105,7 +99,7 @@ TEST_P(EveryDriver, ExceptionArrivesUnchanged) {
 TEST_P(EveryDriver, NanIsAStatusWithAReason) {
   for (const int when : {1, 2, 3}) {
     SvanbergBeam good;
-    test::Lambda p;
+    Lambda p;
     p.v = good.variables();
     p.c = good.constraints();
     int calls = 0;
@@ -127,7 +121,7 @@ TEST_P(EveryDriver, NanIsAStatusWithAReason) {
 
 TEST_P(EveryDriver, NanInAGradientStops) {
   SvanbergBeam good;
-  test::Lambda p;
+  Lambda p;
   p.v = good.variables();
   p.c = good.constraints();
   int calls = 0;
@@ -143,7 +137,7 @@ TEST_P(EveryDriver, NanInAGradientStops) {
 }
 
 TEST_P(EveryDriver, RefusesInconsistentBoundsByName) {
-  test::Lambda p = test::contradiction(3, 2);
+  Lambda p = contradiction(3, 2);
   p.v[0] = {"diameter", 4, 1, 2};
   p.v[1].start = std::numeric_limits<double>::quiet_NaN();
   p.c[1].id = 11;
@@ -170,23 +164,23 @@ TEST_P(EveryDriver, RefusesInvalidOptionsListingAll) {
 
 TEST_P(EveryDriver, StopsOnRequestAndAtLimits) {
   TenBarTruss truss;
-  NlpOptions o = test::moderate();
+  NlpOptions o = moderate();
   o.progress = [](const NlpProgress& p) { return p.iteration < 3; };
   NlpResult r = solve(truss, o);
   EXPECT_EQ(r.status, NlpStatus::Stopped) << r.brief();
   expect_finite(r);
-  o = test::moderate();
+  o = moderate();
   o.max_iterations = 3;
   r = solve(truss, o);
   EXPECT_EQ(r.status, NlpStatus::IterationLimit) << r.brief();
-  o = test::moderate();
+  o = moderate();
   o.time_limit = 1e-9;
   r = solve(truss, o);
   EXPECT_EQ(r.status, NlpStatus::IterationLimit) << r.brief();
   EXPECT_NE(r.reason.find("time"), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(test::all_drivers()),
+INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(all_drivers()),
                          [](const auto& driver) {
                            std::string name = driver.param.first;
                            std::erase_if(name, [](char c) { return !std::isalnum(c); });
@@ -195,7 +189,7 @@ INSTANTIATE_TEST_SUITE_P(All, EveryDriver, testing::ValuesIn(test::all_drivers()
 
 TEST(IpoptDriver, NestedCallIsRefusedInsteadOfWaitingForEver) {
   SvanbergBeam inner;
-  test::Lambda outer = test::contradiction(3, 2);
+  Lambda outer = contradiction(3, 2);
   const auto value = outer.value;
   int calls = 0;
   outer.value = [&](const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
@@ -206,7 +200,7 @@ TEST(IpoptDriver, NestedCallIsRefusedInsteadOfWaitingForEver) {
 }
 
 TEST(IpoptDriver, StepsBackFromPointsWithoutAValue) {
-  test::Lambda p;  // min x, value only for x > 1, start 4: full steps leave the domain
+  Lambda p;  // min x, value only for x > 1, start 4: full steps leave the domain
   p.v = {{"x", 0, 10, 4}};
   p.value = [](const Eigen::VectorXd& x, double& f, Eigen::VectorXd&) {
     f = x[0] - std::log(x[0] - 1);
@@ -220,4 +214,4 @@ TEST(IpoptDriver, StepsBackFromPointsWithoutAValue) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -11,12 +11,8 @@
 #include "reference/svanberg_beam.hpp"
 #include "reference/ten_bar_truss.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::ManyLoadCases;
-using test::SvanbergBeam;
-using test::TenBarTruss;
 
 NlpOptions tight() {
   NlpOptions o;
@@ -87,7 +83,7 @@ TEST(Ipopt, WarmStartNeedsFewerIterations) {
 }
 
 TEST(Ipopt, WarmStartGoesById) {
-  test::Lambda p = test::contradiction(3, 2);
+  Lambda p = contradiction(3, 2);
   const NlpResult first = solve_ipopt(p);
   ASSERT_EQ(first.status, NlpStatus::Converged);
   EXPECT_NEAR(first.multipliers.at(11), 1, 1e-6);
@@ -127,7 +123,7 @@ TEST(Ipopt, NeverEvaluatesTwiceAtTheSamePoint) {
 }
 
 TEST(Ipopt, FixedVariablesAndNoConstraints) {
-  test::Lambda p;
+  Lambda p;
   p.v = {{"free", -10, 10, 3}, {"fixed", 2, 2, 2}};
   p.value = [](const Eigen::VectorXd& x, double& f, Eigen::VectorXd&) {
     f = (x[0] - x[1]) * (x[0] - x[1]) + 3 * x[1];
@@ -178,4 +174,4 @@ TEST(Ipopt, StartFarFromFeasibleStillFindsTheOptimum) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -9,10 +9,8 @@
 #include "reference/ten_bar_truss.hpp"
 #include "reference/two_springs.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::TwoSprings;
 
 TEST(Kkt, FixedPointOfTheCycleIsNotOptimalForTheDynamicProblem) {
   const Eigen::Vector2d fixed_point(5, 0), optimum(0, 1.25);
@@ -49,7 +47,7 @@ TEST(Kkt, FeasibilityAndInactiveConstraints) {
 }
 
 TEST(Kkt, AgreesWithTheMultipliersOfTheOptimiser) {
-  test::TenBarTruss truss;
+  TenBarTruss truss;
   NlpOptions o;
   o.tolerance = 1e-10;
   const NlpResult r = solve_ipopt(truss, o);
@@ -69,7 +67,7 @@ TEST(Kkt, AgreesWithTheMultipliersOfTheOptimiser) {
 }
 
 TEST(Kkt, ResidualDoesNotDependOnUnits) {
-  test::SvanbergBeam plain, thousandths(1e-3);
+  SvanbergBeam plain, thousandths(1e-3);
   const Eigen::VectorXd x = Eigen::VectorXd::Constant(5, 4.6);
   EXPECT_NEAR(kkt_residual(plain, x).stationarity, kkt_residual(thousandths, 1e3 * x).stationarity,
               1e-12);
@@ -106,4 +104,4 @@ TEST(NonnegativeLeastSquares, RepeatedAndEmptyColumns) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

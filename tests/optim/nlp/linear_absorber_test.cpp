@@ -9,11 +9,10 @@
 #include "optim/nlp/nlopt_driver.hpp"
 #include "reference/published_sensitivities.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
-using test::LinearAbsorber;
 
 /// min max|x''| over k and c, max|x| <= 1.
 class Absorber : public Problem {
@@ -86,4 +85,4 @@ TEST(LinearAbsorberOptimum, BySlsqpAndMma) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

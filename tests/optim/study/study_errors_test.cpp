@@ -9,7 +9,7 @@
 #include "optim/cycle/design_run.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 std::string joined(const std::vector<std::string>& errors) {
@@ -21,13 +21,13 @@ std::string joined(const std::vector<std::string>& errors) {
 TEST(StudyErrors, AShippedStudyHasNone) {
   for (const char* name : {"slider_crank_rod", "slider_crank_both", "connecting_rod",
                            "four_bar_mixed", "cantilever_holes", "plate_with_hole"}) {
-    const Study study = test::shipped_study(name);
+    const Study study = shipped_study(name);
     EXPECT_EQ(joined(study_errors(study.spec, study.scene.mechanism)), "") << name;
   }
 }
 
 TEST(StudyErrors, AllAreListedWithPlaceExpectedAndGot) {
-  const Study good = test::shipped_study("slider_crank_rod");
+  const Study good = shipped_study("slider_crank_rod");
   StudySpec study = good.spec;
   study.cycle.max = 0;
   study.cycle.move_limit = 1.5;
@@ -51,12 +51,12 @@ TEST(StudyErrors, AllAreListedWithPlaceExpectedAndGot) {
 }
 
 TEST(StudyErrors, AreRefusedBeforeAnythingIsSimulated) {
-  const Study good = test::shipped_study("slider_crank_rod");
+  const Study good = shipped_study("slider_crank_rod");
   StudySpec study = good.spec;
   study.cycle.max = -1;
   study.cycle.tolerance = 0;
   try {
-    DesignSimulator<SE2>(good.scene.mechanism, test::space_of<SE2>(good.scene.mechanism),
+    DesignSimulator<SE2>(good.scene.mechanism, space_of<SE2>(good.scene.mechanism),
                          good.scene.simulation, study);
     FAIL() << "accepted";
   } catch (const std::invalid_argument& error) {
@@ -67,4 +67,4 @@ TEST(StudyErrors, AreRefusedBeforeAnythingIsSimulated) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

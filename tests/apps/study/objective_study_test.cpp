@@ -1,5 +1,6 @@
 /// @file
-/// Catalogues, goals and limits on mass in studies: the right data, and faults at their places.
+/// Catalogues, objectives and limits on mass in studies: the right data, and faults at their
+/// places.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -42,13 +43,13 @@ std::string refusal(const std::string& text) {
   }
 }
 
-TEST(GoalStudy, HasTheDataOfTheFile) {
+TEST(ObjectiveStudy, HasTheDataOfTheFile) {
   const StudySpec spec = read(kStudy).spec;
   EXPECT_EQ(spec.design[0].values, (std::vector<double>{0.008, 0.01, 0.012}));
   EXPECT_TRUE(has_catalogue(spec));
-  EXPECT_EQ(spec.goal.mass, 2);
-  EXPECT_TRUE(spec.goal.extremes);
-  EXPECT_FALSE(spec.goal.only_mass());
+  EXPECT_EQ(spec.motion_objective.mass, 2);
+  EXPECT_TRUE(spec.motion_objective.extremes);
+  EXPECT_FALSE(spec.motion_objective.only_mass());
   ASSERT_EQ(spec.constraints.size(), 1u);
   EXPECT_EQ(spec.constraints[0].response.name, "bend");
   EXPECT_EQ(spec.constraints[0].weight, 300);
@@ -65,7 +66,7 @@ struct Fault {
   const char *from, *to, *said;
 };
 
-TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
+TEST(ObjectiveStudy, FaultsAreSaidAtTheirPlaces) {
   const Fault faults[] = {
       {"[0.008, 0.01, 0.012]", "[]", "catalogue of 'rod' is empty"},
       {"[0.008, 0.01, 0.012]", "[0.008, 0.012, 0.01]", "has 0.01 after 0.012"},
@@ -77,7 +78,11 @@ TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
       {"largest = 300", "largest = 0", "the weight of 'bend' is zero"},
       {"largest = \"bend\"", "largest = \"bent\"", "there is no response 'bent'"},
       {"mass = 2, largest = 300, frequency = 0.01", "mass = 2, largest = 300",
-       "'count' and 'at' are of a frequency"},
+       "'count' is of a frequency"},
+      {"count = 2", "count = 2\nfrequency_of = \"slider\"", "'slider' is no flexible beam"},
+      {"frequency = 0.01", "compliance = 1", "'compliance' is that of a meshed part under fixed"},
+      {"[constraints]", "[frequencies]\nf = { of = \"rod\", least = 10, at = 0.1 }\n[constraints]",
+       "one beam has none"},
       {"minimize = \"weighted\"", "minimize = \"mass\"", "the objective is not \"weighted\""},
       {"\"crank\"], limit = 1.5", "\"crnk\"], limit = 1.5", "there is no body 'crnk'"},
       {"\"crank\"], limit = 1.5", "\"crank\"], limit = 1.5, side = \"up\"", "a mass has no 'side'"},
@@ -89,8 +94,20 @@ TEST(GoalStudy, FaultsAreSaidAtTheirPlaces) {
   }
 }
 
+TEST(GoalStudy, FrequencyMayBeThatOfOneBeam) {
+  const std::string text =
+      changed(changed(kStudy, "count = 2", "count = 2\nfrequency_of = \"rod\""), "[constraints]",
+              "[frequencies]\nf = { of = \"crank\", least = 10 }\n[constraints]");
+  const Study study = read(text);
+  ASSERT_EQ(study.spec.frequencies.size(), 2u);
+  const Mechanism& mechanism = study.scene.mechanism;
+  EXPECT_EQ(study.spec.frequencies[0].body, mechanism.body("rod"));
+  EXPECT_EQ(study.spec.frequencies[1].body, mechanism.body("crank"));
+  EXPECT_EQ(read(kStudy).spec.frequencies[0].body, -1);
+}
+
 /// A static scene has scenarios of equilibria, and nothing that only a motion has.
-TEST(GoalStudy, LoadSetsOfAStaticSceneAreScenarios) {
+TEST(ObjectiveStudy, LoadSetsOfAStaticSceneAreScenarios) {
   const Study study = load_study(std::filesystem::path(test::kDataDir) / "studies/truss_25.toml");
   EXPECT_EQ(study.spec.scenarios, (std::vector<std::string>{"side", "twist"}));
   ASSERT_EQ(study.scenarios.size(), 1u);

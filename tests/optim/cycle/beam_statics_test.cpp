@@ -1,7 +1,7 @@
 /// @file
 /// The static problem of a cycle: its derivatives, its values at the analysed design, its
 /// screening.
-#include "optim/cycle/static_sizing.hpp"
+#include "optim/cycle/beam_statics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,16 +10,15 @@
 #include "apps/study/load_study.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #include "reference/places.hpp"
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::Changes;
 
 /// The scene with the design that the study starts from.
 Study started(Study study) {
@@ -35,13 +34,13 @@ template <FrameGroup G>
 struct First {
   Study study;
   Sizing sizing;
-  test::Motion<G> motion;
+  Motion<G> motion;
   std::vector<LoadSet> loads;
   Analysis<G> analysis;
   Eigen::VectorXd x;
 
   explicit First(const std::string& name, const Changes& changes = {})
-      : First(test::shipped_study(name, changes)) {}
+      : First(shipped_study(name, changes)) {}
   explicit First(const Study& s)
       : study(started(s)),
         sizing(study.spec.design, study.scene.mechanism),
@@ -52,8 +51,9 @@ struct First {
       loads.push_back(extract_loads(motion.model, motion.trajectory(), body));
     for (int i = 0; i < x.size(); ++i) x[i] = sizing.variables()[i].start;
   }
-  StaticSizing<G> problem(double move = 0.5) const {
-    return StaticSizing<G>(analysis, sizing, study.spec, x, move);
+  EslProblem problem(double move = 0.5) const {
+    return EslProblem(std::make_unique<BeamStatics<G>>(analysis, sizing, study.spec, move),
+                      study.spec.cycle, x);
   }
 };
 
@@ -67,11 +67,11 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 class Derivatives : public testing::TestWithParam<Case> {};
 
 TEST_P(Derivatives, AreRight) {
-  const Study study = test::shipped_study(GetParam().study);
+  const Study study = shipped_study(GetParam().study);
   const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
   const DerivativeReport report =
       GetParam().spatial ? check_study_derivatives<SE3>(mechanism, {}, simulation, study.spec)
-                         : check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
+                         : check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
                                                         simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
@@ -79,17 +79,17 @@ TEST_P(Derivatives, AreRight) {
 
 /// Beams of fourth order: condensed stiffnesses with their first and second derivatives.
 TEST(DerivativesOfFourthOrder, AreRight) {
-  Study study = test::shipped_study("slider_crank_rod");
+  Study study = shipped_study("slider_crank_rod");
   for (BodySpec& body : study.scene.mechanism.bodies)
     if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->order = 4;
   const Mechanism& mechanism = study.scene.mechanism;
-  const DerivativeReport report = check_study_derivatives<SE2>(
-      mechanism, test::space_of<SE2>(mechanism), study.scene.simulation, study.spec);
+  const DerivativeReport report = check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
+                                                               study.scene.simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
 }
 
-INSTANTIATE_TEST_SUITE_P(StaticSizing, Derivatives,
+INSTANTIATE_TEST_SUITE_P(BeamStatics, Derivatives,
                          testing::Values(Case{"Rod", "slider_crank_rod", false},
                                          Case{"RodInSpace", "slider_crank_rod", true},
                                          Case{"RodAndCrankWithStress", "slider_crank_both", false},
@@ -125,14 +125,14 @@ void expect_exact_at_analysed_design(const std::string& name) {
   }
 }
 
-TEST(StaticSizing, IsExactAtTheAnalysedDesign) {
+TEST(BeamStatics, IsExactAtTheAnalysedDesign) {
   expect_exact_at_analysed_design<SE2>("slider_crank_rod");
   expect_exact_at_analysed_design<SE3>("slider_crank_rod");
   expect_exact_at_analysed_design<SE2>("slider_crank_both");
   expect_exact_at_analysed_design<SE3>("robot_arms");
 }
 
-TEST(StaticSizing, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
+TEST(BeamStatics, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   const char* kThick =
       "design.arm1_walls.start=0.0035";  // within a move of what the limits ask for
   NlpOptions options;
@@ -162,7 +162,7 @@ TEST(StaticSizing, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
 
 /// Gradients of the rows by constraint id.
 template <FrameGroup G>
-std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, StaticSizing<G>& problem) {
+std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, EslProblem& problem) {
   const auto m = static_cast<int>(problem.constraints().size());
   double f = 0;
   Eigen::VectorXd g(m), df(first.x.size());
@@ -174,7 +174,7 @@ std::map<ConstraintId, Eigen::VectorXd> gradients(const First<G>& first, StaticS
   return rows;
 }
 
-TEST(StaticSizing, DirectAndAdjointFormsGiveTheSameGradients) {
+TEST(BeamStatics, DirectAndAdjointFormsGiveTheSameGradients) {
   const First<SE2> few("slider_crank_both", {"cycle.screening=0", "cycle.min_cases=1"});
   const First<SE2> many("slider_crank_both", {"cycle.screening=0.5", "cycle.min_cases=20"});
   auto direct = few.problem(), adjoint = many.problem();
@@ -198,7 +198,7 @@ Study compliance_study(const std::string& scene, const std::string& design, cons
                         design + " }\n[objective]\nof = [\"" + beam +
                         "\"]\n[constraints]\nenergy = { response = \"compliance\", of = \"" + beam +
                         "\", limit = " + limit + " }\n",
-                    "compliance.toml", std::filesystem::path(test::kDataDir) / "scenes");
+                    "compliance.toml", std::filesystem::path(kDataDir) / "scenes");
 }
 
 const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.004, 0.020]";
@@ -206,7 +206,7 @@ const char* kFourDiameters = "property = \"diameter\", groups = 4, bounds = [0.0
 TEST(Compliance, DerivativesAreRight) {
   const Study study = compliance_study("slider_crank", kFourDiameters, "rod", "1");
   const Mechanism& mechanism = study.scene.mechanism;
-  const auto report = check_study_derivatives<SE2>(mechanism, test::space_of<SE2>(mechanism),
+  const auto report = check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),
                                                    study.scene.simulation, study.spec);
   EXPECT_GT(report.checks.size(), 10u);
   EXPECT_TRUE(report.right) << report.text(5);
@@ -229,18 +229,17 @@ TEST(Compliance, AsALimitGivesThePublishedOptimumOfTheTipDeflection) {
   const Study study = compliance_study(
       "svanberg_cantilever",
       "property = [\"width\", \"height\"], groups = 5, bounds = [0.01, 0.10]", "beam", "2.1e-4");
-  const auto r = run_cycle<SE2>(study.scene.mechanism, test::space_of<SE2>(study.scene.mechanism),
+  const auto r = run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
                                 study.scene.simulation, study.spec);
   ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
   EXPECT_LT(std::abs(r.worst), 1e-4) << "the limit is not used";
-  using test::SvanbergBeam;
   EXPECT_NEAR(r.mass, SvanbergBeam::optimum, 1e-4 * SvanbergBeam::optimum);
   for (int i = 0; i < 5; ++i)
     EXPECT_NEAR((r.x[i] - 2e-5) / 0.01, SvanbergBeam::solution[i],
                 1e-3 * SvanbergBeam::solution[i]);
 }
 
-TEST(StaticSizing, BoundsAreThoseOfTheMoveLimit) {
+TEST(BeamStatics, BoundsAreThoseOfTheMoveLimit) {
   const First<SE2> first("slider_crank_rod");
   const auto narrow = first.problem(0.1), wide = first.problem(10);
   EXPECT_DOUBLE_EQ(narrow.variables()[0].lower, 0.9 * first.x[0]);
@@ -250,4 +249,4 @@ TEST(StaticSizing, BoundsAreThoseOfTheMoveLimit) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -1,5 +1,5 @@
 /// @file
-/// Goals with the mass as a limit: highest first frequency, least largest deflection, several
+/// Objectives with the mass as a limit: highest first frequency, least largest deflection, several
 /// weighted; closed forms and published optima.
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -54,7 +54,7 @@ of = "beam"
 }
 
 /// The dual of the published problem: the lightest beam with 5 mm is the stiffest of its mass.
-TEST(Goals, LeastDeflectionOfAMassIsThePublishedOptimum) {
+TEST(Objective, LeastDeflectionOfAMassIsThePublishedOptimum) {
   const End end = optimise(least_deflection("weights = { largest = 200 }\nlargest = \"tip\""));
   ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
   EXPECT_LT(std::abs(end.worst), 1e-5);
@@ -69,7 +69,7 @@ TEST(Goals, LeastDeflectionOfAMassIsThePublishedOptimum) {
 }
 
 /// mass/m_1 + tip/5 mm: of sizes s x the optimum s + s^-3 is least at s = 3^(1/4).
-TEST(Goals, MassAndDeflectionWeighted) {
+TEST(Objective, MassAndDeflectionWeighted) {
   const End end = optimise(least_deflection(
       "weights = { mass = 0.74629299, largest = 200 }\nlargest = \"tip\""));  // 1/1.3399563
   ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
@@ -118,8 +118,8 @@ step = 1e-3
     std::string text = kBar;
     return text.replace(text.find("SCENE"), 5, file_.string());
   }
-  const std::filesystem::path file_ =
-      std::filesystem::temp_directory_path() / ("goals_" + std::to_string(::getpid()) + ".toml");
+  const std::filesystem::path file_ = std::filesystem::temp_directory_path() /
+                                      ("objective_" + std::to_string(::getpid()) + ".toml");
 };
 
 /// A cantilever of given mass vibrates fastest with a square section, where the frequencies across

@@ -7,7 +7,7 @@
 namespace liesl {
 
 /// w_T T + w_e J of the motion at one design: J = sum over responses of int v^2 dt.
-struct MotionGoal {
+struct ObjectiveModel {
   int duration = -1;  ///< variable T; -1: it stays, and does not count
   double weight_duration = 0, weight_effort = 0;
   double effort = 0;
@@ -17,11 +17,11 @@ struct MotionGoal {
 
 /// minimise extremes + w_T T + w_e J exp(sum_i c_i s_i), c = dJ/dx / J at x_k, without constraints;
 /// s as in CorrectedProblem: a power of the variables, positive everywhere.
-class GoalProblem final : public CaselessProblem {
+class ObjectiveProblem final : public CaselessProblem {
  public:
-  GoalProblem(MotionGoal goal, const Eigen::VectorXd& x_k,
-              const std::vector<NlpVariable>& variables)
-      : CaselessProblem(variables), goal_(std::move(goal)), x_k_(x_k) {}
+  ObjectiveProblem(ObjectiveModel model, const Eigen::VectorXd& x_k,
+                   const std::vector<NlpVariable>& variables)
+      : CaselessProblem(variables), model_(std::move(model)), x_k_(x_k) {}
 
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd&) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix&) override;
@@ -36,7 +36,7 @@ class GoalProblem final : public CaselessProblem {
   };
   Effort effort(const Eigen::VectorXd& x) const;
 
-  const MotionGoal goal_;
+  const ObjectiveModel model_;
   const Eigen::VectorXd x_k_;
 };
 

@@ -1,7 +1,7 @@
 /// @file
 /// The static problem of a meshed part: gradients of every response for every feature, screening,
 /// what is said when no part is left.
-#include "optim/cycle/static_shape.hpp"
+#include "optim/cycle/mesh_statics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -10,6 +10,7 @@
 #include <set>
 
 #include "mbs/levelset/shapes.hpp"
+#include "optim/cycle/esl_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
 namespace liesl::test {
@@ -103,8 +104,12 @@ struct Block {
   }
 };
 
+EslProblem problem_of(const SolidTask& task, double cells) {
+  return EslProblem(std::make_unique<MeshStatics>(task, cells), task.cycle, task.design->start());
+}
+
 DerivativeReport gradients_of(const Block& block, double largest_step) {
-  StaticShape problem(block.task, block.design->start(), 100);
+  EslProblem problem = problem_of(block.task, 100);
   DerivativeCheckOptions options;
   options.largest_step = largest_step;
   return check_derivatives(problem, block.design->start(), options);
@@ -145,11 +150,11 @@ void expect_second_order(bool space) {
   EXPECT_NEAR(slopes[slopes.size() / 2], 2, 0.1);
 }
 
-TEST(StaticShape, ErrorsOfDifferencesFallWithTheSquareOfTheStep) { expect_second_order(false); }
+TEST(MeshStatics, ErrorsOfDifferencesFallWithTheSquareOfTheStep) { expect_second_order(false); }
 
-TEST(StaticShape, OrderInSpace) { expect_second_order(true); }
+TEST(MeshStatics, OrderInSpace) { expect_second_order(true); }
 
-TEST(StaticShape, DerivativesOfOtherGoalsPassTheStepSweep) {
+TEST(MeshStatics, DerivativesOfOtherObjectivesPassTheStepSweep) {
   for (const SolidResponse objective : {SolidResponse::Compliance, SolidResponse::Stress}) {
     Block block(all_shapes()[9]);
     block.task.objective = objective;
@@ -159,7 +164,7 @@ TEST(StaticShape, DerivativesOfOtherGoalsPassTheStepSweep) {
 
 NamedShape ellipse_hole() { return all_shapes()[7]; }
 
-TEST(StaticShape, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
+TEST(MeshStatics, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   const auto optimum = [](double screening, int min_cases, int& cases) {
     Block block(ellipse_hole());
     block.task.loads.conservativeResize(Eigen::NoChange, 24);
@@ -172,9 +177,9 @@ TEST(StaticShape, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
     block.task.limits = {{"far", SolidResponse::Output, 1, 2, 0}};
     block.task.cycle.screening = screening;
     block.task.cycle.min_cases = min_cases;
-    StaticShape first(block.task, block.design->start(), 100);
+    EslProblem first = problem_of(block.task, 100);
     block.task.limits[0].limit = first.check(block.design->start())->limits[0].value * 0.999;
-    StaticShape problem(block.task, block.design->start(), 100);
+    EslProblem problem = problem_of(block.task, 100);
     NlpWarmStart warm;
     const StaticAnswer answer = solve_static(problem, block.task.cycle, warm, {});
     cases = problem.load_cases();
@@ -189,14 +194,14 @@ TEST(StaticShape, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   EXPECT_NEAR(screened, full, 1e-6 * full);
 }
 
-TEST(StaticShape, SaysWhichInterfaceIsCutAndGivesNoValue) {
+TEST(MeshStatics, SaysWhichInterfaceIsCutAndGivesNoValue) {
   Block block(ellipse_hole());
   ShapeDesignSpec spec;
   spec.variables.push_back({"b", {{"hole.b", 1}}, 0.1, 3, {}});
   ShapeDesign design(spec, *block.shape, block.model);
   block.task.design = &design;
   block.task.limits.clear();
-  StaticShape problem(block.task, design.start(), 1000);
+  EslProblem problem = problem_of(block.task, 1000);
   double f = 0;
   VectorXd g(problem.constraints().size());
   problem.values(VectorXd::Constant(1, 2.9), f, g);
@@ -209,7 +214,7 @@ TEST(StaticShape, SaysWhichInterfaceIsCutAndGivesNoValue) {
 }
 
 /// Each bound alone leaves a shape, both together fold the outline over itself.
-TEST(StaticShape, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
+TEST(MeshStatics, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
   Block block(all_shapes()[11]);
   ShapeDesignSpec spec;
   spec.variables = {{"right", {{"hole.p0.x", 1}}, -0.3, 0.7, {}},
@@ -217,7 +222,7 @@ TEST(StaticShape, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
   const ShapeDesign design(spec, *block.shape, block.model);
   block.task.design = &design;
   block.task.limits.clear();
-  StaticShape problem(block.task, design.start(), 1000);
+  EslProblem problem = problem_of(block.task, 1000);
   double f = 0;
   VectorXd g(problem.constraints().size());
   problem.values(Eigen::Vector2d(-0.3, 0.05), f, g);
