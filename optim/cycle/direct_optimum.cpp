@@ -93,7 +93,7 @@ void DirectProblem::differentiate(const VectorXd& x) {
   }
   const std::size_t rows = surrogate_.problem->constraints().size();
   if (constraints_.empty() || rows == constraints_.size()) return;
-  failure_ = fmt::format("the motion has {} constraints instead of {}: its steps were halved", rows,
+  failure_ = fmt::format("there are {} constraints instead of {}: other steps or load cases", rows,
                          constraints_.size());
   surrogate_.problem.reset();
 }
