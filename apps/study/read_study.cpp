@@ -516,6 +516,11 @@ void check_direct(StudyReader& reader) {
   if (reader.spec.motion_objective.extremes)
     refuse(*reader.root["objective"].as_table()->get("minimize"),
            "largest values or lowest frequencies have kinks", "the mass, efforts, the duration");
+  for (const PartLimitSpec& l : reader.spec.part_limits)
+    if (follows_loads(l.quantity) && reader.root.contains("part_limits"))
+      refuse(*reader.root["part_limits"].as_table()->get(l.name),
+             "the load cases of a part's stress or compliance change with the design",
+             "limits on mass or frequency");
   for (const ConstraintSpec& c : reader.spec.constraints)
     if (c.treatment == Treatment::Maxima || c.treatment == Treatment::Neighbours ||
         c.treatment == Treatment::Ks)

@@ -3,7 +3,10 @@
 /// Studies whose sizes are of catalogues: the continuous optimum, then branch and bound, each box
 /// an optimisation of the study itself, each design checked by its motion.
 
+#include <algorithm>
+
 #include "optim/cycle/catalogue_tree.hpp"
+#include "optim/cycle/restarts.hpp"
 #include "optim/cycle/topology_cycle.hpp"
 
 namespace liesl {
@@ -46,7 +49,7 @@ class CatalogueRounds {
   std::optional<End> run(const DesignBox& box) {
     const std::size_t n = rounds_.size();
     if (n < resume_.size() && !is_of(resume_[n], box)) resume_.resize(n);
-    const bool over = is_over(n);
+    const bool over = is_over(n, box);
     rounds_.push_back(n < resume_.size() ? resume_[n] : History());
     if (over) return {};
     resume_.resize(std::min(resume_.size(), n + 1));  // what follows depends on how this one ends
@@ -76,13 +79,24 @@ class CatalogueRounds {
     return round.empty() || round.front().x.isApprox(box.start, 1e-12);
   }
   /// Had round n of the interrupted run ended? One at its cycle limit goes on if that is higher
-  /// now.
-  bool is_over(std::size_t n) const {
+  /// now, an infeasible one if there is another start.
+  bool is_over(std::size_t n, const DesignBox& box) const {
     if (n >= resume_.size()) return false;
     const History& round = resume_[n];
     if (round.empty() || !round.back().end) return n + 1 < resume_.size();
-    return *round.back().end != CycleStatus::CycleLimit ||
-           static_cast<int>(round.size()) >= study_.cycle.max;
+    const int start = round.back().start;
+    if (*round.back().end == CycleStatus::CycleLimit)
+      return std::count_if(round.begin(), round.end(), [start](const Cycle& c) {
+               return c.start == start;
+             }) >= study_.cycle.max;
+    return *round.back().end != CycleStatus::Infeasible || !starts_again(start + 1, box);
+  }
+  bool starts_again(int number, const DesignBox& box) const {
+    if (number > study_.cycle.restarts) return false;
+    std::vector<NlpVariable> variables;
+    for (Eigen::Index i = 0; i < box.start.size(); ++i)
+      variables.push_back({"", box.lower[i], box.upper[i], box.start[i]});
+    return restarted(within_box(study_, box), variables, number).has_value();
   }
 
   const StudySpec& study_;
@@ -152,7 +166,9 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
   out.catalogue->boxes = static_cast<int>(rounds.histories().size());
   for (std::size_t r = 0; r < rounds.histories().size(); ++r) {
     const History& history = rounds.histories()[r];
-    if (!history.empty()) out.catalogue->effort += history.back().effort;
+    for (std::size_t c = 0; c < history.size(); ++c)
+      if (c + 1 == history.size() || history[c + 1].start != history[c].start)
+        out.catalogue->effort += history[c].effort;  // of one start
     if (r != best) out.before.insert(out.before.end(), history.begin(), history.end());
   }
   out.catalogue->designs = designs;

@@ -40,6 +40,7 @@ class CycleRecord {
   const CycleOptions& options() const { return options_; }
   const CycleHooks& hooks() const { return hooks_; }
   const History& history() const { return result_.history; }
+  const Eigen::VectorXd& best() const { return result_.x; }  ///< empty: none yet
   bool asked_to_stop() const { return hooks_.keep_going && !hooks_.keep_going(); }
 
   Analysis analyse(const Eigen::VectorXd& x) { return model_.analyse(x, hooks_.progress); }

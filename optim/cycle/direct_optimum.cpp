@@ -123,6 +123,14 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
                       a.worst_at.empty() ? "" : " at " + a.worst_at, r.reason)};
 }
 
+/// Is the optimiser's answer the end? One that was cut off is, if it is optimal; else the best
+/// design that was analysed is.
+bool stands(DirectProblem& problem, const NlpResult& r, const CycleOptions& options) {
+  if (!problem.evaluate(r.x)) return false;
+  return r.solved() || (problem.analysis()->worst <= options.feasibility &&
+                        problem.surrogate().optimality.holds());
+}
+
 }  // namespace
 
 LoopResult optimise_directly(DesignModel& model, const CycleOptions& options,
@@ -147,7 +155,8 @@ LoopResult optimise_directly(DesignModel& model, const CycleOptions& options,
     return !record.asked_to_stop() && !problem.interrupted() && !analyses_used_up(record);
   };
   const NlpResult r = solve_by(problem, options, nlp);
-  if (!record.asked_to_stop() && !problem.interrupted() && problem.evaluate(r.x)) {
+  const bool goes_on = !record.asked_to_stop() && !problem.interrupted();
+  if (goes_on && (stands(problem, r, options) || problem.evaluate(record.best()))) {
     record.keep(problem.analysis(), problem.x());
     record.certify(problem.surrogate().optimality);
   }

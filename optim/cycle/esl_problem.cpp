@@ -150,7 +150,17 @@ int EslProblem::add_violated(const VectorXd& x, double tolerance) {
   if (parts_->needs_every_case() || screened_.empty()) return 0;  // all are kept
   CasesByLimit cases = retained_.cases(screened_);
   retain_all();
-  const int added = solve(x) ? liesl::add_violated(all_values(), screened_, tolerance, cases) : 0;
+  int added = 0;
+  if (solve(x)) {
+    const ValuesByLimit values = all_values();
+    std::vector<ScreenedLimit> limits = screened_;
+    for (std::size_t l = 0; l < limits.size(); ++l) {
+      if (!(parts_->limits()[l].weight > 0)) continue;
+      limits[l].limit = 0;  // of a term of the objective: the largest that is retained
+      for (const int n : cases[l]) limits[l].limit = std::max(limits[l].limit, values[l][n]);
+    }
+    added = liesl::add_violated(values, limits, tolerance, cases);
+  }
   keep(cases);
   return added;
 }

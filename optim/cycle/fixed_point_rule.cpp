@@ -16,7 +16,9 @@ Step FixedPointRule::resume(CycleRecord& record) {
   const Cycle at = record.history().back();
   move_ = at.move;
   warm_ = at.warm;
-  if (at.next.size() == at.x.size()) return {at.next, {}};
+  if (at.next.size() == at.x.size())  // no cycle more where there is no step
+    return {at.next,
+            at.end == CycleStatus::Infeasible ? stuck(at, record.options()) : std::nullopt};
   record.drop_last();  // it has no answer
   if (!record.history().empty()) warm_ = record.history().back().warm;
   return {at.x, {}};

@@ -87,6 +87,9 @@ std::string MeshStatics::solve(const VectorXd& x) {
   if (const auto cut = cut_interface(*task_.model, fractions_.value)) return cut->text;
   const SolidStatus status = statics_.solve(fractions_.value);
   if (status != SolidStatus::Solved) return reason(status);
+  for (const SolidLimit& l : task_.limits)
+    if (l.response == SolidResponse::Frequency && frequencies().frequency.size() < l.count)
+      return "the natural frequencies of the part, limited by '" + l.name + "', were not found";
   solved_ = true;
   const int m = statics_.outputs();
   y_.resize(m + static_cast<Eigen::Index>(extra_.size()), combination_.cols());
@@ -237,10 +240,8 @@ VectorXd MeshStatics::own_values() {
       g[row++] = mass() / l->limit - 1;
       continue;
     }
-    const VectorXd& f = frequencies().frequency;  // a part may have fewer than are limited
-    for (int k = 0; k < l->count; ++k)
-      g[row++] =
-          f.size() >= l->count ? 1 - f[k] / l->limit : std::numeric_limits<double>::quiet_NaN();
+    const VectorXd& f = frequencies().frequency;
+    for (int k = 0; k < l->count; ++k) g[row++] = 1 - f[k] / l->limit;
   }
   wall_gradient_.resize(static_cast<Eigen::Index>(task_.design->wall_names().size()),
                         fractions_.derivative.cols());
@@ -288,12 +289,11 @@ double MeshStatics::add_checks(std::vector<LimitCheck>& checks) {
   for (const SolidLimit* l : own_limits()) {
     LimitCheck c{l->name, l->limit, mass(), mass() / l->limit - 1, {}, l->weight};
     if (l->response == SolidResponse::Frequency) {
-      const VectorXd& f = frequencies().frequency;
-      c.value = f.size() >= l->count ? f.head(l->count).minCoeff()
-                                     : std::numeric_limits<double>::quiet_NaN();
+      c.value = frequencies().frequency.head(l->count).minCoeff();
       c.excess = 1 - c.value / l->limit;
     }
-    weighted += (l->response == SolidResponse::Frequency ? -l->weight : l->weight) * c.value;
+    if (l->weight > 0)
+      weighted += (l->response == SolidResponse::Frequency ? -l->weight : l->weight) * c.value;
     checks.insert(checks.begin() + (l - task_.limits.data()), std::move(c));
   }
   const VectorXd g = task_.design->walls();  // 1 - thickness/least

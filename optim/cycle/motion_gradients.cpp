@@ -112,6 +112,8 @@ void MotionGradients::differentiate(const DesignRun<G>& run, const ResponseValue
 template <FrameGroup G>
 bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const ResponseValues<G>& values,
                                            const Parameters<G>& parameters) {
+  for (const Series& of : series_)
+    if (of.response.kept == 0 || of.response.slopes) return false;  // every record
   const Model<G>& model = *run.model;
   const auto& trajectory = run.simulation.trajectory;
   std::vector<std::vector<VectorXd>> y(series_.size());
@@ -128,7 +130,6 @@ bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const Respon
   for (std::size_t r = 0; r < series_.size(); ++r) {
     const LimitedResponse& of = series_[r].response;
     const VectorXd& v = series_[r].value;
-    if (of.kept == 0 || of.slopes) return false;  // every record; of the direct form
     std::set<int> records = about_maxima(v, least_kept(run, of));
     if (of.treatment != Treatment::Auto)
       records.merge(treated_records(of.treatment, {v.data(), v.data() + v.size()}));
@@ -187,6 +188,7 @@ void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) 
 MotionGradients MotionGradients::split(int first) {
   MotionGradients out;
   out.reason_ = reason_;
+  out.by_adjoint_ = by_adjoint_;
   const auto at = series_.begin() + first;
   std::move(at, series_.end(), std::back_inserter(out.series_));
   series_.erase(at, series_.end());
@@ -195,6 +197,7 @@ MotionGradients MotionGradients::split(int first) {
 
 void MotionGradients::append(MotionGradients other) {
   if (reason_.empty()) reason_ = other.reason_;
+  by_adjoint_ = by_adjoint_ || other.by_adjoint_;
   std::move(other.series_.begin(), other.series_.end(), std::back_inserter(series_));
 }
 

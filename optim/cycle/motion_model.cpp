@@ -43,6 +43,11 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
     if (study.cycle.method == CycleMethod::Direct) check_direct(c);
   }
+  for (const PartLimitSpec& l : study.part_limits)
+    if (follows_loads(l.quantity) && study.cycle.method == CycleMethod::Direct)
+      throw std::invalid_argument("part limit '" + l.name +
+                                  "' holds in load cases that change with the design; expected "
+                                  "cycle.method = \"esl1\" or \"full\"");
   if (study.motion_objective.extremes && study.cycle.method == CycleMethod::Direct)
     throw std::invalid_argument(
         "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
@@ -161,7 +166,11 @@ void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const Vect
     const VectorXd of_part = design().of_part(k, x);
     EslProblem problem(std::make_unique<MeshStatics>(task), study_.cycle, of_part);
     const auto check = problem.check(of_part);
-    if (!check) continue;  // then there is no motion either
+    if (!check) {
+      a.status = SolveStatus::Inconsistent;
+      a.reason = problem.undefined_reason();
+      return;
+    }
     for (const PartLimitSpec& limit : study_.part_limits)
       for (const LimitCheck& found : check->limits) {
         if (limit.body != design().part(k).body || found.name != limit.name) continue;

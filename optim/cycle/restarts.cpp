@@ -53,6 +53,8 @@ CycleHooks StartHistory::hooks(int start) const {
       c.start = start;
       so_far.push_back(std::move(c));
     }
+    std::copy_if(resume_.begin(), resume_.end(), std::back_inserter(so_far),
+                 [start](const Cycle& c) { return c.start > start; });
     hooks_.on_cycle(so_far);
   };
   return out;
@@ -77,6 +79,11 @@ std::string restart_note(int number, const std::string& why) {
       "the study began again with every variable at {:g} of its range, since it had ended "
       "infeasible: {}",
       kShares[number - 1], why);
+}
+
+std::string failed_restart_note(int number, const std::string& why) {
+  return fmt::format("a start with every variable at {:g} of its range was left out: {}",
+                     kShares[number - 1], why);
 }
 
 bool replaces(const LoopResult& next, const LoopResult& best) {

@@ -4,6 +4,7 @@
 /// limits, which is said of that design and not of all.
 
 #include <optional>
+#include <stdexcept>
 
 #include "optim/cycle/design_loop.hpp"
 
@@ -39,6 +40,8 @@ class StartHistory {
 
 /// That it began again, and why.
 std::string restart_note(int number, const std::string& why);
+/// That a start could not be optimised, and why.
+std::string failed_restart_note(int number, const std::string& why);
 /// Whether the end of a restart replaces what there is, which meets not all limits.
 bool replaces(const LoopResult& next, const LoopResult& best);
 /// What the reason of an infeasible end says of other starts.
@@ -49,7 +52,8 @@ std::string on_restarts(int allowed, int tried);
 /// From the start of the study; if that ends Infeasible, from up to study.cycle.restarts others
 /// until a design meets all limits. The answer is the design that does, else the one that exceeds
 /// them least; its history has the cycles of all starts, `first` is the first design of all. A
-/// resumed run goes through the starts that had ended without simulating their cycles again.
+/// resumed run goes through the starts that had ended again, with cycle.method "direct" by the same
+/// simulations, else without those of their cycles.
 /// @param variables gives those of the design; called only if there is a restart
 /// @param optimise one start: End(const StudySpec&, const CycleHooks&, const std::vector<Cycle>&);
 /// End is a LoopResult
@@ -66,9 +70,15 @@ auto optimise_from_starts(const StudySpec& study, const Variables& variables,
   for (int k = 1; k <= study.cycle.restarts; ++k) {
     const std::optional<StudySpec> other = restarted(study, variables(), k);
     if (!other) break;
-    auto next = optimise(*other, history.hooks(k), history.resume(k));
-    history.add(k, next.history);
     ++tried;
+    decltype(best) next;
+    try {
+      next = optimise(*other, history.hooks(k), history.resume(k));
+    } catch (const std::invalid_argument& error) {
+      best.warnings.push_back(detail::failed_restart_note(k, error.what()));
+      continue;
+    }
+    history.add(k, next.history);
     const std::string why = best.reason;
     const bool stopped = next.status == CycleStatus::Interrupted;
     const std::string reason = next.reason;

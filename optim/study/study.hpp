@@ -103,7 +103,7 @@ struct ConstraintSpec {
   Treatment treatment = Treatment::Auto;
   double p = 2;  ///< exponent of Treatment::PNorm
   /// Above 0: no limit, but this times the largest value over all motions in the objective; `limit`
-  /// is then a size of it, has_image false.
+  /// is then a size of it, has_image false in studies of motions.
   double weight = 0;
 };
 

@@ -73,6 +73,17 @@ struct MarkedText {
   long line = 0, column = 0;
 };
 
+/// What an InputError of `read()` says; empty: there is none.
+template <class Read>
+std::string refusal_of(const Read& read) {
+  try {
+    read();
+    return {};
+  } catch (const InputError& error) {
+    return error.what();
+  }
+}
+
 /// `read(text, file)` refuses the text with one problem at its mark, in these words.
 template <class Read>
 void expect_refused(const MarkedText& marked, const std::string& file, const Read& read,

@@ -38,10 +38,12 @@ TEST_F(VerifyCommand, RefusesFixedLoads) {
 
 /// The middle of an element is no place of another mesh.
 TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
-  const Outcome o =
-      run({"run", scene("slider_crank"), "-o", results(), "--verify", "--no-report", "--set",
-           "responses.moment.response=section_force", "--set", "responses.moment.of=rod", "--set",
-           "responses.moment.at=mid", "--set", "responses.moment.component=Mz"});
+  std::string text = text_of(scene("slider_crank"));
+  const std::string table = "[responses]\n";
+  text.insert(text.find(table) + table.size(),
+              "moment = { response = \"section_force\", of = \"rod\", at = \"mid\", "
+              "component = \"Mz\" }\n");
+  const Outcome o = run({"run", write("scene.toml", text), "-o", results(), "--verify"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_NE(
       (o.out + o.err).find("leaves out beam rod: the scene names nodes or elements by number"),

@@ -20,12 +20,7 @@ Scene with(const std::vector<std::string>& overrides) {
 }
 
 std::string refusal(const std::string& override_text) {
-  try {
-    with({override_text});
-  } catch (const InputError& error) {
-    return error.what();
-  }
-  return "";
+  return test::refusal_of([&] { with({override_text}); });
 }
 
 TEST(Overrides, ChangeValues) {

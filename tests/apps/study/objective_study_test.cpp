@@ -35,12 +35,7 @@ Study read(const std::string& text) {
 }
 
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read(text); });
 }
 
 TEST(ObjectiveStudy, HasTheDataOfTheFile) {

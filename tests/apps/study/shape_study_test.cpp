@@ -42,14 +42,8 @@ Study read(const std::string& text) {
   return read_study(text, "study.toml", std::filesystem::path(test::kDataDir) / "studies");
 }
 
-/// What is said; empty if nothing.
 std::string refusal(const std::string& text) {
-  try {
-    read(text);
-    return {};
-  } catch (const InputError& error) {
-    return error.what();
-  }
+  return test::refusal_of([&] { read(text); });
 }
 
 TEST(ShapeStudy, HasTheDataOfTheFile) {

@@ -108,6 +108,35 @@ TEST_F(RodOfCatalogue, ABoxAtItsCycleLimitGoesOn) {
   EXPECT_GT(sizes.front(), longest) << "the boxes before it are kept";
 }
 
+/// Stopped between the end of its first start and the next one.
+TEST_F(RodOfCatalogue, AnInfeasibleBoxBeginsAgainWhenItIsResumed) {
+  StudySpec study = study_.spec;
+  study.cycle.restarts = 1;
+  const OptimiseRound<CycleResult<SE2>> optimise =
+      [&](const StudySpec& box, const Mechanism& mechanism, const CycleHooks& cycle,
+          const std::vector<Cycle>& cycles) {
+        return run_cycle<SE2>(mechanism, plane_, study_.scene.simulation, box, cycle, cycles);
+      };
+  RoundHistory rounds;
+  TopologyHooks hooks;
+  hooks.on_round_cycle = [&](const RoundHistory& so_far) { rounds = so_far; };
+  const auto whole =
+      search_catalogue<CycleResult<SE2>>(study, study_.scene.mechanism, optimise, hooks);
+  const auto again = std::find_if(rounds.begin(), rounds.end(), [](const History& round) {
+    return !round.empty() && round.back().start == 1;
+  });
+  ASSERT_NE(again, rounds.end()) << "no box was infeasible from its start";
+  std::erase_if(*again, [](const Cycle& c) { return c.start == 1; });
+  ASSERT_EQ(again->back().end, CycleStatus::Infeasible);
+  rounds.erase(again + 1, rounds.end());
+  const auto resumed =
+      search_catalogue<CycleResult<SE2>>(study, study_.scene.mechanism, optimise, {}, rounds);
+  EXPECT_EQ(resumed.last.end.reason, whole.last.end.reason);
+  EXPECT_EQ(resumed.last.end.x, whole.last.end.x);
+  EXPECT_EQ(resumed.catalogue->designs, whole.catalogue->designs);
+  EXPECT_EQ(resumed.catalogue->effort.newton_iterations, whole.catalogue->effort.newton_iterations);
+}
+
 /// Stopped within any cycle, that in which a box would have ended among them.
 TEST_F(RodOfCatalogue, StopsOnRequestAndGoesOn) {
   const auto whole = search({}, {});
