@@ -115,12 +115,14 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const std::string of =
       fmt::format("KKT conditions: {}; worst limit at {:+.2g}; ", kkt.brief(), a.worst);
   if (meets && kkt.holds()) return {CycleStatus::Optimal, of + r.reason};
+  const std::string beyond =
+      fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,
+                  a.worst_at.empty() ? "" : " at " + a.worst_at);
   if (analyses_used_up(record) || r.status == NlpStatus::IterationLimit)
-    return {CycleStatus::CycleLimit, fmt::format("{} cycles are used up; ", options.max) + of};
+    return {CycleStatus::CycleLimit,
+            fmt::format("{} cycles are used up; ", options.max) + of + (meets ? r.reason : beyond)};
   if (meets) return {CycleStatus::Converged, of + r.reason};
-  return {CycleStatus::Infeasible,
-          fmt::format("'{}' is exceeded by {:.3g} %{}: {}", a.worst_constraint, 100 * a.worst,
-                      a.worst_at.empty() ? "" : " at " + a.worst_at, r.reason)};
+  return {CycleStatus::Infeasible, beyond + ": " + r.reason};
 }
 
 /// Is the optimiser's answer the end? One that was cut off is, if it is optimal; else the best
