@@ -13,21 +13,20 @@ G middle(const G& A, const G& B) {
 }  // namespace
 
 template <FrameGroup G>
-void add_corotational_force(const ReissnerBeam<G>& beam, const G* H, double* f) {
+void add_corotational_force(const BeamChain<G>& beam, const G* H, double* f) {
   constexpr int dim = G::dim, sd = G::space_dim;
-  using Element = ReissnerElement<G>;
   for (int e = 0; e < beam.elements(); ++e) {
     const G* X = &beam.reference[e];
     const G to_reference = middle(X[0], X[1]) * middle(H[e], H[e + 1]).inverse();
-    typename Element::Pair u;
-    typename Element::Rotation turned[2];
+    Eigen::Matrix<double, 2 * dim, 1> u;
+    SquareMatrix<sd> turned[2];
     for (int k = 0; k < 2; ++k) {
       const G Y = to_reference * H[e + k];
       turned[k] = X[k].R.transpose() * Y.R;
       u.template segment<dim>(dim * k) << X[k].R.transpose() * (Y.x - X[k].x),
           RotationOf<G>::log(turned[k]);
     }
-    const typename Element::Pair g = beam.element(e).constant_tangent() * u;
+    const Eigen::Matrix<double, 2 * dim, 1> g = beam.constant_tangent(e) * u;
     for (int k = 0; k < 2; ++k) {
       Eigen::Map<typename G::Tangent> out(f + dim * (e + k));
       out.template head<sd>() += turned[k].transpose() * g.template segment<sd>(dim * k);
@@ -39,7 +38,7 @@ void add_corotational_force(const ReissnerBeam<G>& beam, const G* H, double* f) 
   }
 }
 
-template void add_corotational_force(const ReissnerBeam<SE2>&, const SE2*, double*);
-template void add_corotational_force(const ReissnerBeam<SE3>&, const SE3*, double*);
+template void add_corotational_force(const BeamChain<SE2>&, const SE2*, double*);
+template void add_corotational_force(const BeamChain<SE3>&, const SE3*, double*);
 
 }  // namespace liesl

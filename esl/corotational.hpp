@@ -17,9 +17,9 @@ namespace liesl {
 ///   f_k = (R_k0^T R(Y_k))^T (K_e u)_k                             in the axes of node k
 /// @param H frames of the nodes  @param f dim * nodes, [N; N m] a node
 template <FrameGroup G>
-void add_corotational_force(const ReissnerBeam<G>& beam, const G* H, double* f);
+void add_corotational_force(const BeamChain<G>& beam, const G* H, double* f);
 
-extern template void add_corotational_force(const ReissnerBeam<SE2>&, const SE2*, double*);
-extern template void add_corotational_force(const ReissnerBeam<SE3>&, const SE3*, double*);
+extern template void add_corotational_force(const BeamChain<SE2>&, const SE2*, double*);
+extern template void add_corotational_force(const BeamChain<SE3>&, const SE3*, double*);
 
 }  // namespace liesl

@@ -5,7 +5,6 @@
 #include <stdexcept>
 
 #include "esl/corotational.hpp"
-#include "mbs/bodies/modal.hpp"
 
 namespace liesl {
 namespace {
@@ -25,11 +24,8 @@ void hold_first_node(BlockTridiagonal<N>& A) {
 }
 
 template <FrameGroup G>
-using Strains = Eigen::Matrix<double, G::dim, Eigen::Dynamic>;
-
-template <FrameGroup G>
-Strains<G> strains(const Body<G>& body, const G* H) {
-  Strains<G> eps(G::dim, body.elements());
+typename Body<G>::Strains strains(const Body<G>& body, const G* H) {
+  typename Body<G>::Strains eps(G::dim, body.elements());
   BodyState<G> s;
   s.H = H;
   for (int e = 0; e < body.elements(); ++e) eps.col(e) = body.strain(s, e);
@@ -76,33 +72,9 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
     beam.extrapolate_stress(s, delta.data(), stress.data());
     for (int k = 1; k < beam.nodes(); ++k)
       H[k] = H[k] * G::exp(Tangent(delta.segment<G::dim>(G::dim * k)));
+    beam.turn_axes(H.data());
   }
   return false;
-}
-
-/// Stiffness of the part as a free linear structure.
-template <FrameGroup G>
-const BlockTridiagonal<G::dim>& linear_stiffness(const Body<G>& body) {
-  if (const auto* modal = dynamic_cast<const ModalBody<G>*>(&body))
-    return modal->beam().stiffness();
-  return body.stiffness();
-}
-
-/// Strains of the part under displacements u at reference.
-template <FrameGroup G>
-Strains<G> linear_strains(const Body<G>& body, const Eigen::VectorXd& u) {
-  constexpr int dim = G::dim;
-  const bool reissner = dynamic_cast<const ReissnerBeam<G>*>(&body);
-  if (const auto* beam = dynamic_cast<const BeamChain<G>*>(&body); beam && !reissner) {
-    Strains<G> eps(dim, beam->elements());
-    for (int e = 0; e < beam->elements(); ++e)
-      eps.col(e) = BeamElement<G>::P(beam->d0(e)) * u.segment<2 * dim>(dim * e) / beam->length(e);
-    return eps;
-  }
-  Frames<G> H(body.reference.begin(), body.reference.end());
-  for (int k = 0; k < body.nodes(); ++k)
-    H[k] = H[k] * G::exp(typename G::Tangent(u.segment<dim>(dim * k)));
-  return strains<G>(body, H.data());
 }
 
 }  // namespace
@@ -121,29 +93,21 @@ std::set<int> spread_cases(const Eigen::MatrixXd& loads, int count) {
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
   const Body<G>& body = *model.bodies[index];
-  const auto* modal = dynamic_cast<const ModalBody<G>*>(&body);
-  const auto* classical = model.formalism == Formalism::Classical
-                              ? dynamic_cast<const ReissnerBeam<G>*>(&body)
-                              : nullptr;
+  const BeamChain<G>* classical = model.formalism == Formalism::Classical ? body.chain() : nullptr;
   if (body.elements() == 0)
     throw std::invalid_argument(
         fmt::format("'{}' is rigid: only a beam has internal forces", body.name));
   LoadSet set;
   set.body = index;
   set.f.setZero(body.size(), trajectory.size());
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(body.size());
-  ForceScale scale;
   for (int n = 0; n < trajectory.size(); ++n) {
     set.t.push_back(trajectory.time(n));
     const G* H = trajectory.frames(n) + model.first_node(index);
     double* f = set.f.col(n).data();
-    if (modal) {
-      linear_stiffness(body).multiply_add(modal->displacements(H).data(), f);
-    } else if (classical) {
+    if (classical)
       add_corotational_force(*classical, H, f);
-    } else {
-      body.add_internal({H, rest.data(), rest.data()}, f, scale);
-    }
+    else
+      body.add_elastic_force(H, f);
   }
   return set;
 }
@@ -170,14 +134,14 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
                         const LoadSet& loads, int cases) {
   const Body<G>& body = *model.bodies[loads.body];
   const bool linear = body.mass().is_dense();  // a modal body is linear: no second problem
-  BlockTridiagonal<G::dim> K = linear_stiffness(body);
+  BlockTridiagonal<G::dim> K = body.free_stiffness();
   hold_first_node(K);
   BlockTridiagonalLU<G::dim> lu;
   lu.factor(K);
   Identity identity;
   double largest = 0;
   for (const int n : spread_cases(loads.f, cases)) {
-    const Strains<G> dynamic =
+    const typename Body<G>::Strains dynamic =
         strains<G>(body, trajectory.frames(n) + model.first_node(loads.body));
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
@@ -186,7 +150,7 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
     Eigen::VectorXd u = loads.f.col(n);
     u.head<G::dim>().setZero();
     lu.solve(u.data());
-    const double off = (linear_strains(body, u) - dynamic).cwiseAbs().maxCoeff();
+    const double off = (body.strains_at_rest(u) - dynamic).cwiseAbs().maxCoeff();
     identity.linear = std::max(identity.linear, off);
     Frames<G> H;
     const bool solved = linear || solve_nonlinear<G>(body, loads.f.col(n), H);

@@ -13,7 +13,7 @@ SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& tra
   SolidLoadSet set;
   set.body = index;
   set.e = part_coordinates(model, trajectory, index);
-  const auto& body = dynamic_cast<const SolidBody<G>&>(*model.bodies[index]);
+  const auto& body = *model.bodies[index]->meshed();
   set.shapes = body.loads();
   set.basis = body.basis();
   for (int n = 0; n < trajectory.size(); ++n) set.t.push_back(trajectory.time(n));
@@ -31,7 +31,7 @@ double load_change(const SolidLoadSet& f, const SolidLoadSet& before) {
   return change > 0 ? std::numeric_limits<double>::infinity() : 0;
 }
 
-Identity check_identity(SolidModel& model, const Eigen::VectorXd& fractions,
+Identity check_identity(const SolidModel& model, const Eigen::VectorXd& fractions,
                         const SolidLoadSet& loads, int count) {
   Identity identity;
   const std::set<int> cases = spread_cases(loads.e, count);

@@ -36,7 +36,7 @@ double load_change(const SolidLoadSet& f, const SolidLoadSet& before);
 /// largest among them, and compares displacements with the motion's: `linear` = `nonlinear` =
 /// largest difference over the largest displacement. NaN never: infinity if the mesh is not held.
 /// @param fractions of the cells, those of the motion
-Identity check_identity(SolidModel& solid, const Eigen::VectorXd& fractions,
+Identity check_identity(const SolidModel& solid, const Eigen::VectorXd& fractions,
                         const SolidLoadSet& loads, int cases = 8);
 
 extern template SolidLoadSet extract_solid_loads(const Model<SE2>&, const Trajectory<SE2>&, int);

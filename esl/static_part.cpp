@@ -32,7 +32,7 @@ std::vector<int> directions(const std::string& letters) {
 
 /// A rigid motion h of node 0, [size of G] increments: that of node k is Ad(H_k^-1 H_0) h.
 template <FrameGroup G>
-typename StaticPart<G>::Law rigid_motions(const BeamChain<G>& beam) {
+typename StaticPart<G>::Law rigid_motions(const Body<G>& beam) {
   typename StaticPart<G>::Law motions;
   for (const auto& H : beam.reference) motions.push_back((H.inverse() * beam.reference[0]).Ad());
   return motions;
@@ -87,8 +87,8 @@ PartSupport read_support(const std::vector<std::string>& support, const Mechanis
         "support of '{}' holds {} directions; expected {}, as many as the part has rigid motions",
         name, fixed.size(), G::dim));
   held.fixed.assign(fixed.begin(), fixed.end());
-  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
-  const typename G::Matrix motions = held_motions<G>(rigid_motions(beam), held.fixed);
+  const typename G::Matrix motions =
+      held_motions<G>(rigid_motions(*model.bodies[body]), held.fixed);
   if (linalg::rank(motions, 1e-9) < G::dim)
     throw std::invalid_argument(
         fmt::format("support of '{}' leaves it a rigid motion: '{}'; expected directions that hold "
@@ -99,7 +99,7 @@ PartSupport read_support(const std::vector<std::string>& support, const Mechanis
 
 template <FrameGroup G>
 StaticPart<G>::StaticPart(const BeamChain<G>& beam, PartSupport held, Eigen::MatrixXd outputs)
-    : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), rigid_(rigid_motions(beam)) {
+    : beam_(beam), held_(std::move(held)), C_(std::move(outputs)), rigid_(rigid_motions<G>(beam)) {
   for (int e = 0; e < beam.elements(); ++e) {
     const auto& d = beam.d0(e);
     P0_.push_back(BeamElement<G>::P(d));

@@ -6,8 +6,10 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/solids/solid_model.hpp"
 
 namespace liesl {
 
@@ -16,8 +18,12 @@ struct PartReader {
   Reader& reader;
   const std::string& name;
   toml::table& table;
-  SolidSpec solid = {};
-  bool ok = true;  ///< false: it cannot be built
+  SolidMesh mesh = {};
+  Material material = {};
+  std::vector<Interface> interfaces = {};
+  SolidModel::Options options = {};
+  SolidSpec solid = {};  ///< its model is built of these at last
+  bool ok = true;        ///< false: it cannot be built
 
   /// "part 'rod' <what>" as a problem at a place of the file.
   template <class Place>
@@ -27,7 +33,7 @@ struct PartReader {
     ok = false;
   }
   toml::table& table_of(const char* key) { return *table.get(key)->as_table(); }
-  int dim() const { return solid.mesh.dim; }
+  int dim() const { return mesh.dim; }
   /// A point in the coordinates of the mesh, [x, y] or [x, y, z]; empty (and reported) if it has
   /// another number of coordinates.
   std::optional<Vec3> point(const toml::table& in, const char* key, int dim);

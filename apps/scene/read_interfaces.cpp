@@ -15,7 +15,7 @@ namespace {
 constexpr double kSlack = 1e-9;  // of a region's size: nodes on its edge are inside
 
 double cell_width(const PartReader& part) {
-  return std::pow(part.solid.mesh.cell_size(0), 1.0 / part.dim());
+  return std::pow(part.mesh.cell_size(0), 1.0 / part.dim());
 }
 
 bool in_circle(PartReader& part, const toml::table& circle, Interface& interface) {
@@ -31,7 +31,7 @@ bool in_circle(PartReader& part, const toml::table& circle, Interface& interface
     return false;
   }
   const Vec3 axis = part.dim() == 2 ? Vec3(Vec3::UnitZ()) : direction(part.reader, circle, "axis");
-  interface.nodes = nodes_where(part.solid.mesh, [&](const Vec3& x) {
+  interface.nodes = nodes_where(part.mesh, [&](const Vec3& x) {
     const double r = axis.cross(x - *centre).norm();
     return r <= radius * (1 + kSlack) && r >= inner * (1 - kSlack);
   });
@@ -44,7 +44,7 @@ bool in_box(PartReader& part, const toml::table& box, Interface& interface) {
   if (!from || !to) return false;
   const Vec3 low = from->cwiseMin(*to), high = from->cwiseMax(*to);
   const double slack = kSlack * (high - low).norm();
-  interface.nodes = nodes_where(part.solid.mesh, [&](const Vec3& x) {
+  interface.nodes = nodes_where(part.mesh, [&](const Vec3& x) {
     return (x - low).minCoeff() >= -slack && (high - x).minCoeff() >= -slack;
   });
   interface.point = 0.5 * (low + high);
@@ -53,7 +53,7 @@ bool in_box(PartReader& part, const toml::table& box, Interface& interface) {
 
 /// Fills in nodes and point; the value that says which, nothing if something is wrong.
 const toml::node* find_nodes(PartReader& part, const toml::table& table, Interface& interface) {
-  const SolidMesh& mesh = part.solid.mesh;
+  const SolidMesh& mesh = part.mesh;
   if (const toml::node* set = table.get("set")) {
     const auto found = mesh.sets.find(set->value_or(std::string()));
     if (found == mesh.sets.end()) {
@@ -98,11 +98,11 @@ void read_interfaces(PartReader& part) {
     if (!region) continue;
     if (entry.table->contains("point"))
       if (const auto at = part.point(*entry.table, "point", part.dim())) interface.point = *at;
-    part.solid.interfaces.push_back(interface);
+    part.interfaces.push_back(interface);
     try {
-      interface_map(part.solid.mesh, part.solid.interfaces);
+      interface_map(part.mesh, part.interfaces);
     } catch (const std::invalid_argument& error) {
-      part.solid.interfaces.pop_back();
+      part.interfaces.pop_back();
       part.refuse(*region, fmt::format("cannot be held: {}", error.what()),
                   part.dim() == 2
                       ? "two nodes or more that no other interface has"

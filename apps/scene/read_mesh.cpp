@@ -21,7 +21,7 @@ void read_file(PartReader& part, const toml::node& node) {
       given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
   try {
     const std::string text = load_text(path, "a Gmsh mesh");
-    part.solid.mesh = read_gmsh(path.lexically_normal().string(), text);
+    part.mesh = read_gmsh(path.lexically_normal().string(), text);
     part.reader.scene.input += text;
   } catch (const InputError& error) {
     part.ok = false;
@@ -61,8 +61,8 @@ void read_mesh(PartReader& part) {
     return part.refuse(*mesh.get("cells"), fmt::format("has {:.3g} cells", count),
                        fmt::format("at most {:.0e}", kMostCells));
   const Eigen::Vector3i n = cells->cast<int>();
-  part.solid.mesh = dim == 2 ? quad_grid(from->head<2>(), to->head<2>(), n[0], n[1])
-                             : hex_grid(*from, *to, n[0], n[1], n[2]);
+  part.mesh = dim == 2 ? quad_grid(from->head<2>(), to->head<2>(), n[0], n[1])
+                       : hex_grid(*from, *to, n[0], n[1], n[2]);
 }
 
 }  // namespace liesl

@@ -78,7 +78,7 @@ void read_outline(PartReader& part) {
   if (!part.ok) return;
   for (const FeatureSpec& f : part.solid.outline.features)
     if (!is_operation(f.kind) &&
-        volume_fractions(part.solid.mesh, *make_feature(f, part.dim())).value.maxCoeff() == 0)
+        volume_fractions(part.mesh, *make_feature(f, part.dim())).value.maxCoeff() == 0)
       part.refuse(
           key_of(all, f.name),
           fmt::format("has a feature '{}' that is wholly outside of the mesh", f.name),

@@ -23,8 +23,8 @@ void read_material(PartReader& part) {
     part.ok = false;
     return;
   }
-  part.solid.material = part.reader.materials.at(name);
-  if (!(part.solid.material.rho > 0))
+  part.material = part.reader.materials.at(name);
+  if (!(part.material.rho > 0))
     part.refuse(node, "has no mass: its material has rho = 0", "a density > 0 (kg/m^3)");
 }
 
@@ -34,12 +34,14 @@ void read_thickness(PartReader& part) {
     part.refuse(part.table, "has a planar mesh without 'thickness'", "a number > 0 (m)");
   if (part.dim() == 3 && node)
     part.refuse(*node, "has a 'thickness', but is meshed in space", "no 'thickness'");
-  if (node) part.solid.thickness = number(part.table, "thickness");
+  if (node) part.options.thickness = number(part.table, "thickness");
 }
 
-void check_connection(PartReader& part) {
+void build_model(PartReader& part) {
   try {
-    const SolidModel model = solid_model(part.solid);
+    part.solid.model = std::make_shared<const SolidModel>(std::move(part.mesh), part.material,
+                                                          part.interfaces, part.options);
+    const SolidModel& model = *part.solid.model;
     const int inner = model.size() - model.rigid_count() * model.ports();
     if (part.solid.modes >= inner)
       part.refuse(*part.table.get("modes"),
@@ -64,7 +66,7 @@ std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, tom
   part.solid.modes = integer(part.table, "modes");
   part.solid.damping = number(part.table, "damping");
   if (const toml::table* ersatz = part.table["ersatz"].as_table())
-    part.solid.law = {number(*ersatz, "exponent"), number(*ersatz, "ratio")};
+    part.options.law = {number(*ersatz, "exponent"), number(*ersatz, "ratio")};
   const SimulationOptions& o = part.reader.scene.simulation;
   if (o.type == SimulationType::Static && (o.critical || o.arc_length))
     part.reader.scene.warnings.push_back(fmt::format(
@@ -77,7 +79,7 @@ std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, tom
   read_thickness(part);
   read_interfaces(part);
   read_outline(part);
-  if (part.ok) check_connection(part);
+  if (part.ok) build_model(part);
   return part.ok ? std::optional(std::move(part.solid)) : std::nullopt;
 }
 
@@ -86,7 +88,7 @@ void check_plane(Reader& reader) {
   if (reader.problems.count() > 0) return;
   for (const BodySpec& body : m.bodies) {
     const auto* solid = std::get_if<SolidSpec>(&body.kind);
-    if (!solid || solid->mesh.dim == 3) continue;
+    if (!solid || solid->mesh().dim == 3) continue;
     const PlaneSearch found = find_plane(m);
     const bool asked = reader.scene.simulation.space != SpaceChoice::Spatial;
     if (found.plane && asked) return;

@@ -41,7 +41,7 @@ bool leaves_plane(const Scene& scene) {
   const auto& bodies = scene.mechanism.bodies;
   return std::none_of(bodies.begin(), bodies.end(), [](const BodySpec& body) {
     const auto* solid = std::get_if<SolidSpec>(&body.kind);
-    return solid && solid->mesh.dim == 2;
+    return solid && solid->mesh().dim == 2;
   });
 }
 

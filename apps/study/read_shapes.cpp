@@ -98,13 +98,13 @@ void read_fixed_load(StudyReader& reader, const Entry& entry) {
   load.traction = vec3(*entry.table, "traction");
   std::vector<std::string> known;
   if (on) {
-    for (const auto& [name, nodes] : solid.mesh.sets) {
+    for (const auto& [name, nodes] : solid.mesh().sets) {
       known.push_back(name);
       if (name == at->second) load.nodes = nodes;
     }
   } else {
-    for (std::size_t k = 0; k < solid.interfaces.size(); ++k) {
-      known.push_back(solid.interfaces[k].name);
+    for (std::size_t k = 0; k < solid.interfaces().size(); ++k) {
+      known.push_back(solid.interfaces()[k].name);
       if (known.back() == at->second) load.interface = static_cast<int>(k);
     }
   }

@@ -403,7 +403,7 @@ void read_frequencies(StudyReader& reader) {
     refuse("frequencies of a mechanism in a study under fixed loads", "a study of a motion");
   if (!whole) return;
   for (const BodySpec& body : mechanism.bodies)
-    if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 2)
+    if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh().dim == 2)
       return refuse("frequencies are those in space, and '" + body.name + "' is meshed in a plane",
                     "[part_limits] with quantity = \"frequency\"");
   if (!reader.spec.shapes.empty())

@@ -23,7 +23,7 @@ output::BodyResult empty_body(const BodySpec& spec) {
   body.nodes = 1;
   if (const auto* solid = std::get_if<SolidSpec>(&spec.kind)) {
     body.kind = "solid";
-    body.nodes = static_cast<int>(solid->interfaces.size());
+    body.nodes = static_cast<int>(solid->interfaces().size());
   }
   if (const auto* beam = std::get_if<BeamSpec>(&spec.kind)) {
     body.kind = "beam";
@@ -65,15 +65,15 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
 
 /// The mesh at rest, seen from its first interface, and the displacements phi of its amplitudes.
 void add_mesh_at_rest(const SolidSpec& solid, const Eigen::MatrixXd& phi, output::MeshResult& out) {
-  const Eigen::Vector3d origin = solid.interfaces[0].point;
-  const int dim = solid.mesh.dim, N = solid.mesh.node_count();
-  for (int i = 0; i < N; ++i) append(out.reference, solid.mesh.nodes.col(i) - origin);
-  for (const Interface& interface : solid.interfaces)
+  const Eigen::Vector3d origin = solid.interfaces()[0].point;
+  const int dim = solid.mesh().dim, N = solid.mesh().node_count();
+  for (int i = 0; i < N; ++i) append(out.reference, solid.mesh().nodes.col(i) - origin);
+  for (const Interface& interface : solid.interfaces())
     append(out.interfaces, interface.point - origin);
-  if (dim == 2) out.thickness = solid.thickness;
+  if (dim == 2) out.thickness = solid.model->thickness();
   if (!solid.outline.features.empty()) {
     const levelset::LevelSetPtr shape = levelset::make_shape(solid.outline);
-    for (int i = 0; i < N; ++i) out.level.push_back(shape->value(solid.mesh.nodes.col(i)));
+    for (int i = 0; i < N; ++i) out.level.push_back(shape->value(solid.mesh().nodes.col(i)));
   }
   for (Eigen::Index k = 0; k < phi.cols(); ++k) {
     Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, N);
@@ -96,23 +96,24 @@ template <FrameGroup G>
 output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
                            const Trajectory<G>& trajectory, int b) {
   const auto& solid = std::get<SolidSpec>(mechanism.bodies[b].kind);
-  const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());  // null: rigid
+  const auto* body = model.bodies[b]->meshed();  // null: rigid
   output::MeshResult out;
   out.name = mechanism.bodies[b].name;
-  out.corners = solid.mesh.corners();
-  out.cells.assign(solid.mesh.cells.data(), solid.mesh.cells.data() + solid.mesh.cells.size());
+  out.corners = solid.mesh().corners();
+  out.cells.assign(solid.mesh().cells.data(),
+                   solid.mesh().cells.data() + solid.mesh().cells.size());
   append(out.fractions, solid_fractions(solid).value);
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);
   Eigen::MatrixXd phi;
   if (body) {
-    const SolidModel part = solid_model(solid);
-    phi = part.T() * body->basis();
-    add_stress_basis(part, phi, out);
+    phi = solid.model->T() * body->basis();
+    add_stress_basis(*solid.model, phi, out);
   }
-  const int dim = solid.mesh.dim;
+  const int dim = solid.mesh().dim;
   add_mesh_at_rest(solid, phi, out);
-  if (48.0 * static_cast<double>(out.records.size()) * solid.mesh.node_count() > output::kMeshBytes)
+  if (48.0 * static_cast<double>(out.records.size()) * solid.mesh().node_count() >
+      output::kMeshBytes)
     out.records.clear();
   State<G> s = model.initial_state();
   for (int n = 0; body && n < trajectory.size(); ++n) {
@@ -122,7 +123,7 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
   for (const int n : out.records) {
     trajectory.read(n, s);
     const SE3 H = view.node(s.H.data(), b, 0);
-    Eigen::Matrix3Xd x = solid.mesh.nodes.colwise() - solid.interfaces[0].point;
+    Eigen::Matrix3Xd x = solid.mesh().nodes.colwise() - solid.interfaces()[0].point;
     Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, x.cols());
     if (body) {
       const Eigen::VectorXd q = phi * body->coordinates(model.body_state(s, b));

@@ -55,8 +55,7 @@ void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>&
     if (!solid || model.bodies[b]->nodes() == 1 || model.formalism == Formalism::Rigid) continue;
     SolidLoads loads{
         model.bodies[b]->name, extract_solid_loads(model, trajectory, static_cast<int>(b)), {}};
-    SolidModel part = solid_model(*solid);
-    loads.identity = check_identity(part, solid_fractions(*solid).value, loads.set);
+    loads.identity = check_identity(*solid->model, solid_fractions(*solid).value, loads.set);
     out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
     out.solids.push_back(std::move(loads));
   }

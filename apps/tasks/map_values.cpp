@@ -87,18 +87,15 @@ std::vector<MappedQuantity> quantities(const Study& study) {
   const Quantity objective = quantity(study.spec.objective);
   std::vector<MappedQuantity> out{{objective.name, objective.unit, {}}};
   if (!study.spec.motion_objective.only_mass()) out.front() = {"objective", "-", {}};
-  const auto limit_of = [](const auto& c) {  // terms of the objective have none
-    return c.weight > 0 ? std::nullopt : std::optional(c.limit);
-  };
   if (study.spec.loads.empty()) {
     for (const ConstraintSpec& c : study.spec.constraints)
-      out.push_back({c.response.name, unit(c.response, study.scene.mechanism), limit_of(c)});
+      out.push_back({c.response.name, unit(c.response, study.scene.mechanism), c.limit});
     return out;
   }
   for (const ConstraintSpec& c : study.spec.constraints)
-    if (c.has_image) out.push_back({c.response.name, "m", limit_of(c)});
+    if (c.has_image) out.push_back({c.response.name, "m", c.limit});
   for (const PartLimitSpec& l : study.spec.part_limits)
-    out.push_back({l.name, quantity(l.quantity).unit, limit_of(l)});
+    out.push_back({l.name, quantity(l.quantity).unit, l.limit});
   return out;
 }
 

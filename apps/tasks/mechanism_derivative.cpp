@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "mbs/sections/shape_dimensions.hpp"
+#include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
@@ -202,10 +203,11 @@ class Differences {
     const SolidSpec& solid = of(at_);
     const Eigen::VectorXd fractions = solid_fractions(solid).value;
     require("material, mesh or outline of the meshed " + name, [&](const Mechanism& m) {
-      const SolidSpec& other = of(m);
-      return other.material.E == solid.material.E && other.material.nu == solid.material.nu &&
-             other.material.rho == solid.material.rho && other.mesh.nodes == solid.mesh.nodes &&
-             solid_fractions(other).value == fractions;
+      const SolidModel &mine = *solid.model, &other = *of(m).model;
+      return other.material().E == mine.material().E && other.material().nu == mine.material().nu &&
+             other.material().rho == mine.material().rho && other.thickness() == mine.thickness() &&
+             other.law().exponent == mine.law().exponent && other.law().ratio == mine.law().ratio &&
+             other.mesh().nodes == mine.mesh().nodes && solid_fractions(of(m)).value == fractions;
     });
   }
 

@@ -108,7 +108,7 @@ void describe_part_limits(output::OptimizeSummary& summary, const Study& study,
 /// The parts of a weighted objective: largest values and frequencies, over all scenarios.
 template <FrameGroup G>
 void describe_terms(output::OptimizeSummary& summary, const Study& study, const CycleResult<G>& r) {
-  auto& terms = summary.more["goals"] = nlohmann::ordered_json::object();
+  auto& terms = summary.more["terms"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < study.spec.constraints.size(); ++i) {
     const ConstraintSpec& c = study.spec.constraints[i];
     if (!(c.weight > 0)) continue;

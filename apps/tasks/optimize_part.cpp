@@ -46,7 +46,7 @@ void describe_limits(output::OptimizeSummary& summary, const SolidTask& task,
 /// The parts of a weighted objective.
 void describe_part_terms(output::OptimizeSummary& summary, const SolidTask& task,
                          const StaticCheck& initial, const StaticCheck& final) {
-  auto& terms = summary.more["goals"] = nlohmann::ordered_json::object();
+  auto& terms = summary.more["terms"] = nlohmann::ordered_json::object();
   for (std::size_t i = 0; i < task.limits.size(); ++i) {
     const SolidLimit& term = task.limits[i];
     if (!(term.weight > 0)) continue;

@@ -30,7 +30,7 @@ double right_up_to(const VectorXd& full, const VectorXd& reduced) {
 }
 
 /// Lowest frequencies of the mesh, up to above `wanted`.
-VectorXd mesh_frequencies(SolidModel& solid, const VectorXd& v, double wanted) {
+VectorXd mesh_frequencies(const SolidModel& solid, const VectorXd& v, double wanted) {
   const int most = std::min(kMostCompared, solid.size() - solid.rigid_count() - 1);
   VectorXd full;
   for (int count = std::min(kCompared, most);; count = std::min(2 * count, most)) {
@@ -52,8 +52,8 @@ std::optional<int> fewest_modes(const VectorXd& full, const ByModes& reduced, in
 }
 
 /// ... of the part with twice as many modes, and so on.
-std::optional<int> more_modes(SolidModel& solid, const VectorXd& v, const VectorXd& full, int modes,
-                              double wanted) {
+std::optional<int> more_modes(const SolidModel& solid, const VectorXd& v, const VectorXd& full,
+                              int modes, double wanted) {
   const int rigid = solid.rigid_count(), ports = rigid * solid.ports(),
             most = std::min(kMostModes, solid.size() - ports - 1);
   while (modes < most) {
@@ -79,15 +79,15 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
   std::vector<double> times;
   for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
+    const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     const auto& spec = std::get<SolidSpec>(mechanism.bodies[b].kind);
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
     const double harmonic = motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0;
     for (const auto& warning : range_warnings(body->name, part_range(*body, e)))
       summary.warnings.push_back(warning);
-    SolidModel solid = solid_model(spec);
-    const VectorXd v = solid_fractions(spec).value, full = mesh_frequencies(solid, v, 2 * harmonic);
+    const SolidModel& solid = body->model();
+    const VectorXd &v = body->fractions(), full = mesh_frequencies(solid, v, 2 * harmonic);
     // Where even the frequencies of the mesh end below, these are all that can be asked for.
     const double wanted = std::min(2 * harmonic, full.size() > 0 ? full[full.size() - 1] : 0);
     const auto reduced = [&](int kept) {
@@ -98,7 +98,7 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
     const auto needed = limit < wanted ? more_modes(solid, v, full, spec.modes, wanted)
                                        : fewest_modes(full, reduced, spec.modes, wanted);
     nlohmann::ordered_json& part = summary.more["parts"][body->name];
-    part = {{"cells", spec.mesh.cell_count()},
+    part = {{"cells", spec.mesh().cell_count()},
             {"unknowns", body->basis().cols()},
             {"modes", spec.modes},
             {"mass", body->total_mass()},

@@ -31,7 +31,7 @@ double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
     const int first = model.first_node(static_cast<int>(b));
     const auto frames = shape.segment(G::dim * first, G::dim * model.bodies[b]->points());
     largest = std::max(largest, frames.cwiseAbs().maxCoeff());
-    const auto* body = dynamic_cast<const SolidBody<G>*>(model.bodies[b].get());
+    const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     constexpr double kLittle = 1e-6;  // of the shape: its derivative at rest
     State<G> s = model.initial_state();

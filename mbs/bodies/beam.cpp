@@ -159,6 +159,16 @@ typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::strain(const BodyState<G>& s,
   return element(e).strain(s.H[e], s.H[e + 1]);
 }
 
+/// Linear in u; of a Reissner beam those of its own strains, which are linear to first order only.
+template <FrameGroup G, class E>
+typename Body<G>::Strains ChainBeam<G, E>::strains_at_rest(const Eigen::VectorXd& u) const {
+  if (std::is_same_v<E, ReissnerElement<G>>) return Body<G>::strains_at_rest(u);
+  typename Body<G>::Strains eps(dim, elements());
+  for (int e = 0; e < elements(); ++e)
+    eps.col(e) = BeamElement<G>::P(d0(e)) * u.segment<2 * dim>(dim * e) / length(e);
+  return eps;
+}
+
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s, int e,
                                                                  ElementPlace at) const {

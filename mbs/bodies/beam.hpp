@@ -17,9 +17,13 @@ class BeamChain : public Body<G> {
   using Body<G>::Body;
   using typename Body<G>::Tangent;
   using Matrix = typename G::Matrix;
+  using PairMatrix = Eigen::Matrix<double, 2 * G::dim, 2 * G::dim>;
 
+  const BeamChain* chain() const final { return this; }
   virtual const Tangent& d0(int e) const = 0;
   virtual double length(int e) const = 0;  ///< m
+  /// Stiffness at rest, over [u_A; u_B].
+  virtual PairMatrix constant_tangent(int e) const = 0;
   /// n = C (P(d0) u / L): C, C for a section stiffness K in its place, and dC/dx for dK/dx.
   virtual const Matrix& rest_stiffness(int e) const = 0;
   virtual Matrix rest_stiffness_of(int e, const Matrix& K) const = 0;
@@ -40,7 +44,7 @@ class ChainBeam final : public BeamChain<G> {
   using typename Body<G>::Matrices;
   using Element = E;
   using Pair = typename Element::Pair;
-  using PairMatrix = typename Element::PairMatrix;
+  using typename BeamChain<G>::PairMatrix;
 
   /// @param nodes reference frames, n + 1  @param sections one an element
   /// @param damping stiffness-proportional, s
@@ -51,6 +55,7 @@ class ChainBeam final : public BeamChain<G> {
   int elements() const override { return static_cast<int>(slot_.size()); }
   const Tangent& d0(int e) const override { return element(e).d0(); }
   double length(int e) const override { return element(e).length(); }
+  PairMatrix constant_tangent(int e) const override { return element(e).constant_tangent(); }
   const Matrix& rest_stiffness(int e) const override { return element(e).stiffness_at_rest(); }
   Matrix rest_stiffness_of(int e, const Matrix& K) const override;
   Matrix rest_stiffness_by(int e, const Matrix& K, const Matrix& dK) const override;
@@ -64,6 +69,10 @@ class ChainBeam final : public BeamChain<G> {
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
   Matrices load_distribution() const override;
+  bool takes_any_spread_load() const override {
+    return !std::is_same_v<Element, FourthOrderElement<G>>;
+  }
+  typename Body<G>::Strains strains_at_rest(const Eigen::VectorXd& u) const override;
   void add_spread_curvature(const BodyState<G>& s, const Vector& q, double* r) const override;
   void add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
                                     Matrices& A) const override;

@@ -15,6 +15,11 @@
 
 namespace liesl {
 
+template <FrameGroup G>
+class BeamChain;
+template <FrameGroup G>
+class SolidBody;
+
 /// What a body computes in, so that an evaluation allocates nothing and a body can be const: one of
 /// each body for each thread, from `Body::make_workspace`.
 struct BodyWorkspace {
@@ -78,6 +83,7 @@ class Body {
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
   using Matrices = BodyMatrix<dim>;
   using Stresses = std::vector<Tangent, Eigen::aligned_allocator<Tangent>>;  ///< by element
+  using Strains = Eigen::Matrix<double, dim, Eigen::Dynamic>;                ///< by element
 
   Body(std::string body_name, std::vector<G> nodes_at_rest)
       : name(std::move(body_name)), reference(std::move(nodes_at_rest)) {}
@@ -123,6 +129,8 @@ class Body {
 
   /// Shares of a load per length: f = W [l_0; ...; l_n]; zero for bodies without length.
   virtual Matrices load_distribution() const { return Matrices(nodes()); }
+  /// Whether a load per length may follow the body or be a moment; else only a dead force.
+  virtual bool takes_any_spread_load() const { return true; }
   /// For bodies with followers instead: f = S l_0, all of the load from its components in the axes
   /// of node 0 [size x dim]; `follower` loads keep their components in the axes of every node.
   virtual Eigen::MatrixXd load_share(bool /*follower*/) const { return {}; }
@@ -152,6 +160,28 @@ class Body {
   /// were found with.
   virtual void extrapolate_stress(const BodyState<G>&, const double* /*delta*/,
                                   Tangent* /*stress*/) const {}
+
+  /// What the statics of a part that is cut free from its mechanism asks: the body as a chain of
+  /// beam elements or as a mesh in a floating frame; null if it is none.
+  virtual const BeamChain<G>* chain() const { return nullptr; }
+  virtual const SolidBody<G>* meshed() const { return nullptr; }
+  /// Stiffness of all points as a free linear structure at rest.
+  virtual const Matrices& free_stiffness() const { return K_; }
+  /// f += elastic forces on all points, from the frames of a completed state; without damping.
+  virtual void add_elastic_force(const G* H, double* f) const {
+    const Eigen::VectorXd rest = Eigen::VectorXd::Zero(size());
+    ForceScale scale;
+    add_internal({H, rest.data(), rest.data()}, f, scale);
+  }
+  /// Strains of all elements under small displacements u of the points at rest, dim a node.
+  virtual Strains strains_at_rest(const Eigen::VectorXd& u) const {
+    std::vector<G> H(reference);
+    for (int k = 0; k < nodes(); ++k) H[k] = H[k] * G::exp(Tangent(u.segment<dim>(dim * k)));
+    Strains eps(dim, elements());
+    for (int e = 0; e < elements(); ++e) eps.col(e) = strain({H.data()}, e);
+    return eps;
+  }
+
   virtual BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const = 0;
   /// Power that the damping of the body takes out of a completed state, W, >= 0.
   virtual double dissipation(const BodyState<G>&) const { return 0; }

@@ -21,9 +21,9 @@ struct ElementSection {
 
 /// d(fractions)/dp of the cells of a meshed part.
 struct FractionDerivative {
-  SolidModel* model = nullptr;  ///< of the part; its matrices are overwritten
-  Eigen::VectorXd fractions;    ///< by cell, those that the body was made with
-  Eigen::VectorXd derivative;   ///< by cell
+  const SolidModel* model = nullptr;  ///< of the part
+  Eigen::VectorXd fractions;          ///< by cell, those that the body was made with
+  Eigen::VectorXd derivative;         ///< by cell
 };
 
 /// d/dp of what a body is made of, by its kind:

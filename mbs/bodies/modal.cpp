@@ -275,6 +275,11 @@ Eigen::VectorXd ModalBody<G>::displacements(const G* H) const {
 }
 
 template <FrameGroup G>
+void ModalBody<G>::add_elastic_force(const G* H, double* f) const {
+  beam_->stiffness().multiply_add(displacements(H).data(), f);
+}
+
+template <FrameGroup G>
 auto ModalBody<G>::strain(const BodyState<G>& s, int e) const -> Tangent {
   typename Beam<G>::Pair u;
   for (int i = 0; i < 2; ++i)

@@ -28,6 +28,8 @@ class ModalBody final : public FloatingBody<G> {
   double damping() const override { return beam_->damping(); }
   const Beam<G>& beam() const { return *beam_; }
 
+  const Matrices& free_stiffness() const override { return beam_->stiffness(); }
+  void add_elastic_force(const G* H, double* f) const override;
   Eigen::MatrixXd load_share(bool follower) const override;
   /// Displacements of all nodes in the floating frame, [u_k; w_k] in their own axes, from the
   /// frames of a completed state.

@@ -73,10 +73,12 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
                       }()),
       ports_(static_cast<int>(ports.size())),
       damping_(spec.damping),
-      origin_(spec.interfaces[0].point),
-      turn_(turn) {
-  SolidModel model = solid_model(spec);
-  const VectorXd v = solid_fractions(spec).value;
+      origin_(spec.interfaces()[0].point),
+      turn_(turn),
+      model_(spec.model),
+      fractions_(solid_fractions(spec).value) {
+  const SolidModel& model = *model_;
+  const VectorXd& v = fractions_;
   const ReducedSolid reduced = reduce(model, v, ReductionKind::CraigBampton, spec.modes);
   if (!reduced.converged) throw std::runtime_error("modes of '" + this->name + "' not found");
   const int ni = dim * (ports_ - 1), n = ni + spec.modes;
@@ -101,6 +103,8 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
       damping_(body.damping_),
       origin_(body.origin_),
       turn_(body.turn_),
+      model_(body.model_),
+      fractions_(law.derivative),
       basis_(body.basis_) {
   loads_ = law.model->stiffness_derivative(law.fractions, law.derivative)
                .template selfadjointView<Eigen::Lower>() *

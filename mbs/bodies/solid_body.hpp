@@ -33,6 +33,10 @@ class SolidBody final : public FloatingBody<G> {
             const Eigen::Matrix3d& turn);
 
   int points() const override { return ports_; }
+  const SolidBody* meshed() const override { return this; }
+  /// The mesh, and how much of its cells is material.
+  const SolidModel& model() const { return *model_; }
+  const Eigen::VectorXd& fractions() const { return fractions_; }
   std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void complete(G* H, double* v, double* vdot, const double* w) const override;
   double damping() const override { return damping_; }
@@ -79,6 +83,8 @@ class SolidBody final : public FloatingBody<G> {
   double damping_;
   Eigen::Vector3d origin_;  ///< first interface, in the axes of the mesh
   Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
+  std::shared_ptr<const SolidModel> model_;
+  Eigen::VectorXd fractions_;  ///< of a derivative: theirs
   Eigen::MatrixXd basis_, loads_;
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
   /// About the first interface, in its axes; mode is 3 x n, padded.

@@ -4,12 +4,15 @@
 
 #include <Eigen/SparseCore>
 #include <algorithm>
+#include <memory>
+#include <utility>
 #include <vector>
 
 namespace liesl {
 
 /// begin, add ..., finish: the entries must come in the same order each time. The first round
-/// finds the pattern and where each entry goes; later rounds write straight into the values.
+/// finds the pattern and where each entry goes; later rounds write straight into the values. Copies
+/// share where the entries go.
 class SparseAssembly {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
@@ -17,15 +20,15 @@ class SparseAssembly {
   explicit SparseAssembly(int size) : A_(size, size) {}
 
   void begin() {
-    next_ = 0;
-    if (!slots_.empty()) A_.coeffs().setZero();
+    next_ = slots_ ? slots_->data() : nullptr;
+    if (slots_) A_.coeffs().setZero();
   }
 
   void add(int row, int column, double value) {
-    if (slots_.empty())
+    if (!slots_)
       entries_.emplace_back(row, column, value);
     else
-      A_.valuePtr()[slots_[next_++]] += value;
+      A_.valuePtr()[*next_++] += value;
   }
 
   template <class Block>
@@ -34,28 +37,32 @@ class SparseAssembly {
       for (int i = 0; i < m.rows(); ++i) add(row + i, column + j, m(i, j));
   }
 
-  const Matrix& finish() {
-    if (slots_.empty()) find_pattern();
+  const Matrix& finish() & {
+    if (!slots_) find_pattern();
     return A_;
   }
+  Matrix finish() && { return static_cast<SparseAssembly&>(*this).finish(), std::move(A_); }
 
  private:
   void find_pattern() {
     A_.setFromTriplets(entries_.begin(), entries_.end());
+    auto slots = std::make_shared<std::vector<int>>();
+    slots->reserve(entries_.size());
     for (const auto& e : entries_) {
       const int* first = A_.innerIndexPtr() + A_.outerIndexPtr()[e.col()];
       const int* last = A_.innerIndexPtr() + A_.outerIndexPtr()[e.col() + 1];
-      slots_.push_back(
+      slots->push_back(
           static_cast<int>(std::lower_bound(first, last, e.row()) - A_.innerIndexPtr()));
     }
+    slots_ = std::move(slots);
     entries_.clear();
     entries_.shrink_to_fit();
   }
 
   Matrix A_;
   std::vector<Eigen::Triplet<double>> entries_;
-  std::vector<int> slots_;
-  size_t next_ = 0;
+  std::shared_ptr<const std::vector<int>> slots_;  ///< by entry: in the values of A
+  const int* next_ = nullptr;
 };
 
 }  // namespace liesl

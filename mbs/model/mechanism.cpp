@@ -41,8 +41,8 @@ std::optional<Port> port_of(int body, const RigidSpec& rigid, std::string_view n
 }
 
 std::optional<Port> port_of(int body, const SolidSpec& solid, std::string_view name) {
-  for (std::size_t k = 0; k < solid.interfaces.size(); ++k)
-    if (solid.interfaces[k].name == name) return Port{body, int(k)};
+  for (std::size_t k = 0; k < solid.interfaces().size(); ++k)
+    if (solid.interfaces()[k].name == name) return Port{body, int(k)};
   return {};
 }
 
@@ -65,7 +65,7 @@ std::vector<std::string> names_of(const RigidSpec& rigid) {
 
 std::vector<std::string> names_of(const SolidSpec& solid) {
   std::vector<std::string> names;
-  for (const Interface& interface : solid.interfaces) names.push_back(interface.name);
+  for (const Interface& interface : solid.interfaces()) names.push_back(interface.name);
   return names;
 }
 
@@ -160,7 +160,7 @@ SE3 Mechanism::frame(const Port& port) const {
   const auto& kind = bodies[std::size_t(port.body)].kind;
   if (const auto* rigid = std::get_if<RigidSpec>(&kind)) return rigid->frame * port.offset;
   if (const auto* solid = std::get_if<SolidSpec>(&kind)) {
-    const bool interface = port.node >= 0 && std::size_t(port.node) < solid->interfaces.size();
+    const bool interface = port.node >= 0 && std::size_t(port.node) < solid->interfaces().size();
     return solid->port(interface ? port.node : 0) * port.offset;
   }
   const auto& nodes = std::get<BeamSpec>(kind).nodes;
@@ -179,8 +179,8 @@ double Mechanism::size() const {
       for (const auto& [label, point] : rigid->points) box.extend(point);
     }
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind))
-      for (int i = 0; i < solid->mesh.node_count(); ++i)
-        box.extend((solid->frame * SE3(Mat3::Identity(), solid->mesh.nodes.col(i))).x);
+      for (int i = 0; i < solid->mesh().node_count(); ++i)
+        box.extend((solid->frame * SE3(Mat3::Identity(), solid->mesh().nodes.col(i))).x);
   }
   return box.isEmpty() ? 0 : box.diagonal().norm();
 }

@@ -63,7 +63,7 @@ MatrixXd orthonormal(const MatrixXd& columns, const Sparse& M) {
   return kept;
 }
 
-Basis free_interface(SolidModel& model, const VectorXd& v, int internal) {
+Basis free_interface(const SolidModel& model, const VectorXd& v, int internal) {
   const Sparse K = model.stiffness(v), M = model.mass(v);
   const int rigid = model.rigid_count();
   const SymmetricModes free = symmetric_modes(K, M, internal, model.rigid_motions());
@@ -83,13 +83,13 @@ Basis free_interface(SolidModel& model, const VectorXd& v, int internal) {
 }
 
 /// Elastic free-free modes of the mesh: eigenvalues and shapes (q).
-SymmetricModes elastic_modes(SolidModel& model, const VectorXd& v, int count) {
+SymmetricModes elastic_modes(const SolidModel& model, const VectorXd& v, int count) {
   return symmetric_modes(model.stiffness(v), model.mass(v), count, model.rigid_motions());
 }
 
 }  // namespace
 
-ReducedSolid reduce(SolidModel& model, const VectorXd& v, ReductionKind kind, int internal) {
+ReducedSolid reduce(const SolidModel& model, const VectorXd& v, ReductionKind kind, int internal) {
   const Sparse K = model.stiffness(v), M = model.mass(v);
   const bool fixed = kind == ReductionKind::CraigBampton;
   Basis b = fixed ? craig_bampton(model, K, M, internal) : free_interface(model, v, internal);
@@ -139,7 +139,7 @@ InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
   return I;
 }
 
-VectorXd free_frequencies(SolidModel& model, const VectorXd& v, int count) {
+VectorXd free_frequencies(const SolidModel& model, const VectorXd& v, int count) {
   const SymmetricModes modes = elastic_modes(model, v, count);
   return modes.converged ? hertz(modes.lambda) : VectorXd();
 }
@@ -150,7 +150,7 @@ VectorXd free_frequencies(const ReducedSolid& reduced, int rigid, int count) {
   return hertz(all->segment(rigid, std::min<Eigen::Index>(count, all->size() - rigid)));
 }
 
-FrequencyGradient free_frequency_gradient(SolidModel& model, const VectorXd& v,
+FrequencyGradient free_frequency_gradient(const SolidModel& model, const VectorXd& v,
                                           const FractionGradient& dv, int count) {
   const SymmetricModes modes = elastic_modes(model, v, count);
   FrequencyGradient f;

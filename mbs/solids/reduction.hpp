@@ -38,7 +38,8 @@ struct ReducedSolid {
 
 /// @param internal number of internal modes (fixed-interface or free modes)
 /// @throws std::invalid_argument if a Craig-Bampton part has no interfaces
-ReducedSolid reduce(SolidModel& model, const Eigen::VectorXd& v, ReductionKind kind, int internal);
+ReducedSolid reduce(const SolidModel& model, const Eigen::VectorXd& v, ReductionKind kind,
+                    int internal);
 
 /// Inertia integrals of the displacements T * modes (modes: q x k).
 InertiaIntegrals inertia_integrals(const SolidModel& model, const Eigen::VectorXd& v,
@@ -46,7 +47,7 @@ InertiaIntegrals inertia_integrals(const SolidModel& model, const Eigen::VectorX
 
 /// Lowest `count` elastic free-free frequencies, Hz, without the rigid motions: of the full mesh,
 /// and of the reduced part (fewer if it has fewer). Empty if the eigenvalue solver failed.
-Eigen::VectorXd free_frequencies(SolidModel& model, const Eigen::VectorXd& v, int count);
+Eigen::VectorXd free_frequencies(const SolidModel& model, const Eigen::VectorXd& v, int count);
 Eigen::VectorXd free_frequencies(const ReducedSolid& reduced, int rigid, int count);
 
 /// d f_k/dp of the free-free frequencies [count x parameters], from
@@ -56,7 +57,7 @@ struct FrequencyGradient {
   Eigen::VectorXd frequency;  ///< Hz
   Eigen::MatrixXd gradient;   ///< Hz per parameter
 };
-FrequencyGradient free_frequency_gradient(SolidModel& model, const Eigen::VectorXd& v,
+FrequencyGradient free_frequency_gradient(const SolidModel& model, const Eigen::VectorXd& v,
                                           const Eigen::SparseMatrix<double, Eigen::RowMajor>& dv,
                                           int count);
 

@@ -36,8 +36,8 @@ SolidModel::SolidModel(SolidMesh mesh, Material material, std::vector<Interface>
     throw std::invalid_argument("thickness of a planar part must be positive");
   find_shapes();
   number_freedoms();
-  K_ = SparseAssembly(size());
-  M_ = SparseAssembly(size());
+  assembly_ = add_cells(SparseAssembly(size()), K_of_shape_, VectorXd::Ones(mesh_.cell_count()));
+  assembly_.finish();
 }
 
 /// Cells of equal edges (to 1e-10 of their size) share their matrices, the last distinct shape is
@@ -107,26 +107,23 @@ MatrixXd SolidModel::at_cell(int cell, const Eigen::Ref<const MatrixXd>& u) cons
   return out;
 }
 
-const SolidModel::Sparse& SolidModel::stiffness(const VectorXd& v) {
+SolidModel::Sparse SolidModel::stiffness(const VectorXd& v) const {
   const VectorXd factor = v.unaryExpr([this](double x) { return options_.law.stiffness(x); });
-  assemble(K_, K_of_shape_, factor);
-  return K_.finish();
+  return add_cells(assembly_, K_of_shape_, factor).finish();
 }
 
-const SolidModel::Sparse& SolidModel::stiffness_derivative(const VectorXd& v, const VectorXd& dv) {
+SolidModel::Sparse SolidModel::stiffness_derivative(const VectorXd& v, const VectorXd& dv) const {
   const VectorXd slope = v.unaryExpr([this](double x) { return options_.law.slope(x); });
-  assemble(K_, K_of_shape_, slope.cwiseProduct(dv));
-  return K_.finish();
+  return add_cells(assembly_, K_of_shape_, slope.cwiseProduct(dv)).finish();
 }
 
-const SolidModel::Sparse& SolidModel::mass(const VectorXd& v) {
-  assemble(M_, M_of_shape_, v);
-  return M_.finish();
+SolidModel::Sparse SolidModel::mass(const VectorXd& v) const {
+  return add_cells(assembly_, M_of_shape_, v).finish();
 }
 
 /// T_e^T A_e T_e of every cell, lower triangle; T_e are the rows of T at the cell's freedoms.
-void SolidModel::assemble(SparseAssembly& assembly, const std::vector<MatrixXd>& by_shape,
-                          const VectorXd& factor) {
+SparseAssembly SolidModel::add_cells(SparseAssembly assembly, const std::vector<MatrixXd>& by_shape,
+                                     const VectorXd& factor) const {
   const int dim = mesh_.dim, n = dim * mesh_.corners();
   std::vector<int> columns, local(size(), -1);
   MatrixXd T_e, reduced;
@@ -159,6 +156,7 @@ void SolidModel::assemble(SparseAssembly& assembly, const std::vector<MatrixXd>&
               factor[e] * (*A)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
     for (const int c : columns) local[c] = -1;
   }
+  return assembly;
 }
 
 }  // namespace liesl

@@ -20,7 +20,8 @@ namespace liesl {
 /// each interface the motion of its port, [u; w] (2 + 1 numbers in the plane, 3 + 3 in space).
 /// Displacements of all nodes are T q: a rigid interface moves with its port; of an averaged one
 /// three (six) nodal displacements are expressed by the port and the other nodes. Forces are f =
-/// T^T f_nodes.
+/// T^T f_nodes. It is const once built, so that a mechanism, its copies and what is made of them
+/// share one, also among threads.
 class SolidModel {
  public:
   using Sparse = Eigen::SparseMatrix<double>;
@@ -53,12 +54,12 @@ class SolidModel {
   /// Coordinate of a node's displacement, nothing if the interface took it.
   std::optional<int> coordinate(int node, int component) const;
 
-  /// Lower triangles of the stiffness and mass matrices in q for fractions v [cells]. The
-  /// references stay valid until the next call; the pattern never changes.
-  const Sparse& stiffness(const Eigen::VectorXd& v);
-  const Sparse& mass(const Eigen::VectorXd& v);
-  /// Lower triangle of dK/dp for fractions v with dv/dp = dv; takes the place of the stiffness.
-  const Sparse& stiffness_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv);
+  /// Lower triangles of the stiffness and mass matrices in q for fractions v [cells], all with the
+  /// same pattern.
+  Sparse stiffness(const Eigen::VectorXd& v) const;
+  Sparse mass(const Eigen::VectorXd& v) const;
+  /// Lower triangle of dK/dp for fractions v with dv/dp = dv.
+  Sparse stiffness_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv) const;
   /// kg; and its gradient with respect to the fractions.
   double total_mass(const Eigen::VectorXd& v) const { return full_mass_.dot(v); }
   const Eigen::VectorXd& cell_masses() const { return full_mass_; }
@@ -79,8 +80,8 @@ class SolidModel {
  private:
   void find_shapes();
   void number_freedoms();
-  void assemble(SparseAssembly& assembly, const std::vector<Eigen::MatrixXd>& by_shape,
-                const Eigen::VectorXd& factor);
+  SparseAssembly add_cells(SparseAssembly assembly, const std::vector<Eigen::MatrixXd>& by_shape,
+                           const Eigen::VectorXd& factor) const;
 
   SolidMesh mesh_;
   Material material_;
@@ -94,7 +95,7 @@ class SolidModel {
   Sparse T_;
   Eigen::SparseMatrix<double, Eigen::RowMajor> T_rows_;
   Eigen::MatrixXd rigid_;
-  SparseAssembly K_{0}, M_{0};
+  SparseAssembly assembly_{0};  ///< with the pattern
 };
 
 }  // namespace liesl

@@ -5,21 +5,18 @@
 
 namespace liesl {
 
-SE3 SolidSpec::port(int interface) const {
-  return frame * SE3(Eigen::Matrix3d::Identity(), interfaces.at(interface).point);
-}
+const SolidMesh& SolidSpec::mesh() const { return model->mesh(); }
+const std::vector<Interface>& SolidSpec::interfaces() const { return model->interfaces(); }
 
-SolidModel solid_model(const SolidSpec& s) {
-  SolidModel::Options options;
-  options.thickness = s.thickness;
-  options.law = s.law;
-  return {s.mesh, s.material, s.interfaces, options};
+SE3 SolidSpec::port(int interface) const {
+  return frame * SE3(Eigen::Matrix3d::Identity(), interfaces().at(interface).point);
 }
 
 Fractions solid_fractions(const SolidSpec& s) {
   if (s.outline.features.empty())
-    return {Eigen::VectorXd::Ones(s.mesh.cell_count()), FractionGradient(s.mesh.cell_count(), 0)};
-  return volume_fractions(s.mesh, *make_shape(s.outline));
+    return {Eigen::VectorXd::Ones(s.mesh().cell_count()),
+            FractionGradient(s.mesh().cell_count(), 0)};
+  return volume_fractions(s.mesh(), *make_shape(s.outline));
 }
 
 }  // namespace liesl

@@ -25,7 +25,7 @@ void hold(SolidModel::Sparse& K, const std::vector<int>& held) {
 
 }  // namespace
 
-SolidStatics::SolidStatics(SolidModel& model, SolidSupport support, MatrixXd outputs)
+SolidStatics::SolidStatics(const SolidModel& model, SolidSupport support, MatrixXd outputs)
     : model_(model), support_(std::move(support)), C_(std::move(outputs)) {
   if (C_.size() == 0) C_.resize(model.size(), 0);
   if (C_.rows() != model.size())

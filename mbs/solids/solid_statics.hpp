@@ -52,7 +52,7 @@ std::string reason(SolidStatus status);
 class SolidStatics {
  public:
   /// @param outputs C, q x m (m may be 0). The model must outlive this and its mesh not change.
-  SolidStatics(SolidModel& model, SolidSupport support, Eigen::MatrixXd outputs);
+  SolidStatics(const SolidModel& model, SolidSupport support, Eigen::MatrixXd outputs);
 
   /// Loads of the cases, q x n; nodal forces f_nodes enter as T^T f_nodes.
   void set_loads(const Eigen::MatrixXd& f) { f_ = f; }
@@ -109,7 +109,7 @@ class SolidStatics {
   void accumulate(const Solved& mu, int column, const FractionGradient& dv,
                   Eigen::MatrixXd& out) const;
 
-  SolidModel& model_;
+  const SolidModel& model_;
   SolidSupport support_;
   Eigen::MatrixXd C_, f_, y_;
   Solved all_;  ///< cases, then outputs

@@ -82,12 +82,13 @@ std::unique_ptr<Body<G>> make(const std::string& name, const RigidSpec& rigid,
 template <class G>
 std::unique_ptr<Body<G>> make(const std::string& name, const SolidSpec& solid,
                               const Space<G>& space, Formalism formalism, const std::vector<int>&) {
-  if (solid.mesh.dim != G::space_dim)
-    throw std::invalid_argument("the mesh of '" + name + "' has " + std::to_string(solid.mesh.dim) +
-                                " dimensions, its mechanism " + std::to_string(G::space_dim));
+  if (solid.mesh().dim != G::space_dim)
+    throw std::invalid_argument("the mesh of '" + name + "' has " +
+                                std::to_string(solid.mesh().dim) + " dimensions, its mechanism " +
+                                std::to_string(G::space_dim));
   const SE3 align = space.alignment(solid.frame);
   std::vector<G> ports;
-  for (size_t k = 0; k < solid.interfaces.size(); ++k)
+  for (size_t k = 0; k < solid.interfaces().size(); ++k)
     ports.push_back(space.reduce(solid.port(static_cast<int>(k)), align));
   if (formalism != Formalism::Rigid && (solid.modes > 0 || ports.size() > 1))
     return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "mbs/bodies/beam.hpp"
+#include "mbs/bodies/body.hpp"
 #include "mbs/system/build_port.hpp"
 
 namespace liesl {
@@ -23,7 +23,7 @@ Load<G> build_load(const LoadSpec& l, const Mechanism& mechanism, const Model<G>
                            : space.reduce_wrench(l.force, l.moment);
   if (l.spread) {
     const Body<G>& body = *model.bodies[l.port.body];
-    if (dynamic_cast<const FourthOrderBeam<G>*>(&body) && (l.follower || l.moment.norm() > 0))
+    if (!body.takes_any_spread_load() && (l.follower || l.moment.norm() > 0))
       throw std::invalid_argument("load '" + l.name + "' over beam '" + body.name +
                                   "' of order 4: expected a force in inertial axes");
     load.distribution = body.load_distribution();

@@ -114,14 +114,13 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
                                            const SolidDerivative& part) {
   const auto* solid = kind_of<SolidSpec>(mechanism, part.body);
   if (!solid) return expected("meshed part", part.body);
-  if (part.fractions.size() != solid->mesh.cell_count())
-    return "expected fractions of " + std::to_string(solid->mesh.cell_count()) +
+  if (part.fractions.size() != solid->mesh().cell_count())
+    return "expected fractions of " + std::to_string(solid->mesh().cell_count()) +
            " cells of part '" + mechanism.bodies[part.body].name + "', got " +
            std::to_string(part.fractions.size());
   add_nodes_of(part.body);
-  SolidModel model = solid_model(*solid);
-  return set_body(part.body,
-                  FractionDerivative{&model, solid_fractions(*solid).value, part.fractions});
+  return set_body(part.body, FractionDerivative{solid->model.get(), solid_fractions(*solid).value,
+                                                part.fractions});
 }
 
 template <FrameGroup G>

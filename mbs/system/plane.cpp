@@ -86,7 +86,7 @@ class Search {
   PlaneSearch run() {
     Space<SE2> plane;
     for (const auto& body : m_.bodies)
-      if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh.dim == 3)
+      if (const auto* solid = std::get_if<SolidSpec>(&body.kind); solid && solid->mesh().dim == 3)
         return {std::nullopt, fmt::format("'{}' is meshed in space", body.name)};
     if (!choose_plane(plane)) return {std::nullopt, reason_};
     plane_ = plane;
@@ -109,7 +109,7 @@ class Search {
         points_.push_back(rigid->frame.x + rigid->frame.R * rigid->centre);
       }
       if (const auto* solid = std::get_if<SolidSpec>(&body.kind))
-        for (std::size_t k = 0; k < solid->interfaces.size(); ++k)
+        for (std::size_t k = 0; k < solid->interfaces().size(); ++k)
           points_.push_back(solid->port(static_cast<int>(k)).x);
     }
     for (const auto& j : m_.joints)
@@ -138,7 +138,7 @@ class Search {
       normal.setZero();
     for (const auto& body : m_.bodies)
       if (const auto* solid = std::get_if<SolidSpec>(&body.kind);
-          solid && solid->mesh.dim == 2 && normal.norm() == 0)
+          solid && solid->mesh().dim == 2 && normal.norm() == 0)
         normal = solid->frame.R.col(2);
     std::vector<Vec3> in_plane{m_.gravity};
     for (const auto& l : m_.loads)

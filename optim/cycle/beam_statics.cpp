@@ -54,7 +54,7 @@ BeamStatics<G>::BeamStatics(const Analysis<G>& at, const Sizing& sizing, const S
 
 template <FrameGroup G>
 void BeamStatics<G>::make_part(const Analysis<G>& at, const LoadSet& loads) {
-  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model_.bodies[loads.body]);
+  const auto& beam = *model_.bodies[loads.body]->chain();
   PartOutputs outputs = limited_outputs(study_, at.mechanism, model_, loads.body);
   add_limits(outputs, loads.body);
   auto& labels = cases_.emplace_back();

@@ -59,6 +59,7 @@ class CatalogueRounds {
   /// Round n with its model and motion, from the cycles that there are.
   End again(std::size_t n, const DesignBox& box) {
     CycleHooks cycle = hooks_;
+    if (!box.branch.empty()) cycle.of = " of the box " + box.branch;
     cycle.on_cycle = [this, n](const std::vector<Cycle>& history) {
       rounds_[n] = history;
       if (!hooks_.on_round_cycle) return;

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 namespace {
 
 /// The plain cycle ends on its last simulation, and an earlier design may be the best.
-void say_which_design(const CycleOptions& options, LoopResult& result) {
+void say_which_design(const CycleOptions& options, const std::string& of, LoopResult& result) {
   const History& history = result.history;
   if (options.method != CycleMethod::Esl || !result.best || history.empty() ||
       history.back().x == result.x)
@@ -22,7 +22,7 @@ void say_which_design(const CycleOptions& options, LoopResult& result) {
                                [&](const Cycle& c) { return c.x == result.x; });
   if (at == history.rend()) return;
   result.reason += fmt::format(
-      "; the design is that of cycle {}, the {} (worst limit at {:+.2g})", at->number,
+      "; the design is that of cycle {}{}, the {} (worst limit at {:+.2g})", at->number, of,
       at->worst <= options.feasibility ? "best that meets all limits" : "least bad", at->worst);
 }
 
@@ -44,6 +44,11 @@ Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
   last_ = analysis;
   result_.history.push_back(c);
   return result_.history.back();
+}
+
+CycleEnd CycleRecord::stopped() const {
+  return {CycleStatus::Interrupted,
+          fmt::format("stopped in cycle {}{} on request", history().back().number, hooks_.of)};
 }
 
 void CycleRecord::restore(const std::vector<Cycle>& resume) {
@@ -92,7 +97,7 @@ LoopResult CycleRecord::finish(const CycleEnd& end) {
     result_.history.back().end = end.status;
   last_.reset();
   if (result_.best && !result_.optimality) evaluate_certificate();
-  say_which_design(options_, result_);
+  say_which_design(options_, hooks_.of, result_);
   return std::move(result_);
 }
 
@@ -144,8 +149,7 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
     if (step.end && step.end->status != CycleStatus::Interrupted) cycle.end = step.end->status;
     if (hooks.on_cycle) hooks.on_cycle(record.history());
     if (record.asked_to_stop() && !step.end)
-      step.end = CycleEnd{CycleStatus::Interrupted,
-                          fmt::format("stopped in cycle {} on request", cycle.number)};
+      step.end = record.stopped();
   }
   return record.finish(*step.end);
 }

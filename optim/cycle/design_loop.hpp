@@ -15,6 +15,9 @@ struct CycleHooks {
   std::function<void(const std::vector<Cycle>&)> on_cycle;  ///< after each cycle
   Progress progress;                                        ///< during simulations
   std::function<bool()> keep_going;  ///< asked by the optimiser; false = Interrupted
+  /// Added to the number of a cycle in reasons where a run has several loops, each with cycles from
+  /// 1 on: " of restart 2".
+  std::string of;
 };
 
 struct LoopResult {
@@ -42,6 +45,8 @@ class CycleRecord {
   const History& history() const { return result_.history; }
   const Eigen::VectorXd& best() const { return result_.x; }  ///< empty: none yet
   bool asked_to_stop() const { return hooks_.keep_going && !hooks_.keep_going(); }
+  /// What that ends in: the last cycle so far.
+  CycleEnd stopped() const;
 
   Analysis analyse(const Eigen::VectorXd& x) { return model_.analyse(x, hooks_.progress); }
   Cycle& add(const Analysis& analysis, const Eigen::VectorXd& x);

@@ -83,7 +83,8 @@ void DesignSimulator<G>::extract(DesignRun<G>& r) const {
 template <FrameGroup G>
 void DesignSimulator<G>::measure_frequencies(DesignRun<G>& r) const {
   if (study_.frequencies.empty()) return;
-  const LimitedModes modes(r.mechanism, options_, study_.frequencies);
+  const Mechanism mechanism = with_multipliers(r.mechanism);
+  const LimitedModes modes(mechanism, options_, study_.frequencies);
   r.undefined = modes.reason;
   for (std::size_t l = 0; l < study_.frequencies.size(); ++l) {
     const FrequencyLimitSpec& limit = study_.frequencies[l];

@@ -60,8 +60,7 @@ Step FixedPointRule::next(CycleRecord& record, const CycleRecord::Analysis& anal
   if (record.asked_to_stop()) {  // half an optimum says nothing of the design; `resume` solves anew
     cycle.answer.resize(0);
     cycle.warm = before;
-    return {cycle.x, CycleEnd{CycleStatus::Interrupted,
-                              fmt::format("stopped in cycle {} on request", cycle.number)}};
+    return {cycle.x, record.stopped()};
   }
   cycle.next = next_design(record.history(), record.model().variables());
   std::optional<CycleEnd> end = fixed_point(cycle, record.options());

@@ -2,35 +2,36 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 namespace liesl {
 
-namespace {
-
-/// Joints hold in modes, also where the motion has penalties.
 Mechanism with_multipliers(Mechanism mechanism) {
   mechanism.penalty = {};
   return mechanism;
 }
 
-}  // namespace
+LimitedModes::Vibrating::Vibrating(const Mechanism& designed, int of_body)
+    : body(of_body),
+      alone(of_body < 0 ? std::nullopt : std::optional(body_alone(designed, of_body))),
+      mechanism(alone ? alone->mechanism : designed),
+      model(Model<SE3>::build(mechanism, {})) {}
 
-LimitedModes::Vibrating::Vibrating(BodyAlone&& part, const SimulationOptions& options,
-                                   const FrequencyLimitSpec& limit)
-    : of(std::move(part)),
-      model(Model<SE3>::build(of.mechanism, {})),
-      modes(pose_modes(model, options, limit.at, limit.count)) {}
+const LimitedModes::Vibrating& LimitedModes::vibrating_of(int body) {
+  const auto found = std::ranges::find(vibrating, body, [](const auto& v) { return v->body; });
+  if (found != vibrating.end()) return **found;
+  return *vibrating.emplace_back(std::make_unique<Vibrating>(mechanism, body));
+}
 
-LimitedModes::LimitedModes(Mechanism designed, const SimulationOptions& options,
+LimitedModes::LimitedModes(const Mechanism& designed, const SimulationOptions& options,
                            const std::vector<FrequencyLimitSpec>& limits)
-    : mechanism(with_multipliers(std::move(designed))) {
+    : mechanism(designed) {
   for (const FrequencyLimitSpec& limit : limits) {
-    BodyAlone part =
-        limit.body < 0 ? BodyAlone{mechanism, -1, {}} : body_alone(mechanism, limit.body);
-    limited.push_back(std::make_unique<Vibrating>(std::move(part), options, limit));
-    const PoseModes& found = limited.back()->modes;
+    const Vibrating& of = vibrating_of(limit.body);
+    limited.push_back({&of, pose_modes(of.model, options, limit.at, limit.count)});
+    const PoseModes& found = limited.back().modes;
     if (!reason.empty() || found.lambda.size() >= limit.count) continue;
     reason = fmt::format("frequency '{}': ", limit.name);
     if (found.reason.empty())
@@ -41,15 +42,15 @@ LimitedModes::LimitedModes(Mechanism designed, const SimulationOptions& options,
 }
 
 double LimitedModes::frequency(std::size_t l, int i) const {
-  const Eigen::VectorXd& lambda = limited[l]->modes.lambda;
+  const Eigen::VectorXd& lambda = limited[l].modes.lambda;
   if (i >= lambda.size()) return std::numeric_limits<double>::quiet_NaN();
   return std::sqrt(lambda[i]) / (2 * M_PI);
 }
 
 Eigen::VectorXd LimitedModes::lambda_by(std::size_t l, const Parameter& parameter) const {
-  const Vibrating& v = *limited[l];
-  return lambda_derivative(v.of.mechanism, v.model, v.modes,
-                           v.of.body < 0 ? parameter : parameter_alone(parameter, v.of));
+  const Vibrating& v = *limited[l].of;
+  return lambda_derivative(v.mechanism, v.model, limited[l].modes,
+                           v.alone ? parameter_alone(parameter, *v.alone) : parameter);
 }
 
 FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& design,
@@ -57,7 +58,7 @@ FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& des
                                    const std::vector<FrequencyLimitSpec>& limits,
                                    const Eigen::VectorXd& x, int first_term)
     : CaselessProblem(design.variables()),
-      mechanism_(mechanism),
+      designed_(with_multipliers(mechanism)),
       design_(design),
       options_(options),
       limits_(limits) {
@@ -78,7 +79,9 @@ FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& des
 }
 
 void FrequencyProblem::values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) {
-  latest_ = std::make_unique<LimitedModes>(design_.apply(mechanism_, x), options_, limits_);
+  latest_.reset();
+  design_.apply(x, designed_);
+  latest_ = std::make_unique<LimitedModes>(designed_, options_, limits_);
   f = 0;
   Eigen::Index row = 0;
   for (std::size_t l = 0; l < limits_.size(); ++l)

@@ -3,6 +3,7 @@
 /// Limits on the natural frequencies of a mechanism in a pose.
 
 #include <memory>
+#include <optional>
 
 #include "mbs/model/body_alone.hpp"
 #include "mbs/solvers/pose_modes.hpp"
@@ -11,10 +12,14 @@
 
 namespace liesl {
 
+/// A copy whose joints hold exactly, as they do in modes, also where the motion has penalties.
+Mechanism with_multipliers(Mechanism mechanism);
+
 /// The modes of one design in the poses of the limits on its frequencies: of the whole mechanism,
 /// or of one body alone.
 struct LimitedModes {
-  LimitedModes(Mechanism designed, const SimulationOptions& options,
+  /// @param designed a mechanism with multipliers; referred to
+  LimitedModes(const Mechanism& designed, const SimulationOptions& options,
                const std::vector<FrequencyLimitSpec>& limits);
   LimitedModes(const LimitedModes&) = delete;
   LimitedModes& operator=(const LimitedModes&) = delete;
@@ -24,20 +29,29 @@ struct LimitedModes {
   /// d lambda/dp of limit l.
   Eigen::VectorXd lambda_by(std::size_t l, const Parameter& parameter) const;
 
-  /// What vibrates; the model refers to the mechanism.
+  /// What vibrates: a body, -1: the whole. The model refers to the mechanism.
   struct Vibrating {
-    Vibrating(BodyAlone&& of, const SimulationOptions& options, const FrequencyLimitSpec& limit);
+    Vibrating(const Mechanism& designed, int of_body);
     Vibrating(const Vibrating&) = delete;
     Vibrating& operator=(const Vibrating&) = delete;
 
-    BodyAlone of;  ///< of the whole: its mechanism
+    int body;
+    std::optional<BodyAlone> alone;  ///< none: the whole
+    const Mechanism& mechanism;
     Model<SE3> model;
+  };
+  struct Limited {
+    const Vibrating* of;
     PoseModes modes;
   };
 
-  Mechanism mechanism;                              ///< with the design
-  std::vector<std::unique_ptr<Vibrating>> limited;  ///< one a limit
+  const Mechanism& mechanism;                         ///< with the design
+  std::vector<std::unique_ptr<Vibrating>> vibrating;  ///< without repetition
+  std::vector<Limited> limited;                       ///< one a limit
   std::string reason;  ///< why a limit has fewer frequencies than it counts; empty: none has
+
+ private:
+  const Vibrating& vibrating_of(int body);
 };
 
 /// Rows 1 - f_i/least <= 0 of the lowest frequencies, exact at every x (without second derivatives:
@@ -55,7 +69,7 @@ class FrequencyProblem final : public CaselessProblem {
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
  private:
-  const Mechanism& mechanism_;
+  Mechanism designed_;  ///< with the design of the latest values
   const Design& design_;
   const SimulationOptions options_;
   const std::vector<FrequencyLimitSpec> limits_;

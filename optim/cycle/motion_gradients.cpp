@@ -16,8 +16,7 @@ namespace {
 template <FrameGroup G>
 VectorXd part_gradient(const Model<G>& model, const PartSlopes& slopes, int record,
                        const State<G>& s, const StateSensitivity& ds) {
-  const auto& body =
-      dynamic_cast<const SolidBody<G>&>(*model.bodies[static_cast<std::size_t>(slopes.body)]);
+  const SolidBody<G>& body = *model.bodies[static_cast<std::size_t>(slopes.body)]->meshed();
   VectorXd h = VectorXd::Zero(body.size());
   body.add_coordinates_gradient(model.body_state(s, slopes.body), slopes.by_coordinates.at(record),
                                 h.data());

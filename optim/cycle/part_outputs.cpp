@@ -47,7 +47,7 @@ template <FrameGroup G>
 PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
                             const Model<G>& model, int body) {
   PartOutputs out;
-  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
+  const BeamChain<G>& beam = *model.bodies[body]->chain();
   out.C.resize(beam.size(), 0);
   const auto append = [&out](const Eigen::MatrixXd& c) {
     const auto first = out.C.cols();
@@ -93,7 +93,7 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
                                 const Mechanism& mechanism, const Model<G>& model,
                                 const Trajectory<G>& trajectory, int body) {
   const ResponseValues<G> values(mechanism, model);
-  const auto& beam = dynamic_cast<const BeamChain<G>&>(*model.bodies[body]);
+  const BeamChain<G>& beam = *model.bodies[body]->chain();
   const int elements = beam.elements();
   Eigen::MatrixXd y(outputs.count(), trajectory.size());
   State<G> s = model.initial_state();

@@ -46,6 +46,7 @@ namespace detail {
 
 CycleHooks StartHistory::hooks(int start) const {
   CycleHooks out = hooks_;
+  if (start > 0) out.of = fmt::format(" of restart {}", start) + out.of;
   if (!hooks_.on_cycle) return out;
   out.on_cycle = [this, start](const std::vector<Cycle>& cycles) {
     std::vector<Cycle> so_far = all_;

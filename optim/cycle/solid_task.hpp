@@ -28,7 +28,7 @@ struct SolidLimit {
 struct SolidTask {
   const ShapeDesign* design = nullptr;
   levelset::LevelSet* shape = nullptr;
-  SolidModel* model = nullptr;
+  const SolidModel* model = nullptr;
   SolidSupport support;
   Eigen::MatrixXd outputs;         ///< C, q x m
   std::vector<std::string> cases;  ///< what the load cases are called

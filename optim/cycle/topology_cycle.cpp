@@ -42,7 +42,7 @@ HoleRound insert_into(const LoopResult& end, const PartProposal& proposal,
   BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
   SolidSpec& solid = std::get<SolidSpec>(spec.kind);
   ShapeDesignSpec& design = study.shapes.at(body);
-  HoleRound hole{body,    insert_hole(nucleus, solid.mesh, solid.outline, design),
+  HoleRound hole{body,    insert_hole(nucleus, solid.mesh(), solid.outline, design),
                  nucleus, end.best->objective,
                  0,       0,
                  false,   {}};

@@ -95,6 +95,7 @@ Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechan
   const auto run = [&](Round<End>& round) {
     rounds.emplace_back();
     CycleHooks cycle = hooks;
+    if (rounds.size() > 1) cycle.of = " of round " + std::to_string(rounds.size());
     cycle.on_cycle = [&](const std::vector<Cycle>& history) {
       rounds.back() = history;
       if (hooks.on_round_cycle) hooks.on_round_cycle(rounds);

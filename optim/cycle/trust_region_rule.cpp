@@ -152,9 +152,7 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
       cycle->load_cases = surrogate_.problem->load_cases();
       cycle->iterations += answer_.iterations;
     }
-    if (record.asked_to_stop())
-      return {x_, CycleEnd{CycleStatus::Interrupted, fmt::format("stopped in cycle {} on request",
-                                                                 record.history().back().number)}};
+    if (record.asked_to_stop()) return {x_, record.stopped()};
     predicted_ = merit(*at_) - answer_.merit;
     // The optimum of a problem that is not convex, and no better than here.
     if (predicted_ <= 0 && !surrogate_.optimality.holds() && radius_ > kSmallestRadius) {

@@ -55,12 +55,10 @@ std::vector<Parameter> Design::parameters(const Mechanism& designed,
   return all;
 }
 
-Mechanism Design::apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
-  Mechanism designed = mechanism;
-  sizing_.apply(x, designed);
-  for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), designed);
-  constants_.apply(x.tail(constants_.size()), designed);
-  return designed;
+void Design::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
+  sizing_.apply(x, mechanism);
+  for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), mechanism);
+  constants_.apply(x.tail(constants_.size()), mechanism);
 }
 
 }  // namespace liesl

@@ -43,8 +43,13 @@ class Design {
   /// their cells.
   std::vector<Parameter> parameters(const Mechanism& designed, const Eigen::VectorXd& x) const;
 
-  /// The mechanism with this design, and how it is simulated.
-  Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const;
+  /// Writes this design into the mechanism, or into a copy; and how it is simulated.
+  void apply(const Eigen::VectorXd& x, Mechanism& mechanism) const;
+  Mechanism apply(const Mechanism& mechanism, const Eigen::VectorXd& x) const {
+    Mechanism designed = mechanism;
+    apply(x, designed);
+    return designed;
+  }
   SimulationOptions simulation(const SimulationOptions& options, const Eigen::VectorXd& x) const {
     return constants_.simulation(options, x.tail(constants_.size()));
   }

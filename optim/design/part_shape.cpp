@@ -18,7 +18,8 @@ const SolidSpec& outlined(const Mechanism& mechanism, int body) {
 PartShape::PartShape(const Mechanism& mechanism, int body_index, const ShapeDesignSpec& spec)
     : body(body_index),
       shape(make_shape(outlined(mechanism, body_index).outline)),
-      model(solid_model(outlined(mechanism, body_index))),
+      mesh(outlined(mechanism, body_index).model),
+      model(*mesh),
       design(spec, *shape, model) {}
 
 Eigen::MatrixXd PartShape::fraction_gradient(const Eigen::VectorXd& x) const {

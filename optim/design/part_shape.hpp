@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// A meshed part of a study: its matrices, its outline and what may change of it.
+/// A meshed part of a study: its mesh, its outline and what may change of it.
 
 #include "mbs/model/mechanism.hpp"
 #include "optim/design/shape.hpp"
@@ -11,7 +11,8 @@ namespace liesl {
 struct PartShape {
   int body = 0;
   levelset::LevelSetPtr shape;
-  SolidModel model;
+  std::shared_ptr<const SolidModel> mesh;  ///< that of the mechanism
+  const SolidModel& model;
   ShapeDesign design;
 
   /// @throws std::invalid_argument for a body that is no meshed part with an outline, and as

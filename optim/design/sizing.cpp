@@ -124,7 +124,7 @@ double mass_of(const Mechanism& mechanism, const std::vector<int>& bodies) {
       continue;
     }
     if (const auto* solid = std::get_if<SolidSpec>(&mechanism.bodies[b].kind)) {
-      mass += solid_model(*solid).total_mass(solid_fractions(*solid).value);
+      mass += solid->model->total_mass(solid_fractions(*solid).value);
       continue;
     }
     const auto& beam = std::get<BeamSpec>(mechanism.bodies[b].kind);

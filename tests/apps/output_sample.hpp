@@ -9,7 +9,7 @@
 
 #include "apps/output/results.hpp"
 
-namespace liesl::output {
+namespace liesl::test {
 
 /// Numbers 1000 + 0.1, 1001 + 0.1, ... so that every place of a block is told apart.
 inline std::vector<double> counting(std::size_t count, double first = 1000) {
@@ -19,9 +19,9 @@ inline std::vector<double> counting(std::size_t count, double first = 1000) {
 }
 
 /// Five records of a beam of two elements and a rigid body.
-inline Results sample_results() {
+inline output::Results sample_results() {
   const std::size_t n = 5;
-  Results r;
+  output::Results r;
   r.name = "sample & <test>";
   r.space = "spatial";
   for (std::size_t i = 0; i < n; ++i) r.times.push_back(0.1 * static_cast<double>(i));
@@ -69,4 +69,4 @@ class TemporaryFolder {
   std::filesystem::path path_;
 };
 
-}  // namespace liesl::output
+}  // namespace liesl::test

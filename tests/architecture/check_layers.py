@@ -6,8 +6,9 @@
 - no file above 700 lines, no function above 80 (an exemption is a comment in the function or in
   the line above it: `// long function: <reason>`);
 - no folder that is a drawer (utils, common, ...);
-- tests of a library stand on it and those below it (TEST_REACH), in the folders of the sources, and
-  what they share is in namespace liesl::test.
+- tests of a library stand on it and those below it (TEST_REACH), in the folders of the sources and
+  in namespace liesl::test;
+- bodies are cast in mbs/bodies only (BODY_CAST).
 
 Prints the sizes, and lines of test by lines of source. Ends with 1 if anything is wrong. Needs nothing but Python 3.
 """
@@ -249,8 +250,8 @@ def check_modules(texts):
 
 # --- tests ---------------------------------------------------------------------------------------
 
-# The last top folder that tests of a top folder may include. Sizing is tested on shipped studies.
-TEST_REACH = {"liegroup": "liegroup", "mbs": "mbs", "esl": "esl", "optim": "apps", "apps": "apps"}
+# Tests of a top folder include it and those before it.
+TEST_REACH = {"liegroup", "mbs", "esl", "optim", "apps"}
 
 
 def reached(path, tests, sources):
@@ -273,15 +274,16 @@ def reached(path, tests, sources):
 def check_tests(tests, sources):
     """Errors of what tests stand on, where they lie and in which namespace."""
     errors = []
-    own = {"test", *re.findall(r"namespace liesl::(\w+)", "\n".join(sources.values()))}
     for path, text in tests.items():
         top, *rest = path.split("/")[1:]
-        for name in re.findall(r"^namespace liesl::(\w+)", text, re.M):
-            if name not in own:
-                errors.append(f"{path}: namespace liesl::{name}: what tests share is in liesl::test")
+        names = set(re.findall(r"^namespace (\w[\w:]*) \{", text, re.M))
+        for name in sorted(names - {"liesl::test", "detail"}):
+            errors.append(f"{path}: namespace {name}: tests are in liesl::test")
+        if path.endswith("_test.cpp") and "liesl::test" not in names:
+            errors.append(f"{path}: tests are in namespace liesl::test")
         if top not in TEST_REACH:
             continue
-        limit = TOPS.index(TEST_REACH[top])
+        limit = TOPS.index(top)
         for there, how in reached(path, tests, sources).items():
             if TOPS.index(there) > limit:
                 errors.append(f"{path}: a test of {top} includes {how}")
@@ -304,6 +306,17 @@ def print_test_lines(tests, sources):
         if top not in RANK and count(tests, "tests/" + top):
             print(f"| shared by tests of {top} | | {count(tests, 'tests/' + top)} | |")
     print(f"| reference answers | | {count(tests, 'tests/reference')} | |")
+
+
+BODY_CAST = re.compile(
+    r"\bdynamic_cast<(?:const )?(?:\w*Body|\w*Beam|BeamChain|Rigid)\b(?:<[^<>]*>)?\s*[&*]")
+
+
+def check_casts(texts):
+    """What kind a body is, only its own folder knows; others ask its virtual functions."""
+    return [f"{path}: {found.group()}: ask a virtual function of Body"
+            for path, text in texts.items() if folder_of(path) != "mbs/bodies"
+            for found in BODY_CAST.finditer(without_noise(text))]
 
 
 def check_scripts(texts):
@@ -363,7 +376,7 @@ def check(root):
     errors += check_modules(sources)
     errors += check_classes({**sources, **tests})
     errors += check_sizes({**sources, **tests}) + check_scripts(scripts)
-    errors += check_tests(tests, sources)
+    errors += check_tests(tests, sources) + check_casts(sources)
     errors += check_drawers({**sources, **tests})
     print_statistics(sources, tests)
     if not sources:

@@ -29,6 +29,9 @@ def errors_of(changes):
             return check_layers.check(Path(folder))
 
 
+TESTS = "namespace liesl::test {\n}\n"
+
+
 class CheckLayers(unittest.TestCase):
     def refuses(self, changes, *words):
         errors = errors_of(changes)
@@ -75,15 +78,26 @@ class CheckLayers(unittest.TestCase):
                 '#include "apps/scene/scene.hpp"\n'}
         bad = {"tests/mbs/model/a_test.cpp": '#include "reference/shipped.hpp"\n'}
         self.refuses({**apps, **bad}, "a test of mbs includes", "by tests/reference/shipped.hpp")
-        good = {"tests/optim/cycle/a_test.cpp": '#include "reference/shipped.hpp"\n'}
+        self.refuses({**apps, "tests/optim/cycle/a_test.cpp": '#include "reference/shipped.hpp"\n'},
+                     "a test of optim includes")
+        good = {"tests/apps/scene/a_test.cpp": '#include "reference/shipped.hpp"\n' + TESTS}
         self.assertEqual(errors_of({**apps, **good}), [])
 
     def test_test_in_no_folder_of_the_sources(self):
         self.refuses({"tests/mbs/a_test.cpp": ""}, "no folder 'mbs' of sources")
-        self.assertEqual(errors_of({"tests/mbs/a_test.cpp": "", "tests/mbs/a.hpp": ""}), [])
+        self.assertEqual(errors_of({"tests/mbs/a_test.cpp": TESTS, "tests/mbs/a.hpp": ""}), [])
 
     def test_second_namespace_of_tests(self):
         self.refuses({"tests/mbs/run.hpp": "namespace liesl::cases {\n}\n"}, "liesl::cases")
+        self.refuses({"tests/mbs/model/a_test.cpp": "namespace liesl {\n}\n"}, "namespace liesl: tests")
+        self.refuses({"tests/mbs/model/a_test.cpp": "namespace {\n}\n"}, "in namespace liesl::test")
+
+    def test_cast_of_a_body(self):
+        cast = "const auto* b = dynamic_cast<const SolidBody<G>*>(&body);\n"
+        self.refuses({"mbs/solvers/a.cpp": cast}, "mbs/solvers/a.cpp: dynamic_cast<const SolidBody<G>*")
+        self.refuses({"esl/a.cpp": "dynamic_cast<const BeamChain<G>&>(body);\n"}, "esl/a.cpp: dynamic_cast")
+        other = "dynamic_cast<const MotionAnalysis<G>&>(given);\n"
+        self.assertEqual(errors_of({"mbs/bodies/a.cpp": cast, "optim/cycle/a.cpp": other}), [])
 
     def test_unknown_folder(self):
         self.refuses({"mbs/stuff/a.hpp": ""}, "'mbs/stuff' is not in LAYERS")

@@ -10,7 +10,7 @@
 #include "esl/static_part.hpp"
 #include "mbs/motion.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::Motion;
@@ -48,6 +48,22 @@ TYPED_TEST(Loads, GiveTheDeformationBackInTheNonlinearProblem) {
       EXPECT_LT(identity.nonlinear, order == 2 ? 1e-10 : 1e-9) << body;
       EXPECT_GT(identity.linear, 1e-7) << "the linear problem is another one";
     }
+  }
+}
+
+/// A chain of segments: loads in the axes of points, which turn with it.
+TEST(SegmentLoads, GiveTheDeformationBackInTheNonlinearProblem) {
+  Mechanism m = slider_crank();
+  m.formalism = Formalism::Segments;
+  const auto motion = run<SE2>(m);
+  ASSERT_TRUE(motion.good());
+  for (const int body : {kCrank, kRod}) {
+    const LoadSet loads = extract_loads(motion.model, motion.trajectory(), body);
+    const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
+    EXPECT_GE(identity.cases, 18);
+    EXPECT_LT(identity.nonlinear, 1e-9) << body;
+    EXPECT_GT(identity.linear, 1e-7) << "the linear problem is another one";
+    EXPECT_LT(identity.linear, 0.1);
   }
 }
 
@@ -162,4 +178,4 @@ TEST(LoadSets, RigidBodiesHaveNone) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

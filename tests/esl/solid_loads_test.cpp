@@ -10,7 +10,7 @@
 #include "mbs/solvers/dynamics.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 struct Moved {
@@ -34,7 +34,7 @@ const Moved& moved() {
 }
 
 Identity identity_of(const SolidLoadSet& loads, int cases) {
-  SolidModel model = solid_model(moved().rod());
+  const SolidModel& model = *moved().rod().model;
   return check_identity(model, solid_fractions(moved().rod()).value, loads, cases);
 }
 
@@ -47,7 +47,7 @@ TEST(SolidLoads, GiveBackTheDynamicDeformation) {
 }
 
 TEST(SolidLoads, AreInEquilibrium) {
-  const SolidModel model = solid_model(moved().rod());
+  const SolidModel& model = *moved().rod().model;
   const auto& loads = moved().loads;
   for (int n = 10; n < static_cast<int>(loads.t.size()); n += 40) {
     const Eigen::VectorXd f = loads.load(n);
@@ -58,7 +58,7 @@ TEST(SolidLoads, AreInEquilibrium) {
 
 /// With inertia relief the same deformation but for a rigid motion: the stretch between the ports.
 TEST(SolidLoads, DeformTheSameWithoutASupport) {
-  SolidModel model = solid_model(moved().rod());
+  const SolidModel& model = *moved().rod().model;
   const auto& loads = moved().loads;
   SolidStatics statics(model, SolidSupport::relief(), elongation_output(model, 0, 1));
   statics.set_loads(loads.shapes * loads.e);
@@ -81,4 +81,4 @@ TEST(SolidLoads, OfAPartAtRestAreNone) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

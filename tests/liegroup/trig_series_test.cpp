@@ -10,8 +10,10 @@
 #include <numbers>
 #include <vector>
 
-namespace liesl::trig {
+namespace liesl::test {
 namespace {
+
+using namespace trig;
 
 using Long = long double;
 constexpr double kEps = std::numeric_limits<double>::epsilon();
@@ -177,4 +179,4 @@ TEST(TrigSeries, Polynomial) {
 }
 
 }  // namespace
-}  // namespace liesl::trig
+}  // namespace liesl::test

@@ -3,6 +3,7 @@
 /// A slider-crank with a slender rod of rectangular section, as a beam or as a mesh.
 
 #include "reference/mechanisms.hpp"
+#include "reference/meshed_part.hpp"
 
 namespace liesl::test {
 
@@ -14,16 +15,17 @@ inline SolidSpec meshed_rod(const Vec3& from, int nx, int ny, int modes, int nz 
   SolidSpec s;
   s.frame.x = from;
   const Vec3 half(0, kRodHeight / 2, kRodThickness / 2), end(kRodLength, 0, 0);
-  s.mesh = nz > 0 ? hex_grid(-half, end + half, nx, ny, nz)
-                  : quad_grid(-half.head<2>(), (end + half).head<2>(), nx, ny);
-  s.material = steel();
-  s.thickness = kRodThickness;
-  const auto at = [&s](double x) {
-    return nodes_where(s.mesh, [x](const Vec3& p) { return std::abs(p[0] - x) < 1e-9; });
+  SolidMesh mesh = nz > 0 ? hex_grid(-half, end + half, nx, ny, nz)
+                          : quad_grid(-half.head<2>(), (end + half).head<2>(), nx, ny);
+  const auto at = [&mesh](double x) {
+    return nodes_where(mesh, [x](const Vec3& p) { return std::abs(p[0] - x) < 1e-9; });
   };
-  s.interfaces = {{"start", at(0), {0, 0, 0}, Tie::Rigid},
-                  {"end", at(kRodLength), {kRodLength, 0, 0}, Tie::Rigid},
-                  {"mid", at(kRodLength / 2), {kRodLength / 2, 0, 0}, Tie::Averaged}};
+  std::vector<Interface> interfaces = {
+      {"start", at(0), {0, 0, 0}, Tie::Rigid},
+      {"end", at(kRodLength), {kRodLength, 0, 0}, Tie::Rigid},
+      {"mid", at(kRodLength / 2), {kRodLength / 2, 0, 0}, Tie::Averaged}};
+  s.model = std::make_shared<const SolidModel>(std::move(mesh), steel(), std::move(interfaces),
+                                               SolidModel::Options{kRodThickness, {}});
   s.modes = modes;
   return s;
 }

@@ -10,9 +10,9 @@
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 class BatchProgram : public Program {
  protected:
@@ -364,3 +364,4 @@ TEST_F(BatchProgram, DrawsAnyPairOfColumns) {
 }
 
 }  // namespace
+}  // namespace liesl::test

@@ -6,9 +6,9 @@
 
 #include "apps/program.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 class Cli : public Program {};
 
@@ -435,3 +435,4 @@ TEST_F(Cli, RunsEveryShippedScene) {
 }
 
 }  // namespace
+}  // namespace liesl::test

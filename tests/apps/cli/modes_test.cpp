@@ -5,9 +5,9 @@
 
 #include "apps/program.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 class Modes : public Program {};
 
@@ -61,3 +61,4 @@ type = "modes"
 }
 
 }  // namespace
+}  // namespace liesl::test

@@ -3,9 +3,9 @@
 #include "apps/program.hpp"
 #include "apps/study/load_study.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 class Nucleation : public Program {
  protected:
@@ -82,3 +82,4 @@ TEST_F(Nucleation, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
+}  // namespace liesl::test

@@ -6,9 +6,9 @@
 
 #include "apps/program.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 /// Columns of a table of numbers by their headings.
 std::map<std::string, std::vector<double>> columns(const fs::path& path) {
@@ -155,3 +155,4 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
+}  // namespace liesl::test

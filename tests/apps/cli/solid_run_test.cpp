@@ -5,9 +5,9 @@
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
 
 class SolidRun : public Program {
  protected:
@@ -219,3 +219,4 @@ TEST_F(SolidRun, BadPartsAreRefused) {
 }
 
 }  // namespace
+}  // namespace liesl::test

@@ -5,12 +5,27 @@
 namespace liesl::test {
 namespace {
 
-class VerifyCommand : public Program {};
+class VerifyCommand : public Program {
+ protected:
+  /// The optimised rod, verified.
+  Outcome optimise_rod(const std::vector<std::string>& more = {}) {
+    std::vector<std::string> arguments = {
+        "optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report"};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run(arguments);
+  }
+  /// Refused before any work.
+  void expect_refused(const std::vector<std::string>& arguments, const std::string& why) {
+    const Outcome o = run(arguments);
+    EXPECT_EQ(o.code, 2);
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+    EXPECT_FALSE(fs::exists(results()));
+  }
+};
 
 /// With 64 elements a link the optimised rod bends 1.8 % more than with its 8.
 TEST_F(VerifyCommand, SaysWhatTheMeshHidesOfALimit) {
-  const Outcome o =
-      run({"optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report"});
+  const Outcome o = optimise_rod();
   EXPECT_EQ(o.code, 0) << o.err;
   const double error = summary()["worst_constraint_error"];
   EXPECT_GT(error, 0.018 / 3);
@@ -19,9 +34,8 @@ TEST_F(VerifyCommand, SaysWhatTheMeshHidesOfALimit) {
 }
 
 TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
-  const Outcome o =
-      run({"optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report",
-           "--set", "constraints.bending.treatment=functional", "--set", "cycle.max=1"});
+  const Outcome o = optimise_rod(
+      {"--set", "constraints.bending.treatment=functional", "--set", "cycle.max=1"});
   EXPECT_NE(o.code, 2) << o.err;
   EXPECT_NE(
       (o.out + o.err).find("not verified, being no largest value of a response: limit bending"),
@@ -30,10 +44,8 @@ TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
 }
 
 TEST_F(VerifyCommand, RefusesFixedLoads) {
-  const Outcome o = run({"optimize", study("cantilever"), "-o", results(), "--verify"});
-  EXPECT_EQ(o.code, 2);
-  EXPECT_NE(o.err.find("no motion to verify"), std::string::npos) << o.err;
-  EXPECT_FALSE(fs::exists(results()));
+  expect_refused({"optimize", study("cantilever"), "-o", results(), "--verify"},
+                 "no motion to verify");
 }
 
 /// The middle of an element is no place of another mesh.
@@ -52,12 +64,9 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
 }
 
 TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
-  const Outcome o = run({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
-                         "simulation.type=modes"});
-  EXPECT_EQ(o.code, 2);
-  EXPECT_NE(o.err.find("natural frequencies have no responses to verify"), std::string::npos)
-      << o.err;
-  EXPECT_FALSE(fs::exists(results()));
+  expect_refused({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
+                  "simulation.type=modes"},
+                 "natural frequencies have no responses to verify");
 }
 
 }  // namespace

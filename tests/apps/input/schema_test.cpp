@@ -13,7 +13,7 @@
 #include "apps/input/problem.hpp"
 #include "reference/places.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 std::vector<Key> all_keys() {
@@ -98,4 +98,4 @@ TEST(Nearest, IsByEditDistance) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

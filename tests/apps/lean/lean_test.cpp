@@ -16,10 +16,9 @@
 #include "apps/scene/load_scene.hpp"
 #include "mbs/solvers/richardson.hpp"
 
+namespace liesl::test {
 namespace {
 
-using namespace liesl::test;
-using namespace liesl;
 
 // --- distance ------------------------------------------------------------------------------------
 
@@ -338,3 +337,4 @@ TEST_F(LeanSlow, MeetsItsToleranceInEveryShippedScene) {
 }
 
 }  // namespace
+}  // namespace liesl::test

@@ -4,7 +4,7 @@
 
 #include "apps/input/problem.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 /// Two quadrilaterals side by side, a named line on the left, a node that no cell uses.
@@ -178,4 +178,4 @@ TEST(Gmsh, AFileCutShortIsRefusedWhereverItIsCut) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

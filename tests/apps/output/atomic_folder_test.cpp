@@ -16,8 +16,10 @@
 
 namespace fs = std::filesystem;
 
-namespace liesl::output {
+namespace liesl::test {
 namespace {
+
+using namespace output;
 
 const std::string kSummary = R"({"status": "done", "versions": {"liesl": "0.1.0"}})";
 
@@ -216,4 +218,4 @@ TEST(Sha256, KnownValues) {
 }
 
 }  // namespace
-}  // namespace liesl::output
+}  // namespace liesl::test

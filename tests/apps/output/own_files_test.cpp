@@ -18,8 +18,10 @@
 
 namespace fs = std::filesystem;
 
-namespace liesl::output {
+namespace liesl::test {
 namespace {
+
+using namespace output;
 
 using Names = std::vector<std::string>;
 
@@ -207,4 +209,4 @@ TEST(CaseEnd, OfAFullDiskIsTriedAgain) {
 }
 
 }  // namespace
-}  // namespace liesl::output
+}  // namespace liesl::test

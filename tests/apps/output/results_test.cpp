@@ -21,8 +21,10 @@
 #include "apps/output/xdmf_writer.hpp"
 #include "tests/apps/output_sample.hpp"
 
-namespace liesl::output {
+namespace liesl::test {
 namespace {
+
+using namespace output;
 
 using test::DataSet;
 using test::read_set;
@@ -236,4 +238,4 @@ TEST(SpreadRecords, FirstAndLastAreAmongThem) {
 }
 
 }  // namespace
-}  // namespace liesl::output
+}  // namespace liesl::test

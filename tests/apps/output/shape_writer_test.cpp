@@ -15,8 +15,10 @@
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
 
-namespace liesl::output {
+namespace liesl::test {
 namespace {
+
+using namespace output;
 
 namespace fs = std::filesystem;
 using namespace levelset;
@@ -142,4 +144,4 @@ TEST_F(ShapeFile, VtuHoldsCellsAndFields) {
 }
 
 }  // namespace
-}  // namespace liesl::output
+}  // namespace liesl::test

@@ -18,8 +18,10 @@
 #include "apps/output/versions.hpp"
 #include "tests/apps/output_sample.hpp"
 
-namespace liesl::output {
+namespace liesl::test {
 namespace {
+
+using namespace output;
 
 RunSummary sample_run() {
   RunSummary s;
@@ -135,4 +137,4 @@ TEST(Interrupt, FirstSignalIsARequest) {
 }
 
 }  // namespace
-}  // namespace liesl::output
+}  // namespace liesl::test

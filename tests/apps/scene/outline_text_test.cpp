@@ -8,7 +8,7 @@
 
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using levelset::FeatureKind;
@@ -90,4 +90,4 @@ TEST(OutlineText, OfASpatialPartIsReadBack) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -9,11 +9,12 @@
 #include <map>
 
 #include "apps/scene/load_scene.hpp"
+#include "mbs/solids/solid_model.hpp"
 #include "mbs/solvers/statics.hpp"
 #include "mbs/step_tangent.hpp"
 #include "reference/places.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -47,7 +48,7 @@ bool has_beam(const Mechanism& m) {
 bool has_planar_mesh(const Mechanism& m) {
   return std::any_of(m.bodies.begin(), m.bodies.end(), [](const BodySpec& body) {
     const auto* solid = std::get_if<SolidSpec>(&body.kind);
-    return solid && solid->mesh.dim == 2;
+    return solid && solid->mesh().dim == 2;
   });
 }
 
@@ -130,4 +131,4 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(Shipped, SceneTangent, ::testing::ValuesIn(scenes()), test_name);
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -6,7 +6,7 @@
 #include "apps/good_scene.hpp"
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::changed;
@@ -87,4 +87,4 @@ TEST(PenaltyScene, ADriveThatJumpsIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -15,7 +15,7 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "reference/places.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ TEST(Shipped, SvanbergsCantileverIsScaledToHisNumbers) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -13,7 +13,7 @@
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::changed;
@@ -55,16 +55,16 @@ const SolidSpec& rod_of(const Scene& scene) {
 TEST(SolidScene, HasTheNumbersOfTheFile) {
   const Scene scene = read_scene(kPlateScene, "scene.toml");
   const SolidSpec& rod = rod_of(scene);
-  EXPECT_EQ(rod.mesh.cell_count(), 288);
-  EXPECT_EQ(rod.thickness, 0.02);
+  EXPECT_EQ(rod.mesh().cell_count(), 288);
+  EXPECT_EQ(rod.model->thickness(), 0.02);
   EXPECT_EQ(rod.modes, 4);
-  EXPECT_EQ(rod.law.exponent, ErsatzLaw().exponent);
-  ASSERT_EQ(rod.interfaces.size(), 2u);
-  EXPECT_EQ(rod.interfaces[0].tie, Tie::Rigid);
-  EXPECT_EQ(rod.interfaces[1].tie, Tie::Averaged);
-  EXPECT_NEAR((rod.interfaces[1].point - Vec3(0.2, 0, 0)).norm(), 0, 1e-15);
-  for (const int node : rod.interfaces[0].nodes) {
-    EXPECT_LE(rod.mesh.nodes.col(node).norm(), 0.009 + 1e-9);
+  EXPECT_EQ(rod.model->law().exponent, ErsatzLaw().exponent);
+  ASSERT_EQ(rod.interfaces().size(), 2u);
+  EXPECT_EQ(rod.interfaces()[0].tie, Tie::Rigid);
+  EXPECT_EQ(rod.interfaces()[1].tie, Tie::Averaged);
+  EXPECT_NEAR((rod.interfaces()[1].point - Vec3(0.2, 0, 0)).norm(), 0, 1e-15);
+  for (const int node : rod.interfaces()[0].nodes) {
+    EXPECT_LE(rod.mesh().nodes.col(node).norm(), 0.009 + 1e-9);
   }
   const auto port = scene.mechanism.port("rod.small_end");
   ASSERT_TRUE(port);
@@ -114,8 +114,7 @@ TEST(SolidScene, HasTheMassOfItsOutline) {
   const SolidSpec rod = rod_of(read_scene(text, "scene.toml"));
   const double pi = std::numbers::pi;
   const double area = 0.24 * 0.03 - (4 - pi) * 1e-4 - pi * 0.008 * 0.008;
-  EXPECT_NEAR(solid_model(rod).total_mass(solid_fractions(rod).value) / (7850 * 0.02 * area), 1,
-              1e-3);
+  EXPECT_NEAR(rod.model->total_mass(solid_fractions(rod).value) / (7850 * 0.02 * area), 1, 1e-3);
 }
 
 TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
@@ -138,8 +137,8 @@ TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
   text.erase(text.find("[bodies.rod.solid.outline]"),
              text.find("[joints]") - text.find("[bodies.rod.solid.outline]"));
   const Scene scene = read_scene(text, (folder / "scene.toml").string());
-  EXPECT_EQ(rod_of(scene).mesh.cell_count(), 2);
-  EXPECT_NEAR((rod_of(scene).interfaces[1].point - Vec3(2, 0.5, 0)).norm(), 0, 1e-15);
+  EXPECT_EQ(rod_of(scene).mesh().cell_count(), 2);
+  EXPECT_NEAR((rod_of(scene).interfaces()[1].point - Vec3(2, 0.5, 0)).norm(), 0, 1e-15);
   EXPECT_NE(scene.input.find("$MeshFormat"), std::string::npos);  // part of the hash
   std::filesystem::remove_all(folder);
 }
@@ -261,4 +260,4 @@ INSTANTIATE_TEST_SUITE_P(Scene, BadSolid, testing::ValuesIn(kParts),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -9,7 +9,7 @@
 #include "mbs/solvers/statics.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::changed;
@@ -115,4 +115,4 @@ TEST(TrussScene, FaultsAreSaidAtTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -9,7 +9,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::changed;
@@ -179,4 +179,4 @@ TEST(Study, WallsMayNotMeetWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

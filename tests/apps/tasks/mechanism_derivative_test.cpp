@@ -6,9 +6,9 @@
 
 #include <gtest/gtest.h>
 
-#include "reference/mechanisms.hpp"
+#include "reference/meshed_rod.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Change = std::function<void(Mechanism&, double)>;
@@ -30,8 +30,7 @@ Mechanism machine() {
   return m;
 }
 
-Parameter parameter(const Change& change, double step = 1e-3) {
-  const Mechanism m = machine();
+Parameter parameter(const Change& change, double step = 1e-3, const Mechanism& m = machine()) {
   const auto changed = [&](double by) {
     Mechanism other = m;
     change(other, by);
@@ -42,9 +41,9 @@ Parameter parameter(const Change& change, double step = 1e-3) {
   return parameter_of("p", m, changed, step, simulation);
 }
 
-std::string refusal(const Change& change) {
+std::string refusal(const Change& change, const Mechanism& m = machine()) {
   try {
-    parameter(change);
+    parameter(change, 1e-3, m);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
@@ -148,5 +147,24 @@ TEST(MechanismDerivative, WhatHasNoneIsRefusedByName) {
   EXPECT_NE(refusal([](Mechanism&, double) {}).find("'p' changes nothing"), std::string::npos);
 }
 
+TEST(MechanismDerivative, OfAMeshBuiltAnewIsRefused) {
+  const Mechanism meshed = slider_crank_with_mesh(10, 2, 1);
+  const auto built_anew = [](auto change) -> Change {
+    return [change](Mechanism& m, double p) {
+      auto& solid = std::get<SolidSpec>(m.bodies[1].kind);
+      Material material = solid.model->material();
+      SolidModel::Options options{solid.model->thickness(), solid.model->law()};
+      change(material, options, p);
+      solid.model =
+          std::make_shared<const SolidModel>(solid.mesh(), material, solid.interfaces(), options);
+    };
+  };
+  for (const Change& change :
+       {built_anew([](Material&, auto&options, double p) { options.thickness += p; }),
+        built_anew([](Material&material, auto&, double p) { material.E *= 1 + p; }),
+        built_anew([](Material&material, auto&, double p) { material.rho *= 1 + p; })})
+    EXPECT_NE(refusal(change, meshed).find("of the meshed"), std::string::npos);
+}
+
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -11,8 +11,9 @@
 #include "mbs/run.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
+#include "reference/meshed_part.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -23,12 +24,9 @@ using levelset::FeatureKind;
 /// A bar of length 1 with a hole off its middle, in the plane or in space.
 SolidSpec bar_with_hole(int dim) {
   SolidSpec s;
-  s.mesh = dim == 2 ? quad_grid({-0.1, -0.1}, {1, 0.1}, 22, 4)
-                    : hex_grid({-0.1, -0.1, -0.05}, {1, 0.1, 0.05}, 11, 4, 2);
-  s.material = {"steel", 1e9, 0.3, 2000};
-  s.thickness = 0.1;
-  s.interfaces = {{"a", s.mesh.sets.at("x_min"), {-0.1, 0, 0}, Tie::Rigid},
-                  {"b", s.mesh.sets.at("x_max"), {1, 0.02, 0}, Tie::Rigid}};
+  s.model = test::mesh_with_ends(dim == 2 ? quad_grid({-0.1, -0.1}, {1, 0.1}, 22, 4)
+                                          : hex_grid({-0.1, -0.1, -0.05}, {1, 0.1, 0.05}, 11, 4, 2),
+                                 {"steel", 1e9, 0.3, 2000}, {-0.1, 0, 0}, {1, 0.02, 0}, {0.1, {}});
   s.outline = {dim,
                {{"bar", FeatureKind::HalfSpace, {2, 0, 0}, {}},
                 {"hole", FeatureKind::Circle, {0.4, 0.03, 0, 0.05}, {}},
@@ -51,7 +49,7 @@ class SolidBodyTest : public ::testing::Test {
 
   std::unique_ptr<SolidBody<G>> make(const Matrix3d& turn) const {
     std::vector<G> ports;
-    for (const Interface& f : spec.interfaces) {
+    for (const Interface& f : spec.interfaces()) {
       const Vector3d x = turn * f.point;
       ports.push_back(place * G::exp(Tangent::Zero()));
       ports.back().x = place.x + place.R * x.head<G::space_dim>();
@@ -164,14 +162,14 @@ TYPED_TEST(SolidBodyTest, ARigidMotionIsThatOfTheRigidBody) {
   constexpr int dim = G::dim, sd = G::space_dim;
   this->move_rigidly();
   EXPECT_LT(this->internal().norm(), 1e-12 * this->body->stiffness().dense.norm());
-  const SolidModel model = solid_model(this->spec);
+  const SolidModel& model = *this->spec.model;
   const VectorXd fraction = solid_fractions(this->spec).value;
   double mass = 0;
   Vector3d first = Vector3d::Zero();
   Matrix3d second = Matrix3d::Zero();
   for (int e = 0; e < model.mesh().cell_count(); ++e) {  // cells are boxes
     const Eigen::Matrix3Xd x = model.mesh().corners_of(e);
-    const Vector3d centre = x.rowwise().mean() - this->spec.interfaces[0].point;
+    const Vector3d centre = x.rowwise().mean() - this->spec.interfaces()[0].point;
     const Vector3d half = (x.rowwise().maxCoeff() - x.rowwise().minCoeff()) / 2;
     const double m = fraction[e] * model.cell_masses()[e];
     mass += m;
@@ -215,13 +213,16 @@ TYPED_TEST(SolidBodyTest, InertiaIsThatOfTheNodesOfTheMesh) {
   using G = TypeParam;
   constexpr int dim = G::dim, sd = G::space_dim;
   // One interface: e is eta alone, and the forces on its slots are those on the modes.
-  this->spec.interfaces.pop_back();
+  const SolidModel& both = *this->spec.model;
+  this->spec.model = std::make_shared<const SolidModel>(
+      both.mesh(), both.material(), std::vector{both.interfaces()[0]},
+      SolidModel::Options{both.thickness(), both.law()});
   this->body = this->make(Matrix3d::Identity());
   this->move(0.1);
   const int n = this->spec.modes;
   const VectorXd e = this->w.segment(dim, n), de = this->v.segment(dim, n),
                  dde = this->vdot.segment(dim, n);
-  const SolidModel model = solid_model(this->spec);
+  const SolidModel& model = *this->spec.model;
   const VectorXd fraction = solid_fractions(this->spec).value;
   const Eigen::MatrixXd phi = model.T() * this->body->basis();
   const VectorXd u = phi * e, du = phi * de, ddu = phi * dde;
@@ -232,7 +233,7 @@ TYPED_TEST(SolidBodyTest, InertiaIsThatOfTheNodesOfTheMesh) {
   alpha.tail<G::rotation_dim>() = this->vdot.template segment<G::rotation_dim>(sd);
   VectorXd a(model.node_freedoms()), r(model.node_freedoms());
   for (int i = 0; i < model.mesh().node_count(); ++i) {
-    Vector3d x = model.mesh().nodes.col(i) - this->spec.interfaces[0].point,
+    Vector3d x = model.mesh().nodes.col(i) - this->spec.interfaces()[0].point,
              rate = Vector3d::Zero(), fast = rate;
     x.head<sd>() += u.segment<sd>(sd * i);
     rate.head<sd>() = du.segment<sd>(sd * i);
@@ -320,14 +321,13 @@ VectorXd steady(const SolidBody<SE2>& body, double omega) {
 /// sqrt(rho/E).
 TEST(SolidBody, ASpinningBarGrowsAsTheClosedFormSays) {
   SolidSpec bar = bar_with_hole(2);
-  bar.mesh = quad_grid({0, -0.02}, {1, 0.02}, 50, 2);
-  bar.interfaces = {{"a", bar.mesh.sets.at("x_min"), {0, 0, 0}, Tie::Rigid},
-                    {"b", bar.mesh.sets.at("x_max"), {1, 0, 0}, Tie::Rigid}};
+  const Material material{"steel", 1e9, 0, 2000};
+  bar.model = test::mesh_with_ends(quad_grid({0, -0.02}, {1, 0.02}, 50, 2), material, Vec3::Zero(),
+                                   {1, 0, 0}, {0.1, {}});
   bar.outline.features.clear();
-  bar.material.nu = 0;
   SE2 tip = SE2::identity();
   tip.x = {1, 0};
-  const double c = std::sqrt(bar.material.E / bar.material.rho);
+  const double c = std::sqrt(material.E / material.rho);
   double before = 0;
   for (int modes : {12, 24}) {  // the axial ones among them
     bar.modes = modes;
@@ -343,4 +343,4 @@ TEST(SolidBody, ASpinningBarGrowsAsTheClosedFormSays) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::Random;
@@ -134,4 +134,4 @@ TEST(ScrewRow, FollowsItsTurns) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

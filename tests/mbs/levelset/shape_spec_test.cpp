@@ -9,8 +9,10 @@
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
 
-namespace liesl::levelset {
+namespace liesl::test {
 namespace {
+
+using namespace levelset;
 
 ShapeSpec plate_with_holes() {
   return {2,
@@ -123,4 +125,4 @@ TEST(ShapeSpec, EveryKindMakesAShapeOfItsParameters) {
 }
 
 }  // namespace
-}  // namespace liesl::levelset
+}  // namespace liesl::test

@@ -5,7 +5,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::Random;
@@ -84,4 +84,4 @@ TYPED_TEST(BlockTridiagonalTest, RefusesASingularPivot) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -14,7 +14,7 @@
 #include "mbs/allocation_count.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -220,4 +220,4 @@ TEST(TimeFunction, EvaluationsAllocateNothing) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -118,4 +118,4 @@ TEST(Functional, IsReadAsItIsWritten) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -5,7 +5,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -272,4 +272,4 @@ TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -5,7 +5,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -140,4 +140,4 @@ TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

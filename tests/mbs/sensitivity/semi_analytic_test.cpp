@@ -8,7 +8,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -78,4 +78,4 @@ TYPED_TEST(SemiAnalytic, SolvesWithTheFrozenFactorComeNearer) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -6,7 +6,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 struct Expected {
@@ -234,4 +234,4 @@ TEST(Joints, UniversalJointHasItsTwoAngles) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

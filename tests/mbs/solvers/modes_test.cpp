@@ -9,7 +9,7 @@
 #include "mbs/solvers/static_newton.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 constexpr auto kConverged = SolveStatus::Converged;
@@ -235,4 +235,4 @@ TEST(Modes, ShapesAreMassNormalisedAndKeepTheJoints) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -12,7 +12,7 @@
 #include "mbs/solvers/statics.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -83,4 +83,4 @@ TEST(Options, SolversRefuseThem) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -9,7 +9,7 @@
 #include "mbs/run.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -88,7 +88,7 @@ TYPED_TEST(RodSignals, AreTheElasticEnergy) {
   using G = TypeParam;
   const SolidSpec spec = test::meshed_rod({0, 0, 0}, 12, 2, 3, G::space_dim == 3 ? 1 : 0);
   std::vector<G> ports;
-  for (const Interface& f : spec.interfaces) {
+  for (const Interface& f : spec.interfaces()) {
     ports.push_back(G::exp(G::Tangent::Zero()));
     ports.back().x = f.point.template head<G::space_dim>();
   }
@@ -100,4 +100,4 @@ TYPED_TEST(RodSignals, AreTheElasticEnergy) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

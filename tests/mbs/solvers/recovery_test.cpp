@@ -3,7 +3,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::options;
@@ -124,4 +124,4 @@ TEST(Records, OutputEveryKeepsEveryNthStep) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 template <FrameGroup G>
@@ -115,4 +115,4 @@ TEST(Replay, AdaptiveTangentOfTheDecoupledFormalism) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

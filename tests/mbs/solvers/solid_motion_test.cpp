@@ -8,7 +8,7 @@
 #include "mbs/system/response_value.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::options;
@@ -27,10 +27,8 @@ double energy_drift(const Mechanism& m, const Space<G>& space, double h) {
 
 SolidSpec block_of_hexahedra() {
   SolidSpec s;
-  s.mesh = hex_grid({0, -0.02, -0.01}, {0.4, 0.02, 0.01}, 16, 2, 2);
-  s.material = {"soft", 2e8, 0.3, 2000};
-  s.interfaces = {{"a", s.mesh.sets.at("x_min"), {0, 0, 0}, Tie::Rigid},
-                  {"b", s.mesh.sets.at("x_max"), {0.4, 0, 0}, Tie::Rigid}};
+  s.model = test::mesh_with_ends(hex_grid({0, -0.02, -0.01}, {0.4, 0.02, 0.01}, 16, 2, 2),
+                                 {"soft", 2e8, 0.3, 2000}, Vec3::Zero(), {0.4, 0, 0});
   s.modes = 4;
   return s;
 }
@@ -46,7 +44,7 @@ Mechanism free_spin(const SolidSpec& bar, const Vec3& omega) {
 /// kept to the second order of the step.
 TEST(SolidMotion, AFreeBodyKeepsItsEnergy) {
   SolidSpec flat = test::meshed_rod({0, 0, 0}, 30, 2, 3);
-  flat.material = {"soft", 2e8, 0.3, 2000};
+  flat.model = test::of_material(*flat.model, {"soft", 2e8, 0.3, 2000});
   const Mechanism plane = free_spin(flat, {0, 0, 100});
   const auto found = find_plane(plane);
   ASSERT_TRUE(found.plane);
@@ -171,4 +169,4 @@ TEST(SolidMotion, PlanarMeshesAreNotForSpace) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

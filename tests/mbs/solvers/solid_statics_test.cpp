@@ -13,8 +13,9 @@
 #include "mbs/solvers/static_newton.hpp"
 #include "mbs/static_cases.hpp"
 #include "mbs/step_sweep.hpp"
+#include "reference/meshed_part.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -30,12 +31,10 @@ SolidSpec bar(double from, double length, int cells, double nu, int layers = 0) 
   SolidSpec s;
   s.frame.x = {from, 0, 0};
   const Vec3 half(0, kHeight / 2, kWidth / 2), end(length, 0, 0);
-  s.mesh = layers > 0 ? hex_grid(-half, end + half, cells, 2, layers)
-                      : quad_grid(-half.head<2>(), (end + half).head<2>(), cells, 2);
-  s.material = {"steel", 210e9, nu, 7850};
-  s.thickness = kWidth;
-  s.interfaces = {{"a", s.mesh.sets.at("x_min"), {0, 0, 0}, Tie::Rigid},
-                  {"b", s.mesh.sets.at("x_max"), {length, 0, 0}, Tie::Rigid}};
+  s.model = test::mesh_with_ends(
+      layers > 0 ? hex_grid(-half, end + half, cells, 2, layers)
+                 : quad_grid(-half.head<2>(), (end + half).head<2>(), cells, 2),
+      {"steel", 210e9, nu, 7850}, Vec3::Zero(), {length, 0, 0}, {kWidth, {}});
   s.modes = 4;  // no multiple of 3 or 6: some amplitudes are padding
   return s;
 }
@@ -82,7 +81,7 @@ Tip solved(const Mechanism& m, const Space<G>& space, const SimulationOptions& o
 
 /// In the plane, or in space.
 Tip tip_of(const Mechanism& m, const SimulationOptions& o = tight()) {
-  if (std::get<SolidSpec>(m.bodies[0].kind).mesh.dim == 3) return solved<SE3>(m, {}, o);
+  if (std::get<SolidSpec>(m.bodies[0].kind).mesh().dim == 3) return solved<SE3>(m, {}, o);
   const auto found = find_plane(m);
   EXPECT_TRUE(found.plane) << found.reason;
   return solved<SE2>(m, *found.plane, o);
@@ -152,7 +151,7 @@ TEST(SolidStatics, ABarOnAHingeTurnsToWhereItsMomentsBalance) {
     const double k = 40, P = 100, g = 10;
     Mechanism m = cantilever(1, 0.3, {0, -P, 0}, layers);
     auto& solid = std::get<SolidSpec>(m.bodies[0].kind);
-    solid.material.E = 1e15;
+    solid.model = test::of_material(*solid.model, {"stiff", 1e15, 0.3, 7850});
     m.gravity = {0, -g, 0};
     m.joints[0].type = JointType::Revolute;
     ForceSpec spring;
@@ -204,7 +203,7 @@ void expect_tangent(const SolidSpec& spec) {
   constexpr int dim = G::dim;
   using Tangent = typename G::Tangent;
   std::vector<G> ports;
-  for (const Interface& f : spec.interfaces) {
+  for (const Interface& f : spec.interfaces()) {
     ports.push_back(G::exp(Tangent(0.4 * Tangent::Ones())));
     ports.back().x += ports.back().R * f.point.template head<G::space_dim>();
   }
@@ -260,13 +259,13 @@ std::vector<double> frequencies(const Mechanism& m, int count) {
     EXPECT_EQ(modes.report.status, kConverged) << modes.report.reason;
     return modes.frequency;
   };
-  if (std::get<SolidSpec>(m.bodies[0].kind).mesh.dim == 3) return solve(Model<SE3>::build(m, {}));
+  if (std::get<SolidSpec>(m.bodies[0].kind).mesh().dim == 3) return solve(Model<SE3>::build(m, {}));
   return solve(Model<SE2>::build(m, *find_plane(m).plane));
 }
 
 /// Of the full mesh with the first port held.
 VectorXd clamped_frequencies(const SolidSpec& spec, int count) {
-  SolidModel model = solid_model(spec);
+  const SolidModel& model = *spec.model;
   const VectorXd v = solid_fractions(spec).value;
   const int held = model.port(0), r = model.rigid_count();
   Eigen::SparseMatrix<double> P(model.size(), model.size() - r);
@@ -335,4 +334,4 @@ TEST(SolidModes, AHangingBarSwings) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -5,7 +5,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::options;
@@ -149,4 +149,4 @@ TEST(StartTest, DampingIsInThePower) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

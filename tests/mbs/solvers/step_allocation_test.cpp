@@ -33,7 +33,7 @@ void* calloc(std::size_t n, std::size_t size) {
 }
 #endif
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 #ifdef LIESL_COUNTS_MALLOC
@@ -165,7 +165,7 @@ TEST(ParameterAllocations, NoneInSpace) { expect_no_mallocs_of_derivatives<SE3>(
 
 TEST(ParameterAllocations, NoneOfAMeshedPart) {
   const Mechanism m = test::slider_crank_with_mesh(20, 2, 4);
-  const auto cells = std::get<SolidSpec>(m.bodies[1].kind).mesh.cell_count();
+  const auto cells = std::get<SolidSpec>(m.bodies[1].kind).mesh().cell_count();
   const Parameter fractions{"fractions", {SolidDerivative{1, Eigen::VectorXd::Ones(cells)}}};
   EXPECT_EQ(mallocs_of_derivative<SE2>(m, test::space_of<SE2>(m), fractions), 0);
 }
@@ -173,4 +173,4 @@ TEST(ParameterAllocations, NoneOfAMeshedPart) {
 #endif
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

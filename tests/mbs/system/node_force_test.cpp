@@ -8,7 +8,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 constexpr double kLength = 1, kDiameter = 0.02;
@@ -133,4 +133,4 @@ TEST(NodeForce, MakeTheLoadsOfTheEquivalentStaticCases) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -10,8 +10,9 @@
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/step_sweep.hpp"
 #include "mbs/system/parameter_residual.hpp"
+#include "reference/meshed_part.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
@@ -403,15 +404,12 @@ TYPED_TEST(BodyDerivative, OfAModalBodyWithAllModesIsTheDifferenceOfRebuiltBodie
 
 /// A meshed bar with two ports, all of it material.
 template <class G>
-SolidSpec bar(double exponent) {
+SolidSpec bar(double exponent, double ratio = 1e-6) {
   SolidSpec s;
-  s.mesh = G::space_dim == 2 ? quad_grid({0, 0}, {1, 0.2}, 12, 4)
-                             : hex_grid({0, 0, 0}, {1, 0.2, 0.1}, 8, 3, 2);
-  s.material = {"soft", 1e7, 0.3, 1000};
-  s.thickness = 0.1;
-  s.law = {exponent, 1e-6};
-  s.interfaces = {{"a", s.mesh.sets.at("x_min"), {0, 0.1, 0}, Tie::Rigid},
-                  {"b", s.mesh.sets.at("x_max"), {1, 0.1, 0}, Tie::Rigid}};
+  s.model = test::mesh_with_ends(G::space_dim == 2 ? quad_grid({0, 0}, {1, 0.2}, 12, 4)
+                                                   : hex_grid({0, 0, 0}, {1, 0.2, 0.1}, 8, 3, 2),
+                                 {"soft", 1e7, 0.3, 1000}, {0, 0.1, 0}, {1, 0.1, 0},
+                                 {0.1, {exponent, ratio}});
   s.modes = 4;
   s.damping = 0.01;
   return s;
@@ -424,9 +422,9 @@ TYPED_TEST(BodyDerivative, OfAMeshedPartIsTheDifferenceInItsModes) {
   const SolidSpec spec = bar<G>(1.4);
   std::vector<G> ports(2, G::identity());
   for (int i : {0, 1})
-    ports[std::size_t(i)].x = spec.interfaces[std::size_t(i)].point.template head<G::space_dim>();
+    ports[std::size_t(i)].x = spec.interfaces()[std::size_t(i)].point.template head<G::space_dim>();
   const SolidBody<G> body("bar", spec, ports, Mat3::Identity());
-  SolidModel model = solid_model(spec);
+  const SolidModel& model = *spec.model;
   const VectorXd v0 = solid_fractions(spec).value, dv = this->random.vector(int(v0.size()));
   // All of the part is material; the derivative is taken inside (0, 1).
   const VectorXd inside = 0.7 * v0;
@@ -454,13 +452,12 @@ TYPED_TEST(BodyDerivative, OfAMeshedPartIsTheDifferenceInItsModes) {
 /// With a stiffness linear in the fractions, the derivative along the fractions is the residual.
 TYPED_TEST(BodyDerivative, OfAMeshedPartAlongItsFractionsIsTheResidual) {
   using G = TypeParam;
-  SolidSpec spec = bar<G>(1);
-  spec.law.ratio = 1e-15;
+  const SolidSpec spec = bar<G>(1, 1e-15);
   std::vector<G> ports(2, G::identity());
   for (int i : {0, 1})
-    ports[std::size_t(i)].x = spec.interfaces[std::size_t(i)].point.template head<G::space_dim>();
+    ports[std::size_t(i)].x = spec.interfaces()[std::size_t(i)].point.template head<G::space_dim>();
   const SolidBody<G> body("bar", spec, ports, Mat3::Identity());
-  SolidModel model = solid_model(spec);
+  const SolidModel& model = *spec.model;
   const VectorXd full = solid_fractions(spec).value;
   const auto derivative = body.derivative(FractionDerivative{&model, full, full});
   this->move(body);
@@ -502,4 +499,4 @@ TEST(ParameterOfAMechanism, FractionsOfARigidPart) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -4,7 +4,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using test::moved;
@@ -126,4 +126,4 @@ TEST(FrameInvariance, ScenesFarFromTheOriginRun) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

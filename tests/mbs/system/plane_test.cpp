@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "mbs/sections/section_law.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Change = std::function<void(Mechanism&)>;
@@ -202,4 +202,4 @@ TEST(Space, TurnedSectionsBendAboutTheRightAxis) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -8,8 +8,9 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 #include "mbs/system/response_value.hpp"
+#include "reference/meshed_part.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
@@ -223,12 +224,9 @@ INSTANTIATE_TEST_SUITE_P(EveryFormalism, Responses,
 template <class G>
 Mechanism swinging_part() {
   SolidSpec s;
-  s.mesh = G::space_dim == 2 ? quad_grid({0, 0}, {1, 0.2}, 12, 4)
-                             : hex_grid({0, 0, 0}, {1, 0.2, 0.1}, 8, 3, 2);
-  s.material = {"soft", 1e7, 0.3, 1000};
-  s.thickness = 0.1;
-  s.interfaces = {{"a", s.mesh.sets.at("x_min"), {0, 0.1, 0}, Tie::Rigid},
-                  {"b", s.mesh.sets.at("x_max"), {1, 0.1, 0}, Tie::Rigid}};
+  s.model = test::mesh_with_ends(G::space_dim == 2 ? quad_grid({0, 0}, {1, 0.2}, 12, 4)
+                                                   : hex_grid({0, 0, 0}, {1, 0.2, 0.1}, 8, 3, 2),
+                                 {"soft", 1e7, 0.3, 1000}, {0, 0.1, 0}, {1, 0.1, 0}, {0.1, {}});
   s.modes = 4;
   Mechanism m;
   m.gravity = {0, -9.81, 0};
@@ -335,4 +333,4 @@ TEST_P(Responses, HaveTheirExplicitDerivativesByTheLaw) {
 }
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test

@@ -2,35 +2,37 @@
 /// Springs and rigid masses as design variables: closed forms.
 #include <gtest/gtest.h>
 
-#include "apps/scene/load_scene.hpp"
-#include "apps/study/load_study.hpp"
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
 /// A mass on a spring, pushed by a constant force from rest: v(t) = F/sqrt(k m) sin(sqrt(k/m) t).
-constexpr const char* kScene = R"(
-[bodies]
-block = { rigid = { at = [0, 0, 0], mass = 2, inertia = [1, 1, 1] } }
-[joints]
-rail = { prismatic = ["ground", "block.origin"], axis = [1, 0, 0] }
-[forces]
-spring = { on = "rail", stiffness = 50 }
-[loads]
-push = { at = "block.origin", force = [10, 0, 0] }
-[simulation]
-duration = 2
-step = 2e-3
-rho_inf = 1
-[responses]
-speed = { response = "velocity", at = "block.origin", axis = [1, 0, 0] }
-)";
+StudyCase block_on_a_spring() {
+  StudyCase s;
+  Mechanism& m = s.scene.mechanism;
+  m.bodies = {{"block", block({0, 0, 0}, 2, 1)}};
+  m.joints = {{"rail", JointType::Prismatic, {}, {0, 0}, Vec3::UnitX()}};
+  ForceSpec spring;
+  spring.name = "spring";
+  spring.joint = 0;
+  spring.stiffness = 50;
+  m.forces = {spring};
+  LoadSpec push;
+  push.name = "push";
+  push.port = {0, 0};
+  push.force = {10, 0, 0};
+  m.loads = {push};
+  s.scene.simulation.duration = 2;
+  s.scene.simulation.step = 2e-3;
+  s.scene.simulation.rho_inf = 1;
+  return s;
+}
 
-StudySpec lightest_block(const Scene& scene, double limit) {
+StudySpec lightest_block(double limit) {
   StudySpec study;
-  study.mass_of = {scene.mechanism.body("block")};
+  study.mass_of = {0};
   ConstantSpec mass{.name = "mass",
                     .quantity = ConstantQuantity::Mass,
                     .force = -1,
@@ -48,14 +50,19 @@ StudySpec lightest_block(const Scene& scene, double limit) {
                       .upper = 100,
                       .start = {}};
   study.constants = {mass, spring};
-  study.constraints = {{scene.responses[0], limit, false}};
+  ResponseSpec speed;
+  speed.name = "speed";
+  speed.kind = ResponseKind::Velocity;
+  speed.at = {0, 0};
+  speed.axis = Vec3::UnitX();
+  study.constraints = {{speed, limit, false}};
   return study;
 }
 
 TEST(Constants, LightestBlockOnASpringIsThatOfTheClosedForm) {
-  const Scene scene = read_scene(kScene, "block.toml");
+  const auto scene = block_on_a_spring().scene;
   const double F = 10, k = 100, v = 0.9;
-  StudySpec study = lightest_block(scene, v);
+  StudySpec study = lightest_block(v);
   for (const CycleMethod method : {CycleMethod::Esl1, CycleMethod::Full}) {
     study.cycle.method = method;
     const auto r =
@@ -71,26 +78,12 @@ TEST(Constants, LightestBlockOnASpringIsThatOfTheClosedForm) {
 }
 
 TEST(Constants, PlainMethodAndStaticsRefuseThem) {
-  const Scene scene = read_scene(kScene, "block.toml");
-  StudySpec study = lightest_block(scene, 0.9);
+  const auto scene = block_on_a_spring().scene;
+  StudySpec study = lightest_block(0.9);
   study.cycle.method = CycleMethod::Esl;
   EXPECT_THROW(
       run_cycle<SE3>(scene.mechanism, space_of<SE3>(scene.mechanism), scene.simulation, study),
       std::invalid_argument);
-}
-
-TEST(Constants, AreReadBesideSections) {
-  const auto design = [](const std::string& text) {
-    return shipped_study("slider_crank_rod",
-                         {"design.payload={" + text + "}", "objective.of=[\"rod\", \"slider\"]"});
-  };
-  const Study study = design("of=\"slider\", property=\"mass\", bounds=[0.1, 0.3]");
-  ASSERT_EQ(study.spec.constants.size(), 1u);
-  EXPECT_EQ(study.spec.constants[0].body, study.scene.mechanism.body("slider"));
-  EXPECT_FALSE(study.spec.constants[0].start);
-  EXPECT_THROW(design("of=\"slider\", property=\"mass\", bounds=[0.3, 0.4]"), std::exception);
-  EXPECT_THROW(design("of=\"slider\", property=\"mass\", bounds=[-1, 0.4]"), std::exception);
-  EXPECT_THROW(design("of=\"slider\", property=\"mas\", bounds=[0.1, 0.4]"), std::exception);
 }
 
 }  // namespace

@@ -3,18 +3,20 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <map>
+#include <string>
 
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_problem.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 #include "reference/svanberg_beam.hpp"
 
 namespace liesl::test {
 namespace {
 
 template <FrameGroup G = SE2>
-CycleResult<G> cycle(const Study& study, const CycleHooks& hooks = {},
+CycleResult<G> cycle(const StudyCase& study, const CycleHooks& hooks = {},
                      const std::vector<Cycle>& resume = {}) {
   const Space<G> space = space_of<G>(study.scene.mechanism);
   StudySpec spec = study.spec;
@@ -22,10 +24,10 @@ CycleResult<G> cycle(const Study& study, const CycleHooks& hooks = {},
   return run_cycle<G>(study.scene.mechanism, space, study.scene.simulation, spec, hooks, resume);
 }
 
-Study rod(const Changes& changes = {}) { return shipped_study("slider_crank_rod", changes); }
+StudyCase rod(const std::vector<Change>& changes = {}) { return slider_crank_rod(changes); }
 
 /// Largest |bend| over every step of a motion that is simulated anew, m; infinite if it fails.
-double largest_deflection(const Study& study, const Eigen::VectorXd& x) {
+double largest_deflection(const StudyCase& study, const Eigen::VectorXd& x) {
   const Sizing sizing(study.spec.design, study.scene.mechanism);
   Mechanism sized = study.scene.mechanism;
   sizing.apply(x, sized);
@@ -68,7 +70,7 @@ void expect_best(const CycleResult<SE2>& r, double allowed) {
 }
 
 TEST(RodCycle, ConvergesToALimitThatEveryStepOfTheMotionMeets) {
-  const Study study = rod();
+  const StudyCase study = rod();
   const auto r = cycle(study);
   ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
   EXPECT_LE(r.history.size(), 8u);
@@ -84,7 +86,7 @@ TEST(RodCycle, ConvergesToALimitThatEveryStepOfTheMotionMeets) {
 }
 
 TEST(RodCycle, IsLighterThanTheBestUniformRod) {
-  const Study study = rod();
+  const StudyCase study = rod();
   const auto r = cycle(study);
   double thin = 0.006, thick = 0.018;
   const auto deflection = [&](double d) {
@@ -103,12 +105,14 @@ TEST(RodCycle, IsLighterThanTheBestUniformRod) {
 
 TEST(RodCycleSlow, EndsAtTheSameDesignFromOtherStarts) {
   const auto r = cycle(rod());
-  for (const char* start : {"0.006", "0.018", "[0.018, 0.006, 0.006, 0.018]"}) {
-    const auto other = cycle(rod({std::string("design.rod_diameters.start=") + start}));
-    EXPECT_EQ(other.status, CycleStatus::Converged) << start << ": " << other.reason;
+  const std::vector<std::vector<double>> starts = {{0.006}, {0.018}, {0.018, 0.006, 0.006, 0.018}};
+  for (const auto& values : starts) {
+    SCOPED_TRACE(testing::PrintToString(values));
+    const auto other = cycle(rod({start(values)}));
+    EXPECT_EQ(other.status, CycleStatus::Converged) << other.reason;
     ASSERT_EQ(other.x.size(), r.x.size());
-    EXPECT_LT(((other.x - r.x).cwiseQuotient(r.x)).cwiseAbs().maxCoeff(), 0.01) << start;
-    EXPECT_NEAR(other.mass, r.mass, 3e-3 * r.mass) << start;
+    EXPECT_LT(((other.x - r.x).cwiseQuotient(r.x)).cwiseAbs().maxCoeff(), 0.01);
+    EXPECT_NEAR(other.mass, r.mass, 3e-3 * r.mass);
   }
 }
 
@@ -122,9 +126,19 @@ TEST(RodCycleSlow, EndsAtTheSameDesignInThePlaneAndInSpace) {
 
 TEST(RodCycleSlow, EndsAtTheSameDesignWithEveryOptimiser) {
   const auto exact = cycle(rod());
-  for (const char* choice : {"cycle.model=separable", "cycle.optimizer=mma",
-                             "cycle.optimizer=ccsaq", "cycle.optimizer=slsqp"}) {
-    const auto other = cycle(rod({choice}));
+  const auto with = [](Optimizer optimizer, NlpModel model) -> Change {
+    return [=](StudyCase& s) {
+      s.spec.cycle.optimizer = optimizer;
+      s.spec.cycle.model = model;
+    };
+  };
+  const std::map<std::string, Change> choices = {
+      {"separable", with(Optimizer::Ipopt, NlpModel::Separable)},
+      {"mma", with(Optimizer::Mma, NlpModel::Exact)},
+      {"ccsaq", with(Optimizer::Ccsaq, NlpModel::Exact)},
+      {"slsqp", with(Optimizer::Slsqp, NlpModel::Exact)}};
+  for (const auto& [choice, change] : choices) {
+    const auto other = cycle(rod({change}));
     EXPECT_EQ(other.status, CycleStatus::Converged) << choice << ": " << other.reason;
     EXPECT_NEAR(other.mass, exact.mass, 2e-3 * exact.mass) << choice;
     EXPECT_LT((other.x - exact.x).norm(), 5e-3 * exact.x.norm()) << choice;
@@ -134,8 +148,7 @@ TEST(RodCycleSlow, EndsAtTheSameDesignWithEveryOptimiser) {
 TEST(StaticCycle, EndsAfterOneRoundAtThePublishedOptimum) {
   // Without inertia the loads do not follow the design: one optimisation, whose answer a second
   // simulation confirms. (The third one sees that the loads stay.)
-  const auto r =
-      cycle(shipped_study("svanberg_cantilever", {"cycle.move_limit=0.9", "cycle.method=esl"}));
+  const auto r = cycle(svanberg_cantilever({[](StudyCase& s) { s.spec.cycle.move_limit = 0.9; }}));
   ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
   EXPECT_LE(r.history.size(), 3u);
   EXPECT_LT(std::abs(r.history[1].worst), 1e-5) << "the first answer does not hold";
@@ -146,7 +159,7 @@ TEST(StaticCycle, EndsAfterOneRoundAtThePublishedOptimum) {
 }
 
 TEST(CycleEnds, InfeasibleWithTheNameOfTheLimit) {
-  const auto r = cycle(rod({"constraints.bending.limit=1e-5"}));
+  const auto r = cycle(rod({limit(1e-5)}));
   EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
   EXPECT_NE(r.reason.find("'bending' cannot be met"), std::string::npos) << r.reason;
   EXPECT_GT(r.worst, 1);
@@ -155,7 +168,7 @@ TEST(CycleEnds, InfeasibleWithTheNameOfTheLimit) {
 }
 
 TEST(CycleEnds, InfeasibleAtOnceWhereTheLimitIsHopeless) {
-  const auto r = cycle(rod({"constraints.bending.limit=1e-12"}));
+  const auto r = cycle(rod({limit(1e-12)}));
   EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
   EXPECT_NE(r.reason.find("'bending' cannot be met"), std::string::npos) << r.reason;
   int iterations = 0;
@@ -165,14 +178,14 @@ TEST(CycleEnds, InfeasibleAtOnceWhereTheLimitIsHopeless) {
 }
 
 TEST(CycleEnds, SimulationFailedWithTheReason) {
-  const auto r = cycle(rod({"joints.motor.drive.rate=1e7"}));
+  const auto r = cycle(rod({motor(1e7)}));
   EXPECT_EQ(r.status, CycleStatus::SimulationFailed);
   EXPECT_NE(r.reason.find("at t = "), std::string::npos) << r.reason;
   EXPECT_TRUE(r.history.empty());
 }
 
 TEST(CycleEnds, CycleLimitWithTheBestDesign) {
-  const auto r = cycle(rod({"cycle.max=2"}));
+  const auto r = cycle(rod({[](StudyCase& s) { s.spec.cycle.max = 2; }}));
   EXPECT_EQ(r.status, CycleStatus::CycleLimit) << r.reason;
   EXPECT_EQ(r.history.size(), 3u) << "two answers, each simulated";
   expect_finite(r);
@@ -180,11 +193,15 @@ TEST(CycleEnds, CycleLimitWithTheBestDesign) {
 }
 
 TEST(CycleEnds, WildMovesOfAFlexiblePartEndWithAStatusAndTheBestDesign) {
-  for (const char* limit : {"3e-2", "1e-2"}) {
-    const auto r =
-        cycle(rod({std::string("constraints.bending.limit=") + limit,
-                   "design.rod_diameters.bounds=[0.001, 0.05]", "cycle.move_limit=0.95",
-                   "cycle.max=8", "simulation.duration=0.06", "simulation.step=2.5e-4"}));
+  const Change wild = [](StudyCase& s) {
+    s.spec.design[0].lower = 0.001;
+    s.spec.design[0].upper = 0.05;
+    s.spec.cycle.move_limit = 0.95;
+    s.spec.cycle.max = 8;
+    s.scene.simulation.step = 2.5e-4;
+  };
+  for (const double most : {3e-2, 1e-2}) {
+    const auto r = cycle(rod({limit(most), wild, duration(0.06)}));
     EXPECT_TRUE(r.status == CycleStatus::CycleLimit || r.status == CycleStatus::Oscillating ||
                 r.status == CycleStatus::Converged)
         << r.reason;
@@ -197,7 +214,7 @@ TEST(CycleEnds, WildMovesOfAFlexiblePartEndWithAStatusAndTheBestDesign) {
 }
 
 TEST(CycleEnds, OscillatingWhereEveryAnswerIsFurtherFromTheFixedPoint) {
-  const auto r = cycle(stability_study("esl_oscillates"));
+  const auto r = cycle(esl_oscillates());
   ASSERT_EQ(r.status, CycleStatus::Oscillating) << r.reason;
   expect_finite(r);
   expect_best(r, 1e-3);
@@ -220,7 +237,7 @@ TEST(CycleEnds, OscillatingWhereEveryAnswerIsFurtherFromTheFixedPoint) {
 const Eigen::Vector2d kStolpesEnd(5 - 4 * 0.001, 0.001), kStolpesOptimum(0.001, 1.25 - 0.00025);
 
 TEST(Optimality, EndOfStolpesCycleIsNotCalledOptimal) {
-  const auto r = cycle(stability_study("esl_non_optimal"));
+  const auto r = cycle(esl_non_optimal());
   ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
   expect_finite(r);
   EXPECT_LT((1e3 * r.x - kStolpesEnd).norm(), 0.02) << 1e3 * r.x.transpose();
@@ -237,7 +254,7 @@ TEST(Optimality, EndOfStolpesCycleIsNotCalledOptimal) {
 
 /// The start is lighter than where the plain cycle ends, and meets the limits.
 TEST(Optimality, AnEarlierDesignThatIsReturnedIsNamed) {
-  Study study = test::stability_study("esl_non_optimal");
+  StudyCase study = esl_non_optimal();
   study.spec.design[0].start = {0.001};
   study.spec.design[1].start = {0.0012};
   const auto r = cycle(study);
@@ -250,7 +267,7 @@ TEST(Optimality, AnEarlierDesignThatIsReturnedIsNamed) {
 }
 
 TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
-  const Study study = stability_study("esl_non_optimal");
+  const StudyCase study = esl_non_optimal();
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
                                        study.spec);
@@ -273,23 +290,23 @@ TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
 
 TEST(Optimality, HoldsWithoutInertia) {
   // Loads that do not follow the design: the static optimum is the optimum.
-  const auto r = cycle(shipped_study("svanberg_cantilever"));
+  const auto r = cycle(svanberg_cantilever());
   ASSERT_TRUE(r.optimality && r.optimality->residual);
   EXPECT_LT(r.optimality->residual->stationarity, 1e-3) << r.optimality->brief();
   EXPECT_EQ(r.reason.find("do not hold"), std::string::npos);
 }
 
 TEST(Optimality, IsCheckedAsAsked) {
-  const char* quick = "simulation.duration=0.05";
-  EXPECT_FALSE(cycle(rod({quick, "cycle.optimality=never"})).optimality);
-  const char* many = "design.rod_diameters.groups=8";
-  const auto sensitivities = cycle(rod({quick, many}));
+  const Change quick = duration(0.05),
+               never = [](StudyCase&s) { s.spec.cycle.optimality = OptimalityCheck::Never; };
+  EXPECT_FALSE(cycle(rod({quick, never})).optimality);
+  const auto sensitivities = cycle(rod({quick, groups(8)}));
   ASSERT_TRUE(sensitivities.optimality && sensitivities.optimality->residual);
   EXPECT_EQ(sensitivities.optimality->simulations, 0);
 }
 
 /// Runs until `simulations` have been begun, then asks to stop.
-CycleResult<SE2> interrupted(const Study& study, size_t simulations, std::vector<Cycle>& kept) {
+CycleResult<SE2> interrupted(const StudyCase& study, size_t simulations, std::vector<Cycle>& kept) {
   double before = 1e9;
   size_t begun = 0;
   CycleHooks hooks;
@@ -303,7 +320,7 @@ CycleResult<SE2> interrupted(const Study& study, size_t simulations, std::vector
 }
 
 TEST(CycleEnds, InterruptedAndResumedIsAsIfNothingHadHappened) {
-  const Study study = rod({"design.rod_diameters.start=0.006"});
+  const StudyCase study = rod({start(0.006)});
   const auto whole = cycle(study);
   for (const size_t simulations : {2u, 4u, 7u}) {
     std::vector<Cycle> kept;
@@ -323,7 +340,7 @@ TEST(CycleEnds, InterruptedAndResumedIsAsIfNothingHadHappened) {
 
 /// Stopped within the static problem: half an optimum is no end of the cycle, and no next design.
 TEST(CycleEnds, StoppedInTheStaticProblemIsInterruptedAndResumesToTheSameDesign) {
-  const Study study = rod({"design.rod_diameters.start=0.006"});
+  const StudyCase study = rod({start(0.006)});
   const auto whole = cycle(study);
   int asked = 0;
   std::vector<Cycle> kept;

@@ -5,22 +5,18 @@
 #include <gtest/gtest.h>
 
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
 struct DirectRod {
-  explicit DirectRod(Changes more = {}) {
-    more.insert(more.end(), {"simulation.duration=0.02", "constraints.bending.limit=2e-4"});
-    study = shipped_study("slider_crank_rod", more);
-    study.spec.cycle.method = CycleMethod::Direct;
-  }
+  DirectRod() { study.spec.cycle.method = CycleMethod::Direct; }
   CycleResult<SE2> optimise(const CycleHooks& hooks = {}, const History& resume = {}) const {
     return run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
                           study.scene.simulation, study.spec, hooks, resume);
   }
-  Study study;
+  StudyCase study = slider_crank_rod({duration(0.02), limit(2e-4)});
 };
 
 /// One optimum, by trust regions and static images, and by three optimisers on the motion itself.
@@ -62,7 +58,8 @@ TEST(DirectOptimum, RefusesConstraintsWhoseNumberChanges) {
 }
 
 TEST(DirectOptimum, EndsAfterSoManyCycles) {
-  DirectRod rod({"cycle.max=3"});
+  DirectRod rod;
+  rod.study.spec.cycle.max = 3;
   const auto r = rod.optimise();
   EXPECT_EQ(r.status, CycleStatus::CycleLimit) << r.reason;
   EXPECT_GE(r.history.size(), 3u);

@@ -4,32 +4,12 @@
 
 #include <cmath>
 
-#include "apps/scene/load_scene.hpp"
 #include "optim/cycle/frequency_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
-
-/// A cantilever along x, wider than high, with a small load across.
-constexpr const char* kScene = R"(
-[materials]
-steel = { E = 210e9, nu = 0.3, rho = 7850 }
-[sections]
-flat = { type = "rectangle", width = 0.04, height = 0.02 }
-[bodies]
-b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 10, damping = 1e-3 } }
-[joints]
-clamp = { fixed = ["ground", "b.start"] }
-[loads]
-f = { at = "b.end", force = [0, 1, 0], scale = { table = [[0, 0], [0.01, 1]] } }
-[simulation]
-duration = 0.02
-step = 1e-3
-[responses]
-tip = { response = "displacement", at = "b.end", axis = [0, 1, 0] }
-)";
 
 StudySpec lightest(double least, int count) {
   StudySpec study;
@@ -46,7 +26,7 @@ double first_frequency(double h) {
 }
 
 TEST(FrequencyLimit, FrequenciesAreThoseOfTheBeam) {
-  const Scene scene = read_scene(kScene, "beam.toml");
+  const auto scene = flat_cantilever().scene;
   const LimitedModes f(scene.mechanism, scene.simulation, {{"first", 1, 2, 0}});
   ASSERT_EQ(f.reason, "");
   EXPECT_NEAR(f.frequency(0, 0) / first_frequency(0.02), 1, 0.01);
@@ -55,7 +35,8 @@ TEST(FrequencyLimit, FrequenciesAreThoseOfTheBeam) {
 
 /// dg/dx against central differences of order 2, of dimensions; of the slider-crank in a pose.
 TEST(FrequencyLimit, GradientIsThatOfTheValue) {
-  const Study study = shipped_study("slider_crank_both");
+  StudyCase study = slider_crank_rod({start(std::vector<double>())});
+  study.spec.design.push_back({"crank_diameters", {0}, {"diameter"}, 2, 0.008, 0.030, {}});
   const Mechanism& m = study.scene.mechanism;
   const Design design(study.spec, m);
   const Eigen::VectorXd x = design.start();
@@ -87,71 +68,67 @@ TEST(FrequencyLimit, GradientIsThatOfTheValue) {
 
 /// Two bars in a row on a slider: the first clamped to the ground and hinged to the second, which
 /// is clamped to a heavy block that moves freely. Alone the first is clamped and hinged.
-constexpr const char* kRow = R"(
-[materials]
-steel = { E = 210e9, nu = 0.3, rho = 7850 }
-[ground]
-points = { above = [1.5, 0, 1] }
-[sections]
-flat = { type = "rectangle", width = 0.04, height = 0.02 }
-[bodies]
-b = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "flat", material = "steel", elements = 20, up = [0, 1, 0] } }
-c = { beam = { from = [1, 0, 0], to = [2, 0, 0], section = "flat", material = "steel", elements = 4 } }
-block = { rigid = { at = [2, 0, 0], mass = 10, inertia = [1, 1, 1] } }
-[joints]
-clamp = { fixed = ["ground", "b.start"] }
-pin = { revolute = ["b.end", "c.start"], axis = [0, 0, 1], drive = { rate = 1, ramp = 0.1 } }
-held = { fixed = ["c.end", "block.origin"] }
-[forces]
-k = { between = ["c.mid", "ground.above"], stiffness = 1e3 }
-[simulation]
-duration = 0.02
-step = 1e-3
-)";
+Mechanism row() {
+  Section flat;
+  flat.shape = Rectangle{0.04, 0.02};
+  Mechanism m;
+  BeamSpec upright = straight_beam({0, 0, 0}, {1, 0, 0}, 20, flat, steel());
+  upright.nodes = straight({0, 0, 0}, {1, 0, 0}, 20, Orientation{Vec3::UnitY()});
+  m.bodies = {{"b", upright},
+              {"c", straight_beam({1, 0, 0}, {2, 0, 0}, 4, flat, steel())},
+              {"block", block({2, 0, 0}, 10, 1)}};
+  m.joints = {{"clamp", JointType::Fixed, {}, {0, 0}},
+              {"pin", JointType::Revolute, {0, 20}, {1, 0}},
+              {"held", JointType::Fixed, {1, 4}, {2, 0}}};
+  m.drives = {{1, 0, TimeFunction::rate(1, 0.1)}};
+  ForceSpec spring;
+  spring.name = "k";
+  spring.a = {1, 2};
+  spring.b = {-1, 0, SE3(Mat3::Identity(), {1.5, 0, 1})};
+  spring.stiffness = 1e3;
+  m.forces = {spring};
+  return m;
+}
+
+constexpr int kB = 0, kC = 1;
 
 /// (beta l)^2/(2 pi) sqrt(E/rho/12) h: clamped at both ends out of the plane and, as the drive
 /// holds the pin, in it; without the drive clamped and hinged in it.
 TEST(FrequencyLimit, OfOneBeamAsItsPortsHoldIt) {
-  Scene scene = read_scene(kRow, "row.toml");
+  Mechanism m = row();
   const auto bar = [](double root, double h) {
     return root * root / (2 * M_PI) * std::sqrt(210e9 / 7850 / 12) * h;
   };
   const auto lowest = [&] {
     FrequencyLimitSpec limit{"own", 1, 2, 0};
-    limit.body = scene.mechanism.body("b");
-    const LimitedModes f(scene.mechanism, scene.simulation, {limit});
+    limit.body = kB;
+    const LimitedModes f(m, {}, {limit});
     EXPECT_EQ(f.reason, "");
     return std::pair(f.frequency(0, 0), f.frequency(0, 1));
   };
   const double clamped = 4.7300407, hinged = 3.9266023;
   EXPECT_NEAR(lowest().first / bar(clamped, 0.02), 1, 0.02);
   EXPECT_NEAR(lowest().second / bar(clamped, 0.04), 1, 0.02);
-  scene.mechanism.drives.clear();
+  m.drives.clear();
   EXPECT_NEAR(lowest().first / bar(clamped, 0.02), 1, 0.02);
   EXPECT_NEAR(lowest().second / bar(hinged, 0.04), 1, 0.02);
 }
 
 /// The gradient of the frequency of one beam, with a spring to another body, against differences.
 TEST(FrequencyLimit, GradientOfOneBeamIsThatOfItsValue) {
-  Scene scene = read_scene(kRow, "row.toml");
+  const Mechanism m = row();
   StudySpec study;
   study.mass_of = {0};
-  const int c = scene.mechanism.body("c"), b = scene.mechanism.body("b");
-  study.design = {{"own", {c}, {"height"}, 1, 0.004, 0.04, {}},
-                  {"other", {b}, {"height"}, 1, 0.004, 0.04, {}}};
-  ConstantSpec k;
-  k.name = "k";
-  k.force = 0;
-  k.lower = 1;
-  k.upper = 1e7;
-  study.constants = {k};
+  study.design = {{"own", {kC}, {"height"}, 1, 0.004, 0.04, {}},
+                  {"other", {kB}, {"height"}, 1, 0.004, 0.04, {}}};
+  study.constants = {spring_stiffness("k", 1, 1e7)};
   study.cycle.method = CycleMethod::Esl1;
-  const Design design(study, scene.mechanism);
+  const Design design(study, m);
   Eigen::VectorXd x = design.start();
   x[2] = 2e5;
   FrequencyLimitSpec limit{"own", 10, 2, 0};
-  limit.body = c;
-  FrequencyProblem problem(scene.mechanism, design, scene.simulation, {limit}, x);
+  limit.body = kC;
+  FrequencyProblem problem(m, design, {}, {limit}, x);
   double f = 0;
   Eigen::VectorXd df = x, above(2), below(2);
   RowMatrix dg(2, 3);
@@ -171,11 +148,11 @@ TEST(FrequencyLimit, GradientOfOneBeamIsThatOfItsValue) {
 
 /// The height is what the frequency out of the plane asks for, the width its least.
 TEST(FrequencyLimit, LightestBarIsThatOfTheClosedForm) {
-  const Scene scene = read_scene(kScene, "beam.toml");
+  const auto [scene, given] = flat_cantilever();
   const double least = 20;
   for (const CycleMethod method : {CycleMethod::Esl1, CycleMethod::Full}) {
     StudySpec study = lightest(least, 1);
-    study.constraints = {{scene.responses[0], 1, true}};  // never reached
+    study.constraints = given.constraints;  // never reached
     study.cycle.method = method;
     const auto r =
         run_cycle<SE2>(scene.mechanism, space_of<SE2>(scene.mechanism), scene.simulation, study);
@@ -191,9 +168,9 @@ TEST(FrequencyLimit, LightestBarIsThatOfTheClosedForm) {
 
 /// A limit on more frequencies than there are ends the study with the reason, not with 0 Hz.
 TEST(FrequencyLimit, ThatHasNoValueEndsTheStudyWithAReason) {
-  Scene scene = read_scene(kScene, "beam.toml");
+  auto [scene, given] = flat_cantilever();
   StudySpec study = lightest(20, 61);  // 10 nodes with 6 coordinates move
-  study.constraints = {{scene.responses[0], 1, true}};
+  study.constraints = given.constraints;
   study.cycle.method = CycleMethod::Esl1;
   const auto r =
       run_cycle<SE2>(scene.mechanism, space_of<SE2>(scene.mechanism), scene.simulation, study);
@@ -202,19 +179,9 @@ TEST(FrequencyLimit, ThatHasNoValueEndsTheStudyWithAReason) {
       << r.reason;
 }
 
-TEST(FrequencyLimit, IsRead) {
-  const Study study =
-      shipped_study("slider_crank_rod", {"frequencies.stiff={least=150, count=2, at=0.01}"});
-  ASSERT_EQ(study.spec.frequencies.size(), 1u);
-  EXPECT_EQ(study.spec.frequencies[0].least, 150);
-  EXPECT_EQ(study.spec.frequencies[0].count, 2);
-  EXPECT_EQ(study.spec.frequencies[0].at, 0.01);
-  EXPECT_THROW(shipped_study("connecting_rod", {"frequencies.stiff={least=150}"}), InputError);
-}
-
 /// A load up, then a quarter of it down: each side has its limit.
 TEST(SideLimit, HoldsItsSideAlone) {
-  Scene scene = read_scene(kScene, "beam.toml");
+  auto [scene, given] = flat_cantilever();
   scene.simulation.duration = 0.2;
   scene.simulation.step = 2e-3;
   scene.mechanism.loads[0].force = {0, 200, 0};
@@ -224,7 +191,7 @@ TEST(SideLimit, HoldsItsSideAlone) {
     StudySpec study;
     study.mass_of = {0};
     study.design = {{"height", {0}, {"width"}, 1, 0.004, 0.2, {}}};
-    ResponseSpec r = scene.responses[0];
+    ResponseSpec r = given.constraints[0].response;
     r.side = Side::Up;
     r.name = "up";
     study.constraints.push_back({r, up, false});
@@ -249,12 +216,6 @@ TEST(SideLimit, HoldsItsSideAlone) {
   const auto lower = height(2e-2, 5e-4);
   EXPECT_NEAR(lower.second, 1, 2e-3);
   EXPECT_LT(lower.first, 0.9);
-}
-
-TEST(SideLimit, IsRead) {
-  const Study study = shipped_study("slider_crank_rod", {"constraints.bending.side=\"up\""});
-  EXPECT_EQ(study.spec.constraints[0].response.side, Side::Up);
-  EXPECT_FALSE(study.spec.constraints[0].has_image);
 }
 
 }  // namespace

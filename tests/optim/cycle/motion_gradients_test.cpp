@@ -5,22 +5,20 @@
 #include <gtest/gtest.h>
 
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
-Study many_sections() {
-  Study study = shipped_study(
-      "slider_crank_rod", {"simulation.duration=0.02", "constraints.bending.limit=2e-4",
-                           "scene.bodies.rod.beam.elements=24", "design.rod_diameters.groups=24"});
+StudyCase many_sections() {
+  StudyCase study = slider_crank_rod({duration(0.02), limit(2e-4), groups(24)}, 24);
   study.spec.cycle.method = CycleMethod::Esl1;
   return study;
 }
 
 /// Of each maximum and the records beside it the adjoint form has what the direct form has.
 TEST(MotionGradients, OfManyVariablesAreThoseOfTheDirectForm) {
-  const Study study = many_sections();
+  const StudyCase study = many_sections();
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
                                        study.spec);
@@ -56,7 +54,7 @@ TEST(MotionGradients, OfManyVariablesAreThoseOfTheDirectForm) {
 /// A cycle of as many sections ends at the optimum that the optimiser of the motion itself finds,
 /// whose gradients are of the direct form.
 TEST(MotionGradients, ManySectionsEndOptimal) {
-  Study study = many_sections();
+  StudyCase study = many_sections();
   const auto optimise = [&](CycleMethod method) {
     study.spec.cycle.method = method;
     return run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),

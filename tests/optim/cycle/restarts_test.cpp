@@ -7,19 +7,18 @@
 #include <map>
 
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
 struct RestartedRod {
-  explicit RestartedRod(const Changes& changes)
-      : study(shipped_study("slider_crank_rod", changes)) {}
+  explicit RestartedRod(const std::vector<Change>& changes) : study(slider_crank_rod(changes)) {}
   CycleResult<SE2> optimise(const CycleHooks& hooks = {}, const History& resume = {}) const {
     return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks,
                           resume);
   }
-  Study study;
+  StudyCase study;
   Space<SE2> space = space_of<SE2>(study.scene.mechanism);
 };
 
@@ -51,8 +50,7 @@ TEST(Restarts, StartAtSharesOfTheRanges) {
 /// A rod that vibrates: from 11.38 mm no step brings it nearer to its limit, from 18.4 mm it is
 /// met. Stopped in the first and in the second start, and resumed, it ends at the same design.
 TEST(Restarts, EndOptimalWhereTheOwnStartIsInfeasible) {
-  RestartedRod rod({"joints.motor.drive.rate=140", "bodies.slider.rigid.mass=0.5",
-                    "constraints.bending.limit=0.75e-3"});
+  RestartedRod rod({motor(140), slider_mass(0.5), limit(0.75e-3)});
   const auto own = rod.optimise();
   ASSERT_EQ(own.status, CycleStatus::Infeasible) << "the case shows nothing any more";
   EXPECT_NE(own.reason.find("cycle.restarts"), std::string::npos) << own.reason;
@@ -82,10 +80,27 @@ TEST(Restarts, EndOptimalWhereTheOwnStartIsInfeasible) {
   }
 }
 
+/// Cycles are numbered from 1 in every start: a reason says which start one is of.
+TEST(Restarts, ACycleThatARunIsStoppedInIsOfItsStart) {
+  RestartedRod rod({duration(0.02), limit(1e-5)});
+  rod.study.spec.cycle.restarts = 2;
+  for (const int last : {0, 2}) {
+    int start = -1;
+    CycleHooks hooks;
+    hooks.on_cycle = [&](const History& history) { start = history.back().start; };
+    hooks.keep_going = [&] { return start < last; };
+    const auto r = rod.optimise(hooks);
+    ASSERT_EQ(r.status, CycleStatus::Interrupted) << r.reason;
+    EXPECT_NE(r.reason.find("stopped in cycle "), std::string::npos) << r.reason;
+    EXPECT_EQ(r.reason.find(" of restart 2 on request") != std::string::npos, last == 2)
+        << r.reason;
+  }
+}
+
 /// Where no start meets the limits, the answer is the design that exceeds them least.
 TEST(Restarts, KeepTheDesignThatExceedsLimitsLeast) {
-  RestartedRod rod(
-      {"simulation.duration=0.02", "constraints.bending.limit=1e-5", "cycle.restarts=2"});
+  RestartedRod rod({duration(0.02), limit(1e-5)});
+  rod.study.spec.cycle.restarts = 2;
   const auto r = rod.optimise();
   ASSERT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
   EXPECT_NE(r.reason.find("2 other starts came no nearer"), std::string::npos) << r.reason;

@@ -3,22 +3,18 @@
 /// last bit, and the same effort.
 #include <gtest/gtest.h>
 
-#include "apps/scene/space.hpp"
-#include "apps/study/load_study.hpp"
 #include "optim/cycle/motion_cycle.hpp"
-#include "reference/places.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
-class Resume : public testing::TestWithParam<const char*> {
+class Resume : public testing::TestWithParam<CycleMethod> {
  protected:
-  const Study study_ =
-      load_study(std::string(kDataDir) + "/studies/slider_crank_rod.toml",
-                 {"simulation.duration=0.02", std::string("cycle.method=") + GetParam()});
+  const StudyCase study_ =
+      slider_crank_rod({duration(0.02), [](StudyCase& s) { s.spec.cycle.method = GetParam(); }});
   CycleResult<SE2> optimise(const CycleHooks& hooks, const std::vector<Cycle>& resume) const {
-    const ChosenSpace space = choose_space(study_.scene);
-    return run_cycle<SE2>(study_.scene.mechanism, std::get<Space<SE2>>(space.space),
+    return run_cycle<SE2>(study_.scene.mechanism, space_of<SE2>(study_.scene.mechanism),
                           study_.scene.simulation, study_.spec, hooks, resume);
   }
 };
@@ -45,8 +41,10 @@ TEST_P(Resume, IsBitEqualFromEveryCycle) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Methods, Resume, testing::Values("esl1", "esl"),
-                         [](const auto& of) { return std::string(of.param); });
+INSTANTIATE_TEST_SUITE_P(Methods, Resume, testing::Values(CycleMethod::Esl1, CycleMethod::Esl),
+                         [](const auto& of) {
+                           return of.param == CycleMethod::Esl ? "esl" : "esl1";
+                         });
 
 }  // namespace
 }  // namespace liesl::test

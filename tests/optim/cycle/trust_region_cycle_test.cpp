@@ -8,18 +8,18 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
 
 using Eigen::VectorXd;
 
-Study rod(Changes changes = {}) { return shipped_study("slider_crank_rod", changes); }
+StudyCase rod(const std::vector<Change>& changes = {}) { return slider_crank_rod(changes); }
 
 /// A study whose designs can be simulated; sensitivities need converged states.
 struct Simulated {
-  explicit Simulated(Study s) : study(std::move(s)) {
+  explicit Simulated(StudyCase s) : study(std::move(s)) {
     study.spec.cycle.method = CycleMethod::Esl1;
     simulator.emplace(study.scene.mechanism, space, study.scene.simulation, study.spec);
   }
@@ -27,7 +27,7 @@ struct Simulated {
     return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks,
                           resume);
   }
-  Study study;
+  StudyCase study;
   Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   std::optional<DesignSimulator<SE2>> simulator;
 };
@@ -118,7 +118,7 @@ TEST(CorrectedProblem, IsTheSameAfterAllCasesWereLookedAt) {
 }
 
 TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
-  Simulated s(rod({"simulation.tolerance=1e-11"}));
+  Simulated s(rod({tolerance(1e-11)}));
   const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
   const auto run = s.simulator->run(x);
   auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
@@ -145,91 +145,47 @@ TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
   }
 }
 
-/// Largest value of each limit of other kinds: tips of arms by walls, stress by diameters of
-/// another body, the elongation of a meshed part by its outline.
-TEST(MotionGradients, OfOtherResponsesAreThoseOfDifferences) {
-  struct Case {
-    const char* study;
-    double step;       ///< of a variable
-    double tolerance;  ///< of the gradient's length
-  };
-  // Modes of a meshed part are frozen, and its fractions have kinks.
-  for (const Case& c : {Case{"robot_arms", 2e-4, 1e-4},
-                        {"slider_crank_both", 2e-4, 1e-4},
-                        {"connecting_rod", 1e-3, 0.05}}) {
-    Simulated s(shipped_study(c.study, {"simulation.tolerance=1e-10"}));
-    const VectorXd x = s.simulator->design().start(), unit = s.simulator->design().unit(x);
-    const auto run = s.simulator->run(x);
-    const auto statics = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
-    const MotionGradients motion(s.simulator->design(), run, x, statics->responses());
-    ASSERT_TRUE(motion.reason().empty()) << motion.reason();
-    const auto limits = s.study.spec.constraints.size();
-    std::vector<std::pair<int, int>> peak(limits, {-1, 0});  // response, record
-    for (std::size_t r = 0; r < std::size_t(motion.responses()); ++r)
-      for (int n = 0; n < motion.records(0); ++n) {
-        auto& [response, record] = peak[motion.response(int(r)).constraint];
-        const int number = static_cast<int>(r);
-        if (response < 0 || motion.value(number, n) > motion.value(response, record)) {
-          response = number;
-          record = n;
-        }
-      }
-    for (int j = 0; j < x.size(); ++j) {
-      const double h = c.step * (unit.size() > 0 ? unit[j] : x[j]);
-      VectorXd up = x, down = x;
-      up[j] += h;
-      down[j] -= h;
-      const auto above = s.simulator->run(up), below = s.simulator->run(down);
-      for (std::size_t l = 0; l < limits; ++l) {
-        const auto [response, record] = peak[l];
-        const VectorXd* dv = motion.gradient(response, record);
-        ASSERT_TRUE(dv);
-        const double d =
-            (above.limits[l].values[record] - below.limits[l].values[record]) / (2 * h);
-        const double scale = unit.size() > 0 ? dv->cwiseProduct(unit).norm() / unit[j] : dv->norm();
-        EXPECT_NEAR((*dv)[j], d, c.tolerance * scale) << c.study << " " << l << " " << j;
-      }
-    }
-  }
-}
-
 TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
   Simulated image(rod());
   const auto r = image.optimise();
-  for (const char* approximation : {"power", "linear"}) {
-    Study study = rod({std::string("cycle.approximation=") + approximation});
+  for (const Approximation approximation : {Approximation::Power, Approximation::Linear}) {
+    SCOPED_TRACE(static_cast<int>(approximation));
+    StudyCase study = rod();
+    study.spec.cycle.approximation = approximation;
     study.spec.cycle.method = CycleMethod::Full;
     const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
     const auto full =
         run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
-    EXPECT_EQ(full.status, CycleStatus::Optimal) << approximation << ": " << full.reason;
-    EXPECT_NEAR(full.mass, r.mass, 2e-4 * r.mass) << approximation;
+    EXPECT_EQ(full.status, CycleStatus::Optimal) << full.reason;
+    EXPECT_NEAR(full.mass, r.mass, 2e-4 * r.mass);
     EXPECT_GT(full.history.size(), r.history.size()) << "a static image should pay";
   }
 }
 
 /// Stolpe's springs and a mass whose plain cycle oscillates: docs/stability.md.
 TEST(TrustRegionCycle, SolvesWhereThePlainCycleFails) {
-  for (const char* name : {"esl_non_optimal", "esl_oscillates"}) {
-    Simulated s(stability_study(name));
+  for (const StudyCase& study : {esl_non_optimal(), esl_oscillates()}) {
+    SCOPED_TRACE(study.spec.design[0].name);
+    Simulated s(study);
     const auto r = s.optimise();
-    EXPECT_EQ(r.status, CycleStatus::Optimal) << name << ": " << r.reason;
-    EXPECT_LE(r.worst, 1e-3) << name;
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+    EXPECT_LE(r.worst, 1e-3);
   }
 }
 
 TEST(TrustRegionCycle, EndsAtTheOptimumOfTheMotionFromEveryStart) {
   double mass = 0;
-  for (const char* start : {"0.010", "0.008", "0.016"}) {
-    Simulated s(rod({std::string("design.rod_diameters.start=") + start}));
+  for (const double diameter : {0.010, 0.008, 0.016}) {
+    SCOPED_TRACE(diameter);
+    Simulated s(rod({start(diameter)}));
     const auto r = s.optimise();
-    ASSERT_EQ(r.status, CycleStatus::Optimal) << start << ": " << r.reason;
-    EXPECT_LE(r.history.size(), 7u) << start;
-    EXPECT_LE(r.worst, 1e-4) << start;
-    EXPECT_LE(r.optimality->residual->stationarity, 1e-2) << start;
+    ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+    EXPECT_LE(r.history.size(), 7u);
+    EXPECT_LE(r.worst, 1e-4);
+    EXPECT_LE(r.optimality->residual->stationarity, 1e-2);
     EXPECT_EQ(r.optimality->simulations, 0);
     if (mass == 0) mass = r.mass;
-    EXPECT_NEAR(r.mass, mass, 2e-4 * mass) << start;
+    EXPECT_NEAR(r.mass, mass, 2e-4 * mass);
   }
 }
 
@@ -249,21 +205,21 @@ TEST(TrustRegionCycle, PriceOfALimitIsWhatAWiderOneSaves) {
   ASSERT_TRUE(r.optimality);
   ASSERT_EQ(r.optimality->prices.size(), 1u);
   EXPECT_EQ(r.optimality->prices[0].name, "bending");
-  const auto wider = Simulated(rod({"constraints.bending.limit=1.01e-3"})).optimise();
-  const auto tighter = Simulated(rod({"constraints.bending.limit=0.99e-3"})).optimise();
+  const auto wider = Simulated(rod({limit(1.01e-3)})).optimise();
+  const auto tighter = Simulated(rod({limit(0.99e-3)})).optimise();
   const double saved = (tighter.mass - wider.mass) / 0.02;
   EXPECT_NEAR(r.optimality->prices[0].price, saved, 0.03 * saved);
 }
 
 TEST(TrustRegionCycle, LimitsHoldAtStepsThatAreNotRecorded) {
-  Simulated all(rod()), thinned(rod({"simulation.output_every=25"}));
+  Simulated all(rod()), thinned(rod({[](StudyCase&c) { c.scene.simulation.output_every = 25; }}));
   const auto r = thinned.optimise();
   EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
   EXPECT_LE(worst(all, r.x), 1e-4);
 }
 
 TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
-  Simulated s(rod({"design.rod_diameters.start=0.008"}));
+  Simulated s(rod({start(0.008)}));
   const auto whole = s.optimise();
   for (const std::size_t stop : {1u, 3u}) {
     std::vector<Cycle> kept;
@@ -280,7 +236,7 @@ TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
 
 /// A rod that vibrates: its static images end beside a design that meets the limit.
 TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
-  Study study = rod({"joints.motor.drive.rate=150", "bodies.slider.rigid.mass=0.4"});
+  StudyCase study = rod({motor(150), slider_mass(0.4)});
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto run = [&](CycleMethod method, const CycleHooks& hooks = {}) {
     study.spec.cycle.method = method;
@@ -318,14 +274,14 @@ TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
 }
 
 TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
-  Simulated s(rod({"constraints.bending.limit=1e-5"}));
+  Simulated s(rod({limit(1e-5)}));
   const auto r = s.optimise();
   EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
   EXPECT_NE(r.reason.find("'bending'"), std::string::npos) << r.reason;
 }
 
 TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
-  Study study = rod({"simulation.duration=0.05"});
+  StudyCase study = rod({duration(0.05)});
   study.scene.mechanism.formalism = Formalism::R3SO3;
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);

@@ -8,7 +8,7 @@
 
 #include "mbs/sections/section_law.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
@@ -23,8 +23,6 @@ DesignSpec design(const char* name, std::vector<int> bodies, int groups) {
   spec.upper = 0.02;
   return spec;
 }
-
-Mechanism slider_crank() { return shipped_scene("slider_crank").mechanism; }
 
 double diameter(const Mechanism& m, int body, int element) {
   return dimension(std::get<BeamSpec>(m.bodies[body].kind).sections[element].shape, "diameter");
@@ -76,22 +74,22 @@ TEST(Sizing, MassIsDensityTimesVolume) {
 }
 
 TEST(Sizing, DerivativesAgreeWithDifferences) {
-  const Scene scene = shipped_scene("svanberg_cantilever");
+  const Mechanism cantilever = svanberg_cantilever_beam();
   DesignSpec spec = design("side", {0}, 5);
   spec.properties = {"width", "height"};  // one variable moves both
-  const Sizing sizing({spec}, scene.mechanism);
+  const Sizing sizing({spec}, cantilever);
   const SizedElement at{0, 30};
   const int variable = 1;
   Eigen::VectorXd x = Eigen::VectorXd::Constant(5, 0.05);
   const auto law = [&](double step) {
     Eigen::VectorXd moved = x;
     moved[variable] += step;
-    Mechanism m = scene.mechanism;
+    Mechanism m = cantilever;
     sizing.apply(moved, m);
     const auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
     return section_law(beam.sections[at.element], beam.material);
   };
-  Mechanism m = scene.mechanism;
+  Mechanism m = cantilever;
   sizing.apply(x, m);
   const SectionLaw d = sizing.derivative(m, variable, at);
   const SectionLaw d2 = sizing.second_derivative(m, variable, variable, at);

@@ -6,8 +6,9 @@
 
 #include <stdexcept>
 
+#include "mbs/run.hpp"
 #include "optim/cycle/design_run.hpp"
-#include "reference/shipped.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
@@ -18,16 +19,14 @@ std::string joined(const std::vector<std::string>& errors) {
   return text;
 }
 
-TEST(StudyErrors, AShippedStudyHasNone) {
-  for (const char* name : {"slider_crank_rod", "slider_crank_both", "connecting_rod",
-                           "four_bar_mixed", "cantilever_holes", "plate_with_hole"}) {
-    const Study study = shipped_study(name);
-    EXPECT_EQ(joined(study_errors(study.spec, study.scene.mechanism)), "") << name;
-  }
+TEST(StudyErrors, AGoodStudyHasNone) {
+  for (const StudyCase& study :
+       {slider_crank_rod(), svanberg_cantilever(), esl_oscillates(), esl_non_optimal()})
+    EXPECT_EQ(joined(study_errors(study.spec, study.scene.mechanism)), "") << study.spec.name;
 }
 
 TEST(StudyErrors, AllAreListedWithPlaceExpectedAndGot) {
-  const Study good = shipped_study("slider_crank_rod");
+  const StudyCase good = slider_crank_rod();
   StudySpec study = good.spec;
   study.cycle.max = 0;
   study.cycle.move_limit = 1.5;
@@ -51,7 +50,7 @@ TEST(StudyErrors, AllAreListedWithPlaceExpectedAndGot) {
 }
 
 TEST(StudyErrors, AreRefusedBeforeAnythingIsSimulated) {
-  const Study good = shipped_study("slider_crank_rod");
+  const StudyCase good = slider_crank_rod();
   StudySpec study = good.spec;
   study.cycle.max = -1;
   study.cycle.tolerance = 0;

@@ -2,14 +2,13 @@
 /// Objectives with the mass as a limit: highest first frequency, least largest deflection, several
 /// weighted; closed forms and published optima.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "apps/scene/space.hpp"
 #include "apps/study/load_study.hpp"
+#include "apps/study/scene_file.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/places.hpp"
 #include "reference/shipped.hpp"
@@ -96,8 +95,7 @@ m = { mass = "b", limit = 7.065 }
 
 class HighestFrequency : public testing::Test {
  protected:
-  HighestFrequency() {
-    std::ofstream(file_) << R"(
+  const SceneFile file_{R"(
 [materials]
 steel = { E = 210e9, nu = 0.3, rho = 7850 }
 [sections]
@@ -111,15 +109,11 @@ f = { at = "b.end", force = [0, 1, 0], scale = { table = [[0, 0], [0.01, 1]] } }
 [simulation]
 duration = 0.02
 step = 1e-3
-)";
-  }
-  ~HighestFrequency() override { std::filesystem::remove(file_); }
+)"};
   std::string study() const {
     std::string text = kBar;
-    return text.replace(text.find("SCENE"), 5, file_.string());
+    return text.replace(text.find("SCENE"), 5, file_.path());
   }
-  const std::filesystem::path file_ = std::filesystem::temp_directory_path() /
-                                      ("objective_" + std::to_string(::getpid()) + ".toml");
 };
 
 /// A cantilever of given mass vibrates fastest with a square section, where the frequencies across

@@ -2,14 +2,13 @@
 /// Objectives of a meshed part under fixed loads: largest value, compliance, stress, lowest
 /// frequency, several weighted, with the mass as a limit.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 
 #include "apps/input/problem.hpp"
 #include "apps/study/load_study.hpp"
+#include "apps/study/scene_file.hpp"
 #include "optim/cycle/topology_cycle.hpp"
 #include "reference/places.hpp"
 
@@ -72,8 +71,7 @@ TEST(PartObjective, LargestOfTwoCasesIsLeastWhereBothAreEqual) {
 /// A cantilever; stiffness in proportion to the fractions of the cells, as that of beams.
 class CantileverObjective : public testing::Test {
  protected:
-  CantileverObjective() {
-    std::ofstream(file_) << R"(
+  const SceneFile file_{R"(
 [materials]
 steel = { E = 210e9, nu = 0.3, rho = 7850 }
 [bodies.plate.solid]
@@ -88,18 +86,13 @@ tip  = { box = { from = [0.195, -0.005], to = [0.2, 0.005] } }
 plate = { type = "rectangle", x = 0.1, width = 0.3, height = 0.09 }
 [responses]
 sag = { response = "displacement", at = "plate.tip", axis = [0, 1, 0] }
-)";
-  }
-  ~CantileverObjective() override { std::filesystem::remove(file_); }
+)"};
   std::string cantilever(const std::string& objective, double mass) const;
-
-  const std::filesystem::path file_ = std::filesystem::temp_directory_path() /
-                                      ("part_goals_" + std::to_string(::getpid()) + ".toml");
 };
 
 /// Its height, with a limit on the mass.
 std::string CantileverObjective::cantilever(const std::string& objective, double mass) const {
-  return "scene = \"" + file_.string() + R"("
+  return "scene = \"" + file_.path() + R"("
 [design]
 height = { of = "plate", parameters = "plate.height", bounds = [0.03, 0.0995], start = 0.0597 }
 [objective]

@@ -11,6 +11,7 @@
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/places.hpp"
+#include "reference/studies.hpp"
 
 namespace liesl::test {
 namespace {
@@ -72,12 +73,7 @@ StudySpec frame_study() {
   study.mass_of = {0, 1};
   study.design = {{"diameter", {0, 1}, {"diameter"}, 1, 0.02, 0.2, {}},
                   {"wall", {1}, {"thickness"}, 1, 0.001, 0.008, {}}};
-  ConstantSpec spring;
-  spring.name = "spring";
-  spring.force = 0;
-  spring.lower = 10;
-  spring.upper = 1e4;
-  study.constants = {spring};
+  study.constants = {spring_stiffness("spring", 10, 1e4)};
   for (const ResponseSpec& r : members()) study.constraints.push_back({r, 1, false});
   return study;
 }

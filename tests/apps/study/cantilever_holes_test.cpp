@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "mbs/solids/solid_model.hpp"
 #include "optim/cycle/part_model.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "reference/bilinear_plate.hpp"
@@ -29,8 +30,8 @@ struct OpenLsto {
 /// Of the study, in the units of the publication: E t / F^2 f^T u F_published^2.
 double normalised(const StudySpec& spec, const SolidSpec& solid, double compliance) {
   const double force = spec.loads.at(0).force.norm();
-  return compliance * solid.material.E * solid.thickness / (force * force) * OpenLsto::force *
-         OpenLsto::force;
+  return compliance * solid.model->material().E * solid.model->thickness() / (force * force) *
+         OpenLsto::force * OpenLsto::force;
 }
 
 TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {

@@ -11,6 +11,7 @@
 
 #include "apps/study/load_study.hpp"
 #include "mbs/levelset/shape_spec.hpp"
+#include "mbs/solids/solid_model.hpp"
 #include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/solid_task.hpp"
 #include "optim/nlp/check_derivatives.hpp"
@@ -92,9 +93,10 @@ TEST(TopologyCycle, TheGainIsWhatASmallHoleOfTheOutlineDoes) {
   ShapeSpec holed = outline(r);
   ShapeDesignSpec ignored;
   Nucleus small = *r.next->hole.nucleus;
-  insert_hole(small, solid_of(study).mesh, holed, ignored);
+  insert_hole(small, solid_of(study).mesh(), holed, ignored);
   const auto before = figures(outline(r), h), after = figures(holed, h);
-  const double volume = std::numbers::pi * small.radius * small.radius * solid_of(study).thickness;
+  const double volume =
+      std::numbers::pi * small.radius * small.radius * solid_of(study).model->thickness();
   const double change = after.first - before.first + lambda * (after.second - before.second);
   EXPECT_NEAR(-change / volume / small.gain, 1, 0.1);
 }
@@ -128,8 +130,8 @@ TEST(TopologyCycle, InsertedHolesAreFeaturesWithVariablesAndWalls) {
   ShapeDesignSpec& design = study.spec.shapes.at(0);
   design.walls = {{"rim", "plate", "tip", 0.01}, {"rim2", "plate", "wall", 0.004}};
   const Nucleus one{{0.1, 0.01, 0}, 0.008, 1}, two{{0.05, 0.01, 0}, 0.008, 1};
-  EXPECT_EQ(insert_hole(one, solid_of(study).mesh, shape_spec, design), "new_hole1");
-  EXPECT_EQ(insert_hole(two, solid_of(study).mesh, shape_spec, design), "new_hole2");
+  EXPECT_EQ(insert_hole(one, solid_of(study).mesh(), shape_spec, design), "new_hole1");
+  EXPECT_EQ(insert_hole(two, solid_of(study).mesh(), shape_spec, design), "new_hole2");
   EXPECT_TRUE(shape_errors(shape_spec).empty());
   ASSERT_EQ(shape_spec.features.size(), 4u);  // plate, the difference, two holes
   EXPECT_EQ(design.variables.size(), 1u + 2 * 4);
@@ -224,7 +226,7 @@ TEST(TopologyCycle, InterruptedInAnyRoundAndResumedEndsAtTheSameDesign) {
 /// The gradients of a study with an inserted hole are those of any other study.
 TEST(TopologyCycle, GradientsWithAnInsertedHolePassTheStepSweep) {
   Study study = cantilever();
-  insert_hole({{0.09, 0.012, 0}, 0.009, 1}, solid_of(study).mesh, solid_of(study).outline,
+  insert_hole({{0.09, 0.012, 0}, 0.009, 1}, solid_of(study).mesh(), solid_of(study).outline,
               study.spec.shapes.at(0));
   PartShape part(study.scene.mechanism, 0, study.spec.shapes.at(0));
   const SolidTask task = solid_task(study.spec, part);
