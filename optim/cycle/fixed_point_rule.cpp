@@ -1,7 +1,5 @@
 #include "optim/cycle/fixed_point_rule.hpp"
 
-#include <fmt/format.h>
-
 namespace liesl {
 namespace {
 

@@ -128,8 +128,8 @@ TEST(Gear, KeepsTheEnergy) {
       largest = std::max(largest, std::abs(total_energy(r, i) - total_energy(r, 0)));
     drifts.push_back(largest);
   }
-  EXPECT_NEAR(std::log2(drifts[0] / drifts[1]), 2, 0.25);
-  EXPECT_NEAR(std::log2(drifts[1] / drifts[2]), 2, 0.25);
+  EXPECT_NEAR(std::log2(drifts[0] / drifts[1]), 2, 0.01);
+  EXPECT_NEAR(std::log2(drifts[1] / drifts[2]), 2, 0.01);
 }
 
 /// k r^2 q = T; omega^2 = k r^2 / (J1 + r^2 J2).

@@ -124,14 +124,14 @@ TYPED_TEST(PenaltyIn, EnergyIsBalanced) {
   const auto unbalanced = [&](double damping, double step) {
     const auto r = run<G>(penalised(m, ConstraintForm::Penalty, 2e5, damping), space_of<G>(m),
                           options(0.01, step, 1, 1e-10));
-    EXPECT_NE(r.report().status, SolveStatus::NotConverged) << r.report().reason;
+    EXPECT_EQ(r.report().status, SolveStatus::Inaccurate) << "joints this soft are told";
     Equations<G> equations(*r.model);
     return largest_energy_imbalance(r, step,
                                     [&](State<G>& s) { return power(*r.model, equations, s); });
   };
   for (const double damping : {0., 2e-4}) {
     const double coarse = unbalanced(damping, 2e-5), fine = unbalanced(damping, 1e-5);
-    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.25) << damping << ": " << coarse << ", " << fine;
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.05) << damping << ": " << coarse << ", " << fine;
   }
 }
 

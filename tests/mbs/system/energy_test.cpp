@@ -38,8 +38,8 @@ void expect_second_order(const Mechanism& m, double duration, double step, doubl
     ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
     drifts.push_back(drift(r, drive));
   }
-  EXPECT_NEAR(std::log2(drifts[0] / drifts[1]), 2, 0.25) << drifts[0] << " " << drifts[1];
-  EXPECT_NEAR(std::log2(drifts[1] / drifts[2]), 2, 0.25) << drifts[1] << " " << drifts[2];
+  EXPECT_NEAR(std::log2(drifts[0] / drifts[1]), 2, 0.01) << drifts[0] << " " << drifts[1];
+  EXPECT_NEAR(std::log2(drifts[1] / drifts[2]), 2, 0.01) << drifts[1] << " " << drifts[2];
   EXPECT_LT(drifts[2], scale);
 }
 
