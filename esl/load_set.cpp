@@ -21,6 +21,10 @@ void hold_first_node(BlockTridiagonal<N>& A) {
     A.U[0].setZero();
     A.L[0].setZero();
   }
+  if (!A.U2.empty()) {
+    A.U2[0].setZero();
+    A.L2[0].setZero();
+  }
 }
 
 template <FrameGroup G>
@@ -48,6 +52,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
   typename Body<G>::Stresses stress(beam.elements(), Tangent::Zero());
   BodyMatrix<G::dim> A(beam.nodes());
+  A.set_form(beam.stiffness());
   BlockTridiagonalLU<G::dim> lu;
   double best = std::numeric_limits<double>::infinity(), moved = best;
   const double length = length_of(beam);

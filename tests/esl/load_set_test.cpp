@@ -63,7 +63,7 @@ TEST(SegmentLoads, GiveTheDeformationBackInTheNonlinearProblem) {
     EXPECT_GE(identity.cases, 18);
     EXPECT_LT(identity.nonlinear, 1e-9) << body;
     EXPECT_GT(identity.linear, 1e-7) << "the linear problem is another one";
-    EXPECT_LT(identity.linear, 0.1);
+    EXPECT_LT(identity.linear, 0.3) << "0.24 for the same rod of beam elements";
   }
 }
 

@@ -47,10 +47,9 @@ void expect_same(const Study& read, const StudyCase& built) {
   for (std::size_t c = 0; c < read.spec.constraints.size(); ++c)
     expect_same(read.spec.constraints[c], built.spec.constraints[c]);
   const auto& of = read.scene.mechanism;
-  const Space<SE2> space = space_of<SE2>(of);
+  const Space<SE2> space = space_of<SE2>(of), same = space_of<SE2>(built.scene.mechanism);
   const DesignSimulator<SE2> file(of, space, read.scene.simulation, read.spec),
-      api(built.scene.mechanism, space_of<SE2>(built.scene.mechanism), built.scene.simulation,
-          built.spec);
+      api(built.scene.mechanism, same, built.scene.simulation, built.spec);
   const auto &variables = file.design().variables(), &others = api.design().variables();
   ASSERT_EQ(variables.size(), others.size());
   for (std::size_t i = 0; i < variables.size(); ++i) {

@@ -46,8 +46,9 @@ StudySpec study_of_the_hole() {
 TEST(PartShape, NoEvaluationOfADesignBuildsTheMesh) {
   const Mechanism m = crank_with_hole();
   const SolidModel* built = std::get<SolidSpec>(m.bodies[1].kind).model.get();
-  const DesignSimulator<SE2> simulator(m, space_of<SE2>(m), options(4e-3, 1e-3),
-                                       study_of_the_hole());
+  const StudySpec study = study_of_the_hole();
+  const Space<SE2> plane = space_of<SE2>(m);
+  const DesignSimulator<SE2> simulator(m, plane, options(4e-3, 1e-3), study);
   EXPECT_EQ(&simulator.design().part(0).model, built);
   double before = 0;
   for (const double radius : {0.003, 0.005}) {
