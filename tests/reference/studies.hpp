@@ -171,16 +171,17 @@ struct DrivenSlider {
                                            " - sin(2*pi*t/" + ramp + ")/(2*pi) : 1)");
     mechanism.loads = {drive};
   }
-  /// One element of width 4 mm; its ends are fixed to `a` and `b`.
+  /// One element of width 4 mm.
   int bar(const std::string& name, const Vec3& from, const Vec3& to, double height,
-          const Material& material, const Port& a, const Port& b) {
+          const Material& material) {
     Section section;
     section.shape = Rectangle{0.004, height};
-    const int body = static_cast<int>(mechanism.bodies.size());
     mechanism.bodies.push_back({name, straight_beam(from, to, 1, section, material)});
-    mechanism.joints.push_back({name + ".start", JointType::Fixed, a, {body, 0}});
-    mechanism.joints.push_back({name + ".end", JointType::Fixed, b, {body, 1}});
-    return body;
+    return static_cast<int>(mechanism.bodies.size()) - 1;
+  }
+  void fix(const Port& a, const Port& b) {
+    mechanism.joints.push_back(
+        {"fixed" + std::to_string(mechanism.joints.size()), JointType::Fixed, a, b});
   }
   StudyCase study(int spring, double seconds) const {
     StudyCase s;
@@ -204,8 +205,9 @@ struct DrivenSlider {
 /// data/stability/studies/esl_oscillates.toml: a mass on a spring.
 inline StudyCase esl_oscillates() {
   detail::DrivenSlider slider(block({1, 0, 0}, 1.5, 1e-3), "0.2");
-  const int spring =
-      slider.bar("spring", {0, 0, 0}, {1, 0, 0}, 0.010, {"stiff", 100e9, 0.3, 4500}, {}, {0, 0});
+  const int spring = slider.bar("spring", {0, 0, 0}, {1, 0, 0}, 0.010, {"stiff", 100e9, 0.3, 4500});
+  slider.fix({}, {spring, 0});
+  slider.fix({0, 0}, {spring, 1});
   StudyCase s = slider.study(spring, 0.24);
   s.spec.design = {{"x", {spring}, {"width"}, 1, 0.001, 0.010, {}}};
   s.spec.mass_of = {spring};
@@ -215,17 +217,22 @@ inline StudyCase esl_oscillates() {
 
 /// data/stability/studies/esl_non_optimal.toml: the example of Stolpe.
 inline StudyCase esl_non_optimal() {
-  detail::DrivenSlider slider(block({1, 0, 0}, 1e-4, 1e-7), "0.4");
-  const Port left{0, 0, SE3(Mat3::Identity(), {-0.1, 0, 0})},
-      right{0, 0, SE3(Mat3::Identity(), {0.1, 0, 0})};
-  const int first = slider.bar("spring1", {0, 0, 0}, {1, 0, 0}, 0.010, {"stiff", 100e9, 0.3, 4500},
-                               {}, {0, 0}),
-            second = slider.bar("spring2", {2, 0, 0}, {1, 0, 0}, 0.010, {"soft", 90e9, 0.3, 4500},
-                                {}, {0, 0}),
-            ballast1 =
-                slider.bar("ballast1", {0.9, 0, 0}, {1.1, 0, 0}, 0.500, steel(), left, right),
-            ballast2 =
-                slider.bar("ballast2", {0.9, 0, 0}, {1.1, 0, 0}, 0.05414, steel(), left, right);
+  const Vec3 at(1, 0, 0), left(0.9, 0, 0), right(1.1, 0, 0);
+  detail::DrivenSlider slider(block(at, 1e-4, 1e-7), "0.4");
+  const int first = slider.bar("spring1", {0, 0, 0}, at, 0.010, {"stiff", 100e9, 0.3, 4500}),
+            second = slider.bar("spring2", {2, 0, 0}, at, 0.010, {"soft", 90e9, 0.3, 4500}),
+            ballast1 = slider.bar("ballast1", left, right, 0.500, steel()),
+            ballast2 = slider.bar("ballast2", left, right, 0.05414, steel());
+  const Port on_left{0, 0, SE3(Mat3::Identity(), left - at)},
+      on_right{0, 0, SE3(Mat3::Identity(), right - at)};
+  slider.fix({}, {first, 0});
+  slider.fix({}, {second, 0});
+  slider.fix({0, 0}, {first, 1});
+  slider.fix({0, 0}, {second, 1});
+  for (const int ballast : {ballast1, ballast2}) {
+    slider.fix(on_left, {ballast, 0});
+    slider.fix(on_right, {ballast, 1});
+  }
   StudyCase s = slider.study(first, 0.43);
   s.spec.design = {{"x1", {first, ballast1}, {"width"}, 1, 1e-6, 0.010, {}},
                    {"x2", {second, ballast2}, {"width"}, 1, 1e-6, 0.010, {}}};
