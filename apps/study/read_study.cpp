@@ -50,11 +50,6 @@ Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& resp
 /// Why a limit needs the sensitivities of a motion, and this study has none; empty: it has.
 std::string without_sensitivities(const StudyReader& reader) {
   if (reader.root.contains("loads")) return "fixed loads have no motion";
-  const Formalism formalism = reader.scene.scene.mechanism.formalism;
-  if (formalism == Formalism::R3SO3 || formalism == Formalism::Classical)
-    return std::string("the formalism \"") + to_string(formalism) + "\" has no sensitivities";
-  if (reader.scene.scene.mechanism.update == NodeUpdate::Decoupled)
-    return "simulation.update = \"r3so3\" has no sensitivities";
   if (reader.spec.cycle.method == CycleMethod::Esl)
     return "the method \"esl\" uses static problems only";
   return "";

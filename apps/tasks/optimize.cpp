@@ -357,6 +357,14 @@ void describe_optimality(output::OptimizeSummary& summary,
   if (optimality)
     for (const LimitPrice& p : optimality->prices) prices[p.name] = p.price;
   summary.more["kkt"] = optimality ? optimality->brief() : "not checked";
+  if (!optimality || !optimality->violation) return;
+  const ViolationCertificate& v = *optimality->violation;
+  auto limits = nlohmann::ordered_json::object();
+  for (const LimitPrice& p : v.held_by) limits[p.name] = p.price;
+  summary.more["violation"] = {{"largest", v.violation},
+                               {"stationary", v.stationary()},
+                               {"residual", v.residual},
+                               {"held_by", limits}};
 }
 
 TopologyHooks round_hooks(const output::OptimizeSummary& summary, const OptimizeHooks& hooks,

@@ -153,15 +153,20 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(sensitivity, tape, first)) return singular(first.t);
   advance(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
+  const auto take = [&](const State<G>& before, const State<G>& after, double h) {
+    if (sensitivity.step(before, after, h))
+      advance(after, derivatives.at(after, before.rows));
+    else
+      end = singular(after.t);
+  };
   Replay<G> replay(model, tape);
   for (int i = 0; i < replay.stretches() && end.complete(); ++i)
     replay.run(i, [&](const State<G>& from, const State<G>& to, double h) {
       if (!end.complete()) return;
-      const State<G> before = in_inertial_axes(model, from), after = in_inertial_axes(model, to);
-      if (sensitivity.step(before, after, h))
-        advance(after, derivatives.at(after, before.rows));
+      if (model.positions().empty())
+        take(from, to, h);
       else
-        end = singular(after.t);
+        take(in_inertial_axes(model, from), in_inertial_axes(model, to), h);
     });
   return end;
 }

@@ -110,8 +110,8 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
     if (!sensitivity.step(before, after, h, !factor.frozen)) return fail(after.t);
     const TangentWeights w = sensitivity.weights();
     const auto k = sensitivity.known(ds);
-    MatrixXd x =
-        residuals.right_side(after, before.rows, k.v0 - w.damping * k.x0, k.w0 - w.mass * k.x0);
+    const auto change = sensitivity.at_held_frames(k);
+    MatrixXd x = residuals.right_side(after, before.rows, change.v, change.vdot);
     if (!factor.frozen)
       sensitivity.solve(x);
     else if (!frozen.solve(sensitivity.matrix(), w, factor.corrections, residuals.equations(), x))

@@ -39,11 +39,30 @@ MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const M
   return r + rest;
 }
 
+/// Is the next correction below round-off, in displacements and in multipliers? Corrections shrink
+/// by the ratio of the first one to the solution.
+bool exact(const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
+  constexpr double kSmall = 1e-9;  // its square is below 1e-16
+  for (Eigen::Index j = 0; j < x.cols(); ++j) {
+    const auto c = correction.col(j), of = x.col(j);
+    const auto m = x.rows() - n;
+    if (c.head(n).template lpNorm<Eigen::Infinity>() >
+        kSmall * of.head(n).template lpNorm<Eigen::Infinity>())
+      return false;
+    if (m > 0 && c.tail(m).template lpNorm<Eigen::Infinity>() >
+                     kSmall * of.tail(m).template lpNorm<Eigen::Infinity>())
+      return false;
+  }
+  return true;
+}
+
 /// x <- A^-1 x or A^-T x with iterative refinement (N. J. Higham, Accuracy and Stability of
 /// Numerical Algorithms, SIAM 2002, ch. 12). Rows of S range from 1 (joints) to 1e9 (EA/L, beta'
 /// M), and the pivots that KLU keeps from step to step may cost half of the digits; w' = beta' x +
 /// w0 takes as many again.
-void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed, MatrixXd& x) {
+/// @param n number of displacements, the first rows of x
+void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
+           Eigen::Index n, MatrixXd& x) {
   const MatrixXd b = x;
   MatrixXd correction = b;
   x.setZero();
@@ -54,6 +73,7 @@ void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transp
     else
       lu.solve(correction);
     x += correction;
+    if (i > 0 && exact(correction, x, n)) return;
   }
 }
 
@@ -70,12 +90,9 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
       weights_(rho_inf),
       coordinates_(model, false),
       equations_(model),
-      matrix_(model) {
-  if (model.update != NodeUpdate::Screw)
-    throw std::invalid_argument(
-        "sensitivities of the motion are those of the formalisms se3, segments, floating and "
-        "rigid; simulation.formalism = \"se3\", with its own update, has the same bodies and "
-        "joints");
+      matrix_(model),
+      before_(model),
+      after_(model) {
   if (model.penalty.form == ConstraintForm::Multipliers) return;
   if (model.penalty.damping > 0)
     throw std::invalid_argument(
@@ -140,6 +157,15 @@ bool StepSensitivity<G>::equilibrium(const State<G>& s, const LoadLevel& level) 
 template <FrameGroup G>
 bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, double h,
                               bool factor) {
+  if (model_.update != NodeUpdate::RotationVector) return linearise_step(before, after, h, factor);
+  State<G> reached = after;
+  undo_rescale(model_, coordinates_, before, reached);
+  return linearise_step(before, reached, h, factor);
+}
+
+template <FrameGroup G>
+bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& after, double h,
+                                        bool factor) {
   at_start_ = false;
   h_ = h;
   Eigen::VectorXd dq, u, udot;
@@ -151,12 +177,19 @@ bool StepSensitivity<G>::step(const State<G>& before, const State<G>& after, dou
   const auto& [am, af, gamma, beta] = weights_;
   by_step_a_ = u_before / (beta * h) - 2 * dq / (beta * h * h);
   by_step_v_ = h * (1 - gamma) * before.a + h * gamma * (after.a + by_step_a_);
-  const TangentWeights unit{0, 1};
-  RateTangents<G> T;
-  coordinates_.rate_tangents(after, dq, u, udot, unit, T);
-  ahead_ = T.v;
-  coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
-  back_ = T.v;
+  if (model_.update == NodeUpdate::Screw) {
+    const TangentWeights unit{0, 1};
+    RateTangents<G> T;
+    coordinates_.rate_tangents(after, dq, u, udot, unit, T);
+    ahead_ = T.v;
+    coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
+    back_ = T.v;
+  } else {
+    ahead_ = increments(model_, coordinates_, after, dq);
+    back_ = increments(model_, coordinates_, before, -dq);
+    before_.take(coordinates_, before);
+    after_.take(coordinates_, after);
+  }
   return linearise(after, before.rows, rates_, factor);
 }
 
@@ -181,8 +214,14 @@ MatrixXd StepSensitivity<G>::scaled_transposed(const Blocks& T, const MatrixXd& 
 }
 
 template <FrameGroup G>
-auto StepSensitivity<G>::known(const StateSensitivity& s) const -> Known {
+auto StepSensitivity<G>::known(const StateSensitivity& local) const -> Known {
   const auto& [am, af, gamma, beta] = weights_;
+  StateSensitivity copy;
+  if (model_.update != NodeUpdate::Screw) {
+    copy = local;
+    before_.to_coordinates(copy);
+  }
+  const StateSensitivity& s = model_.update == NodeUpdate::Screw ? local : copy;
   Known k;
   k.x0 = scaled(back_, s.eta);
   k.a0 = -s.v / (beta * h_) - (1 / (2 * beta) - 1) * s.a;
@@ -200,6 +239,14 @@ void StepSensitivity<G>::add_step(const ResidualDerivative& by_p, Known& k) cons
 }
 
 template <FrameGroup G>
+auto StepSensitivity<G>::at_held_frames(const Known& k) const -> RateChange {
+  const TangentWeights w = weights_.at(h_);
+  RateChange change{k.v0 - w.damping * k.x0, k.w0 - w.mass * k.x0};
+  after_.at_held_frames(change.v, change.vdot);
+  return change;
+}
+
+template <FrameGroup G>
 void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
                                 StateSensitivity& s) const {
   const TangentWeights w = weights_.at(h_);
@@ -209,22 +256,23 @@ void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
   s.a = x / (weights_.beta * h_ * h_) + k.a0;
   s.v = w.damping * x + k.v0;
   s.w = w.mass * x + k.w0;
+  after_.to_local(s);
 }
 
 template <FrameGroup G>
 void StepSensitivity<G>::solve(MatrixXd& x) const {
-  liesl::solve(matrix_.lu(), matrix_.matrix(), false, x);
+  liesl::solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
 }
 
 template <FrameGroup G>
 void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   if (at_start_) return start_forward(by_p, s);
-  const TangentWeights w = weights_.at(h_);
   Known k = known(s);
   add_step(by_p, k);
+  const RateChange change = at_held_frames(k);
   const auto n = model_.size();
   MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
-  rhs << -(M_ * (k.w0 - w.mass * k.x0) + C_ * (k.v0 - w.damping * k.x0)), -by_p.phi;
+  rhs << -(M_ * change.vdot + C_ * change.v), -by_p.phi;
   rhs.topRows(n) -= by_p.r;
   solve(rhs);
   finish(k, rhs, s);
@@ -237,11 +285,14 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const auto& [am, af, gamma, beta] = weights_;
   const TangentWeights w = weights_.at(h_);
   const auto n = model_.size(), m = model_.constraints();
+  after_.to_local_transposed(s);
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  liesl::solve(matrix_.lu(), matrix_.matrix(), true, rhs);
-  const MatrixXd mu = rhs.topRows(n), Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
+  liesl::solve(matrix_.lu(), matrix_.matrix(), true, n, rhs);
+  const MatrixXd mu = rhs.topRows(n);
+  MatrixXd Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
+  after_.at_held_frames_transposed(Cmu, Mmu);
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
   if (by_p.step.size() > 0)
@@ -251,6 +302,7 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   s.v = (1 - gamma / beta) * v0 - a0 / (beta * h_);
   s.w = -af / (1 - af) * w0;
   s.lambda.setZero();
+  before_.to_coordinates_transposed(s);
 }
 
 /// M w' + B^T lambda' = -r_p, B w' = -d^2/dt^2 Phi_p, a' = w': positions and velocities are those
@@ -260,7 +312,7 @@ void StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSens
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, by_p.r.cols());
   rhs << -MatrixXd(by_p.r), -by_p.phi;
-  liesl::solve(start_lu_, start_matrix_, false, rhs);
+  liesl::solve(start_lu_, start_matrix_, false, n, rhs);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
   (in_equilibrium_ ? s.eta : s.w) = rhs.topRows(n);
   s.a = s.w;
@@ -273,7 +325,7 @@ void StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSen
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, s.w.cols());
   rhs << (in_equilibrium_ ? s.eta : MatrixXd(s.w + s.a)), s.lambda;
-  liesl::solve(start_lu_, start_matrix_, true, rhs);
+  liesl::solve(start_lu_, start_matrix_, true, n, rhs);
   p -= by_p.r.transpose() * rhs.topRows(n) + by_p.phi.transpose() * rhs.bottomRows(m);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
 }

@@ -15,24 +15,17 @@
 /// Where p changes the step, s = (dh/dp)/h:
 ///   a0 += s e_a,  v0 += s [h (1 - gamma) a_n + h gamma (a_{n+1} + e_a)],
 ///   w0 += s e_a (1 - alpha_m)/(1 - alpha_f),  e_a = v_n/(beta h) - 2 dq/(beta h^2).
+/// So for the group, whose coordinates have the rates v. Others are integrated in their own: dq' =
+/// E eta_{n+1} - E_n eta_n with E of `increments` for T^-1, v', a', w' of known and unknown are
+/// those of the coordinates, and `RateMap` takes them into local frames and back.
 /// `backward` is the transposed of this map (discrete adjoint: exact for the discrete motion).
 
 #include <Eigen/Core>
 
+#include "mbs/sensitivity/rate_map.hpp"
 #include "mbs/solvers/generalized_alpha.hpp"
 
 namespace liesl {
-
-/// Derivatives of a state by n_p parameters, a column each; of functionals by a state as well.
-struct StateSensitivity {
-  Eigen::MatrixXd eta;     ///< n x n_p, left-invariant increments of frames; amplitudes as they are
-  Eigen::MatrixXd v;       ///< n x n_p
-  Eigen::MatrixXd a;       ///< n x n_p, of the acceleration-like variable
-  Eigen::MatrixXd w;       ///< n x n_p, of vdot
-  Eigen::MatrixXd lambda;  ///< m x n_p
-
-  static StateSensitivity zero(int n, int m, int columns);
-};
 
 /// Derivatives of the equations of motion by n_p parameters at constant state, a column each.
 struct ResidualDerivative {
@@ -46,7 +39,7 @@ class StepSensitivity {
  public:
   static constexpr int dim = G::dim;
 
-  /// @throws std::invalid_argument for formalisms that do not integrate frames (r3so3, classical)
+  /// @throws std::invalid_argument for penalties with damping, or that share forces
   StepSensitivity(const Model<G>& model, double rho_inf);
 
   /// At the start, where accelerations and multipliers follow from M w + B^T lambda = ...
@@ -64,13 +57,20 @@ class StepSensitivity {
   /// entry does not count. @param by_p at the state after
   void forward(const ResidualDerivative& by_p, StateSensitivity& x);
 
-  /// What the state before says of the one after: x0, a0, v0, w0 of the file's head.
+  /// What the state before says of the one after: x0, a0, v0, w0 of the file's head, of the
+  /// coordinates.
   struct Known {
     Eigen::MatrixXd x0, a0, v0, w0;
   };
   Known known(const StateSensitivity& before) const;
   /// Adds what the parameters change by the step itself.
   void add_step(const ResidualDerivative& by_p, Known& k) const;
+  /// What v and vdot of the state after change by at held frames, n x n_p: v0 - gamma' x0 and w0 -
+  /// beta' x0, in local frames.
+  struct RateChange {
+    Eigen::MatrixXd v, vdot;
+  };
+  RateChange at_held_frames(const Known& k) const;
   /// The state after from the solution [eta; lambda'] of its equations.
   void finish(const Known& k, const Eigen::MatrixXd& solution, StateSensitivity& x) const;
   /// x <- S^-1 x
@@ -87,6 +87,7 @@ class StepSensitivity {
  private:
   bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates,
                  bool factor);
+  bool linearise_step(const State<G>& before, const State<G>& after, double h, bool factor);
   void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// y = diag(T_k) x or diag(T_k^T) x, block by block.
@@ -102,7 +103,8 @@ class StepSensitivity {
   Eigen::SparseMatrix<double> M_, C_;
   bool at_start_ = false, in_equilibrium_ = false;
   double h_ = 0;
-  Blocks ahead_, back_;                    ///< T^-1(dq), T^-1(-dq)
+  Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
+  RateMap<G> before_, after_;
   Eigen::VectorXd by_step_a_, by_step_v_;  ///< what s multiplies in a0 and v0
   RateTangents<G> rates_;
   Eigen::SparseMatrix<double> start_matrix_;

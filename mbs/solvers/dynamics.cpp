@@ -21,6 +21,8 @@ constexpr double kFold = 0.99 * M_PI;      // rad
 constexpr double kOpen = 0.01;             // of the deformation that a user should know of
 constexpr double kApart = 10;              // times that: nothing to rely on
 constexpr double kOpenRigid = 1e-4;        // of the length, where nothing deforms
+constexpr double kKept = 64e6;             // bytes of states on a tape with all of them
+constexpr double kCopies = 4;              // of a state in a checkpoint, at most
 constexpr double kStartTolerance = 1e-10;  // of the equilibrium that a motion starts from
 
 /// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
@@ -161,16 +163,27 @@ InitialState take_equilibrium(const Model<G>& model, const SimulationOptions& op
   return out;
 }
 
-/// Writes down what a replay needs; nothing without a tape.
+/// Bytes of the numbers of a state.
+template <FrameGroup G>
+double size_of(const State<G>& s) {
+  const auto numbers =
+      s.v.size() + s.vdot.size() + s.a.size() + s.w.size() + s.lambda.size() + s.rows.size();
+  return static_cast<double>(sizeof(double)) * static_cast<double>(numbers) +
+         static_cast<double>(sizeof(G)) * static_cast<double>(s.H.size());
+}
+
+/// Writes down what a replay needs; nothing without a tape. Short motions have a checkpoint after
+/// every step, so that a replay has nothing to solve.
 template <FrameGroup G>
 class TapeWriter {
  public:
   TapeWriter(Tape<G>* tape, const GeneralizedAlpha<G>& integrator, const SimulationOptions& o,
-             const InitialState& start, long steps)
+             const InitialState& start, long steps, const State<G>& s)
       : tape_(tape), integrator_(integrator) {
     if (!tape_) return;
     const int root = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(steps))));
-    *tape_ = {tape_->every > 0 ? tape_->every : root, o, start, {}, {}, {}};
+    const bool all = kCopies * size_of(s) * static_cast<double>(steps) <= kKept;
+    *tape_ = {tape_->every > 0 ? tape_->every : all ? 1 : root, o, start, {}, {}, {}};
   }
   void checkpoint(const State<G>& s) {
     if (tape_) tape_->checkpoints.push_back({tape_->attempts.size(), s, integrator_.memory()});
@@ -354,7 +367,7 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
 
   GeneralizedAlpha<G> integrator(model, o);
   integrator.start(s);
-  TapeWriter<G> writer(tape, integrator, o, result.start, whole_steps);
+  TapeWriter<G> writer(tape, integrator, o, result.start, whole_steps, s);
   writer.checkpoint(s);
   StepGrid grid(o);
   Ringing ringing;

@@ -4,6 +4,19 @@
 
 namespace liesl {
 
+namespace {
+
+/// The accepted one of attempts if it is the only one, and the last: the state after it is on the
+/// tape.
+const Attempt* only_accepted(const std::vector<Attempt>& attempts, size_t first, size_t end) {
+  if (first == end || !attempts[end - 1].accepted) return nullptr;
+  for (size_t k = first; k + 1 < end; ++k)
+    if (attempts[k].accepted) return nullptr;
+  return &attempts[end - 1];
+}
+
+}  // namespace
+
 template <FrameGroup G>
 Replay<G>::Replay(const Model<G>& model, const Tape<G>& tape)
     : tape_(tape), integrator_(model, tape.options) {}
@@ -11,8 +24,13 @@ Replay<G>::Replay(const Model<G>& model, const Tape<G>& tape)
 template <FrameGroup G>
 void Replay<G>::run(int i, const Step& step) {
   const Checkpoint<G>& from = tape_.checkpoints[static_cast<size_t>(i)];
-  const size_t end = i + 1 < stretches() ? tape_.checkpoints[static_cast<size_t>(i) + 1].attempt
-                                         : tape_.attempts.size();
+  const bool last = i + 1 == stretches();
+  const size_t end =
+      last ? tape_.attempts.size() : tape_.checkpoints[static_cast<size_t>(i) + 1].attempt;
+  if (const Attempt* only = only_accepted(tape_.attempts, from.attempt, end)) {
+    step(from.s, last ? tape_.end : tape_.checkpoints[static_cast<size_t>(i) + 1].s, only->h);
+    return;
+  }
   integrator_.restore(from.memory);
   State<G> before = from.s, after = from.s;
   for (size_t k = from.attempt; k < end; ++k) {

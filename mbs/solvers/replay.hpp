@@ -27,7 +27,9 @@ struct Checkpoint {
 /// What simulate() writes down for a replay. Memory: a state a checkpoint, 24 bytes an attempt.
 template <FrameGroup G>
 struct Tape {
-  int every = 0;  ///< accepted steps between two checkpoints; 0 = the square root of their number
+  /// Accepted steps between two checkpoints; 0 = 1 where all states take no more than 64 MB, and a
+  /// replay has nothing to solve then; else the square root of their number.
+  int every = 0;
   SimulationOptions options;  ///< as they were used
   InitialState start;
   std::vector<Attempt> attempts;

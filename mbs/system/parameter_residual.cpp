@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mbs/bodies/beam.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/body_law.hpp"
@@ -88,8 +89,8 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Bea
            " elements of beam '" + mechanism.bodies[part.body].name + "', got " +
            std::to_string(part.laws.size());
   const Body<G>& body = *model_.bodies[part.body];
-  bool chain = body.elements() + 1 == body.nodes() && body.elements() > 0;  // of elements
-  for (int k = 0; k < body.nodes(); ++k) chain = chain && body.kind(k) == NodeKind::Frame;
+  // Forces of an element act on its two nodes; in a floating frame on the frame, too.
+  const bool chain = dynamic_cast<const BeamChain<G>*>(&body) != nullptr;
   if (!chain) add_nodes_of(part.body);
   for (int e = 0; chain && e < body.elements(); ++e)
     if (const SectionLaw& law = part.laws[static_cast<size_t>(e)];

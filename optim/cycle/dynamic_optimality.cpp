@@ -183,6 +183,99 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
   out.prices = prices(names, *out.residual);
 }
 
+/// Of all limited responses, by the names of their limits.
+struct MotionPeaks {
+  std::vector<Peak> between, records;
+};
+
+/// @param active share of a limit that a peak may be below it
+MotionPeaks peaks_of(const StudySpec& study, const MotionGradients& motion, double active) {
+  MotionPeaks out;
+  for (int r = 0; r < motion.responses(); ++r) {
+    const std::string name = limit_name(study, motion.response(r));
+    const double limit = limit_value(study, motion.response(r));
+    const std::size_t before[] = {out.between.size(), out.records.size()};
+    add_peaks_between(motion, r, name, limit, active, out.between);
+    add_peaks_of_records(motion, r, name, limit, active, out.records);
+    if (motion.response(r).part_limit >= 0) continue;
+    const int c = motion.response(r).constraint;
+    const ConstraintSpec& spec = study.constraints[static_cast<std::size_t>(c)];
+    if (!(spec.weight > 0)) continue;
+    const ObjectiveTerm term{c, spec.weight * spec.limit};
+    for (std::size_t k = before[0]; k < out.between.size(); ++k) out.between[k].term = term;
+    for (std::size_t k = before[1]; k < out.records.size(); ++k) out.records[k].term = term;
+  }
+  return out;
+}
+
+/// Peaks of limits, and rows that are not of the motion, as far as they are exceeded by t within
+/// `active`.
+void add_exceeded(const std::vector<Peak>& peaks, const std::vector<NlpVariable>& variables,
+                  const VectorXd& x, StaticProblem& statics, double least, std::vector<Peak>& out) {
+  for (const Peak& p : peaks)
+    if (p.term.number < 0 && p.g >= least) out.push_back(p);
+  const auto m = static_cast<Eigen::Index>(statics.constraints().size());
+  double f = 0;
+  VectorXd g(m), df(static_cast<Eigen::Index>(variables.size()));
+  RowMatrix dg(m, df.size());
+  statics.values(x, f, g);
+  statics.gradients(x, df, dg);
+  const std::vector<RowImage> image = statics.images();
+  const std::vector<ObjectiveTerm> terms = statics.objective_terms();
+  for (Eigen::Index i = 0; i < m; ++i) {
+    const auto row = static_cast<std::size_t>(i);
+    if (image[row].response >= 0 || g[i] < least || (!terms.empty() && terms[row].number >= 0))
+      continue;
+    out.push_back({statics.constraints()[row].name, 0, g[i], dg.row(i)});
+  }
+}
+
+/// The sum of the multipliers is one, by a row that outweighs the others.
+ViolationCertificate stationary_violation(const std::vector<Peak>& exceeded,
+                                          const std::vector<NlpVariable>& variables,
+                                          const VectorXd& x, double violation) {
+  constexpr double kOutweighs = 1e3;
+  const RowProblem problem(variables);
+  const VectorXd range = NlpScaling::of_variables(problem);
+  const auto n = x.size();
+  std::vector<VectorXd> columns;
+  double largest = 0;
+  for (const Peak& p : exceeded) {
+    columns.push_back(p.dg.cwiseProduct(range));
+    largest = std::max(largest, columns.back().cwiseAbs().maxCoeff());
+  }
+  ViolationCertificate out;
+  out.violation = violation;
+  if (!(largest > 0)) return out;
+  for (VectorXd& c : columns) c /= largest;
+  const auto limits = columns.size();
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const NlpVariable& v = variables[static_cast<std::size_t>(j)];
+    const double near = kActiveBound * range[j];
+    if (x[j] - v.lower <= near) columns.push_back(-VectorXd::Unit(n, j));
+    if (v.upper - x[j] <= near) columns.push_back(VectorXd::Unit(n, j));
+  }
+  Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 1, static_cast<Eigen::Index>(columns.size()));
+  for (std::size_t k = 0; k < columns.size(); ++k)
+    A.col(static_cast<Eigen::Index>(k)) << columns[k], k < limits ? kOutweighs : 0;
+  const VectorXd z = nonnegative_least_squares(A, kOutweighs * VectorXd::Unit(n + 1, n));
+  const double sum = z.head(static_cast<Eigen::Index>(limits)).sum();
+  if (!(sum > 0)) return out;
+  const VectorXd r = A.topRows(n) * z / sum;
+  int worst = 0;
+  out.residual = r.cwiseAbs().maxCoeff(&worst);
+  out.worst_variable = variables[static_cast<std::size_t>(worst)].name;
+  out.worst_slope = r[worst];
+  std::vector<std::string> names;
+  KktResidual shares;
+  for (std::size_t k = 0; k < limits; ++k) {
+    names.push_back(exceeded[k].limit);
+    shares.multipliers[static_cast<ConstraintId>(k)] = z[static_cast<Eigen::Index>(k)] / sum;
+  }
+  out.held_by = prices(names, shares);
+  return out;
+}
+
 /// What is wrong with a neighbouring run; empty: it can be compared with the design's.
 template <FrameGroup G>
 std::string not_comparable(const DesignRun<G>& run, const std::vector<double>& times) {
@@ -202,6 +295,20 @@ std::string DynamicOptimality::brief() const {
                      residual->worst_variable, residual->worst_slope < 0 ? "grow" : "shrink");
 }
 
+bool ViolationCertificate::stationary() const { return residual <= kOptimalResidual; }
+
+std::string ViolationCertificate::brief() const {
+  if (!stationary())
+    return fmt::format(
+        "not shown to be a stationary point of the violation (residual {:.2g}, '{}' should {})",
+        residual, worst_variable, worst_slope < 0 ? "grow" : "shrink");
+  std::string names;
+  for (const LimitPrice& p : held_by)
+    names += fmt::format("{}'{}'", names.empty() ? "" : ", ", p.name);
+  return fmt::format("a stationary point of the violation (residual {:.2g}), held by {}", residual,
+                     names);
+}
+
 DynamicOptimality check_optimality(const StudySpec& study,
                                    const std::vector<NlpVariable>& variables, const VectorXd& x,
                                    const MotionGradients& motion, StaticProblem& statics,
@@ -209,26 +316,29 @@ DynamicOptimality check_optimality(const StudySpec& study,
   DynamicOptimality out;
   out.reason = motion.reason();
   if (!out.reason.empty()) return out;
-  std::vector<Peak> between, records;
-  for (int r = 0; r < motion.responses(); ++r) {
-    const std::string name = limit_name(study, motion.response(r));
-    const double limit = limit_value(study, motion.response(r));
-    const std::size_t before[] = {between.size(), records.size()};
-    add_peaks_between(motion, r, name, limit, active, between);
-    add_peaks_of_records(motion, r, name, limit, active, records);
-    if (motion.response(r).part_limit >= 0) continue;
-    const int c = motion.response(r).constraint;
-    const ConstraintSpec& spec = study.constraints[static_cast<std::size_t>(c)];
-    if (!(spec.weight > 0)) continue;
-    const ObjectiveTerm term{c, spec.weight * spec.limit};
-    for (std::size_t k = before[0]; k < between.size(); ++k) between[k].term = term;
-    for (std::size_t k = before[1]; k < records.size(); ++k) records[k].term = term;
-  }
-  evaluate(variables, x, between, statics, active, out);
+  MotionPeaks peaks = peaks_of(study, motion, active);
+  evaluate(variables, x, peaks.between, statics, active, out);
   if (out.holds()) return out;
   DynamicOptimality at_records;
-  evaluate(variables, x, records, statics, active, at_records);
+  evaluate(variables, x, peaks.records, statics, active, at_records);
   return at_records.residual->stationarity < out.residual->stationarity ? at_records : out;
+}
+
+ViolationCertificate check_violation(const StudySpec& study,
+                                     const std::vector<NlpVariable>& variables, const VectorXd& x,
+                                     const MotionGradients& motion, StaticProblem& statics,
+                                     double violation, double active) {
+  const double least = (1 + violation) * (1 - active) - 1;
+  const MotionPeaks peaks = peaks_of(study, motion, -least);
+  ViolationCertificate best;
+  best.violation = violation;
+  for (const auto* of : {&peaks.between, &peaks.records}) {
+    std::vector<Peak> exceeded;
+    add_exceeded(*of, variables, x, statics, least, exceeded);
+    auto found = stationary_violation(exceeded, variables, x, violation);
+    if (found.residual < best.residual) best = std::move(found);
+  }
+  return best;
 }
 
 template <FrameGroup G>

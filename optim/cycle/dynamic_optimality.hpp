@@ -24,11 +24,29 @@ struct LimitPrice {
   double price = 0;
 };
 
+/// Of a design that exceeds limits: is it a stationary point of the largest violation
+/// t = max_i g_i, which no small change reduces? With D the ranges of the variables, over the
+/// limits that are exceeded by t, and bounds,
+///     r = min |D (sum lambda_i dg_i - zl + zu)|_inf / max_i |D dg_i|_inf,  lambda, zl, zu >= 0,
+///     sum lambda_i = 1  (the conditions of: minimise t, g_i <= t).
+struct ViolationCertificate {
+  double violation = 0;             ///< t
+  double residual = 1;              ///< r; 0 = stationary
+  std::string worst_variable;       ///< which one should move where it is not
+  double worst_slope = 0;           ///< < 0 = it should grow
+  std::vector<LimitPrice> held_by;  ///< limits with their lambda_i as prices, largest first
+
+  bool stationary() const;
+  std::string brief()
+      const;  ///< "a stationary point of the violation (residual 1e-4), held by 'a'"
+};
+
 struct DynamicOptimality {
   std::optional<KktResidual> residual;  ///< none if there are no gradients
   std::string reason;                   ///< why there is none
   std::vector<LimitPrice> prices;       ///< of limits, walls and bounds of the part, largest first
   int simulations = 0;                  ///< for differences; 0: by sensitivities
+  std::optional<ViolationCertificate> violation;  ///< of a design that exceeds limits
 
   bool holds() const { return residual && residual->stationarity <= kOptimalResidual; }
   /// "residual 0.71: 'x1' should shrink", or the reason.
@@ -54,9 +72,15 @@ DynamicOptimality check_optimality(const StudySpec& study,
                                    const Eigen::VectorXd& x, const MotionGradients& motion,
                                    StaticProblem& statics, double active);
 
-/// The same by central differences of whole simulations of one motion, 2 a variable with steps of
-/// 1e-3 of it, one-sided at a bound: for motions without sensitivities. Here a response that is the
-/// largest over several points counts as one function.
+/// Whether the design x, whose worst limit is exceeded by `violation`, can be brought nearer.
+ViolationCertificate check_violation(const StudySpec& study,
+                                     const std::vector<NlpVariable>& variables,
+                                     const Eigen::VectorXd& x, const MotionGradients& motion,
+                                     StaticProblem& statics, double violation, double active);
+
+/// The conditions of optimality by central differences of whole simulations of one motion, 2 a
+/// variable with steps of 1e-3 of it, one-sided at a bound: for motions without sensitivities. Here
+/// a response that is the largest over several points counts as one function.
 template <FrameGroup G>
 DynamicOptimality check_optimality_by_differences(const DesignSimulator<G>& simulator,
                                                   const DesignRun<G>& at, const Eigen::VectorXd& x,

@@ -346,6 +346,9 @@ Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd&
   const StudySpec study = scaled(at);
   auto statics = with_gradients(at, study, x, move, gradients);
   out.optimality = check_optimality(study, variables(), x, gradients, *statics, active);
+  if (gradients.reason().empty() && at.worst > study_.cycle.feasibility)
+    out.optimality.violation =
+        check_violation(study, variables(), x, gradients, *statics, at.worst, active);
   if (gradients.reason().empty())
     out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
                                                      study_.cycle.approximation);

@@ -60,6 +60,8 @@ Surrogate PartModel::surrogate(const DesignAnalysis& at, const VectorXd& x, doub
   Surrogate out;
   auto statics = static_problem(at, x, move);
   out.optimality = check_optimality({}, variables(), x, {}, *statics, active);
+  if (at.worst > task_.cycle.feasibility)
+    out.optimality.violation = check_violation({}, variables(), x, {}, *statics, at.worst, active);
   out.problem = std::make_unique<CorrectedProblem>(std::move(statics), MotionGradients(), x);
   return out;
 }

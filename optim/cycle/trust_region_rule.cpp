@@ -190,7 +190,7 @@ std::optional<CycleEnd> TrustRegionRule::settled(CycleRecord& record, double pre
   const double counts = kCounts * record.options().objective_tolerance;
   const bool meets = at_->worst <= record.options().feasibility;
   if (predicted > (meets && surrogate_.optimality.holds() ? counts : kNothing)) return {};
-  if (!meets) return infeasible();
+  if (!meets) return infeasible(record);
   return stalled(record);
 }
 
@@ -204,17 +204,28 @@ CycleEnd TrustRegionRule::stalled(CycleRecord& record) const {
   if (at_->worst > record.options().feasibility)
     return {CycleStatus::Infeasible,
             fmt::format("no step improves the design any more, and '{}' stays {:.3g} % above its "
-                        "limit{}",
-                        at_->worst_constraint, 100 * at_->worst, place())};
+                        "limit{}{}",
+                        at_->worst_constraint, 100 * at_->worst, place(), certificate())};
   return {kkt.holds() ? CycleStatus::Optimal : CycleStatus::Converged,
           fmt::format("KKT conditions: {}; worst limit at {:+.2g}", kkt.brief(), at_->worst)};
 }
 
-CycleEnd TrustRegionRule::infeasible() const {
+/// What is known of the violation: "; the design is a stationary point of ...".
+std::string TrustRegionRule::certificate() const {
+  const auto& violation = surrogate_.optimality.violation;
+  return violation ? "; the design is " + violation->brief() : "";
+}
+
+CycleEnd TrustRegionRule::infeasible(CycleRecord& record) const {
+  DynamicOptimality none;
+  none.reason = "the design exceeds limits";
+  none.violation = surrogate_.optimality.violation;
+  record.certify(none);
   return {CycleStatus::Infeasible,
           fmt::format("no design near meets all limits: '{}' is exceeded by {:.3g} %{}, "
-                      "and by at least {:.3g} % nearby; widen the bounds or the limit",
-                      at_->worst_constraint, 100 * at_->worst, place(), 100 * answer_.violation)};
+                      "and by at least {:.3g} % nearby; widen the bounds or the limit{}",
+                      at_->worst_constraint, 100 * at_->worst, place(), 100 * answer_.violation,
+                      certificate())};
 }
 
 }  // namespace liesl

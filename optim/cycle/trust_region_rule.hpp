@@ -44,7 +44,8 @@ class TrustRegionRule final : public StepRule {
   /// The end of a design from which nothing that counts is left to gain; none: there is.
   std::optional<CycleEnd> settled(CycleRecord& record, double predicted) const;
   CycleEnd stalled(CycleRecord& record) const;
-  CycleEnd infeasible() const;
+  CycleEnd infeasible(CycleRecord& record) const;
+  std::string certificate() const;
   std::string place() const;  ///< of the worst limit at x_k: " at t = 0.1 s"
 
   const double largest_;       ///< radius

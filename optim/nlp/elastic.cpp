@@ -27,7 +27,11 @@ ElasticProblem::ElasticProblem(Problem& inner, Weights weights, VectorXd scale,
       bound_[static_cast<std::size_t>(row)] = static_cast<Eigen::Index>(variables_.size());
     variables_.push_back({fmt::format("term {}", k), -kInfinity, kInfinity, terms_[k].start});
   }
-  variables_.push_back({"largest violation", 0, kInfinity, std::max(1.1 * start_violation, 1e-3)});
+  std::string name = "largest violation";  // of a problem that is elastic itself, once more
+  while (std::any_of(variables_.begin(), variables_.end(),
+                     [&](const NlpVariable& v) { return v.name == name; }))
+    name += " again";
+  variables_.push_back({name, 0, kInfinity, std::max(1.1 * start_violation, 1e-3)});
   for (const auto& c : inner.constraints()) constraints_.push_back({c.id, c.name, 1});
 }
 

@@ -159,13 +159,14 @@ struct Differences {
 };
 
 /// Sizes of quantities in groups of one kind: their own, or the largest of the group where the own
-/// is below 1e-6 of it (zero by symmetry).
-inline Eigen::VectorXd sizes(Eigen::VectorXd own, const std::vector<int>& groups) {
+/// is below `least` of it (zero by symmetry).
+inline Eigen::VectorXd sizes(Eigen::VectorXd own, const std::vector<int>& groups,
+                             double least = 1e-6) {
   int at = 0;
   for (const int n : groups) {
     const double largest = n > 0 ? own.segment(at, n).maxCoeff() : 0;
     for (int i = at; i < at + n; ++i)
-      if (own[i] < 1e-6 * largest) own[i] = largest;
+      if (own[i] < least * largest) own[i] = largest;
     at += n;
   }
   return own;

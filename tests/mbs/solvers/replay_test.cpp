@@ -29,7 +29,7 @@ void expect_same_bits(const State<G>& a, const State<G>& b) {
 /// Stretches from the last to the first, by one replay; every state that was recorded is met.
 template <FrameGroup G>
 Report expect_replay(const Mechanism& m, const Space<G>& space, const SimulationOptions& o,
-                     int every = 0) {
+                     int every = 5) {
   const auto model = Model<G>::build(m, space);
   Tape<G> tape;
   tape.every = every;
@@ -112,6 +112,35 @@ TEST(Replay, AdaptiveTangentOfTheDecoupledFormalism) {
   m.formalism = Formalism::R3SO3;
   const auto report = expect_replay<SE3>(m, {}, test::options(0.01, 2e-4), 6);
   EXPECT_GT(report.tangent_refreshes, 0);
+}
+
+/// A short motion has all states on its tape, those that a replay gives.
+TEST(Replay, OfAShortMotionHasNothingToSolve) {
+  const Mechanism m = test::slider_crank(slender());
+  auto o = test::options(0.04, 1e-3);
+  o.max_iterations = 4;
+  const auto model = Model<SE2>::build(m, *find_plane(m).plane);
+  Tape<SE2> all, few;
+  few.every = 5;
+  const auto run = simulate(model, o, {}, &all);
+  simulate(model, o, {}, &few);
+  EXPECT_GT(run.report.rejected_steps, 0);
+  EXPECT_EQ(static_cast<long>(all.checkpoints.size()), run.report.steps + 1);
+  std::vector<State<SE2>> kept;
+  std::vector<double> h;
+  Replay<SE2> given(model, all), solved(model, few);
+  for (int i = 0; i < given.stretches(); ++i)
+    given.run(i, [&](const State<SE2>&, const State<SE2>& after, double step) {
+      kept.push_back(after);
+      h.push_back(step);
+    });
+  std::size_t n = 0;
+  for (int i = 0; i < solved.stretches(); ++i)
+    solved.run(i, [&](const State<SE2>&, const State<SE2>& after, double step) {
+      expect_same_bits(after, kept.at(n));
+      EXPECT_EQ(step, h.at(n++));
+    });
+  EXPECT_EQ(n, kept.size());
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 /// @file
 /// The cycle that ends at the optimum of the motion, against a descent that knows nothing of it.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -162,6 +163,48 @@ TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
   }
 }
 
+/// The optimum of slider_crank_rod under a formalism; by both methods the same.
+double optimal_mass(const std::string& formalism, const Change& under, int elements) {
+  StudyCase study = slider_crank_rod({under}, elements);
+  study.scene.mechanism.bodies[0] = slider_crank({.elements = elements}).bodies[0];
+  study.scene.mechanism.joints[1].a.node = elements;  // end of the crank
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
+  double mass = 0;
+  for (const CycleMethod method : {CycleMethod::Esl1, CycleMethod::Full}) {
+    study.spec.cycle.method = method;
+    const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << formalism << ": " << r.reason;
+    EXPECT_TRUE(r.optimality && r.optimality->holds()) << formalism;
+    EXPECT_EQ(r.optimality->simulations, 0) << formalism;  // by sensitivities
+    EXPECT_LE(r.worst, 1e-4) << formalism;
+    if (mass == 0) mass = r.mass;
+    EXPECT_NEAR(r.mass, mass, 2e-4 * mass) << formalism;
+  }
+  return mass;
+}
+
+TEST(TrustRegionCycleSlow, FormalismsEndAtTheSameMassAsTheMeshRefines) {
+  const auto mass = [](Formalism formalism, int elements) {
+    return optimal_mass(
+        to_string(formalism), [=](StudyCase& s) { s.scene.mechanism.formalism = formalism; },
+        elements);
+  };
+  const double coarse_lie = mass(Formalism::SE3, 8), fine_lie = mass(Formalism::SE3, 16);
+  for (const Formalism formalism : {Formalism::R3SO3, Formalism::Classical}) {
+    const double coarse = std::abs(mass(formalism, 8) / coarse_lie - 1),
+                 fine = std::abs(mass(formalism, 16) / fine_lie - 1);
+    SCOPED_TRACE(to_string(formalism));
+    EXPECT_LT(coarse, 0.02);
+    EXPECT_GT(std::log2(coarse / fine), 1.7) << coarse << ", " << fine;
+  }
+}
+
+TEST(TrustRegionCycle, AnotherUpdateEndsAtTheSameMass) {
+  const double mass = Simulated(rod()).optimise().mass;
+  const Change other = [](StudyCase& s) { s.scene.mechanism.update = NodeUpdate::Decoupled; };
+  EXPECT_NEAR(optimal_mass("update r3so3", other, 8), mass, 1e-3 * mass);
+}
+
 /// Stolpe's springs and a mass whose plain cycle oscillates: docs/stability.md.
 TEST(TrustRegionCycle, SolvesWhereThePlainCycleFails) {
   for (const StudyCase& study : {esl_non_optimal(), esl_oscillates()}) {
@@ -280,9 +323,44 @@ TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
   EXPECT_NE(r.reason.find("'bending'"), std::string::npos) << r.reason;
 }
 
+/// The certificate, and simulations: no design beside the end exceeds the limit by less than the
+/// gradients leave open. A design that is not the end is not certified.
+TEST(TrustRegionCycle, InfeasibleEndIsAStationaryPointOfTheViolation) {
+  Simulated s(rod({motor(140), slider_mass(0.5), limit(0.75e-3)}));
+  s.study.spec.cycle.method = CycleMethod::Auto;
+  const auto r = s.optimise();
+  ASSERT_EQ(r.status, CycleStatus::Infeasible) << "the case shows nothing any more";
+  ASSERT_TRUE(r.optimality && r.optimality->violation) << r.reason;
+  const ViolationCertificate& found = *r.optimality->violation;
+  EXPECT_EQ(found.violation, r.worst);
+  EXPECT_TRUE(found.stationary()) << found.brief();
+  EXPECT_NE(r.reason.find(found.brief()), std::string::npos) << r.reason;
+  ASSERT_EQ(found.held_by.size(), 1u);
+  EXPECT_EQ(found.held_by[0].name, "bending");
+  EXPECT_NEAR(found.held_by[0].price, 1, 1e-9);
+  for (int j = 0; j < r.x.size(); ++j)
+    for (const double factor : {0.999, 1.001}) {
+      VectorXd y = r.x;
+      y[j] *= factor;
+      const NlpVariable& v = s.simulator->design().variables()[static_cast<std::size_t>(j)];
+      if (y[j] < v.lower || y[j] > v.upper) continue;
+      EXPECT_GT(worst(s, y), r.worst * (1 - 1e-3)) << j << ", " << factor;
+    }
+
+  const VectorXd away = r.x * 1.02;
+  const auto run = s.simulator->run(away);
+  ASSERT_GT(run.worst, 0);
+  auto statics = motion_problem(s.study.spec, *s.simulator, run, away, 0.5);
+  const MotionGradients motion(s.simulator->design(), run, away, statics->responses());
+  const auto there = check_violation(s.study.spec, s.simulator->design().variables(), away, motion,
+                                     *statics, run.worst, 2e-3);
+  EXPECT_FALSE(there.stationary()) << there.brief();
+}
+
 TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
   StudyCase study = rod({duration(0.05)});
-  study.scene.mechanism.formalism = Formalism::R3SO3;
+  study.scene.mechanism.penalty.form = ConstraintForm::Penalty;
+  study.scene.mechanism.penalty.damping = 1e-5;
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
   EXPECT_TRUE(closed(r.status)) << r.reason;

@@ -195,5 +195,14 @@ TEST(ElasticProblem, RightDerivatives) {
   expect_right(p, start_of(p));
 }
 
+/// What is looked for where no point of an elastic problem was found: its least violation.
+TEST(ElasticProblem, MayBeElasticOnceMore) {
+  TenBarTruss truss;
+  const Eigen::VectorXd x = start_of(truss), scale = Eigen::VectorXd::Ones(36);
+  ElasticProblem once(truss, {1, 30}, scale, x, 0.5);
+  ElasticProblem twice(once, {0, 1}, scale, start_of(once), 0.5);
+  EXPECT_TRUE(problem_errors(twice).empty()) << problem_errors(twice).front();
+}
+
 }  // namespace
 }  // namespace liesl::test

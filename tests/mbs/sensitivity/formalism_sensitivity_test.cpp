@@ -1,0 +1,181 @@
+/// @file
+/// Derivatives of motions under every formalism and update: direct form, adjoint form and
+/// differences of simulations.
+
+#include "mbs/sensitivity/forms.hpp"
+
+namespace liesl {
+namespace {
+
+using test::Quantity;
+
+/// A formalism, with an update of its own or not.
+struct Case {
+  const char* name;
+  Formalism formalism;
+  NodeUpdate update = NodeUpdate::AsFormalism;
+  double largest = 0.16;  ///< relative change of differences; a larger one halves a step
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+const std::vector<Case> kCases{{"r3so3", Formalism::R3SO3},
+                               {"classical", Formalism::Classical},
+                               {"floating", Formalism::Floating},
+                               {"rigid", Formalism::Rigid},
+                               {"se3_by_r3so3", Formalism::SE3, NodeUpdate::Decoupled},
+                               {"r3so3_by_screws", Formalism::R3SO3, NodeUpdate::Screw, 0.08}};
+
+Mechanism under(Mechanism m, const Case& c) {
+  m.formalism = c.formalism;
+  m.update = c.update;
+  return m;
+}
+
+/// Slow enough for floating frames, which do not stiffen beams of plastic.
+void slow_down(Mechanism& m) {
+  if (m.formalism == Formalism::Floating) m.drives = {{0, 0, TimeFunction::rate(50, 0.02)}};
+}
+
+std::vector<Quantity> quantities(const Mechanism& m) {
+  auto all = test::quantities(m);
+  if (m.formalism == Formalism::Floating) all.pop_back();  // the drive
+  return all;
+}
+
+Mechanism in_a_plane(const Case& c) {
+  Mechanism m = under(test::sensitive_machine(), c);
+  slow_down(m);
+  return m;
+}
+
+/// In space the weight, the loads and the disc bend the beams out of the plane of their motion.
+Mechanism out_of_plane(const Case& c) {
+  Mechanism m = in_a_plane(c);
+  m.gravity.z() = 2;
+  m.loads[0].force.z() = 2;
+  std::get<RigidSpec>(m.bodies[3].kind).centre.z() = 0.01;
+  return m;
+}
+
+/// A beam of plastic with a mass at its tip, spun about no axis of it: its rotation vectors turn by
+/// more than pi, and are rescaled on the way.
+Mechanism spun_pendulum() {
+  const Vec3 spin(9, 6, 20);
+  Mechanism m;
+  m.gravity = {0, -9.81, 2};
+  m.bodies = {{"beam", test::straight_beam({0, 0, 0}, {0.4, 0, 0}, 3, test::circle(0.03, 0.9),
+                                           {"plastic", 7e9, 0.3, 1200})},
+              {"bob", test::block({0.4, 0, 0}, 0.3, 2e-4)}};
+  std::get<RigidSpec>(m.bodies[1].kind).centre = {0.01, 0.02, 0.015};
+  m.bodies[0].angular_velocity = m.bodies[1].angular_velocity = spin;
+  m.bodies[1].velocity = spin.cross(Vec3(0.4, 0, 0));
+  m.joints = {{"ball", JointType::Spherical, {}, {0, 0}},
+              {"bolt", JointType::Fixed, {0, 3}, {1, 0}}};
+  return m;
+}
+
+std::vector<Quantity> quantities_of_the_pendulum(const Mechanism& m) {
+  const auto beam = [](Mechanism& c) -> BeamSpec& { return std::get<BeamSpec>(c.bodies[0].kind); };
+  const auto bob = [](Mechanism& c) -> RigidSpec& { return std::get<RigidSpec>(c.bodies[1].kind); };
+  return {{0.03,
+           [beam](Mechanism& c, double p) {
+             for (const int e : {0, 1}) std::get<Circle>(beam(c).sections[e].shape).diameter = p;
+           },
+           {"diameter", {by_dimension(m, 0, {0, 1}, "diameter")}}},
+          {1200,
+           [beam](Mechanism& c, double p) { beam(c).material.rho = p; },
+           {"rho", {by_density(m, 0)}}},
+          {0.3,
+           [bob](Mechanism& c, double p) { bob(c).mass = p; },
+           {"mass of the bob", {RigidDerivative{1, 1}}}},
+          {0.02,
+           [bob](Mechanism& c, double p) { bob(c).centre.y() = p; },
+           {"centre of the bob", {RigidDerivative{1, 0, {0, 1, 0}}}}}};
+}
+
+class FormalismSensitivity : public ::testing::TestWithParam<Case> {};
+
+TEST_P(FormalismSensitivity, DirectEqualsAdjointInAPlane) {
+  const Mechanism m = in_a_plane(GetParam());
+  for (const int steps : {10, 100, 1000})
+    test::expect_direct_equals_adjoint<SE2>(steps, m, quantities(m));
+}
+
+TEST_P(FormalismSensitivity, DirectEqualsAdjointInSpace) {
+  const Mechanism m = out_of_plane(GetParam());
+  for (const int steps : {10, 100, 1000})
+    test::expect_direct_equals_adjoint<SE3>(steps, m, quantities(m));
+}
+
+/// Every step stretches, and with it what the drive does in it.
+TEST_P(FormalismSensitivity, DirectEqualsAdjointByTheDuration) {
+  Mechanism m = out_of_plane(GetParam());
+  m.loads.pop_back();  // follows time, not the duration
+  const int steps = 100;
+  const Parameter duration{"duration", {StepDerivative{1 / (steps * 2e-4)}}};
+  test::expect_direct_equals_adjoint<SE3>(steps, m, {{steps * 2e-4, {}, duration}});
+}
+
+TEST_P(FormalismSensitivity, EqualsDifferencesInAPlane) {
+  const Mechanism m = in_a_plane(GetParam());
+  test::expect_differences<SE2>(m, quantities(m), {.largest = GetParam().largest});
+}
+
+TEST_P(FormalismSensitivity, EqualsDifferencesInSpace) {
+  const Mechanism m = out_of_plane(GetParam());
+  test::expect_differences<SE3>(m, quantities(m), {.largest = GetParam().largest});
+}
+
+constexpr auto kName = [](const auto& of) { return std::string(of.param.name); };
+
+/// A drive prescribes all of the motion of the rigid slider-crank: it is the pendulum alone.
+INSTANTIATE_TEST_SUITE_P(All, FormalismSensitivity,
+                         ::testing::Values(kCases[0], kCases[1], kCases[2], kCases[4], kCases[5]),
+                         kName);
+
+class SpunPendulumSensitivity : public ::testing::TestWithParam<Case> {};
+
+TEST_P(SpunPendulumSensitivity, DirectEqualsAdjoint) {
+  const Mechanism m = under(spun_pendulum(), GetParam());
+  for (const int steps : {10, 150, 1000})
+    test::expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0);
+}
+
+/// Errors of 110 steps add up, with little damping. Multipliers are forces of 30 N beside moments
+/// of 0.01 N m. Sections of floating frames, whose high modes change phase many times, are above.
+TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
+  const Mechanism m = under(spun_pendulum(), GetParam());
+  auto all = quantities_of_the_pendulum(m);
+  if (m.formalism == Formalism::Floating) all.erase(all.begin());
+  auto o = test::tight(0.165, 1.5e-3);
+  o.tolerance = m.formalism == Formalism::Classical ? 1e-11 : 1e-12;  // steps are not halved
+  const double largest = m.formalism == Formalism::Rigid       ? 0.16
+                         : m.formalism == Formalism::Classical ? 0.03
+                                                               : 0.06;
+  test::expect_differences<SE3>(m, all,
+                                {.simulation = o, .node = 0, .largest = largest, .of_kind = true});
+}
+
+/// What the pendulum is there for: after a whole turn the rotation vectors were rescaled.
+TEST(SpunPendulum, TurnsByMoreThanPi) {
+  const Mechanism m = under(spun_pendulum(), kCases[1]);
+  const test::Taped<SE3> run(m, test::tight(0.165, 1.5e-3));
+  double largest = 0;
+  bool rescaled = false;
+  Vec3 before = Vec3::Zero();
+  Replay<SE3> replay(run.model, run.tape);
+  for (int i = 0; i < replay.stretches(); ++i)
+    replay.run(i, [&](const State<SE3>&, const State<SE3>& after, double) {
+      const Vec3 psi = after.w.segment<3>(3);
+      largest = std::max(largest, psi.norm());
+      rescaled = rescaled || psi.dot(before) < 0;
+      before = psi;
+    });
+  EXPECT_LE(largest, M_PI);
+  EXPECT_TRUE(rescaled);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, SpunPendulumSensitivity, ::testing::ValuesIn(kCases), kName);
+
+}  // namespace
+}  // namespace liesl
