@@ -48,12 +48,12 @@ struct SE2 {
   /// w = angle of R in [-pi, pi], u = (1 - z e) x - w/2 J x. A rotation of pi has two logarithms.
   static Tangent log(const SE2& H) {
     const double w = angle(H.R);
-    return local_log(w, trig::inverse_tangent_series(w * w).e, H.x);
+    return local_log(w, trig::inverse_tangent_value(w * w), H.x);
   }
 
   /// d = log(H) and T^-1(d) with shared coefficients. T^-1(-d) = T^-1(d) - ad(d).
   static void log_and_Tinv(const SE2& H, Tangent& d, Matrix& Tinv_d) {
-    const double w = angle(H.R), e = trig::inverse_tangent_series(w * w).e;
+    const double w = angle(H.R), e = trig::inverse_tangent_value(w * w);
     d = local_log(w, e, H.x);
     Tinv_d = tangent_inverse(d, e);
   }
@@ -94,7 +94,7 @@ struct SE2 {
 
   /// T^-1 = [(1 - z e) I + w/2 J, w e u - Ju/2; 0 1]
   static Matrix Tinv(const Tangent& h) {
-    return tangent_inverse(h, trig::inverse_tangent_series(h[2] * h[2]).e);
+    return tangent_inverse(h, trig::inverse_tangent_value(h[2] * h[2]));
   }
 
   /// D_u = a_w (c2 J + w c3 I); D_w = 2 w dc1 a_u - (c2 + 2 z dc2) J a_u

@@ -52,7 +52,9 @@ struct SO3 {
   static Matrix ad(const Tangent& w) { return hat(w); }
 
   static Matrix T(const Tangent& w) { return so3_tangent_value(w.squaredNorm()).value(w); }
-  static Matrix Tinv(const Tangent& w) { return so3_tangent_inverse(w.squaredNorm()).value(w); }
+  static Matrix Tinv(const Tangent& w) {
+    return so3_tangent_inverse_value(w.squaredNorm()).value(w);
+  }
   static Matrix dT(const Tangent& w, const Tangent& a) {
     return so3_tangent(w.squaredNorm()).dF(w, a);
   }

@@ -108,6 +108,11 @@ inline So3Series so3_tangent(double z) {
   return {-c.c2, c.c3, -g2, g3, -(2 * g4 - g3), 3 * g5 - g4};
 }
 
+/// T^-1(w) = I + w~/2 + e w~^2 without derivatives.
+inline So3Series so3_tangent_inverse_value(double z) {
+  return {.f1 = 0.5, .f2 = trig::inverse_tangent_value(z)};
+}
+
 /// T^-1(w) = I + w~/2 + e w~^2.
 inline So3Series so3_tangent_inverse(double z) {
   const trig::InverseTangentSeries s = trig::inverse_tangent_series(z);

@@ -128,12 +128,21 @@ inline constexpr std::array<double, 13> kPartialFractionTail = {
     2.001458998678854293959e-28, 3.155044680287923195827e-31, 4.981335263797585550132e-34,
     7.87255828451072945703e-37};
 
+inline constexpr double kPole1 = 39.47841760435743447534, kPole2 = 4 * kPole1,
+                        kPole3 = 9 * kPole1;  // (2 pi n)^2
+
+/// e(z) alone: what log and T^-1 in the plane and of a rotation need.
+/// @pre 0 <= z < (2 pi)^2, where T^-1 exists. To rounding over all of it.
+inline double inverse_tangent_value(double z) {
+  return 2 * (1 / (kPole1 - z) + 1 / (kPole2 - z) + 1 / (kPole3 - z)) +
+         polynomial(kPartialFractionTail, z);
+}
+
 /// @pre 0 <= z < (2 pi)^2, where T^-1 exists. To rounding over all of it.
 inline InverseTangentSeries inverse_tangent_series(double z) {
-  constexpr double p1 = 39.47841760435743447534, p2 = 4 * p1, p3 = 9 * p1;  // (2 pi n)^2
   constexpr auto d_tail = derivative(kPartialFractionTail);
   constexpr auto dd_tail = derivative(d_tail);
-  const double r1 = 1 / (p1 - z), r2 = 1 / (p2 - z), r3 = 1 / (p3 - z);
+  const double r1 = 1 / (kPole1 - z), r2 = 1 / (kPole2 - z), r3 = 1 / (kPole3 - z);
   return {2 * (r1 + r2 + r3) + polynomial(kPartialFractionTail, z),
           2 * (r1 * r1 + r2 * r2 + r3 * r3) + polynomial(d_tail, z),
           4 * (r1 * r1 * r1 + r2 * r2 * r2 + r3 * r3 * r3) + polynomial(dd_tail, z)};

