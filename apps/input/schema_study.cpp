@@ -70,7 +70,7 @@ std::vector<Key> design_and_limit_keys() {
 /// Parts under fixed loads, frequencies, and the cycle.
 std::vector<Key> part_and_cycle_keys() {
   return {
-    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step. Their gradients by a motion take the loads on the part as combinations of its modes (docs/theory.md): more `modes` make them more exact."},
+    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step."},
     {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
     {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
     {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},

@@ -14,7 +14,7 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
 }
 
 hid_t create(const std::filesystem::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  prepare_hdf5();
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
 }
 

@@ -13,6 +13,14 @@
 
 namespace liesl::output {
 
+/// To be called before any other function of the library: errors are thrown, not printed, and the
+/// library does nothing at the end of the program, where it does not survive a file that a full
+/// disk kept it from closing.
+inline void prepare_hdf5() {
+  H5dont_atexit();
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 /// Owner of an HDF5 identifier. Closes it in the end.
 class Hdf5Handle {
  public:

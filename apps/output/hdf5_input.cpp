@@ -6,7 +6,7 @@ namespace liesl::output {
 namespace {
 
 hid_t open_file(const std::filesystem::path& path) {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // errors are thrown, not printed
+  prepare_hdf5();
   return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 }
 

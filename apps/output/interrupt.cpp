@@ -17,6 +17,7 @@ void catch_interrupts() {
   action.sa_handler = [](int signal) { received.store(signal, std::memory_order_relaxed); };
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one kills
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  ::signal(SIGXFSZ, SIG_IGN);  // a file beyond the limit of the shell is an error of write
 }
 
 int interrupted() { return received.load(std::memory_order_relaxed); }

@@ -212,7 +212,16 @@ bool read_joint_response(Reader& reader, const toml::table& table, ResponseSpec&
   const auto joint = reader.joint(*table.get("of"));
   if (!joint) return false;
   response.joint = *joint;
-  if (response.kind == ResponseKind::JointForce) return has_joint_force(reader, table, response);
+  if (response.kind == ResponseKind::JointForce) {
+    if (table.contains("axis")) response.axis = direction(reader, table, "axis");
+    response.in = text(table, "in") == "body" ? Axes::Body : Axes::Inertial;
+    if (const toml::node& in = *table.get("in"); !response.axis && written(in)) {
+      reader.problems.add(in, "the norm of a force is the same in all axes",
+                          "'axis' and 'in', or neither", "axis = [1, 0, 0]");
+      return false;
+    }
+    return has_joint_force(reader, table, response);
+  }
   response.coordinate = integer(table, "coordinate");
   const JointSpec& spec = reader.scene.mechanism.joints[static_cast<std::size_t>(*joint)];
   const JointKind& kind = kind_of(spec.type);

@@ -48,6 +48,16 @@ void write_sections(toml::table& scene, const BodySpec& body) {
   beam.erase("taper");
 }
 
+/// Nodes of trusses become the ports of their bars.
+void write_ports(toml::node& node, const std::map<std::string, std::string>& ports) {
+  if (auto* table = node.as_table())
+    for (auto&& [key, value] : *table) write_ports(value, ports);
+  if (auto* array = node.as_array())
+    for (toml::node& value : *array) write_ports(value, ports);
+  if (auto* text = node.as_string())
+    if (const auto port = ports.find(text->get()); port != ports.end()) *text = port->second;
+}
+
 /// The number of a constant, where the scene has it.
 void write_constant(toml::table& scene, const ConstantSpec& c, Mechanism final) {
   const double value = constant_of(c, final);
@@ -96,7 +106,9 @@ std::string design_scene(const Study& study, const Mechanism& final,
                          const std::map<std::string, double>& values) {
   Document document = parse_document(study.scene_text, study.scene.file);
   Problems none(study.scene.file);
-  expand_trusses(document.root, {}, none);  // each bar has a section of its own now
+  const TrussNames trusses = expand_trusses(document.root, {}, none);
+  for (const char* table : {"loads", "joints", "forces", "responses"})  // bars have sections now
+    if (toml::node* node = document.root.get(table)) write_ports(*node, trusses.nodes);
   std::set<int> sized;
   for (const DesignSpec& d : study.spec.design) sized.insert(d.bodies.begin(), d.bodies.end());
   for (const int body : sized)

@@ -251,12 +251,11 @@ void describe(const Study& study, const Plan& plan, const std::vector<NlpVariabl
 
 MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapRequest& request,
                     const MapHooks& hooks) {
-  if (!study.spec.frequencies.empty())
-    throw InputError({{study.file, 0, 0, "a map shows no limits on frequencies",
-                       "a study without [frequencies]", "leave them out of a copy"}});
-  if (!study.spec.mass_limits.empty() || study.spec.motion_objective.extremes)
-    throw InputError({{study.file, 0, 0, "a map shows no limits on mass and no largest values",
-                       "a study of responses and mass", "leave them out of a copy"}});
+  if (study.spec.motion_objective.extremes)
+    throw InputError({{study.file, 0, 0,
+                       "a map shows no objective that is a largest value or a lowest frequency",
+                       "an objective of mass, duration or effort",
+                       "a copy that limits them instead shows them"}});
   const MakeValues make = values_of(study, space);
   const std::vector<MappedQuantity> known = quantities(study);
   const Design design(study.spec, study.scene.mechanism);

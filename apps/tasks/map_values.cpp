@@ -22,18 +22,31 @@ class MotionValues final : public StudyValues {
 
   DesignModel& model() override { return model_; }
 
-  /// The largest over the scenarios.
+  /// The largest over the scenarios, of frequencies the least.
   std::vector<double> of(const DesignAnalysis& analysis) const override {
-    std::vector<double> out{analysis.objective};
-    out.resize(1 + spec_.constraints.size(), 0);
-    for (const MotionLimits& motion : dynamic_cast<const MotionAnalysis<G>&>(analysis).limits)
+    std::vector<double> out(size(), kNoValue);
+    out[0] = analysis.objective;
+    const auto take = [&out](std::size_t at, double value, bool least) {
+      if (!(least ? value >= out[at] : value <= out[at])) out[at] = value;
+    };
+    for (const MotionLimits& motion : dynamic_cast<const MotionAnalysis<G>&>(analysis).limits) {
       for (std::size_t c = 0; c < motion.limits.size(); ++c)
-        out[c + 1] = std::max(out[c + 1], motion.limits[c].measure);
+        take(c + 1, motion.limits[c].measure, false);
+      for (const PartCheck& part : motion.parts)
+        for (std::size_t l = 0; l < spec_.part_limits.size(); ++l)
+          if (spec_.part_limits[l].name == part.limit.name)
+            take(part_limits() + l, part.value.value,
+                 part.limit.quantity == SolidResponse::Frequency);
+      for (std::size_t f = 0; f < motion.frequencies.size(); ++f)
+        take(frequencies() + f, motion.frequencies[f].value, true);
+      for (std::size_t m = 0; m < motion.masses.size(); ++m)
+        take(masses() + m, motion.masses[m].value, false);
+    }
     return out;
   }
 
   std::vector<double> of(StaticProblem& problem, const VectorXd& x) const override {
-    std::vector<double> out(1 + spec_.constraints.size(), kNoValue);
+    std::vector<double> out(size(), kNoValue);
     VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
     problem.values(x, out[0], g);
     if (!problem.undefined_reason().empty()) return std::vector<double>(out.size(), kNoValue);
@@ -41,17 +54,24 @@ class MotionValues final : public StudyValues {
     const auto images = problem.images();
     for (std::size_t i = 0; i < images.size(); ++i) {
       if (images[i].response < 0) continue;
-      const int c = responses[static_cast<std::size_t>(images[i].response)].constraint;
-      if (c < 0) continue;  // of a part itself
-      const double value = spec_.constraints[static_cast<std::size_t>(c)].limit *
-                           (1 + g[static_cast<Eigen::Index>(i)]);
-      double& largest = out[static_cast<std::size_t>(c) + 1];
+      const LimitedResponse& of = responses[static_cast<std::size_t>(images[i].response)];
+      if (of.constraint < 0 && of.part_limit < 0) continue;
+      const double value = limit_value(spec_, of) * (1 + g[static_cast<Eigen::Index>(i)]);
+      double& largest =
+          out[of.part_limit < 0 ? static_cast<std::size_t>(of.constraint) + 1
+                                : part_limits() + static_cast<std::size_t>(of.part_limit)];
       if (!(value <= largest)) largest = value;
     }
     return out;
   }
 
  private:
+  // Where they begin in the order of `quantities`.
+  std::size_t part_limits() const { return 1 + spec_.constraints.size(); }
+  std::size_t frequencies() const { return part_limits() + spec_.part_limits.size(); }
+  std::size_t masses() const { return frequencies() + spec_.frequencies.size(); }
+  std::size_t size() const { return masses() + spec_.mass_limits.size(); }
+
   const StudySpec& spec_;
   const std::vector<Scenario<G>> motions_;
   MotionModel<G> model_;
@@ -90,12 +110,15 @@ std::vector<MappedQuantity> quantities(const Study& study) {
   if (study.spec.loads.empty()) {
     for (const ConstraintSpec& c : study.spec.constraints)
       out.push_back({c.response.name, unit(c.response, study.scene.mechanism), c.limit});
-    return out;
+  } else {
+    for (const ConstraintSpec& c : study.spec.constraints)
+      if (c.has_image) out.push_back({c.response.name, "m", c.limit});
   }
-  for (const ConstraintSpec& c : study.spec.constraints)
-    if (c.has_image) out.push_back({c.response.name, "m", c.limit});
   for (const PartLimitSpec& l : study.spec.part_limits)
     out.push_back({l.name, quantity(l.quantity).unit, l.limit});
+  if (!study.spec.loads.empty()) return out;
+  for (const FrequencyLimitSpec& f : study.spec.frequencies) out.push_back({f.name, "Hz", f.least});
+  for (const MassLimitSpec& m : study.spec.mass_limits) out.push_back({m.name, "kg", m.limit});
   return out;
 }
 

@@ -95,7 +95,17 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
   this->set_constant_matrices();
 }
 
-/// Stiffness has the slope s'(v) of the ersatz law, integrals are linear in the fractions.
+/// dPsi/dp; a factor serves all parameters of one design.
+template <FrameGroup G>
+MatrixXd SolidBody<G>::basis_derivative(const FractionDerivative& law) const {
+  const std::lock_guard lock(*asking_);
+  if (!modes_ || modes_->fractions() != law.fractions)
+    modes_ = std::make_shared<ModeDerivative>(*law.model, law.fractions, basis_);
+  return (*modes_)(*law.model, law.derivative);
+}
+
+/// K_e' = Psi^T K' Psi + Psi'^T K Psi + Psi^T K Psi'. Stiffness has the slope s'(v) of the ersatz
+/// law, integrals are linear in the fractions.
 template <FrameGroup G>
 SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
     : FloatingBody<G>(body),
@@ -105,12 +115,18 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
       turn_(body.turn_),
       model_(body.model_),
       fractions_(law.derivative),
-      basis_(body.basis_) {
-  loads_ = law.model->stiffness_derivative(law.fractions, law.derivative)
-               .template selfadjointView<Eigen::Lower>() *
-           basis_;
-  this->become_derivative(basis_.transpose() * loads_);
-  set_integrals(inertia_integrals(*law.model, law.derivative, basis_));
+      basis_(body.basis_derivative(law)) {
+  const MatrixXd& Psi = body.basis_;
+  MatrixXd dK_e = Psi.transpose() * (law.model->stiffness_derivative(law.fractions, law.derivative)
+                                         .template selfadjointView<Eigen::Lower>() *
+                                     Psi);
+  const MatrixXd K_Psi =
+      law.model->stiffness(law.fractions).template selfadjointView<Eigen::Lower>() * Psi;
+  const MatrixXd turned = basis_.transpose() * K_Psi;
+  dK_e += turned + turned.transpose();
+  this->become_derivative(dK_e);
+  set_integrals(
+      inertia_integrals_derivative(*law.model, law.fractions, Psi, law.derivative, basis_));
   this->set_constant_matrices();
 }
 

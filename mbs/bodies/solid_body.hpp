@@ -2,7 +2,10 @@
 /// @file
 /// A meshed part in a floating frame: interfaces and modes of the mesh, inertia by integrals.
 
+#include <mutex>
+
 #include "mbs/bodies/floating.hpp"
+#include "mbs/solids/mode_derivative.hpp"
 #include "mbs/solids/reduction.hpp"
 #include "mbs/solids/solid_spec.hpp"
 
@@ -63,8 +66,9 @@ class SolidBody final : public FloatingBody<G> {
  private:
   using typename FloatingBody<G>::Motion;
 
-  /// The derivative of a body by fractions of cells: the same Psi.
+  /// The derivative of a body by fractions of cells, which Psi follows.
   SolidBody(const SolidBody& body, const FractionDerivative& law);
+  Eigen::MatrixXd basis_derivative(const FractionDerivative& law) const;
   void set_integrals(const InertiaIntegrals& mesh);
 
   struct Room final : FloatingBody<G>::Workspace {
@@ -89,6 +93,9 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
   /// About the first interface, in its axes; mode is 3 x n, padded.
   InertiaIntegrals integrals_;
+  /// Of the parameters that were asked for last: its factor is theirs in common.
+  mutable std::shared_ptr<const ModeDerivative> modes_;
+  mutable std::shared_ptr<std::mutex> asking_ = std::make_shared<std::mutex>();
   Eigen::MatrixXd cross_;    ///< 9 x n: int rho s phi_k^T
   Eigen::MatrixXd product_;  ///< 9 n x n: int rho phi_l phi_k^T at rows 9 k, column l
 };

@@ -31,7 +31,7 @@ enum class ResponseKind {
                   ///< value, m; signed in a planar scene, two components (y, z) in space
   Elongation,     ///< change of the distance of the ports `at` and `to` (of a beam: its ends), m
   Coordinate,     ///< of a joint, m or rad
-  JointForce,     ///< force that the joint transmits to its port b, in b's axes, N; norm over parts
+  JointForce,     ///< that the joint transmits to its port b, N: norm, or along `axis`, in `in`
   DriveForce,     ///< force or torque of the drive on `coordinate` of a joint, N or N m; it does
                   ///< positive work where the coordinate grows
   SectionForce,   ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m

@@ -107,25 +107,26 @@ ReducedSolid reduce(const SolidModel& model, const VectorXd& v, ReductionKind ki
   return r;
 }
 
-InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
-                                   const MatrixXd& modes) {
+namespace {
+
+/// Scalar fields at the corners of cell e, by row: 1, x, y, z, then the components of phi_k.
+/// @param u modes x freedoms  @param Z rows of 1, x, y, z stay zero for a `derivative`
+void fields_at(const SolidModel& model, int e, const MatrixXd& u, bool derivative, MatrixXd& Z) {
   const SolidMesh& mesh = model.mesh();
-  const int dim = mesh.dim, corners = mesh.corners();
-  const auto k = modes.cols();
-  const MatrixXd u = (model.T() * modes).transpose();  // modes x freedoms
-  // Scalar fields by row, over the corners of a cell: 1, x, y, z, then phi_k components.
-  const Eigen::Index fields = 4 + 3 * k;
-  MatrixXd Z = MatrixXd::Zero(fields, corners), G = MatrixXd::Zero(fields, fields);
-  Z.row(0).setOnes();
-  for (int e = 0; e < mesh.cell_count(); ++e) {
-    if (v[e] == 0) continue;
-    for (int c = 0; c < corners; ++c) {
+  for (int c = 0; c < mesh.corners(); ++c) {
+    if (!derivative) {
+      Z(0, c) = 1;
       Z.col(c).segment<3>(1) = mesh.nodes.col(mesh.cells(c, e));
-      for (int a = 0; a < dim; ++a)
-        for (Eigen::Index j = 0; j < k; ++j) Z(4 + 3 * j + a, c) = u(j, model.freedom(e, c) + a);
     }
-    G.noalias() += v[e] * Z * (model.cell(e).M * Z.transpose()).eval();
+    for (int a = 0; a < mesh.dim; ++a)
+      for (Eigen::Index j = 0; j < u.rows(); ++j)
+        Z(4 + 3 * j + a, c) = u(j, model.freedom(e, c) + a);
   }
+}
+
+/// From the integrals of products of two fields.
+InertiaIntegrals by_name(const MatrixXd& G) {
+  const Eigen::Index k = (G.rows() - 4) / 3;
   InertiaIntegrals I;
   I.mass = G(0, 0);
   I.first = G.block<3, 1>(1, 0);
@@ -137,6 +138,38 @@ InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
     for (Eigen::Index l = 0; l < k; ++l) I.product.push_back(G.block<3, 3>(4 + 3 * j, 4 + 3 * l));
   }
   return I;
+}
+
+}  // namespace
+
+InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
+                                   const MatrixXd& modes) {
+  const MatrixXd u = (model.T() * modes).transpose();
+  const Eigen::Index fields = 4 + 3 * modes.cols();
+  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().corners()), G = MatrixXd::Zero(fields, fields);
+  for (int e = 0; e < model.mesh().cell_count(); ++e) {
+    if (v[e] == 0) continue;
+    fields_at(model, e, u, false, Z);
+    G.noalias() += v[e] * Z * (model.cell(e).M * Z.transpose()).eval();
+  }
+  return by_name(G);
+}
+
+/// Product rule: dv Z M Z^T + v (dZ M Z^T + Z M dZ^T).
+InertiaIntegrals inertia_integrals_derivative(const SolidModel& model, const VectorXd& v,
+                                              const MatrixXd& modes, const VectorXd& dv,
+                                              const MatrixXd& dmodes) {
+  const MatrixXd u = (model.T() * modes).transpose(), du = (model.T() * dmodes).transpose();
+  const Eigen::Index fields = 4 + 3 * modes.cols();
+  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().corners()), dZ = Z,
+           half = MatrixXd::Zero(fields, fields);
+  for (int e = 0; e < model.mesh().cell_count(); ++e) {
+    if (v[e] == 0 && dv[e] == 0) continue;
+    fields_at(model, e, u, false, Z);
+    fields_at(model, e, du, true, dZ);
+    half.noalias() += (v[e] * dZ + 0.5 * dv[e] * Z) * (model.cell(e).M * Z.transpose()).eval();
+  }
+  return by_name(half + half.transpose());
 }
 
 VectorXd free_frequencies(const SolidModel& model, const VectorXd& v, int count) {

@@ -44,6 +44,11 @@ ReducedSolid reduce(const SolidModel& model, const Eigen::VectorXd& v, Reduction
 /// Inertia integrals of the displacements T * modes (modes: q x k).
 InertiaIntegrals inertia_integrals(const SolidModel& model, const Eigen::VectorXd& v,
                                    const Eigen::MatrixXd& modes);
+/// Their derivative by a parameter of the fractions and of the modes: dv/dp, d(modes)/dp.
+InertiaIntegrals inertia_integrals_derivative(const SolidModel& model, const Eigen::VectorXd& v,
+                                              const Eigen::MatrixXd& modes,
+                                              const Eigen::VectorXd& dv,
+                                              const Eigen::MatrixXd& dmodes);
 
 /// Lowest `count` elastic free-free frequencies, Hz, without the rigid motions: of the full mesh,
 /// and of the reduced part (fewer if it has fewer). Empty if the eigenvalue solver failed.

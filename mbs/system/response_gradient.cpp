@@ -195,8 +195,9 @@ void ResponseValues<G>::add_drive_force(const ResponseSpec& r, const At&, Cotang
 }
 
 /// f = -sum F_i b_i, b_i the force of row i on port b, F_i a multiplier or the force of a law:
-/// a . df = -sum a . b_i dF_i - sum F_i a . D b_i, a = f/|f|; of a law
-/// dF = (df/dq g + c D g v) . h + c g . dv.
+/// a . df = -sum a . b_i dF_i - sum F_i a . D b_i, a = f/|f| or a direction; of a law
+/// dF = (df/dq g + c D g v) . h + c g . dv. A direction a = R^T d that stays in space while port b
+/// turns by w gives da . f = (f x a) . w.
 template <FrameGroup G>
 void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cotangent& out) const {
   constexpr int dim = G::dim, sd = G::space_dim;
@@ -212,8 +213,8 @@ void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cot
     F[i] = row_force(*c, i, g[i], at.s);
     f -= F[i] * g[i].template segment<sd>(dim);
   }
-  if (f.norm() == 0) return;
-  const typename Row<G>::Vector a = f.normalized();
+  const typename Row<G>::Vector a = force_direction(r, *c, f, at.s);
+  if (a.isZero(0)) return;
   typename Row<G>::Gradient v = Row<G>::Gradient::Zero(), on_h = v, on_v = v;
   if (c->a.body >= 0)
     v.template head<dim>() = c->a.J * at.s.v.template segment<dim>(dim * c->a.node);
@@ -231,6 +232,12 @@ void ResponseValues<G>::add_joint_force(const ResponseSpec& r, const At& at, Cot
     on_h += by_force * (law.slope(at.s.rows[c->first_row + i]) * g[i] +
                         law.damping * (hessian.transpose() * v));
     on_v += by_force * law.damping * g[i];
+  }
+  if (r.axis && r.in == Axes::Inertial) {
+    if constexpr (sd == 2)
+      on_h[2 * dim - 1] += f[0] * a[1] - f[1] * a[0];
+    else
+      on_h.template tail<3>() += f.cross(a);
   }
   add_row(out.h, *c, on_h);
   add_row(out.v, *c, on_v);
@@ -314,7 +321,7 @@ double ResponseValues<G>::joint_force_by(const ResponseSpec& r, const State<G>& 
     const double q = s.rows[c->first_row + i], rate = rate_of(*c, g, s);
     by_p -= parameter.force_derivative(c->rows[i], q, rate, {s.t, 1}) * g.template segment<sd>(dim);
   }
-  return f.norm() == 0 ? 0 : f.dot(by_p) / f.norm();
+  return force_direction(r, *c, f, s).dot(by_p);
 }
 
 template <FrameGroup G>

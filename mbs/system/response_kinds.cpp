@@ -121,9 +121,26 @@ Eigen::VectorXd ResponseValues<G>::coordinate(const ResponseSpec& r, const State
 }
 
 template <FrameGroup G>
-Eigen::VectorXd ResponseValues<G>::joint_force_norm(const ResponseSpec& r,
-                                                    const State<G>& s) const {
-  return scalar(joint_force(mechanism_, model_, r.joint, s).template head<3>().norm());
+Eigen::VectorXd ResponseValues<G>::force_of_joint(const ResponseSpec& r, const State<G>& s) const {
+  const Vec3 f = joint_force(mechanism_, model_, r.joint, s).template head<3>();
+  if (!r.axis) return scalar(f.norm());
+  const Port& b = mechanism_.joints[static_cast<size_t>(r.joint)].b;
+  return scalar(r.axis->dot(r.in == Axes::Body ? f : Vec3(view_.frame(s.H.data(), b).R * f)));
+}
+
+template <FrameGroup G>
+auto ResponseValues<G>::force_direction(const ResponseSpec& r, const Coupling<G>& c,
+                                        const typename Row<G>::Vector& f, const State<G>& s) const
+    -> typename Row<G>::Vector {
+  if (!r.axis) return f.norm() == 0 ? f : f.normalized();
+  const SE3 b = mechanism_.frame(mechanism_.joints[static_cast<size_t>(r.joint)].b);
+  const Vec3 d = r.in == Axes::Body ? Vec3(b.R * *r.axis) : *r.axis;
+  typename Row<G>::Vector a;
+  if constexpr (G::space_dim == 2)
+    a = (model_.space.frame.R.transpose() * d).template head<2>();
+  else
+    a = d;
+  return r.in == Axes::Body ? a : typename Row<G>::Vector(c.b.frame(s.H).R.transpose() * a);
 }
 
 template <FrameGroup G>

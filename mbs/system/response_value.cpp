@@ -58,7 +58,7 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        nullptr},
       {K::JointForce,
        {"joint_force", one, newtons},
-       &R::joint_force_norm,
+       &R::force_of_joint,
        &R::add_joint_force,
        &R::joint_force_by},
       {K::DriveForce,

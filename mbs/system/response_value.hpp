@@ -123,7 +123,11 @@ class ResponseValues {
   Eigen::VectorXd deflection(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd elongation(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd coordinate(const ResponseSpec& r, const State<G>& s) const;
-  Eigen::VectorXd joint_force_norm(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd force_of_joint(const ResponseSpec& r, const State<G>& s) const;
+  /// a of y = a . f, in the axes of the joint's port b; f/|f| of the norm, 0 where f is.
+  typename Row<G>::Vector force_direction(const ResponseSpec& r, const Coupling<G>& c,
+                                          const typename Row<G>::Vector& f,
+                                          const State<G>& s) const;
   Eigen::VectorXd drive_force(const ResponseSpec& r, const State<G>& s) const;
   int drive_row(const ResponseSpec& r) const;  ///< among the multipliers; -1: no drive
   Eigen::VectorXd section_force(const ResponseSpec& r, const State<G>& s) const;

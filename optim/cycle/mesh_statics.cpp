@@ -7,6 +7,7 @@
 #include <numeric>
 
 #include "mbs/solids/connectivity.hpp"
+#include "mbs/solids/mode_derivative.hpp"
 #include "mbs/solids/topological_derivative.hpp"
 
 namespace liesl {
@@ -150,24 +151,22 @@ MatrixXd MeshStatics::extra_gradient(const SolidLimit& limit) {
              : statics_.compliance_gradient(fractions_.derivative);
 }
 
-/// Loads follow the reduced forces g = K_e e of the motion, f = K Psi K_e^-1 g with the shapes as
-/// they are at x0: dv = dv at constant loads + a^T (K_e^-1 dK_e e + de), a = Psi^T dv/dq.
+/// v(fractions, q) with the displacements q = Psi e of the motion:
+/// dv = dv at constant q + dv/dq^T (Psi' e + Psi de). The gradient at constant loads f holds
+/// -dv/dq^T K^-1 K' q, which is taken out again.
 PartSlopes MeshStatics::slopes(int number, const std::vector<int>& kept) {
   const CaseLimit& row = limits_[static_cast<std::size_t>(number)];
   const SolidLimit& limit = *extra_[static_cast<std::size_t>(row.first - statics_.outputs())];
-  const MatrixXd K_e = task_.basis.transpose() * task_.loads;
   const MatrixXd e = kept_columns(task_.combination, kept);
-  MatrixXd own = extra_gradient(limit);
-  const MatrixXd a = limit.response == SolidResponse::Stress
-                         ? MatrixXd(task_.basis.transpose() * stress(true).by_displacement)
-                         : MatrixXd(2 * K_e * e);
-  const MatrixXd c = K_e.ldlt().solve(a), dv = fractions_.derivative;
-  for (int j = 0; j < dv.cols(); ++j) {
-    const auto& dK = task_.model->stiffness_derivative(fractions_.value, dv.col(j));
-    const MatrixXd dK_e =
-        task_.basis.transpose() * (dK.selfadjointView<Eigen::Lower>() * task_.basis);
-    own.col(j) += c.cwiseProduct(dK_e * e).colwise().sum().transpose();
-  }
+  const MatrixXd by_q = limit.response == SolidResponse::Stress ? stress(true).by_displacement
+                                                                : MatrixXd(2 * task_.loads * e);
+  const MatrixXd a = task_.basis.transpose() * by_q, dv = fractions_.derivative;
+  MatrixXd own = extra_gradient(limit), by_loads = MatrixXd::Zero(own.rows(), own.cols());
+  statics_.add_adjoint_gradient(by_q, fractions_.derivative, by_loads);
+  own -= by_loads;
+  const ModeDerivative modes(*task_.model, fractions_.value, task_.basis);
+  for (int j = 0; j < dv.cols(); ++j)
+    own.col(j) += by_q.cwiseProduct(modes(*task_.model, dv.col(j)) * e).colwise().sum().transpose();
   PartSlopes out;
   out.body = row.motion->response.body;
   for (std::size_t k = 0; k < kept.size(); ++k) {

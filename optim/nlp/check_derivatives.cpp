@@ -111,6 +111,18 @@ double one_sided_jump(const std::vector<double>& h, const std::vector<double>& g
   return std::isfinite(least) ? least : 0;
 }
 
+/// Have the differences found a derivative, so that three steps in a row agree, and another one
+/// than that given? Where the derivative bends they come nearer to it with every step.
+bool settled(int row, const std::vector<VectorXd>& errors) {
+  constexpr double kAgree = 0.1;  // of the smallest of the errors
+  for (std::size_t k = 0; k + 2 < errors.size(); ++k) {
+    const double a = errors[k][row], b = errors[k + 1][row], c = errors[k + 2][row];
+    const double least = std::min({std::abs(a), std::abs(b), std::abs(c)});
+    if (std::max({a, b, c}) - std::min({a, b, c}) < kAgree * least) return true;
+  }
+  return false;
+}
+
 /// Point from which all steps stay within the bounds.
 VectorXd inside(const Problem& problem, VectorXd x, const VectorXd& range, double step) {
   for (int j = 0; j < x.size(); ++j) {
@@ -152,13 +164,13 @@ class Sweep {
       if (!finite || !stack_.finite) ++report_.failed_evaluations;
       if (!finite || !stack_.finite) continue;
       steps.push_back(h);
-      errors.push_back(((after - before) / (2 * h) - exact).cwiseAbs());
+      errors.push_back((after - before) / (2 * h) - exact);
       gaps.push_back(((after - here_) - (here_ - before)).cwiseAbs() / h);
     }
     DerivativeKink kink{name};
     for (int i = 0; i < stack_.functions(); ++i) {
       add(i, 1, name, steps, errors);
-      note_kink(i, steps, gaps, kink);
+      note_kink(i, steps, errors, gaps, kink);
     }
     if (kink.functions > 0) report_.kinks.push_back(kink);
     if (stack_.hessian)
@@ -193,8 +205,8 @@ class Sweep {
   }
 
   /// Is the check that was added last wrong because the function has a kink?
-  void note_kink(int row, const std::vector<double>& steps, const std::vector<VectorXd>& gaps,
-                 DerivativeKink& kink) {
+  void note_kink(int row, const std::vector<double>& steps, const std::vector<VectorXd>& errors,
+                 const std::vector<VectorXd>& gaps, DerivativeKink& kink) {
     constexpr double kFirstOrder = 0.3, kSecondOrder = 1.7;  // slope of an error that falls with h
     DerivativeCheck& check = report_.checks.back();
     if (check.right) return;
@@ -202,7 +214,8 @@ class Sweep {
     for (const VectorXd& g : gaps) gap.push_back(g[row] / (norms_[row] > 0 ? norms_[row] : 1));
     const double jump = one_sided_jump(steps, gap);
     const bool jumps = jump > 10 * o_.tolerance;
-    const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder;
+    const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder &&
+                       !settled(row, errors);
     if (!jumps && !bends) return;
     ++kink.functions;
     check.kink = true;
@@ -314,8 +327,8 @@ std::string DerivativeReport::text(int rows) const {
   if (kinks.empty()) return out;
   if (unjudged > 0)
     return out + fmt::format(
-                     "{} of them have a kink at this point, as a peak that another one passes: "
-                     "no difference tells\n",
+                     "{} of them have a kink at this point, as a peak that another one passes or "
+                     "an edge on a grid line: no difference tells\n",
                      unjudged);
   out += "at the given point functions have kinks, so they were checked at a point beside it:\n";
   for (const DerivativeKink& k : kinks) {

@@ -17,7 +17,7 @@ HERE = Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "robustness"))
 from program import run, verdict  # noqa: E402
 
-FORMALISMS = ["se3", "r3so3", "classical", "floating", "rigid"]
+FORMALISMS = ["se3", "r3so3", "classical", "floating", "rigid", "segments"]
 SECONDS = 300
 HEAD = """# Traps
 

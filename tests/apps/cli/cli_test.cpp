@@ -392,6 +392,15 @@ TEST_F(Cli, FinalDesignIsAScene) {
           << name << response;
     }
   }
+  // A truss: its bars have sections of their own, its nodes are ports of them.
+  const char* tip = R"(responses.tip={response="translation",at="truss.n2",axis=[0,1,0]})";
+  ASSERT_EQ(run({"optimize", study("truss_10"), "-o", results(), "--force", "--set", tip}).code, 0);
+  const Outcome truss = run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});
+  ASSERT_EQ(truss.code, 0) << truss.err;
+  const Json tip_again = Json::parse(text_of(dir_ / "again" / "summary.json"));
+  const double sag = summary()["responses"]["tip"]["max_abs"];
+  EXPECT_GT(sag, 0);
+  EXPECT_NEAR(tip_again["responses"]["tip"]["max_abs"].get<double>(), sag, 1e-6 * sag);
   for (const std::string mass :
        {"", "design.slider={of=\"slider\", property=\"mass\", bounds=[0.05, 0.15], start=0.1}"}) {
     Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--force"};

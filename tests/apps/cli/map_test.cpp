@@ -98,6 +98,42 @@ TEST_F(Map, LocalModelIsOfFirstOrder) {
       << "constant loads: value only";
 }
 
+/// Limits on a frequency and a mass: a hinged rod has f = pi/(2 L^2) sqrt(E/rho) d/4.
+TEST_F(Map, HasLimitsOnFrequenciesAndMasses) {
+  const double d = 0.01138;
+  const Outcome o =
+      map({study("slider_crank_rod"), "--over",
+           "rod_diameters[0]=0.01138:0.012,rod_diameters[1]=0.01138:0.012", "--points", "2",
+           "--set", kShort, "--set", "frequencies.tone={of=\"rod\",least=100}", "--set",
+           "constraints.light={mass=\"rod\",limit=1}"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  const Columns c = columns(results() / "map.csv");
+  const double f = M_PI / (2 * 0.3 * 0.3) * std::sqrt(210e9 / 7850) * d / 4;
+  EXPECT_NEAR(c.at("tone")[0] / f, 1, 0.01);
+  EXPECT_GT(c.at("tone")[3], c.at("tone")[0]);
+  for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(c.at("light")[k], c.at("mass")[k], 1e-12);
+  EXPECT_EQ(summary()["of"]["tone"]["limit"], 100);
+}
+
+/// Limits of a meshed part under its motion, as an optimisation finds them.
+TEST_F(Map, HasLimitsOfAPartUnderItsMotion) {
+  Words with = {"--set", "simulation.duration=0.002",
+                "--set", "bodies.rod.solid.mesh.cells=[40,8]",
+                "--set", "part_limits.tone={of=\"rod\",quantity=\"frequency\",limit=1000}",
+                "--set", "part_limits.peak={of=\"rod\",quantity=\"stress\",limit=1e9}"};
+  Words words = {study("connecting_rod"), "--over", "height=0.038:0.044,a1=0.004:0.006", "--points",
+                 "2"};
+  words.insert(words.end(), with.begin(), with.end());
+  const Outcome o = map(words);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const Columns c = columns(results() / "map.csv");
+  for (std::size_t k = 0; k < 4; ++k) {
+    EXPECT_GT(c.at("tone")[k], 1000) << k;
+    EXPECT_GT(c.at("peak")[k], 0) << k;
+  }
+  EXPECT_NE(c.at("peak")[0], c.at("peak")[3]);
+}
+
 TEST_F(Map, FixedLoadsHaveNoLocalModel) {
   const Outcome o = map({study("plate_with_hole"), "--over", "a,b", "--points", "2"});
   ASSERT_EQ(o.code, 0) << o.err;
@@ -127,7 +163,9 @@ TEST_F(Map, RefusesWhatTheStudyHasNot) {
   refused({"--over", both, "--of", "bendin"}, "did you mean 'bending'?");
   refused({"--over", both, "--points", "1"}, "1 points");
   refused({"--over", both, "--cycle", "2"}, "no path");
-  refused({"--over", both, "--set", "frequencies.first={least=10}"}, "no limits on frequencies");
+  refused({"--over", both, "--set",
+           "objective={minimize=\"weighted\",of=\"rod\",weights={frequency=1}}"},
+          "no objective that is a largest value or a lowest frequency");
   write("summary.json", R"({"command": "run"})");
   refused({"--over", both, "--path", dir_}, "holds no optimisation");
   write("summary.json", R"({"command": "optimize", "design": {"a": 1}, "history": []})");

@@ -1,6 +1,8 @@
 /// @file
 /// Input that was accepted in silence, or refused with poor words: each with its exit code and the
 /// words that tell it, with its place.
+#include <sys/resource.h>
+
 #include "apps/program.hpp"
 
 namespace liesl::test {
@@ -38,6 +40,11 @@ const Refusal kRefusals[] = {
      {"batch", "BATCH", "-o", "DIR/b", "--set", "scene=nowhere.toml"},
      2,
      "there is no file"},
+    {"EmptyStudyOfABatch", {"check", "EMPTY_BATCH"}, 2, "empty.toml: the file is empty"},
+    {"BatchOfBoth",
+     {"check", "BOTH_BATCH"},
+     2,
+     "both.toml:2:9: the file has both 'study' and 'scene'"},
     {"EmptyShard", {"batch", "BATCH", "-o", "DIR/b", "--shard", ""}, 2, "expected i/n"},
     {"PlaceOfAComparison",
      {"compare", study("compare_pendulum"), "-o", "/proc/no/where"},
@@ -101,6 +108,12 @@ duration = 0.01
       {"BATCH", write("batch.toml", "scene = \"" + scene("slider_crank") +
                                         "\"\n[grid]\nrate = { key = \"joints.motor.drive.rate\", "
                                         "values = [50, 60] }\n")},
+      {"EMPTY_BATCH",
+       write("of_empty.toml", "study = \"" + write("empty.toml", "").string() +
+                                  "\"\n[grid]\na = { key = \"b\", values = [1] }\n")},
+      {"BOTH_BATCH", write("both.toml",
+                           "study = \"a.toml\"\nscene = \"b.toml\"\n[grid]\na = { "
+                           "key = \"b\", values = [1] }\n")},
       {"DIR", dir_.string()}};
   Words words = GetParam().words;
   for (std::string& word : words)
@@ -114,6 +127,28 @@ duration = 0.01
 
 INSTANTIATE_TEST_SUITE_P(Table, Refusals, testing::ValuesIn(kRefusals),
                          [](const auto& of) { return std::string(of.param.name); });
+
+using FileLimit = Program;
+
+/// A disk without room, here a limit on the size of a file: the program ends with code 3 and says
+/// which file, whichever library writes it.
+TEST_F(FileLimit, EndsWithTheNameOfTheFile) {
+  const Words commands[] = {
+      {"run", scene("slider_crank"), "-q", "-o", results()},
+      {"optimize", study("plate_with_hole"), "-q", "-o", results(), "--set", "cycle.max=1"}};
+  for (const Words& words : commands) {
+    rlimit before;
+    getrlimit(RLIMIT_FSIZE, &before);
+    rlimit small = before;
+    small.rlim_cur = 40000;
+    setrlimit(RLIMIT_FSIZE, &small);
+    const Outcome out = run(words);
+    setrlimit(RLIMIT_FSIZE, &before);
+    EXPECT_EQ(out.code, 3) << words[0] << out.err;
+    EXPECT_EQ(out.err.find("liesl: cannot write '"), 0u) << out.err;
+    EXPECT_NE(out.err.find("': File too large"), std::string::npos) << out.err;
+  }
+}
 
 using LeanEnd = Program;
 

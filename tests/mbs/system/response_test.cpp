@@ -81,6 +81,12 @@ std::vector<ResponseSpec> responses(bool planar) {
   add(ResponseKind::Coordinate, [](ResponseSpec& r) { r.joint = 3; });
   add(ResponseKind::JointForce, [](ResponseSpec& r) { r.joint = 1; });
   add(ResponseKind::JointForce, [](ResponseSpec& r) { r.joint = 4; });
+  for (const Axes in : {Axes::Inertial, Axes::Body})
+    for (const int joint : {1, 4})
+      add(ResponseKind::JointForce, [in, joint](ResponseSpec& r) {
+        r.joint = joint, r.in = in;
+        r.axis = Vec3(0.6, 0.8, 0);
+      });
   for (int component : {0, 1, 2, 3, 4, 5})
     if (!planar || component == 0 || component == 1 || component == 5)
       for (const auto place : {ElementPlace::First, ElementPlace::Middle, ElementPlace::Last})
@@ -270,12 +276,13 @@ TEST_P(Responses, InsideABodyDoNotSeeRigidMotions) {
   const ResponseValues<SE3> values(m, *run.model);
   int compared = 0;
   for (const ResponseSpec& r : responses(false)) {
-    const bool inside = (r.kind == ResponseKind::Displacement && r.in == Axes::Body) ||
-                        r.kind == ResponseKind::Deflection ||
-                        (r.kind == ResponseKind::Elongation && r.to.body >= 0) ||
-                        r.kind == ResponseKind::SectionForce || r.kind == ResponseKind::Stress ||
-                        r.kind == ResponseKind::Compliance ||
-                        (r.kind == ResponseKind::JointForce && r.joint == 1);
+    const bool inside =
+        (r.kind == ResponseKind::Displacement && r.in == Axes::Body) ||
+        r.kind == ResponseKind::Deflection ||
+        (r.kind == ResponseKind::Elongation && r.to.body >= 0) ||
+        r.kind == ResponseKind::SectionForce || r.kind == ResponseKind::Stress ||
+        r.kind == ResponseKind::Compliance ||
+        (r.kind == ResponseKind::JointForce && r.joint == 1 && (!r.axis || r.in == Axes::Body));
     if (!inside) continue;
     for (const auto& gradient : values.gradient(r, s)) {
       SE3::Tangent sum = SE3::Tangent::Zero();
