@@ -148,8 +148,7 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
     cycle.end.reset();
     if (step.end && step.end->status != CycleStatus::Interrupted) cycle.end = step.end->status;
     if (hooks.on_cycle) hooks.on_cycle(record.history());
-    if (record.asked_to_stop() && !step.end)
-      step.end = record.stopped();
+    if (record.asked_to_stop() && !step.end) step.end = record.stopped();
   }
   return record.finish(*step.end);
 }

@@ -105,8 +105,7 @@ bool analyses_used_up(const CycleRecord& record) {
 
 CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const NlpResult& r) {
   const CycleOptions& options = record.options();
-  if (at.interrupted() || record.asked_to_stop())
-    return record.stopped();
+  if (at.interrupted() || record.asked_to_stop()) return record.stopped();
   if (!at.good()) return {CycleStatus::SimulationFailed, at.failure()};
   const DesignAnalysis& a = *at.analysis();
   const DynamicOptimality& kkt = at.surrogate().optimality;

@@ -13,7 +13,6 @@
 namespace liesl::test {
 namespace {
 
-
 class BatchProgram : public Program {
  protected:
   /// Six short simulations of the slider-crank.

@@ -9,7 +9,6 @@
 namespace liesl::test {
 namespace {
 
-
 class Cli : public Program {};
 
 Words short_run(const fs::path& out, const Words& more = {}) {

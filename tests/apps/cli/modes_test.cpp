@@ -8,7 +8,6 @@
 namespace liesl::test {
 namespace {
 
-
 class Modes : public Program {};
 
 /// A cantilever's first two bending frequencies are printed; shapes are records over frequency.

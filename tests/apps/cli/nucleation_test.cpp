@@ -6,7 +6,6 @@
 namespace liesl::test {
 namespace {
 
-
 class Nucleation : public Program {
  protected:
   Outcome optimize(const Words& more) const {

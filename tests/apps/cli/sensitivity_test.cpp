@@ -9,7 +9,6 @@
 namespace liesl::test {
 namespace {
 
-
 /// Columns of a table of numbers by their headings.
 std::map<std::string, std::vector<double>> columns(const fs::path& path) {
   std::istringstream lines(text_of(path));

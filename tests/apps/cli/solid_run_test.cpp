@@ -8,7 +8,6 @@
 namespace liesl::test {
 namespace {
 
-
 class SolidRun : public Program {
  protected:
   /// A short run of the shipped scene on a coarser mesh.

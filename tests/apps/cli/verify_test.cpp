@@ -34,8 +34,8 @@ TEST_F(VerifyCommand, SaysWhatTheMeshHidesOfALimit) {
 }
 
 TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
-  const Outcome o = optimise_rod(
-      {"--set", "constraints.bending.treatment=functional", "--set", "cycle.max=1"});
+  const Outcome o =
+      optimise_rod({"--set", "constraints.bending.treatment=functional", "--set", "cycle.max=1"});
   EXPECT_NE(o.code, 2) << o.err;
   EXPECT_NE(
       (o.out + o.err).find("not verified, being no largest value of a response: limit bending"),
@@ -64,9 +64,9 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
 }
 
 TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
-  expect_refused({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
-                  "simulation.type=modes"},
-                 "natural frequencies have no responses to verify");
+  expect_refused(
+      {"run", scene("slider_crank"), "-o", results(), "--verify", "--set", "simulation.type=modes"},
+      "natural frequencies have no responses to verify");
 }
 
 }  // namespace

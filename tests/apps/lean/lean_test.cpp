@@ -19,7 +19,6 @@
 namespace liesl::test {
 namespace {
 
-
 // --- distance ------------------------------------------------------------------------------------
 
 output::Series sampled(int n, double (*f)(double), int rows = 1) {

@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 #include <map>
+#include <set>
 
 #include "apps/input/document.hpp"
 #include "apps/input/problem.hpp"
@@ -65,6 +65,10 @@ struct Case {
   std::vector<std::string> finer;  ///< four times the elements, a quarter of the step
 };
 
+/// What is estimated wrongly: the largest position of the slider, 0.45 m at a dead point, is off by
+/// 5e-7 m and estimated as 1.3e-8 m.
+const std::set<std::string> kWrong = {"slider_crank slider_x"};
+
 /// Against meshes and steps four times as fine: the estimate is right within a factor of 3.
 TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
   const std::vector<Case> cases = {
@@ -73,7 +77,8 @@ TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
       {"pendulum", {"bodies.beam.beam.elements=64", "simulation.step=2.5e-4"}},
       {"spin_up", {"bodies.beam.beam.elements=40", "simulation.step=2.5e-3"}},
       {"bend45", {"bodies.beam.beam.elements=32"}}};
-  int held = 0, all = 0;
+  std::set<std::string> wrong;
+  int all = 0;
   for (const Case& c : cases) {
     const std::string file = (kData / fmt::format("scenes/{}.toml", c.scene)).string();
     const auto given = summary_of(file, {}, true), fine = summary_of(file, c.finer, false);
@@ -83,15 +88,16 @@ TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
                    estimate = r.error_mesh.value_or(0) + r.error_step.value_or(0);
       if (error < 1e-9 * r.max_abs) continue;
       ++all;
-      const bool within = error <= 3 * estimate && estimate <= 3 * error;
-      held += within;
+      const std::string name = fmt::format("{} {}", c.scene, r.name);
       RecordProperty(fmt::format("{}_{}", c.scene, r.name), fmt::format("{} {}", error, estimate));
-      if (!within)
-        std::cout << fmt::format("{} {}: error {:.3g}, estimate {:.3g}\n", c.scene, r.name, error,
-                                 estimate);
+      if (error > 3 * estimate || estimate > 3 * error) wrong.insert(name);
+      if (kWrong.contains(name)) {
+        EXPECT_LT(error, 2e-6 * r.max_abs);
+      }
     }
   }
-  EXPECT_GE(held, 0.95 * all - 1) << held << " of " << all;
+  EXPECT_EQ(wrong, kWrong) << "of " << all;
+  EXPECT_GE(all, 6);
 }
 
 TEST(Verify, RefusesWhatHasNoResponsesAndNamesWhatItLeavesOut) {
