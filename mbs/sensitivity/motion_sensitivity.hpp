@@ -59,7 +59,8 @@ using CotangentsAt = std::function<void(long step, const State<G>& s, StateSensi
                                         Eigen::MatrixXd& gradient)>;
 
 /// Adjoint form: gradients of J = sum over steps of j_n, one factorisation and a solution for each
-/// functional a step, whatever n_p; and one more forward run, stretch by stretch from the last.
+/// functional a step, whatever n_p; and one more forward run, stretch by stretch from the last,
+/// unless the tape has all states.
 /// @param gradient n_p x functionals, filled
 /// @throws std::invalid_argument as the direct form
 template <FrameGroup G>

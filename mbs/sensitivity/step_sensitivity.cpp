@@ -42,7 +42,7 @@ MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const M
 /// Is the next correction below round-off, in displacements and in multipliers? Corrections shrink
 /// by the ratio of the first one to the solution.
 bool exact(const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
-  constexpr double kSmall = 1e-9;  // its square is below 1e-16
+  constexpr double kSmall = 1e-10;  // its square is far below 1e-16
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     const auto c = correction.col(j), of = x.col(j);
     const auto m = x.rows() - n;

@@ -90,7 +90,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Bea
            std::to_string(part.laws.size());
   const Body<G>& body = *model_.bodies[part.body];
   // Forces of an element act on its two nodes; in a floating frame on the frame, too.
-  const bool chain = dynamic_cast<const BeamChain<G>*>(&body) != nullptr;
+  const bool chain = body.chain() != nullptr;
   if (!chain) add_nodes_of(part.body);
   for (int e = 0; chain && e < body.elements(); ++e)
     if (const SectionLaw& law = part.laws[static_cast<size_t>(e)];

@@ -4,10 +4,8 @@
 
 #include "mbs/sensitivity/forms.hpp"
 
-namespace liesl {
+namespace liesl::test {
 namespace {
-
-using test::Quantity;
 
 /// A formalism, with an update of its own or not.
 struct Case {
@@ -36,14 +34,14 @@ void slow_down(Mechanism& m) {
   if (m.formalism == Formalism::Floating) m.drives = {{0, 0, TimeFunction::rate(50, 0.02)}};
 }
 
-std::vector<Quantity> quantities(const Mechanism& m) {
-  auto all = test::quantities(m);
+std::vector<Quantity> quantities_of(const Mechanism& m) {
+  auto all = quantities(m);
   if (m.formalism == Formalism::Floating) all.pop_back();  // the drive
   return all;
 }
 
 Mechanism in_a_plane(const Case& c) {
-  Mechanism m = under(test::sensitive_machine(), c);
+  Mechanism m = under(sensitive_machine(), c);
   slow_down(m);
   return m;
 }
@@ -63,9 +61,9 @@ Mechanism spun_pendulum() {
   const Vec3 spin(9, 6, 20);
   Mechanism m;
   m.gravity = {0, -9.81, 2};
-  m.bodies = {{"beam", test::straight_beam({0, 0, 0}, {0.4, 0, 0}, 3, test::circle(0.03, 0.9),
-                                           {"plastic", 7e9, 0.3, 1200})},
-              {"bob", test::block({0.4, 0, 0}, 0.3, 2e-4)}};
+  m.bodies = {{"beam", straight_beam({0, 0, 0}, {0.4, 0, 0}, 3, circle(0.03, 0.9),
+                                     {"plastic", 7e9, 0.3, 1200})},
+              {"bob", block({0.4, 0, 0}, 0.3, 2e-4)}};
   std::get<RigidSpec>(m.bodies[1].kind).centre = {0.01, 0.02, 0.015};
   m.bodies[0].angular_velocity = m.bodies[1].angular_velocity = spin;
   m.bodies[1].velocity = spin.cross(Vec3(0.4, 0, 0));
@@ -98,13 +96,13 @@ class FormalismSensitivity : public ::testing::TestWithParam<Case> {};
 TEST_P(FormalismSensitivity, DirectEqualsAdjointInAPlane) {
   const Mechanism m = in_a_plane(GetParam());
   for (const int steps : {10, 100, 1000})
-    test::expect_direct_equals_adjoint<SE2>(steps, m, quantities(m));
+    expect_direct_equals_adjoint<SE2>(steps, m, quantities_of(m));
 }
 
 TEST_P(FormalismSensitivity, DirectEqualsAdjointInSpace) {
   const Mechanism m = out_of_plane(GetParam());
   for (const int steps : {10, 100, 1000})
-    test::expect_direct_equals_adjoint<SE3>(steps, m, quantities(m));
+    expect_direct_equals_adjoint<SE3>(steps, m, quantities_of(m));
 }
 
 /// Every step stretches, and with it what the drive does in it.
@@ -113,17 +111,17 @@ TEST_P(FormalismSensitivity, DirectEqualsAdjointByTheDuration) {
   m.loads.pop_back();  // follows time, not the duration
   const int steps = 100;
   const Parameter duration{"duration", {StepDerivative{1 / (steps * 2e-4)}}};
-  test::expect_direct_equals_adjoint<SE3>(steps, m, {{steps * 2e-4, {}, duration}});
+  expect_direct_equals_adjoint<SE3>(steps, m, {{steps * 2e-4, {}, duration}});
 }
 
 TEST_P(FormalismSensitivity, EqualsDifferencesInAPlane) {
   const Mechanism m = in_a_plane(GetParam());
-  test::expect_differences<SE2>(m, quantities(m), {.largest = GetParam().largest});
+  expect_differences<SE2>(m, quantities_of(m), {.largest = GetParam().largest});
 }
 
 TEST_P(FormalismSensitivity, EqualsDifferencesInSpace) {
   const Mechanism m = out_of_plane(GetParam());
-  test::expect_differences<SE3>(m, quantities(m), {.largest = GetParam().largest});
+  expect_differences<SE3>(m, quantities_of(m), {.largest = GetParam().largest});
 }
 
 constexpr auto kName = [](const auto& of) { return std::string(of.param.name); };
@@ -138,7 +136,7 @@ class SpunPendulumSensitivity : public ::testing::TestWithParam<Case> {};
 TEST_P(SpunPendulumSensitivity, DirectEqualsAdjoint) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   for (const int steps : {10, 150, 1000})
-    test::expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0);
+    expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0);
 }
 
 /// Errors of 110 steps add up, with little damping. Multipliers are forces of 30 N beside moments
@@ -147,19 +145,19 @@ TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   auto all = quantities_of_the_pendulum(m);
   if (m.formalism == Formalism::Floating) all.erase(all.begin());
-  auto o = test::tight(0.165, 1.5e-3);
+  auto o = tight(0.165, 1.5e-3);
   o.tolerance = m.formalism == Formalism::Classical ? 1e-11 : 1e-12;  // steps are not halved
   const double largest = m.formalism == Formalism::Rigid       ? 0.16
                          : m.formalism == Formalism::Classical ? 0.03
                                                                : 0.06;
-  test::expect_differences<SE3>(m, all,
-                                {.simulation = o, .node = 0, .largest = largest, .of_kind = true});
+  expect_differences<SE3>(m, all,
+                          {.simulation = o, .node = 0, .largest = largest, .of_kind = true});
 }
 
 /// What the pendulum is there for: after a whole turn the rotation vectors were rescaled.
 TEST(SpunPendulum, TurnsByMoreThanPi) {
   const Mechanism m = under(spun_pendulum(), kCases[1]);
-  const test::Taped<SE3> run(m, test::tight(0.165, 1.5e-3));
+  const Taped<SE3> run(m, tight(0.165, 1.5e-3));
   double largest = 0;
   bool rescaled = false;
   Vec3 before = Vec3::Zero();
@@ -178,4 +176,4 @@ TEST(SpunPendulum, TurnsByMoreThanPi) {
 INSTANTIATE_TEST_SUITE_P(All, SpunPendulumSensitivity, ::testing::ValuesIn(kCases), kName);
 
 }  // namespace
-}  // namespace liesl
+}  // namespace liesl::test
