@@ -139,6 +139,44 @@ TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
   EXPECT_TRUE(check_derivatives(kinked, off, each).kinks.empty());
 }
 
+/// The differences of a derivative that bends fall with h: it is not judged. Those of one that
+/// bends and is off by 1e-3 settle on another value: it is wrong.
+TEST(CheckDerivatives, ABendDoesNotExcuseAWrongDerivative) {
+  struct Bent : SvanbergBeam {
+    double range = NlpScaling::of_variables(*this)[0], error = 0;
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      SvanbergBeam::values(x, f, g);
+      const double v = x[0] - 5;
+      g[0] = 1 + v + v * std::abs(v) / range;
+    }
+    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+      SvanbergBeam::gradients(x, df, dg);
+      dg.row(0).setZero();
+      dg(0, 0) = 1 + 2 * std::abs(x[0] - 5) / range - error;
+    }
+  } bent;
+  DerivativeCheckOptions there;
+  there.every_variable = true;
+  there.hessian = false;
+  there.avoid_kinks = false;
+  there.largest_step = 0.03;
+  there.steps = 8;
+  const auto judged = [&] {
+    const DerivativeReport report = check_derivatives(bent, Eigen::VectorXd::Constant(5, 5), there);
+    for (const DerivativeCheck& c : report.checks)
+      if (c.direction == "x1" && c.function != "objective") return c;
+    return DerivativeCheck();
+  };
+  there.tolerance = 1e-6;
+  EXPECT_TRUE(judged().kink);
+  bent.error = 1e-3;
+  const DerivativeCheck wrong = judged();
+  EXPECT_FALSE(wrong.right);
+  EXPECT_FALSE(wrong.kink);
+  ASSERT_TRUE(wrong.slope);
+  EXPECT_GT(*wrong.slope, 0.3) << "what a bend alone has, too";
+}
+
 TEST(CheckDerivatives, StaysWithinTheBounds) {
   class Guarded : public SvanbergBeam {
    public:
