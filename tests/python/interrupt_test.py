@@ -50,7 +50,7 @@ def test_derivatives(pendulum):
 
 
 def test_an_optimisation(data):
-    study = liesl.Study.load(data / "studies/slider_crank_rod.toml")
+    study = liesl.Study.load(data / "studies/slider_crank_rod.toml", {"simulation.step": 1e-5})
     assert soon(study.optimize)
 
 

@@ -134,19 +134,19 @@ INSTANTIATE_TEST_SUITE_P(All, FormalismSensitivity, ::testing::Values(kCases[0],
 TEST(FloatingSensitivity, DirectEqualsAdjoint) {
   const Mechanism plane = in_a_plane(kCases[2]), space = out_of_plane(kCases[2]);
   for (const int steps : {10, 100, 1000}) {
-    test::expect_direct_equals_adjoint<SE2>(steps, plane, quantities(plane));
-    test::expect_direct_equals_adjoint<SE3>(steps, space, quantities(space));
+    expect_direct_equals_adjoint<SE2>(steps, plane, quantities_of(plane));
+    expect_direct_equals_adjoint<SE3>(steps, space, quantities_of(space));
   }
 }
 
 /// Of plastic beams in floating frames the iteration ends at 1e-10.
 TEST(FloatingSensitivity, BySectionsEqualsDifferences) {
   const Mechanism m = in_a_plane(kCases[2]);
-  auto all = quantities(m);
+  auto all = quantities_of(m);
   all.resize(3);
-  auto o = test::tight(0.02, 4e-4);
+  auto o = tight(0.02, 4e-4);
   o.tolerance = 1e-10;
-  test::expect_differences<SE2>(m, all, {.simulation = o, .largest = 0.08, .error = 1e-6});
+  expect_differences<SE2>(m, all, {.simulation = o, .largest = 0.08, .error = 1e-6});
 }
 
 /// Elements of one formalism with the update of another.
@@ -154,29 +154,30 @@ TEST(UpdateSensitivity, EqualsTheAdjointFormAndDifferencesInAPlane) {
   for (const Case& c : {kCases[4], kCases[5]}) {
     const Mechanism m = in_a_plane(c);
     for (const int steps : {10, 100, 1000})
-      test::expect_direct_equals_adjoint<SE2>(steps, m, quantities(m));
-    test::expect_differences<SE2>(m, quantities(m), {.largest = c.largest});
+      expect_direct_equals_adjoint<SE2>(steps, m, quantities_of(m));
+    expect_differences<SE2>(m, quantities_of(m), {.largest = c.largest});
   }
 }
 
 class SpunPendulumSensitivity : public ::testing::TestWithParam<Case> {};
 
+/// Multipliers are forces of 30 N beside moments of 0.01 N m, which have their rounding.
 TEST_P(SpunPendulumSensitivity, DirectEqualsAdjoint) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   for (const int steps : {10, 150, 1000})
-    expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0);
+    expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0, 1);
 }
 
-/// Errors of 110 steps add up, with little damping. Multipliers are forces of 30 N beside moments
-/// of 0.01 N m. Sections of floating frames, whose high modes change phase many times, are above.
+/// Errors of 100 steps add up, with little damping. Sections of floating frames, whose high modes
+/// change phase many times, are above.
 TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   auto all = quantities_of_the_pendulum(m);
   if (m.formalism == Formalism::Floating) all.erase(all.begin());
-  auto o = tight(0.165, 1.5e-3);
+  auto o = tight(0.15, 1.5e-3);
   o.tolerance = m.formalism == Formalism::Classical ? 1e-11 : 1e-12;  // steps are not halved
   const double largest = m.formalism == Formalism::Rigid       ? 0.16
-                         : m.formalism == Formalism::Classical ? 0.03
+                         : m.formalism == Formalism::Classical ? 0.04
                                                                : 0.06;
   expect_differences<SE3>(m, all,
                           {.simulation = o, .node = 0, .largest = largest, .of_kind = true});
@@ -185,7 +186,7 @@ TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
 /// What the pendulum is there for: after a whole turn the rotation vectors were rescaled.
 TEST(SpunPendulum, TurnsByMoreThanPi) {
   const Mechanism m = under(spun_pendulum(), kCases[1]);
-  const Taped<SE3> run(m, tight(0.165, 1.5e-3));
+  const Taped<SE3> run(m, tight(0.15, 1.5e-3));
   double largest = 0;
   bool rescaled = false;
   Vec3 before = Vec3::Zero();
