@@ -266,9 +266,9 @@ TEST_F(Cli, EslWritesTheLoads) {
 }
 
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
-  const Outcome o = run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1",
-                         "--set", "simulation.constraints=penalty", "--set",
-                         "simulation.penalty_damping=1e-5"});
+  const Outcome o =
+      run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1", "--set",
+           "simulation.constraints=penalty", "--set", "simulation.penalty_damping=1e-5"});
   EXPECT_EQ(o.code, 2) << o.err;
   EXPECT_NE(o.err.find("cycle.method needs sensitivities"), std::string::npos) << o.err;
   EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl2"}).code,

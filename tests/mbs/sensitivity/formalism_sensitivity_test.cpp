@@ -168,25 +168,26 @@ TEST_P(SpunPendulumSensitivity, DirectEqualsAdjoint) {
     expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0, 1);
 }
 
-/// Errors of 100 steps add up, with little damping. Sections of floating frames, whose high modes
-/// change phase many times, are above.
+/// Rounding of 110 steps adds up, with little damping: by the diameter to 1.1e-7, by all others
+/// less than 1e-7. Sections of floating frames, whose high modes change phase many times, are
+/// above.
 TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   auto all = quantities_of_the_pendulum(m);
   if (m.formalism == Formalism::Floating) all.erase(all.begin());
-  auto o = tight(0.15, 1.5e-3);
+  auto o = tight(0.165, 1.5e-3);
   o.tolerance = m.formalism == Formalism::Classical ? 1e-11 : 1e-12;  // steps are not halved
   const double largest = m.formalism == Formalism::Rigid       ? 0.16
                          : m.formalism == Formalism::Classical ? 0.04
                                                                : 0.06;
-  expect_differences<SE3>(m, all,
-                          {.simulation = o, .node = 0, .largest = largest, .of_kind = true});
+  expect_differences<SE3>(
+      m, all, {.simulation = o, .node = 0, .largest = largest, .error = 2e-7, .of_kind = true});
 }
 
 /// What the pendulum is there for: after a whole turn the rotation vectors were rescaled.
 TEST(SpunPendulum, TurnsByMoreThanPi) {
   const Mechanism m = under(spun_pendulum(), kCases[1]);
-  const Taped<SE3> run(m, tight(0.15, 1.5e-3));
+  const Taped<SE3> run(m, tight(0.165, 1.5e-3));
   double largest = 0;
   bool rescaled = false;
   Vec3 before = Vec3::Zero();
