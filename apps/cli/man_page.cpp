@@ -6,7 +6,7 @@ namespace liesl {
 namespace {
 
 /// Text in which nothing is a request or an escape of roff.
-std::string plain(const std::string& text) {
+std::string escaped_text(const std::string& text) {
   std::string out;
   for (const char c : text) {
     if (c == '\\')
@@ -23,7 +23,7 @@ std::string plain(const std::string& text) {
 std::string names_of(const CLI::Option& option) {
   std::string out;
   const auto add = [&](const std::string& name) {
-    out += (out.empty() ? "\\fB" : ", \\fB") + plain(name) + "\\fR";
+    out += (out.empty() ? "\\fB" : ", \\fB") + escaped_text(name) + "\\fR";
   };
   for (const std::string& name : option.get_snames()) add("-" + name);
   for (const std::string& name : option.get_lnames()) add("--" + name);
@@ -32,9 +32,9 @@ std::string names_of(const CLI::Option& option) {
 }
 
 std::string describe(const CLI::Option& option) {
-  std::string out = plain(option.get_description());
+  std::string out = escaped_text(option.get_description());
   if (!option.get_default_str().empty())
-    out += " (default: " + plain(option.get_default_str()) + ")";
+    out += " (default: " + escaped_text(option.get_default_str()) + ")";
   return out;
 }
 
@@ -42,12 +42,12 @@ std::string describe(const CLI::App& command) {
   std::string places, options;
   for (const CLI::Option* option : command.get_options()) {
     if (option->get_positional())
-      places += " \\fI" + plain(option->get_name(true)) + "\\fR";
+      places += " \\fI" + escaped_text(option->get_name(true)) + "\\fR";
     else
       options += ".TP\n" + names_of(*option) + "\n" + describe(*option) + "\n";
   }
-  return fmt::format(".SS \\fBliesl {}\\fR{}\n{}.\n{}", plain(command.get_name()), places,
-                     plain(command.get_description()), options);
+  return fmt::format(".SS \\fBliesl {}\\fR{}\n{}.\n{}", escaped_text(command.get_name()), places,
+                     escaped_text(command.get_description()), options);
 }
 
 constexpr const char* kEnd = R"(.SH EXIT STATUS
@@ -77,7 +77,7 @@ std::string man_page(const CLI::App& app, const std::string& version) {
   std::string text = fmt::format(
       ".TH LIESL 1 \"\" \"liesl {}\"\n.SH NAME\nliesl \\- {}\n.SH SYNOPSIS\n"
       ".B liesl\n\\fICOMMAND\\fR [\\fIFILE\\fR] [\\fIOPTIONS\\fR]\n.SH COMMANDS\n",
-      plain(version), plain(app.get_description()));
+      escaped_text(version), escaped_text(app.get_description()));
   for (const CLI::App* command : app.get_subcommands({})) text += describe(*command);
   return text + kEnd;
 }

@@ -65,7 +65,7 @@ SpaceChoice space_of(const std::string& text) {
 }
 
 /// What is wrong with a 6x6 matrix of a full section, empty if nothing.
-std::string defect_of(const Eigen::MatrixXd& M) {
+std::string defect_of_matrix(const Eigen::MatrixXd& M) {
   const double size = M.cwiseAbs().maxCoeff();
   if ((M - M.transpose()).cwiseAbs().maxCoeff() > 1e-9 * size) return "is not symmetric";
   const double least = linalg::symmetric_eigenvalues(M)[0];
@@ -90,12 +90,12 @@ FullSection full_section(Reader& reader, const toml::table& table) {
   full.stiffness = matrix(*table.get("stiffness"), 6);
   full.inertia.setZero();
   const std::string symmetric = "a symmetric, positive definite matrix";
-  if (const auto what = defect_of(full.stiffness); !what.empty())
+  if (const auto what = defect_of_matrix(full.stiffness); !what.empty())
     reader.problems.add(*table.get("stiffness"), fmt::format("'stiffness' {}", what), symmetric,
                         "directions that shall not move want a large stiffness, not none");
   if (const toml::node* inertia = table.get("inertia")) {
     full.inertia = matrix(*inertia, 6);
-    if (const auto what = defect_of(full.inertia); !what.empty())
+    if (const auto what = defect_of_matrix(full.inertia); !what.empty())
       reader.problems.add(*inertia, fmt::format("'inertia' {}", what), symmetric);
     else if (const auto why = impossible(full.inertia); !why.empty())
       reader.problems.add(*inertia, fmt::format("'inertia' {}", why),

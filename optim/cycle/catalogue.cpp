@@ -66,10 +66,10 @@ double allowed_in(const DesignBox& box, const CycleOptions& options) {
 
 namespace {
 
-constexpr double kNone = 1e-6;  // a share of the objective that optimisers leave
+constexpr double kNegligible = 1e-6;  // a share of the objective that optimisers leave
 
 std::string above(double share) {
-  return share > kNone ? fmt::format("{:.3g} % above", 100 * share) : "no worse than";
+  return share > kNegligible ? fmt::format("{:.3g} % above", 100 * share) : "no worse than";
 }
 
 /// What was proven, and how sure it is.
@@ -77,8 +77,8 @@ std::string verdict(const CatalogueTree& tree, const CatalogueReport& r) {
   std::string text = fmt::format(
       "the best design of the catalogues found is {} the continuous optimum, and {}{} the bound "
       "{:.7g} of all of them ({} designs in {} boxes, {} of them infeasible)",
-      above(r.above_continuous), r.gap > kNone ? "at most " : "", above(r.gap), r.bound, r.designs,
-      r.boxes, r.infeasible);
+      above(r.above_continuous), r.gap > kNegligible ? "at most " : "", above(r.gap), r.bound,
+      r.designs, r.boxes, r.infeasible);
   if (tree.undecided() > 0)
     text += fmt::format(
         "; the optimisation of {} boxes did not end optimal, the bounds around them count",
