@@ -105,6 +105,23 @@ struct DifferenceOptions {
   bool of_kind = false;   ///< errors relative to the largest output of their kind
 };
 
+/// Outputs [size x records] of the motion with a quantity changed by a share of its nominal value.
+template <class G>
+MatrixXd changed_motion(const Mechanism& machine, const Quantity& quantity, double change,
+                        const SimulationOptions& o, const Outputs<G>& outputs, long records) {
+  Mechanism changed = machine;
+  quantity.set(changed, quantity.nominal * (1 + change));
+  const Taped<G> at(changed, o);
+  EXPECT_EQ(at.run.report.rejected_steps, 0);
+  State<G> s = at.model.initial_state();
+  MatrixXd y(outputs.size(), records);
+  for (int n = 0; n < int(records); ++n) {
+    at.run.trajectory.read(n, s);
+    y.col(n) = outputs.values(s);
+  }
+  return y;
+}
+
 /// At every step of the motion, relative to the largest value over it.
 template <class G>
 void expect_differences(const Mechanism& machine, const std::vector<Quantity>& all,
@@ -124,17 +141,7 @@ void expect_differences(const Mechanism& machine, const std::vector<Quantity>& a
   ASSERT_TRUE(end.complete()) << end.reason;
   for (std::size_t p = 0; p < all.size(); ++p) {
     const auto motion = [&](double change) {
-      Mechanism changed = machine;
-      all[p].set(changed, all[p].nominal * (1 + change));
-      const Taped<G> at(changed, o);
-      EXPECT_EQ(at.run.report.rejected_steps, 0);
-      State<G> s = at.model.initial_state();
-      MatrixXd y(outputs.size(), records);
-      for (int n = 0; n < int(records); ++n) {
-        at.run.trajectory.read(n, s);
-        y.col(n) = outputs.values(s);
-      }
-      return y;
+      return changed_motion<G>(machine, all[p], change, o, outputs, records);
     };
     const VectorXd size =
         sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), outputs.groups, options.of_kind ? 1 : 1e-6);

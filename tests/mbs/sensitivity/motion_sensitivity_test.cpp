@@ -90,17 +90,7 @@ TYPED_TEST(MotionSensitivity, FromEquilibrium) {
     const VectorXd gap = exact[p].rowwise().sum() - gradient.row(long(p)).transpose();
     EXPECT_LT(gap.cwiseAbs().cwiseQuotient(sum_size).maxCoeff(), 1e-10) << all[p].parameter.name;
     const auto motion = [&](double change) {
-      Mechanism changed = machine;
-      all[p].set(changed, all[p].nominal * (1 + change));
-      const Taped<G> at(changed, o);
-      EXPECT_EQ(at.run.report.rejected_steps, 0);
-      State<G> s = at.model.initial_state();
-      MatrixXd y(n, steps + 1);
-      for (int i = 0; i <= steps; ++i) {
-        at.run.trajectory.read(i, s);
-        y.col(i) = outputs.values(s);
-      }
-      return y;
+      return changed_motion<G>(machine, all[p], change, o, outputs, steps + 1);
     };
     const test::Differences differences(motion, 0.16, 6);
     // Accelerations and multipliers: the round-off of the equilibrium, divided by the square of
