@@ -120,9 +120,7 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
   MatrixXd dK_e = Psi.transpose() * (law.model->stiffness_derivative(law.fractions, law.derivative)
                                          .template selfadjointView<Eigen::Lower>() *
                                      Psi);
-  const MatrixXd K_Psi =
-      law.model->stiffness(law.fractions).template selfadjointView<Eigen::Lower>() * Psi;
-  const MatrixXd turned = basis_.transpose() * K_Psi;
+  const MatrixXd turned = basis_.transpose() * body.loads_;  // Psi'^T K Psi
   dK_e += turned + turned.transpose();
   this->become_derivative(dK_e);
   set_integrals(
