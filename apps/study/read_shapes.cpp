@@ -140,7 +140,7 @@ void check_motion(StudyReader& reader) {
           "a part of [design]");
   }
   for (const ConstraintSpec& c : spec.constraints) {
-    const int body = limited_body(c.response);
+    const int body = deformed_body(c.response);
     if (!c.has_image || changes(spec, body) || (spec.shapes.empty() && !solid_of(reader, body)))
       continue;
     problems.add(
@@ -154,7 +154,7 @@ void check_motion(StudyReader& reader) {
 /// Limits and terms of the objective under fixed loads are of the part that changes.
 void check_fixed_loads(StudyReader& reader) {
   for (const ConstraintSpec& c : reader.spec.constraints) {
-    const int body = limited_body(c.response);
+    const int body = deformed_body(c.response);
     if (!c.has_image || body < 0 || reader.spec.shapes.contains(body)) continue;
     const toml::node* at = c.weight > 0 ? reader.root["objective"]["largest"].node()
                                         : reader.root["constraints"][c.response.name].node();

@@ -68,4 +68,9 @@ struct ResponseSpec {
   Side side = Side::Both;    ///< of responses with one component
 };
 
+/// Body whose deformation a response measures; -1: none, or several.
+inline int deformed_body(const ResponseSpec& r) {
+  return r.kind == ResponseKind::Displacement ? r.at.body : r.body;
+}
+
 }  // namespace liesl

@@ -30,7 +30,8 @@ const char* of_coordinate(const ResponseSpec& r, const Mechanism& mechanism) {
 
 }  // namespace
 
-/// In the order of ResponseKind.
+/// In the order of ResponseKind. Static problems tell deformations, and of beams what follows from
+/// them.
 template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
@@ -45,12 +46,20 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        nullptr},
       {K::Rotation, {"rotation", vector, radians}, &R::rotation, &R::add_rotation, nullptr},
       {K::Displacement,
-       {"displacement", vector, metres},
+       {"displacement", vector, metres, StaticImage::OfParts},
        &R::displacement,
        &R::add_displacement,
        nullptr},
-      {K::Deflection, {"deflection", offset, metres}, &R::deflection, &R::add_deflection, nullptr},
-      {K::Elongation, {"elongation", one, metres}, &R::elongation, &R::add_elongation, nullptr},
+      {K::Deflection,
+       {"deflection", offset, metres, StaticImage::OfBeams},
+       &R::deflection,
+       &R::add_deflection,
+       nullptr},
+      {K::Elongation,
+       {"elongation", one, metres, StaticImage::OfParts},
+       &R::elongation,
+       &R::add_elongation,
+       nullptr},
       {K::Coordinate,
        {"coordinate", one, of_coordinate},
        &R::coordinate,
@@ -71,10 +80,14 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
        &R::section_force,
        &R::add_section_force,
        &R::section_force_by},
-      {K::Stress, {"stress", one, pascals}, &R::stress, &R::add_stress, &R::stress_by},
+      {K::Stress,
+       {"stress", one, pascals, StaticImage::OfBeams},
+       &R::stress,
+       &R::add_stress,
+       &R::stress_by},
       {K::Energy, {"energy", one, joules}, &R::energy, &R::add_energy, &R::energy_by},
       {K::Compliance,
-       {"compliance", one, joules},
+       {"compliance", one, joules, StaticImage::OfBeams},
        &R::compliance,
        &R::add_compliance,
        &R::compliance_by},
@@ -94,6 +107,17 @@ const char* name_of(ResponseKind kind) { return ResponseValues<SE3>::columns(kin
 
 const char* unit(const ResponseSpec& r, const Mechanism& mechanism) {
   return ResponseValues<SE3>::columns(r.kind).unit(r, mechanism);
+}
+
+bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) {
+  const int body = deformed_body(r);
+  if (r.side != Side::Both || body < 0 || body >= static_cast<int>(mechanism.bodies.size()))
+    return false;
+  const auto& kind = mechanism.bodies[static_cast<size_t>(body)].kind;
+  const StaticImage image = ResponseValues<SE3>::columns(r.kind).image;
+  return std::holds_alternative<BeamSpec>(kind)
+             ? image != StaticImage::None
+             : image == StaticImage::OfParts && std::holds_alternative<SolidSpec>(kind);
 }
 
 template <FrameGroup G>

@@ -18,6 +18,8 @@ int components(const ResponseSpec& response, bool planar);
 const char* name_of(ResponseKind kind);
 /// SI unit of a response.
 const char* unit(const ResponseSpec& response, const Mechanism& mechanism);
+/// Can the static problem of one part tell this response, by its magnitude?
+bool has_static_image(const ResponseSpec& response, const Mechanism& mechanism);
 
 /// Offset of the point s of a beam from its chord, along the chord's normals (y, z), m: y is the
 /// section's y axis at node 0 made normal to the chord. `nodes` are the beam's spatial frames.
@@ -42,11 +44,16 @@ struct ResponseGradient {
   std::vector<Multiplier> lambda;
 };
 
-/// What a kind of response is called, how many components it has, and its unit.
+/// Of which parts the static problem under equivalent static loads tells a response: of none, of
+/// beams, of beams and meshed parts.
+enum class StaticImage { None, OfBeams, OfParts };
+
+/// What a kind of response is called, how many components it has, its unit, and its static image.
 struct ResponseColumns {
   const char* name;
   int (*components)(const ResponseSpec& response, bool planar);
   const char* (*unit)(const ResponseSpec& response, const Mechanism& mechanism);
+  StaticImage image = StaticImage::None;
 };
 
 /// Evaluates responses on a model of the mechanism. One row a kind (`response_value.cpp`).

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "mbs/sections/stress.hpp"
+#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
@@ -95,8 +96,7 @@ void BeamStatics<G>::add_limits(const PartOutputs& outputs, int body) {
          l.count,
          LimitedResponse{l.constraint,
                          response_of(l, c.response, model_.bodies[body]->elements())}});
-    second_derivatives_ &=
-        c.response.kind != ResponseKind::Stress && c.response.kind != ResponseKind::Compliance;
+    second_derivatives_ &= !ResponseValues<G>::depends_on_law(c.response.kind);
   }
 }
 

@@ -40,7 +40,7 @@ SolidTask motion_task(const StudySpec& study, const DesignSimulator<G>& simulato
     run.simulation.trajectory.read(n, s);
     int first = 0;
     for (const ConstraintSpec& c : study.constraints) {
-      if (!c.has_image || limited_body(c.response) != part.body) continue;
+      if (!c.has_image || deformed_body(c.response) != part.body) continue;
       const Eigen::VectorXd v = values(c.response, s);
       task.measured.col(n).segment(first, v.size()) = v;
       first += static_cast<int>(v.size());

@@ -14,7 +14,7 @@ Eigen::MatrixXd gradient_at_rest(const ResponseSpec& r, const Mechanism& mechani
                                  const Model<G>& model) {
   constexpr int dim = G::dim;
   const auto gradients = ResponseValues<G>(mechanism, model).gradient(r, model.initial_state());
-  const int body = limited_body(r), first = model.first_node(body);
+  const int body = deformed_body(r), first = model.first_node(body);
   const int nodes = model.bodies[body]->nodes(), count = static_cast<int>(gradients.size());
   Eigen::MatrixXd c = Eigen::MatrixXd::Zero(dim * nodes, count);
   for (int i = 0; i < count; ++i)
@@ -63,7 +63,7 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
   for (size_t i = 0; i < study.constraints.size(); ++i) {
     const ResponseSpec& r = study.constraints[i].response;
     const int index = static_cast<int>(i);
-    if (!study.constraints[i].has_image || limited_body(r) != body) continue;
+    if (!study.constraints[i].has_image || deformed_body(r) != body) continue;
     if (r.kind == ResponseKind::Stress) {
       const auto& spec = std::get<BeamSpec>(mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {

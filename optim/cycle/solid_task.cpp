@@ -86,7 +86,7 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
   const bool moves = study.loads.empty();
   for (std::size_t i = 0; i < study.constraints.size(); ++i) {
     const ConstraintSpec& c = study.constraints[i];
-    if (!c.has_image || limited_body(c.response) != part.body) continue;
+    if (!c.has_image || deformed_body(c.response) != part.body) continue;
     const MatrixXd C = outputs_of(c.response, part.model);
     const auto first = task.outputs.cols();
     task.outputs.conservativeResize(Eigen::NoChange, first + C.cols());

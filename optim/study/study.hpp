@@ -254,11 +254,6 @@ struct StressSpec {
   double p = 8, relaxation = 0.5;
 };
 
-/// Body whose deformation a response measures.
-inline int limited_body(const ResponseSpec& r) {
-  return r.kind == ResponseKind::Displacement ? r.at.body : r.body;
-}
-
 struct StudySpec {
   std::string name;
   std::vector<std::string> scenarios;  ///< names; empty: one motion, which has none
@@ -281,26 +276,6 @@ struct StudySpec {
   CycleOptions cycle;
 };
 
-/// Can the static problem of a part tell this response? Deformations of one beam; elongations and
-/// displacements of one meshed part.
-inline bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) {
-  const int body = limited_body(r);
-  if (r.side != Side::Both) return false;
-  if (body < 0 || body >= static_cast<int>(mechanism.bodies.size())) return false;
-  const auto& kind = mechanism.bodies[static_cast<std::size_t>(body)].kind;
-  switch (r.kind) {
-    case ResponseKind::Displacement:
-    case ResponseKind::Elongation:
-      return !std::holds_alternative<RigidSpec>(kind);
-    case ResponseKind::Deflection:
-    case ResponseKind::Stress:
-    case ResponseKind::Compliance:
-      return std::holds_alternative<BeamSpec>(kind);
-    default:
-      return false;
-  }
-}
-
 /// Is any size of a catalogue?
 inline bool has_catalogue(const StudySpec& study) {
   const auto listed = [](const auto& v) { return !v.values.empty(); };
@@ -316,7 +291,7 @@ inline bool has_catalogue(const StudySpec& study) {
 inline std::vector<int> limited_bodies(const StudySpec& study) {
   std::vector<int> bodies;
   for (const auto& c : study.constraints)
-    if (const int b = limited_body(c.response);
+    if (const int b = deformed_body(c.response);
         c.has_image && std::find(bodies.begin(), bodies.end(), b) == bodies.end())
       bodies.push_back(b);
   return bodies;

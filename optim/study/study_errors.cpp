@@ -25,7 +25,7 @@ class StudyCheck {
     check_objective();
     for (const ConstraintSpec& c : study_.constraints) {
       const std::string place = "constraint '" + c.response.name + "'";
-      if (limited_body(c.response) >= 0) body(place, limited_body(c.response));
+      if (deformed_body(c.response) >= 0) body(place, deformed_body(c.response));
       expect(c.limit > 0, place, "a limit > 0", c.limit);
     }
     for (const auto& [index, shape] : study_.shapes) {
