@@ -25,6 +25,12 @@ Eigen::MatrixXd select(const Eigen::MatrixXd& A, const std::vector<int>& rows,
   return A(rows, columns);
 }
 
+// Outside of the loops of a step: compiled once for SE(2) and SE(3).
+Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
+Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
+  return A.transpose() * B;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -42,7 +48,7 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
 template <FrameGroup G>
 ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
     : FloatingBody<G>(body), beam_(std::move(beam)), A_(body.A_), Psi_(body.Psi_) {
-  this->become_derivative(Psi_.transpose() * dense<dim>(beam_->stiffness()) * Psi_);
+  this->become_derivative(transposed_product(Psi_, product(dense<dim>(beam_->stiffness()), Psi_)));
   this->set_constant_matrices();
 }
 
@@ -87,7 +93,7 @@ void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {
       for (int i = 0; i < most; ++i) Psi_.row(inner[i]).segment(ni, kept) = found.phi.row(i);
     }
   }
-  const Eigen::MatrixXd K_e = Psi_.transpose() * K * Psi_;
+  const Eigen::MatrixXd K_e = transposed_product(Psi_, product(K, Psi_));
   this->reduce_to(std::move(kind), K_e.topLeftCorner(ni + kept, ni + kept), std::move(omega2));
 }
 
@@ -115,16 +121,15 @@ Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
   const Eigen::VectorXd u = Psi_ * m.e;
   Eigen::MatrixXd Pi(this->size(), dim + Psi_.cols());
   for (int k = 0; k < this->nodes(); ++k) {
-    const auto ad_u = G::ad(Tangent(u.template segment<dim>(dim * k)));
-    auto rows = Pi.template middleRows<dim>(dim * k);
-    rows.template leftCols<dim>() = A_[k] - ad_u * A_[k];
-    const auto psi = Psi_.template middleRows<dim>(dim * k);
-    rows.rightCols(Psi_.cols()) = psi - 0.5 * ad_u * psi;
+    const Eigen::MatrixXd ad_u = G::ad(Tangent(u.template segment<dim>(dim * k))), A_k = A_[k],
+                          psi = Psi_.middleRows(dim * k, dim);
+    Pi.block(dim * k, 0, dim, dim) = A_k - product(ad_u, A_k);
+    Pi.block(dim * k, dim, dim, Psi_.cols()) = psi - 0.5 * product(ad_u, psi);
   }
   Eigen::MatrixXd MPi = Eigen::MatrixXd::Zero(Pi.rows(), Pi.cols());
   for (int j = 0; j < Pi.cols(); ++j)
     beam_->mass().multiply_add(Pi.col(j).data(), MPi.col(j).data());
-  return Pi.transpose() * MPi;
+  return transposed_product(Pi, MPi);
 }
 
 template <FrameGroup G>
@@ -187,15 +192,16 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
   MatrixXd dvel(size, 2 * n + dim), dacc(size, 2 * n + dim);
   for (int k = 0; k < this->nodes(); ++k) {
     const int at = dim * k;
-    const Tangent u = field.u.template segment<dim>(at), du = field.du.template segment<dim>(at),
+    const Tangent du = field.du.template segment<dim>(at),
                   ddu = field.ddu.template segment<dim>(at), carried = A_[k] * v_0;
-    const auto psi = Psi_.template middleRows<dim>(at);
+    const MatrixXd psi = Psi_.middleRows(at, dim), A_k = A_[k],
+                   ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
     vel.template segment<dim>(at) = velocity(k, field, v_0);
     acc.template segment<dim>(at) = acceleration(k, field, v_0, a_0);
-    dvel.template middleRows<dim>(at) << G::ad(Tangent(carried + 0.5 * du)) * psi,
-        psi - 0.5 * G::ad(u) * psi, A_[k] - G::ad(u) * A_[k];
-    dacc.template middleRows<dim>(at) << G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)) * psi,
-        G::ad(carried) * psi, -G::ad(du) * A_[k];
+    dvel.middleRows(at, dim) << product(G::ad(Tangent(carried + 0.5 * du)), psi),
+        psi - 0.5 * product(ad_u, psi), A_k - product(ad_u, A_k);
+    dacc.middleRows(at, dim) << product(G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), psi),
+        product(G::ad(carried), psi), -product(G::ad(du), A_k);
   }
   MatrixXd dforce = MatrixXd::Zero(size, 2 * n + dim);
   for (int e = 0; e < beam_->elements(); ++e) {
@@ -204,24 +210,25 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
     Pair g;
     element.inertia_force(A, B, vel.data() + dim * e, acc.template segment<2 * dim>(dim * e), g);
     force.template segment<2 * dim>(dim * e) += g;
-    dforce.template middleRows<2 * dim>(dim * e) +=
-        element.mass() * dacc.template middleRows<2 * dim>(dim * e) +
-        element.gyroscopic_tangent(A, B, vel.data() + dim * e) *
-            dvel.template middleRows<2 * dim>(dim * e);
+    dforce.middleRows(dim * e, 2 * dim) +=
+        product(element.mass(), dacc.middleRows(dim * e, 2 * dim)) +
+        product(element.gyroscopic_tangent(A, B, vel.data() + dim * e),
+                dvel.middleRows(dim * e, 2 * dim));
   }
   MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
   for (int k = 0; k < this->nodes(); ++k) {
     const int at = dim * k;
-    const auto psi = Psi_.template middleRows<dim>(at);
-    const auto ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
+    const MatrixXd psi = Psi_.middleRows(at, dim), A_k = A_[k],
+                   ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
     typename G::Matrix turn;  // ad(du)^T f by du
     for (int j = 0; j < dim; ++j)
       turn.col(j) = G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at);
-    const MatrixXd df = dforce.template middleRows<dim>(at), turned = ad_u.transpose() * df;
-    out.topRows(dim) += A_[k].transpose() * (df - turned);
-    out.topLeftCorner(dim, n) -= A_[k].transpose() * turn * psi;
-    out.bottomRows(n) += psi.transpose() * (df - 0.5 * turned);
-    out.block(dim, 0, n, n) -= 0.5 * psi.transpose() * turn * psi;
+    const MatrixXd df = dforce.middleRows(at, dim), turned = transposed_product(ad_u, df),
+                   turn_psi = product(turn, psi);
+    out.topRows(dim) += transposed_product(A_k, df - turned);
+    out.topLeftCorner(dim, n) -= transposed_product(A_k, turn_psi);
+    out.bottomRows(n) += transposed_product(psi, df - 0.5 * turned);
+    out.block(dim, 0, n, n) -= 0.5 * transposed_product(psi, turn_psi);
   }
   return out;
 }
@@ -256,9 +263,9 @@ Eigen::MatrixXd ModalBody<G>::load_share(bool follower) const {
   }
   const Matrices W = beam_->load_distribution();
   for (int j = 0; j < dim; ++j) W.multiply_add(local.col(j).data(), shared.col(j).data());
-  Eigen::MatrixXd Pi = Psi_ * this->increments(this->at_reference());
+  Eigen::MatrixXd Pi = product(Psi_, this->increments(this->at_reference()));
   for (int k = 0; k < n; ++k) Pi.template block<dim, dim>(dim * k, 0) += A_[k];
-  const Eigen::MatrixXd reduced = Pi.transpose() * shared;
+  const Eigen::MatrixXd reduced = transposed_product(Pi, shared);
   Eigen::MatrixXd share = Eigen::MatrixXd::Zero(dim * n, dim);
   for (size_t i = 0; i < this->M_.nodes.size(); ++i)
     share.middleRows<dim>(dim * this->M_.nodes[i]) =
