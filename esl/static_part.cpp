@@ -117,8 +117,7 @@ void StaticPart<G>::set_loads(const Eigen::MatrixXd& f) {
   Eigen::MatrixXd R(beam_.size(), dim), MR = Eigen::MatrixXd::Zero(beam_.size(), dim);
   for (int k = 0; k < beam_.nodes(); ++k) R.middleRows<dim>(dim * k) = beam_.reference[k].AdInv();
   for (int j = 0; j < dim; ++j) beam_.mass().multiply_add(R.col(j).data(), MR.col(j).data());
-  const Matrix inertia = R.transpose() * MR;
-  f_ -= MR * linalg::inverse<dim>(inertia) * (R.transpose() * f);
+  f_ -= MR * linalg::solve(R.transpose() * MR, R.transpose() * f);
 }
 
 template <FrameGroup G>
@@ -167,14 +166,14 @@ bool StaticPart<G>::solve(const Law& K_s) {
   solve_columns(u_, strain_u_);
   mu_ = C_;
   solve_columns(mu_, strain_mu_);
-  y_ = C_.transpose() * u_;
+  y_ = linalg::transposed_product(C_, u_);
   return u_.allFinite() && mu_.allFinite();
 }
 
 template <FrameGroup G>
 void StaticPart<G>::add_gradient(int e, const Matrix& dK_s, Eigen::MatrixXd& dy) const {
-  const Strain n = dK_s * strain_u_[e];
-  dy.topRows(outputs()).noalias() -= (strain_mu_[e].transpose() / length_[e]) * n;
+  const Eigen::MatrixXd n = linalg::product(dK_s / length_[e], strain_u_[e]);
+  linalg::subtract_transposed_product(strain_mu_[e], n, dy.topRows(outputs()));
 }
 
 template <FrameGroup G>
@@ -182,20 +181,21 @@ void StaticPart<G>::add_gradient_direct(const Law& dK, Eigen::MatrixXd& dy) cons
   Eigen::MatrixXd du = multiply(dK, strain_u_);
   std::vector<Strain> unused;
   solve_columns(du, unused);
-  dy.topRows(outputs()).noalias() -= C_.transpose() * du;
+  linalg::subtract_transposed_product(C_, du, dy.topRows(outputs()));
 }
 
 template <FrameGroup G>
 Eigen::RowVectorXd StaticPart<G>::compliance_gradient(int e, const Matrix& dK_s) const {
-  return -strain_u_[e].cwiseProduct(dK_s * strain_u_[e]).colwise().sum() / length_[e];
+  const Eigen::MatrixXd n = linalg::product(dK_s / length_[e], strain_u_[e]);
+  return -strain_u_[e].cwiseProduct(n).colwise().sum();
 }
 
 template <FrameGroup G>
 Eigen::MatrixXd StaticPart<G>::multiply(const Law& dK, const std::vector<Strain>& strain) const {
   Eigen::MatrixXd out = Eigen::MatrixXd::Zero(beam_.size(), strain.front().cols());
   for (size_t e = 0; e < P0_.size(); ++e)
-    out.middleRows<2 * dim>(dim * static_cast<int>(e)) +=
-        P0_[e].transpose() * (dK[e] * strain[e]) / length_[e];
+    out.middleRows(dim * static_cast<int>(e), 2 * dim) +=
+        linalg::transposed_product(P0_[e] / length_[e], linalg::product(dK[e], strain[e]));
   return out;
 }
 
@@ -204,7 +204,7 @@ void StaticPart<G>::add_second(const std::vector<Law>& dK, const Second& d2K,
                                const Eigen::MatrixXd& w, Eigen::MatrixXd& h) const {
   // The sum over cases goes into the displacement: ubar_o = sum_n w(o, n) u_n, one an output.
   std::vector<Strain> ubar, unused;
-  for (const auto& strain : strain_u_) ubar.push_back(strain * w.transpose());
+  for (const auto& strain : strain_u_) ubar.push_back(linalg::product(strain, w.transpose()));
   const int n = static_cast<int>(dK.size());
   std::vector<Eigen::MatrixXd> K_mu(n), solved(n);
   for (int i = 0; i < n; ++i) {

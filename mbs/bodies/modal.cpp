@@ -25,12 +25,6 @@ Eigen::MatrixXd select(const Eigen::MatrixXd& A, const std::vector<int>& rows,
   return A(rows, columns);
 }
 
-// Outside of the loops of a step: compiled once for SE(2) and SE(3).
-Eigen::MatrixXd product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) { return A * B; }
-Eigen::MatrixXd transposed_product(const Eigen::MatrixXd& A, const Eigen::MatrixXd& B) {
-  return A.transpose() * B;
-}
-
 }  // namespace
 
 template <FrameGroup G>
@@ -48,7 +42,8 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
 template <FrameGroup G>
 ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
     : FloatingBody<G>(body), beam_(std::move(beam)), A_(body.A_), Psi_(body.Psi_) {
-  this->become_derivative(transposed_product(Psi_, product(dense<dim>(beam_->stiffness()), Psi_)));
+  this->become_derivative(
+      linalg::transposed_product(Psi_, linalg::product(dense<dim>(beam_->stiffness()), Psi_)));
   this->set_constant_matrices();
 }
 
@@ -93,7 +88,7 @@ void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {
       for (int i = 0; i < most; ++i) Psi_.row(inner[i]).segment(ni, kept) = found.phi.row(i);
     }
   }
-  const Eigen::MatrixXd K_e = transposed_product(Psi_, product(K, Psi_));
+  const Eigen::MatrixXd K_e = linalg::transposed_product(Psi_, linalg::product(K, Psi_));
   this->reduce_to(std::move(kind), K_e.topLeftCorner(ni + kept, ni + kept), std::move(omega2));
 }
 
@@ -123,13 +118,13 @@ Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
   for (int k = 0; k < this->nodes(); ++k) {
     const Eigen::MatrixXd ad_u = G::ad(Tangent(u.template segment<dim>(dim * k))), A_k = A_[k],
                           psi = Psi_.middleRows(dim * k, dim);
-    Pi.block(dim * k, 0, dim, dim) = A_k - product(ad_u, A_k);
-    Pi.block(dim * k, dim, dim, Psi_.cols()) = psi - 0.5 * product(ad_u, psi);
+    Pi.block(dim * k, 0, dim, dim) = A_k - linalg::product(ad_u, A_k);
+    Pi.block(dim * k, dim, dim, Psi_.cols()) = psi - 0.5 * linalg::product(ad_u, psi);
   }
   Eigen::MatrixXd MPi = Eigen::MatrixXd::Zero(Pi.rows(), Pi.cols());
   for (int j = 0; j < Pi.cols(); ++j)
     beam_->mass().multiply_add(Pi.col(j).data(), MPi.col(j).data());
-  return transposed_product(Pi, MPi);
+  return linalg::transposed_product(Pi, MPi);
 }
 
 template <FrameGroup G>
@@ -198,10 +193,10 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
                    ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
     vel.template segment<dim>(at) = velocity(k, field, v_0);
     acc.template segment<dim>(at) = acceleration(k, field, v_0, a_0);
-    dvel.middleRows(at, dim) << product(G::ad(Tangent(carried + 0.5 * du)), psi),
-        psi - 0.5 * product(ad_u, psi), A_k - product(ad_u, A_k);
-    dacc.middleRows(at, dim) << product(G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), psi),
-        product(G::ad(carried), psi), -product(G::ad(du), A_k);
+    dvel.middleRows(at, dim) << linalg::product(G::ad(Tangent(carried + 0.5 * du)), psi),
+        psi - 0.5 * linalg::product(ad_u, psi), A_k - linalg::product(ad_u, A_k);
+    dacc.middleRows(at, dim) << linalg::product(G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), psi),
+        linalg::product(G::ad(carried), psi), -linalg::product(G::ad(du), A_k);
   }
   MatrixXd dforce = MatrixXd::Zero(size, 2 * n + dim);
   for (int e = 0; e < beam_->elements(); ++e) {
@@ -211,9 +206,9 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
     element.inertia_force(A, B, vel.data() + dim * e, acc.template segment<2 * dim>(dim * e), g);
     force.template segment<2 * dim>(dim * e) += g;
     dforce.middleRows(dim * e, 2 * dim) +=
-        product(element.mass(), dacc.middleRows(dim * e, 2 * dim)) +
-        product(element.gyroscopic_tangent(A, B, vel.data() + dim * e),
-                dvel.middleRows(dim * e, 2 * dim));
+        linalg::product(element.mass(), dacc.middleRows(dim * e, 2 * dim)) +
+        linalg::product(element.gyroscopic_tangent(A, B, vel.data() + dim * e),
+                        dvel.middleRows(dim * e, 2 * dim));
   }
   MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
   for (int k = 0; k < this->nodes(); ++k) {
@@ -223,12 +218,12 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
     typename G::Matrix turn;  // ad(du)^T f by du
     for (int j = 0; j < dim; ++j)
       turn.col(j) = G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at);
-    const MatrixXd df = dforce.middleRows(at, dim), turned = transposed_product(ad_u, df),
-                   turn_psi = product(turn, psi);
-    out.topRows(dim) += transposed_product(A_k, df - turned);
-    out.topLeftCorner(dim, n) -= transposed_product(A_k, turn_psi);
-    out.bottomRows(n) += transposed_product(psi, df - 0.5 * turned);
-    out.block(dim, 0, n, n) -= 0.5 * transposed_product(psi, turn_psi);
+    const MatrixXd df = dforce.middleRows(at, dim), turned = linalg::transposed_product(ad_u, df),
+                   turn_psi = linalg::product(turn, psi);
+    out.topRows(dim) += linalg::transposed_product(A_k, df - turned);
+    out.topLeftCorner(dim, n) -= linalg::transposed_product(A_k, turn_psi);
+    out.bottomRows(n) += linalg::transposed_product(psi, df - 0.5 * turned);
+    out.block(dim, 0, n, n) -= 0.5 * linalg::transposed_product(psi, turn_psi);
   }
   return out;
 }
@@ -263,9 +258,9 @@ Eigen::MatrixXd ModalBody<G>::load_share(bool follower) const {
   }
   const Matrices W = beam_->load_distribution();
   for (int j = 0; j < dim; ++j) W.multiply_add(local.col(j).data(), shared.col(j).data());
-  Eigen::MatrixXd Pi = product(Psi_, this->increments(this->at_reference()));
+  Eigen::MatrixXd Pi = linalg::product(Psi_, this->increments(this->at_reference()));
   for (int k = 0; k < n; ++k) Pi.template block<dim, dim>(dim * k, 0) += A_[k];
-  const Eigen::MatrixXd reduced = transposed_product(Pi, shared);
+  const Eigen::MatrixXd reduced = linalg::transposed_product(Pi, shared);
   Eigen::MatrixXd share = Eigen::MatrixXd::Zero(dim * n, dim);
   for (size_t i = 0; i < this->M_.nodes.size(); ++i)
     share.middleRows<dim>(dim * this->M_.nodes[i]) =

@@ -9,6 +9,14 @@ namespace liesl::linalg {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+MatrixXd product(const Dense& A, const Dense& B) { return A * B; }
+
+MatrixXd transposed_product(const Dense& A, const Dense& B) { return A.transpose() * B; }
+
+void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<MatrixXd> C) {
+  C.noalias() -= A.transpose() * B;
+}
+
 void LU::factor(const MatrixXd& A) { lu_.compute(A); }
 
 double LU::smallest_pivot() const { return lu_.matrixLU().diagonal().cwiseAbs().minCoeff(); }
@@ -44,7 +52,8 @@ template Eigen::Matrix<double, 6, 6> inverse(const Eigen::Matrix<double, 6, 6>&)
 double determinant(const MatrixXd& A) { return A.determinant(); }
 
 int rank(const MatrixXd& A, double threshold) {
-  return static_cast<int>(Eigen::FullPivLU<MatrixXd>(A).setThreshold(threshold).rank());
+  Eigen::ColPivHouseholderQR<MatrixXd> qr(A);
+  return static_cast<int>(qr.setThreshold(threshold).rank());
 }
 
 VectorXd least_squares(const MatrixXd& A, const VectorXd& b) {

@@ -12,6 +12,14 @@
 
 namespace liesl::linalg {
 
+/// A B and A^T B of any sizes: for products outside of the loops of a step, of fixed sizes or of
+/// blocks, each of which would be templates of its own.
+using Dense = Eigen::Ref<const Eigen::MatrixXd>;
+Eigen::MatrixXd product(const Dense& A, const Dense& B);
+Eigen::MatrixXd transposed_product(const Dense& A, const Dense& B);
+/// C -= A^T B
+void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<Eigen::MatrixXd> C);
+
 /// L U = P A with partial pivoting; no allocation once the size is known.
 class LU {
  public:
@@ -56,7 +64,7 @@ Eigen::MatrixXd inverse(const Eigen::MatrixXd& A);
 template <int N>
 Eigen::Matrix<double, N, N> inverse(const Eigen::Matrix<double, N, N>& A);
 double determinant(const Eigen::MatrixXd& A);
-/// Rank by LU with full pivoting: pivots above `threshold` times the largest.
+/// Rank by QR with column pivoting: pivots above `threshold` times the largest.
 int rank(const Eigen::MatrixXd& A, double threshold);
 
 /// Least squares min |A x - b| for independent columns, by QR with column pivoting.
