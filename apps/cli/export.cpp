@@ -9,7 +9,7 @@
 
 #ifdef LIESL_OPTIM
 #include "apps/cli/terminal.hpp"
-#include "apps/export/beam_deck.hpp"
+#include "apps/export/solid_deck.hpp"
 #include "apps/scene/load_scene.hpp"
 #endif
 
@@ -24,12 +24,41 @@ namespace fs = std::filesystem;
   throw InputError({{options.file, 0, 0, std::move(what), std::move(expected), ""}});
 }
 
-/// Names of the beams of a scene.
-std::vector<std::string> beams_of(const Scene& scene) {
+/// Names of the beams and meshed parts of a scene.
+std::vector<std::string> parts_of(const Scene& scene) {
   std::vector<std::string> names;
   for (const BodySpec& body : scene.mechanism.bodies)
-    if (std::holds_alternative<BeamSpec>(body.kind)) names.push_back(body.name);
+    if (std::holds_alternative<BeamSpec>(body.kind) || std::holds_alternative<SolidSpec>(body.kind))
+      names.push_back(body.name);
   return names;
+}
+
+/// The motion with the loads of all parts.
+EslOutcome loads_of_motion(const Scene& scene, const CommandOptions& options) {
+  SimulationLine line(scene.simulation, options.quiet);
+  EslOutcome esl = esl_task(scene, choose_space(scene), std::ref(line));
+  line.clear();
+  if (esl.run.status != SolveStatus::Converged)
+    throw InputError(
+        {{options.file, 0, 0, "the simulation ended without its loads: " + esl.run.summary.reason,
+          "a simulation that converges", "liesl run"}});
+  return esl;
+}
+
+/// The files of a deck. @returns how many load cases it has
+template <class Deck>
+std::size_t write_deck(const fs::path& folder, const Deck& deck, const CommandOptions& options) {
+  const bool calculix = options.to == "calculix";
+  output::write_file(folder / (options.part + (calculix ? ".inp" : ".bdf")),
+                     calculix ? calculix_text(deck) : nastran_text(deck));
+  output::write_file(folder / "displacements.csv", deck_displacements(deck));
+  output::write_file(folder / "README.md", deck_readme(deck, calculix ? "CalculiX" : "Nastran"));
+  if constexpr (std::is_same_v<Deck, SolidDeck>) {
+    output::write_file(folder / "factors.csv", deck_factors(deck));
+    return deck.times.size();
+  } else {
+    return deck.cases.size();
+  }
 }
 
 /// A folder with the part, its loads, what they shall give back and what all that means.
@@ -37,38 +66,30 @@ int export_deck(const CommandOptions& options) {
   if (fs::is_directory(options.file))
     refuse(options, "is a folder; a deck is made of a scene", "the file of a scene");
   const Scene scene = load_scene(options.file, options.set);
-  const ChosenSpace space = choose_space(scene);
-  const auto beams = beams_of(scene);
-  if (std::find(beams.begin(), beams.end(), options.part) == beams.end())
+  const auto parts = parts_of(scene);
+  if (std::find(parts.begin(), parts.end(), options.part) == parts.end())
     refuse(options,
            options.part.empty() ? "--part is missing"
-                                : "--part: there is no beam '" + options.part + "'",
-           "the name of a beam; " + suggestion(options.part, beams));
+                                : "--part: there is no beam or meshed part '" + options.part + "'",
+           "the name of a beam or meshed part; " + suggestion(options.part, parts));
   const fs::path target = options.out.empty()
                               ? fmt::format("{}_{}_{}", fs::path(options.file).stem().string(),
                                             options.part, options.to)
                               : options.out;
   output::AtomicFolder folder(target, options.force);
-  SimulationLine line(scene.simulation, options.quiet);
-  EslOutcome esl = esl_task(scene, space, std::ref(line));
-  line.clear();
-  const bool good = esl.run.status == SolveStatus::Converged;
-  if (!good)
-    throw InputError(
-        {{options.file, 0, 0, "the simulation ended without its loads: " + esl.run.summary.reason,
-          "a simulation that converges", "liesl run"}});
-  const BeamDeck deck = beam_deck(scene, esl, options.part,
-                                  options.cases == "all" ? DeckCases::All : DeckCases::Peaks);
-  const bool calculix = options.to == "calculix";
-  const std::string file = options.part + (calculix ? ".inp" : ".bdf");
-  output::write_file(folder.path() / file, calculix ? calculix_text(deck) : nastran_text(deck));
-  output::write_file(folder.path() / "displacements.csv", deck_displacements(deck));
-  output::write_file(folder.path() / "README.md",
-                     deck_readme(deck, calculix ? "CalculiX" : "Nastran"));
+  const EslOutcome esl = loads_of_motion(scene, options);
+  const DeckCases cases = options.cases == "all" ? DeckCases::All : DeckCases::Peaks;
+  const BodySpec& body =
+      scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
+  const std::size_t count =
+      std::holds_alternative<SolidSpec>(body.kind)
+          ? write_deck(folder.path(), solid_deck(scene, esl, options.part, cases), options)
+          : write_deck(folder.path(), beam_deck(scene, esl, options.part, cases), options);
   folder.commit();
   if (!options.quiet)
-    fmt::print("{}: {} load cases of '{}'\n", (target / file).string(), deck.cases.size(),
-               deck.part);
+    fmt::print("{}: {} load cases of '{}'\n",
+               (target / (options.part + (options.to == "calculix" ? ".inp" : ".bdf"))).string(),
+               count, options.part);
   return 0;
 }
 

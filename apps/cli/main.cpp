@@ -92,7 +92,7 @@ void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
                   "part of a scene with the static loads of its motion")
       ->default_val("xdmf")
       ->check(CLI::IsMember({"xdmf", "calculix", "nastran"}));
-  command.add_option("--part", o.part, "Beam of the scene");
+  command.add_option("--part", o.part, "Beam or meshed part of the scene");
   command.add_option("--cases", o.cases, "Instants: where the bending is largest, or every record")
       ->default_val("peaks")
       ->check(CLI::IsMember({"peaks", "all"}));

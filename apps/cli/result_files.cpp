@@ -60,6 +60,7 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
                                           r.scenario.empty() ? "" : "_", r.scenario),
                      r.times, r.responses, scene);
   }
+  if (!out.simulated && !out.results.meshes.empty()) output::write_shown(folder, out.results);
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
   if (out.simulated) output::write_file(folder / "design.toml", final_scene(out, study));
   for (const PartOutcome& part : out.parts) write_part(folder, part);

@@ -23,8 +23,7 @@ const BeamLoads& loads_of(const EslOutcome& esl, const std::string& part) {
   for (const BeamLoads& beam : esl.beams)
     if (beam.name == part) return beam;
   throw std::invalid_argument("'" + part +
-                              "' has no loads; expected a flexible beam (a rigid one has none, "
-                              "meshed parts are not exported)");
+                              "' has no loads; expected a flexible beam (a rigid one has none)");
 }
 
 /// Frames of the nodes of a body at a record.

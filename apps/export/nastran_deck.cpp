@@ -3,28 +3,15 @@
 #include <fmt/format.h>
 
 #include "apps/export/beam_deck.hpp"
+#include "apps/export/nastran_card.hpp"
 
 namespace liesl {
 namespace {
 
-using Fields = std::vector<std::string>;
-
-std::string number(double value) { return fmt::format("{:.9E}", value); }
-
-Fields& operator<<(Fields& fields, const Vec3& v) {
-  for (const double x : v) fields.push_back(number(x));
-  return fields;
-}
-
-/// A card in large fields: a name of 8 characters, lines of four fields of 16.
-std::string card(const std::string& name, const Fields& fields) {
-  std::string text = fmt::format("{:<8}", name + "*");
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (i > 0 && i % 4 == 0) text += "\n*       ";
-    text += fmt::format("{:>16}", fields[i]);
-  }
-  return text + "\n";
-}
+using nastran::card;
+using nastran::Fields;
+using nastran::number;
+using nastran::operator<<;
 
 /// Type and dimensions of PBARL. The first dimension of its bars is along z of the element.
 struct PbarlShape {

@@ -15,7 +15,7 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.mesh.from", Type::Point, "m", kOneOf, kAny, "Grid: its first corner, [x, y] or [x, y, z]; needs `to` and `cells`. Its sides are the sets x_min, x_max, y_min, ..."},
     {"bodies.*.solid.mesh.to", Type::Point, "m", kOptional, kAny, "Grid: the opposite corner."},
     {"bodies.*.solid.mesh.cells", Type::Point, "-", kOptional, {1, 100000}, "Grid: number of cells in each direction."},
-    {"bodies.*.solid.mesh.file", Type::Text, "", kOneOf, kAny, "Gmsh file (4.1, ASCII) with quadrilaterals in z = 0 or hexahedra; its physical groups are sets of nodes. Relative to the scene."},
+    {"bodies.*.solid.mesh.file", Type::Text, "", kOneOf, kAny, "Quadrilaterals in z = 0 or hexahedra: a Gmsh file (4.1, ASCII), whose physical groups are sets of nodes, or one of Abaqus or CalculiX (.inp, flat) with CPS4, CPE4 or C3D8 and its *NSET. m. Relative to the scene."},
     {"bodies.*.solid.material", Type::Text, "", kRequired, kAny, "Material."},
     {"bodies.*.solid.thickness", Type::Number, "m", kOptional, kPositive, "Of a planar mesh, which needs it; half to each side."},
     {"bodies.*.solid.at", Type::Vector, "m", "[0, 0, 0]", kAny, "Position of the origin of the mesh.", 3},

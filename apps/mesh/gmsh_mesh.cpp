@@ -6,16 +6,13 @@
 #include <charconv>
 #include <cstdlib>
 #include <map>
-#include <set>
 #include <string_view>
-#include <unordered_map>
 
 #include "apps/input/problem.hpp"
+#include "apps/mesh/mesh_builder.hpp"
 
 namespace liesl {
 namespace {
-
-constexpr int kMaxProblems = 20;  ///< a mesh that is wrong is often wrong everywhere
 
 /// What Gmsh calls its element types.
 struct ElementType {
@@ -117,26 +114,24 @@ struct Element {
 
 class Reader {
  public:
-  Reader(std::string_view text, Problems& problems) : words_(text, problems), problems_(problems) {}
+  Reader(std::string_view text, Problems& problems)
+      : words_(text, problems),
+        problems_(problems),
+        mesh_(problems, {"Coherence Mesh of Gmsh unites nodes",
+                         "a surface in two physical groups may be saved twice",
+                         "reverse the surface's orientation",
+                         "set Mesh.RecombineAll = 1; physical groups must include the surface or "
+                         "volume"}) {}
 
   SolidMesh read() {
     read_sections();
-    SolidMesh mesh;
-    mesh.dim = has(5) ? 3 : 2;
-    number_nodes(mesh);
-    add_cells(mesh);
-    name_sets(mesh);
-    problems_.throw_if_any();
-    return mesh;
+    name_sets(has_hexahedra() ? 3 : 2);
+    for (const Element& e : elements_)
+      if (e.type == 3 || e.type == 5) mesh_.add_cell(e.nodes, e.line);
+    return mesh_.build();
   }
 
  private:
-  void problem(int line, std::string what, std::string expected = "", std::string hint = "") {
-    if (++reported_ <= kMaxProblems)
-      problems_.add(
-          {problems_.file(), line, 1, std::move(what), std::move(expected), std::move(hint)});
-  }
-
   void read_sections() {
     bool format = false;
     while (!words_.at_end()) {
@@ -207,12 +202,7 @@ class Reader {
       for (std::size_t tag : tags) {
         Eigen::Vector3d x;
         for (double& xi : x) xi = words_.real();
-        if (!x.allFinite())
-          problem(words_.line(), fmt::format("node {} lies at ({}, {}, {})", tag, x[0], x[1], x[2]),
-                  "finite coordinates (m)");
-        if (!positions_.try_emplace(tag, x).second)
-          problem(words_.line(), fmt::format("node {} is there twice", tag), "each node once",
-                  "Coherence Mesh of Gmsh unites nodes");
+        mesh_.add_node(tag, x, words_.line());
       }
     }
     problems_.throw_if_any();
@@ -230,9 +220,9 @@ class Reader {
       const bool usable = number == 1 || number == 3 || number == 5 || number == 15;
       const int n = words_.count();
       if (!usable && n > 0)
-        problem(words_.line(), fmt::format("{} {}s", n, type->name),
-                "4-node quadrilaterals or 8-node hexahedra",
-                "set Mesh.RecombineAll = 1 and Mesh.ElementOrder = 1");
+        mesh_.problem(words_.line(), fmt::format("{} {}s", n, type->name),
+                      "4-node quadrilaterals or 8-node hexahedra",
+                      "set Mesh.RecombineAll = 1 and Mesh.ElementOrder = 1");
       for (int i = 0; i < n; ++i) {
         words_.skip(1);
         Element e{number, dim, entity, words_.line(), {}};
@@ -242,88 +232,28 @@ class Reader {
     }
   }
 
-  bool has(int type) const {
+  bool has_hexahedra() const {
     return std::any_of(elements_.begin(), elements_.end(),
-                       [&](const Element& e) { return e.type == type; });
-  }
-  bool is_cell(const Element& e, int dim) const { return e.type == (dim == 3 ? 5 : 3); }
-
-  void number_nodes(SolidMesh& mesh) {
-    std::vector<Eigen::Vector3d> used;
-    bool planar = true;
-    for (const Element& e : elements_) {
-      if (!is_cell(e, mesh.dim)) continue;
-      for (std::size_t tag : e.nodes) {
-        const auto it = positions_.find(tag);
-        if (it == positions_.end()) {
-          problem(e.line, fmt::format("node {} does not exist", tag), "a node of section $Nodes");
-          continue;
-        }
-        if (number_.try_emplace(tag, static_cast<int>(used.size())).second) {
-          used.push_back(it->second);
-          if (mesh.dim == 2 && planar && std::abs(it->second[2]) > 1e-12) {
-            problem(e.line, fmt::format("node {} lies at z = {}", tag, it->second[2]),
-                    "quadrilaterals in the plane z = 0");
-            planar = false;
-          }
-        }
-      }
-    }
-    problems_.throw_if_any();
-    mesh.nodes.resize(3, static_cast<Eigen::Index>(used.size()));
-    for (std::size_t i = 0; i < used.size(); ++i)
-      mesh.nodes.col(static_cast<Eigen::Index>(i)) = used[i];
+                       [](const Element& e) { return e.type == 5; });
   }
 
-  void add_cells(SolidMesh& mesh) {
-    const auto count = std::count_if(elements_.begin(), elements_.end(),
-                                     [&](const Element& e) { return is_cell(e, mesh.dim); });
-    if (count == 0)
-      words_.fail("the file has no cells", "quadrilaterals or hexahedra",
-                  "set Mesh.RecombineAll = 1; physical groups must include the surface or volume");
-    mesh.cells.resize(mesh.corners(), count);
-    int cell = 0;
-    std::map<std::vector<std::size_t>, int> lines;  // of the cells, by their sorted nodes
-    for (const Element& e : elements_) {
-      if (!is_cell(e, mesh.dim)) continue;
-      std::vector<std::size_t> nodes = e.nodes;
-      std::sort(nodes.begin(), nodes.end());
-      if (const auto [first, fresh] = lines.try_emplace(std::move(nodes), e.line); !fresh)
-        problem(e.line, fmt::format("the cell has the nodes of the cell in line {}", first->second),
-                "each cell once", "a surface in two physical groups may be saved twice");
-      for (int c = 0; c < mesh.corners(); ++c) mesh.cells(c, cell) = number_.at(e.nodes[c]);
-      if (!(smallest_jacobian(mesh.dim, mesh.corners_of(cell)) > 0))
-        problem(e.line, "the cell is inverted or flat",
-                mesh.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
-                              : "corners of the lower side counter-clockwise seen from above",
-                mesh.dim == 2 ? "reverse the surface's orientation" : "");
-      ++cell;
-    }
-  }
-
-  void name_sets(SolidMesh& mesh) {
-    std::map<std::string, std::set<int>> sets;
+  void name_sets(int dim) {
     for (const Element& e : elements_) {
       const auto groups = groups_.find({e.entity_dim, e.entity});
-      if (e.entity_dim >= mesh.dim || groups == groups_.end()) continue;
+      if (e.entity_dim >= dim || groups == groups_.end()) continue;
       for (int group : groups->second) {
         const auto name = names_.find({e.entity_dim, group});
         if (name == names_.end()) continue;
-        for (std::size_t tag : e.nodes)
-          if (const auto n = number_.find(tag); n != number_.end())
-            sets[name->second].insert(n->second);
+        for (std::size_t tag : e.nodes) mesh_.add_to_set(name->second, tag);
       }
     }
-    for (const auto& [name, nodes] : sets) mesh.sets[name] = {nodes.begin(), nodes.end()};
   }
 
   Words words_;
   Problems& problems_;
-  int reported_ = 0;
   std::map<std::pair<int, int>, std::string> names_;        // (dim, physical tag)
   std::map<std::pair<int, int>, std::vector<int>> groups_;  // (dim, entity) -> physical tags
-  std::unordered_map<std::size_t, Eigen::Vector3d> positions_;
-  std::unordered_map<std::size_t, int> number_;
+  MeshBuilder mesh_;
   std::vector<Element> elements_;
 };
 

@@ -10,18 +10,6 @@
 namespace liesl::output {
 namespace {
 
-/// A field as it is, or in quotes where it has commas, quotes or line ends.
-std::string field(const std::string& text) {
-  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
-  std::string out = "\"";
-  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
-  return out + "\"";
-}
-
-std::string heading(const std::string& name, const std::string& unit) {
-  return field(unit.empty() ? name : name + " [" + unit + "]");
-}
-
 /// Columns that share the abscissa, gathered and then written by rows.
 class Table {
  public:
@@ -59,6 +47,17 @@ class Table {
 };
 
 }  // namespace
+
+std::string field(const std::string& text) {
+  if (text.find_first_of(",\"\r\n") == std::string::npos) return text;
+  std::string out = "\"";
+  for (const char c : text) out += c == '"' ? "\"\"" : std::string(1, c);
+  return out + "\"";
+}
+
+std::string heading(const std::string& name, const std::string& unit) {
+  return field(unit.empty() ? name : name + " [" + unit + "]");
+}
 
 void write_responses_csv(const std::filesystem::path& path, const Results& results) {
   check_shapes(results);

@@ -11,6 +11,11 @@
 
 namespace liesl::output {
 
+/// A field as it is, or in quotes where it has commas, quotes or line ends.
+std::string field(const std::string& text);
+/// "name [unit]" as a field.
+std::string heading(const std::string& name, const std::string& unit);
+
 /// `<abscissa>`, then a column a response, or `<name>.x`, `.y`, `.z` where it has components
 /// (`.y`, `.z` where it has two). @throws IoError (all below)
 void write_responses_csv(const std::filesystem::path& path, const Results& results);

@@ -8,8 +8,13 @@
 
 namespace liesl::output {
 
-/// Writes results.h5, results.xdmf, responses.csv, energies.csv, joints.csv and frames.csv into an
-/// existing folder, usually `AtomicFolder::path()`. Tables without columns are left out.
+/// Writes results.h5 and results.xdmf alone, of what has no tables.
+/// @throws IoError, std::invalid_argument (shapes)
+void write_shown(const std::filesystem::path& folder, const Results& results);
+
+/// Writes results.h5, results.xdmf, responses.csv, energies.csv, joints.csv, frames.csv,
+/// sections.csv and part_lines.csv into an existing folder, usually `AtomicFolder::path()`. Tables
+/// without columns are left out.
 /// @throws IoError, std::invalid_argument (shapes)
 void write_results(const std::filesystem::path& folder, const Results& results);
 

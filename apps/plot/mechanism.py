@@ -3,15 +3,21 @@
 import math
 
 import matplotlib.pyplot as plt
+from matplotlib.collections import PolyCollection
 from matplotlib.lines import Line2D
+from matplotlib.patches import Patch, PathPatch
+from matplotlib.path import Path as Lines
 from matplotlib.ticker import MaxNLocator
+from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
 from style import BLUE, GREEN, ORANGE, PURPLE, label
-from tables import Table
+from tables import Table, table
 
 INSTANTS = 5  # more hide each other
 COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
 VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
+FILL = 0.35  # opacity of what bodies cover
+THIN = 0.004  # thickness, of the size of the mechanism, below which a beam is drawn as a line
 STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
 
 
@@ -28,19 +34,43 @@ def read_frames(path):
     return ordered, label(frames.names[0], frames.units[0])
 
 
+def read_sections(folder):
+    """{body: [thickness seen along x, y, z of each element]}."""
+    found = table(folder, "sections.csv")
+    bodies = {}
+    for body, _, *seen in found.rows if found else []:
+        bodies.setdefault(body, []).append([float(x) for x in seen])
+    return bodies
+
+
+def read_part_lines(folder):
+    """{(time, body): [line, ...]}, each a list of points."""
+    found = table(folder, "part_lines.csv")
+    parts = {}
+    for time, body, line, *x in found.rows if found else []:
+        lines = parts.setdefault((float(time), body), {})
+        lines.setdefault(line, []).append(tuple(map(float, x)))
+    return {key: list(lines.values()) for key, lines in parts.items()}
+
+
+def read_shapes(folder):
+    return Shapes(read_sections(folder), read_part_lines(folder))
+
+
 def draw_mechanism(folder, pictures, _summary):
     if not (folder / "frames.csv").exists():
         return
     instants, abscissa = read_frames(folder / "frames.csv")
     if not instants:
         return
-    axes = shown_axes(instants)
+    shapes = read_shapes(folder)
+    axes = shown_axes(instants, shapes)
     figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
     ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
     ax.set_anchor("N")  # below the heading; what stays free is cut off
     scale = 1 if abscissa.startswith("frequency") else bending_scale(instants)
     shown = few(instants)
-    marks = mechanism(ax, instants, shown, axes, scale, abscissa)
+    marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
     heading = "mechanism" if len(shown) == 1 else f"mechanism at {len(shown)} instants"
     pictures.save(figure, "mechanism", heading + (f", bending × {scale:g}" if scale != 1 else ""))
@@ -48,14 +78,14 @@ def draw_mechanism(folder, pictures, _summary):
 
 def few(instants):
     """Spread evenly, first and last among them."""
-    last = len(instants) - 1
-    return [instants[n] for n in sorted({round(last * i / (INSTANTS - 1))
-                                         for i in range(INSTANTS)})]
+    last, gaps = len(instants) - 1, INSTANTS - 1
+    return [instants[n] for n in sorted({(last * i + gaps // 2) // gaps for i in range(INSTANTS)})]
 
 
-def shown_axes(instants):
+def shown_axes(instants, shapes):
     """Two axes for what lies in a coordinate plane, else all three."""
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    points += [x for lines in shapes.parts.values() for line in lines for x in line]
     spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
     flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
     return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
@@ -90,7 +120,7 @@ def bending_scale(instants):
     largest = max((largest_offset(nodes) for _, bodies in instants
                    for body, (_, nodes) in bodies.items() if body in straight), default=0)
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
-    size = math.dist(*[[pick(p[k] for p in points) for k in range(3)] for pick in (min, max)])
+    size = math.dist(*extremes(points))
     if largest <= 1e-9 * size:
         return 1
     room = VISIBLE * size / largest
@@ -101,7 +131,68 @@ def bent(nodes, scale):
     return [[f + scale * o for f, o in zip(foot, offset)] for foot, offset in offsets(nodes)]
 
 
-def mechanism(ax, instants, shown, axes, scale, abscissa):
+class Shapes:
+    """What bodies look like: thickness of beams, lines of meshed parts; which of them were drawn."""
+
+    def __init__(self, sections, parts):
+        self.sections, self.parts, self.drawn = sections, parts, set()
+
+    def draw(self, ax, axes, time, body, nodes, colour, size):
+        """A body at its displayed nodes. False: it has no shape, or one too thin to be seen.
+        @param size of the mechanism"""
+        lines = self.parts.get((time, body))
+        if lines:
+            self.drawn.add("part")
+            (fill_lines if len(axes) == 2 else draw_edges)(ax, axes, lines, colour)
+            return True
+        seen = self.sections.get(body, [])
+        if not seen or len(seen) != len(nodes) - 1 or len(axes) != 2:
+            return False
+        hidden = ({0, 1, 2} - set(axes)).pop()
+        thickness = [element[hidden] for element in seen]
+        if max(thickness) < THIN * size:
+            return False
+        self.drawn.add("beam")
+        strips = [strip([nodes[e][k] for k in axes], [nodes[e + 1][k] for k in axes], t)
+                  for e, t in enumerate(thickness)]
+        ax.add_collection(PolyCollection([p for p in strips if p], facecolors=colour, alpha=FILL, linewidths=0))
+        for side in (0, 1):  # its two faces, element by element: sections may change between them
+            for p in filter(None, strips):
+                ax.plot(*zip(*(p[:2] if side else p[2:])), color=colour, linewidth=0.9)
+        return True
+
+    def marks(self):
+        """For the legend."""
+        kinds = {"beam": "beam, true thickness", "part": "meshed part, its outline"}
+        return [Patch(facecolor="#00000059", edgecolor="black", linewidth=0.9, label=text)
+                for kind, text in kinds.items() if kind in self.drawn]
+
+
+def strip(a, b, thickness):
+    """Four corners about the line from a to b; None if it has no length."""
+    length = math.dist(a, b)
+    if length == 0:
+        return None
+    n = [-(b[1] - a[1]) * thickness / 2 / length, (b[0] - a[0]) * thickness / 2 / length]
+    return [(a[0] + n[0], a[1] + n[1]), (b[0] + n[0], b[1] + n[1]), (b[0] - n[0], b[1] - n[1]), (a[0] - n[0], a[1] - n[1])]
+
+
+def fill_lines(ax, axes, lines, colour):
+    """A planar part; holes run the other way round."""
+    points, codes = [], []
+    for line in lines:
+        points += [[x[k] for k in axes] for x in line]
+        codes += [Lines.MOVETO] + [Lines.LINETO] * (len(line) - 1)
+    ax.add_patch(PathPatch(Lines(points, codes), facecolor=colour, alpha=FILL, linewidth=0))
+    for line in lines:
+        ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=0.9)
+
+
+def draw_edges(ax, _axes, lines, colour):
+    ax.add_collection3d(Line3DCollection(lines, colors=colour, linewidths=0.9))
+
+
+def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
     """Bodies at the instants that are shown; rigid bodies with their paths. Marks for a legend."""
     straight = straight_at_rest(instants)
     columns = lambda nodes: [[x[k] for x in nodes] for k in axes]  # noqa: E731
@@ -111,13 +202,18 @@ def mechanism(ax, instants, shown, axes, scale, abscissa):
             path = [bodies[body][1][0] for _, bodies in instants if body in bodies]
             ax.plot(*columns(path), color="#b8b8b8", linewidth=0.8, zorder=1)
             marks = [Line2D([], [], color="#b8b8b8", linewidth=0.8, label="paths of rigid bodies")]
-    drawn = []
+    size = math.dist(*extremes([x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]))
+    drawn = [x for (time, _), lines in shapes.parts.items() for line in lines for x in line]
+    lines_of_beams = False
     for (time, bodies), colour in zip(shown, COLOURS[-len(shown):]):
         for body, (_, nodes) in bodies.items():
             at = bent(nodes, scale) if body in straight else nodes
             drawn += at
-            ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",
-                    marker="s" if len(nodes) == 1 else None, markersize=6)
+            shaped = shapes.draw(ax, axes, time, body, at, colour, size)
+            lines_of_beams = lines_of_beams or not shaped and len(nodes) > 1
+            if not shaped:
+                ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",
+                        marker="s" if len(nodes) == 1 else None, markersize=6)
             if len(nodes) > 1:  # where joints are
                 ax.plot(*columns([nodes[0], nodes[-1]]), color=colour, linestyle="none",
                         marker="o", markersize=4, markerfacecolor="white")
@@ -125,15 +221,22 @@ def mechanism(ax, instants, shown, axes, scale, abscissa):
         marks.append(Line2D([], [], color=colour, linewidth=2.6,
                             label=f"{'t' if name == 'time' else name} = {time:.4g} "
                                   f"{'' if unit == '-' else unit}".strip()))
-    kinds = [len(nodes) for nodes in (n for _, n in shown[-1][1].values())]
-    if any(n > 1 for n in kinds):
+    marks += shapes.marks()
+    if lines_of_beams:
+        marks.append(Line2D([], [], color="black", linewidth=2.6, label="beam, its axis"))
+    if any(len(nodes) > 1 for _, nodes in shown[-1][1].values()):
         marks.append(Line2D([], [], color="black", linestyle="none", marker="o", markersize=4,
                             markerfacecolor="white", label="ends of a body"))
-    if any(n == 1 for n in kinds):
+    if any(kind == "rigid" for kind, _ in shown[-1][1].values()):
         marks.append(Line2D([], [], color="black", linestyle="none", marker="s", markersize=6,
                             label="rigid body"))
     frame_axes(ax, axes, drawn)
     return marks
+
+
+def extremes(points):
+    """Corners of the box about points."""
+    return [[pick(p[k] for p in points) for k in range(3)] for pick in (min, max)]
 
 
 def frame_axes(ax, axes, points):

@@ -3,14 +3,16 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "apps/output/cut_mesh.hpp"
 #include "apps/output/hdf5_input.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/results.hpp"
-#include "apps/report/cut_mesh.hpp"
 
 namespace liesl::report {
 namespace {
 
+using output::cut_mesh;
+using output::CutMesh;
 using output::Hdf5Input;
 using output::Hdf5Numbers;
 

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "apps/input/document.hpp"
+#include "apps/mesh/abaqus_mesh.hpp"
 #include "apps/mesh/gmsh_mesh.hpp"
 #include "apps/scene/part_reader.hpp"
 
@@ -20,8 +21,9 @@ void read_file(PartReader& part, const toml::node& node) {
   const fs::path path =
       given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
   try {
-    const std::string text = load_text(path, "a Gmsh mesh");
-    part.mesh = read_gmsh(path.lexically_normal().string(), text);
+    const std::string text = load_text(path, "a mesh");
+    const auto read = path.extension() == ".inp" ? read_abaqus : read_gmsh;
+    part.mesh = read(path.lexically_normal().string(), text);
     part.reader.scene.input += text;
   } catch (const InputError& error) {
     part.ok = false;

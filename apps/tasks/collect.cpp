@@ -4,11 +4,10 @@
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
+#include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/collect_reference.hpp"
 #include "mbs/bodies/solid_body.hpp"
-#include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/solid_model.hpp"
-#include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -63,33 +62,6 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
 }
 
-/// The mesh at rest, seen from its first interface, and the displacements phi of its amplitudes.
-void add_mesh_at_rest(const SolidSpec& solid, const Eigen::MatrixXd& phi, output::MeshResult& out) {
-  const Eigen::Vector3d origin = solid.interfaces()[0].point;
-  const int dim = solid.mesh().dim, N = solid.mesh().node_count();
-  for (int i = 0; i < N; ++i) append(out.reference, solid.mesh().nodes.col(i) - origin);
-  for (const Interface& interface : solid.interfaces())
-    append(out.interfaces, interface.point - origin);
-  if (dim == 2) out.thickness = solid.model->thickness();
-  if (!solid.outline.features.empty()) {
-    const levelset::LevelSetPtr shape = levelset::make_shape(solid.outline);
-    for (int i = 0; i < N; ++i) out.level.push_back(shape->value(solid.mesh().nodes.col(i)));
-  }
-  for (Eigen::Index k = 0; k < phi.cols(); ++k) {
-    Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, N);
-    u.topRows(dim) = Eigen::Map<const Eigen::MatrixXd>(phi.col(k).data(), dim, N);
-    append(out.basis, Eigen::Map<const Eigen::VectorXd>(u.data(), u.size()));
-  }
-}
-
-void add_stress_basis(const SolidModel& part, const Eigen::MatrixXd& phi, output::MeshResult& out) {
-  std::vector<Eigen::MatrixXd> cells;
-  for (int e = 0; e < part.mesh().cell_count(); ++e)
-    cells.push_back(part.cell(e).stress * part.at_cell(e, phi));
-  for (Eigen::Index k = 0; k < phi.cols(); ++k)
-    for (const Eigen::MatrixXd& stress : cells) append(out.stress_basis, stress.col(k));
-}
-
 /// Positions of the nodes of a meshed part, x_0 + R_0 (s + u), and of that R_0 u with u = phi e, at
 /// the records that are shown.
 template <FrameGroup G>
@@ -97,21 +69,12 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
                            const Trajectory<G>& trajectory, int b) {
   const auto& solid = std::get<SolidSpec>(mechanism.bodies[b].kind);
   const auto* body = model.bodies[b]->meshed();  // null: rigid
-  output::MeshResult out;
-  out.name = mechanism.bodies[b].name;
-  out.corners = solid.mesh().corners();
-  out.cells.assign(solid.mesh().cells.data(),
-                   solid.mesh().cells.data() + solid.mesh().cells.size());
-  append(out.fractions, solid_fractions(solid).value);
+  Eigen::MatrixXd phi;
+  if (body) phi = solid.model->T() * body->basis();
+  output::MeshResult out = mesh_at_rest(mechanism.bodies[b], phi);
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);
-  Eigen::MatrixXd phi;
-  if (body) {
-    phi = solid.model->T() * body->basis();
-    add_stress_basis(*solid.model, phi, out);
-  }
   const int dim = solid.mesh().dim;
-  add_mesh_at_rest(solid, phi, out);
   if (48.0 * static_cast<double>(out.records.size()) * solid.mesh().node_count() >
       output::kMeshBytes)
     out.records.clear();

@@ -26,7 +26,7 @@ struct OptimizeOutcome {
   CycleStatus status = CycleStatus::Converged;
   output::OptimizeSummary summary;
   bool simulated = false;                    ///< there is a final motion: records and limits of it
-  output::Results results;                   ///< of the final motion
+  output::Results results;                   ///< of the final motion; the load cases of a part
   std::vector<LimitRecords> initial, final;  ///< of the first and the final motions, by scenario
   std::vector<output::DesignRow> design;     ///< of beam sections
   Mechanism mechanism;                       ///< at the final design, of a motion

@@ -4,6 +4,7 @@
 /// A meshed part under fixed loads.
 #include <fmt/format.h>
 
+#include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/start_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
@@ -137,6 +138,8 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
   for (const Cycle& c : end.history) history.push_back(c.x);
   if (end.history.back().x != end.x) history.push_back(end.x);
   const BodySpec& final = end.mechanism.bodies[static_cast<std::size_t>(body)];
+  if (end.displacements.cols() > 0)
+    out.results = load_case_results(study.spec.name, final, end.displacements);
   out.parts.push_back({final.name, end.part, std::move(history), std::move(fields),
                        std::get<SolidSpec>(final.kind).outline});
   return out;

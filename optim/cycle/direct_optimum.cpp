@@ -4,99 +4,50 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
+
+#include "optim/cycle/study_program.hpp"
 
 namespace liesl {
 namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNearLimit = 2e-3;         // limits that may carry a multiplier
 constexpr double kDirectTolerance = 1e-4;   // of the scaled optimality conditions
 constexpr double kDirectAcceptable = 1e-3;  // the same, where no better is reached
 constexpr double kDirectFeasibility =
     1e-5;  // of the limits, or what the study allows if that is less
 
-/// The study as a nonlinear program. Rows in the order of the surrogate's, at every design the
-/// same.
-class DirectProblem final : public Problem {
+/// The study as a nonlinear program whose designs are cycles of a record.
+class DirectProblem final : public StudyProgram {
  public:
   /// @throws NoSensitivities
-  DirectProblem(CycleRecord& record, const VectorXd& start) : record_(record) {
-    if (evaluate(start)) constraints_ = surrogate_.problem->constraints();
-    for (std::size_t i = 0; i < constraints_.size(); ++i) {
-      constraints_[i].id = i;
-      constraints_[i].name = fmt::format("{}: {}", i, constraints_[i].name);
-    }
+  DirectProblem(CycleRecord& record, const VectorXd& start)
+      : StudyProgram(record.model(), record.options().move_limit), record_(record) {
+    begin(start);
   }
-
-  /// Analyses x, unless it is the latest. @returns whether it has values and gradients
-  bool evaluate(const VectorXd& x);
-
-  bool good() const { return surrogate_.problem != nullptr; }  ///< at the latest x
-  const VectorXd& x() const { return x_; }                     ///< the latest
-  const CycleRecord::Analysis& analysis() const { return analysis_; }
-  const Surrogate& surrogate() const { return surrogate_; }
-  const std::string& failure() const { return failure_; }
   bool interrupted() const { return interrupted_; }
 
-  const std::vector<NlpVariable>& variables() const override { return record_.model().variables(); }
-  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
-  void values(const VectorXd& x, double& f, VectorXd& g) override {
-    constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
-    f = kNone;
-    g.setConstant(kNone);
-    if (evaluate(x)) surrogate_.problem->values(x, f, g);
-  }
-  void gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) override {
-    surrogate_.problem->gradients(x, df, dg);
-  }
-
  private:
-  void differentiate(const VectorXd& x);
+  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x) override {
+    begin_ = std::chrono::steady_clock::now();
+    auto analysis = record_.analyse(x);
+    interrupted_ = interrupted_ || analysis->status == SolveStatus::Interrupted;
+    return analysis;
+  }
+  void look_at(const VectorXd& x) override {
+    Cycle& cycle = record_.add(analysis(), x);
+    differentiate(x);
+    record_.keep_if_better(analysis(), x);
+    cycle.taken = good();
+    cycle.seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
+    if (record_.hooks().on_cycle) record_.hooks().on_cycle(record_.history());
+  }
 
   CycleRecord& record_;
-  std::vector<NlpConstraint> constraints_;
-  VectorXd x_;
-  CycleRecord::Analysis analysis_;  ///< of x
-  Surrogate surrogate_;             ///< at x; without a problem: none
-  std::string failure_;             ///< why
+  std::chrono::steady_clock::time_point begin_;
   bool interrupted_ = false;
 };
-
-bool DirectProblem::evaluate(const VectorXd& x) {
-  if (x_.size() == x.size() && x_ == x) return good();
-  const auto begin = std::chrono::steady_clock::now();
-  x_ = x;
-  surrogate_ = {};
-  analysis_ = record_.analyse(x);
-  if (!analysis_->good()) {
-    failure_ = analysis_->reason;
-    interrupted_ = interrupted_ || analysis_->status == SolveStatus::Interrupted;
-    return false;
-  }
-  Cycle& cycle = record_.add(analysis_, x);
-  differentiate(x);
-  record_.keep_if_better(analysis_, x);
-  cycle.taken = good();
-  cycle.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  if (record_.hooks().on_cycle) record_.hooks().on_cycle(record_.history());
-  return good();
-}
-
-void DirectProblem::differentiate(const VectorXd& x) {
-  const double move = record_.options().move_limit;
-  surrogate_ = record_.model().surrogate(*analysis_, x, move, kNearLimit);
-  if (!surrogate_.problem) {
-    failure_ = "there are no sensitivities: " + surrogate_.optimality.reason;
-    return;
-  }
-  const std::size_t rows = surrogate_.problem->constraints().size();
-  if (constraints_.empty() || rows == constraints_.size()) return;
-  failure_ = fmt::format("there are {} constraints instead of {}: other steps or load cases", rows,
-                         constraints_.size());
-  surrogate_.problem.reset();
-}
 
 /// Analyses, after the last of which the optimiser is stopped.
 bool analyses_used_up(const CycleRecord& record) {

@@ -69,54 +69,114 @@ class Nlp:
 
 
 class StudyNlp(Nlp):
-    """See `Study.nlp`."""
+    """See `Study.nlp`: rows of the study, then one's own."""
 
-    def __init__(self, study: Study, windows: int, objective: OwnFunction | None,
+    def __init__(self, study: Study, objective: OwnFunction | None,
                  limits: Mapping[str, OwnFunction]):
-        self._study, self._windows = study, windows
-        self._own_objective, self._own_limits = objective, limits
-        rows = [_row_name(name, scenario, w if windows > 1 else None)
-                for scenario in study.scenarios for name, _ in study.limits
-                for w in range(windows)]
+        own = {"the objective": objective} if objective is not None else {}
+        own.update({f"'{name}'": f for name, f in limits.items()})
+        known = [name for name, _ in study.limits]
+        problems = [Problem(f"{what} is no function: {f!r}", "a function of an Evaluation")
+                    for what, f in own.items() if not callable(f)]
+        problems += [Problem(f"'{name}' is a limit of the study already", "another name")
+                     for name in limits if name in known]
+        if problems:
+            raise InputError(problems)
+        self._study, self._own_objective, self._own_limits = study, objective, limits
         super().__init__([(v.name, v.lower, v.upper, v.start) for v in study.variables],
-                         lambda x: 0.0, lambda x: x, rows=rows + list(limits))
+                         self._mass, self._mass_gradient, self._limits, self._limits_jacobian,
+                         rows=self._names() + list(limits))
+
+    # What the study has of itself; other sources of it replace these.
+    def _names(self) -> list[str]:
+        raise NotImplementedError
+
+    def _mass(self, x: np.ndarray) -> float:
+        return self._at(x).objective
+
+    def _mass_gradient(self, x: np.ndarray) -> np.ndarray:
+        return self._study.mass_gradient(self._at(x).x)
+
+    def _limits(self, x: np.ndarray) -> np.ndarray:
+        raise NotImplementedError
+
+    def _limits_jacobian(self, x: np.ndarray) -> np.ndarray:
+        raise NotImplementedError
 
     def objective(self, x: np.ndarray) -> float:
-        at = self._at(x)
         if self._own_objective is None:
-            return at.objective
+            return self._objective(x)
+        at = self._at(x)
         return _own(self._own_objective, at, "the objective")[0] if _good(at) else np.nan
 
     def gradient(self, x: np.ndarray) -> np.ndarray:
-        at = self._at(x)
         if self._own_objective is None:
-            return self._study.mass_gradient(at.x)
-        return _own(self._own_objective, at.check(), "the objective", derivative=True)[1]
+            return self._gradient(x)
+        return _own(self._own_objective, self._at(x).check(), "the objective", derivative=True)[1]
 
     def constraints(self, x: np.ndarray) -> np.ndarray:
+        values = self._constraints(x)
+        if not self._own_limits:
+            return values
         at = self._at(x)
-        if not _good(at):
-            return np.full(len(self.rows), np.nan)
-        values = [magnitude[record] / limit - 1
-                  for _, _, magnitude, record, limit in self._peaks(at)]
-        return np.array(values + [_own(f, at, f"'{name}'")[0]
-                                  for name, f in self._own_limits.items()])
+        own = [_own(f, at, f"'{name}'")[0] if _good(at) else np.nan
+               for name, f in self._own_limits.items()]
+        return np.concatenate([values, own])
 
     def jacobian(self, x: np.ndarray) -> np.ndarray:
+        rows = self._jacobian(x)
+        if not self._own_limits:
+            return rows
         at = self._at(x).check()
-        rows = []
-        for motion, name, magnitude, record, limit in self._peaks(at):
-            y = motion["responses/" + name.replace("/", "_")][record]
-            dy = motion.jacobian(name)[record]
-            rows.append(y @ dy / (magnitude[record] or 1.0) / limit)
-        rows += [_own(f, at, f"'{name}'", derivative=True)[1]
-                 for name, f in self._own_limits.items()]
-        return np.array(rows).reshape(len(self.rows), len(self.variables))
+        return np.vstack([rows, *(_own(f, at, f"'{name}'", derivative=True)[1]
+                                  for name, f in self._own_limits.items())])
+
+    def check_start(self) -> None:
+        """Raises InputError if one's own functions have no value at the start, NotConverged if its
+        motion has no end."""
+        at = self._at(self.x0).check()
+        own = {f"'{name}'": f for name, f in self._own_limits.items()}
+        if self._own_objective is not None:
+            own["the objective"] = self._own_objective
+        problems = [Problem(f"{what} is {value} at the start", "a finite number")
+                    for what, f in own.items() if not np.isfinite(value := _own(f, at, what)[0])]
+        if problems:
+            raise InputError(problems)
 
     def _at(self, x: np.ndarray) -> Evaluation:
         """SciPy steps over bounds by differences of round-off."""
         lower, upper = self._study.bounds.T
         return self._study.evaluate(np.clip(np.asarray(x, dtype=float), lower, upper))
+
+
+class PeakNlp(StudyNlp):
+    """A row for each limit, scenario and window of time: the largest value in the window."""
+
+    def __init__(self, study: Study, windows: int, objective: OwnFunction | None,
+                 limits: Mapping[str, OwnFunction]):
+        self._windows, self._scenarios = windows, study.scenarios
+        self._limited = [name for name, _ in study.limits]
+        super().__init__(study, objective, limits)
+
+    def _names(self) -> list[str]:
+        return [_row_name(name, scenario, w if self._windows > 1 else None)
+                for scenario in self._scenarios for name in self._limited
+                for w in range(self._windows)]
+
+    def _limits(self, x: np.ndarray) -> np.ndarray:
+        at = self._at(x)
+        if not _good(at):
+            return np.full(len(self._names()), np.nan)
+        return np.array([magnitude[record] / limit - 1
+                         for _, _, magnitude, record, limit in self._peaks(at)])
+
+    def _limits_jacobian(self, x: np.ndarray) -> np.ndarray:
+        rows = []
+        for motion, name, magnitude, record, limit in self._peaks(self._at(x).check()):
+            y = motion["responses/" + name.replace("/", "_")][record]
+            dy = motion.jacobian(name)[record]
+            rows.append(y @ dy / (magnitude[record] or 1.0) / limit)
+        return np.array(rows).reshape(-1, len(self.variables))
 
     def _peaks(self, at: Evaluation):
         """Of each row the motion, its response, |y| at all records, the record of its peak in the
@@ -133,6 +193,39 @@ class StudyNlp(Nlp):
                         raise InputError(f"window {w} of {self._windows} has no record; fewer "
                                          "windows, or a smaller simulation.step")
                     yield motion, name, values, records[values[records].argmax()], limit
+
+
+class ProgramNlp(StudyNlp):
+    """Rows as the program itself has them, of studies of outlines and of fixed loads: each limit in
+    each load case or at each record, masses, frequencies, walls."""
+
+    def __init__(self, study: Study, objective: OwnFunction | None,
+                 limits: Mapping[str, OwnFunction]):
+        self._program = study._study.program()
+        self._latest: tuple[bytes, tuple[float, np.ndarray, np.ndarray, np.ndarray]] | None = None
+        super().__init__(study, objective, limits)
+
+    def _names(self) -> list[str]:
+        return self._program.rows()
+
+    def _point(self, x: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
+        """Value, rows and their gradients, of the latest design without another evaluation."""
+        x = np.clip(np.asarray(x, dtype=float), *self._study.bounds.T)
+        if self._latest is None or self._latest[0] != x.tobytes():
+            self._latest = (x.tobytes(), self._program.evaluate(x))
+        return self._latest[1]
+
+    def _mass(self, x: np.ndarray) -> float:
+        return self._point(x)[0]
+
+    def _mass_gradient(self, x: np.ndarray) -> np.ndarray:
+        return self._point(x)[2].copy()
+
+    def _limits(self, x: np.ndarray) -> np.ndarray:
+        return self._point(x)[1].copy()
+
+    def _limits_jacobian(self, x: np.ndarray) -> np.ndarray:
+        return self._point(x)[3].copy()
 
 
 def _row_name(name: str, scenario: str, window: int | None) -> str:
@@ -156,9 +249,13 @@ def _own(function: OwnFunction, at: Evaluation, what: str,
         raise InputError(f"{what} returns no (value, {{response: derivative}}): {error}") from error
     if not derivative:
         return value, np.zeros(0)
-    by_x = np.asarray(by.pop("x", np.zeros(len(at.x))), dtype=float)
+    given = by.pop("x", np.zeros(len(at.x)))
+    try:
+        by_x = np.asarray(given, dtype=float)
+    except (TypeError, ValueError):
+        by_x = np.array(np.nan)
     if by_x.shape != at.x.shape or not np.isfinite(by_x).all():
-        raise InputError([Problem(f"{what}: the derivative by 'x' is {by_x}",
+        raise InputError([Problem(f"{what}: the derivative by 'x' is {given}",
                                   f"finite numbers of shape {at.x.shape}")])
     try:
         return value, by_x + (at.vjp(by) if by else 0)

@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _liesl, toml_text
 from .errors import InputError, IoError, NotConverged, Problem
-from .nlp import Nlp, OwnFunction, StudyNlp
+from .nlp import Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize
 from .result import Result
 
 _KEPT = 8  # evaluations
@@ -158,12 +158,27 @@ class Study:
         return self._study.mass_gradient(self._design(x))
 
     def optimize(self, method: str | None = None, nucleate: int = 0,
-                 on_cycle: Callable[[dict[str, Any]], None] | None = None) -> Optimum:
+                 on_cycle: Callable[[dict[str, Any]], None] | None = None,
+                 objective: OwnFunction | None = None,
+                 limits: Mapping[str, OwnFunction] | None = None) -> Optimum:
         """Sizes, as `liesl optimize` does.
 
         `method`: the key `cycle.method`; `nucleate`: new holes at most; `on_cycle` is called after
         each cycle with the summary so far. Ctrl-C stops. How it ended is `status`.
+
+        `objective` and `limits` are functions of one's own, as `nlp` takes them, beside the limits
+        of the study. No static problem has them: Ipopt is given the motion itself (the method
+        "direct", the only one for them), a cycle is a design that it asks derivatives of, `cycle.max`
+        of them at most. Raises InputError for functions that return no numbers, another method, and
+        as `nlp` does.
         """
+        if objective is not None or limits:
+            if method not in (None, "direct") or nucleate:
+                asked = f"nucleate={nucleate}" if nucleate else f"method={method!r}"
+                raise InputError([Problem(f"{asked} with functions of one's own",
+                                          "method=None or 'direct', no new holes",
+                                          "static problems do not know these functions")])
+            return optimize_own(self, objective, dict(limits or {}), on_cycle)
         study = self if method is None else self.change({"cycle.method": method})
         call = None if on_cycle is None else (lambda text: on_cycle(json.loads(text)))
         return Optimum(study._study.optimize(nucleate, call))
@@ -175,24 +190,41 @@ class Study:
 
             max over the records in the window of |response|/limit - 1 <= 0.
 
-        Rows stay the same whatever the design. `objective` replaces the mass and `limits` adds rows
-        f <= 0 by name, each a function of an Evaluation that returns its value and its derivatives
-        by what it has read, {"bend": (records, components), "x": (variables,)}.
-        Raises InputError for a study without a motion, or one that changes outlines, limits frequencies,
-        or minimises a weighted sum without `objective`.
+        A study that changes outlines has a row for each limit at each record, and for each mass,
+        frequency and wall; one under fixed loads for each limit in each load case; neither has
+        windows, and what is minimised is the objective of the study. Rows stay the same whatever the
+        design. `objective` replaces what is minimised and `limits` adds rows f <= 0 by name, each a
+        function of an Evaluation that returns its value and its derivatives by what it has read,
+        {"bend": (records, components), "x": (variables,)}.
+        Raises InputError for statics of a mechanism, for functions of one's own without a motion, and
+        for limits on frequencies or a weighted sum, which rows in windows do not have.
         """
-        self._require_motion()
+        if isinstance(windows, bool) or not isinstance(windows, int) or windows < 1:
+            raise InputError(f"windows is {windows!r}; expected a whole number, 1 or more")
+        loaded = self._study.fixed_loads()
+        if objective is not None or limits or not loaded:
+            self._require_motion()
+        if loaded or self._study.changes_outlines():
+            return self._program(windows, objective, dict(limits or {}))
         if self._study.frequencies():
             raise InputError("limits on frequencies are no rows of nlp(); use optimize()")
         if objective is None and not self._study.only_mass():
             raise InputError("the study minimises a weighted sum, nlp() the mass; give objective=, "
                              "or use optimize()")
-        if self._study.changes_outlines():
-            raise InputError("the study changes the outline of a part, whose walls are no rows of "
-                             "nlp(); use optimize()")
-        if isinstance(windows, bool) or not isinstance(windows, int) or windows < 1:
-            raise InputError(f"windows is {windows!r}; expected a whole number, 1 or more")
-        return StudyNlp(self, windows, objective, dict(limits or {}))
+        return PeakNlp(self, windows, objective, dict(limits or {}))
+
+    def _program(self, windows: int, objective: OwnFunction | None,
+                 limits: Mapping[str, OwnFunction]) -> Nlp:
+        """Of outlines and of fixed loads."""
+        if windows != 1:
+            raise InputError([Problem(f"windows is {windows} of a study that changes outlines, or of fixed "
+                                      "loads, whose rows are load cases or records", "1")])
+        try:
+            return ProgramNlp(self, objective, limits)
+        except (ValueError, RuntimeError) as error:
+            if isinstance(error, InputError):
+                raise
+            raise InputError(f"the study is no nonlinear program: {error}") from None
 
     def _require_motion(self) -> None:
         if not self._study.moves():
@@ -226,6 +258,11 @@ class Study:
 class Optimum(Result):
     """What `Study.optimize` has found: data sets of the motion of the final design."""
 
+    def __init__(self, records: Any, summary: dict[str, Any] | None = None):
+        super().__init__(records)
+        if summary is not None:
+            self.summary = summary
+
     @property
     def design(self) -> dict[str, float]:
         """The final design by the names of its variables."""
@@ -240,3 +277,53 @@ class Optimum(Result):
     def history(self) -> list[dict[str, Any]]:
         """Figures of each cycle: docs/outputs.md, `history`."""
         return self.summary.get("history", [])
+
+
+class _Recorded(Nlp):
+    """The program of a study that notes the designs whose derivatives are asked for."""
+
+    def __init__(self, nlp: StudyNlp, study: Study,
+                 on_cycle: Callable[[dict[str, Any]], None] | None):
+        super().__init__(nlp.variables, nlp.objective, self._note, nlp.constraints, nlp.jacobian,
+                         nlp.rows)
+        self._nlp, self._study, self._on_cycle = nlp, study, on_cycle
+        self.history: list[dict[str, Any]] = []
+
+    def _note(self, x: np.ndarray) -> np.ndarray:
+        out, g = self._nlp.gradient(x), self.constraints(x)
+        mass = self._study._study.mass(np.clip(x, *self._study.bounds.T))
+        self.history.append({"cycle": len(self.history) + 1, "objective": self.objective(x),
+                             "mass": mass, "design": [float(v) for v in x],
+                             "worst_constraint": float(g.max()) if len(g) else None})
+        if self._on_cycle:
+            self._on_cycle({"status": "running", "history": list(self.history)})
+        return out
+
+
+_ENDS = {"converged": "optimal", "acceptable": "converged", "iteration_limit": "cycle limit",
+         "stopped": "interrupted"}
+
+
+def optimize_own(study: Study, objective: OwnFunction | None, limits: Mapping[str, OwnFunction],
+                 on_cycle: Callable[[dict[str, Any]], None] | None) -> Optimum:
+    """See `Study.optimize`."""
+    program = study.nlp(objective=objective, limits=limits)
+    program.check_start()
+    nlp = _Recorded(program, study, on_cycle)
+    found = minimize(nlp, tolerance=1e-5, feasibility=1e-5,
+                     max_iterations=study._study.most_cycles())
+    at, g = study.evaluate(np.clip(found.x, *study.bounds.T)), found.g
+    start = study.evaluate()
+    summary = {
+        **at.summary, "command": "optimize", "status": _ENDS.get(found.status, found.status),
+        "reason": found.reason, "cycles": len(nlp.history), "history": nlp.history,
+        "design": {v.name: float(x) for v, x in zip(study.variables, at.x)},
+        "design_range": {v.name: {"initial": v.start, "lower": v.lower, "upper": v.upper,
+                                  "unit": v.unit} for v in study.variables},
+        "mass_initial": start.objective, "mass_final": at.objective,
+        "worst_constraint": float(g.max()) if len(g) else None,
+        "objective": {"initial": nlp.objective(nlp.x0), "final": found.f},
+        "rows": dict(zip(nlp.rows, map(float, g))),
+        "multipliers": dict(zip(nlp.rows, map(float, found.multipliers))),
+    }
+    return Optimum(at._records, summary)

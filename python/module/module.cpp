@@ -17,6 +17,7 @@ PYBIND11_MODULE(_liesl, module) {
   bind_scenes(module);
 #ifdef LIESL_OPTIM
   bind_studies(module);
+  bind_programs(module);
   bind_minimize(module);
 #endif
 }

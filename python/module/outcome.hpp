@@ -80,6 +80,7 @@ void bind_scenes(py::module_& module);
 void bind_errors(py::module_& module);
 #ifdef LIESL_OPTIM
 void bind_studies(py::module_& module);
+void bind_programs(py::module_& module);
 void bind_minimize(py::module_& module);
 #endif
 

@@ -14,6 +14,7 @@
 #include "optim/design/design.hpp"
 #include "python/module/job.hpp"
 #include "python/module/outcome.hpp"
+#include "python/module/program.hpp"
 
 namespace liesl::python {
 namespace {
@@ -47,6 +48,7 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
 
   const Study& study() const { return *study_; }
   const Design& design() const { return *design_; }
+  py::object program() const { return program_of(study_); }
   bool moves() const {
     return study_->spec.loads.empty() && study_->scene.simulation.type == SimulationType::Dynamic;
   }
@@ -158,6 +160,9 @@ void bind_studies(py::module_& module) {
       .def("only_mass",
            [](const StudyInput& s) { return s.study().spec.motion_objective.only_mass(); })
       .def("frequencies", [](const StudyInput& s) { return !s.study().spec.frequencies.empty(); })
+      .def("program", &StudyInput::program)
+      .def("fixed_loads", [](const StudyInput& s) { return !s.study().spec.loads.empty(); })
+      .def("most_cycles", [](const StudyInput& s) { return s.study().spec.cycle.max; })
       .def("mass", &StudyInput::mass)
       .def("mass_gradient", &StudyInput::mass_gradient)
       .def("evaluate", &StudyInput::evaluate)

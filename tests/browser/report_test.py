@@ -7,7 +7,9 @@ scatter of a batch, rows of a comparison, shapes of vibration. Ends with 77 (ski
 With LIESL_PICTURES=DIR a screenshot of every page goes there.
 """
 
+import base64
 import os
+import re
 import subprocess
 import sys
 import tempfile
@@ -108,6 +110,17 @@ class Pages(unittest.TestCase):
         self.browser.frames()
         return self.browser.run(HASH)
 
+    def playing(self, name):
+        """Pictures a second while it plays."""
+        press = "document.body.dispatchEvent(new KeyboardEvent('keydown', {key: ' ', bubbles: true}))"
+        self.browser.run(press)
+        time.sleep(2.5)
+        rate = float(self.browser.wait(lambda: self.browser.run("return document.querySelector('.stage canvas').dataset.fps"),
+                                       "eleven pictures", 30))
+        self.browser.run(press)
+        print(f"{name}: {rate:.0f} frames a second while playing")
+        return rate
+
     def cursor(self):
         """Share of the width of the first chart at which its cursor stands."""
         return self.browser.run("""const c = document.querySelector('.now'), o = c.parentElement;
@@ -144,12 +157,7 @@ class Pages(unittest.TestCase):
         before = self.cursor()
         self.browser.run(key, "ArrowRight")
         self.assertGreater(self.cursor(), before)
-        self.browser.run(key, " ")
-        time.sleep(2.5)
-        rate = float(self.browser.run("return document.querySelector('.stage canvas').dataset.fps"))
-        self.browser.run(key, " ")
-        print(f"rod: {rate:.0f} frames a second while playing")
-        self.assertGreater(rate, 30 / MARGIN)
+        self.assertGreater(self.playing("rod"), 30 / MARGIN)
         self.assertGreater(self.cursor(), before + 0.05)
 
     def test_cycles_show_design_and_figures(self):
@@ -180,6 +188,72 @@ class Pages(unittest.TestCase):
         wide = self.browser.run("return [document.documentElement.scrollWidth, innerWidth]")
         self.browser.devtools("Emulation.clearDeviceMetricsOverride")
         self.assertLessEqual(wide[0], 390)
+
+    def test_paper_is_light_and_whole(self):
+        """Printed from a dark screen: light, two charts beside each other, no slider, every row."""
+        browser = self.browser
+        self.show(rod())
+        browser.run("document.getElementById('theme').click()")
+        browser.frames()
+        dark = browser.run(HASH)
+        browser.run("dispatchEvent(new Event('beforeprint'))")
+        widths = browser.run("return [...document.querySelectorAll('.uplot')].map((p) => p.clientWidth)")
+        self.assertTrue(widths and max(widths) < 350, widths)
+        browser.devtools("Emulation.setEmulatedMedia", media="print")
+        browser.frames()
+        try:
+            self.assertEqual(browser.run("return getComputedStyle(document.body).backgroundColor"), "rgb(255, 255, 255)")
+            self.assertNotEqual(browser.run(HASH), dark, "the picture is light, too")
+            hidden = browser.run("return [...document.querySelectorAll('.controls')].map((c) => getComputedStyle(c).display)")
+            self.assertEqual(set(hidden), {"none"})
+            self.assertRegex(browser.run("return document.querySelector('.printed').textContent"), r"time .* deformation")
+            pages = base64.b64decode(browser.devtools("Page.printToPDF", printBackground=True)["data"])
+            self.assertEqual(pages[:4], b"%PDF")
+            self.assertLessEqual(len(re.findall(rb"/Type\s*/Page\b", pages)), 3, "sheets")
+        finally:
+            browser.devtools("Emulation.setEmulatedMedia", media="")
+            browser.run("dispatchEvent(new Event('afterprint'))")
+        browser.frames()
+        self.assertEqual(browser.run("return document.documentElement.dataset.theme"), "dark", "as it was before")
+
+    def test_lattice_in_time_and_size(self):
+        """A meshed arm with openings: 4 MB, 4 s, and how many pictures a second while it plays."""
+        folder = folder_of("lattice", "run", str(DATA / "scenes/robot_arm_lattice.toml"))
+        begin = time.monotonic()
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        print(f"lattice: written in {time.monotonic() - begin:.2f} s")
+        self.assertLess(time.monotonic() - begin, MARGIN * 1)
+        self.show(folder, 4)
+        self.assertLess((folder / "report.html").stat().st_size, 4e6)
+        self.assertGreater(self.playing("lattice"), 12 / MARGIN)
+
+    def test_an_outline_under_fixed_loads_is_seen_in_space(self):
+        text = (DATA / "studies/plate_with_hole.toml").read_text()
+        for load in ("along_x", "along_y"):
+            text = text.replace(f"{load} = {{", f'{load} = {{ case = "{load}",')
+        file = FOLDER / "plate.toml"
+        file.write_text(text.replace("../parts", str(DATA / "parts")))
+        folder = folder_of("plate", "optimize", str(file), "--set", "scene.bodies.plate.solid.mesh.cells=[40,40]")
+        self.show(folder)
+        self.assertGreater(self.browser.run(SATURATED), 3000, "the stress has colours")
+        name = lambda: self.browser.run("return document.getElementById('instant').textContent")  # noqa: E731
+        self.assertIn(name(), ("along_x", "along_y"))
+        self.slide("time", 0)
+        first, along_x = name(), self.picture()
+        self.slide("time", 1)
+        self.assertEqual({first, name()}, {"along_x", "along_y"})
+        seen = [along_x, self.picture()]
+        for what, value in (("scale", 0), ("colour", "displacement"), ("colour", "")):
+            self.slide(what, value)
+            seen.append(self.picture())
+        self.assertEqual(len(set(seen)), len(seen))
+        self.slide("scale", 3)
+        still = self.picture()
+        self.browser.run("document.getElementById('play').click()")
+        time.sleep(0.6)
+        self.assertNotEqual(self.picture(), still, "the load comes and goes")
+        self.browser.run("document.getElementById('play').click()")
+        self.assertEqual(self.picture(), still, "and is whole when it stands")
 
     def test_meshed_part_moves_and_is_coloured(self):
         folder = folder_of("meshed", "run", str(DATA / "scenes/meshed_slider_crank.toml"),

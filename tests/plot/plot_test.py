@@ -45,6 +45,16 @@ def write_slider_crank_frames(folder, crank=0.15, rod=0.3):
               ["time [s]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
 
 
+def write_shapes(folder):
+    """A crank thick enough to be seen, a rod that is not; a plate with a hole fixed to the ground."""
+    write_csv(folder / "sections.csv", ["body", "element", "along x [m]", "along y [m]", "along z [m]"],
+              [["crank", e, 0.02, 0.02, 0.02] for e in range(8)] + [["rod", e, 1e-4, 1e-4, 1e-4] for e in range(8)])
+    square = lambda h: [(-h, -h), (h, -h), (h, h), (-h, h), (-h, -h)]  # noqa: E731
+    write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", "x [m]", "y [m]", "z [m]"],
+              [[t, "slider", line, 0.4 + x, y, 0] for t in times(13, 0.042)[::3]
+               for line, points in ((0, square(0.03)), (1, square(0.01)[::-1])) for x, y in points])
+
+
 def write_run(folder):
     write_csv(folder / "responses.csv",
               ["time [s]", "bend [m]", "slider_x [m]", "tip.x [m]", "tip.y [m]", "tip.z [m]",
@@ -234,6 +244,17 @@ class Plot(unittest.TestCase):
 
     def test_run(self):
         self.draws(write_run, ["responses", "energies", "mechanism"])
+
+    def test_mechanism_shows_thickness_and_outlines(self):
+        self.draws(lambda folder: (write_run(folder), write_shapes(folder)), ["responses", "energies", "mechanism"])
+        svg = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+        for mark in ("beam, true thickness", "beam, its axis", "meshed part, its outline", "rigid body",
+                     "paths of rigid bodies", "ends of a body", "t = 0 s"):
+            self.assertIn(f"<!-- {mark} -->", svg)
+        write_run(self.folder)
+        (self.folder / "sections.csv").unlink(), (self.folder / "part_lines.csv").unlink()
+        self.assertEqual(plot(self.folder).returncode, 0)
+        self.assertNotIn("true thickness", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
 
     def test_optimize(self):
         self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",

@@ -101,6 +101,62 @@ def test_own_objective_and_limit(rod):
     assert best.f < nlp.objective(x) and rod.evaluate(best.x).objective <= 0.25 * (1 + 1e-5)
 
 
+def test_own_functions_inside_optimize(rod):
+    """The same as a nonlinear program by itself, here as a study that ends with a status."""
+
+    def bending(at):
+        y = 1e3 * at["responses/bending"]
+        return (y ** 2).mean(), {"bending": 2e3 * y / y.size}
+
+    def heavy(at):
+        return at.objective / 0.25 - 1, {"x": rod.mass_gradient(at.x) / 0.25}
+
+    seen = []
+    best = rod.optimize(objective=bending, limits={"heavy": heavy},
+                        on_cycle=lambda so_far: seen.append(len(so_far["history"]))).check()
+    by_hand = liesl.minimize(rod.nlp(objective=bending, limits={"heavy": heavy}), tolerance=1e-5).check()
+    assert best.status in ("optimal", "converged") and seen == list(range(1, len(best.history) + 1))
+    assert best.x == pytest.approx(by_hand.x, rel=1e-6)
+    assert bending(rod.evaluate(best.x))[0] == pytest.approx(best.summary["objective"]["final"])
+    assert best.summary["objective"]["final"] < best.summary["objective"]["initial"]
+    assert best.summary["mass_final"] <= 0.25 * (1 + 1e-5)
+    assert best.summary["multipliers"]["heavy"] > 0, "the mass holds it"
+    assert np.array_equal(best["responses/bending"], rod.evaluate(best.x)["responses/bending"])
+
+
+def test_own_functions_of_arrays_that_are_not_contiguous(rod):
+    """Views with strides, Fortran order, other types of numbers: the same gradient."""
+
+    def gradient(weights):
+        nlp = rod.nlp(objective=lambda at: (0.0, {"bending": weights(at["responses/bending"]),
+                                                  "x": np.zeros((4, 2))[:, 1]}))
+        return nlp.gradient(nlp.x0)
+
+    plain = gradient(lambda y: 1e3 * y)
+    assert abs(plain).max() > 0
+    for change in (lambda y: np.repeat(1e3 * y, 2, axis=0)[::2], lambda y: np.asfortranarray(1e3 * y),
+                   lambda y: (1e3 * y[::-1])[::-1], lambda y: (1e3 * y)[:, 0].tolist(),
+                   lambda y: (1e3 * y).astype(">f8")):
+        assert np.array_equal(gradient(change), plain)
+
+
+@pytest.mark.parametrize("arguments, says", [
+    ({"objective": lambda at: (np.nan, {})}, "the objective is nan at the start"),
+    ({"limits": {"mine": lambda at: (np.inf, {})}}, "'mine' is inf at the start"),
+    ({"limits": {"mine": lambda at: ("a", {})}}, "'mine' returns no"),
+    ({"objective": lambda at: (1.0, {"x": [0, 0, np.nan, 0]})}, "derivative by 'x'"),
+    ({"objective": lambda at: (1.0, {"x": ["a"] * 4})}, "derivative by 'x'"),
+    ({"objective": lambda at: (1.0, 3)}, "the objective returns no"),
+    ({"objective": lambda at: (1.0, {}), "method": "esl1"}, "method='esl1' with functions"),
+    ({"objective": lambda at: (1.0, {}), "nucleate": 1}, "nucleate=1 with functions"),
+    ({"objective": 3.0}, "no function"), ({"limits": {"mine": None}}, "no function"),
+    ({"limits": {"bending": lambda at: (0.0, {})}}, "'bending' is a limit of the study"),
+])
+def test_own_functions_that_are_wrong(rod, arguments, says):
+    with pytest.raises(liesl.InputError, match=says):
+        rod.optimize(**arguments)
+
+
 @pytest.mark.parametrize("function, says", [
     (lambda at: at.objective, "returns no"),
     (lambda at: (1.0, {"bending": np.full_like(at["responses/bending"], np.nan)}), "nan"),
@@ -134,11 +190,56 @@ def test_designs_that_do_not_fit(rod, x, says):
 
 def test_studies_without_a_motion(data):
     study = liesl.Study.load(data / "studies/cantilever.toml")
-    for call in (study.evaluate, study.nlp):
+    own = {"objective": lambda at: (1.0, {})}
+    for call in (study.evaluate, lambda: study.nlp(**own), lambda: study.optimize(**own),
+                 liesl.Study.load(data / "studies/svanberg_cantilever.toml").nlp):
         with pytest.raises(liesl.InputError, match="motion"):
             call()
+    with pytest.raises(liesl.InputError, match="windows is 2"):
+        study.nlp(windows=2)
     with pytest.raises(liesl.InputError):
         liesl.Study.load(data / "scenes/slider_crank.toml")
+
+
+def check_gradients(nlp, columns, h, tolerance):
+    """Objective and rows against central differences, beside the start, where outlines lie along cells."""
+    lower, upper = np.array(nlp.bounds).T
+    x = nlp.x0 + 0.0137 * np.where(nlp.x0 < 0.5 * (lower + upper), 1, -1) * (upper - lower)
+    gradient, jacobian = nlp.gradient(x), nlp.jacobian(x)
+    assert jacobian.shape == (len(nlp.rows), len(x)) and nlp.constraints(x).shape == (len(nlp.rows),)
+    for j in columns:
+        e = h * np.eye(len(x))[j]
+        df = (nlp.objective(x + e) - nlp.objective(x - e)) / (2 * h)
+        dg = (nlp.constraints(x + e) - nlp.constraints(x - e)) / (2 * h)
+        assert gradient[j] == pytest.approx(df, rel=tolerance)
+        assert abs(jacobian[:, j] - dg).max() <= tolerance * abs(dg).max()
+
+
+def test_program_of_an_outline_under_fixed_loads(data):
+    study = liesl.Study.load(data / "studies/cantilever.toml")
+    nlp = study.nlp()
+    assert len(nlp.rows) == 1 and "sag" in nlp.rows[0]
+    check_gradients(nlp, [0], 1e-6, 1e-4)
+    best = liesl.minimize(nlp, tolerance=1e-5).check()
+    assert best.f == pytest.approx(study.optimize().check().summary["mass_final"], rel=1e-4)
+
+
+def test_program_has_every_load_case_and_what_the_study_minimises(data):
+    study = liesl.Study.load(data / "studies/plate_with_hole.toml")
+    nlp = study.nlp()
+    assert any("mass" in row for row in nlp.rows)
+    check_gradients(nlp, [0, 1], 1e-6, 1e-3)
+    assert nlp.objective(nlp.x0) == pytest.approx(463.0, rel=1e-3), "f^T u, J"
+
+
+def test_program_of_an_outline_in_motion(data):
+    """Records and walls are rows; one's own are added to them."""
+    study = liesl.Study.load(data / "studies/connecting_rod.toml",
+                             {"scene.simulation.duration": 2e-3, "scene.bodies.rod.solid.mesh.cells": [60, 12]})
+    nlp = study.nlp(limits={"light": lambda at: (at.objective - 1, {"x": study.mass_gradient(at.x)})})
+    assert nlp.rows[-1] == "light" and any("hole1" in row for row in nlp.rows)
+    assert sum("elongation" in row for row in nlp.rows) == len(study.evaluate().time)
+    check_gradients(nlp, [0, 2], 1e-6, 1e-3)
 
 
 def test_scenarios_have_rows_of_their_own(data):

@@ -3,21 +3,21 @@
 
 #include <gtest/gtest.h>
 
+#include "apps/output/cut_mesh.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
 #include "apps/program.hpp"
 #include "apps/report/blob.hpp"
-#include "apps/report/cut_mesh.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/table.hpp"
 
 namespace liesl::test {
 namespace {
 
+using output::cut_mesh;
+using output::CutMesh;
 using report::Blob;
-using report::cut_mesh;
-using report::CutMesh;
 
 std::vector<unsigned char> bytes(const std::string& text) { return {text.begin(), text.end()}; }
 

@@ -8,7 +8,9 @@ import { number, percent, quantity, scaleOf } from './format.js';
 
 const kPlots = [];
 onTheme(() => kPlots.forEach((p) => p.redraw(false)));
-addEventListener('beforeprint', () => kPlots.forEach((p) => p.redraw()));
+const kPrinted = 318;  // pixels of a chart on a sheet, two beside each other
+addEventListener('beforeprint', () => kPlots.forEach((p) => p.setSize({ width: kPrinted, height: p.height })));
+addEventListener('afterprint', () => kPlots.forEach((p) => p.setSize({ width: p.root.parentElement.clientWidth, height: p.height })));
 
 const kDashed = { initial: [5, 4] };
 const colourOf = (label, i) => (label === 'initial' ? kSeries[1] : label === 'final' ? kSeries[0] : kSeries[i % kSeries.length]);

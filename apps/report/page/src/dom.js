@@ -46,6 +46,19 @@ export function isDark() {
   const chosen = document.documentElement.dataset.theme;
   return chosen ? chosen === 'dark' : matchMedia('(prefers-color-scheme: dark)').matches;
 }
+// Paper is light, whatever the screen is: what is drawn into a canvas has to be drawn again.
+let onScreen;
+addEventListener('beforeprint', () => {
+  onScreen ??= document.documentElement.dataset.theme ?? '';
+  setTheme(false);
+});
+addEventListener('afterprint', () => {
+  if (onScreen === undefined) return;
+  document.documentElement.dataset.theme = onScreen;
+  if (!onScreen) delete document.documentElement.dataset.theme;
+  onScreen = undefined;
+  for (const listener of listeners) listener();
+});
 matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => {
   if (!document.documentElement.dataset.theme) for (const listener of listeners) listener();
 });

@@ -13,14 +13,14 @@ function page() {
   const data = load(), s = data.summary;
   document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
-  const player = data.motion ? new Player(data.motion, clock, worstInstant(s)) : null;
+  const player = data.motion ? new Player(data.motion, clock, worstInstant(s), s.load_cases) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });
   const main = el('main', {}, left, right);
   document.body.append(themeButton(), tables.head(data), main, el('footer', {}, `liesl ${s.versions?.liesl ?? ''} \u00b7 ${s.command ?? ''}`));
   const add = (column, ...nodes) => column.append(...nodes.filter(Boolean));
   if (player) add(left, player.node);
   player?.start();
-  const timed = player && data.motion.abscissa !== 'frequency' ? clock : null;
+  const timed = player && !player.shapes ? clock : null;
   if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
   const wide = [cycles(data, player), ...(data.cases ? cases(data) : [])];
   add(left, tables.limits(s), tables.design(s));

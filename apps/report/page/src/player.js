@@ -9,14 +9,17 @@ const kWholeMotion = 8;  // seconds that the whole motion takes to play
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Player {
-  /** @param first instant to begin with; none: that of the largest deformation */
-  constructor(motion, clock, first) {
-    Object.assign(this, { motion, clock, first, playing: false, speed: 1, phase: 0, frames: [] });
+  /** @param first instant to begin with; none: that of the largest deformation
+      @param cases names of the records, where they are load cases */
+  constructor(motion, clock, first, cases) {
+    Object.assign(this, { motion, clock, first, cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
+    this.shapes = this.modes || motion.abscissa === 'load_case';
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
     this.stage = el('div', { class: 'stage' }, this.canvas);
     this.bar = el('div', { class: 'colours' });
-    this.node = el('section', { class: 'card viewer' }, this.stage, this.bar, this.controls());
+    this.caption = el('p', { class: 'printed note' });  // on paper there are no sliders to read
+    this.node = el('section', { class: 'card viewer' }, this.stage, this.bar, this.caption, this.controls());
     this.hint();
   }
 
@@ -33,6 +36,10 @@ export class Player {
     this.clock.listen(() => this.show());
     if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
     if (this.modes) this.toggle(true);
+    addEventListener('beforeprint', () => {
+      this.describe();
+      this.view.draw();
+    });
     const loop = (now) => {
       this.advance(now);
       if (this.view.draw()) this.count(now);
@@ -44,7 +51,8 @@ export class Player {
   controls() {
     const { clock } = this, range = (id, attributes) => el('input', { type: 'range', id, ...attributes });
     this.button = el('button', { class: 'play', id: 'play', title: 'play or stop (space)', onclick: () => this.toggle() }, '\u25b6');
-    this.slider = range('time', { min: 0, max: this.modes ? clock.t.length - 1 : 1, step: this.modes ? 1 : 'any', value: 0,
+    this.slider = range('time', { min: 0, max: this.shapes ? clock.t.length - 1 : 1, step: this.shapes ? 1 : 'any', value: 0,
+      disabled: this.shapes && clock.t.length < 2,
       oninput: () => this.seek(Number(this.slider.value)) });
     this.label = el('output', { for: 'time', id: 'instant' });
     this.scaler = range('scale', { min: 0, max: 4, step: 0.01, value: 0,
@@ -64,7 +72,7 @@ export class Player {
 
   hint() {
     const { records, t } = this.motion, shown = t.n;
-    if (this.modes) return;
+    if (this.shapes) return;
     const text = shown < records ? `${shown} of ${records} recorded instants, evenly spread; charts keep every peak` : `${records} instants`;
     this.node.append(el('p', { class: 'hint' }, text,
       ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 deformation, C colour, F fits'));
@@ -106,16 +114,23 @@ export class Player {
 
   seek(share) {
     const { clock } = this;
-    if (this.modes) return clock.set(clock.t[share]);
+    if (this.shapes) return clock.set(clock.t[share]);
     clock.set(clock.first + share * (clock.last - clock.first));
   }
 
   show() {
     const { clock } = this;
-    this.view.set({ instant: this.modes ? Math.round(clock.record()) : clock.record() });
+    const record = Math.round(clock.record());
+    this.view.set({ instant: this.shapes ? record : clock.record() });
     const share = (clock.at - clock.first) / (clock.last - clock.first || 1);
-    this.slider.value = this.modes ? Math.round(clock.record()) : share;
-    this.label.textContent = this.motion.unit === '-' ? number(clock.at, 4) : quantity(clock.at, this.motion.unit, 4);
+    this.slider.value = this.shapes ? record : share;
+    this.label.textContent = this.cases?.[record] ?? (this.motion.unit === '-' ? number(clock.at, 4) : quantity(clock.at, this.motion.unit, 4));
+  }
+
+  /** What the sliders say, as a line. */
+  describe() {
+    const what = this.modes ? 'mode of' : this.motion.abscissa.replace('_', ' ');
+    this.caption.textContent = `${what} ${this.label.textContent} \u00b7 deformation ${this.scaleLabel.textContent}`;
   }
 
   toggle(on = !this.playing) {
@@ -123,7 +138,8 @@ export class Player {
     this.before = null;
     this.frames = [];
     this.button.textContent = on ? '\u275a\u275a' : '\u25b6';
-    if (on && !this.modes && this.clock.at >= this.clock.last) this.clock.set(this.clock.first);
+    if (on && !this.shapes && this.clock.at >= this.clock.last) this.clock.set(this.clock.first);
+    if (!on && this.shapes && !this.modes) this.view.set({ phase: 1 });
   }
 
   advance(now) {
@@ -133,6 +149,10 @@ export class Player {
     if (this.modes) {
       this.phase += 2 * Math.PI * 0.5 * passed * this.speed;
       return this.view.set({ phase: Math.sin(this.phase) });
+    }
+    if (this.shapes) {  // the load comes and goes
+      this.phase += 2 * Math.PI * 0.4 * passed * this.speed;
+      return this.view.set({ phase: 0.5 * (1 - Math.cos(this.phase)) });
     }
     const { clock } = this, whole = clock.last - clock.first;
     let at = clock.at + (whole / kWholeMotion) * passed * this.speed;

@@ -22,7 +22,7 @@ export class SolidView {
     this.stressBasis = d.stress.map((b) => components(b, this.vertices));
     this.stresses = new Float32Array(this.vertices);
     this.interfaces = d.interfaces;
-    this.far = farthest(d.interfaces);
+    this.far = body.nodes > 1 ? farthest(d.interfaces) : 0;
     this.e = new Float32Array(this.count);
     this.u = new Float32Array(3 * this.vertices);
     this.sizes = new Float32Array(this.vertices);

@@ -11,6 +11,9 @@ export function badge(status) {
   return el('span', { class: `badge ${kind}` }, status);
 }
 
+/** What is optimised: a motion, or a part under loads that stay. */
+const subject = (s) => (s.load_cases ? 'study' : 'motion');
+
 const kMeaning = {
   optimal: 'The optimality conditions of the motion hold, and all limits are met.',
   converged: 'Loads and design agree; whether the design is optimal for the motion, the residual below tells.',
@@ -41,13 +44,13 @@ export function head(data) {
     tiles.push(tile('worst limit', percent(s.worst_constraint), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
   if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
   if (s.kkt_residual !== undefined)
-    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? 'optimal for the motion' : 'not optimal for the motion'));
+    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(s)}` : `not optimal for the ${subject(s)}`));
   if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
-    el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status]) : null),
+    el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(s))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, w))) : null,
     el('div', { class: 'tiles' }, tiles));
 }
@@ -71,7 +74,7 @@ export function limits(s) {
   ]);
   return card('Limits',
     table(['limit', 'allowed', 'before', 'after', 'above it', 'at', '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
-    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the motion: ${s.kkt}.`) : null);
+    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(s)}: ${s.kkt}.`) : null);
 }
 
 /** Bounds as a line, the start as a tick, the end as a dot. */

@@ -5,7 +5,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BeamView } from './beams.js';
-import { array } from './data.js';
+import { array, components } from './data.js';
 import { onTheme, theme } from './dom.js';
 import { Body } from './motion.js';
 import { quantities } from './quantities.js';
@@ -21,6 +21,7 @@ export class View {
     this.motion = motion;
     this.t = array(motion.t);
     this.modes = motion.abscissa === 'frequency';
+    this.shapes = this.modes || motion.abscissa === 'load_case';  // each record a shape by itself
     this.bodies = motion.bodies.map((d) => new Body(d, this.t.length));
     this.byName = new Map(this.bodies.map((b) => [b.name, b]));
     Object.assign(this, { instant: 0, scale: 1, phase: 1, colour: null, dirty: true });
@@ -46,11 +47,7 @@ export class View {
     for (const body of this.bodies)
       for (let i = 0; i < body.xs[0].length; i += Math.max(1, Math.floor(body.xs[0].length / 4000)))
         this.box.expandByPoint(kV.set(body.xs[0][i], body.xs[1][i], body.xs[2][i]));
-    for (const mesh of this.motion.meshes) for (let i = 0; i < mesh.interfaces.length; i += 3) {
-      const body = this.byName.get(mesh.name);
-      kV.set(...mesh.interfaces.slice(i, i + 3)).applyQuaternion(kQ.fromArray(body.q0, 0));
-      this.box.expandByPoint(kV.add(new Vector3(...body.x0.slice(0, 3))));
-    }
+    for (const mesh of this.motion.meshes) this.addToBox(mesh);
     const size = this.box.getSize(new Vector3());
     this.size = size.length() || 1;
     const flat = [size.x, size.y, size.z].map((s) => s < 1e-6 * this.size);
@@ -59,6 +56,15 @@ export class View {
     this.up = new Vector3(...(this.planar && normal === 2 ? [0, 1, 0] : [0, 0, 1]));
     this.normal = new Vector3(...[0, 1, 2].map((c) => (this.planar && c === normal ? 1 : 0)));
     if (this.planar && normal === 1) this.normal.negate();
+  }
+
+  /** Vertices of a meshed part at rest. */
+  addToBox(mesh) {
+    const body = this.byName.get(mesh.name), n = mesh.x0.find((c) => typeof c !== 'number')?.n ?? 0;
+    const x = components(mesh.x0, n), origin = new Vector3(...body.x0.slice(0, 3));
+    kQ.fromArray(body.q0, 0);
+    for (let i = 0; i < n; i += Math.max(1, Math.floor(n / 4000)))
+      this.box.expandByPoint(kV.set(x[0][i], x[1][i], x[2][i]).applyQuaternion(kQ).add(origin));
   }
 
   addBodies() {
@@ -125,10 +131,10 @@ export class View {
 
   moveBodies(i, s, size) {
     for (const { view, body } of this.parts) {
-      if (this.modes) body.mode(i, size);
+      if (this.shapes) body.mode(i, size);
       else body.at(i, s);
       if (!view.at) continue;
-      if (this.modes) view.mode(i, size);
+      if (this.shapes) view.mode(i, size);
       else view.at(i, s);
       view.deform();
     }
@@ -142,9 +148,9 @@ export class View {
 
   update() {
     const last = this.t.length - 1, i = Math.min(Math.floor(this.instant), last);
-    const s = this.modes ? 0 : Math.min(this.instant - i, 1);
+    const s = this.shapes ? 0 : Math.min(this.instant - i, 1);
     const scale = this.modes ? 1 : this.scale;
-    this.moveBodies(i, s, this.modes ? this.phase * this.scale : 1);
+    this.moveBodies(i, s, this.modes ? this.phase * this.scale : this.phase);
     for (const { view, body, plain } of this.parts) {
       const colour = this.colourOf(view, body, i, s);
       if (view.chord) view.chord.update();
@@ -194,7 +200,7 @@ export class View {
 
   /** The camera as near as the whole motion allows. */
   fit() {
-    const centre = this.box.getCenter(new Vector3()), margin = 0.035 * this.size;
+    const centre = this.box.getCenter(new Vector3()), margin = (this.shapes ? 0.1 : 0.035) * this.size;  // shapes are magnified
     const from = this.planar
       ? this.normal.clone().addScaledVector(this.up, 0.2).addScaledVector(kV.crossVectors(this.up, this.normal), -0.1)
       : new Vector3(0.75, -1, 0.55);

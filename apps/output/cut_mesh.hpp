@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace liesl::report {
+namespace liesl::output {
 
 /// Vertices are points on lines between two nodes (or nodes, i = j), so that they go where the
 /// nodes go.
@@ -27,4 +27,4 @@ struct CutMesh {
 CutMesh cut_mesh(int corners, const std::vector<int>& cells, const std::vector<double>& nodes,
                  const std::vector<double>& level);
 
-}  // namespace liesl::report
+}  // namespace liesl::output

@@ -1,4 +1,4 @@
-#include "apps/report/cut_mesh.hpp"
+#include "apps/output/cut_mesh.hpp"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
@@ -7,7 +7,7 @@
 #include <set>
 #include <unordered_map>
 
-namespace liesl::report {
+namespace liesl::output {
 namespace {
 
 using Polygon = std::vector<std::uint32_t>;
@@ -150,4 +150,4 @@ CutMesh cut_mesh(int corners, const std::vector<int>& cells, const std::vector<d
   return std::move(cutter.mesh);
 }
 
-}  // namespace liesl::report
+}  // namespace liesl::output

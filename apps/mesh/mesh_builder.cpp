@@ -1,0 +1,100 @@
+#include "apps/mesh/mesh_builder.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+namespace {
+
+constexpr int kMostMeshProblems = 20;
+
+}  // namespace
+
+void MeshBuilder::problem(int line, std::string what, std::string expected, std::string hint) {
+  if (++reported_ <= kMostMeshProblems)
+    problems_.add(
+        {problems_.file(), line, 1, std::move(what), std::move(expected), std::move(hint)});
+}
+
+void MeshBuilder::add_node(std::size_t tag, const Eigen::Vector3d& x, int line) {
+  if (!x.allFinite())
+    problem(line, fmt::format("node {} lies at ({}, {}, {})", tag, x[0], x[1], x[2]),
+            "finite coordinates (m)");
+  if (!positions_.try_emplace(tag, x).second)
+    problem(line, fmt::format("node {} is there twice", tag), "each node once", hints_.twice_node);
+}
+
+void MeshBuilder::add_cell(std::vector<std::size_t> corners, int line) {
+  cells_.push_back({std::move(corners), line});
+}
+
+void MeshBuilder::number_nodes(SolidMesh& mesh) {
+  std::vector<Eigen::Vector3d> used;
+  bool planar = true;
+  for (const Cell& cell : cells_)
+    for (const std::size_t tag : cell.nodes) {
+      const auto it = positions_.find(tag);
+      if (it == positions_.end()) {
+        problem(cell.line, fmt::format("node {} does not exist", tag), "a node of the file");
+        continue;
+      }
+      if (!number_.try_emplace(tag, static_cast<int>(used.size())).second) continue;
+      used.push_back(it->second);
+      if (mesh.dim == 2 && planar && std::abs(it->second[2]) > 1e-12) {
+        problem(cell.line, fmt::format("node {} lies at z = {}", tag, it->second[2]),
+                "quadrilaterals in the plane z = 0");
+        planar = false;
+      }
+    }
+  problems_.throw_if_any();
+  mesh.nodes.resize(3, static_cast<Eigen::Index>(used.size()));
+  for (std::size_t i = 0; i < used.size(); ++i)
+    mesh.nodes.col(static_cast<Eigen::Index>(i)) = used[i];
+}
+
+void MeshBuilder::add_cells(SolidMesh& mesh) {
+  mesh.cells.resize(mesh.corners(), static_cast<Eigen::Index>(cells_.size()));
+  std::map<std::vector<std::size_t>, int> lines;  // of the cells, by their sorted nodes
+  int number = 0;
+  for (const Cell& cell : cells_) {
+    std::vector<std::size_t> nodes = cell.nodes;
+    std::sort(nodes.begin(), nodes.end());
+    if (const auto [first, fresh] = lines.try_emplace(std::move(nodes), cell.line); !fresh)
+      problem(cell.line,
+              fmt::format("the cell has the nodes of the cell in line {}", first->second),
+              "each cell once", hints_.twice_cell);
+    for (int c = 0; c < mesh.corners(); ++c)
+      mesh.cells(c, number) = number_.at(cell.nodes[static_cast<std::size_t>(c)]);
+    if (!(smallest_jacobian(mesh.dim, mesh.corners_of(number)) > 0))
+      problem(cell.line, "the cell is inverted or flat",
+              mesh.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
+                            : "corners of the lower side counter-clockwise seen from above",
+              mesh.dim == 2 ? hints_.inverted : "");
+    ++number;
+  }
+}
+
+SolidMesh MeshBuilder::build() {
+  SolidMesh mesh;
+  const auto is_hexahedron = [](const Cell& cell) { return cell.nodes.size() == 8; };
+  mesh.dim = std::any_of(cells_.begin(), cells_.end(), is_hexahedron) ? 3 : 2;
+  if (mesh.dim == 3) std::erase_if(cells_, [&](const Cell& cell) { return !is_hexahedron(cell); });
+  number_nodes(mesh);
+  if (cells_.empty()) {
+    problem(1, "the file has no cells", "quadrilaterals or hexahedra", hints_.no_cells);
+    problems_.throw_if_any();
+  }
+  add_cells(mesh);
+  for (const auto& [name, tags] : sets_) {
+    std::set<int> nodes;
+    for (const std::size_t tag : tags)
+      if (const auto n = number_.find(tag); n != number_.end()) nodes.insert(n->second);
+    mesh.sets[name] = {nodes.begin(), nodes.end()};
+  }
+  problems_.throw_if_any();
+  return mesh;
+}
+
+}  // namespace liesl

@@ -1,0 +1,173 @@
+#include "apps/output/picture_writer.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <iterator>
+#include <map>
+
+#include "apps/output/csv_writer.hpp"
+#include "apps/output/cut_mesh.hpp"
+#include "apps/output/file.hpp"
+
+namespace liesl::output {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+const double kSharp = std::cos(30 * M_PI / 180);  // of the angle between two normals
+
+Vector3d vector_at(const std::vector<double>& block, std::size_t i) {
+  return Vector3d::Map(&block[3 * i]);
+}
+
+/// Axes of a node by columns; matrices are stored by rows.
+Matrix3d axes_at(const std::vector<double>& block, std::size_t i) {
+  return Eigen::Matrix<double, 3, 3, Eigen::RowMajor>::Map(&block[9 * i]);
+}
+
+/// Extent of a section along a direction (d_y, d_z) of its plane; 0 if it has no shape.
+double extent(const std::string& shape, const double* dimensions, double dy, double dz) {
+  if (shape == "circle" || shape == "tube") return dimensions[0];
+  if (shape == "rectangle" || shape == "box" || shape == "I")
+    return std::abs(dy) * dimensions[0] + std::abs(dz) * dimensions[1];
+  return 0;
+}
+
+/// What is seen of an element along axis `k` of the scene: its extent across itself and across the
+/// line of sight.
+double seen_along(const BodyResult& body, std::size_t e, int k) {
+  const auto node = static_cast<std::size_t>(body.elements[e][0]);
+  const Matrix3d R = axes_at(body.reference_rotations, node);
+  const double* d = &body.dimensions[kMostDimensions * e];
+  const Vector3d across = R.col(0).cross(Vector3d::Unit(k));
+  if (across.norm() < 1e-6)
+    return std::max(extent(body.shapes[e], d, 1, 0), extent(body.shapes[e], d, 0, 1));
+  const Vector3d n = across.normalized();
+  return extent(body.shapes[e], d, R.col(1).dot(n), R.col(2).dot(n));
+}
+
+/// Lines of a mesh at rest, by vertices.
+std::vector<std::vector<std::uint32_t>> closed_sides(const CutMesh& mesh) {
+  std::map<std::uint32_t, std::uint32_t> next;
+  for (const auto& [a, b] : mesh.sides) next[a] = b;  // a vertex that two lines share ends one
+  std::vector<std::vector<std::uint32_t>> lines;
+  while (!next.empty()) {
+    auto& line = lines.emplace_back();
+    for (auto at = next.begin(); at != next.end(); at = next.find(line.back())) {
+      if (line.empty()) line.push_back(at->first);
+      line.push_back(at->second);
+      next.erase(at);
+    }
+  }
+  return lines;
+}
+
+std::vector<std::vector<std::uint32_t>> sharp_edges(const CutMesh& mesh,
+                                                    const std::vector<Vector3d>& x) {
+  std::map<std::pair<std::uint32_t, std::uint32_t>, Vector3d> normals;
+  std::vector<std::vector<std::uint32_t>> lines;
+  for (const auto& t : mesh.triangles) {
+    const Vector3d n = (x[t[1]] - x[t[0]]).cross(x[t[2]] - x[t[0]]).normalized();
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto a = t[k], b = t[(k + 1) % 3];
+      const auto [at, first] = normals.try_emplace(std::minmax(a, b), n);
+      if (!first && at->second.dot(n) < kSharp) lines.push_back({a, b});
+    }
+  }
+  return lines;
+}
+
+/// A meshed part, ready to be drawn at any record.
+class PartLines {
+ public:
+  PartLines(const MeshResult& mesh, const BodyResult& body)
+      : mesh_(mesh),
+        body_(body),
+        cut_(cut_mesh(mesh.corners, mesh.cells, mesh.reference, mesh.level)) {
+    const auto rest = places(mesh.reference);
+    lines_ = mesh.corners == 4 ? closed_sides(cut_) : sharp_edges(cut_, rest);
+  }
+
+  void put(std::string& text, const std::string& start, const std::string& name,
+           std::size_t record) const {
+    const std::vector<Vector3d> x = at(record);
+    for (std::size_t l = 0; l < lines_.size(); ++l)
+      for (const std::uint32_t v : lines_[l])
+        fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g}\n", start, name, l,
+                       x[v][0], x[v][1], x[v][2]);
+  }
+
+ private:
+  std::vector<Vector3d> places(const std::vector<double>& nodes) const {
+    std::vector<Vector3d> out;
+    for (const auto& v : cut_.vertices)
+      out.push_back((1 - v.t) * vector_at(nodes, std::size_t(v.i)) +
+                    v.t * vector_at(nodes, std::size_t(v.j)));
+    return out;
+  }
+
+  /// x_0 + R_0 (reference + basis amplitudes) of the vertices.
+  std::vector<Vector3d> at(std::size_t record) const {
+    const std::size_t size = mesh_.reference.size(), k = mesh_.basis.size() / size;
+    std::vector<double> nodes = mesh_.reference;
+    for (std::size_t j = 0; j < k; ++j)
+      for (std::size_t i = 0; i < size; ++i)
+        nodes[i] += mesh_.amplitudes[record * k + j] * mesh_.basis[j * size + i];
+    const std::size_t frame = record * static_cast<std::size_t>(body_.nodes);
+    const Vector3d x0 = vector_at(body_.positions, frame);
+    const Matrix3d R0 = axes_at(body_.rotations, frame);
+    std::vector<Vector3d> out = places(nodes);
+    for (Vector3d& x : out) x = x0 + R0 * x;
+    return out;
+  }
+
+  const MeshResult& mesh_;
+  const BodyResult& body_;
+  CutMesh cut_;
+  std::vector<std::vector<std::uint32_t>> lines_;
+};
+
+/// Records of the pictured instants: evenly spread among those of frames.csv, first and last too.
+std::vector<int> pictured(int records) {
+  const std::vector<int> frames = spread_records(records, kFrames);
+  std::vector<int> out;
+  for (const int i : spread_records(static_cast<int>(frames.size()), kPictured))
+    out.push_back(frames[static_cast<std::size_t>(i)]);
+  return out;
+}
+
+}  // namespace
+
+void write_sections_csv(const std::filesystem::path& path, const Results& results) {
+  std::string text = "body,element,along x [m],along y [m],along z [m]\n";
+  const std::size_t head = text.size();
+  for (const BodyResult& body : results.bodies)
+    for (std::size_t e = 0; e < body.shapes.size() && !body.reference_rotations.empty(); ++e) {
+      const Vector3d seen(seen_along(body, e, 0), seen_along(body, e, 1), seen_along(body, e, 2));
+      if (seen.maxCoeff() > 0)
+        fmt::format_to(std::back_inserter(text), "{},{},{:.6g},{:.6g},{:.6g}\n", field(body.name),
+                       e, seen[0], seen[1], seen[2]);
+    }
+  if (text.size() > head) write_file(path, text);
+}
+
+void write_part_lines_csv(const std::filesystem::path& path, const Results& results) {
+  std::string text =
+      heading(results.abscissa, results.abscissa_unit) + ",body,line,x [m],y [m],z [m]\n";
+  const std::size_t head = text.size();
+  for (const MeshResult& mesh : results.meshes) {
+    const auto body = std::find_if(results.bodies.begin(), results.bodies.end(),
+                                   [&](const BodyResult& b) { return b.name == mesh.name; });
+    if (body == results.bodies.end() || mesh.reference.empty()) continue;
+    const PartLines lines(mesh, *body);
+    for (const int record : pictured(static_cast<int>(results.times.size())))
+      lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
+                std::size_t(record));
+  }
+  if (text.size() > head) write_file(path, text);
+}
+
+}  // namespace liesl::output

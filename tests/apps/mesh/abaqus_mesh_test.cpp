@@ -1,0 +1,132 @@
+#include "apps/mesh/abaqus_mesh.hpp"
+
+#include <gtest/gtest.h>
+
+#include "apps/input/problem.hpp"
+
+namespace liesl::test {
+namespace {
+
+/// Two hexahedra on top of each other, as preprocessors write them: comments, a cell over two
+/// lines, sets in three ways, a mass and a step that are passed over, a node without a cell.
+const std::string kTower = R"(*HEADING
+a tower
+** its nodes
+*NODE, NSET=Nall
+1, 0, 0, 0
+2, 1, 0, 0
+3, 1., 1., 0.
+4, 0, 1, 0
+11, 0, 0, 1
+12, 1, 0, 1
+13, 1, 1, 1
+14, 0, 1, 1
+21, 0, 0, 2.5e0
+22, 1, 0, 2.5
+23, 1, 1, 2.5
+24, 0, 1, 2.5
+99, 7, 7, 7
+*Element, type=C3D8I, elset=Eall
+1, 1, 2, 3, 4, 11, 12, 13, 14
+2, 11, 12, 13, 14, 21,
+   22, 23, 24
+*ELEMENT, TYPE=MASS, ELSET=M
+3, 99
+*NSET, NSET=Foot, GENERATE
+1, 4, 1
+*NSET, NSET=head
+21, 22,
+23, 24
+*NSET, NSET=ends
+FOOT, head
+*MATERIAL, NAME=STEEL
+*ELASTIC
+210e9, 0.3
+*STEP
+*STATIC
+*END STEP
+)";
+
+std::string tower_with(const std::string& from, const std::string& to) {
+  std::string text = kTower;
+  const auto at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::vector<InputProblem> problems_of_inp(const std::string& text) {
+  try {
+    read_abaqus("part.inp", text);
+  } catch (const InputError& e) {
+    return e.problems;
+  }
+  return {};
+}
+
+TEST(AbaqusMesh, ReadsHexahedraAndNodeSets) {
+  const SolidMesh mesh = read_abaqus("part.inp", kTower);
+  EXPECT_EQ(mesh.dim, 3);
+  EXPECT_EQ(mesh.node_count(), 12);  // without the unused one
+  ASSERT_EQ(mesh.cell_count(), 2);
+  EXPECT_NEAR(mesh.cell_size(0), 1, 1e-14);
+  EXPECT_NEAR(mesh.cell_size(1), 1.5, 1e-14);
+  for (const int node : mesh.sets.at("Foot")) EXPECT_EQ(mesh.nodes(2, node), 0);
+  for (const int node : mesh.sets.at("head")) EXPECT_EQ(mesh.nodes(2, node), 2.5);
+  EXPECT_EQ(mesh.sets.at("Foot").size(), 4u);
+  EXPECT_EQ(mesh.sets.at("ends").size(), 8u);
+  EXPECT_EQ(mesh.sets.at("Nall").size(), 12u);
+}
+
+TEST(AbaqusMesh, ReadsQuadrilaterals) {
+  const SolidMesh mesh = read_abaqus("part.inp", R"(*NODE
+1, 0, 0
+2, 2, 0
+3, 2, 1
+4, 0, 1
+*ELEMENT, TYPE=CPS4R
+7, 1, 2, 3, 4
+*NSET, NSET=left
+1, 4
+)");
+  EXPECT_EQ(mesh.dim, 2);
+  EXPECT_NEAR(mesh.cell_size(0), 2, 1e-14);
+  EXPECT_EQ(mesh.sets.at("left"), (std::vector<int>{0, 3}));
+}
+
+TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
+  struct Case {
+    std::string text, words;
+    int line;
+  };
+  const std::vector<Case> cases = {
+      {"", "no cells", 1},
+      {"nothing of the kind\n", "no cells", 1},
+      {tower_with("type=C3D8I", "type=C3D10"), "elements of type 'C3D10'", 18},
+      {tower_with("type=C3D8I", "type=C3D4"), "first order", 18},
+      {tower_with("type=C3D8I", "type=CPS4"), "an element has 8 nodes", 19},
+      {tower_with("1, 1, 2, 3, 4, 11", "1, 1, 4, 3, 2, 11"), "inverted or flat", 19},
+      {tower_with("11, 12, 13, 14, 21,", "11, 12, 13, 14, 55,"), "node 55 does not exist", 20},
+      {tower_with("   22, 23, 24", "   22, 23"), "an element has 7 nodes", 20},
+      {tower_with("2, 1, 0, 0", "2, one, 0, 0"), "'one' is not a number", 6},
+      {tower_with("2, 1, 0, 0", "2, nan, 0, 0"), "node 2 lies at (nan, 0, 0)", 6},
+      {tower_with("14, 0, 1, 1", "13, 0, 1, 1"), "node 13 is there twice", 12},
+      {tower_with("22,\n23, 24", "22,\n23, 77"), "node 77 of set 'head' does not exist", 28},
+      {tower_with("FOOT, head", "FOOT, hed"), "there is no node set 'hed'", 30},
+      {tower_with("1, 4, 1", "4, 1, 1"), "GENERATE", 25},
+      {tower_with("1, 4, 1", "1, 99999999999999, 1"), "GENERATE", 25},
+      {tower_with("NSET=head", "N"), "*NSET without a name", 26},
+      {tower_with("*HEADING", "*INCLUDE, INPUT=a.inp"), "*INCLUDE is not read", 1},
+  };
+  for (const Case& c : cases) {
+    const auto problems = problems_of_inp(c.text);
+    ASSERT_FALSE(problems.empty()) << c.words;
+    const bool found = std::any_of(problems.begin(), problems.end(), [&](const InputProblem& p) {
+      return p.line == c.line && p.text().find(c.words) != std::string::npos;
+    });
+    EXPECT_TRUE(found) << c.words << ": " << problems[0].text();
+    EXPECT_EQ(problems[0].file, "part.inp");
+  }
+}
+
+}  // namespace
+}  // namespace liesl::test

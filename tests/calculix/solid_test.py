@@ -1,0 +1,92 @@
+#!/usr/bin/env python3
+"""solid_test.py PROGRAM DATA: C3D8I of CalculiX gives back the unit cases of `liesl export --to calculix` of meshed
+parts: a bar of 20 x 4 x 4 hexahedra in tension, shear, torsion and bending; a connecting rod whose outline cuts cells,
+under its motion; a plate, one layer of cells.
+
+Ends with 77 (skipped) without ccx (calculix-ccx).
+"""
+
+import csv
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+PROGRAM, DATA = sys.argv[1], Path(sys.argv[2])
+if not shutil.which("ccx"):
+    print("skipped: apt-get install calculix-ccx")
+    sys.exit(77)
+
+WITHIN = 1e-6  # of the largest displacement of a unit case
+BLOCK = re.compile(r"displacements \(vx,vy,vz\) for set NODES and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)")
+BAR = """name = "bar"
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.bar.solid]
+mesh = { from = [0, 0, 0], to = [0.2, 0.04, 0.04], cells = [20, 4, 4] }
+material = "steel"
+modes = 0
+interfaces = { root = { set = "x_min" }, tip = { set = "x_max" } }
+[joints]
+clamp = { fixed = ["ground", "bar.root"] }
+[loads]
+pull = { at = "bar.tip", force = [1e3, 1e3, 0] }
+[simulation]
+duration = 1e-5
+step = 1e-5
+"""
+# Of the tip, in the order of its coordinates.
+CASES = ("tension", "shear along y", "shear along z", "torsion", "bending about y", "bending about z")
+
+
+def expected(folder):
+    """Unit case -> node -> displacement."""
+    out = {}
+    for row in csv.reader((folder / "displacements.csv").read_text().splitlines()[1:]):
+        out.setdefault(int(row[0]), {})[int(row[1])] = [float(x) for x in row[5:]]
+    return out
+
+
+def computed(folder, part):
+    """Step -> node -> displacement."""
+    out = {}
+    for time, lines in BLOCK.findall((folder / f"{part}.dat").read_text()):
+        rows = [line.split() for line in lines.splitlines() if line.strip()]
+        out[round(float(time))] = {int(r[0]): [float(x) for x in r[1:]] for r in rows}
+    return out
+
+
+def check(scene, part, *options, names=()):
+    """Prints each unit case. Number of those that are wrong."""
+    with tempfile.TemporaryDirectory() as temporary:
+        folder = Path(temporary) / "deck"
+        subprocess.run([PROGRAM, "export", scene, "--to", "calculix", "--part", part, "-o", folder, "--quiet",
+                        *options], check=True)
+        run = subprocess.run(["ccx", part], cwd=folder, capture_output=True, text=True, timeout=500)
+        if "*ERROR" in run.stdout:
+            print(run.stdout[-2000:])
+            return 1
+        units, steps, wrong = expected(folder), computed(folder, part), 0
+        if sorted(units) != sorted(steps) or not units:
+            print(f"{part}: {len(units)} unit cases, {len(steps)} steps of CalculiX")
+            return 1
+        for k, nodes in units.items():
+            largest = max(abs(x) for u in nodes.values() for x in u)
+            error = max(abs(a - b) for node, u in nodes.items() for a, b in zip(u, steps[k][node])) / largest
+            wrong += not error <= WITHIN
+            print(f"{scene.name} {part} {names[k - 1] if names else f'unit case {k}'}: CalculiX differs by {error:.1e} "
+                  "of the largest displacement")
+        return wrong
+
+
+with tempfile.TemporaryDirectory() as temporary:
+    bar = Path(temporary) / "bar.toml"
+    bar.write_text(BAR)
+    wrong = check(bar, "bar", names=CASES)
+wrong += check(DATA / "scenes/meshed_slider_crank.toml", "rod", "--set", "simulation.duration=1e-3",
+               "--set", "bodies.rod.solid.mesh.cells=[60,12]")
+wrong += check(DATA / "scenes/connecting_rod_3d.toml", "rod", "--set", "simulation.duration=1e-3",
+               "--set", "bodies.rod.solid.mesh.cells=[30,8,4]")
+sys.exit(1 if wrong else 0)
