@@ -18,7 +18,7 @@ namespace {
 /// Where the estimates say to start, and single levels from there.
 class MeshAndStep {
  public:
-  explicit MeshAndStep(LeanRuns& runs) : runs_(runs) {}
+  MeshAndStep(LeanRuns& runs, const std::string& of) : runs_(runs), of_(of) {}
 
   bool choose() {
     counts_ = step_counts();
@@ -30,7 +30,7 @@ class MeshAndStep {
       runs_.lean.record_every = static_cast<int>(std::max<long>(
           1, std::lround(static_cast<double>(runs_.result.given.record_every * s.steps) /
                          static_cast<double>(runs_.result.given.steps))));
-    runs_.decide({"mesh and step", text_of(s), runs_.error(s), runs_.budget(),
+    runs_.decide({"mesh and step" + of_, text_of(s), runs_.error(s), runs_.budget(),
                   found
                       ? fmt::format("{} from the reference; one level coarser{}",
                                     percent(runs_.error(s)), limits_of(s))
@@ -89,7 +89,7 @@ class MeshAndStep {
     const Plan plan = cheapest(counts_, from.steps, step_error, meshes, others, runs_.budget());
     from.steps = plan.steps;
     for (std::size_t k = 0; k < which.size(); ++k) from.beams[which[k]].elements = plan.elements[k];
-    runs_.decide({"estimate", text_of(from), plan.error, runs_.budget(),
+    runs_.decide({"estimate" + of_, text_of(from), plan.error, runs_.budget(),
                   "errors of mesh and step as given, of order 2: " + text});
     return from;
   }
@@ -164,11 +164,14 @@ class MeshAndStep {
   }
 
   LeanRuns& runs_;
+  const std::string of_;
   std::vector<long> counts_;  ///< candidates for the number of steps
 };
 
 }  // namespace
 
-bool choose_mesh_and_step(LeanRuns& runs) { return MeshAndStep(runs).choose(); }
+bool choose_mesh_and_step(LeanRuns& runs, const std::string& of) {
+  return MeshAndStep(runs, of).choose();
+}
 
 }  // namespace liesl

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "apps/lean/lean_stages.hpp"
 #include "mbs/solvers/generalized_alpha.hpp"
@@ -78,6 +79,26 @@ void make_rigid(LeanRuns& runs) {
   }
 }
 
+void choose_order(LeanRuns& runs) {
+  const Setting second = runs.lean;
+  bool any = false;
+  for (BeamSetting& beam : runs.lean.beams) {
+    if (beam.rigid || beam.modes >= 0 || beam.order == 4) continue;
+    beam.order = 4;
+    any = true;
+  }
+  if (!any) return;
+  const Trial& fourth = runs.trial(runs.lean);
+  const bool found = fourth.ok && choose_mesh_and_step(runs, " of order 4");
+  const Setting s = std::exchange(runs.lean, second);
+  if (found)
+    take_if_faster(runs, s, "order", "order 4");
+  else
+    runs.decide(
+        {"order", "order 4: no", 0, 0,
+         fourth.ok ? "no mesh and step within the budget" : "does not run: " + fourth.reason});
+}
+
 void choose_modes(LeanRuns& runs) {
   if (!runs.dynamic()) return;
   for (std::size_t i = 0; i < runs.lean.beams.size(); ++i) {
@@ -85,6 +106,7 @@ void choose_modes(LeanRuns& runs) {
     Setting s = runs.lean;
     for (int count = 0; count <= kMostModes; count = count == 0 ? 1 : 2 * count) {
       s.beams[i].modes = count;
+      s.beams[i].order = 2;
       if (runs.good(s)) break;
     }
     take_if_faster(runs, s, "beam " + s.beams[i].name, fmt::format("{} modes", s.beams[i].modes));

@@ -39,6 +39,7 @@ std::string text_of(const Setting& s) {
   for (const auto& beam : s.beams) {
     text += fmt::format("{}{} ", text.empty() ? "" : ", ", beam.name);
     text += beam.rigid ? "rigid" : fmt::format("{} elements", beam.elements);
+    if (beam.order != 2 && !beam.rigid) text += fmt::format(" of order {}", beam.order);
     if (beam.modes >= 0) text += fmt::format(" in {} modes", beam.modes);
   }
   return text.empty() ? "nothing to refine" : text;

@@ -24,6 +24,7 @@ LeanResult find_lean(Trials& trials, double tolerance,
   make_rigid(runs);
   for (int check = 0; check < kMostChecks; ++check) {
     if (!choose_mesh_and_step(runs)) break;
+    choose_order(runs);
     choose_modes(runs);
     choose_tangent(runs);
     if (check_held_out(runs))

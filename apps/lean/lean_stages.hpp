@@ -16,7 +16,10 @@ bool find_reference(LeanRuns& runs);
 /// Rigid beams: one run each, then those that hardly matter together.
 void make_rigid(LeanRuns& runs);
 /// Mesh and step; false if the finest choice is not within the budget.
-bool choose_mesh_and_step(LeanRuns& runs);
+/// @param of what the decisions are called besides: " of order 4"
+bool choose_mesh_and_step(LeanRuns& runs, const std::string& of = "");
+/// Elements of order 4, with mesh and step of their own, where measured to be faster.
+void choose_order(LeanRuns& runs);
 /// Few modes, where measured to be faster.
 void choose_modes(LeanRuns& runs);
 /// Another tangent, where measured to be faster.

@@ -96,8 +96,8 @@ Setting setting_of(const Scene& scene) {
     if (!beam || beam->as == BeamModel::Rigid) continue;
     const int n = static_cast<int>(beam->sections.size());
     const int modes = beam->as == BeamModel::Modal ? beam->modes : -1;
-    s.beams.push_back(
-        {body.name, false, modes, n, common_multiple(places(scene, static_cast<int>(b)), n)});
+    s.beams.push_back({body.name, false, modes, beam->order, n,
+                       common_multiple(places(scene, static_cast<int>(b)), n)});
   }
   return s;
 }
@@ -111,6 +111,7 @@ std::vector<std::string> changes(const Setting& wanted, const Setting& given) {
     const std::string key = "bodies." + to.name + ".beam.";
     if (to.elements != from.elements)
       list.push_back(fmt::format("{}elements={}", key, to.elements));
+    if (to.order != from.order) list.push_back(fmt::format("{}order={}", key, to.order));
     if (to.rigid && !from.rigid) list.push_back(key + "as=\"rigid\"");
     if (to.modes != from.modes) {
       list.push_back(key + "as=\"modal\"");

@@ -14,6 +14,7 @@ struct BeamSetting {
   std::string name;
   bool rigid = false;  ///< flexible otherwise
   int modes = -1;      ///< >= 0: linear in a floating frame with so many internal modes
+  int order = 2;       ///< of its elements
   int elements = 1;
   int multiple = 1;  ///< numbers of elements that keep every place of the scene on a node are its
                      ///< multiples; 0: no other mesh does

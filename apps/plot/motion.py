@@ -21,7 +21,19 @@ def moving(series, names):
     return [n for n in names if any(series.numbers(n))] or names
 
 
-def draw_responses(folder, pictures, _summary):
+def error_of(figure):
+    """Of its largest value, by mesh and step together (`--verify`); 0 where it is not known."""
+    return sum(figure.get("error", {}).values())
+
+
+def band(ax, time, values, error, factor, colour, label=None):
+    """The error of the largest value on either side of a line; nothing without one."""
+    if error > 0:
+        lower, upper = ([(v + sign * error) * factor for v in values] for sign in (-1, 1))
+        ax.fill_between(time, lower, upper, color=colour, alpha=0.25, linewidth=0, label=label)
+
+
+def draw_responses(folder, pictures, summary):
     series = table(folder, "responses.csv")
     if series is None or len(series.names) < 2:
         return
@@ -32,9 +44,11 @@ def draw_responses(folder, pictures, _summary):
         columns = moving(series, columns)
         values = [series.numbers(column) for column in columns]
         factor, unit = scale_of(sum(values, []), series.unit(columns[0]))
+        error = error_of(summary.get("responses", {}).get(stem, {}))
         for column, line in zip(columns, values):
-            ax.plot(time, scaled(line, factor), label=column[len(stem) + 1:],
-                    marker="o" if len(time) < 30 else None, markersize=3)
+            drawn, = ax.plot(time, scaled(line, factor), label=column[len(stem) + 1:],
+                             marker="o" if len(time) < 30 else None, markersize=3)
+            band(ax, time, line, error, factor, drawn.get_color())
         ax.set_ylabel(label(stem, unit))
         if len(columns) > 1:
             legend(ax)
@@ -91,15 +105,16 @@ def draw_before_after(folder, pictures, summary):
         return
     figure, axes = stacked(len(panels), 2.9)
     for ax, (before, after, stem, columns, name) in zip(axes, panels):
-        before_after(ax, before, after, name, columns, constraints.get(name, {}).get("limit"))
+        before_after(ax, before, after, name, columns, constraints.get(name, {}))
         legend(ax)
         ax.margins(x=0.01)
     axes[-1].set_xlabel(label(after.names[0], after.units[0]))
     pictures.save(figure, "response_before_after", "responses against their limits")
 
 
-def before_after(ax, before, after, stem, columns, limit):
-    """One response of the first and of the final design."""
+def before_after(ax, before, after, stem, columns, figure):
+    """One response of the first and of the final design; `figure` is its limit in the summary."""
+    limit, error = figure.get("limit"), error_of(figure)
     runs = [(run, name, colour) for run, name, colour in
             ((before, "initial", ORANGE), (after, "final", BLUE))
             if all(column in run.names for column in columns)]
@@ -110,6 +125,8 @@ def before_after(ax, before, after, stem, columns, limit):
     for name, colour, time, values in lines:
         ax.plot(time, scaled(values, factor), color=colour, label=name,
                 linewidth=2.4 if name == "initial" else 1.6, alpha=0.85 if name == "initial" else 1)
+        if name == "final":
+            band(ax, time, values, error, factor, colour, "its error by mesh and step")
     if limit:
         ax.axhline(limit * factor, label="limit", **LIMIT)
         if any(v < 0 for v in everything):

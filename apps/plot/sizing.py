@@ -130,7 +130,7 @@ def draw_overview(folder, pictures, summary):
         ax.set_title(f"bending × {scale:g}")
     ax = figure.add_subplot(grid[0, 1])
     name = names[stems[0]]
-    before_after(ax, before, after, name, groups[stems[0]], constraints[name].get("limit"))
+    before_after(ax, before, after, name, groups[stems[0]], constraints[name])
     ax.set_xlabel(label(after.names[0], after.units[0]))
     ax.margins(x=0.01)
     ax.legend(loc="lower center", bbox_to_anchor=(0.5, 0.98), ncols=3)

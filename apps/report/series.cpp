@@ -61,6 +61,15 @@ std::vector<std::string> scenarios_in(const fs::path& folder) {
   return out;
 }
 
+/// The error of the largest value by mesh and step together, where it is known.
+void add_error(const Json& figure, Json& chart) {
+  if (!figure.contains("error")) return;
+  double sum = 0;
+  for (const auto& [by, error] : figure["error"].items())
+    if (error.is_number()) sum += error.get<double>();
+  chart["error"] = sum;
+}
+
 /// A limit before and after, a chart each. @param scenario "_fast"; "" of a single motion
 void add_limit_charts(const fs::path& folder, const std::string& scenario, const Json& summary,
                       Blob& blob, Json& list) {
@@ -78,6 +87,7 @@ void add_limit_charts(const fs::path& folder, const std::string& scenario, const
     if (limits.contains(name)) {
       one["limit"] = limits[name]["limit"];
       one["at"] = limits[name]["at_time"];
+      add_error(limits[name], one);
     }
     list.push_back(std::move(one));
   }
@@ -99,8 +109,10 @@ Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
   for (std::size_t c = 1; c < table.columns.size(); ++c) {
     const Table::Column& column = table.columns[c];
     const std::string title = owner(column.name, responses);
-    if (list.empty() || list.back()["title"] != title)
+    if (list.empty() || list.back()["title"] != title) {
       list.push_back(chart(title, column.unit, table.columns[0]));
+      if (responses.contains(title)) add_error(responses[title], list.back());
+    }
     list.back()["lines"].push_back(
         line(column.name, numbers(table.columns[0]), numbers(column), blob));
   }

@@ -260,6 +260,18 @@ class Plot(unittest.TestCase):
         self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",
                                     "responses", "energies", "mechanism"])
 
+    def test_band_of_an_error(self):
+        """As wide as the error by mesh and step, around the line."""
+        def picture(error):
+            write_run(self.folder)
+            (self.folder / "summary.json").write_text(json.dumps(
+                {"name": "slider-crank", "status": "done", "responses": {"bend": error}}))
+            plot(self.folder)
+            return (self.folder / "plots" / "responses.svg").read_text()
+        error = {"error": {"mesh": 1e-4, "step": 2e-5}}
+        bands = [picture(e).count("PolyCollection_") for e in ({}, error)]
+        self.assertEqual(bands, [0, 1])
+
     def test_part(self):
         self.draws(write_part, ["plate_outlines", "plate_fraction", "plate_stress",
                                 "plate_hole_gain"])

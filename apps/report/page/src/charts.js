@@ -34,6 +34,8 @@ export function timeChart(d, clock) {
   });
   if (d.limit)
     legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, number(d.limit / scale.factor))));
+  if (d.error)
+    legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, number(d.error / scale.factor, 2))));
   const plot = draw(holder, lines, d, scale);
   if (clock) follow(plot, clock, (t) => lines.forEach((l, i) => {
     values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4);
@@ -76,7 +78,10 @@ function draw(holder, lines, d, scale) {
     series: [{}, ...lines.map((l, i) => ({
       stroke: colourOf(l.label, i), width: 1.6, spanGaps: true, dash: kDashed[l.label], points: { show: !!d.points, size: 6 },
     }))],
-    hooks: { draw: [(u) => drawLimit(u, d.limit ? d.limit / scale.factor : null)] },
+    hooks: { draw: [(u) => {
+      lines.forEach((l, i) => drawBand(u, tables[i], l.label === 'initial' ? 0 : (d.error ?? 0) / scale.factor, colourOf(l.label, i)));
+      drawLimit(u, d.limit ? d.limit / scale.factor : null);
+    }] },
   }, data, holder);
   new ResizeObserver(() => {
     if (holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: d.height ?? 190 });
@@ -90,6 +95,25 @@ function range(low, high, limit) {
   const top = limit ? Math.max(high, 1.08 * limit) : high;
   const pad = 0.06 * (top - low || Math.abs(top) || 1);
   return [low >= 0 && low < 0.3 * top ? 0 : low - pad, top + pad];
+}
+
+/** The error of the largest value on either side of a line. */
+function drawBand(u, [x, y], error, colour) {
+  if (!(error > 0)) return;
+  const { ctx, bbox } = u, n = x.length;
+  ctx.save();
+  ctx.beginPath();
+  ctx.rect(bbox.left, bbox.top, bbox.width, bbox.height);
+  ctx.clip();
+  ctx.beginPath();
+  for (let k = 0; k < 2 * n; ++k) {
+    const above = k < n, i = above ? k : 2 * n - 1 - k;
+    ctx.lineTo(u.valToPos(x[i], 'x', true), u.valToPos(y[i] + (above ? error : -error), 'y', true));
+  }
+  ctx.globalAlpha = 0.22;
+  ctx.fillStyle = colour;
+  ctx.fill();
+  ctx.restore();
 }
 
 /** A dashed line, and a shade where the limit is broken. */
