@@ -137,13 +137,17 @@ class Shapes:
     def __init__(self, sections, parts):
         self.sections, self.parts, self.drawn = sections, parts, set()
 
-    def draw(self, ax, axes, time, body, nodes, colour, size):
+    def draw(self, ax, axes, time, body, nodes, colour, size, last):
         """A body at its displayed nodes. False: it has no shape, or one too thin to be seen.
-        @param size of the mechanism"""
+        @param size of the mechanism  @param last of the instants: in space the others only shine through"""
         lines = self.parts.get((time, body))
+        if lines and len(axes) == 3:
+            self.drawn.add("edges")
+            ax.add_collection3d(Line3DCollection(lines, colors=colour, linewidths=0.9, alpha=1 if last else FILL))
+            return True
         if lines:
             self.drawn.add("part")
-            (fill_lines if len(axes) == 2 else draw_edges)(ax, axes, lines, colour)
+            fill_lines(ax, axes, lines, colour)
             return True
         seen = self.sections.get(body, [])
         if not seen or len(seen) != len(nodes) - 1 or len(axes) != 2:
@@ -164,8 +168,9 @@ class Shapes:
     def marks(self):
         """For the legend."""
         kinds = {"beam": "beam, true thickness", "part": "meshed part, its outline"}
+        edges = [Line2D([], [], color="black", linewidth=0.9, label="meshed part, its edges")]
         return [Patch(facecolor="#00000059", edgecolor="black", linewidth=0.9, label=text)
-                for kind, text in kinds.items() if kind in self.drawn]
+                for kind, text in kinds.items() if kind in self.drawn] + edges * ("edges" in self.drawn)
 
 
 def strip(a, b, thickness):
@@ -188,28 +193,25 @@ def fill_lines(ax, axes, lines, colour):
         ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=0.9)
 
 
-def draw_edges(ax, _axes, lines, colour):
-    ax.add_collection3d(Line3DCollection(lines, colors=colour, linewidths=0.9))
-
-
 def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
     """Bodies at the instants that are shown; rigid bodies with their paths. Marks for a legend."""
     straight = straight_at_rest(instants)
     columns = lambda nodes: [[x[k] for x in nodes] for k in axes]  # noqa: E731
-    marks = []
+    marks, drawn = [], []
     for body, (_, nodes) in instants[0][1].items():
         if len(nodes) == 1 and len(instants) > 2:
             path = [bodies[body][1][0] for _, bodies in instants if body in bodies]
             ax.plot(*columns(path), color="#b8b8b8", linewidth=0.8, zorder=1)
+            drawn += path
             marks = [Line2D([], [], color="#b8b8b8", linewidth=0.8, label="paths of rigid bodies")]
     size = math.dist(*extremes([x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]))
-    drawn = [x for (time, _), lines in shapes.parts.items() for line in lines for x in line]
+    drawn += [x for (time, _), lines in shapes.parts.items() for line in lines for x in line]
     lines_of_beams = False
     for (time, bodies), colour in zip(shown, COLOURS[-len(shown):]):
         for body, (_, nodes) in bodies.items():
             at = bent(nodes, scale) if body in straight else nodes
             drawn += at
-            shaped = shapes.draw(ax, axes, time, body, at, colour, size)
+            shaped = shapes.draw(ax, axes, time, body, at, colour, size, last=time == shown[-1][0])
             lines_of_beams = lines_of_beams or not shaped and len(nodes) > 1
             if not shaped:
                 ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",

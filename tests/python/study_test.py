@@ -224,6 +224,17 @@ def test_program_of_an_outline_under_fixed_loads(data):
     assert best.f == pytest.approx(study.optimize().check().summary["mass_final"], rel=1e-4)
 
 
+def test_load_cases_of_an_outline_are_records(data):
+    best = liesl.Study.load(data / "studies/cantilever.toml").optimize().check()
+    part = best.meshes["plate"]
+    assert best.time.tolist() == [1] and part["amplitude"].tolist() == [[1]]
+    x, u = part["position"][0], part["displacement"][0]
+    assert np.allclose(part["basis"][0], u) and part["stress_basis"].shape[2] == 3
+    at_tip = np.abs(x - u - [0.2, 0, 0]).sum(axis=1).argmin()
+    assert u[at_tip, 1] == pytest.approx(-4e-4, rel=2e-2), "the sag that is allowed"
+    assert abs(u[x[:, 0] < 1e-9]).max() < 1e-9, "the wall"
+
+
 def test_program_has_every_load_case_and_what_the_study_minimises(data):
     study = liesl.Study.load(data / "studies/plate_with_hole.toml")
     nlp = study.nlp()

@@ -2,7 +2,7 @@
 
 import { card, el } from './dom.js';
 import { badge } from './tables.js';
-import { number, quantity } from './format.js';
+import { quantity, tick } from './format.js';
 import { kSeries } from './colors.js';
 import { swatch } from './charts.js';
 import { Scatter } from './scatter.js';
@@ -26,7 +26,7 @@ class CaseTable {
   label(c) { return c.unit && c.unit !== '-' ? `${c.name} [${c.unit}]` : c.name; }
   cell(c, row) {
     const x = c.cells[row];
-    return x === null || x === '' ? '\u2013' : c.number ? (c.unit && c.unit !== '-' ? quantity(x, c.unit) : number(x, 4)) : x;
+    return x === null || x === '' ? '\u2013' : c.number ? (c.unit && c.unit !== '-' ? quantity(x, c.unit) : tick(x, 4)) : x;
   }
 
   card() {
@@ -133,7 +133,7 @@ function pairs(table) {
 
 function shadeKey(column, low, high) {
   const strip = el('span', { class: 'strip viridis' });
-  return el('span', {}, number(low, 3), ' ', strip, ' ', number(high, 3), column.unit ? ` ${column.unit}` : '');
+  return el('span', {}, tick(low, 3), ' ', strip, ' ', tick(high, 3), column.unit ? ` ${column.unit}` : '');
 }
 
 /** A comparison: error against time, the fewer of both the better. */

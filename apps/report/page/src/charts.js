@@ -4,7 +4,7 @@ import uPlot from 'uplot';
 import { array, valueAt } from './data.js';
 import { card, el, isDark, onTheme, theme } from './dom.js';
 import { kSeries } from './colors.js';
-import { number, percent, quantity, scaleOf } from './format.js';
+import { number, percent, quantity, scaleOf, tick } from './format.js';
 
 const kPlots = [];
 onTheme(() => kPlots.forEach((p) => p.redraw(false)));
@@ -33,7 +33,7 @@ export function timeChart(d, clock) {
     return value;
   });
   if (d.limit)
-    legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, number(d.limit / scale.factor))));
+    legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, tick(d.limit / scale.factor))));
   if (d.error)
     legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, number(d.error / scale.factor, 2))));
   const plot = draw(holder, lines, d, scale);
@@ -62,7 +62,7 @@ function axes(d) {
   const label = d.abscissa_unit && d.abscissa_unit !== '-' ? `${d.abscissa} [${d.abscissa_unit}]` : d.abscissa;
   return [
     { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2 },
-    { ...style, size: 48, values: (_, v) => v.map((x) => number(x, 3)) },
+    { ...style, size: 48, values: (_, v) => v.map((x) => tick(x, 3)) },
   ];
 }
 

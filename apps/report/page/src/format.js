@@ -43,6 +43,11 @@ export function number(x, digits = 4) {
   return text.replace(/-/g, kMinus);
 }
 
+/** A number without zeros at its end: of axes, and of what a person has chosen. */
+export function tick(x, digits = 4) {
+  return number(x, digits).replace(/(\.\d*?)0+(?!\d)/, '$1').replace(/\.(?!\d)/, '');
+}
+
 function superscript(exponent) {
   const digits = '\u2070\u00b9\u00b2\u00b3\u2074\u2075\u2076\u2077\u2078\u2079';
   const sign = exponent < 0 ? '\u207b' : '';

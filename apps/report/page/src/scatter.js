@@ -2,7 +2,7 @@
 
 import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
-import { number } from './format.js';
+import { tick } from './format.js';
 
 const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kNear = 9;
 
@@ -55,13 +55,13 @@ export class Scatter {
     for (const t of ax.ticks) {
       ctx.moveTo(ax.at(t), kTop);
       ctx.lineTo(ax.at(t), h - kBottom);
-      ctx.fillText(number(t, 3), ax.at(t), h - kBottom + 15);
+      ctx.fillText(tick(t, 3), ax.at(t), h - kBottom + 15);
     }
     ctx.textAlign = 'right';
     for (const t of ay.ticks) {
       ctx.moveTo(kLeft, ay.at(t));
       ctx.lineTo(w - kRight, ay.at(t));
-      ctx.fillText(number(t, 3), kLeft - 7, ay.at(t) + 4);
+      ctx.fillText(tick(t, 3), kLeft - 7, ay.at(t) + 4);
     }
     ctx.stroke();
     ctx.textAlign = 'center';

@@ -1,0 +1,92 @@
+#include "apps/output/picture_writer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/output/file.hpp"
+#include "tests/apps/output_sample.hpp"
+
+namespace liesl::test {
+namespace {
+
+using namespace output;
+
+const std::vector<double> kIdentity = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+
+/// A flat bar of 20 mm (y) by 5 mm (z) along x; `turned` about its axis by 90 degrees.
+BodyResult flat_bar(bool turned) {
+  BodyResult bar;
+  bar.name = turned ? "turned" : "flat, bar";
+  bar.kind = "beam";
+  bar.nodes = 2;
+  bar.elements = {{0, 1}};
+  for (int k = 0; k < 2; ++k)
+    for (const double x : turned ? std::vector<double>{1, 0, 0, 0, 0, -1, 0, 1, 0} : kIdentity)
+      bar.reference_rotations.push_back(x);
+  bar.shapes = {"rectangle"};
+  bar.dimensions = {0.02, 0.005, 0, 0};
+  return bar;
+}
+
+TEST(PictureWriter, ThicknessIsThatAcrossTheLineOfSight) {
+  const TemporaryFolder folder;
+  Results r;
+  r.bodies = {flat_bar(false), flat_bar(true)};
+  write_sections_csv(folder.path() / "sections.csv", r);
+  EXPECT_EQ(read_file(folder.path() / "sections.csv"),
+            "body,element,along x [m],along y [m],along z [m]\n"
+            "\"flat, bar\",0,0.02,0.005,0.02\n"
+            "turned,0,0.02,0.02,0.005\n");
+  r.bodies = {flat_bar(false)};
+  r.bodies[0].shapes = {"full"};
+  write_sections_csv(folder.path() / "none.csv", r);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "none.csv"));
+}
+
+/// Two squares side by side in a frame at (5, 0, 0), turned by 90 degrees about z; the amplitude
+/// stretches them, the level set takes half of the right one.
+Results moved_plate() {
+  Results r;
+  for (int n = 0; n < 3; ++n) r.times.push_back(0.5 * n);
+  BodyResult frame;
+  frame.name = "plate";
+  frame.nodes = 1;
+  MeshResult mesh;
+  mesh.name = "plate";
+  mesh.cells = {0, 1, 4, 3, 1, 2, 5, 4};
+  mesh.reference = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
+  mesh.level = {1, 1, -1, 1, 1, -1};
+  mesh.basis = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0};
+  for (int n = 0; n < 3; ++n) {
+    for (const double x : {5., 0., 0.}) frame.positions.push_back(x);
+    for (const double x : {0., -1., 0., 1., 0., 0., 0., 0., 1.}) frame.rotations.push_back(x);
+    mesh.amplitudes.push_back(0.1 * n);
+  }
+  r.bodies = {frame};
+  r.meshes = {mesh};
+  return r;
+}
+
+TEST(PictureWriter, LinesOfAPartAreItsDeformedOutline) {
+  const TemporaryFolder folder;
+  write_part_lines_csv(folder.path() / "lines.csv", moved_plate());
+  const std::string text = read_file(folder.path() / "lines.csv");
+  EXPECT_TRUE(text.starts_with("time [s],body,line,x [m],y [m],z [m]\n0,plate,0,"));
+  // Its right end, at 1.5 of the mesh, goes to y = 1.5 (1 + amplitude).
+  for (const char* corner : {"0,plate,0,5,1.5,0", "0,plate,0,4,1.5,0", "1,plate,0,5,1.8,0"})
+    EXPECT_NE(text.find(std::string("\n") + corner + "\n"), std::string::npos) << text;
+  EXPECT_EQ(text.find(",plate,1,"), std::string::npos) << "one closed line";
+  EXPECT_EQ(text.find(",2,0\n"), std::string::npos) << "nothing where there is no material";
+}
+
+TEST(PictureWriter, NoFileWithoutMeshedParts) {
+  const TemporaryFolder folder;
+  Results r = moved_plate();
+  r.meshes.clear();
+  write_part_lines_csv(folder.path() / "lines.csv", r);
+  EXPECT_FALSE(std::filesystem::exists(folder.path() / "lines.csv"));
+}
+
+}  // namespace
+}  // namespace liesl::test
