@@ -39,7 +39,7 @@ std::vector<Key> joint_keys() {
     {"joints.*.drive.rate", Type::Number, "rad/s or m/s", kOneOf, kAny, "Constant rate."},
     {"joints.*.drive.ramp", Type::Number, "s", "0", kNotNegative, "Duration of the cycloidal start from rest to `rate`."},
     {"joints.*.drive.table", Type::Rows, "s, rad or m", kOneOf, kAny, "Rows [t, q], t increasing.", 2},
-    {"joints.*.drive.interpolation", Type::Choice, "", "\"cubic\"", kAny, "Of the table.", 0, "linear cubic"},
+    {"joints.*.drive.interpolation", Type::Choice, "", "\"cubic\"", kAny, "Of the table: cubic is C1 without overshoot; quintic is C4, linear in the values, starts and ends with rate and acceleration 0, and may overshoot.", 0, "linear cubic quintic"},
     {"joints.*.drive.expression", Type::Text, "rad or m", kOneOf, kAny, "q as an expression of t (s), as in \"sin(2*pi*t)\"."},
     {"joints.*.drive.coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint."},
   };

@@ -219,7 +219,7 @@ std::vector<Key> response_keys(std::string_view parent) {
 std::vector<Key> function_keys() {
   return {
     {"(function).table", Type::Rows, "s, -", kOneOf, kAny, "Rows [t, f], t increasing; constant outside.", 2},
-    {"(function).interpolation", Type::Choice, "", "\"linear\"", kAny, "Of the table; cubic is C1 without overshoot.", 0, "linear cubic"},
+    {"(function).interpolation", Type::Choice, "", "\"linear\"", kAny, "Of the table; cubic is C1 without overshoot, quintic C4 with rate and acceleration 0 at both ends.", 0, "linear cubic quintic"},
     {"(function).expression", Type::Text, "", kOneOf, kAny, "Expression of t (s), as in \"10*sin(2*pi*t)\"."},
   };
 }

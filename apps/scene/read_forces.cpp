@@ -2,7 +2,7 @@
 /// Springs, dampers, torques; loads on bodies.
 #include <fmt/format.h>
 
-#include "apps/scene/reader.hpp"
+#include "apps/scene/read_functions.hpp"
 
 namespace liesl {
 
@@ -36,10 +36,8 @@ void read_spring(Reader& reader, const toml::table& table, ForceSpec& force) {
     x.push_back(values[0]);
     f.push_back(values[1]);
   }
-  const bool cubic = text(*spring, "interpolation") == "cubic";
-  force.curve.emplace(
-      std::move(x), std::move(f),
-      cubic ? TimeFunction::Interpolation::Cubic : TimeFunction::Interpolation::Linear);
+  force.curve.emplace(std::move(x), std::move(f),
+                      interpolation_named(text(*spring, "interpolation")));
 }
 
 /// Ports of a law between two points, and the distance at which its spring is relaxed.

@@ -38,6 +38,11 @@ TimeFunction read_expression(Reader& reader, const toml::node& node) {
   }
 }
 
+TimeFunction::Interpolation interpolation_named(const std::string& name) {
+  using enum TimeFunction::Interpolation;
+  return name == "cubic" ? Cubic : name == "quintic" ? Quintic : Linear;
+}
+
 TimeFunction read_table(Reader& reader, const toml::node& node, const std::string& interpolation) {
   std::vector<double> t, f;
   const toml::array& rows = *node.as_array();
@@ -51,10 +56,7 @@ TimeFunction read_table(Reader& reader, const toml::node& node, const std::strin
     t.push_back(values[0]);
     f.push_back(values[1]);
   }
-  const bool cubic = interpolation == "cubic";
-  return TimeFunction::table(
-      std::move(t), std::move(f),
-      cubic ? TimeFunction::Interpolation::Cubic : TimeFunction::Interpolation::Linear);
+  return TimeFunction::table(std::move(t), std::move(f), interpolation_named(interpolation));
 }
 
 TimeFunction read_function(Reader& reader, const toml::node& node) {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <charconv>
 
+#include "apps/scene/read_functions.hpp"
 #include "apps/study/study_reader.hpp"
 #include "mbs/model/joint_kind.hpp"
 
@@ -35,13 +36,12 @@ int table_of(StudyReader& reader, int drive, const toml::table& from) {
   auto& drives = reader.spec.drives;
   for (std::size_t k = 0; k < drives.size(); ++k)
     if (drives[k].drive == drive) return static_cast<int>(k);
-  DriveTable table{drive, {}, {}, TimeFunction::Interpolation::Linear};
+  DriveTable table{drive, {}, {}, interpolation_named(text(from, "interpolation"))};
   for (const toml::node& row : *from["table"].as_array()) {
     const auto values = numbers(row);
     table.t.push_back(values[0]);
     table.q.push_back(values[1]);
   }
-  if (text(from, "interpolation") == "cubic") table.how = TimeFunction::Interpolation::Cubic;
   drives.push_back(std::move(table));
   return static_cast<int>(drives.size()) - 1;
 }

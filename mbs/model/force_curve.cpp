@@ -2,12 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace liesl {
 
 ForceCurve::ForceCurve(std::vector<double> x, std::vector<double> f,
                        TimeFunction::Interpolation how)
     : x_(std::move(x)), f_(std::move(f)), how_(how), inside_(TimeFunction::table(x_, f_, how)) {
+  if (how == TimeFunction::Interpolation::Quintic)
+    throw std::invalid_argument(
+        "a characteristic of a spring is linear or cubic; a quintic spline has no slope at its "
+        "ends");
   first_slope_ = inside_.rate(x_.front());
   last_slope_ = inside_.rate(std::nextafter(x_.back(), x_.front()));
 }

@@ -1,5 +1,6 @@
 /// @file
-/// Constant, ramped rate and tables. Expressions: time_expression.cpp.
+/// Constant, ramped rate and tables. Expressions: time_expression.cpp; quintic splines:
+/// quintic_table.cpp.
 
 #include "mbs/model/time_function.hpp"
 
@@ -51,6 +52,21 @@ struct RampedRate final : TimeFunctionKind {
  private:
   bool ramping(double t) const { return t >= 0 && t < T_; }
   double Omega_, T_;
+};
+
+struct AtSpeed final : TimeFunctionKind {
+  AtSpeed(std::shared_ptr<const TimeFunctionKind> f, double speed)
+      : f_(std::move(f)), speed_(speed) {}
+  double value(double t) const override { return f_->value(speed_ * t); }
+  double rate(double t) const override { return speed_ * f_->rate(speed_ * t); }
+  double acceleration(double t) const override {
+    return speed_ * speed_ * f_->acceleration(speed_ * t);
+  }
+  bool is_constant() const override { return f_->is_constant(); }
+
+ private:
+  std::shared_ptr<const TimeFunctionKind> f_;
+  double speed_;
 };
 
 /// Piecewise cubic Hermite; a straight line where both slopes are those of the chord.
@@ -164,6 +180,7 @@ TimeFunction TimeFunction::rate(double Omega, double T) {
 
 TimeFunction TimeFunction::table(std::vector<double> t, std::vector<double> f, Interpolation how) {
   check_table(t, f);
+  if (how == Interpolation::Quintic) return TimeFunction(quintic_table(std::move(t), std::move(f)));
   std::vector<double> chord(t.size() - 1);
   for (std::size_t i = 0; i < chord.size(); ++i) chord[i] = (f[i + 1] - f[i]) / (t[i + 1] - t[i]);
   if (how == Interpolation::Linear)
@@ -171,6 +188,12 @@ TimeFunction TimeFunction::table(std::vector<double> t, std::vector<double> f, I
   const auto m = monotone_slopes(t, chord);
   const std::vector<double> left(m.begin(), m.end() - 1), right(m.begin() + 1, m.end());
   return TimeFunction(std::make_shared<Table>(std::move(t), std::move(f), left, right));
+}
+
+TimeFunction TimeFunction::at_speed(double speed) const {
+  if (!(speed > 0 && std::isfinite(speed)))
+    refuse(fmt::format("a share of the speed: expected a number > 0, got {}", speed));
+  return TimeFunction(std::make_shared<AtSpeed>(kind_, speed));
 }
 
 double TimeFunction::operator()(double t) const { return kind_->value(t); }

@@ -23,11 +23,13 @@ class TimeFunction {
   /// At rest for t < 0. T = 0: f = Omega t for every t.
   /// @throws std::invalid_argument if T < 0 or a number is not finite
   static TimeFunction rate(double Omega, double T);
-  /// Through the points (t_i, f_i), t strictly increasing, at least two. Linear, or a C1 piecewise
-  /// cubic without overshoot (Fritsch & Carlson 1980). Constant outside the table. Derivatives at a
-  /// point of the table are those from the right; the linear one has no acceleration.
+  /// Through the points (t_i, f_i), t strictly increasing, at least two. Linear; a C1 piecewise
+  /// cubic without overshoot (Fritsch & Carlson 1980); or a C4 quintic spline whose rate and
+  /// acceleration are 0 at both ends, the interpolant with the least int f'''^2: it may overshoot,
+  /// and it is linear in the values f_i. Constant outside the table. Derivatives at a point of the
+  /// table are those from the right; the linear one has no acceleration.
   /// @throws std::invalid_argument
-  enum class Interpolation { Linear, Cubic };
+  enum class Interpolation { Linear, Cubic, Quintic };
   static TimeFunction table(std::vector<double> t, std::vector<double> f, Interpolation how);
   /// muParser expression of `t` in s (`pi` is known), e.g. "sin(2*pi*t)", "t < 1 ? t : 1".
   /// Derivatives by fourth-order central differences with steps of 2^-13 s (rate) and 2^-12 s
@@ -35,6 +37,9 @@ class TimeFunction {
   /// smeared over twice the step. @throws std::invalid_argument with muParser's message and
   /// position.
   static TimeFunction expression(const std::string& text);
+
+  /// t -> f(speed t). @throws std::invalid_argument unless speed > 0
+  TimeFunction at_speed(double speed) const;
 
   TimeFunction() : TimeFunction(constant(0)) {}
   double operator()(double t) const;

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/linalg/block_product.hpp"
+
 namespace liesl {
 
 using Eigen::MatrixXd;
@@ -13,10 +15,14 @@ constexpr int kRefinements = 2;
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
-/// (to + rest) -= a x in twice the precision, error-free products and sums (Ogita, Rump, Oishi
-/// 2005, "Accurate sum and dot product", SIAM J. Sci. Comput. 26).
-void subtract(double a, const double* x, Eigen::Index columns, double* to, double* rest) {
-  for (Eigen::Index k = 0; k < columns; ++k) {
+constexpr Eigen::Index kAtOnce = 4;  // columns: those of one AVX register
+
+/// (to + rest) -= a x of `kAtOnce` numbers in twice the precision, error-free products and sums
+/// (Ogita, Rump, Oishi 2005, "Accurate sum and dot product", SIAM J. Sci. Comput. 26). A function
+/// of its own: inlined, the compiler forgets that nothing overlaps and takes one number at a time.
+[[gnu::noinline]] void subtract(double a, const double* __restrict x, double* __restrict to,
+                                double* __restrict rest) {
+  for (Eigen::Index k = 0; k < kAtOnce; ++k) {
     const double product = a * x[k], product_error = std::fma(a, x[k], -product);
     const double sum = to[k] - product, part = sum - to[k];
     rest[k] += ((to[k] - (sum - part)) - (product + part)) - product_error;
@@ -25,18 +31,21 @@ void subtract(double a, const double* x, Eigen::Index columns, double* to, doubl
 }
 
 /// b - A x, or b - A^T x, in twice the precision; by rows, so that the columns of x lie side by
-/// side.
+/// side, filled up to a multiple of `kAtOnce`.
 MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const MatrixXd& x,
                   const MatrixXd& b) {
-  const Rows y = x;
-  Rows r = b, rest = Rows::Zero(b.rows(), b.cols());
+  const auto columns = (b.cols() + kAtOnce - 1) / kAtOnce * kAtOnce;
+  Rows y = Rows::Zero(x.rows(), columns), r = y, rest = y;
+  y.leftCols(x.cols()) = x;
+  r.leftCols(b.cols()) = b;
   for (int j = 0; j < A.outerSize(); ++j)
     for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it) {
-      const auto from = transposed ? it.row() : it.col(), to = transposed ? it.col() : it.row();
-      subtract(it.value(), y.data() + from * y.cols(), y.cols(), r.data() + to * r.cols(),
-               rest.data() + to * r.cols());
+      const auto from = columns * (transposed ? it.row() : it.col()),
+                 to = columns * (transposed ? it.col() : it.row());
+      for (Eigen::Index k = 0; k < columns; k += kAtOnce)
+        subtract(it.value(), y.data() + from + k, r.data() + to + k, rest.data() + to + k);
     }
-  return r + rest;
+  return (r + rest).leftCols(b.cols());
 }
 
 /// Is the next correction below round-off, in displacements and in multipliers? Corrections shrink
@@ -77,6 +86,28 @@ void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transp
   }
 }
 
+/// diag(T_k) x or diag(T_k^T) x.
+template <class Blocks>
+MatrixXd scaled(const Blocks& T, const MatrixXd& x) {
+  constexpr int dim = Blocks::value_type::RowsAtCompileTime;
+  MatrixXd y = MatrixXd::Zero(x.rows(), x.cols());
+  for (size_t k = 0; k < T.size(); ++k) {
+    const auto at = dim * static_cast<Eigen::Index>(k);
+    add_block_product(T[k], x, at, y, at);
+  }
+  return y;
+}
+template <class Blocks>
+MatrixXd scaled_transposed(const Blocks& T, const MatrixXd& x) {
+  constexpr int dim = Blocks::value_type::RowsAtCompileTime;
+  MatrixXd y = MatrixXd::Zero(x.rows(), x.cols());
+  for (size_t k = 0; k < T.size(); ++k) {
+    const auto at = dim * static_cast<Eigen::Index>(k);
+    add_block_product(T[k].transpose(), x, at, y, at);
+  }
+  return y;
+}
+
 }  // namespace
 
 StateSensitivity StateSensitivity::zero(int n, int m, int columns) {
@@ -110,8 +141,6 @@ bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& pre
   equations_.evaluate(s, previous, {s.t, 1});
   matrix_.take_prestress(equations_, s);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
-  M_ = matrix_.mass();
-  C_ = matrix_.damping();
   return !factor || matrix_.factor();
 }
 
@@ -131,8 +160,9 @@ bool StepSensitivity<G>::start(const State<G>& s) {
       if ((it.row() >= model_.size()) != (it.col() >= model_.size()))
         entries.emplace_back(it.row(), it.col(), it.value());
   std::vector<bool> held(static_cast<size_t>(model_.size()), true);
-  for (int j = 0; j < M_.outerSize(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(M_, j); it; ++it) {
+  const auto& M = matrix_.mass();
+  for (int j = 0; j < M.outerSize(); ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(M, j); it; ++it) {
       entries.emplace_back(it.row(), it.col(), it.value());
       held[static_cast<size_t>(it.row())] = false;
     }
@@ -194,26 +224,6 @@ bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& 
 }
 
 template <FrameGroup G>
-MatrixXd StepSensitivity<G>::scaled(const Blocks& T, const MatrixXd& x) const {
-  MatrixXd y(x.rows(), x.cols());
-  for (size_t k = 0; k < T.size(); ++k) {
-    const auto at = dim * static_cast<Eigen::Index>(k);
-    y.middleRows<dim>(at).noalias() = T[k] * x.middleRows<dim>(at);
-  }
-  return y;
-}
-
-template <FrameGroup G>
-MatrixXd StepSensitivity<G>::scaled_transposed(const Blocks& T, const MatrixXd& x) const {
-  MatrixXd y(x.rows(), x.cols());
-  for (size_t k = 0; k < T.size(); ++k) {
-    const auto at = dim * static_cast<Eigen::Index>(k);
-    y.middleRows<dim>(at).noalias() = T[k].transpose() * x.middleRows<dim>(at);
-  }
-  return y;
-}
-
-template <FrameGroup G>
 auto StepSensitivity<G>::known(const StateSensitivity& local) const -> Known {
   const auto& [am, af, gamma, beta] = weights_;
   StateSensitivity copy;
@@ -271,9 +281,11 @@ void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivit
   add_step(by_p, k);
   const RateChange change = at_held_frames(k);
   const auto n = model_.size();
+  MatrixXd force = by_p.r;
+  matrix_.add_mass_product(change.vdot, false, force);
+  matrix_.add_damping_product(change.v, false, force);
   MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
-  rhs << -(M_ * change.vdot + C_ * change.v), -by_p.phi;
-  rhs.topRows(n) -= by_p.r;
+  rhs << -force, -by_p.phi;
   solve(rhs);
   finish(k, rhs, s);
 }
@@ -291,7 +303,9 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
   liesl::solve(matrix_.lu(), matrix_.matrix(), true, n, rhs);
   const MatrixXd mu = rhs.topRows(n);
-  MatrixXd Mmu = M_.transpose() * mu, Cmu = C_.transpose() * mu;
+  MatrixXd Mmu = MatrixXd::Zero(n, mu.cols()), Cmu = Mmu;
+  matrix_.add_mass_product(mu, true, Mmu);
+  matrix_.add_damping_product(mu, true, Cmu);
   after_.at_held_frames_transposed(Cmu, Mmu);
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;

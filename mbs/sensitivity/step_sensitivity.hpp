@@ -90,17 +90,13 @@ class StepSensitivity {
   bool linearise_step(const State<G>& before, const State<G>& after, double h, bool factor);
   void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
-  /// y = diag(T_k) x or diag(T_k^T) x, block by block.
   using Blocks = typename RateTangents<G>::Blocks;
-  Eigen::MatrixXd scaled(const Blocks& T, const Eigen::MatrixXd& x) const;
-  Eigen::MatrixXd scaled_transposed(const Blocks& T, const Eigen::MatrixXd& x) const;
 
   const Model<G>& model_;
   const AlphaWeights weights_;
   NodeCoordinates<G> coordinates_;
   Equations<G> equations_;
   IterationMatrix<G> matrix_;
-  Eigen::SparseMatrix<double> M_, C_;
   bool at_start_ = false, in_equilibrium_ = false;
   double h_ = 0;
   Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mbs/bodies/assemble_body.hpp"
+#include "mbs/linalg/block_product.hpp"
 
 namespace liesl {
 namespace {
@@ -29,8 +30,7 @@ IterationMatrix<G>::IterationMatrix(const Model<G>& model)
       couplings_(model.couplings.size()),
       rates_(model.couplings.size()),
       assembly_(model.size() + model.constraints()),
-      mass_(model.size()),
-      damping_(model.size()) {
+      mass_(model.size()) {
   still_.setZero(model.size());
   for (size_t b = 0; b < model.bodies.size(); ++b)
     for (int k = 0; k < model.bodies[b]->nodes(); ++k)
@@ -163,6 +163,7 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
     v.template tail<dim>() = c.b.J * s.v.template segment<dim>(dim * c.b.node);
   }
   Pair K = Pair::Zero(), C = Pair::Zero(), turned = Pair::Zero();
+  bool damps = false;
   if (damped_) rates_[index].setZero(c.constraints, 2 * dim);
   for (int i = 0; i < c.acting; ++i) {
     const auto& e = c.rows[i];
@@ -177,9 +178,10 @@ void IterationMatrix<G>::linearise_coupling(int index, const Equations<G>& eq, c
     if (e.law.damping == 0) continue;
     K += e.law.damping * row * (v.transpose() * hessian * J);
     C += e.law.damping * row * row.transpose();
+    damps = true;
   }
   K += J.transpose() * turned * J;
-  couplings_[index] = {K, C};
+  couplings_[index] = {K, C, damps};
   if (!rates) return;
   Pair V = Pair::Zero();
   if (c.a.body >= 0) V.template topLeftCorner<dim, dim>() = rates->v[c.a.node];
@@ -199,7 +201,9 @@ auto IterationMatrix<G>::assemble(const Equations<G>& eq, const State<G>& s, con
     for (int i = 0; i < dim; ++i) assembly_.add(dim * node + i, dim * node + i, 1);
   for (size_t index = 0; index < couplings_.size(); ++index) {
     const auto& c = model_.couplings[index];
-    add_coupling(c, couplings_[index].A, assembly_);
+    each_block_of(c, couplings_[index].A, [&](int row, int column, const auto& block) {
+      assembly_.add_block(row, column, block);
+    });
     const auto& B = eq.couplings[index].B;
     for (int i = 0; i < c.constraints; ++i)
       for (const auto& [port, first] : {std::pair{&c.a, 0}, std::pair{&c.b, dim}})
@@ -217,14 +221,13 @@ auto IterationMatrix<G>::assemble(const Equations<G>& eq, const State<G>& s, con
 }
 
 template <FrameGroup G>
-void IterationMatrix<G>::add_coupling(const Coupling<G>& c, const Pair& K,
-                                      SparseAssembly& assembly) const {
+template <class F>
+void IterationMatrix<G>::each_block_of(const Coupling<G>& c, const Pair& K, F f) const {
   const PortOf<G>* ports[] = {&c.a, &c.b};
   for (int p = 0; p < 2; ++p)
     for (int q = 0; q < 2; ++q)
       if (ports[p]->body >= 0 && ports[q]->body >= 0)
-        assembly.add_block(dim * ports[p]->node, dim * ports[q]->node,
-                           K.template block<dim, dim>(dim * p, dim * q));
+        f(dim * ports[p]->node, dim * ports[q]->node, K.template block<dim, dim>(dim * p, dim * q));
 }
 
 template <FrameGroup G>
@@ -236,13 +239,35 @@ auto IterationMatrix<G>::mass() -> const Matrix& {
 }
 
 template <FrameGroup G>
-auto IterationMatrix<G>::damping() -> const Matrix& {
-  damping_.begin();
-  for (size_t b = 0; b < C_.size(); ++b)
-    add_body(C_[b], dim * model_.first_node(static_cast<int>(b)), damping_);
+void IterationMatrix<G>::add_bodies_product(const BodyMatrices& K, const Eigen::MatrixXd& x,
+                                            bool transposed, Eigen::MatrixXd& y) const {
+  for (size_t b = 0; b < K.size(); ++b)
+    each_block(K[b], dim * model_.first_node(static_cast<int>(b)),
+               [&](int row, int column, const auto& block) {
+                 if (transposed)
+                   add_block_product(block.transpose(), x, row, y, column);
+                 else
+                   add_block_product(block, x, column, y, row);
+               });
+}
+
+template <FrameGroup G>
+void IterationMatrix<G>::add_mass_product(const Eigen::MatrixXd& x, bool transposed,
+                                          Eigen::MatrixXd& y) const {
+  add_bodies_product(M_, x, transposed, y);
+}
+
+/// C of a coupling is symmetric.
+template <FrameGroup G>
+void IterationMatrix<G>::add_damping_product(const Eigen::MatrixXd& x, bool transposed,
+                                             Eigen::MatrixXd& y) const {
+  add_bodies_product(C_, x, transposed, y);
   for (size_t c = 0; c < couplings_.size(); ++c)
-    add_coupling(model_.couplings[c], couplings_[c].C, damping_);
-  return damping_.finish();
+    if (couplings_[c].damps)
+      each_block_of(model_.couplings[c], couplings_[c].C,
+                    [&](int row, int column, const auto& block) {
+                      add_block_product(block, x, column, y, row);
+                    });
 }
 
 template class IterationMatrix<SE2>;

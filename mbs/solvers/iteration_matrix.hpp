@@ -61,9 +61,11 @@ class IterationMatrix {
   const Matrix& assemble(const Equations<G>& eq, const State<G>& s, const LoadLevel& level,
                          const RateTangents<G>* rates = nullptr);
   const Matrix& matrix() const { return *matrix_; }
-  /// M and C, n x n. @pre the last linearisation was one with rates
+  /// M, n x n. @pre the last linearisation was one with rates, here and below
   const Matrix& mass();
-  const Matrix& damping();
+  /// y += M x or M^T x, y += C x or C^T x; n rows, any number of columns
+  void add_mass_product(const Eigen::MatrixXd& x, bool transposed, Eigen::MatrixXd& y) const;
+  void add_damping_product(const Eigen::MatrixXd& x, bool transposed, Eigen::MatrixXd& y) const;
 
   /// Factors what was assembled. @returns false if it is singular.
   bool factor() { return lu_.factor(*matrix_); }
@@ -75,14 +77,19 @@ class IterationMatrix {
  private:
   using BodyMatrices = std::vector<BodyMatrix<dim>>;
   struct CouplingBlock {
-    Pair A, C;  ///< share of S, and of C
+    Pair A, C;   ///< share of S, and of C
+    bool damps;  ///< C is not zero
   };
 
   void linearise_bodies(const State<G>& s, const LoadLevel& level, const RateTangents<G>* rates);
   void linearise_load(const Load<G>& load, const State<G>& s, const LoadLevel& level);
   void linearise_coupling(int index, const Equations<G>& eq, const State<G>& s,
                           const RateTangents<G>* rates);
-  void add_coupling(const Coupling<G>& c, const Pair& K, SparseAssembly& assembly) const;
+  /// f(row, column, block) of the blocks of K of a coupling.
+  template <class F>
+  void each_block_of(const Coupling<G>& c, const Pair& K, F f) const;
+  void add_bodies_product(const BodyMatrices& K, const Eigen::MatrixXd& x, bool transposed,
+                          Eigen::MatrixXd& y) const;
   BodyMatrices empty() const;
 
   const Model<G>& model_;
@@ -93,7 +100,7 @@ class IterationMatrix {
   std::vector<Rates> rates_;
   bool damped_ = false;
   std::vector<int> followers_;  ///< nodes without unknowns: the identity in S
-  SparseAssembly assembly_, mass_, damping_;
+  SparseAssembly assembly_, mass_;
   const Matrix* matrix_ = nullptr;
   SparseLu lu_;
 };

@@ -174,16 +174,16 @@ TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
     }
   };
   refused({"design.elbow_3.property=drive.table.9"}, "is no row of the table of the drive");
-  refused({"design.elbow_3.property=drive.table.x"}, "drive.table.0 to drive.table.8");
-  refused({"design.elbow_4.property=drive.table.3", "design.elbow_4.bounds=[0.1, 0.3]"},
+  refused({"design.elbow_3.property=drive.table.x"}, "drive.table.0 to drive.table.5");
+  refused({"design.elbow_4.property=drive.table.3", "design.elbow_4.bounds=[0.5, 0.9]"},
           "is already varied by 'elbow_3'");
-  refused({"design.elbow_3.bounds=[0.5, 1]"}, "outside the bounds");
+  refused({"design.elbow_3.bounds=[0.8, 1]"}, "outside the bounds");
   refused({"design.duration.bounds=[0, 1]"}, "durations > 0");
   refused({"objective.weights.mass=0", "objective.weights.duration=0"}, "all weights are zero");
   refused({"objective.weights.effort=1"}, "effort has a weight, but no responses");
   refused({"objective.minimize=mass"}, "the objective is not \"weighted\"");
-  refused({"cycle.method=esl"}, "the objective is of the motion", 10);
-  refused({"joints.elbow.drive={rate=1, ramp=0.1}"}, "has no drive with a table", 4);
+  refused({"cycle.method=esl"}, "the objective is of the motion", 12);
+  refused({"joints.elbow.drive={rate=1, ramp=0.1}"}, "has no drive with a table", 5);
   refused({"responses.elbow_torque.of=flange"}, "has no coordinate 0");
 }
 

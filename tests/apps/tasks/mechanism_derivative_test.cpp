@@ -114,10 +114,11 @@ TEST(MechanismDerivative, OfMassesForcesAndLoads) {
   EXPECT_EQ(load.force.y(), 0);
 }
 
-/// Functions of time: a value in a table of a drive, linear and cubic, against the difference of
-/// tables that are hardly apart.
+/// Functions of time: a value in a table of a drive against the difference of tables that are
+/// hardly apart.
 TEST(MechanismDerivative, OfTablesOfDrives) {
-  for (const auto how : {TimeFunction::Interpolation::Linear, TimeFunction::Interpolation::Cubic}) {
+  using enum TimeFunction::Interpolation;
+  for (const auto how : {Linear, Cubic, Quintic}) {
     const auto table = [how](double p) {
       return TimeFunction::table({0, 0.02, 0.05, 0.1}, {0, 0.3 + p, 1.1, 1.5}, how);
     };

@@ -49,6 +49,7 @@ TEST(ForceCurve, SlopeAndEnergyBelongToTheForce) {
 TEST(ForceCurve, RefusesTablesThatAreNone) {
   EXPECT_THROW(ForceCurve({0, 0}, {1, 2}, Linear), std::invalid_argument);
   EXPECT_THROW(ForceCurve({0}, {1}, Linear), std::invalid_argument);
+  EXPECT_THROW(bump_stop(Quintic), std::invalid_argument);
 }
 
 }  // namespace

@@ -122,6 +122,90 @@ TEST(TimeFunction, CubicTableConvergesOnSmoothMonotoneData) {
   }
 }
 
+/// Two points: the quintic of a motion from rest to rest, 10 u^3 - 15 u^4 + 6 u^5.
+TEST(TimeFunction, QuinticTableOfTwoPoints) {
+  const auto f = TimeFunction::table({1, 3}, {2, 5}, Interpolation::Quintic);
+  for (double t : {1.2, 2.0, 2.9}) {
+    const double u = (t - 1) / 2;
+    EXPECT_NEAR(f(t), 2 + 3 * (u * u * u * (10 + u * (-15 + 6 * u))), 1e-14);
+    EXPECT_NEAR(f.rate(t), 45 * std::pow(u * (1 - u), 2), 1e-13);
+    EXPECT_NEAR(f.acceleration(t), 45 * u * (1 - u) * (1 - 2 * u), 1e-13);
+  }
+  EXPECT_EQ(f(0), 2);
+  EXPECT_EQ(f(4), 5);
+  for (double t : {0.0, 1.0, 3.0, 4.0}) {
+    EXPECT_EQ(f.rate(t), 0);
+    EXPECT_EQ(f.acceleration(t), 0);
+  }
+}
+
+/// At its inner points the first four derivatives are continuous, those of order three and four by
+/// differences of accelerations; at both ends it is at rest.
+TEST(TimeFunction, QuinticTableIsC4AndAtRestAtItsEnds) {
+  const std::vector<double> t = {0, 0.2, 0.5, 0.9, 1.0, 1.6}, y = {0, 0.3, 0.1, 1, 1.2, 0.4};
+  const auto f = TimeFunction::table(t, y, Interpolation::Quintic);
+  const double e = 1e-4;
+  for (std::size_t i = 0; i < t.size(); ++i) EXPECT_NEAR(f(t[i]), y[i], 1e-14);
+  const auto third = [&](double s) {
+    return (f.acceleration(s + e) - f.acceleration(s - e)) / (2 * e);
+  };
+  const auto fourth = [&](double s) {
+    return (f.acceleration(s + e) - 2 * f.acceleration(s) + f.acceleration(s - e)) / (e * e);
+  };
+  double largest = 0;  // of the fourth derivative
+  for (double s = 2 * e; s < 1.6 - 2 * e; s += 0.01) largest = std::max(largest, fourth(s));
+  for (std::size_t i = 1; i + 1 < t.size(); ++i) {
+    EXPECT_NEAR(f.rate(t[i] - 1e-9), f.rate(t[i] + 1e-9), 1e-6) << i;
+    EXPECT_NEAR(f.acceleration(t[i] - 1e-9), f.acceleration(t[i] + 1e-9), 1e-5) << i;
+    EXPECT_NEAR(third(t[i] - 2 * e), third(t[i] + 2 * e), 5 * e * largest) << i;
+    EXPECT_NEAR(fourth(t[i] - 2 * e), fourth(t[i] + 2 * e), 0.02 * largest) << i;
+  }
+  for (double end : {0.0, 1.6}) {
+    EXPECT_NEAR(f.rate(end + (end > 0 ? -1e-7 : 1e-7)), 0, 1e-9);
+    EXPECT_NEAR(f.acceleration(end + (end > 0 ? -1e-7 : 1e-7)), 0, 1e-3);
+  }
+  for (double s : {0.1, 0.31, 0.95, 1.3}) expect_derivatives(f, s, 0.01, 1e-10);
+}
+
+/// The derivative by a value is the table of a unit there.
+TEST(TimeFunction, QuinticTableIsLinearInItsValues) {
+  const std::vector<double> t = {0, 0.2, 0.5, 0.9, 1.6};
+  const auto a = TimeFunction::table(t, {0, 1, -2, 0.5, 3}, Interpolation::Quintic),
+             b = TimeFunction::table(t, {1, 0, 4, 2, -1}, Interpolation::Quintic),
+             sum = TimeFunction::table(t, {2, 1, 6, 4.5, 1}, Interpolation::Quintic);
+  for (double s = 0; s < 1.6; s += 0.05) {
+    EXPECT_NEAR(sum(s), a(s) + 2 * b(s), 1e-13);
+    EXPECT_NEAR(sum.acceleration(s), a.acceleration(s) + 2 * b.acceleration(s), 1e-9);
+  }
+}
+
+TEST(TimeFunction, QuinticTableConvergesOnSmoothMotions) {
+  const auto motion = [](double s) { return s - std::sin(2 * pi * s) / (2 * pi); };
+  double previous = 0;
+  for (int n : {8, 16, 32}) {
+    std::vector<double> t, y;
+    for (int i = 0; i <= n; ++i) t.push_back(double(i) / n), y.push_back(motion(t.back()));
+    const auto f = TimeFunction::table(t, y, Interpolation::Quintic);
+    double error = 0;
+    for (double s = 0; s < 1; s += 1e-3) error = std::max(error, std::abs(f(s) - motion(s)));
+    if (previous > 0) {
+      EXPECT_GT(std::log2(previous / error), 5) << n;
+    }
+    previous = error;
+  }
+}
+
+TEST(TimeFunction, AtAShareOfItsSpeed) {
+  const auto f = TimeFunction::expression("sin(3*t) + t^2"), slow = f.at_speed(0.25);
+  for (double t : {0.1, 0.9, 4.0}) {
+    EXPECT_EQ(slow(t), f(t / 4));
+    EXPECT_EQ(slow.rate(t), f.rate(t / 4) / 4);
+    EXPECT_EQ(slow.acceleration(t), f.acceleration(t / 4) / 16);
+  }
+  EXPECT_TRUE(TimeFunction::constant(2).at_speed(0.5).is_constant());
+  EXPECT_THROW(f.at_speed(0), std::invalid_argument);
+}
+
 TEST(TimeFunction, TableRefusesBadPoints) {
   const auto refused = [](std::vector<double> t, std::vector<double> f, const char* word) {
     try {
@@ -210,6 +294,7 @@ TEST(TimeFunction, EvaluationsAllocateNothing) {
   const std::vector<TimeFunction> functions = {
       TimeFunction::constant(1), TimeFunction::rate(150, 0.04),
       TimeFunction::table({0, 1, 2}, {0, 1, 0}, Interpolation::Cubic),
+      TimeFunction::table({0, 1, 2}, {0, 1, 0}, Interpolation::Quintic),
       TimeFunction::expression("t < 1 ? sin(2*pi*t) : max(t, 3)^2")};
   const long before = test::allocation_count();
   double sum = 0;

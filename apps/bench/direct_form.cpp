@@ -1,0 +1,74 @@
+/// @file
+/// build/bench/bin/bench_direct_form STUDY [RUNS]: processor time of the direct sensitivities of a
+/// study by its variables, in forward runs of its scene, planar and spatial: a figure of
+/// docs/performance.md.
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <ctime>
+#include <functional>
+#include <vector>
+
+#include "apps/study/load_study.hpp"
+#include "apps/tasks/run.hpp"
+#include "mbs/solvers/dynamics.hpp"
+#include "mbs/system/plane.hpp"
+#include "optim/cycle/motion_gradients.hpp"
+
+namespace liesl {
+namespace {
+
+double seconds(const std::function<void()>& work) {
+  const std::clock_t begin = std::clock();
+  work();
+  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+}
+
+double median(std::vector<double> v) {
+  std::sort(v.begin(), v.end());
+  return v[v.size() / 2];
+}
+
+/// By turns: the scene as given, the motion converged as the study has it, its sensitivities.
+template <FrameGroup G>
+void measure(const Study& study, const Space<G>& space, const char* name, int runs) {
+  const DesignSimulator<G> simulator(study.scene.mechanism, space, study.scene.simulation,
+                                     study.spec);
+  const Eigen::VectorXd x = simulator.design().start();
+  const DesignRun<G> run = simulator.run(x);
+  Parameters<G> parameters;
+  for (const Parameter& p : simulator.design().parameters(run.mechanism, x))
+    parameters.emplace_back(run.mechanism, *run.model, p);
+  std::vector<double> scene, motion, direct;
+  for (int i = 0; i < runs; ++i) {
+    scene.push_back(seconds([&] { simulate(*run.model, study.scene.simulation); }));
+    motion.push_back(seconds([&] { simulate(*run.model, simulator.options()); }));
+    direct.push_back(seconds([&] {
+      double sum = 0;
+      direct_sensitivity<G>(
+          *run.model, run.tape, parameters,
+          [&](long, const State<G>&, const StateSensitivity& ds) { sum += ds.eta(0, 0); });
+    }));
+  }
+  fmt::print(
+      "{:<8} {} variables: scene {:.2f} ms, converged to {:g} {:.2f} ms, direct form {:.2f} ms, "
+      "{:.2f} and {:.2f} forward runs (medians of {})\n",
+      name, parameters.size(), 1e3 * median(scene), simulator.options().tolerance,
+      1e3 * median(motion), 1e3 * median(direct), median(direct) / median(scene),
+      median(direct) / median(motion), runs);
+}
+
+}  // namespace
+}  // namespace liesl
+
+int main(int argc, char** argv) {
+  using namespace liesl;
+  if (argc < 2) return 2;
+  const Study study = load_study(argv[1]);
+  const int runs = argc > 2 ? std::atoi(argv[2]) : 15;
+  if (const auto plane = find_plane(study.scene.mechanism).plane)
+    measure<SE2>(study, *plane, "planar", runs);
+  measure<SE3>(study, {}, "spatial", runs);
+}
