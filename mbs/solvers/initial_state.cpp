@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "mbs/solvers/node_coordinates.hpp"
 #include "mbs/system/constraint_rank.hpp"
 
 namespace liesl {
@@ -12,6 +13,7 @@ constexpr double kAssembled = 1e-12;  // of the mechanism's reach
 constexpr double kGivenVelocity = 1e-6;
 constexpr double kDriven = 1e-9;    // rad or of the length: a drive that starts elsewhere
 constexpr double kPoseTime = 1;     // s: M/time^2 is small beside K, bodies are as good as rigid
+constexpr double kFar = 1e-2;       // rad or m, a correction that is not small
 constexpr double kRelaxed = 1e-11;  // rad or m, last correction
 constexpr int kRefinements = 5;     // of the accelerations
 constexpr double kRefined = 1e-12;
@@ -57,6 +59,25 @@ void elastic_forces(const Model<G>& model, const State<G>& s, Equations<G>& eq) 
                                   scale);
 }
 
+/// Positions within a body go where its ends carry them from `start`, linear in between: by a
+/// correction that turns the body their own steps, straight ones, would stretch it.
+template <FrameGroup G>
+void follow_ends(const Model<G>& model, const Frames<G>& start, State<G>& s) {
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body<G>& body = *model.bodies[b];
+    const int first = model.first_node(static_cast<int>(b)), last = first + body.nodes() - 1;
+    for (int k = first + 1; k < last; ++k) {
+      if (body.kind(k - first) != NodeKind::Position) continue;
+      const auto carried = [&](int end) {
+        const auto from_end = start[end].R.transpose() * (start[k].x - start[end].x);
+        return (s.H[end].x + s.H[end].R * from_end).eval();
+      };
+      const double share = static_cast<double>(k - first) / (last - first);
+      s.H[k].x = (1 - share) * carried(first) + share * carried(last);
+    }
+  }
+}
+
 /// @param relax: what strains the way to the constraints has left is taken out again, in the same
 /// metric: bodies are turned to where drives want them. @pre s.v = 0 then
 template <FrameGroup G>
@@ -66,6 +87,7 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
   JointSystem<G> system(model);
   system.factor({1 / (time * time), 0});
   Eigen::VectorXd delta = Eigen::VectorXd::Zero(model.size()), dlambda = s.lambda;
+  const NodeCoordinates<G> coordinates(model, true);
   const auto start = s.H;
   for (int i = 0; i <= kMaxAssembly; ++i) {
     eq.evaluate(s, s.rows, {s.t, 1});
@@ -82,6 +104,8 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
     if (relax) elastic_forces(model, s, eq);
     if (!system.solve(eq, delta, dlambda, false)) break;
     model.retract(s, delta);
+    if (relax && delta.template lpNorm<Eigen::Infinity>() > kFar) follow_ends(model, start, s);
+    coordinates.turn_positions(s, {});  // stiffness and mass are known in the axes of the body
     if (relax) eq.observe(s, s.rows, s.rows);
   }
   out.status = SolveStatus::Inconsistent;

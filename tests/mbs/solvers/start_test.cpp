@@ -67,8 +67,11 @@ TEST(StartTest, WithoutAnEquilibriumNothingStarts) {
 }
 
 /// A drive that starts at half a radian turns crank and rod; it does not bend them.
-TEST(StartTest, ADriveThatStartsElsewhereTurnsTheMechanism) {
+class DriveElsewhere : public ::testing::TestWithParam<Formalism> {};
+
+TEST_P(DriveElsewhere, TurnsTheMechanism) {
   Mechanism m = test::slider_crank({4});
+  m.formalism = GetParam();
   m.drives[0].motion =
       TimeFunction::table({0, 1}, {0.5, 10.5}, TimeFunction::Interpolation::Linear);
   const auto run = test::run_planar(m, options(0.01, 1e-4));
@@ -87,6 +90,10 @@ TEST(StartTest, ADriveThatStartsElsewhereTurnsTheMechanism) {
     told = told || w.find("a drive is not at its joint's position") != std::string::npos;
   EXPECT_TRUE(told);
 }
+
+INSTANTIATE_TEST_SUITE_P(Flexible, DriveElsewhere,
+                         ::testing::Values(Formalism::SE3, Formalism::R3SO3, Formalism::Segments),
+                         [](const auto& of) { return std::string(to_string(of.param)); });
 
 /// What an observer sees does not depend on how many steps are recorded, and halved steps are seen.
 TEST(StartTest, EveryAcceptedStepIsSeen) {
