@@ -64,6 +64,17 @@ TEST_F(VerifyCommand, VerifiesEveryScenario) {
   EXPECT_EQ(summary()["verification"]["mesh"]["observed"].size(), 3u);
 }
 
+/// Limits are found by the names of bodies and joints: design.toml has them in another order.
+TEST_F(VerifyCommand, FindsTheLimitsOfASceneInAnotherOrder) {
+  const Outcome o = run({"optimize", study("robot_codesign"), "-o", results(), "--no-report",
+                         "--set", "cycle.max=1"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(o.out.find("was not verified"), std::string::npos) << o.out;
+  const Json limits = summary()["constraints"];
+  EXPECT_EQ(limits.size(), 4u);
+  for (const auto& [name, limit] : limits.items()) EXPECT_TRUE(limit.contains("error")) << name;
+}
+
 TEST_F(VerifyCommand, RefusesFixedLoads) {
   expect_refused({"optimize", study("cantilever"), "-o", results(), "--verify"},
                  "no motion to verify");
