@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/input/problem.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/final_scene.hpp"
 #include "apps/tasks/run.hpp"
@@ -74,8 +75,13 @@ class LimitVerification {
       : out_(out), study_(study), progress_(progress) {}
 
   std::vector<VerifiedLimit> run() {
-    for (std::size_t s = 0; s < study_.scene_texts.size(); ++s)
-      if (!run_scenario(s)) return {};
+    try {
+      for (std::size_t s = 0; s < study_.scene_texts.size(); ++s)
+        if (!run_scenario(s)) return {};
+    } catch (const InputError& error) {
+      return not_verified("the final design cannot be read as a scene: " +
+                          error.problems.front().what);
+    }
     if (limits_.empty()) return {};
     out_.summary.more["verification"] = json_;
     out_.summary.more["worst_constraint_error"] = nearest_limit(limits_).error();
@@ -83,6 +89,11 @@ class LimitVerification {
   }
 
  private:
+  std::vector<VerifiedLimit> not_verified(const std::string& why) {
+    out_.summary.warnings.push_back("the limits were not verified: " + why);
+    return {};
+  }
+
   /// False: a run did not reach its end, and nothing is known.
   bool run_scenario(std::size_t s) {
     const std::vector<LimitedPeak> limits = peaks(study_.spec, s);
@@ -98,7 +109,7 @@ class LimitVerification {
     RunOutcome given = run_task(scene, choose_space(scene), progress_);
     auto& warnings = out_.summary.warnings;
     if (given.status != SolveStatus::Converged) {
-      warnings.push_back("the limits were not verified: " + given.summary.reason);
+      not_verified(given.summary.reason);
       return false;
     }
     given.summary.warnings.clear();

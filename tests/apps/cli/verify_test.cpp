@@ -75,6 +75,18 @@ TEST_F(VerifyCommand, FindsTheLimitsOfASceneInAnotherOrder) {
   for (const auto& [name, limit] : limits.items()) EXPECT_TRUE(limit.contains("error")) << name;
 }
 
+using VerifyCommandSlow = VerifyCommand;
+
+/// design.toml has the interfaces of a part in another order, and another one comes first.
+TEST_F(VerifyCommandSlow, SaysThatAFinalDesignIsNoScene) {
+  const Outcome o = run({"optimize", study("robot_arm_lattice"), "-o", results(), "--no-report",
+                         "--set", "cycle.max=1", "--set", "simulation.duration=0.01"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_NE(o.out.find("the limits were not verified: the final design cannot be read as a scene"),
+            std::string::npos)
+      << o.out;
+}
+
 TEST_F(VerifyCommand, RefusesFixedLoads) {
   expect_refused({"optimize", study("cantilever"), "-o", results(), "--verify"},
                  "no motion to verify");
