@@ -116,18 +116,21 @@ Cycle read_cycle(const Json& j) {
 
 }  // namespace
 
-void write_checkpoint(const std::filesystem::path& path, const RoundHistory& rounds,
+void write_checkpoint(const std::filesystem::path& path, const ModelHistory& models,
                       const std::string& input_sha256) {
   Json file;
   file["input_sha256"] = input_sha256;
-  for (const auto& round : rounds) {
-    Json& cycles = file["rounds"].emplace_back(Json::array());
-    for (const Cycle& c : round) cycles.push_back(to_json(c));
+  for (const RoundHistory& model : models) {
+    Json& rounds = file["models"].emplace_back(Json::array());
+    for (const auto& round : model) {
+      Json& cycles = rounds.emplace_back(Json::array());
+      for (const Cycle& c : round) cycles.push_back(to_json(c));
+    }
   }
   output::write_file(path, file.dump(1));
 }
 
-RoundHistory read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256) {
+ModelHistory read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256) {
   const auto refuse = [&](const std::string& what) {
     throw InputError({{path.string(), 0, 0, what,
                        "the checkpoint of an interrupted run with the same study, scene and --set",
@@ -139,18 +142,21 @@ RoundHistory read_checkpoint(const std::filesystem::path& path, const std::strin
           "the folder (-o) of an interrupted run, with its checkpoint.json",
           "to begin anew, run without --resume"}});
   const std::string text = output::read_file(path);
-  RoundHistory rounds;
+  ModelHistory models;
   try {
     const Json file = Json::parse(text);
     if (file.at("input_sha256") != input_sha256) refuse("the checkpoint belongs to another input");
-    for (const auto& cycles : file.at("rounds")) {
-      auto& round = rounds.emplace_back();
-      for (const auto& j : cycles) round.push_back(read_cycle(j));
+    for (const auto& rounds : file.at("models")) {
+      RoundHistory& model = models.emplace_back();
+      for (const auto& cycles : rounds) {
+        auto& round = model.emplace_back();
+        for (const auto& j : cycles) round.push_back(read_cycle(j));
+      }
     }
   } catch (const Json::exception& e) {
     refuse(std::string("the checkpoint cannot be read: ") + e.what());
   }
-  return rounds;
+  return models;
 }
 
 }  // namespace liesl

@@ -1,21 +1,21 @@
 #pragma once
 /// @file
-/// The cycles of an optimisation, by rounds with new holes, as a file, from which an interrupted
-/// run resumes.
+/// The cycles of an optimisation, by models and rounds with new holes, as a file, from which an
+/// interrupted run resumes.
 
 #include <filesystem>
 #include <string>
 
-#include "optim/cycle/topology_cycle.hpp"
+#include "apps/tasks/optimize_verified.hpp"
 
 namespace liesl {
 
 /// @param input_sha256 of what a resumed run has to share, `Study::resumable`
 /// @throws output::IoError
-void write_checkpoint(const std::filesystem::path& path, const RoundHistory& rounds,
+void write_checkpoint(const std::filesystem::path& path, const ModelHistory& models,
                       const std::string& input_sha256);
 
 /// @throws output::IoError if the file cannot be read, InputError if it belongs to another input
-RoundHistory read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256);
+ModelHistory read_checkpoint(const std::filesystem::path& path, const std::string& input_sha256);
 
 }  // namespace liesl

@@ -104,9 +104,16 @@ void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
 
 /// Options that one command has, or few.
 void add_options(CLI::App& command, const std::string& name, liesl::CommandOptions& o) {
-  if (name == "run" || name == "optimize")
-    command.add_flag("--verify", o.verify,
-                     "Errors of peaks or limits by mesh and step, from finer runs");
+  if (name == "run" || name == "optimize") {
+    auto* verify =
+        command.add_flag("--verify", o.verify,
+                         name == "run" ? "Errors of peaks by mesh and step, from finer runs"
+                                       : "Errors of limits by mesh and step, from finer runs of "
+                                         "the final design (as by default)");
+    if (name == "optimize")
+      command.add_flag("--no-verify", o.no_verify, "Leave the errors of the limits out")
+          ->excludes(verify);
+  }
   if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
     command.add_flag("--no-report", o.no_report, "Write no report.html");
   if (name == "optimize") {

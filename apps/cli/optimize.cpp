@@ -27,7 +27,6 @@ int optimize_command(const CommandOptions& options) {
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/sensitivity.hpp"
-#include "apps/tasks/verify_limits.hpp"
 #include "optim/cycle/design_model.hpp"
 
 namespace liesl {
@@ -44,11 +43,30 @@ void check_options(const Study& study, const CommandOptions& options) {
   if (options.nucleate > 0 && has_catalogue(study.spec))
     refuse("--nucleate: sizes are of catalogues, whose search tries no holes",
            "a study without 'values'", "insert holes first, then give the catalogues");
+  if (options.nucleate > 0 && study.refine)
+    refuse("--nucleate: cycle.refine = \"auto\" goes on without new holes",
+           "cycle.refine = \"never\"", "insert holes first, then refine");
+  if (options.no_verify && study.refine)
+    refuse("--no-verify: cycle.refine = \"auto\" needs the errors of the limits",
+           "cycle.refine = \"never\"", "run without --no-verify");
+  if (options.verify && !study.spec.loads.empty())
+    refuse("--verify: a study under fixed loads has no motion to verify",
+           "a study of a motion, or of load steps", "leave --verify out");
 }
+
+/// The cycles of each model so far, and which one is the present one.
+struct CyclesOfModels {
+  ModelHistory all;
+  std::size_t now = 0;
+  RoundHistory& rounds() {
+    if (all.size() <= now) all.resize(now + 1);
+    return all[now];
+  }
+};
 
 /// Lines on the terminal, and a folder that is complete after every cycle.
 OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const Stopwatch& clock,
-                       output::AtomicFolder& folder, SimulationLine& line) {
+                       output::AtomicFolder& folder, SimulationLine& line, CyclesOfModels& models) {
   OptimizeHooks hooks;
   hooks.progress = std::ref(line);
   hooks.keep_going = [] { return output::interrupted() == 0; };
@@ -57,11 +75,13 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
     output::write_summary(folder.path() / "summary.json", output::to_json(so_far));
     folder.commit();
   };
-  hooks.on_cycle = [&study, &folder, &line, &options, save](const output::OptimizeSummary& so_far,
-                                                            const RoundHistory& rounds) {
+  hooks.on_cycle = [&study, &folder, &line, &options, &models, save](
+                       const output::OptimizeSummary& so_far, const RoundHistory& rounds) {
     line.clear();
     print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
-    write_checkpoint(folder.path() / "checkpoint.json", rounds, output::sha256(study.resumable));
+    models.rounds() = rounds;
+    write_checkpoint(folder.path() / "checkpoint.json", models.all,
+                     output::sha256(study.resumable));
     save(so_far);
   };
   hooks.on_hole = [&options](const std::string& feature, const Nucleus& n) {
@@ -119,6 +139,32 @@ bool check_all_derivatives(const Study& study, const ChosenSpace& space) {
   return report.right && right;
 }
 
+/// Runs it; what stands between a study and its method is said at the study.
+VerifiedOptimum optimum_of(const Study& study, const CommandOptions& options,
+                           const ChosenSpace& space, const output::OptimizeSummary& summary,
+                           const OptimizeHooks& hooks, CyclesOfModels& models) {
+  VerifiedOptions how;
+  how.verify = !options.no_verify;
+  how.nucleate = options.nucleate;
+  how.read = [&options](std::vector<std::string> changes) {
+    changes.insert(changes.begin(), options.set.begin(), options.set.end());
+    return load_study(options.file, changes);
+  };
+  how.on_refinement = [&options, &models](const std::string& text) {
+    ++models.now;
+    if (!options.quiet) fmt::print("      {}\n", text);
+  };
+  const ModelHistory resume = models.all;
+  try {
+    return optimize_verified(study, space, summary, hooks, how, resume);
+  } catch (const NoSensitivities& error) {
+    throw InputError({{study.file, 0, 0,
+                       "cycle.method needs sensitivities, which this motion has not: " +
+                           std::string(error.what()),
+                       "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
+  }
+}
+
 }  // namespace
 
 int optimize_command(const CommandOptions& options) {
@@ -131,39 +177,25 @@ int optimize_command(const CommandOptions& options) {
   const ChosenSpace space = choose_space(study.scene);
   if (options.check_derivatives) return check_all_derivatives(study, space) ? 0 : 1;
   check_options(study, options);
-  if (options.verify && !study.spec.loads.empty())
-    throw InputError({{"--verify", 0, 0, "a study under fixed loads has no motion to verify",
-                       "a study of a motion, or of load steps", "leave --verify out"}});
-  if (options.verify) check_verifiable(study.scene.simulation);
   output::OptimizeSummary summary;
   summary.command = "optimize";
   summary.overrides = options.set;
   describe(summary, study.scene, space);
   summary.name = study.spec.name;
   summary.input_sha256 = output::sha256(study.input);
-  RoundHistory resume;
+  CyclesOfModels models;
   if (options.resume)
-    resume = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
-                             output::sha256(study.resumable));
+    models.all = read_checkpoint(std::filesystem::path(options.out) / "checkpoint.json",
+                                 output::sha256(study.resumable));
   output::AtomicFolder folder(options.out, options.force || options.resume);
   SimulationLine line(study.scene.simulation, options.quiet);
-  OptimizeOutcome out = [&] {
-    const OptimizeHooks hooks = hooks_of(study, options, clock, folder, line);
-    try {
-      return optimize_task(study, space, summary, options.nucleate, hooks, resume);
-    } catch (const NoSensitivities& error) {
-      throw InputError({{study.file, 0, 0,
-                         "cycle.method needs sensitivities, which this motion has not: " +
-                             std::string(error.what()),
-                         "a motion with sensitivities, or \"esl\"", "leave cycle.method out"}});
-    }
-  }();
-  if (options.verify && out.simulated)
-    verify_limits(final_scene(out, study), study, out.summary, std::ref(line));
+  const OptimizeHooks hooks = hooks_of(study, options, clock, folder, line, models);
+  VerifiedOptimum optimum = optimum_of(study, options, space, summary, hooks, models);
+  OptimizeOutcome& out = optimum.out;
   line.clear();
   out.summary.more["input"] = options.file;
   out.summary.wall_s = clock.seconds();
-  write_optimization(folder.path(), out, study);
+  write_optimization(folder.path(), out, optimum.study);
   add_report(folder.path(), options);
   folder.commit();
   print_result(out.summary, options.out, options.quiet);

@@ -5,11 +5,9 @@
 #ifdef LIESL_OPTIM
 #include <fmt/format.h>
 
-#include <map>
-
 #include "apps/cli/part_files.hpp"
 #include "apps/output/file.hpp"
-#include "apps/study/design_scene.hpp"
+#include "apps/tasks/final_scene.hpp"
 #endif
 
 namespace liesl {
@@ -35,19 +33,7 @@ void write_series(const std::filesystem::path& path, const std::vector<double>& 
   output::write_responses_csv(path, r);
 }
 
-std::map<std::string, double> final_values(const OptimizeOutcome& out) {
-  std::map<std::string, double> values;
-  for (const output::DesignFigure& figure : out.summary.design) values[figure.name] = figure.final;
-  return values;
-}
-
 }  // namespace
-
-std::string final_scene(const OptimizeOutcome& out, const Study& study) {
-  std::map<std::string, levelset::ShapeSpec> outlines;
-  for (const PartOutcome& part : out.parts) outlines[part.name] = part.outline;
-  return design_scene(study, out.mechanism, outlines, final_values(out));
-}
 
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,
                         const Study& study) {

@@ -18,8 +18,6 @@ namespace liesl {
 void write_run(const std::filesystem::path& folder, const RunOutcome& out);
 
 #ifdef LIESL_OPTIM
-/// The scene at the final design of an optimisation: design.toml.
-std::string final_scene(const OptimizeOutcome& out, const Study& study);
 /// Of an optimisation: its final motion and limits, the design as table and as scene, its parts,
 /// summary.json.
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,

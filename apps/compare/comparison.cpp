@@ -31,7 +31,7 @@ bool is_numerical(const std::string& key) {
   const std::string leaf = key.substr(key.rfind('.') + 1);
   if (key.starts_with("simulation.")) return leaf != "duration";
   return key.find(".beam.") != std::string::npos &&
-         (leaf == "elements" || leaf == "as" || leaf == "modes");
+         (leaf == "elements" || leaf == "as" || leaf == "modes" || leaf == "order");
 }
 
 /// Keys of the elements of the beams that the comparison names, or of all.

@@ -25,10 +25,25 @@ toml::table section_table(const toml::table& sections, const Section& section) {
   return table;
 }
 
+/// The fewest names, each for as many neighbours: of "a a b b" they are "a b", which a beam with
+/// fewer elements can have, too.
+toml::array shortest_list(const std::vector<std::string>& names) {
+  std::size_t length = names.size();
+  const auto runs = [&] {
+    for (std::size_t i = 0; i < names.size(); ++i)
+      if (names[i] != names[i - i % length]) return false;
+    return names.size() % length == 0;
+  };
+  while (!runs()) --length;
+  toml::array list;
+  for (std::size_t i = 0; i < names.size(); i += length) list.push_back(names[i]);
+  return list;
+}
+
 /// Gives every element of a beam its section; equal ones share an entry.
 void write_sections(toml::table& scene, const BodySpec& body) {
   toml::table& sections = *scene["sections"].as_table();
-  toml::array names;
+  std::vector<std::string> names;
   std::map<std::string, std::string> known;  // text of a section -> its name
   int number = 0;
   for (const Section& section : std::get<BeamSpec>(body.kind).sections) {
@@ -44,7 +59,7 @@ void write_sections(toml::table& scene, const BodySpec& body) {
     names.push_back(name);
   }
   toml::table& beam = *scene["bodies"][body.name]["beam"].as_table();
-  beam.insert_or_assign("section", std::move(names));
+  beam.insert_or_assign("section", shortest_list(names));
   beam.erase("taper");
 }
 
@@ -103,8 +118,8 @@ void write_outline(toml::table& scene, const std::string& part,
 
 std::string design_scene(const Study& study, const Mechanism& final,
                          const std::map<std::string, levelset::ShapeSpec>& outlines,
-                         const std::map<std::string, double>& values) {
-  Document document = parse_document(study.scene_text, study.scene.file);
+                         const std::map<std::string, double>& values, std::size_t scenario) {
+  Document document = parse_document(study.scene_texts.at(scenario), study.scene.file);
   Problems none(study.scene.file);
   const TrussNames trusses = expand_trusses(document.root, {}, none);
   for (const char* table : {"loads", "joints", "forces", "responses"})  // bars have sections now

@@ -150,12 +150,22 @@ toml::table with_whole_paths(const Document& scene) {
   return copy;
 }
 
+/// Whether `cycle.refine` asks for finer models; refused where nothing is verified.
+bool refines(StudyReader& reader) {
+  const toml::table* cycle = reader.root["cycle"].as_table();
+  if (!cycle || reader.broken.contains("cycle") || text(*cycle, "refine") != "auto") return false;
+  if (const toml::node* loads = reader.root.get("loads"))
+    reader.scene.problems.add(*loads, "fixed loads have no motion whose mesh or step is refined",
+                              "cycle.refine = \"never\"");
+  return true;
+}
+
 /// A study without what says when its cycles end.
 std::string without_ends(const toml::table& study) {
   toml::table copy = study;
   if (toml::table* cycle = copy["cycle"].as_table())
     for (const char* key : {"max", "tolerance", "objective_tolerance", "optimality", "gap",
-                            "max_designs", "restarts"})
+                            "max_designs", "restarts", "refine"})
       cycle->erase(key);
   return content(copy);
 }
@@ -176,7 +186,8 @@ Study read_document(Document document, const fs::path& folder,
   Document& first = scenarios.front().scene;
   study.scene.file = first.file;
   study.scene.input = first.text;
-  study.scene_text = content(with_whole_paths(first));
+  for (const ScenarioText& s : scenarios)
+    study.scene_texts.push_back(content(with_whole_paths(s.scene)));
   const Broken scene_broken = validate(first.root, FileKind::Scene, problems);
   Reader scene{first.root, scene_broken, problems, study.scene, {}, {}};
   scene.fixed_loads = document.root.contains("loads");
@@ -189,6 +200,7 @@ Study read_document(Document document, const fs::path& folder,
   read_scenarios(scenarios, problems, study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
+  study.refine = refines(reader);
   problems.throw_if_any();
   return study;
 }

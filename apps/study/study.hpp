@@ -19,7 +19,11 @@ struct Study {
   /// The same without layout, and without what only says when a run ends: what a run that goes on
   /// has to share with the interrupted one.
   std::string resumable;
-  std::string scene_text;  ///< of the first scenario with all changes, without layout
+  /// Scenes of the scenarios, the first one's first, with all changes, without layout.
+  std::vector<std::string> scene_texts;
+  /// On finer models from the final design on, until it holds on the converged one
+  /// (`cycle.refine`).
+  bool refine = false;
 };
 
 }  // namespace liesl

@@ -19,6 +19,9 @@
 
 namespace liesl {
 
+constexpr int kMostElements = 10000;  ///< of a beam
+constexpr double kStepOrder = 2;      ///< of the integrator
+
 /// One figure on meshes (or steps) of the given and half the length, and twice it.
 struct Refinement {
   double given = 0, finer = 0;

@@ -6,100 +6,200 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
+#include "apps/input/problem.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/tasks/final_scene.hpp"
 #include "apps/tasks/run.hpp"
 #include "optim/cycle/static_problem.hpp"
 
 namespace liesl {
 namespace {
 
+constexpr double kAlike = 1e-3;  // of a limit: two simulations of one design
+
 /// Limits on the largest value of a response.
 bool is_peak(const ConstraintSpec& c) {
   return !(c.weight > 0) && c.treatment != Treatment::Functional && c.treatment != Treatment::PNorm;
 }
 
-/// Under names that no response of the scene has.
-std::vector<ResponseSpec> peaks(const StudySpec& spec) {
-  std::vector<ResponseSpec> out;
-  for (const ConstraintSpec& c : spec.constraints)
-    if (is_peak(c)) {
-      out.push_back(c.response);
-      out.back().name = "limit " + c.response.name;
-    }
+/// Under a name that no response of the scene has.
+std::string response_name(const std::string& limit) { return "limit " + limit; }
+
+/// A limit in a scenario.
+struct LimitedPeak {
+  const ConstraintSpec* limit;
+  std::string name;
+};
+
+std::vector<LimitedPeak> peaks(const StudySpec& spec, std::size_t scenario) {
+  std::vector<LimitedPeak> out;
+  for (std::size_t i = 0; i < spec.constraints.size(); ++i)
+    if (const ConstraintSpec& c = spec.constraints[i]; is_peak(c))
+      out.push_back(
+          {&c, limit_name(spec, {static_cast<int>(i), c.response, static_cast<int>(scenario)})});
   return out;
+}
+
+/// The same response of another reading of a mechanism, whose bodies and joints have the same names
+/// in another order.
+ResponseSpec by_name(ResponseSpec r, const Mechanism& from, const Mechanism& to) {
+  for (int* body : {&r.at.body, &r.to.body, &r.body})
+    if (*body >= 0) *body = to.body(from.bodies[static_cast<std::size_t>(*body)].name);
+  if (r.joint < 0) return r;
+  const std::string& name = from.joints[static_cast<std::size_t>(r.joint)].name;
+  const auto found = std::find_if(to.joints.begin(), to.joints.end(),
+                                  [&](const JointSpec& j) { return j.name == name; });
+  r.joint = static_cast<int>(found - to.joints.begin());
+  return r;
 }
 
 void name_what_is_left_out(const StudySpec& spec, std::vector<std::string>& warnings) {
   std::vector<std::string> names;
   for (const ConstraintSpec& c : spec.constraints)
     if (!is_peak(c) && !(c.weight > 0)) names.push_back(c.response.name);
-  for (const FrequencyLimitSpec& f : spec.frequencies)
+  for (const auto& f : spec.frequencies)
     if (!(f.weight > 0)) names.push_back(f.name);
-  for (const PartLimitSpec& p : spec.part_limits) names.push_back(p.name);
+  for (const auto& p : spec.part_limits)
+    if (!(p.weight > 0)) names.push_back(p.name);
   if (!names.empty())
     warnings.push_back(fmt::format("not verified, being no largest value of a response: limit {}",
                                    fmt::join(names, ", ")));
-  if (spec.scenarios.size() > 1)
-    warnings.push_back(fmt::format("verified in the scenario '{}' alone", spec.scenarios.front()));
 }
 
-/// The final design, run as a scene on finer meshes and steps.
-struct Errors {
-  const StudySpec& spec;
-  output::OptimizeSummary& summary;
-  double worst = 0;  ///< of all limits, of each
+/// The final design in its scenarios, each run as a scene on finer meshes and steps.
+class LimitVerification {
+ public:
+  LimitVerification(OptimizeOutcome& out, const Study& study, const Progress& progress)
+      : out_(out), study_(study), progress_(progress) {}
 
-  void take(std::size_t i, const output::ResponseFigure& found) {
-    const ConstraintSpec& c = spec.constraints[i];
-    const std::string name = limit_name(spec, {static_cast<int>(i), c.response, 0});
-    auto& all = summary.constraints;
-    const auto limit =
-        std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == name; });
-    if (limit == all.end()) return;
-    limit->error_mesh = found.error_mesh;
-    limit->error_step = found.error_step;
+  std::vector<VerifiedLimit> run() {
+    try {
+      for (std::size_t s = 0; s < study_.scene_texts.size(); ++s)
+        if (!run_scenario(s)) return {};
+    } catch (const InputError& error) {
+      return not_verified("the final design cannot be read as a scene: " +
+                          error.problems.front().what);
+    }
+    if (limits_.empty()) return {};
+    out_.summary.more["verification"] = json_;
+    out_.summary.more["worst_constraint_error"] = nearest_limit(limits_).error();
+    return std::move(limits_);
+  }
+
+ private:
+  std::vector<VerifiedLimit> not_verified(const std::string& why) {
+    out_.summary.warnings.push_back("the limits were not verified: " + why);
+    return {};
+  }
+
+  /// False: a run did not reach its end, and nothing is known.
+  bool run_scenario(std::size_t s) {
+    const std::vector<LimitedPeak> limits = peaks(study_.spec, s);
+    if (limits.empty()) return true;
+    VerifiedScene source{final_scene(out_, study_, s), "design.toml", {}, {}};
+    Scene scene = read_scene(source.text, source.file, {});
+    for (const LimitedPeak& p : limits) {
+      source.responses.push_back(
+          by_name(p.limit->response, study_.scene.mechanism, scene.mechanism));
+      source.responses.back().name = response_name(p.name);
+    }
+    scene.responses = source.responses;
+    RunOutcome given = run_task(scene, choose_space(scene), progress_);
+    auto& warnings = out_.summary.warnings;
+    if (given.status != SolveStatus::Converged) {
+      not_verified(given.summary.reason);
+      return false;
+    }
+    given.summary.warnings.clear();
+    verify(source, scene, given.summary, progress_);
+    for (std::string& w : given.summary.warnings)
+      if (std::find(warnings.begin(), warnings.end(), w) == warnings.end())
+        warnings.push_back(std::move(w));  // of all scenarios alike: once
+    const auto& verified = given.summary.more["verification"];
+    json_["runs"] = json_.value("runs", 0) + verified["runs"].get<int>();
+    for (std::size_t i = 0; i < limits.size(); ++i)
+      take(limits[i], given.summary.responses[i], verified);
+    return true;
+  }
+
+  /// Order that was observed of a limit, also into the summary.
+  std::optional<double> order(const LimitedPeak& p, const char* of,
+                              const nlohmann::ordered_json& verified) {
+    if (!verified.contains(of)) return {};
+    json_[of]["order"] = verified[of]["order"];
+    const std::string name = response_name(p.name);
+    if (!verified[of].contains("observed") || !verified[of]["observed"].contains(name)) return {};
+    json_[of]["observed"][p.name] = verified[of]["observed"][name];
+    return verified[of]["observed"][name].get<double>();
+  }
+
+  void take(const LimitedPeak& p, const output::ResponseFigure& found,
+            const nlohmann::ordered_json& verified) {
+    auto& all = out_.summary.constraints;
+    const auto figure =
+        std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == p.name; });
+    if (figure == all.end()) return;
+    if (std::abs(found.max_abs - figure->max_abs_final) > kAlike * p.limit->limit) {
+      out_.summary.warnings.push_back(fmt::format(
+          "limit {} was not verified: the final design run as a scene has {:.6g} instead "
+          "of {:.6g}",
+          p.name, found.max_abs, figure->max_abs_final));
+      return;
+    }
+    figure->error_mesh = found.error_mesh;
+    figure->error_step = found.error_step;
     for (const auto& [part, known] : {std::pair("mesh", found.error_mesh.has_value()),
                                       std::pair("step", found.error_step.has_value())})
-      if (!known)
-        summary.warnings.push_back(
-            fmt::format("limit {}: its error by the {} is not known", name, part));
-    const double mesh = 100 * found.error_mesh.value_or(0) / c.limit,
-                 step = 100 * found.error_step.value_or(0) / c.limit, error = mesh + step;
-    worst = std::max(worst, error / 100);
-    if (error > 100 * spec.cycle.feasibility)
-      summary.warnings.push_back(fmt::format(
-          "limit {} is known to {:.2g} % only: mesh {:.2g} %, step {:.2g} %; beams of order = 4, "
-          "more elements or a smaller step make it certain",
-          name, error, mesh, step));
+      if (!known && (std::string_view(part) == "mesh" || steps()))
+        out_.summary.warnings.push_back(
+            fmt::format("limit {}: its error by the {} is not known", p.name, part));
+    limits_.push_back({p.name, figure->violation, found.error_mesh.value_or(0) / p.limit->limit,
+                       found.error_step.value_or(0) / p.limit->limit, order(p, "mesh", verified),
+                       order(p, "step", verified)});
   }
+
+  /// Has the step an error that a smaller one shows?
+  bool steps() const {
+    const SimulationOptions& o = study_.scene.simulation;
+    return o.type == SimulationType::Dynamic && !o.adaptive;
+  }
+
+  OptimizeOutcome& out_;
+  const Study& study_;
+  const Progress& progress_;
+  std::vector<VerifiedLimit> limits_;
+  nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
 };
 
 }  // namespace
 
-void verify_limits(const std::string& design, const Study& study, output::OptimizeSummary& summary,
-                   const Progress& progress) {
-  const StudySpec& spec = study.spec;
-  name_what_is_left_out(spec, summary.warnings);
-  VerifiedScene source{design, "design.toml", {}, peaks(spec)};
-  if (source.responses.empty()) return;
-  Scene scene = read_scene(design, source.file, {});
-  scene.responses = source.responses;
-  RunOutcome given = run_task(scene, choose_space(scene), progress);
-  if (given.status != SolveStatus::Converged) {
-    summary.warnings.push_back("the limits were not verified: " + given.summary.reason);
-    return;
-  }
-  given.summary.warnings.clear();
-  verify(source, scene, given.summary, progress);
-  Errors errors{spec, summary};
-  for (std::size_t i = 0; i < spec.constraints.size(); ++i)
-    for (const auto& found : given.summary.responses)
-      if (found.name == "limit " + spec.constraints[i].response.name) errors.take(i, found);
-  summary.more["verification"] = given.summary.more["verification"];
-  summary.more["worst_constraint_error"] = errors.worst;
-  summary.warnings.insert(summary.warnings.end(), given.summary.warnings.begin(),
-                          given.summary.warnings.end());
+const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits) {
+  return *std::max_element(limits.begin(), limits.end(),
+                           [](const VerifiedLimit& a, const VerifiedLimit& b) {
+                             return a.violation + a.error() < b.violation + b.error();
+                           });
+}
+
+std::string VerifiedLimit::text() const {
+  return fmt::format("limit {} is known to {:.2g} % only: mesh {:.2g} %, step {:.2g} %", name,
+                     100 * error(), 100 * mesh, 100 * step);
+}
+
+std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,
+                                         const Progress& progress) {
+  name_what_is_left_out(study.spec, out.summary.warnings);
+  return LimitVerification(out, study, progress).run();
+}
+
+void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility, bool refines,
+                    std::vector<std::string>& warnings) {
+  for (const VerifiedLimit& l : limits)
+    if (l.error() > feasibility && !l.certain(feasibility))
+      warnings.push_back(l.text() +
+                         "; beams of order = 4, more elements or a smaller step make it certain" +
+                         (refines ? "" : ", cycle.refine = \"auto\" takes them"));
 }
 
 }  // namespace liesl

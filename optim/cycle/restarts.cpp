@@ -16,30 +16,34 @@ bool of_the_motion(const ConstantSpec& c) {
 
 }  // namespace
 
-std::optional<StudySpec> restarted(const StudySpec& given,
-                                   const std::vector<NlpVariable>& variables, int number) {
-  StudySpec study = given;
-  bool elsewhere = false;
-  std::size_t j = 0;
-  const auto next = [&] {
-    const NlpVariable& v = variables[j++];
-    const double x = v.lower + kShares[number - 1] * (v.upper - v.lower);
-    elsewhere = elsewhere || x != v.start;
-    return x;
-  };
+StudySpec starting_at(StudySpec study, const Eigen::VectorXd& x) {
+  Eigen::Index j = 0;
   for (DesignSpec& d : study.design) {
     d.start.clear();
-    for (int g = 0; g < d.groups; ++g) d.start.push_back(next());
+    for (int g = 0; g < d.groups; ++g) d.start.push_back(x[j++]);
   }
   for (auto& [body, shape] : study.shapes)
-    for (ShapeVariableSpec& v : shape.variables) v.start = next();
-  for (ConstantSpec& c : study.constants)
-    if (of_the_motion(c))
-      ++j;
-    else
-      c.start = next();
-  if (!elsewhere) return {};
+    for (ShapeVariableSpec& v : shape.variables) v.start = x[j++];
+  for (ConstantSpec& c : study.constants) c.start = x[j++];
   return study;
+}
+
+std::optional<StudySpec> restarted(const StudySpec& study,
+                                   const std::vector<NlpVariable>& variables, int number) {
+  const auto n = static_cast<Eigen::Index>(variables.size());
+  const Eigen::Index constants = n - static_cast<Eigen::Index>(study.constants.size());
+  Eigen::VectorXd x(n);
+  bool elsewhere = false;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const NlpVariable& v = variables[static_cast<std::size_t>(j)];
+    x[j] = v.start;
+    if (j >= constants && of_the_motion(study.constants[static_cast<std::size_t>(j - constants)]))
+      continue;
+    x[j] = v.lower + kShares[number - 1] * (v.upper - v.lower);
+    elsewhere = elsewhere || x[j] != v.start;
+  }
+  if (!elsewhere) return {};
+  return starting_at(study, x);
 }
 
 namespace detail {

@@ -10,6 +10,9 @@
 
 namespace liesl {
 
+/// The study, starting at x, values of its variables in the order of Design::variables().
+StudySpec starting_at(StudySpec study, const Eigen::VectorXd& x);
+
 /// The study from restart `number`, 1 to kMostRestarts: every variable at lower + s (upper - lower)
 /// with s = 0.9, 0.5, 0.1, 0.7, 0.3; values of drives and the duration stay where they start.
 /// @param variables of the design. None: nothing that may move would start elsewhere.

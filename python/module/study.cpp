@@ -8,6 +8,7 @@
 #include "apps/cli/terminal.hpp"
 #include "apps/output/file.hpp"
 #include "apps/study/load_study.hpp"
+#include "apps/tasks/optimize_verified.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "apps/tasks/sensitivity.hpp"
 #include "optim/cycle/design_model.hpp"
@@ -42,7 +43,12 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
  public:
   StudyInput(const std::string& text, const std::string& file, const std::filesystem::path& folder,
              const std::vector<std::string>& changes)
-      : changes_(changes),
+      : read_([=](const std::vector<std::string>& more) {
+          auto all = changes;
+          all.insert(all.end(), more.begin(), more.end());
+          return read_study(text, file, folder, all);
+        }),
+        changes_(changes),
         study_(std::make_shared<const Study>(read_study(text, file, folder, changes))),
         design_(std::make_shared<const Design>(study_->spec, study_->scene.mechanism)) {}
 
@@ -103,10 +109,15 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
     describe(summary, study_->scene, space);
     summary.name = study_->spec.name;
     summary.input_sha256 = output::sha256(study_->input);
-    OptimizeOutcome out = optimize_task(*study_, space, summary, nucleate, hooks);
-    out.summary.more["input"] = study_->file;
-    out.summary.wall_s = clock.seconds();
-    return std::make_shared<OptimizeResult>(std::move(out), study_);
+    VerifiedOptions how;
+    how.verify = study_->refine;
+    how.nucleate = nucleate;
+    how.read = read_;
+    VerifiedOptimum end = optimize_verified(*study_, space, summary, hooks, how);
+    end.out.summary.more["input"] = study_->file;
+    end.out.summary.wall_s = clock.seconds();
+    return std::make_shared<OptimizeResult>(std::move(end.out),
+                                            std::make_shared<const Study>(std::move(end.study)));
   }
   static OptimizeHooks hooks(const Stop& stop, const py::object& on_cycle) {
     OptimizeHooks hooks;
@@ -121,6 +132,7 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
     return hooks;
   }
 
+  ReadStudy read_;
   std::vector<std::string> changes_;
   std::shared_ptr<const Study> study_;
   std::shared_ptr<const Design> design_;

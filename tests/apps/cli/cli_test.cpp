@@ -249,6 +249,10 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   expected = common;
   for (const auto& key : documented("### `optimize`").always) expected.insert(key);
   expected.insert("input");
+  for (const char* key : {"verification", "worst_constraint_error"}) {
+    EXPECT_TRUE(documented("### `optimize`").sometimes.count(key)) << key;
+    expected.insert(key);
+  }
   EXPECT_EQ(keys(summary()), expected);
   EXPECT_EQ(summary()["cycles"], summary()["history"].size());
 }

@@ -7,10 +7,10 @@ namespace {
 
 class VerifyCommand : public Program {
  protected:
-  /// The optimised rod, verified.
+  /// The optimised rod, verified as by default.
   Outcome optimise_rod(const std::vector<std::string>& more = {}) {
-    std::vector<std::string> arguments = {
-        "optimize", study("slider_crank_rod"), "-o", results(), "--verify", "--no-report"};
+    std::vector<std::string> arguments = {"optimize", study("slider_crank_rod"), "-o", results(),
+                                          "--no-report"};
     arguments.insert(arguments.end(), more.begin(), more.end());
     return run(arguments);
   }
@@ -43,9 +43,73 @@ TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
       << o.out << o.err;
 }
 
+TEST_F(VerifyCommand, LeavesTheErrorsOutIfAskedTo) {
+  EXPECT_EQ(optimise_rod({"--no-verify"}).code, 0);
+  EXPECT_FALSE(summary().contains("verification"));
+  EXPECT_FALSE(summary()["constraints"]["bending"].contains("error"));
+}
+
+/// Each limit in each scenario.
+TEST_F(VerifyCommand, VerifiesEveryScenario) {
+  const Outcome o = run({"optimize", study("rod_three_speeds"), "-o", results(), "--no-report",
+                         "--set", "cycle.max=1", "--set", "simulation.duration=0.02"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  const Json limits = summary()["constraints"];
+  EXPECT_EQ(limits.size(), 3u);
+  for (const auto& [name, limit] : limits.items()) {
+    ASSERT_TRUE(limit.contains("error")) << name;
+    EXPECT_GT(limit["error"]["mesh"].get<double>(), 0) << name;
+  }
+  EXPECT_EQ(summary()["verification"]["runs"], 12);
+  EXPECT_EQ(summary()["verification"]["mesh"]["observed"].size(), 3u);
+}
+
+/// Limits are found by the names of bodies and joints: design.toml has them in another order.
+TEST_F(VerifyCommand, FindsTheLimitsOfASceneInAnotherOrder) {
+  const Outcome o = run({"optimize", study("robot_codesign"), "-o", results(), "--no-report",
+                         "--set", "cycle.max=1"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_EQ(o.out.find("was not verified"), std::string::npos) << o.out;
+  const Json limits = summary()["constraints"];
+  EXPECT_EQ(limits.size(), 4u);
+  for (const auto& [name, limit] : limits.items()) EXPECT_TRUE(limit.contains("error")) << name;
+}
+
+using VerifyCommandSlow = VerifyCommand;
+
+/// design.toml has the interfaces of a part in another order, and another one comes first.
+TEST_F(VerifyCommandSlow, SaysThatAFinalDesignIsNoScene) {
+  const Outcome o = run({"optimize", study("robot_arm_lattice"), "-o", results(), "--no-report",
+                         "--set", "cycle.max=1", "--set", "simulation.duration=0.01"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  EXPECT_NE(o.out.find("the limits were not verified: the final design cannot be read as a scene"),
+            std::string::npos)
+      << o.out;
+}
+
 TEST_F(VerifyCommand, RefusesFixedLoads) {
   expect_refused({"optimize", study("cantilever"), "-o", results(), "--verify"},
                  "no motion to verify");
+  expect_refused({"optimize", study("cantilever"), "-o", results(), "--set", "cycle.refine=auto"},
+                 "fixed loads have no motion whose mesh or step is refined");
+}
+
+TEST_F(VerifyCommand, RefusesToRefineWithoutErrors) {
+  expect_refused({"optimize", study("slider_crank_rod"), "-o", results(), "--no-verify", "--set",
+                  "cycle.refine=auto"},
+                 "cycle.refine = \"auto\" needs the errors of the limits");
+}
+
+/// The refined rod is a scene of the finer model, with the starts of the first.
+TEST_F(VerifyCommand, RefinesUntilTheDesignHolds) {
+  const Outcome o = optimise_rod({"--set", "cycle.refine=auto"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_TRUE(summary()["refinement"]["holds"].get<bool>()) << summary()["refinement"];
+  EXPECT_NE(o.out.find("limit bending is known to 1.7 % only"), std::string::npos) << o.out;
+  EXPECT_NE(text_of(results() / "design.toml").find("order = 4"), std::string::npos);
+  EXPECT_EQ(summary()["cycles"], summary()["history"].size());
+  EXPECT_EQ(summary()["history"].back()["cycle"], summary()["cycles"]);
+  EXPECT_EQ(summary()["design_range"]["rod_diameters[0]"]["initial"], 0.01138);
 }
 
 /// The middle of an element is no place of another mesh.

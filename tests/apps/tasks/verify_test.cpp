@@ -12,6 +12,7 @@
 
 #include "apps/input/document.hpp"
 #include "apps/input/problem.hpp"
+#include "apps/lean/setting.hpp"
 #include "apps/program.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/run.hpp"
@@ -60,44 +61,64 @@ output::RunSummary summary_of(const std::string& file, const std::vector<std::st
   return out.summary;
 }
 
-struct Case {
-  const char* scene;
-  std::vector<std::string> finer;  ///< four times the elements, a quarter of the step
-};
+/// The peaks of a scene in the limit of fine meshes and small steps by `r3so3`, whose element and
+/// update are others: runs with twice and four times the elements and steps, extrapolated with
+/// order 2.
+std::map<std::string, double> converged_peaks(const std::string& file, const Scene& scene) {
+  const Setting given = setting_of(scene);
+  std::map<std::string, double> peaks;
+  for (const auto& [factor, weight] : {std::pair{2., -1. / 3}, std::pair{4., 4. / 3}}) {
+    auto finer = changes(given.refined(factor), given);
+    finer.insert(finer.end(), {"simulation.formalism=r3so3", "simulation.tolerance=1e-9"});
+    for (const auto& r : summary_of(file, finer, false).responses)
+      peaks[r.name] += weight * r.max_abs;
+  }
+  return peaks;
+}
 
-/// What is estimated wrongly: the largest position of the slider, 0.45 m at a dead point, is off by
-/// 5e-7 m and estimated as 1.3e-8 m.
-const std::set<std::string> kWrong = {"slider_crank slider_x"};
+/// What is estimated wrongly, and why.
+const std::map<std::string, std::string> kWrong = {
+    {"slider_crank slider_x", "0.45 m at a dead point; 6e-7 m, estimated as 1e-8 m"},
+    {"four_bar bend", "5.9 times too large"},
+    {"two_link_robot arm1_tip", "3.6 times too large"},
+    {"two_link_robot_path shoulder_torque", "4.0 times too large"},
+    {"two_link_robot_path elbow_torque", "6.9 times too large"}};
 
-/// Against meshes and steps four times as fine: the estimate is right within a factor of 3.
+/// Shipped scenes without meshed parts. Of crane_boom the mesh has no estimate, since nodes are
+/// named by number; peaks of bend45 and roll_up are at the start.
+const char* const kScenes[] = {
+    "engine_mount",        "flying_beam",    "four_bar",           "gear_hoist",
+    "heavy_top",           "pendulum",       "slider_crank",       "spin_up",
+    "svanberg_cantilever", "two_link_robot", "two_link_robot_path"};
+
+/// Relative: runs are converged to simulation.tolerance, 1e-6, and no better known than a tenth.
+constexpr double kIteration = 1e-7;
+
+/// Against converged runs of another formalism: right within a factor of 3 but for the exceptions;
+/// too small by more than that in at most 5 % of the responses.
 TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
-  const std::vector<Case> cases = {
-      {"slider_crank",
-       {"bodies.crank.beam.elements=32", "bodies.rod.beam.elements=32", "simulation.step=2.5e-5"}},
-      {"pendulum", {"bodies.beam.beam.elements=64", "simulation.step=2.5e-4"}},
-      {"spin_up", {"bodies.beam.beam.elements=40", "simulation.step=2.5e-3"}},
-      {"bend45", {"bodies.beam.beam.elements=32"}}};
-  std::set<std::string> wrong;
-  int all = 0;
-  for (const Case& c : cases) {
-    const std::string file = (kData / fmt::format("scenes/{}.toml", c.scene)).string();
-    const auto given = summary_of(file, {}, true), fine = summary_of(file, c.finer, false);
-    for (size_t i = 0; i < given.responses.size(); ++i) {
-      const auto& r = given.responses[i];
-      const double error = std::abs(r.max_abs - fine.responses[i].max_abs) * 16 / 15,
+  std::set<std::string> wrong, expected;
+  for (const auto& [name, why] : kWrong) expected.insert(name);
+  int all = 0, too_small = 0;
+  for (const char* name : kScenes) {
+    const std::string file = (kData / fmt::format("scenes/{}.toml", name)).string();
+    const auto given = summary_of(file, {}, true);
+    const auto converged = converged_peaks(file, load_scene(file));
+    for (const auto& r : given.responses) {
+      const double error = std::abs(r.max_abs - converged.at(r.name)),
                    estimate = r.error_mesh.value_or(0) + r.error_step.value_or(0);
-      if (error < 1e-9 * r.max_abs) continue;
+      if (std::max(error, estimate) < kIteration * r.max_abs) continue;
       ++all;
-      const std::string name = fmt::format("{} {}", c.scene, r.name);
-      RecordProperty(fmt::format("{}_{}", c.scene, r.name), fmt::format("{} {}", error, estimate));
-      if (error > 3 * estimate || estimate > 3 * error) wrong.insert(name);
-      if (kWrong.contains(name)) {
-        EXPECT_LT(error, 2e-6 * r.max_abs);
-      }
+      const std::string response = fmt::format("{} {}", name, r.name);
+      const double ratio = estimate / error;
+      RecordProperty(fmt::format("{}_{}", name, r.name),
+                     fmt::format("{:.3g} of {:.3g}: {:.2g}", error, r.max_abs, ratio));
+      if (ratio > 3 || ratio < 1. / 3) wrong.insert(response);
+      if (ratio < 1. / 3) ++too_small;
     }
   }
-  EXPECT_EQ(wrong, kWrong) << "of " << all;
-  EXPECT_GE(all, 6);
+  EXPECT_EQ(wrong, expected) << "of " << all;
+  EXPECT_LE(too_small, 0.05 * all) << "of " << all;
 }
 
 TEST(Verify, RefusesWhatHasNoResponsesAndNamesWhatItLeavesOut) {

@@ -1,0 +1,184 @@
+#ifdef LIESL_OPTIM
+
+#include "apps/tasks/refine.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "apps/input/problem.hpp"
+#include "apps/lean/setting.hpp"
+
+namespace liesl {
+namespace {
+
+constexpr double kShare = 0.25;  // of what is allowed, for each of mesh and step
+constexpr double kFalls = 0.7;   // an error that refinement leaves above this share stays
+constexpr int kMostAtOnce = 3;   // doublings
+
+using Changes = std::vector<std::string>;
+
+/// The error of the limit that needs refinement most, with its order if it was observed.
+struct LargestError {
+  double error = 0;
+  std::optional<double> order = {};
+};
+
+LargestError largest_error(const std::vector<VerifiedLimit>& limits, double feasibility,
+                           bool mesh) {
+  LargestError w;
+  for (const VerifiedLimit& l : limits)
+    if (const double e = mesh ? l.mesh : l.step; !l.certain(feasibility) && e > w.error)
+      w = {e, mesh ? l.mesh_order : l.step_order};
+  return w;
+}
+
+/// A power of two.
+int refinement_factor(const LargestError& w, double allowed, double order) {
+  const double p = std::clamp(w.order.value_or(order), 1.0, order);
+  const double doublings = std::ceil(std::log2(w.error / allowed) / p);
+  return 1 << static_cast<int>(std::clamp(doublings, 1.0, double(kMostAtOnce)));
+}
+
+/// One study, to be read with a finer model.
+class FinerStudy {
+ public:
+  FinerStudy(const Study& study, const Changes& before, const ReadStudy& read)
+      : study_(study), before_(before), read_(read), given_(setting(study)) {}
+
+  FinerModel model(const LargestError& mesh, const LargestError& step, double allowed) {
+    FinerModel out;
+    if (mesh.error > allowed) refine_mesh(mesh, allowed, out);
+    if (step.error > allowed) refine_step(step, allowed, out);
+    return out;
+  }
+
+ private:
+  /// With the places that limits name.
+  static Setting setting(const Study& study) {
+    Scene scene = study.scene;
+    for (const ConstraintSpec& c : study.spec.constraints) scene.responses.push_back(c.response);
+    return setting_of(scene);
+  }
+
+  bool readable(const Changes& more) const {
+    Changes all = before_;
+    all.insert(all.end(), more.begin(), more.end());
+    try {
+      read_(all);
+      return true;
+    } catch (const InputError&) {
+      return false;
+    }
+  }
+
+  const BeamSpec& beam(const BeamSetting& of) const {
+    const Mechanism& m = study_.scene.mechanism;
+    return std::get<BeamSpec>(m.bodies[static_cast<std::size_t>(m.body(of.name))].kind);
+  }
+
+  /// Those of order 2 that can be of order 4.
+  Changes order_4() const {
+    Changes all;
+    for (const BeamSetting& b : given_.beams)
+      if (beam(b).order == 2) all.push_back(fmt::format("bodies.{}.beam.order=4", b.name));
+    if (all.empty() || readable(all)) return all;
+    Changes some;
+    std::copy_if(all.begin(), all.end(), std::back_inserter(some),
+                 [this](const std::string& change) { return readable({change}); });
+    return some;
+  }
+
+  void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
+    out.changes = order_4();
+    if (!out.changes.empty()) return;
+    int order = 4;
+    for (const BeamSetting& b : given_.beams) order = std::min(order, beam(b).order);
+    Setting finer = given_;
+    for (BeamSetting& b : finer.beams)
+      if (b.multiple > 0)
+        for (int f = refinement_factor(error, allowed, order); f > 1; f /= 2)
+          if (f * b.elements <= kMostElements &&
+              readable({fmt::format("bodies.{}.beam.elements={}", b.name, f * b.elements)})) {
+            b.elements *= f;
+            break;
+          }
+    out.changes = changes(finer, given_);
+    out.mesh = !out.changes.empty();
+    if (!out.mesh) out.exhausted = no_room();
+  }
+
+  std::string no_room() const {
+    for (const BeamSetting& b : given_.beams)
+      if (2 * b.elements > kMostElements)
+        return fmt::format("beam {} has no room for twice its {} elements, {} is the most", b.name,
+                           b.elements, kMostElements);
+    return "no beam of the scene can have more elements";
+  }
+
+  void refine_step(const LargestError& error, double allowed, FinerModel& out) const {
+    Setting finer = given_;
+    finer.steps *= refinement_factor(error, allowed, kStepOrder);
+    const Changes step = changes(finer, given_);
+    const std::string scenario = keeps_its_step(step);
+    if (!scenario.empty()) {
+      out.exhausted = scenario;
+      return;
+    }
+    out.changes.insert(out.changes.end(), step.begin(), step.end());
+    out.step = true;
+  }
+
+  /// The scenario that names a step of its own; empty: none.
+  std::string keeps_its_step(const Changes& step) const {
+    Changes all = before_;
+    all.insert(all.end(), step.begin(), step.end());
+    const Study finer = read_(all);
+    for (std::size_t s = 0; s < study_.scenarios.size(); ++s)
+      if (finer.scenarios[s].simulation.step == study_.scenarios[s].simulation.step)
+        return fmt::format("scenario '{}' sets simulation.step itself",
+                           study_.spec.scenarios[s + 1]);
+    return finer.scene.simulation.step == study_.scene.simulation.step
+               ? fmt::format("scenario '{}' sets simulation.step itself",
+                             study_.spec.scenarios.front())
+               : "";
+  }
+
+  const Study& study_;
+  const Changes& before_;
+  const ReadStudy& read_;
+  const Setting given_;
+};
+
+}  // namespace
+
+FinerModel finer_model(const Study& study, const std::vector<VerifiedLimit>& limits,
+                       double feasibility, const Changes& before, const ReadStudy& read) {
+  return FinerStudy(study, before, read)
+      .model(largest_error(limits, feasibility, true), largest_error(limits, feasibility, false),
+             kShare * feasibility);
+}
+
+std::string not_converging(const std::vector<VerifiedLimit>& before,
+                           const std::vector<VerifiedLimit>& now, const FinerModel& refined,
+                           double feasibility) {
+  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i)
+    for (const bool mesh : {true, false}) {
+      if (!(mesh ? refined.mesh : refined.step)) continue;
+      const double was = mesh ? before[i].mesh : before[i].step,
+                   is = mesh ? now[i].mesh : now[i].step;
+      if (is <= kShare * feasibility || is <= kFalls * was || now[i].certain(feasibility)) continue;
+      const auto order = mesh ? now[i].mesh_order : now[i].step_order;
+      return fmt::format(
+          "limit {} does not converge: its error by the {} is {:.2g} %, was {:.2g} "
+          "% before it was refined{}",
+          now[i].name, mesh ? "mesh" : "step", 100 * is, 100 * was,
+          order ? fmt::format(", order {:.2g} observed", *order) : "");
+    }
+  return "";
+}
+
+}  // namespace liesl
+
+#endif
