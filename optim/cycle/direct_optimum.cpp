@@ -6,6 +6,8 @@
 #include <chrono>
 #include <limits>
 
+#include "mbs/linalg/stop_request.hpp"
+
 namespace liesl {
 namespace {
 
@@ -53,6 +55,7 @@ class DirectProblem final : public Problem {
   }
 
  private:
+  bool analyse(const VectorXd& x);
   void differentiate(const VectorXd& x);
 
   CycleRecord& record_;
@@ -66,6 +69,17 @@ class DirectProblem final : public Problem {
 
 bool DirectProblem::evaluate(const VectorXd& x) {
   if (x_.size() == x.size() && x_ == x) return good();
+  try {
+    return analyse(x);
+  } catch (const Stopped& stopped) {
+    surrogate_ = {};
+    failure_ = stopped.what();
+    interrupted_ = true;
+    return false;
+  }
+}
+
+bool DirectProblem::analyse(const VectorXd& x) {
   const auto begin = std::chrono::steady_clock::now();
   x_ = x;
   surrogate_ = {};
