@@ -9,6 +9,7 @@
 #include "apps/input/document.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "apps/scene/trusses.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "optim/design/drive_tables.hpp"
 
@@ -25,13 +26,20 @@ toml::table section_table(const toml::table& sections, const Section& section) {
   return table;
 }
 
-/// Gives every element of a beam its section; equal ones share an entry.
+/// Gives every element of a beam its section, of a taper every node; equal ones share an entry.
 void write_sections(toml::table& scene, const BodySpec& body) {
+  const BeamSpec& spec = std::get<BeamSpec>(body.kind);
+  const bool taper = tapers(spec);
+  std::vector<Section> all = spec.sections;
+  if (taper) {
+    all = {spec.ends.front().front()};
+    for (const auto& ends : spec.ends) all.push_back(ends.back());
+  }
   toml::table& sections = *scene["sections"].as_table();
   toml::array names;
   std::map<std::string, std::string> known;  // text of a section -> its name
   int number = 0;
-  for (const Section& section : std::get<BeamSpec>(body.kind).sections) {
+  for (const Section& section : all) {
     const toml::table table = section_table(sections, section);
     std::ostringstream text;
     text << table;
@@ -45,7 +53,7 @@ void write_sections(toml::table& scene, const BodySpec& body) {
   }
   toml::table& beam = *scene["bodies"][body.name]["beam"].as_table();
   beam.insert_or_assign("section", std::move(names));
-  beam.erase("taper");
+  if (!taper) beam.erase("taper");
 }
 
 /// Nodes of trusses become the ports of their bars.
