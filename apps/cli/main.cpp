@@ -19,6 +19,7 @@
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/versions.hpp"
+#include "mbs/linalg/stop_request.hpp"
 
 namespace {
 
@@ -266,6 +267,8 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
     return kRefused;
   } catch (const liesl::output::IoError& e) {
     std::cerr << "liesl: " << e.what() << "\n";
+  } catch (const liesl::Stopped&) {
+    std::cerr << "liesl: interrupted\n";
   } catch (const liesl::output::Interrupted&) {
     std::cerr << "liesl: interrupted\n";
   } catch (const std::filesystem::filesystem_error& e) {
@@ -307,6 +310,7 @@ int main(int argc, char** argv) {
   if (options.out.empty() && writes_folder(run))
     options.out = std::filesystem::path(options.file).stem().string();
   liesl::output::catch_interrupts();
+  liesl::ask_for_stop([] { return liesl::output::interrupted() != 0; });
   std::unique_ptr<tbb::global_control> limit;
   if (options.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

@@ -19,21 +19,26 @@ namespace {
 
 constexpr double kTiny = 1e-12;  // m; shorter is no length
 
-/// Dimensions linear between sections at even distances, at the middle of each of n elements.
-std::vector<Section> tapered_sections(const std::vector<Section>& at, int n) {
-  std::vector<Section> out;
+/// Dimensions linear between sections at even distances, at the share s of the length.
+Section section_between(const std::vector<Section>& at, double s) {
+  const double place = s * static_cast<double>(at.size() - 1);
+  const std::size_t i = std::min(static_cast<std::size_t>(place), at.size() - 2);
+  const double share = place - static_cast<double>(i);
+  Section section = at[i];
+  for (const auto name : dimensions(section.shape))
+    section.shape = with_dimension(
+        section.shape, name,
+        (1 - share) * dimension(at[i].shape, name) + share * dimension(at[i + 1].shape, name));
+  return section;
+}
+
+/// The sections of n elements between those at even distances, at their middles and ends.
+void taper(const std::vector<Section>& at, int n, BeamSpec& beam) {
   for (int e = 0; e < n; ++e) {
-    const double place = (e + 0.5) / n * static_cast<double>(at.size() - 1);
-    const auto i = static_cast<std::size_t>(place);
-    const double share = place - static_cast<double>(i);
-    Section section = at[i];
-    for (const auto name : dimensions(section.shape))
-      section.shape = with_dimension(
-          section.shape, name,
-          (1 - share) * dimension(at[i].shape, name) + share * dimension(at[i + 1].shape, name));
-    out.push_back(section);
+    beam.sections.push_back(section_between(at, (e + 0.5) / n));
+    beam.ends.push_back(
+        {section_between(at, static_cast<double>(e) / n), section_between(at, (e + 1.0) / n)});
   }
-  return out;
 }
 
 /// Keys of chains of segments where the beam is none.
@@ -122,31 +127,32 @@ class BeamReader {
   void sections(BeamSpec& beam) {
     const auto names = strings(table_, "section");
     const int runs = static_cast<int>(names.size());
-    if (runs > n_)
+    const bool tapers = boolean(table_, "taper");
+    if (runs > n_ + tapers)
       return refuse(*table_.get("section"),
                     fmt::format("has {} sections for {} elements", runs, n_),
-                    "at most one section an element");
+                    tapers ? "at most one section a node" : "at most one section an element");
     for (const toml::node* node : names) {
       const auto name = node->value_or(std::string());
       if (!reader_.known(*node, "sections", "section", name) || !reader_.sections.count(name))
         ok_ = false;
     }
     if (!ok_) return;
-    if (boolean(table_, "taper")) return tapered(beam, names);
+    if (tapers) return tapered(beam, names);
     for (int e = 0; e < n_; ++e) {
       const auto run = static_cast<std::size_t>(static_cast<long>(e) * runs / n_);
       beam.sections.push_back(reader_.sections.at(names[run]->value_or(std::string())));
     }
   }
 
-  /// Dimensions linear between the sections of the list, taken at the middle of each element.
+  /// Dimensions linear between the sections of the list, at the middle and the ends of each
+  /// element.
   void tapered(BeamSpec& beam, const std::vector<const toml::node*>& names) {
     std::vector<Section> at;
     for (const toml::node* node : names)
       at.push_back(reader_.sections.at(node->value_or(std::string())));
-    const toml::node& taper = *table_.get("taper");
     if (at.size() < 2)
-      return refuse(taper, "has 'taper' but one section", "at least two sections",
+      return refuse(*table_.get("taper"), "has 'taper' but one section", "at least two sections",
                     "section = [\"root\", \"tip\"]");
     for (std::size_t i = 0; i < at.size(); ++i) {
       const Section& s = at[i];
@@ -163,7 +169,7 @@ class BeamReader {
                                   at[0].name, s.name),
                       "the same in all of them, or none");
     }
-    beam.sections = tapered_sections(at, n_);
+    taper(at, n_, beam);
   }
 
   void points(BeamSpec& beam) {

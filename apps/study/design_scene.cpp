@@ -9,6 +9,7 @@
 #include "apps/input/document.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "apps/scene/trusses.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "optim/design/drive_tables.hpp"
 
@@ -40,13 +41,20 @@ toml::array shortest_list(const std::vector<std::string>& names) {
   return list;
 }
 
-/// Gives every element of a beam its section; equal ones share an entry.
+/// Gives every element of a beam its section, of a taper every node; equal ones share an entry.
 void write_sections(toml::table& scene, const BodySpec& body) {
+  const BeamSpec& spec = std::get<BeamSpec>(body.kind);
+  const bool taper = tapers(spec);
+  std::vector<Section> all = spec.sections;
+  if (taper) {
+    all = {spec.ends.front().front()};
+    for (const auto& ends : spec.ends) all.push_back(ends.back());
+  }
   toml::table& sections = *scene["sections"].as_table();
   std::vector<std::string> names;
   std::map<std::string, std::string> known;  // text of a section -> its name
   int number = 0;
-  for (const Section& section : std::get<BeamSpec>(body.kind).sections) {
+  for (const Section& section : all) {
     const toml::table table = section_table(sections, section);
     std::ostringstream text;
     text << table;
@@ -59,8 +67,13 @@ void write_sections(toml::table& scene, const BodySpec& body) {
     names.push_back(name);
   }
   toml::table& beam = *scene["bodies"][body.name]["beam"].as_table();
-  beam.insert_or_assign("section", shortest_list(names));
-  beam.erase("taper");
+  toml::array list;
+  if (taper)
+    for (const std::string& name : names) list.push_back(name);
+  else
+    list = shortest_list(names);
+  beam.insert_or_assign("section", std::move(list));
+  if (!taper) beam.erase("taper");
 }
 
 /// Nodes of trusses become the ports of their bars.

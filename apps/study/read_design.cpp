@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "apps/study/study_reader.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/section_errors.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 
@@ -15,9 +16,13 @@ namespace {
 
 constexpr double kRelative = 1e-9;  // slack of bounds against round-off
 
-const std::vector<Section>& sections_of(const StudyReader& reader, int body) {
+const BeamSpec& beam_of(const StudyReader& reader, int body) {
   const auto& bodies = reader.scene.scene.mechanism.bodies;
-  return std::get<BeamSpec>(bodies[static_cast<std::size_t>(body)].kind).sections;
+  return std::get<BeamSpec>(bodies[static_cast<std::size_t>(body)].kind);
+}
+
+const std::vector<Section>& sections_of(const StudyReader& reader, int body) {
+  return beam_of(reader, body).sections;
 }
 
 const std::string& name_of(const StudyReader& reader, int body) {
@@ -201,15 +206,38 @@ std::string defect_in_bounds(const Shape& shape, const std::vector<const DesignS
   return "";
 }
 
+/// Steps of one dimension along the linear change of another: no scene can say that.
+void check_steps(StudyReader& reader, int body, const std::vector<const DesignSpec*>& designs) {
+  const BeamSpec& beam = beam_of(reader, body);
+  const auto sizes = [&](std::string_view name) {
+    return std::any_of(designs.begin(), designs.end(), [name](const DesignSpec* d) {
+      return std::count(d->properties.begin(), d->properties.end(), name) > 0;
+    });
+  };
+  for (const auto name : dimensions(beam.sections.front().shape))
+    for (const DesignSpec* design : designs) {
+      if (design->groups == 1 || sizes(name) || !tapers(beam, name)) continue;
+      return reader.scene.problems.add(
+          *(*reader.root["design"][design->name].as_table()).get("groups"),
+          fmt::format("'{}' has {} groups on beam '{}', whose '{}' tapers", design->name,
+                      design->groups, name_of(reader, body), name),
+          "groups = 1", "or size '" + std::string(name) + "' too, which makes steps of its taper");
+    }
+}
+
 /// Sections have to be valid everywhere within the bounds (walls must not meet).
-void check_walls(StudyReader& reader) {
+void check_sections(StudyReader& reader) {
   const auto count = static_cast<int>(reader.scene.scene.mechanism.bodies.size());
   for (int body = 0; body < count; ++body) {
     std::vector<const DesignSpec*> designs;
     for (const DesignSpec& design : reader.spec.design)
       if (std::count(design.bodies.begin(), design.bodies.end(), body)) designs.push_back(&design);
     if (designs.empty()) continue;
-    for (const Section& section : sections_of(reader, body)) {
+    check_steps(reader, body, designs);
+    std::vector<Section> sections = sections_of(reader, body);
+    for (const auto& ends : beam_of(reader, body).ends)
+      sections.insert(sections.end(), ends.begin(), ends.end());
+    for (const Section& section : sections) {
       std::string values;
       const std::string what = defect_in_bounds(section.shape, designs, values);
       if (what.empty()) continue;
@@ -259,7 +287,7 @@ void read_design(StudyReader& reader) {
       read_constant(reader, entry);
     else if (auto design = DesignReader(reader, entry).read())
       reader.spec.design.push_back(std::move(*design));
-  check_walls(reader);
+  check_sections(reader);
   const toml::node* table = reader.root.get("design");
   if (table && table->is_table() && table->as_table()->empty())
     reader.scene.problems.add(*table, "the study has no design variables", "an entry in [design]");

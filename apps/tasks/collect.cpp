@@ -57,7 +57,7 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
           view.local(model.bodies[b]->section_force(state, static_cast<int>(e), end), b,
                      static_cast<int>(e) + node_of(end));
       append(out.section_forces, force);
-      if (!stress.empty()) out.stresses.push_back(stress(e, force));
+      if (!stress.empty()) out.stresses.push_back(stress(e, end, force));
     }
   }
 }

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
-#include "mbs/sections/stress.hpp"
 #include "mbs/system/spatial_view.hpp"
 
 namespace liesl {
@@ -51,20 +51,22 @@ void add_ports(const Mechanism& mechanism, const JointSpec& joint, output::Joint
 SectionStress::SectionStress(const BodySpec& body) {
   const auto* beam = std::get_if<BeamSpec>(&body.kind);
   if (!beam) return;
-  for (const Section& section : beam->sections) {
+  for (std::size_t e = 0; e < beam->sections.size(); ++e) {
     auto& rows = points_.emplace_back();
-    for (const StressPoint& point : stress_points(section, beam->material.nu))
-      rows.push_back(point.S);
+    for (const StressPoint& point : element_stress_points(*beam, e)) rows.push_back(point.S);
     if (!rows.empty()) continue;
     points_.clear();
     return;
   }
 }
 
-double SectionStress::operator()(std::size_t element, const SE3::Tangent& force) const {
+double SectionStress::operator()(std::size_t element, ElementPlace end,
+                                 const SE3::Tangent& force) const {
   double largest = 0;
-  for (const auto& S : points_[element]) {
-    const Eigen::Vector3d s = S * force;
+  const std::size_t half = points_[element].size() / 2;
+  const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
+  for (std::size_t i = first; i < first + half; ++i) {
+    const Eigen::Vector3d s = points_[element][i] * force;
     largest = std::max(largest, s[0] * s[0] + 3 * (s[1] * s[1] + s[2] * s[2]));
   }
   return std::sqrt(largest);

@@ -19,10 +19,10 @@ class SectionStress {
   /// One an element of a beam; empty for other bodies.
   explicit SectionStress(const BodySpec& body);
   bool empty() const { return points_.empty(); }
-  double operator()(std::size_t element, const SE3::Tangent& force) const;
+  double operator()(std::size_t element, ElementPlace end, const SE3::Tangent& force) const;
 
  private:
-  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> points_;  ///< by element
+  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> points_;  ///< by element, both ends
 };
 
 /// Fills in frames at rest (those of the state `rest`), sections, points and ports.

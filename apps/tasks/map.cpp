@@ -12,6 +12,7 @@
 
 #include "apps/input/problem.hpp"
 #include "apps/tasks/map_values.hpp"
+#include "mbs/linalg/stop_request.hpp"
 
 namespace liesl {
 namespace {
@@ -159,7 +160,13 @@ void add_global(const MakeValues& make, const Plan& plan, const MapHooks& hooks,
         reason = "interrupted";
         continue;
       }
-      const auto analysis = values->model().analyse(point(plan, i, j), go_on);
+      std::shared_ptr<DesignAnalysis> analysis;
+      try {
+        analysis = values->model().analyse(point(plan, i, j), go_on);
+      } catch (const Stopped&) {
+        reason = "interrupted";
+        continue;
+      }
       if (!analysis->good()) {
         reason = analysis->reason;
         continue;

@@ -26,21 +26,18 @@ class MotionValues final : public StudyValues {
   std::vector<double> of(const DesignAnalysis& analysis) const override {
     std::vector<double> out(size(), kNoValue);
     out[0] = analysis.objective;
-    const auto take = [&out](std::size_t at, double value, bool least) {
-      if (!(least ? value >= out[at] : value <= out[at])) out[at] = value;
-    };
     for (const MotionLimits& motion : dynamic_cast<const MotionAnalysis<G>&>(analysis).limits) {
       for (std::size_t c = 0; c < motion.limits.size(); ++c)
-        take(c + 1, motion.limits[c].measure, false);
+        take(out, c + 1, motion.limits[c].measure, false);
       for (const PartCheck& part : motion.parts)
         for (std::size_t l = 0; l < spec_.part_limits.size(); ++l)
           if (spec_.part_limits[l].name == part.limit.name)
-            take(part_limits() + l, part.value.value,
+            take(out, part_limits() + l, part.value.value,
                  part.limit.quantity == SolidResponse::Frequency);
       for (std::size_t f = 0; f < motion.frequencies.size(); ++f)
-        take(frequencies() + f, motion.frequencies[f].value, true);
+        take(out, frequencies() + f, motion.frequencies[f].value, true);
       for (std::size_t m = 0; m < motion.masses.size(); ++m)
-        take(masses() + m, motion.masses[m].value, false);
+        take(out, masses() + m, motion.masses[m].value, false);
     }
     return out;
   }
@@ -53,19 +50,41 @@ class MotionValues final : public StudyValues {
     const auto responses = problem.responses();
     const auto images = problem.images();
     for (std::size_t i = 0; i < images.size(); ++i) {
-      if (images[i].response < 0) continue;
+      const double by = g[static_cast<Eigen::Index>(i)];
+      if (images[i].response < 0) {
+        take_own(images[i], by, out);
+        continue;
+      }
       const LimitedResponse& of = responses[static_cast<std::size_t>(images[i].response)];
       if (of.constraint < 0 && of.part_limit < 0) continue;
-      const double value = limit_value(spec_, of) * (1 + g[static_cast<Eigen::Index>(i)]);
-      double& largest =
-          out[of.part_limit < 0 ? static_cast<std::size_t>(of.constraint) + 1
-                                : part_limits() + static_cast<std::size_t>(of.part_limit)];
-      if (!(value <= largest)) largest = value;
+      take(out,
+           of.part_limit < 0 ? static_cast<std::size_t>(of.constraint) + 1
+                             : part_limits() + static_cast<std::size_t>(of.part_limit),
+           limit_value(spec_, of) * (1 + by), false);
     }
     return out;
   }
 
  private:
+  /// The largest, or the least of all that a quantity is given.
+  static void take(std::vector<double>& out, std::size_t at, double value, bool least) {
+    if (!(least ? value >= out[at] : value <= out[at])) out[at] = value;
+  }
+
+  /// A row g of the design alone: v/limit - 1, of a frequency 1 - v/limit.
+  void take_own(const RowImage& row, double g, std::vector<double>& out) const {
+    const auto l = static_cast<std::size_t>(row.limit);
+    if (row.limit < 0) return;  // a wall
+    if (row.of == OwnLimits::Frequencies)
+      take(out, frequencies() + l, spec_.frequencies[l].least * (1 - g), true);
+    if (row.of == OwnLimits::Masses)
+      take(out, masses() + l, spec_.mass_limits[l].limit * (1 + g), false);
+    if (row.of != OwnLimits::Parts) return;
+    const PartLimitSpec& limit = spec_.part_limits[l];
+    const bool least = limit.quantity == SolidResponse::Frequency;
+    take(out, part_limits() + l, limit.limit * (least ? 1 - g : 1 + g), least);
+  }
+
   // Where they begin in the order of `quantities`.
   std::size_t part_limits() const { return 1 + spec_.constraints.size(); }
   std::size_t frequencies() const { return part_limits() + spec_.part_limits.size(); }

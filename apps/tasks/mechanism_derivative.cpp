@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
@@ -26,13 +27,18 @@ bool same_frames(const std::vector<SE3>& a, const std::vector<SE3>& b) {
   return equal;
 }
 
-BeamDerivative scaled(BeamDerivative part, double factor) {
-  for (auto& law : part.laws) {
+/// @param factors in the middle of the elements, at their first and last nodes
+BeamDerivative scaled(BeamDerivative part, const std::array<double, 3>& factors) {
+  const auto scale = [](SectionLaw& law, double factor) {
     law.K *= factor;
     law.M *= factor;
-  }
+  };
+  for (auto& law : part.laws) scale(law, factors[0]);
+  for (auto& ends : part.ends)
+    for (std::size_t k = 0; k < 2; ++k) scale(ends[k], factors[k + 1]);
   for (auto& element : part.stress)
-    for (auto& point : element) point *= factor;
+    for (std::size_t i = 0; i < element.size(); ++i)
+      element[i] *= factors[2 * i < element.size() ? 1 : 2];
   return part;
 }
 
@@ -134,12 +140,13 @@ class Differences {
     require("nu, damping or kind of " + name, [&](const Mechanism& m) {
       const BeamSpec& other = of(m);
       return other.material.nu == beam.material.nu && other.damping == beam.damping &&
-             other.as == beam.as && other.modes == beam.modes;
+             other.as == beam.as && other.modes == beam.modes &&
+             other.ends.size() == beam.ends.size();
     });
     BeamDerivative sum;
     bool depends = false;
-    const auto take = [&](double by_p, auto law) {
-      if (by_p == 0) return;
+    const auto take = [&](const std::array<double, 3>& by_p, auto law) {
+      if (by_p == std::array{0., 0., 0.}) return;
       if (depends)
         sum += scaled(law(), by_p);
       else
@@ -152,15 +159,24 @@ class Differences {
         return of(m).sections[static_cast<std::size_t>(e)];
       };
       require_section(section, name);
-      for (const auto dimension_name : dimensions(section(at_).shape))
-        take(difference(
-                 [&](const Mechanism& m) { return dimension(section(m).shape, dimension_name); }),
-             [&] { return by_dimension(at_, b, {e}, dimension_name); });
+      for (const auto dimension_name : dimensions(section(at_).shape)) {
+        std::array<double, 3> by_p;
+        for (std::size_t k = 0; k < 3; ++k)
+          by_p[k] = difference([&](const Mechanism& m) {
+            constexpr std::array places = {ElementPlace::Middle, ElementPlace::First,
+                                           ElementPlace::Last};
+            return dimension(section_at(of(m), static_cast<std::size_t>(e), places[k]).shape,
+                             dimension_name);
+          });
+        take(by_p, [&] { return by_dimension(at_, b, {e}, dimension_name); });
+      }
     }
-    take(difference([&](const Mechanism& m) { return of(m).material.E; }),
-         [&] { return by_youngs_modulus(at_, b); });
-    take(difference([&](const Mechanism& m) { return of(m).material.rho; }),
-         [&] { return by_density(at_, b); });
+    const auto material = [&](double Material::*constant) {
+      const double by_p = difference([&](const Mechanism& m) { return of(m).material.*constant; });
+      return std::array{by_p, by_p, by_p};
+    };
+    take(material(&Material::E), [&] { return by_youngs_modulus(at_, b); });
+    take(material(&Material::rho), [&] { return by_density(at_, b); });
     if (depends) p.parts.push_back(std::move(sum));
   }
 

@@ -217,8 +217,9 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   describe_responses(out.summary, out.results);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
-  describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
-                 scene.simulation.type == SimulationType::Dynamic);
+  if (r.status != CycleStatus::Interrupted)  // it may take longer than a cycle
+    describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
+                   scene.simulation.type == SimulationType::Dynamic);
   out.initial = records(r.initial, scene.mechanism, study.spec);
   out.final = records(r.final, scene.mechanism, study.spec);
   if (sizing.size() > 0) out.design = design_rows(sizing, scene.mechanism, r.x);

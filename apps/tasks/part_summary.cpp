@@ -7,6 +7,7 @@
 #include <ranges>
 
 #include "apps/tasks/part_range.hpp"
+#include "mbs/linalg/stop_request.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/solvers/part_motion.hpp"
@@ -71,6 +72,42 @@ std::optional<int> more_modes(const SolidModel& solid, const VectorXd& v, const 
   return {};
 }
 
+/// @param harmonic the highest of its loads, Hz; 0: there are none
+template <FrameGroup G>
+void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const SolidSpec& spec,
+                   double harmonic) {
+  const SolidModel& solid = body.model();
+  const VectorXd &v = body.fractions(), full = mesh_frequencies(solid, v, 2 * harmonic);
+  // Where even the frequencies of the mesh end below, these are all that can be asked for.
+  const double wanted = std::min(2 * harmonic, full.size() > 0 ? full[full.size() - 1] : 0);
+  const auto reduced = [&](int kept) {
+    return body.free_frequencies(static_cast<int>(full.size()), kept);
+  };
+  const VectorXd own = reduced(spec.modes);
+  const double limit = right_up_to(full, own);
+  const auto needed = limit < wanted ? more_modes(solid, v, full, spec.modes, wanted)
+                                     : fewest_modes(full, reduced, spec.modes, wanted);
+  nlohmann::ordered_json& part = summary.more["parts"][body.name];
+  part = {{"cells", spec.mesh().cell_count()},
+          {"unknowns", body.basis().cols()},
+          {"modes", spec.modes},
+          {"mass", body.total_mass()},
+          {"free_hz", std::vector<double>(full.begin(), full.end())},
+          {"reduced_hz", std::vector<double>(own.begin(), own.end())},
+          {"right_up_to_hz", limit},
+          {"harmonic_hz", harmonic},
+          {"harmonic_share", kLeftOut},
+          {"modes_needed", nullptr}};
+  if (needed) part["modes_needed"] = *needed;
+  if (limit < wanted)
+    summary.warnings.push_back(fmt::format(
+        "the modes of '{}' are right up to {:.4g} Hz only, twice the highest harmonic of its "
+        "loads is {:.4g} Hz: {}",
+        body.name, limit, 2 * harmonic,
+        needed ? fmt::format("bodies.{}.solid.modes = {} would do", body.name, *needed)
+               : "the modes that were tried do not do, the mesh may be too coarse"));
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -81,41 +118,16 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
-    const auto& spec = std::get<SolidSpec>(mechanism.bodies[b].kind);
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
-    const double harmonic = motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0;
     for (const auto& warning : range_warnings(body->name, part_range(*body, e)))
       summary.warnings.push_back(warning);
-    const SolidModel& solid = body->model();
-    const VectorXd &v = body->fractions(), full = mesh_frequencies(solid, v, 2 * harmonic);
-    // Where even the frequencies of the mesh end below, these are all that can be asked for.
-    const double wanted = std::min(2 * harmonic, full.size() > 0 ? full[full.size() - 1] : 0);
-    const auto reduced = [&](int kept) {
-      return body->free_frequencies(static_cast<int>(full.size()), kept);
-    };
-    const VectorXd own = reduced(spec.modes);
-    const double limit = right_up_to(full, own);
-    const auto needed = limit < wanted ? more_modes(solid, v, full, spec.modes, wanted)
-                                       : fewest_modes(full, reduced, spec.modes, wanted);
-    nlohmann::ordered_json& part = summary.more["parts"][body->name];
-    part = {{"cells", spec.mesh().cell_count()},
-            {"unknowns", body->basis().cols()},
-            {"modes", spec.modes},
-            {"mass", body->total_mass()},
-            {"free_hz", std::vector<double>(full.begin(), full.end())},
-            {"reduced_hz", std::vector<double>(own.begin(), own.end())},
-            {"right_up_to_hz", limit},
-            {"harmonic_hz", harmonic},
-            {"harmonic_share", kLeftOut},
-            {"modes_needed", nullptr}};
-    if (needed) part["modes_needed"] = *needed;
-    if (limit < wanted)
+    try {
+      describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),
+                    motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0);
+    } catch (const Stopped&) {
       summary.warnings.push_back(fmt::format(
-          "the modes of '{}' are right up to {:.4g} Hz only, twice the highest harmonic of its "
-          "loads is {:.4g} Hz: {}",
-          body->name, limit, 2 * harmonic,
-          needed ? fmt::format("bodies.{}.solid.modes = {} would do", body->name, *needed)
-                 : "the modes that were tried do not do, the mesh may be too coarse"));
+          "the modes of '{}' were not compared with its mesh: stopped on request", body->name));
+    }
   }
 }
 

@@ -12,7 +12,6 @@
 #include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/tasks/run.hpp"
-#include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/solvers/richardson.hpp"
 
 namespace liesl {
@@ -50,18 +49,6 @@ ResponseSpec on_mesh(ResponseSpec r, const Mechanism& from, const Mechanism& to)
     port->node = port->node * count(to, port->body) / count(from, port->body);
   move_element(r, count(to, r.body), count(from, r.body));
   return r;
-}
-
-/// Are there elements side by side that differ and have one section: steps of a taper, which a
-/// finer mesh makes smaller?
-bool tapers(const BeamSpec& beam) {
-  for (std::size_t e = 1; e < beam.sections.size(); ++e) {
-    const Section &a = beam.sections[e - 1], &b = beam.sections[e];
-    if (a.name != b.name) continue;
-    for (const auto name : dimensions(a.shape))
-      if (dimension(a.shape, name) != dimension(b.shape, name)) return true;
-  }
-  return false;
 }
 
 /// The runs of one verification.
@@ -157,7 +144,8 @@ class Verification {
       const auto& body =
           scene.mechanism.bodies[static_cast<size_t>(scene.mechanism.body(setting.name))];
       const auto& beam = std::get<BeamSpec>(body.kind);
-      if (setting.multiple > 0) mesh_order_ = std::min(mesh_order_, tapers(beam) ? 2 : beam.order);
+      if (setting.multiple > 0)
+        mesh_order_ = std::min(mesh_order_, beam.ends.empty() ? beam.order : 2);
     }
   }
 

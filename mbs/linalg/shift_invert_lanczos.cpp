@@ -5,6 +5,8 @@
 #include <cmath>
 #include <exception>
 
+#include "mbs/linalg/stop_request.hpp"
+
 namespace liesl {
 
 bool shift_invert_lanczos(ShiftedInverse& inverse, const LinearOperator& mass, int count, int most,
@@ -26,6 +28,8 @@ bool shift_invert_lanczos(ShiftedInverse& inverse, const LinearOperator& mass, i
   try {
     solver.init(image.data());
     solver.compute(Spectra::SortRule::LargestMagn, 300, tolerance, Spectra::SortRule::SmallestAlge);
+  } catch (const Stopped&) {
+    throw;
   } catch (const std::exception&) {  // Spectra's way to say that the start is in too small a space
     return false;
   }

@@ -20,6 +20,7 @@ class SparseCholesky {
 
   /// Factors A, of which the lower triangle is read. The first call analyses the pattern.
   /// @pre the pattern is that of the first call, A is compressed and square
+  /// @throws Stopped, see look_for_stop; so does `solve`, between the blocks
   /// @returns false if A is not positive definite or not finite: there are no factors then.
   bool factor(const Matrix& A);
 

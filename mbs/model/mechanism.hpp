@@ -5,6 +5,7 @@
 /// from it.
 
 #include <Eigen/Core>
+#include <array>
 #include <map>
 #include <optional>
 #include <string>
@@ -57,6 +58,9 @@ struct BeamSpec {
   int modes = -1;                                ///< internal modes of a modal body, -1 = all
   SegmentSpec segment = {};                      ///< of a chain of segments
   std::map<std::string, BeamPoint> points = {};  ///< further ports
+  /// n, of a taper: the sections at both nodes of each element, for its stress; stiffness and mass
+  /// are those of its middle, in `sections`. Empty: the elements are prismatic.
+  std::vector<std::array<Section, 2>> ends = {};
 };
 
 /// Rigid body with named points.

@@ -2,8 +2,8 @@
 
 #include <stdexcept>
 
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
-#include "mbs/sections/stress.hpp"
 
 namespace liesl {
 namespace {
@@ -19,7 +19,10 @@ const BeamSpec& beam_of(const Mechanism& mechanism, int body) {
 
 BeamDerivative zero(const BeamSpec& beam, int body) {
   const SectionLaw none{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
-  return {body, std::vector<SectionLaw>(beam.sections.size(), none), {}};
+  return {body,
+          std::vector<SectionLaw>(beam.sections.size(), none),
+          std::vector<std::array<SectionLaw, 2>>(beam.ends.size(), {none, none}),
+          {}};
 }
 
 /// By a constant of the material that K or M_s of every section is proportional to.
@@ -34,17 +37,28 @@ BeamDerivative by_constant(const Mechanism& mechanism, int body, double Material
                                   section.name +
                                   "' is given by matrices and does not depend on the material");
     d.laws[e].*part = section_law(section, beam.material).*part / (beam.material.*constant);
+    for (std::size_t k = 0; k < 2 && !beam.ends.empty(); ++k)
+      d.ends[e][k].*part =
+          section_law(beam.ends[e][k], beam.material).*part / (beam.material.*constant);
   }
   return d;
 }
 
 }  // namespace
 
+const SectionLaw& BeamDerivative::law_at(std::size_t e, ElementPlace place) const {
+  const bool middle = place == ElementPlace::Middle || ends.empty();
+  return middle ? laws[e] : ends[e][std::size_t(node_of(place))];
+}
+
 BeamDerivative& BeamDerivative::operator+=(const BeamDerivative& other) {
-  for (size_t e = 0; e < laws.size(); ++e) {
-    laws[e].K += other.laws[e].K;
-    laws[e].M += other.laws[e].M;
-  }
+  const auto add = [](SectionLaw& to, const SectionLaw& law) {
+    to.K += law.K;
+    to.M += law.M;
+  };
+  for (size_t e = 0; e < laws.size(); ++e) add(laws[e], other.laws[e]);
+  for (size_t e = 0; e < ends.size(); ++e)
+    for (size_t k = 0; k < 2; ++k) add(ends[e][k], other.ends[e][k]);
   if (stress.empty()) {
     stress = other.stress;
     return *this;
@@ -61,16 +75,17 @@ BeamDerivative by_dimension(const Mechanism& mechanism, int body, const std::vec
   const int n = static_cast<int>(beam.sections.size());
   std::vector<int> chosen = elements;
   for (int e = 0; elements.empty() && e < n; ++e) chosen.push_back(e);
-  for (const Section& section : beam.sections) {
-    const auto points = stress_points(section, beam.material.nu).size();
-    d.stress.emplace_back(points, Eigen::Matrix<double, 3, 6>::Zero());
-  }
+  for (size_t e = 0; e < beam.sections.size(); ++e)
+    d.stress.emplace_back(element_stress_points(beam, e).size(),
+                          Eigen::Matrix<double, 3, 6>::Zero());
   for (const int e : chosen) {
     if (e < 0 || e >= n)
       throw std::invalid_argument("beam '" + mechanism.bodies[body].name + "' has no element " +
                                   std::to_string(e) + ", expected 0 .. " + std::to_string(n - 1));
     d.laws[e] = section_law_derivative(beam.sections[e], beam.material, dimension);
-    d.stress[e] = stress_points_derivative(beam.sections[e], beam.material.nu, dimension);
+    d.stress[e] = element_stress_derivative(beam, std::size_t(e), dimension);
+    for (std::size_t k = 0; k < 2 && !beam.ends.empty(); ++k)
+      d.ends[e][k] = section_law_derivative(beam.ends[e][k], beam.material, dimension);
   }
   return d;
 }

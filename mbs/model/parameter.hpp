@@ -3,11 +3,13 @@
 /// A scalar parameter p of a mechanism as data: the derivatives d/dp of what depends on it. What is
 /// not named does not depend on p; geometry (frames, lengths, axes) never does.
 
+#include <array>
 #include <string>
 #include <string_view>
 #include <variant>
 #include <vector>
 
+#include "mbs/model/element_place.hpp"
 #include "mbs/model/mechanism.hpp"
 #include "mbs/sections/section_law.hpp"
 
@@ -17,8 +19,13 @@ namespace liesl {
 struct BeamDerivative {
   int body = -1;
   std::vector<SectionLaw> laws;  ///< d(K, M_s)/dp by element, section axes in space
-  /// dS/dp of the stress points by element, see `stress_points`; empty = they do not depend on p.
-  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> stress;
+  /// The same at both ends of the elements of a taper; empty: as `laws`.
+  std::vector<std::array<SectionLaw, 2>> ends = {};
+  /// dS/dp by element, see `element_stress_points`; empty = they do not depend on p.
+  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> stress = {};
+
+  /// d(K, M_s)/dp at a place of element e.
+  const SectionLaw& law_at(std::size_t e, ElementPlace place) const;
 
   /// By a parameter that moves several dimensions alike. @pre of the same beam
   BeamDerivative& operator+=(const BeamDerivative& other);

@@ -183,9 +183,9 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
     if (r.point >= 0 && e != r.element) continue;
     for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
       const SE3::Tangent n = section_force_of(body, s, r.body, e, place);
-      const int first = node_of(place) * static_cast<int>(points[e].size());
-      for (size_t i = 0; i < points[e].size(); ++i) {
-        if (r.point >= 0 && first + static_cast<int>(i) != r.point) continue;
+      const size_t half = points[e].size() / 2, first = static_cast<size_t>(node_of(place)) * half;
+      for (size_t i = first; i < first + half; ++i) {
+        if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
         const Vec3 sigma = points[e][i].S * n;
         const double value = std::sqrt(sigma[0] * sigma[0] + 3 * sigma.tail<2>().squaredNorm());
         if (value <= largest.value) continue;

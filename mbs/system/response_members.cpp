@@ -2,6 +2,7 @@
 /// Responses of a beam as a member of a frame or truss: mean stress, Euler load, wall buckling.
 /// Each is a row, that follows from the section, times the section force.
 
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/buckling.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -35,29 +36,30 @@ auto ResponseValues<G>::largest_of_member(const ResponseSpec& r, const State<G>&
     if (more) largest = at;
   };
   const double length = reference_length(beam);
-  for (int e = 0; e < body.elements(); ++e) {
-    const auto element = static_cast<std::size_t>(e);
-    const SectionLaw law = section_law(beam.sections[element], beam.material);
-    if (r.kind == ResponseKind::LocalBuckling) {
-      const double sigma =
-          wall_buckling_stress(law, none, beam.material.E, beam.material.nu, r.factor).value;
-      for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
-        const SE3::Tangent n = section_force_of(body, s, r.body, e, place);
-        const auto& points = points_of(r.body)[element];
-        for (std::size_t i = 0; i < points.size(); ++i) {
+  for (int e = 0; e < body.elements(); ++e)
+    for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
+      const auto element = static_cast<std::size_t>(e);
+      const SectionLaw law = section_law(section_at(beam, element, end), beam.material);
+      const auto& points = points_of(r.body)[element];
+      const std::size_t half = points.size() / 2;
+      const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
+      if (r.kind == ResponseKind::LocalBuckling) {
+        const double sigma =
+            wall_buckling_stress(law, none, beam.material.E, beam.material.nu, r.factor).value;
+        const SE3::Tangent n = section_force_of(body, s, r.body, e, end);
+        for (std::size_t i = first; i < first + half; ++i) {
           const SE3::Tangent row = -points[i].S.row(0).transpose() / sigma;
-          offer({e, place, static_cast<int>(i), row, row.dot(n), n});
+          offer({e, end, end, static_cast<int>(i), row, row.dot(n), n});
         }
+        continue;
       }
-      continue;
+      const SE3::Tangent n = section_force_of(body, s, r.body, e, ElementPlace::Middle);
+      const double by_force = r.kind == ResponseKind::AxialStress
+                                  ? points[first].S(0, 0)
+                                  : -1 / euler_load(law, none, r.factor * length).value;
+      const SE3::Tangent row = by_force * SE3::Tangent::Unit(0);
+      offer({e, ElementPlace::Middle, end, static_cast<int>(first), row, row.dot(n), n});
     }
-    const SE3::Tangent n = section_force_of(body, s, r.body, e, ElementPlace::Middle);
-    const double by_force = r.kind == ResponseKind::AxialStress
-                                ? points_of(r.body)[element].front().S(0, 0)
-                                : -1 / euler_load(law, none, r.factor * length).value;
-    const SE3::Tangent row = by_force * SE3::Tangent::Unit(0);
-    offer({e, ElementPlace::Middle, -1, row, row.dot(n), n});
-  }
   return largest;
 }
 
@@ -82,21 +84,21 @@ double ResponseValues<G>::member_by(const ResponseSpec& r, const State<G>& s,
   if (!body || at.value == 0) return 0;
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
   const auto e = static_cast<std::size_t>(at.element);
-  const SectionLaw law = section_law(beam.sections[e], beam.material);
+  const SectionLaw law = section_law(section_at(beam, e, at.end), beam.material);
   double sum = at.row.dot(section_force_of(*body, s, r.body, at.element, at.place));
   for (const auto& part : parameter.parameter().parts) {
     const auto* by = std::get_if<BeamDerivative>(&part);
     if (!by || by->body != r.body) continue;
     const bool shape = !by->stress.empty();  // else by the material
+    const SectionLaw& by_law = by->law_at(e, at.end);
     if (r.kind == ResponseKind::AxialStress) {
-      if (shape) sum += by->stress[e].front()(0, 0) * at.n[0];
+      if (shape) sum += by->stress[e][std::size_t(at.point)](0, 0) * at.n[0];
     } else if (r.kind == ResponseKind::Buckling) {
-      const auto load = euler_load(law, by->laws[e], r.factor * reference_length(beam));
+      const auto load = euler_load(law, by_law, r.factor * reference_length(beam));
       sum += load.derivative / (load.value * load.value) * at.n[0];
     } else {
-      auto wall =
-          wall_buckling_stress(law, by->laws[e], beam.material.E, beam.material.nu, r.factor);
-      if (!shape) wall.derivative = wall.value * by->laws[e].K(0, 0) / law.K(0, 0);
+      auto wall = wall_buckling_stress(law, by_law, beam.material.E, beam.material.nu, r.factor);
+      if (!shape) wall.derivative = wall.value * by_law.K(0, 0) / law.K(0, 0);
       sum -= wall.derivative / wall.value * at.value;
       if (shape) sum -= by->stress[e][std::size_t(at.point)].row(0).dot(at.n) / wall.value;
     }

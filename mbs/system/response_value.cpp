@@ -2,6 +2,8 @@
 
 #include <array>
 
+#include "mbs/model/beam_ends.hpp"
+
 namespace liesl {
 namespace {
 
@@ -196,7 +198,7 @@ const std::vector<std::vector<StressPoint>>& ResponseValues<G>::points_of(int bo
   const auto [known, fresh] = stress_points_.try_emplace(body);
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
   for (size_t e = 0; fresh && e < beam.sections.size(); ++e)
-    known->second.push_back(stress_points(beam.sections[e], beam.material.nu));
+    known->second.push_back(element_stress_points(beam, e));
   return known->second;
 }
 

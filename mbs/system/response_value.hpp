@@ -103,7 +103,7 @@ class ResponseValues {
   struct StressAt {
     int element = 0;
     ElementPlace place = ElementPlace::First;
-    int point = 0;
+    int point = 0;                          ///< of the element
     double value = 0;                       ///< von Mises, Pa; 0: no stress anywhere
     Vec3 gradient = Vec3::Zero();           ///< by the stress at the point
     SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
@@ -175,11 +175,12 @@ class ResponseValues {
                    const ParameterResidual<G>& parameter) const;
 
   /// AxialStress, Buckling, LocalBuckling: n . row at the place where it is largest, n the section
-  /// force; the row follows from the section.
+  /// force; the row follows from the section at `end`.
   struct MemberAt {
     int element = 0;
-    ElementPlace place = ElementPlace::Middle;
-    int point = -1;  ///< stress point; -1: none
+    ElementPlace place = ElementPlace::Middle;  ///< of the section force
+    ElementPlace end = ElementPlace::First;
+    int point = 0;  ///< stress point of the element
     SE3::Tangent row = SE3::Tangent::Zero();
     double value = 0;
     SE3::Tangent n = SE3::Tangent::Zero();
@@ -206,7 +207,7 @@ class ResponseValues {
   const Mechanism& mechanism_;
   const Model<G>& model_;
   SpatialView<G> view_;
-  /// Of the beams whose stress was asked for: by body and element.
+  /// Of the beams whose stress was asked for, by body and element: `element_stress_points`.
   mutable std::map<int, std::vector<std::vector<StressPoint>>> stress_points_;
 };
 

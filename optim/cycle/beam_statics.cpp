@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "mbs/sections/stress.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
@@ -151,8 +151,7 @@ std::string BeamStatics<G>::solve_part(Part& part) const {
   const auto& limits = part.outputs.limits;
   if (std::any_of(limits.begin(), limits.end(), [](const Limit& l) { return l.element >= 0; }))
     for (size_t e = 0; e < beam.sections.size(); ++e)
-      part.stress.emplace_back(*part.beam, static_cast<int>(e), beam.sections[e], beam.material,
-                               space_, part.align[e]);
+      part.stress.emplace_back(*part.beam, static_cast<int>(e), beam, space_, part.align[e]);
   return {};
 }
 
@@ -231,7 +230,7 @@ typename BeamStatics<G>::StressChange BeamStatics<G>::stress_change(const Part& 
   StressChange change;
   change.dK = stiffness_derivative(part, i, at);
   for (const auto& name : sizing_.dimensions(i)) {
-    const auto dS = stress_points_derivative(beam.sections[at.element], beam.material.nu, name);
+    const auto dS = element_stress_derivative(beam, std::size_t(at.element), name);
     change.dS.resize(dS.size(), Eigen::Matrix<double, 3, 6>::Zero());
     for (size_t k = 0; k < dS.size(); ++k) change.dS[k] += dS[k];
   }

@@ -76,7 +76,8 @@ void CorrectedProblem::correct_rows() {
   inner_->gradients(x_k_, df, dg_);
   const std::vector<RowImage> image = images();
   for (int i = 0; i < m; ++i) {
-    const auto [response, record] = image[static_cast<std::size_t>(i)];
+    const int response = image[static_cast<std::size_t>(i)].response;
+    const int record = image[static_cast<std::size_t>(i)].record;
     const double v_s = g_[i] + 1;  // of the limit
     if (response < 0 || v_s <= 0) continue;
     int at = 0;

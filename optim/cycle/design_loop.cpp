@@ -6,6 +6,8 @@
 #include <chrono>
 #include <stdexcept>
 
+#include "mbs/linalg/stop_request.hpp"
+
 namespace liesl {
 
 using Eigen::VectorXd;
@@ -47,6 +49,8 @@ Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
 }
 
 CycleEnd CycleRecord::stopped() const {
+  if (history().empty())
+    return {CycleStatus::Interrupted, "stopped in the first analysis on request"};
   return {CycleStatus::Interrupted,
           fmt::format("stopped in cycle {}{} on request", history().back().number, hooks_.of)};
 }
@@ -91,6 +95,7 @@ void CycleRecord::go_on() {
 }
 
 LoopResult CycleRecord::finish(const CycleEnd& end) {
+  if (end.status == CycleStatus::Interrupted) ask_for_stop(nullptr);  // the design is written
   result_.status = end.status;
   result_.reason = end.reason;
   if (!history().empty() && end.status != CycleStatus::Interrupted)
@@ -107,7 +112,11 @@ void CycleRecord::evaluate_certificate() {
   if (options_.optimality == OptimalityCheck::Never || s == CycleStatus::Infeasible ||
       s == CycleStatus::SimulationFailed || s == CycleStatus::Interrupted)
     return;
-  result_.optimality = model_.optimality(*result_.best, result_.x, hooks_.progress);
+  try {
+    result_.optimality = model_.optimality(*result_.best, result_.x, hooks_.progress);
+  } catch (const Stopped&) {
+    return warn("the dynamic optimality conditions were not checked: stopped on request");
+  }
   const DynamicOptimality& o = *result_.optimality;
   if (!o.residual) warn("the dynamic optimality conditions were not checked: " + o.reason);
   if (!o.residual || o.holds() || options_.method != CycleMethod::Esl) return;
@@ -133,20 +142,26 @@ LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& opti
   }
   while (!step.end) {
     const auto start = Clock::now();
-    const CycleRecord::Analysis analysis = record.analyse(step.x);
-    if (analysis->status == SolveStatus::Interrupted) {
-      step.end = CycleEnd{CycleStatus::Interrupted, analysis->reason};
-      break;
+    Cycle* cycle = nullptr;
+    try {
+      const CycleRecord::Analysis analysis = record.analyse(step.x);
+      if (analysis->status == SolveStatus::Interrupted) {
+        step.end = CycleEnd{CycleStatus::Interrupted, analysis->reason};
+        break;
+      }
+      if (!analysis->good()) {
+        step = rule.retreat(record, *analysis, step.x);
+        continue;
+      }
+      cycle = &record.add(analysis, step.x);
+      step = rule.next(record, analysis, *cycle);
+    } catch (const Stopped&) {
+      step.end = record.stopped();
+      if (!cycle) break;
     }
-    if (!analysis->good()) {
-      step = rule.retreat(record, *analysis, step.x);
-      continue;
-    }
-    Cycle& cycle = record.add(analysis, step.x);
-    step = rule.next(record, analysis, cycle);
-    cycle.seconds = std::chrono::duration<double>(Clock::now() - start).count();
-    cycle.end.reset();
-    if (step.end && step.end->status != CycleStatus::Interrupted) cycle.end = step.end->status;
+    cycle->seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    cycle->end.reset();
+    if (step.end && step.end->status != CycleStatus::Interrupted) cycle->end = step.end->status;
     if (hooks.on_cycle) hooks.on_cycle(record.history());
     if (record.asked_to_stop() && !step.end) step.end = record.stopped();
   }

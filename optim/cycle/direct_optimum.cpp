@@ -25,7 +25,7 @@ class DirectProblem final : public StudyProgram {
       : StudyProgram(record.model(), record.options().move_limit), record_(record) {
     begin(start);
   }
-  bool interrupted() const { return interrupted_; }
+  bool interrupted() const { return interrupted_ || stopped(); }
 
  private:
   std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x) override {

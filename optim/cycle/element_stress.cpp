@@ -2,8 +2,8 @@
 
 #include <cmath>
 
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/section_law.hpp"
-#include "mbs/sections/stress.hpp"
 
 namespace liesl {
 namespace {
@@ -27,14 +27,16 @@ auto ElementStress<G>::strain_of(const BeamChain<G>& beam, int e, ElementPlace e
 }
 
 template <FrameGroup G>
-ElementStress<G>::ElementStress(const BeamChain<G>& beam, int e, const Section& section,
-                                const Material& material, const Space<G>& space, const SE3& align)
-    : K_(beam.rest_stiffness_of(e, space.reduce_law(section_law(section, material).K, align))),
+ElementStress<G>::ElementStress(const BeamChain<G>& beam, int e, const BeamSpec& spec,
+                                const Space<G>& space, const SE3& align)
+    : K_(beam.rest_stiffness_of(
+          e, space.reduce_law(section_law(spec.sections[std::size_t(e)], spec.material).K, align))),
       B_{to_end(beam, e, ElementPlace::First), to_end(beam, e, ElementPlace::Last)} {
   for (int j = 0; j < G::dim; ++j) embed_.col(j) = space.embed_local(G::Tangent::Unit(j), align);
-  for (const auto& point : stress_points(section, material.nu)) S_.push_back(point.S * embed_);
-  for (const Matrix& to_this_end : B_)
-    for (const Rows& S : S_) SK_.push_back(S * to_this_end * K_);
+  for (const auto& point : element_stress_points(spec, std::size_t(e)))
+    S_.push_back(point.S * embed_);
+  for (int i = 0; i < static_cast<int>(S_.size()); ++i)
+    SK_.push_back(S_[std::size_t(i)] * B(i) * K_);
 }
 
 template <FrameGroup G>
@@ -52,7 +54,7 @@ double ElementStress<G>::explicit_slope(int point, const Strain& strain,
   const double v = std::sqrt(s.dot(w));
   if (v == 0) return 0;
   const Strain n = B(point) * (K_ * strain), dn = B(point) * (change.dK * strain);
-  const Vec3 ds = change.dS[on_section(point)] * (embed_ * n) + S_[on_section(point)] * dn;
+  const Vec3 ds = change.dS[point] * (embed_ * n) + S_[point] * dn;
   return w.dot(ds) / v;
 }
 

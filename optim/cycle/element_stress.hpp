@@ -6,31 +6,31 @@
 #include <vector>
 
 #include "mbs/bodies/beam.hpp"
-#include "mbs/sections/section.hpp"
+#include "mbs/model/mechanism.hpp"
 #include "mbs/system/plane.hpp"
 
 namespace liesl {
 
-/// sigma_vm = sqrt(s^T diag(1, 3, 3) s), s = [sigma_x; tau_xy; tau_xz] = S B K_s eps at each stress
-/// point of the section at either end, eps the strain of the element on G; B K_s eps is the section
-/// force at that end (`Body::section_force`), B = T^-T(-d0) at the first node and T^-T(d0) at the
-/// last. Points are counted over the first end, then the last. Made once for a section, asked for
-/// many strains.
+/// sigma_vm = sqrt(s^T diag(1, 3, 3) s), s = [sigma_x; tau_xy; tau_xz] = S B K_s eps at each of the
+/// `element_stress_points`, K_s of the element, S of the section at that end, eps the strain of the
+/// element on G; B K_s eps is the section force at that end (`Body::section_force`), B = T^-T(-d0)
+/// at the first node and T^-T(d0) at the last. Points are counted over the first end, then the
+/// last. Made once for a section, asked for many strains.
 template <FrameGroup G>
 class ElementStress {
  public:
   using Strain = typename G::Tangent;
   using Matrix = typename G::Matrix;
-  /// What a variable does to the section: dK_s, and dS at each stress point (in space).
+  /// What a variable does to the sections: dK_s, and dS at each stress point (in space).
   struct Change {
     Matrix dK = Matrix::Zero();
     std::vector<Eigen::Matrix<double, 3, 6>> dS;
   };
 
-  /// @param beam, e the element, at the design whose d0 it has; its section is `section`
+  /// @param beam, e the element, at the design whose d0 it has  @param spec with its sections
   /// @param align of the element's axes to those of G, as in Space::alignment
-  ElementStress(const BeamChain<G>& beam, int e, const Section& section, const Material& material,
-                const Space<G>& space, const SE3& align);
+  ElementStress(const BeamChain<G>& beam, int e, const BeamSpec& spec, const Space<G>& space,
+                const SE3& align);
 
   /// Pairs (B K_s) eps -> eps: the strain whose stress at an end is that of the section force n.
   static Strain strain_of(const BeamChain<G>& beam, int e, ElementPlace end, const Strain& n);
@@ -43,10 +43,9 @@ class ElementStress {
  private:
   using Rows = Eigen::Matrix<double, 3, G::dim>;
   static Matrix to_end(const BeamChain<G>& beam, int e, ElementPlace end);
-  int on_section(int point) const { return point % static_cast<int>(S_.size()); }
-  const Matrix& B(int point) const { return B_[point / static_cast<int>(S_.size())]; }
+  const Matrix& B(int point) const { return B_[2 * std::size_t(point) / S_.size()]; }
 
-  std::vector<Rows, Eigen::aligned_allocator<Rows>> S_;   ///< by point of the section
+  std::vector<Rows, Eigen::aligned_allocator<Rows>> S_;   ///< by point
   std::vector<Rows, Eigen::aligned_allocator<Rows>> SK_;  ///< S B K_s by point
   Matrix K_, B_[2];
   Eigen::Matrix<double, 6, G::dim> embed_;  ///< section forces of G to those in space

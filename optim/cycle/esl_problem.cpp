@@ -143,6 +143,7 @@ std::vector<RowImage> EslProblem::images() const {
     const auto [limit, kept] = retained_.rows[r];
     if (number[limit] >= 0) out[r] = {number[limit], kept_[screened_[limit].part][kept]};
   }
+  std::ranges::copy(parts_->own_images(), out.begin() + static_cast<long>(retained_.rows.size()));
   return out;
 }
 

@@ -70,6 +70,7 @@ FrequencyProblem::FrequencyProblem(const Mechanism& mechanism, const Design& des
       constraints_.push_back(
           {static_cast<ConstraintId>(constraints_.size()),
            limit.count == 1 ? limit.name : fmt::format("{} {}", limit.name, i + 1), 1});
+      images_.push_back({-1, -1, OwnLimits::Frequencies, static_cast<int>(l)});
       const bool is_term = limit.weight > 0;
       terms_.push_back(
           {is_term ? first_term + static_cast<int>(l) : -1, limit.weight * limit.least});

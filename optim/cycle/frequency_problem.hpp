@@ -64,6 +64,7 @@ class FrequencyProblem final : public CaselessProblem {
                    const Eigen::VectorXd& x, int first_term = 0);
 
   std::string undefined_reason() const override { return latest_ ? latest_->reason : ""; }
+  std::vector<RowImage> images() const override { return images_; }
   std::vector<ObjectiveTerm> objective_terms() const override { return terms_; }
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
@@ -73,6 +74,7 @@ class FrequencyProblem final : public CaselessProblem {
   const Design& design_;
   const SimulationOptions options_;
   const std::vector<FrequencyLimitSpec> limits_;
+  std::vector<RowImage> images_;
   std::vector<ObjectiveTerm> terms_;
   std::unique_ptr<LimitedModes> latest_;  ///< of the latest values, for their gradients
 };

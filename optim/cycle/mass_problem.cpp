@@ -52,6 +52,13 @@ MassProblem::MassProblem(const Mechanism& mechanism, const Design& design,
     constraints_.push_back({static_cast<ConstraintId>(constraints_.size()), limit.name, 1});
 }
 
+std::vector<RowImage> MassProblem::images() const {
+  std::vector<RowImage> out;
+  for (std::size_t m = 0; m < limits_.size(); ++m)
+    out.push_back({-1, -1, OwnLimits::Masses, static_cast<int>(m)});
+  return out;
+}
+
 double MassProblem::mass(int body, const VectorXd& x) const {
   const int k = part_of(design_, body);
   if (k < 0) return mass_of(designed_, {body});

@@ -13,6 +13,7 @@ class MassProblem final : public CaselessProblem {
   MassProblem(const Mechanism& mechanism, const Design& design,
               const std::vector<MassLimitSpec>& limits, const Eigen::VectorXd& x);
 
+  std::vector<RowImage> images() const override;
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 

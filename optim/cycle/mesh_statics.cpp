@@ -231,6 +231,15 @@ std::vector<NlpConstraint> MeshStatics::own_rows() const {
   return out;
 }
 
+std::vector<RowImage> MeshStatics::own_images() const {
+  std::vector<RowImage> out;
+  for (const SolidLimit* l : own_limits())
+    out.insert(out.end(), l->response == SolidResponse::Frequency ? l->count : 1,
+               {-1, -1, OwnLimits::Parts, l->part_limit});
+  out.resize(out.size() + task_.design->wall_names().size());
+  return out;
+}
+
 VectorXd MeshStatics::own_values() {
   VectorXd g(static_cast<Eigen::Index>(own_rows().size()));
   int row = 0;

@@ -38,6 +38,7 @@ class MeshStatics final : public PartStatics {
   double objective() override;
   void objective_gradient(Eigen::VectorXd& df) override;
   std::vector<NlpConstraint> own_rows() const override;
+  std::vector<RowImage> own_images() const override;
   Eigen::VectorXd own_values() override;
   RowMatrix own_gradients() override;
   std::vector<ObjectiveTerm> own_terms() const override;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <set>
 
-#include "mbs/sections/stress.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "optim/cycle/part_outputs.hpp"
 #include "optim/cycle/treatment.hpp"
 
@@ -90,8 +90,8 @@ std::vector<ResponseSpec> at_every_point(const ResponseSpec& response, const Mec
       out.push_back(response_of(at, response, elements));
   if (response.kind == ResponseKind::Stress && response.point < 0)
     for (at.element = 0; at.element < elements; ++at.element) {
-      const auto points = stress_points(beam->sections[std::size_t(at.element)], beam->material.nu);
-      for (at.point = 0; at.point < 2 * static_cast<int>(points.size()); ++at.point)
+      const auto points = element_stress_points(*beam, std::size_t(at.element));
+      for (at.point = 0; at.point < static_cast<int>(points.size()); ++at.point)
         out.push_back(response_of(at, response, elements));
     }
   return out.empty() ? std::vector<ResponseSpec>{response} : out;

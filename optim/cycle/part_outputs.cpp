@@ -1,7 +1,7 @@
 #include "optim/cycle/part_outputs.hpp"
 
 #include "esl/static_part.hpp"
-#include "mbs/sections/stress.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/element_stress.hpp"
 
@@ -67,12 +67,11 @@ PartOutputs limited_outputs(const StudySpec& study, const Mechanism& mechanism,
     if (r.kind == ResponseKind::Stress) {
       const auto& spec = std::get<BeamSpec>(mechanism.bodies[body].kind);
       for (int e = 0; e < beam.elements(); ++e) {
-        const int points =
-            static_cast<int>(stress_points(spec.sections[e], spec.material.nu).size());
+        const int half = static_cast<int>(element_stress_points(spec, std::size_t(e)).size()) / 2;
         for (int end = 0; end < 2; ++end) {
           const int first = append(StaticPart<G>::strain_output(beam, e));
-          for (int p = 0; p < points; ++p)
-            out.limits.push_back({index, 0, first, G::dim, e, points * end + p});
+          for (int p = 0; p < half; ++p)
+            out.limits.push_back({index, 0, first, G::dim, e, half * end + p});
         }
       }
     } else if (r.kind == ResponseKind::Compliance) {

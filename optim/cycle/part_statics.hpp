@@ -91,6 +91,7 @@ class PartStatics {
 
   /// Limits of the design alone: mass, frequencies, walls.
   virtual std::vector<NlpConstraint> own_rows() const { return {}; }
+  virtual std::vector<RowImage> own_images() const { return {}; }
   virtual Eigen::VectorXd own_values() { return {}; }
   virtual RowMatrix own_gradients() { return {}; }
   /// One a row; empty: all are limits. Numbers as those of the screened limits.

@@ -100,7 +100,7 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
   for (std::size_t i = 0; i < study.part_limits.size(); ++i) {
     const PartLimitSpec& l = study.part_limits[i];
     if (l.body != part.body) continue;
-    SolidLimit limit{l.name, l.quantity, 0, l.count, l.limit, {}, l.weight};
+    SolidLimit limit{l.name, l.quantity, 0, l.count, l.limit, {}, l.weight, static_cast<int>(i)};
     if (moves && follows_loads(l.quantity)) {
       LimitedResponse& of = limit.motion.emplace();
       of.constraint = -1;

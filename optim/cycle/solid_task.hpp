@@ -22,6 +22,7 @@ struct SolidLimit {
   /// Above 0: no limit, but this times the largest value of its cases (of a frequency minus the
   /// lowest) in the objective; `limit` is then its size at the analysed design.
   double weight = 0;
+  int part_limit = -1;  ///< number among those of the study; -1: it is none
 };
 
 /// Nothing is copied but data: what is referred to must outlive the task.

@@ -40,10 +40,15 @@ std::string limit_name(const StudySpec& study, const LimitedResponse& response);
 /// What it is limited to.
 double limit_value(const StudySpec& study, const LimitedResponse& response);
 
+/// Lists of a study with limits that follow from the design alone.
+enum class OwnLimits { Walls, Parts, Frequencies, Masses };
+
 /// Where a row comes from: response number `response` of the problem at a record of the motion;
-/// -1: from the design alone (a wall, a mass, a frequency).
+/// -1: from the design alone, limit number `limit` of the list `of` (-1: a wall).
 struct RowImage {
   int response = -1, record = -1;
+  OwnLimits of = OwnLimits::Walls;
+  int limit = -1;
 };
 
 /// A row that is no limit: the objective has `weight` times the largest g of all rows of its

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "mbs/linalg/stop_request.hpp"
+
 namespace liesl {
 
 using Eigen::VectorXd;
@@ -28,12 +30,17 @@ bool StudyProgram::evaluate(const VectorXd& x) {
   if (x_.size() == x.size() && x_ == x) return good();
   x_ = x;
   surrogate_ = {};
-  analysis_ = analyse(x);
-  if (!analysis_->good()) {
-    failure_ = analysis_->reason;
-    return false;
+  try {
+    analysis_ = analyse(x);
+    if (analysis_->good())
+      look_at(x);
+    else
+      failure_ = analysis_->reason;
+  } catch (const Stopped& stopped) {
+    surrogate_ = {};
+    failure_ = stopped.what();
+    stopped_ = true;
   }
-  look_at(x);
   return good();
 }
 

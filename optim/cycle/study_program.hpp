@@ -25,6 +25,7 @@ class StudyProgram : public Problem {
   const std::shared_ptr<DesignAnalysis>& analysis() const { return analysis_; }  ///< of x
   const Surrogate& surrogate() const { return surrogate_; }  ///< at x; without a problem: none
   const std::string& failure() const { return failure_; }    ///< why
+  bool stopped() const { return stopped_; }                  ///< on request, within a design
 
   const std::vector<NlpVariable>& variables() const override { return model_.variables(); }
   const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
@@ -47,6 +48,7 @@ class StudyProgram : public Problem {
   std::shared_ptr<DesignAnalysis> analysis_;
   Surrogate surrogate_;
   std::string failure_;
+  bool stopped_ = false;
 };
 
 }  // namespace liesl

@@ -67,9 +67,13 @@ Sizing::Sizing(const std::vector<DesignSpec>& design, const Mechanism& mechanism
 void Sizing::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
   for (int i = 0; i < size(); ++i)
     for (const auto& at : elements_[i]) {
-      Section& section = std::get<BeamSpec>(mechanism.bodies[at.body].kind).sections[at.element];
-      for (const auto& name : dimensions_[i])
-        section.shape = with_dimension(section.shape, name, x[i]);
+      BeamSpec& beam = std::get<BeamSpec>(mechanism.bodies[at.body].kind);
+      std::vector<Section*> sections = {&beam.sections[at.element]};
+      if (!beam.ends.empty())
+        for (Section& end : beam.ends[at.element]) sections.push_back(&end);
+      for (Section* section : sections)
+        for (const auto& name : dimensions_[i])
+          section->shape = with_dimension(section->shape, name, x[i]);
     }
 }
 

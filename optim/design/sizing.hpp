@@ -28,7 +28,7 @@ class Sizing {
   const std::vector<SizedElement>& elements(int i) const { return elements_[i]; }
   const std::vector<std::string>& dimensions(int i) const { return dimensions_[i]; }
 
-  /// Writes these dimensions into the sections of the mechanism.
+  /// Writes these dimensions into the sections of the mechanism; of a taper the others stay linear.
   void apply(const Eigen::VectorXd& x, Mechanism& mechanism) const;
 
   /// d(section law)/dx_i of an element at the dimensions that `mechanism` has.

@@ -405,11 +405,19 @@ TEST_F(Cli, FinalDesignIsAScene) {
   const double sag = summary()["responses"]["tip"]["max_abs"];
   EXPECT_GT(sag, 0);
   EXPECT_NEAR(tip_again["responses"]["tip"]["max_abs"].get<double>(), sag, 1e-6 * sag);
-  for (const std::string mass :
-       {"", "design.slider={of=\"slider\", property=\"mass\", bounds=[0.05, 0.15], start=0.1}"}) {
+  const Words taper = {"sections.root={type=\"tube\",diameter=0.01,thickness=0.002}",
+                       "sections.tip={type=\"tube\",diameter=0.01,thickness=0.001}",
+                       "bodies.rod.beam.section=[\"root\",\"tip\"]",
+                       "bodies.rod.beam.taper=true",
+                       "design.rod_diameters.groups=1",
+                       "design.rod_diameters.bounds=[0.006,0.020]",
+                       "responses.stress={response=\"stress\",of=\"rod\"}"};
+  const std::string mass =
+      "design.slider={of=\"slider\", property=\"mass\", bounds=[0.05, 0.15], start=0.1}";
+  for (const Words& changes : {Words{}, Words{mass}, taper}) {
     Words words = {"optimize", study("slider_crank_rod"), "-o", results(), "--force"};
     words.insert(words.end(), shorter.begin(), shorter.end());
-    if (!mass.empty()) words.insert(words.end(), {"--set", mass});
+    for (const auto& change : changes) words.insert(words.end(), {"--set", change});
     ASSERT_EQ(run(words).code, 0);
     const Json end = summary();
     run({"run", results() / "design.toml", "-o", dir_ / "again", "--force"});

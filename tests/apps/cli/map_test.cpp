@@ -113,6 +113,10 @@ TEST_F(Map, HasLimitsOnFrequenciesAndMasses) {
   EXPECT_GT(c.at("tone")[3], c.at("tone")[0]);
   for (std::size_t k = 0; k < 4; ++k) EXPECT_NEAR(c.at("light")[k], c.at("mass")[k], 1e-12);
   EXPECT_EQ(summary()["of"]["tone"]["limit"], 100);
+  // They follow from the design alone: the local model has them as they are.
+  for (const std::string name : {"tone", "light"})
+    for (std::size_t k = 0; k < 4; ++k)
+      EXPECT_NEAR(c.at(name + " local")[k], c.at(name)[k], 1e-12 * c.at(name)[k]) << name << k;
 }
 
 /// Limits of a meshed part under its motion, as an optimisation finds them.
@@ -129,6 +133,7 @@ TEST_F(Map, HasLimitsOfAPartUnderItsMotion) {
   const Columns c = columns(results() / "map.csv");
   for (std::size_t k = 0; k < 4; ++k) {
     EXPECT_GT(c.at("tone")[k], 1000) << k;
+    EXPECT_NEAR(c.at("tone local")[k], c.at("tone")[k], 1e-9 * c.at("tone")[k]) << k;
     EXPECT_GT(c.at("peak")[k], 0) << k;
   }
   EXPECT_NE(c.at("peak")[0], c.at("peak")[3]);

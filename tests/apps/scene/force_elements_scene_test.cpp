@@ -5,6 +5,7 @@
 #include "apps/good_scene.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/scene/reader.hpp"
+#include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 
 namespace liesl::test {
@@ -64,7 +65,7 @@ TEST(ForceElementsScene, SpringGoesThroughItsTable) {
   EXPECT_DOUBLE_EQ((*m.forces[0].curve)(0.15), 12.5);
 }
 
-/// Diameters at the middles of four elements between 20 and 12 mm.
+/// Diameters at the middles and ends of four elements between 20 and 12 mm.
 TEST(ForceElementsScene, TaperIsLinear) {
   std::string text = changed(kGoodScene, "round = {",
                              "thin = { type = \"circle\", diameter = 0.012, shear_factor = 0.9 }\n"
@@ -75,7 +76,11 @@ TEST(ForceElementsScene, TaperIsLinear) {
   ASSERT_EQ(beam.sections.size(), 4u);
   const double expected[] = {0.019, 0.017, 0.015, 0.013};
   for (std::size_t e = 0; e < 4; ++e)
-    EXPECT_NEAR(dimension(beam.sections[e].shape, "diameter"), expected[e], 1e-15);
+    for (const auto place : {ElementPlace::First, ElementPlace::Middle, ElementPlace::Last}) {
+      const double off = 0.001 * (static_cast<int>(place) - 1);
+      EXPECT_NEAR(dimension(section_at(beam, e, place).shape, "diameter"), expected[e] - off,
+                  1e-15);
+    }
 }
 
 TEST(ForceElementsScene, PointsAreTiedToTheirNode) {

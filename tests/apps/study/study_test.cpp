@@ -140,6 +140,10 @@ const BadStudy kStudies[] = {
     {"NoProperty", "property = \"diameter\", groups", "property = @\"diamter\", groups", {"no dimension 'diamter'", "'diameter'"}},
     {"PropertyOfOtherShape", "property = \"diameter\", groups", "property = @\"height\", groups", {"section 'rod'", "known: diameter"}},
     {"TooManyGroups", "groups = 4", "groups = @9", {"9 groups for the 8 elements"}},
+    {"StepsOnATaper", "[design]\nrod = { of = \"rod\", property = \"diameter\", groups = 4",
+     "[set]\n\"sections.rod\" = { type = \"tube\", diameter = 0.01, thickness = 0.0015 }\n\"sections.crank\" = { type = \"tube\", diameter = 0.02, thickness = 0.001 }\n"
+     "\"bodies.rod.beam.section\" = [\"rod\", \"crank\"]\n\"bodies.rod.beam.taper\" = true\n[design]\nrod = { of = \"rod\", property = \"diameter\", groups = @4",
+     {"'rod' has 4 groups on beam 'rod', whose 'thickness' tapers", "groups = 1"}},
     {"NoGroups", "groups = 4", "groups = @0", {"out of range: 0"}},
     {"BoundsSwapped", "bounds = [0.004, 0.020]", "bounds = @[0.020, 0.004]", {"[0.02, 0.004]", "least < largest"}},
     {"BoundBelowZero", "bounds = [0.004, 0.020]", "bounds = [@-0.004, 0.020]", {"out of range", "> 0"}},

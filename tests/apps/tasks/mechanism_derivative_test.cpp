@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mbs/model/beam_ends.hpp"
 #include "reference/meshed_rod.hpp"
 
 namespace liesl::test {
@@ -86,6 +87,44 @@ TEST(MechanismDerivative, OfSectionsAndMaterials) {
   expect_same_laws(
       only<BeamDerivative>(parameter([](Mechanism& c, double p) { rod(c).material.rho += p; }, 8)),
       by_density(m, 1));
+}
+
+/// The diameter at the root of a taper: it moves the sections at both ends of an element by other
+/// shares than that in the middle.
+TEST(MechanismDerivative, OfTapers) {
+  const auto root = [](Mechanism& c, double p) {
+    const auto at = [p](double s) {
+      return Section{"round", Circle{(0.01 + p) * (1 - s) + 0.006 * s}};
+    };
+    BeamSpec& beam = rod(c);
+    beam.ends.clear();
+    for (int e = 0; e < 4; ++e) {
+      beam.sections[std::size_t(e)] = at((e + 0.5) / 4);
+      beam.ends.push_back({at(e / 4.), at((e + 1) / 4.)});
+    }
+  };
+  Mechanism m = machine();
+  root(m, 0);
+  const auto by_root = only<BeamDerivative>(parameter(root, 1e-4, m));
+  Mechanism near[] = {m, m};
+  const double h = 1e-7;
+  root(near[0], -h);
+  root(near[1], h);
+  for (std::size_t e = 0; e < 4; ++e) {
+    const auto before = element_stress_points(rod(near[0]), e);
+    const auto after = element_stress_points(rod(near[1]), e);
+    for (std::size_t k = 0; k < after.size(); ++k) {
+      const auto difference = ((after[k].S - before[k].S) / (2 * h)).eval();
+      EXPECT_LE((by_root.stress[e][k] - difference).norm(), 1e-7 * difference.norm()) << e << k;
+    }
+    for (const auto place : {ElementPlace::First, ElementPlace::Middle, ElementPlace::Last}) {
+      const auto K = [&](Mechanism& c) {
+        return section_law(section_at(rod(c), e, place), rod(c).material).K;
+      };
+      const auto difference = ((K(near[1]) - K(near[0])) / (2 * h)).eval();
+      EXPECT_LE((by_root.law_at(e, place).K - difference).norm(), 1e-7 * difference.norm()) << e;
+    }
+  }
 }
 
 TEST(MechanismDerivative, OfMassesForcesAndLoads) {

@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "liegroup/numdiff.hpp"
+#include "mbs/linalg/stop_after.hpp"
 #include "mbs/linalg/symmetric_modes.hpp"
 #include "mbs/solids/plate.hpp"
 
@@ -48,6 +49,25 @@ TEST(SymmetricModes, FreeMotionsAreTakenOutAndEqualTonesAreBothFound) {
     for (int i = 0; i < count; ++i) EXPECT_NEAR(modes.lambda[i] / dense[i], 1, 1e-7) << count;
     EXPECT_LT((modes.phi.transpose() * Md * model.rigid_motions()).norm(),
               1e-8 * (Md * model.rigid_motions()).norm());
+  }
+}
+
+/// A part is given up between two looks, wherever that is; they are as many as there are solutions.
+TEST(Reduction, LooksWhetherItIsStillWanted) {
+  Plate plate({2, false, Tie::Rigid});
+  const VectorXd v = plate.fractions().value.cwiseMax(0.1);
+  const auto work = [&] { return reduce(plate.model, v, ReductionKind::CraigBampton, 6); };
+  constexpr int kMany = 1 << 20;
+  int looks = 0;
+  {
+    const StopAfter never(kMany);
+    EXPECT_TRUE(work().converged);
+    looks = kMany - never.unused();
+  }
+  EXPECT_GT(looks, 50);
+  for (const int n : {0, 1, 2, looks / 2, looks - 1}) {
+    const StopAfter stop(n);
+    EXPECT_THROW(work(), Stopped) << n;
   }
 }
 

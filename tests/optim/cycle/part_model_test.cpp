@@ -9,6 +9,7 @@
 
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
+#include "mbs/linalg/stop_after.hpp"
 
 namespace liesl::test {
 namespace {
@@ -61,6 +62,30 @@ TEST(PartModel, HoleInAPlateTakesTheAxesRatioOfTheLoads) {
   EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
   EXPECT_NEAR(r.x[0] / r.x[1] / 2, 1, 0.03);
   EXPECT_NEAR(r.x[0] * r.x[1], 0.02, 1e-3 * 0.02);
+}
+
+/// Stopped within a factor or between solutions, anywhere: the best design so far is the answer,
+/// and a run that goes on from its cycles ends where one without a break does.
+TEST(PartModel, StoppedAnywhereItGoesOn) {
+  const auto optimise = [](int looks, const std::vector<Cycle>& from) {
+    QuarterPlate plate(12, 0.15, 0.15, 0.5);
+    plate.task.objective = SolidResponse::Compliance;
+    const StopAfter stop(looks);
+    return optimise_part(plate.task, {}, from);
+  };
+  constexpr int kMany = 1 << 20;
+  const PartResult whole = optimise(kMany, {});
+  ASSERT_EQ(whole.status, CycleStatus::Optimal) << whole.reason;
+  EXPECT_EQ(optimise(0, {}).status, CycleStatus::Interrupted);
+  for (const int looks : {20, 40}) {
+    const PartResult part = optimise(looks, {});
+    ASSERT_EQ(part.status, CycleStatus::Interrupted) << looks << part.reason;
+    EXPECT_NE(part.reason.find("on request"), std::string::npos) << part.reason;
+    ASSERT_FALSE(part.history.empty()) << looks;
+    const PartResult resumed = optimise(kMany, part.history);
+    EXPECT_EQ(resumed.status, CycleStatus::Optimal) << resumed.reason;
+    EXPECT_EQ(resumed.x, whole.x) << looks;
+  }
 }
 
 }  // namespace
