@@ -456,6 +456,7 @@ void read_cycle(StudyReader& reader) {
   o.gap = number(*table, "gap");
   o.max_designs = integer(*table, "max_designs");
   o.restarts = integer(*table, "restarts");
+  o.continuation = integer(*table, "continuation");
   const std::string optimizer = text(*table, "optimizer");
   const auto names = words("ipopt mma ccsaq slsqp");  // in the order of Optimizer
   const auto found = std::find(names.begin(), names.end(), optimizer);
@@ -524,9 +525,23 @@ void check_direct(StudyReader& reader) {
              "\"auto\", \"all\", \"worst\", \"functional\" or \"p_norm\"");
 }
 
+/// Other speeds, of a motion that has them.
+void check_continuation(StudyReader& reader) {
+  if (reader.spec.cycle.continuation == 0) return;
+  const Scene& scene = reader.scene.scene;
+  const std::string why = reader.root.contains("loads")
+                              ? "fixed loads have no speed"
+                              : without_speed(reader.spec, scene.mechanism, scene.simulation);
+  if (!why.empty())
+    reader.scene.problems.add(*reader.root["cycle"].as_table()->get("continuation"), why,
+                              "a motion with drives, whose values and duration are given",
+                              "cycle.restarts begins again from other designs");
+}
+
 void check_images(StudyReader& reader) {
   check_statics(reader);
   check_direct(reader);
+  check_continuation(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
   const MotionObjective& objective = reader.spec.motion_objective;

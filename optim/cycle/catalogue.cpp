@@ -40,17 +40,13 @@ DesignBox all_designs(const std::vector<NlpVariable>& variables) {
 }
 
 StudySpec within_box(StudySpec study, const DesignBox& box) {
+  study = starting_at(std::move(study), box.start);
   Eigen::Index j = 0;
   for (DesignSpec& d : study.design) {
-    d.start.clear();
     d.group_bounds.clear();
-    for (int g = 0; g < d.groups; ++g, ++j) {
-      d.start.push_back(box.start[j]);
-      d.group_bounds.push_back({box.lower[j], box.upper[j]});
-    }
+    for (int g = 0; g < d.groups; ++g, ++j) d.group_bounds.push_back({box.lower[j], box.upper[j]});
   }
   const auto narrow = [&](auto& v) {
-    v.start = box.start[j];
     v.lower = box.lower[j];
     v.upper = box.upper[j++];
   };

@@ -31,8 +31,9 @@ inline bool closed(CycleStatus s) {
 
 /// One cycle: the design that was simulated and what followed.
 struct Cycle {
-  int number = 0;        ///< from 1 at each start
-  int start = 0;         ///< 0: from the start of the study; else that of a restart (restarts.hpp)
+  int number = 0;  ///< from 1 at each start
+  int start = 0;   ///< 0: from the start of the study; else that of a restart; above kMostRestarts:
+                   ///< a stage of a continuation, of a slower motion but the last (restarts.hpp)
   Eigen::VectorXd x;     ///< simulated design
   double mass = 0;       ///< kg
   double objective = 0;  ///< what is minimised; often the mass

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "optim/cycle/continuation.hpp"
 #include "optim/cycle/direct_optimum.hpp"
 #include "optim/cycle/fixed_point_rule.hpp"
 #include "optim/cycle/restarts.hpp"
@@ -108,13 +109,20 @@ template <FrameGroup G>
 CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
                          const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   SimulationEffort effort;
+  const Scenario<G>& first = scenarios.front();
+  const std::string why = without_speed(study, first.mechanism, first.simulation);
+  if (study.cycle.continuation > 0 && !why.empty())
+    throw std::invalid_argument("cycle.continuation: " + why);
   auto out = optimise_from_starts(
-      study, [&] { return Design(study, scenarios.front().mechanism).variables(); }, hooks, resume,
-      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles) {
-        auto end = run_once(scenarios, from, h, cycles);
+      study, [&] { return Design(study, first.mechanism).variables(); }, hooks, resume,
+      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles,
+          double speed) {
+        auto end = speed < 1 ? run_once(at_speed(scenarios, speed), from, h, cycles)
+                             : run_once(scenarios, from, h, cycles);
         effort += end.effort;
         return end;
-      });
+      },
+      why.empty());
   out.effort = effort;
   start_with(out, out);
   return out;

@@ -9,6 +9,7 @@ namespace liesl {
 namespace {
 
 constexpr double kShares[kMostRestarts] = {0.9, 0.5, 0.1, 0.7, 0.3};
+constexpr double kSlowest = 0.9;  // share of the speed that a continuation begins at
 
 bool of_the_motion(const ConstantSpec& c) {
   return c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration;
@@ -46,11 +47,13 @@ std::optional<StudySpec> restarted(const StudySpec& study,
   return starting_at(study, x);
 }
 
+double stage_speed(int stage, int stages) { return kSlowest + (1 - kSlowest) * stage / stages; }
+
 namespace detail {
 
-CycleHooks StartHistory::hooks(int start) const {
+CycleHooks StartHistory::hooks(int start, const std::string& of) const {
   CycleHooks out = hooks_;
-  if (start > 0) out.of = fmt::format(" of restart {}", start) + out.of;
+  out.of = of + out.of;
   if (!hooks_.on_cycle) return out;
   out.on_cycle = [this, start](const std::vector<Cycle>& cycles) {
     std::vector<Cycle> so_far = all_;
@@ -79,6 +82,10 @@ void StartHistory::add(int start, std::vector<Cycle> cycles) {
   }
 }
 
+std::string restart_name(int number) { return fmt::format(" of restart {}", number); }
+
+std::string stage_name(double speed) { return fmt::format(" at {:.3g} of the speed", speed); }
+
 std::string restart_note(int number, const std::string& why) {
   return fmt::format(
       "the study began again with every variable at {:g} of its range, since it had ended "
@@ -91,15 +98,30 @@ std::string failed_restart_note(int number, const std::string& why) {
                      kShares[number - 1], why);
 }
 
+std::string continuation_note(int stages, const std::string& why) {
+  return fmt::format(
+      "the optimum of the motion at {:g} of its speed was followed to full speed in {} stage{}, "
+      "since the study had ended infeasible: {}",
+      kSlowest, stages, stages > 1 ? "s" : "", why);
+}
+
+std::string failed_stage_note(double speed, const std::string& why) {
+  return fmt::format("the continuation ended at {:.3g} of the speed: {}", speed, why);
+}
+
 bool replaces(const LoopResult& next, const LoopResult& best) {
   return next.best && (!best.best || next.best->worst < best.best->worst);
 }
 
-std::string on_restarts(int allowed, int tried) {
-  if (tried > 0)
-    return fmt::format("; {} other start{} came no nearer", tried, tried > 1 ? "s" : "");
-  if (allowed > 0) return "; there is no other start";
-  return "; cycle.restarts = 3 begins again from other designs";
+std::string on_restarts(const CycleOptions& options, int tried, bool has_speed) {
+  std::string text =
+      tried > 0 ? fmt::format("; {} other start{} came no nearer", tried, tried > 1 ? "s" : "")
+      : options.restarts > 0 ? "; there is no other start"
+                             : "; cycle.restarts = 3 begins again from other designs";
+  if (!has_speed) return text;
+  return text + (options.continuation > 0
+                     ? "; a continuation in the speed ended infeasible, too"
+                     : "; cycle.continuation = 8 follows the optimum of slower motions");
 }
 
 }  // namespace detail

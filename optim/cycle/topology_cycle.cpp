@@ -83,7 +83,7 @@ PartEnd optimise_outline(const StudySpec& study, const Mechanism& mechanism, int
                          const CycleHooks& hooks, const std::vector<Cycle>& resume) {
   PartEnd out = optimise_from_starts(
       study, [&] { return Design(study, mechanism).variables(); }, hooks, resume,
-      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles) {
+      [&](const StudySpec& from, const CycleHooks& h, const std::vector<Cycle>& cycles, double) {
         return optimise_outline_once(from, mechanism, body, h, cycles);
       });
   if (out.first) out.initial = dynamic_cast<const PartAnalysis&>(*out.first).check;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "mbs/model/response.hpp"
+#include "mbs/solvers/options.hpp"
 
 namespace liesl {
 
@@ -223,7 +224,7 @@ enum class OptimalityCheck {
 /// deformation. "start", "node3:xyz", "end:yz,rx", or "inertia_relief".
 using Support = std::vector<std::string>;
 
-constexpr int kMostRestarts = 5;
+constexpr int kMostRestarts = 5, kMostStages = 20;
 
 struct CycleOptions {
   CycleMethod method = CycleMethod::Auto;
@@ -242,6 +243,8 @@ struct CycleOptions {
   Optimizer optimizer = Optimizer::Ipopt;
   NlpModel model = NlpModel::Exact;
   OptimalityCheck optimality = OptimalityCheck::Auto;
+  int continuation = 0;  ///< stages from 0.9 to full speed of one that ends so, at most
+                         ///< kMostStages; 0: none
   double move_cells =
       2;  ///< the outline of a meshed part moves by so many cells in a cycle, at most
 
@@ -285,6 +288,18 @@ inline bool has_catalogue(const StudySpec& study) {
            const auto& variables = shape.second.variables;
            return std::any_of(variables.begin(), variables.end(), listed);
          });
+}
+
+/// Why the motion of a study is not followed from other speeds: no drive, equilibria, variables
+/// that set the motion themselves, sizes of catalogues; empty: it is.
+inline std::string without_speed(const StudySpec& study, const Mechanism& mechanism,
+                                 const SimulationOptions& simulation) {
+  if (simulation.type != SimulationType::Dynamic) return "equilibria have no speed";
+  if (mechanism.drives.empty()) return "no drive gives the motion its speed";
+  for (const ConstantSpec& c : study.constants)
+    if (c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration)
+      return "the variable '" + c.name + "' changes the motion itself";
+  return has_catalogue(study) ? "sizes of catalogues are not followed" : "";
 }
 
 /// Bodies that carry limits with a static image, each once.

@@ -167,6 +167,7 @@ std::vector<std::string> CycleOptions::errors() const {
   expect(gap >= 0, "gap", ">= 0", gap);
   expect(max_designs >= 1, "max_designs", ">= 1", max_designs);
   expect(restarts >= 0 && restarts <= kMostRestarts, "restarts", "0 to 5", restarts);
+  expect(continuation >= 0 && continuation <= kMostStages, "continuation", "0 to 20", continuation);
   expect(move_cells > 0, "move_cells", "> 0", move_cells);
   return list;
 }

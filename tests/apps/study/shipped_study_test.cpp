@@ -25,6 +25,7 @@ void expect_same(const CycleOptions& read, const CycleOptions& built) {
   EXPECT_EQ(read.screening, built.screening);
   EXPECT_EQ(read.min_cases, built.min_cases);
   EXPECT_EQ(read.restarts, built.restarts);
+  EXPECT_EQ(read.continuation, built.continuation);
   EXPECT_EQ(read.optimizer, built.optimizer);
   EXPECT_EQ(read.model, built.model);
   EXPECT_EQ(read.optimality, built.optimality);

@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 
+#include "optim/cycle/continuation.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
@@ -78,6 +80,51 @@ TEST(Restarts, EndOptimalWhereTheOwnStartIsInfeasible) {
     EXPECT_EQ(resumed.effort.steps, r.effort.steps);
     EXPECT_EQ(resumed.mass_initial, r.mass_initial);
   }
+}
+
+TEST(Continuation, SlowsAllThatTheMotionHas) {
+  auto study = slider_crank_rod();
+  study.scene.mechanism.bodies[2].velocity = {2, 0, 0};
+  study.scene.mechanism.gravity_scale = TimeFunction::expression("1 + t");
+  const auto space = space_of<SE2>(study.scene.mechanism);
+  const std::vector<Scenario<SE2>> given = {{study.scene.mechanism, space, study.scene.simulation}};
+  const Scenario<SE2> slow = at_speed(given, 0.5).front();
+  const auto& motion = slow.mechanism.drives[0].motion;
+  EXPECT_EQ(motion(0.06), given[0].mechanism.drives[0].motion(0.03));
+  EXPECT_EQ(motion.rate(0.06), 0.5 * given[0].mechanism.drives[0].motion.rate(0.03));
+  EXPECT_EQ(slow.mechanism.gravity_scale(0.2), 1.1);
+  EXPECT_EQ(slow.mechanism.bodies[2].velocity.x(), 1);
+  EXPECT_EQ(slow.simulation.duration, 2 * given[0].simulation.duration);
+  EXPECT_EQ(slow.simulation.step, 2 * given[0].simulation.step);
+  EXPECT_DOUBLE_EQ(stage_speed(0, 4), 0.9);
+  EXPECT_DOUBLE_EQ(stage_speed(2, 4), 0.95);
+  EXPECT_EQ(stage_speed(4, 4), 1);
+}
+
+/// The rod of the test above by slower motions instead of another start; stopped in the last stage
+/// and resumed, it ends at the same design.
+TEST(Continuation, EndsOptimalWhereTheOwnStartIsInfeasible) {
+  RestartedRod rod({motor(140), slider_mass(0.5), limit(0.75e-3)});
+  rod.study.spec.cycle.continuation = 8;
+  std::vector<History> states;
+  CycleHooks hooks;
+  hooks.on_cycle = [&](const History& history) { states.push_back(history); };
+  const auto r = rod.optimise(hooks);
+  ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_LE(r.worst, 1e-3);
+  EXPECT_LE(r.optimality->residual->stationarity, kOptimalResidual);
+  EXPECT_EQ(r.simulation.trajectory.time(r.simulation.trajectory.size() - 1), 0.12);
+  EXPECT_NE(r.warnings.back().find("0.9 of its speed"), std::string::npos) << r.warnings.back();
+  EXPECT_EQ(r.history.front().start, 0);
+  EXPECT_EQ(r.history.back().start, kMostRestarts + 9);
+  const auto in_last = std::find_if(states.begin(), states.end(), [](const History& h) {
+    return h.back().start == kMostRestarts + 9 && h.back().number == 2;
+  });
+  ASSERT_NE(in_last, states.end());
+  const auto resumed = rod.optimise({}, *in_last);
+  EXPECT_EQ(resumed.status, r.status) << resumed.reason;
+  EXPECT_EQ(resumed.x, r.x);
+  EXPECT_EQ(resumed.history.size(), r.history.size());
 }
 
 /// Cycles are numbered from 1 in every start: a reason says which start one is of.
