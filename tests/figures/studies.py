@@ -101,12 +101,21 @@ def sentences(run):
 
         return Sentence(f"| {i + 1} | {{:.0f}}, {{:.0f}} | {{:.0f}} | " + ("{:.5f} → {:.5f} |" if i == 0 else "→ {:.5f} |"), figures)
 
+    def catalogue():
+        s = study("rod_catalogue").summary
+        return [Fresh(s["status"]), Fresh(s["catalogue"]["designs"], within=10), s["mass_initial"], Fresh(s["mass_final"], relative=MASS),
+                Fresh(s["worst_constraint"], relative=SIZE), Fresh(s["catalogue"]["continuous_kkt_residual"], most=OPTIMAL),
+                *(MM * x for x in s["design"].values())]
+
     def svanberg():
         x = study("svanberg_cantilever").summary["design"]
         return [Fresh((width - 2e-5) / 0.01, within=2) for width in x.values()]
 
     return [
         *(row(run, name) for name in ROWS),
+        Sentence("| rod_catalogue | {} | {} | {:.6g} → {:.6g} | {:.2g} | – ({:.2g} of the continuous optimum) | {:.0f}, {:.0f}, {:.0f}, {:.0f} mm |",
+                 catalogue),
+        Sentence("by local bounds, with {} designs simulated", lambda: catalogue()[1:2]),
         Sentence("x = ({:.5f}, {:.5f}, {:.5f}, {:.5f}, {:.5f}) |", svanberg),
         Sentence("ends at {:.6f}, {:.6f} and {:.6f} kg on the first three, with residuals of {:.2f}, {:.2f} and {:.2f}, "
                  "and at {:.6f} kg on four_bar_mixed ({:.3f})", plain_ends),
