@@ -1,3 +1,5 @@
+#ifndef LIESL_MUMPS  // else sparse_cholesky_mumps.cpp
+
 #include "mbs/linalg/sparse_cholesky.hpp"
 
 #include <cholmod.h>
@@ -131,3 +133,5 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
 double SparseCholesky::nonzeros() const { return f_->valid ? f_->common.lnz : 0; }
 
 }  // namespace liesl
+
+#endif
