@@ -85,10 +85,10 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   problem.gradients(x, df, dg);
   const double limit = s.study.spec.constraints[0].limit;
   for (int i = 0; i < m; ++i) {
-    const auto [response, record] = images[static_cast<std::size_t>(i)];
-    const double v = motion.value(response, record) / limit;
+    const RowImage& image = images[static_cast<std::size_t>(i)];
+    const double v = motion.value(image.response, image.record) / limit;
     EXPECT_NEAR(g[i] + 1, v, 1e-6 * v);
-    if (const VectorXd* dv = motion.gradient(response, record)) {
+    if (const VectorXd* dv = motion.gradient(image.response, image.record)) {
       EXPECT_LT((dg.row(i).transpose() - *dv / limit).norm(), 1e-5 * dg.row(i).norm());
     }
   }
