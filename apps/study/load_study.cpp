@@ -165,7 +165,7 @@ std::string without_ends(const toml::table& study) {
   toml::table copy = study;
   if (toml::table* cycle = copy["cycle"].as_table())
     for (const char* key : {"max", "tolerance", "objective_tolerance", "optimality", "gap",
-                            "max_designs", "restarts", "refine"})
+                            "max_designs", "restarts", "continuation", "refine"})
       cycle->erase(key);
   return content(copy);
 }

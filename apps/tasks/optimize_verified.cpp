@@ -114,6 +114,8 @@ class ModelSequence {
     if (!closed(now_.out.status)) return end(false, "the study ended " + now_.out.summary.status);
     if (limits_.empty()) return end(false, "no limit was verified");
     const VerifiedLimit worst = nearest_limit(limits_);
+    for (const VerifiedLimit& l : limits_)
+      if (!l.known) return end(false, "the error of limit " + l.name + " is not known");
     if (worst.certain(feasibility_)) return end(true, "");
     const std::string stays = not_converging(before_, limits_, finer_, feasibility_);
     if (!stays.empty()) return end(false, stays);

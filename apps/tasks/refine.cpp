@@ -163,19 +163,22 @@ FinerModel finer_model(const Study& study, const std::vector<VerifiedLimit>& lim
 std::string not_converging(const std::vector<VerifiedLimit>& before,
                            const std::vector<VerifiedLimit>& now, const FinerModel& refined,
                            double feasibility) {
-  for (std::size_t i = 0; i < now.size() && i < before.size(); ++i)
+  for (const VerifiedLimit& limit : now) {
+    const auto old = std::find_if(before.begin(), before.end(),
+                                  [&](const VerifiedLimit& l) { return l.name == limit.name; });
+    if (old == before.end()) continue;
     for (const bool mesh : {true, false}) {
       if (!(mesh ? refined.mesh : refined.step)) continue;
-      const double was = mesh ? before[i].mesh : before[i].step,
-                   is = mesh ? now[i].mesh : now[i].step;
-      if (is <= kShare * feasibility || is <= kFalls * was || now[i].certain(feasibility)) continue;
-      const auto order = mesh ? now[i].mesh_order : now[i].step_order;
+      const double was = mesh ? old->mesh : old->step, is = mesh ? limit.mesh : limit.step;
+      if (is <= kShare * feasibility || is <= kFalls * was || limit.certain(feasibility)) continue;
+      const auto order = mesh ? limit.mesh_order : limit.step_order;
       return fmt::format(
           "limit {} does not converge: its error by the {} is {:.2g} %, was {:.2g} "
           "% before it was refined{}",
-          now[i].name, mesh ? "mesh" : "step", 100 * is, 100 * was,
+          limit.name, mesh ? "mesh" : "step", 100 * is, 100 * was,
           order ? fmt::format(", order {:.2g} observed", *order) : "");
     }
+  }
   return "";
 }
 

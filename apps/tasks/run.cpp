@@ -110,7 +110,7 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   describe(out.summary, simulation.report, simulation.start, scene.mechanism);
   describe_parts(out.summary, scene.mechanism, model, simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
-  ask_for_stop(nullptr);  // the results are written
+  const Unstopped written;  // what the motion has
   const Mobility m = mobility(model, model.initial_state());
   out.summary.more["mobility"] = m.free;
   out.summary.more["redundant_if_rigid"] = m.redundant;

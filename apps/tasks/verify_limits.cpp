@@ -12,6 +12,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/final_scene.hpp"
 #include "apps/tasks/run.hpp"
+#include "mbs/linalg/stop_request.hpp"
 #include "optim/cycle/static_problem.hpp"
 
 namespace liesl {
@@ -81,10 +82,16 @@ class LimitVerification {
     } catch (const InputError& error) {
       return not_verified("the final design cannot be read as a scene: " +
                           error.problems.front().what);
+    } catch (const Stopped&) {
+      stop_is_heard();
+      return not_verified("stopped on request");
+    } catch (const std::exception& error) {  // the optimum stands
+      return not_verified(error.what());
     }
     if (limits_.empty()) return {};
     out_.summary.more["verification"] = json_;
-    out_.summary.more["worst_constraint_error"] = nearest_limit(limits_).error();
+    if (const VerifiedLimit& nearest = nearest_limit(limits_); nearest.known)
+      out_.summary.more["worst_constraint_error"] = nearest.error();
     return std::move(limits_);
   }
 
@@ -146,6 +153,7 @@ class LimitVerification {
           "limit {} was not verified: the final design run as a scene has {:.6g} instead "
           "of {:.6g}",
           p.name, found.max_abs, figure->max_abs_final));
+      limits_.push_back({.name = p.name, .violation = figure->violation, .known = false});
       return;
     }
     figure->error_mesh = found.error_mesh;
@@ -157,7 +165,8 @@ class LimitVerification {
             fmt::format("limit {}: its error by the {} is not known", p.name, part));
     limits_.push_back({p.name, figure->violation, found.error_mesh.value_or(0) / p.limit->limit,
                        found.error_step.value_or(0) / p.limit->limit, order(p, "mesh", verified),
-                       order(p, "step", verified)});
+                       order(p, "step", verified),
+                       found.error_mesh && (found.error_step || !steps())});
   }
 
   /// Has the step an error that a smaller one shows?

@@ -13,10 +13,11 @@ struct VerifiedLimit {
   double violation = 0;                                    ///< measured, as of the summary
   double mesh = 0, step = 0;                               ///< errors, 0 where they are not known
   std::optional<double> mesh_order = {}, step_order = {};  ///< observed
+  bool known = true;                                       ///< are both errors?
 
   double error() const { return mesh + step; }
   /// Is it met on the converged model as far as the errors tell?
-  bool certain(double feasibility) const { return violation + error() <= feasibility; }
+  bool certain(double feasibility) const { return known && violation + error() <= feasibility; }
   /// "limit bending is known to 1.7 % only: mesh 1.7 %, step 0.001 %"
   std::string text() const;
 };
@@ -26,8 +27,9 @@ const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits);
 
 /// Runs the final design in every scenario as a scene on finer meshes and steps (`verify`): adds
 /// `error_mesh`, `error_step` to the limits, `verification` and, as a share of its limit, the error
-/// of the nearest one (`worst_constraint_error`). What is left out (limits on functionals,
-/// p-norms, frequencies and meshed parts) is a warning. @pre out.simulated
+/// of the nearest one (`worst_constraint_error`, unless an error of it is not known). What is left
+/// out (limits on functionals, p-norms, frequencies and meshed parts) is a warning. @pre
+/// out.simulated
 /// @returns one a limit and scenario; empty where there are none or the runs did not reach their
 /// end
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,

@@ -13,6 +13,7 @@
 
 #include "mbs/linalg/blas_threads.hpp"
 #include "mbs/linalg/sparse_cholesky.hpp"
+#include "mbs/linalg/stop_request.hpp"
 
 namespace liesl {
 namespace {
@@ -89,12 +90,14 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factor(const Matrix& A) {
   Factors& f = *f_;
   f.valid = false;
+  look_for_stop();
   one_blas_thread();
   if (!A.coeffs().allFinite()) return false;
   if (!f.analysed) f.read_pattern(A);
   f.read_values(A);
   if (!f.analysed && f.run(kAnalyse) < 0) throw std::bad_alloc();
   f.analysed = true;
+  look_for_stop();
   int end = f.run(kFactor);
   while (end == kOutOfSpace && f.icntl(14) < kMostSpace) {
     f.icntl(14) *= 2;
@@ -112,6 +115,7 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
   one_blas_thread();
   f.x = b;
   for (Eigen::Index first = 0; first < b.cols(); first += kMumpsBlock) {
+    look_for_stop();
     f.mumps.rhs = f.x.col(first).data();
     f.mumps.nrhs = static_cast<int>(std::min(kMumpsBlock, b.cols() - first));
     f.mumps.lrhs = static_cast<int>(b.rows());

@@ -16,6 +16,22 @@ struct Stopped final : std::exception {
 /// left has to be done.
 void ask_for_stop(bool (*wants_to_stop)());
 
+/// Whoever asks wants to stop and has been heard: from now on what is left has to be done. Without
+/// such a wish nothing changes.
+void stop_is_heard();
+
+/// While it lives nothing is stopped: of what has a result that would be lost.
+class Unstopped {
+ public:
+  Unstopped();
+  ~Unstopped();
+  Unstopped(const Unstopped&) = delete;
+  Unstopped& operator=(const Unstopped&) = delete;
+
+ private:
+  bool (*const before_)();
+};
+
 /// Cheap. @throws Stopped if whoever is asked wants to stop
 void look_for_stop();
 

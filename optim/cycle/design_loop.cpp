@@ -95,7 +95,7 @@ void CycleRecord::go_on() {
 }
 
 LoopResult CycleRecord::finish(const CycleEnd& end) {
-  if (end.status == CycleStatus::Interrupted) ask_for_stop(nullptr);  // the design is written
+  if (end.status == CycleStatus::Interrupted) stop_is_heard();
   result_.status = end.status;
   result_.reason = end.reason;
   if (!history().empty() && end.status != CycleStatus::Interrupted)
@@ -115,6 +115,7 @@ void CycleRecord::evaluate_certificate() {
   try {
     result_.optimality = model_.optimality(*result_.best, result_.x, hooks_.progress);
   } catch (const Stopped&) {
+    stop_is_heard();
     return warn("the dynamic optimality conditions were not checked: stopped on request");
   }
   const DynamicOptimality& o = *result_.optimality;

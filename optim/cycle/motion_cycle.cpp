@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "mbs/linalg/stop_request.hpp"
 #include "optim/cycle/continuation.hpp"
 #include "optim/cycle/direct_optimum.hpp"
 #include "optim/cycle/fixed_point_rule.hpp"
@@ -52,6 +53,7 @@ CycleResult<G> described(MotionModel<G>& model, LoopResult loop) {
   start_with(out, out);
   if (!out.history.empty()) out.load_change = out.history.back().load_change;
   if (!out.best) return out;
+  const Unstopped written;
   auto& best = dynamic_cast<MotionAnalysis<G>&>(*out.best);
   DesignRun<G>& run = best.runs.front();
   if (closed(out.status) && best.runs.size() == 1) out.proposals = propose_holes(model, run, out.x);

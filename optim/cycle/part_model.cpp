@@ -1,5 +1,6 @@
 #include "optim/cycle/part_model.hpp"
 
+#include "mbs/linalg/stop_request.hpp"
 #include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
 
@@ -80,6 +81,7 @@ PartResult optimise_part(const SolidTask& task, const CycleHooks& hooks,
   if (!out.best) return out;
   out.initial = dynamic_cast<const PartAnalysis&>(*out.first).check;
   out.final = dynamic_cast<const PartAnalysis&>(*out.best).check;
+  const Unstopped written;
   MeshStatics part(task);
   part.show_all(out.x);
   out.fractions = part.statics().fractions();

@@ -91,8 +91,13 @@ void continue_in_speed(const StudySpec& study, StartHistory& history, const Opti
   for (int k = 0; k <= stages; ++k) {
     const int start = kMostRestarts + 1 + k;
     const double speed = stage_speed(k, stages);
-    End next =
-        optimise(from, history.hooks(start, stage_name(speed)), history.resume(start), speed);
+    End next;
+    try {
+      next = optimise(from, history.hooks(start, stage_name(speed)), history.resume(start), speed);
+    } catch (const std::invalid_argument& error) {
+      best.warnings.push_back(failed_stage_note(speed, error.what()));
+      return;
+    }
     history.add(start, next.history);
     if (k == stages) {
       take(std::move(next), continuation_note(stages, best.reason), study.cycle.feasibility, best);

@@ -1,5 +1,6 @@
 #include "optim/cycle/topology_cycle.hpp"
 
+#include "mbs/linalg/stop_request.hpp"
 #include "optim/cycle/restarts.hpp"
 #include "optim/study/study_errors.hpp"
 
@@ -72,6 +73,7 @@ PartEnd optimise_outline_once(const StudySpec& study, const Mechanism& mechanism
   static_cast<PartResult&>(out) = optimise_part(task, hooks, resume);
   out.mechanism = mechanism;
   if (!out.best) return out;
+  const Unstopped written;
   out.part->apply(out.x, out.mechanism);
   if (closed(out.status)) out.proposals = {{body, propose_hole(task, design.walls, out.x)}};
   return out;

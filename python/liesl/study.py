@@ -161,7 +161,8 @@ class Study:
                  on_cycle: Callable[[dict[str, Any]], None] | None = None,
                  objective: OwnFunction | None = None,
                  limits: Mapping[str, OwnFunction] | None = None) -> Optimum:
-        """Sizes, as `liesl optimize` does.
+        """Sizes, as `liesl optimize --no-verify` does; with `cycle.refine = "auto"` the limits are
+        verified, too.
 
         `method`: the key `cycle.method`; `nucleate`: new holes at most; `on_cycle` is called after
         each cycle with the summary so far. Ctrl-C stops. How it ended is `status`.
@@ -197,7 +198,8 @@ class Study:
         function of an Evaluation that returns its value and its derivatives by what it has read,
         {"bend": (records, components), "x": (variables,)}.
         Raises InputError for statics of a mechanism, for functions of one's own without a motion, and
-        for limits on frequencies or a weighted sum, which rows in windows do not have.
+        for what rows in windows do not have: limits on frequencies, masses, integrals and p-norms,
+        sizes of a catalogue, a weighted sum.
         """
         if isinstance(windows, bool) or not isinstance(windows, int) or windows < 1:
             raise InputError(f"windows is {windows!r}; expected a whole number, 1 or more")
@@ -206,8 +208,9 @@ class Study:
             self._require_motion()
         if loaded or self._study.changes_outlines():
             return self._program(windows, objective, dict(limits or {}))
-        if self._study.frequencies():
-            raise InputError("limits on frequencies are no rows of nlp(); use optimize()")
+        if left_out := self._study.without_rows():
+            raise InputError(f"{', '.join(left_out)} are no rows of nlp(); use optimize() without "
+                             "functions of one's own")
         if objective is None and not self._study.only_mass():
             raise InputError("the study minimises a weighted sum, nlp() the mass; give objective=, "
                              "or use optimize()")

@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+
 #include "apps/cli/result_files.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/output/file.hpp"
@@ -21,6 +23,26 @@ namespace liesl::python {
 namespace {
 
 using Eigen::VectorXd;
+
+/// What of a study of beams the rows of nlp() do not have: they are largest values in windows of
+/// time.
+std::vector<std::string> without_rows(const StudySpec& spec) {
+  const auto any = [&](const auto& is) {
+    return std::any_of(spec.constraints.begin(), spec.constraints.end(), is);
+  };
+  std::vector<std::string> out;
+  if (!spec.frequencies.empty()) out.push_back("limits on frequencies");
+  if (!spec.mass_limits.empty()) out.push_back("limits on masses");
+  if (!spec.part_limits.empty()) out.push_back("limits of meshed parts");
+  if (has_catalogue(spec)) out.push_back("sizes of a catalogue");
+  if (any([](const ConstraintSpec& c) {
+        return c.treatment == Treatment::Functional || c.treatment == Treatment::PNorm;
+      }))
+    out.push_back("limits on integrals and p-norms");
+  if (any([](const ConstraintSpec& c) { return c.weight > 0; }))
+    out.push_back("largest values in the objective");
+  return out;
+}
 
 class OptimizeResult final : public Outcome {
  public:
@@ -171,7 +193,7 @@ void bind_studies(py::module_& module) {
       .def("changes_outlines", [](const StudyInput& s) { return s.design().parts() > 0; })
       .def("only_mass",
            [](const StudyInput& s) { return s.study().spec.motion_objective.only_mass(); })
-      .def("frequencies", [](const StudyInput& s) { return !s.study().spec.frequencies.empty(); })
+      .def("without_rows", [](const StudyInput& s) { return without_rows(s.study().spec); })
       .def("program", &StudyInput::program)
       .def("fixed_loads", [](const StudyInput& s) { return !s.study().spec.loads.empty(); })
       .def("most_cycles", [](const StudyInput& s) { return s.study().spec.cycle.max; })

@@ -201,6 +201,16 @@ def test_studies_without_a_motion(data):
         liesl.Study.load(data / "scenes/slider_crank.toml")
 
 
+@pytest.mark.parametrize("name, says", [
+    ("rod_stiffest", "limits on masses, largest values in the objective are no rows"),
+    ("rod_catalogue", "sizes of a catalogue are no rows"),
+])
+def test_what_has_no_rows_is_not_left_out(data, name, says):
+    study = liesl.Study.load(data / f"studies/{name}.toml")
+    with pytest.raises(liesl.InputError, match=says):
+        study.optimize(objective=lambda at: (1.0, {}))
+
+
 def check_gradients(nlp, columns, h, tolerance):
     """Objective and rows against central differences, beside the start, where outlines lie along cells."""
     lower, upper = np.array(nlp.bounds).T

@@ -104,7 +104,7 @@ COMP_WORDS=(liesl opt); COMP_CWORD=1; _liesl; echo "${COMPREPLY[@]}"
 COMP_WORDS=(liesl optimize --no); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
 )";
   EXPECT_EQ(std::system("bash complete.sh > words"), 0);
-  EXPECT_EQ(text_of("words"), "optimize\n--no-report\n");
+  EXPECT_EQ(text_of("words"), "optimize\n--no-verify --no-report\n");
   EXPECT_EQ(run({"completion", "csh"}).code, 2);
 }
 

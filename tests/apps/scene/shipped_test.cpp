@@ -54,7 +54,8 @@ TEST(Shipped, StudiesAreRead) {
     SCOPED_TRACE(path.filename());
     try {
       const Study read = load_study(path);
-      EXPECT_FALSE(read.spec.constraints.empty() && read.spec.part_limits.empty());
+      EXPECT_FALSE(read.spec.constraints.empty() && read.spec.part_limits.empty() &&
+                   read.spec.mass_limits.empty());
       EXPECT_NE(read.input.find("Source:"), std::string::npos);
     } catch (const InputError& error) {
       ADD_FAILURE() << error.what();

@@ -55,7 +55,7 @@ struct Outputs {
 template <class G>
 void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
                                   const std::vector<Quantity>& quantities, double h = 2e-4,
-                                  int node = 1, double least = 1e-6) {
+                                  int node = 1, double least = 1e-6, double tolerance = 1e-10) {
   const Taped<G> run(machine, tight(steps * h, h));
   const auto parameters = run.parameters(quantities);
   const Outputs<G> outputs(run.model, 1, node);
@@ -88,8 +88,8 @@ void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
     for (int i = 0; i < n; ++i) {
       const double error = std::abs(sum(i, p) - gradient(p, i)) / size[i],
                    error_at_end = std::abs(last(i, p) - gradient(p, n + i)) / size_at_end[i];
-      EXPECT_LT(error, 1e-10) << steps << " steps, sum of output " << i << ", parameter " << p;
-      EXPECT_LT(error_at_end, 1e-10) << steps << " steps, output " << i << ", parameter " << p;
+      EXPECT_LT(error, tolerance) << steps << " steps, sum of output " << i << ", parameter " << p;
+      EXPECT_LT(error_at_end, tolerance) << steps << " steps, output " << i << ", parameter " << p;
       worst = std::max({worst, error, error_at_end});
     }
   }
