@@ -120,7 +120,7 @@ std::string on_restarts(const CycleOptions& options, int tried, bool has_speed) 
                              : "; cycle.restarts = 3 begins again from other designs";
   if (!has_speed) return text;
   return text + (options.continuation > 0
-                     ? "; a continuation in the speed ended infeasible, too"
+                     ? "; a continuation in the speed came no nearer"
                      : "; cycle.continuation = 8 follows the optimum of slower motions");
 }
 

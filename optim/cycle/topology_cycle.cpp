@@ -7,13 +7,10 @@
 namespace liesl {
 namespace {
 
-/// The study as it starts from a final design x: that of the sections, then of each outline.
-void start_from(const Eigen::VectorXd& x, const Mechanism& mechanism, StudySpec& study) {
-  for (DesignSpec& d : study.design) d.start.clear();  // as in the mechanism
-  int j = Sizing(study.design, mechanism).size();
-  for (auto& [body, shape] : study.shapes)
-    for (ShapeVariableSpec& v : shape.variables) v.start = x[j++];
-  for (ConstantSpec& c : study.constants) c.start = x[j++];
+/// The study as it starts from a final design x, whose sections the mechanism has.
+void start_from(const Eigen::VectorXd& x, StudySpec& study) {
+  study = starting_at(std::move(study), x);
+  for (DesignSpec& d : study.design) d.start.clear();
 }
 
 }  // namespace
@@ -38,7 +35,7 @@ HoleRound insert_into(const LoopResult& end, const PartProposal& proposal,
                       const Mechanism& designed, StudySpec& study, Mechanism& mechanism) {
   const int body = proposal.body;
   const Nucleus nucleus = *proposal.hole.nucleus;
-  start_from(end.x, designed, study);
+  start_from(end.x, study);
   mechanism = designed;
   BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
   SolidSpec& solid = std::get<SolidSpec>(spec.kind);
