@@ -6,20 +6,16 @@ Ends with 77 (skipped) without ccx (calculix-ccx).
 """
 
 import csv
-import re
-import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+from deck import displacements, need_calculix, run_deck
+
 PROGRAM, DATA = sys.argv[1], Path(sys.argv[2])
-if not shutil.which("ccx"):
-    print("skipped: apt-get install calculix-ccx")
-    sys.exit(77)
+need_calculix()
 
 WITHIN = 0.01  # of the deflection, at every instant
-BLOCK = re.compile(r"displacements \(vx,vy,vz\) for set NODES and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)")
 
 
 def expected(folder):
@@ -33,12 +29,8 @@ def expected(folder):
 
 def computed(folder, part):
     """Step -> node -> displacement, at the end of each step: node k is 2k + 1."""
-    out = {}
-    for time, lines in BLOCK.findall((folder / f"{part}.dat").read_text()):
-        if abs(float(time) - round(float(time))) < 1e-9:
-            rows = [line.split() for line in lines.splitlines() if line.strip()]
-            out[round(float(time))] = {(int(r[0]) - 1) // 2: [float(x) for x in r[1:]] for r in rows}
-    return out
+    return {round(time): {(node - 1) // 2: u for node, u in nodes.items()}
+            for time, nodes in displacements(folder, part).items() if abs(time - round(time)) < 1e-9}
 
 
 def deflection(places, displacements):
@@ -60,12 +52,7 @@ def check(scene, part, *options):
     """Prints each instant. Number of instants that are wrong."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary) / "deck"
-        subprocess.run([PROGRAM, "export", DATA / scene, "--to", "calculix", "--part", part, "-o",
-                        folder, "--quiet", *options], check=True)
-        run = subprocess.run(["ccx", part], cwd=folder, capture_output=True, text=True,
-                             timeout=500)
-        if "*ERROR" in run.stdout:
-            print(run.stdout[-2000:])
+        if not run_deck(PROGRAM, DATA / scene, part, folder, options):
             return 1
         motion, deck, wrong = expected(folder), computed(folder, part), 0
         if sorted(motion) != sorted(deck) or not motion:

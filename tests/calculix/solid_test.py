@@ -7,20 +7,16 @@ Ends with 77 (skipped) without ccx (calculix-ccx).
 """
 
 import csv
-import re
-import shutil
-import subprocess
 import sys
 import tempfile
 from pathlib import Path
 
+from deck import displacements, need_calculix, run_deck
+
 PROGRAM, DATA = sys.argv[1], Path(sys.argv[2])
-if not shutil.which("ccx"):
-    print("skipped: apt-get install calculix-ccx")
-    sys.exit(77)
+need_calculix()
 
 WITHIN = 1e-6  # of the largest displacement of a unit case
-BLOCK = re.compile(r"displacements \(vx,vy,vz\) for set NODES and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)")
 BAR = """name = "bar"
 [materials]
 steel = { E = 210e9, nu = 0.3, rho = 7850 }
@@ -51,22 +47,14 @@ def expected(folder):
 
 def computed(folder, part):
     """Step -> node -> displacement."""
-    out = {}
-    for time, lines in BLOCK.findall((folder / f"{part}.dat").read_text()):
-        rows = [line.split() for line in lines.splitlines() if line.strip()]
-        out[round(float(time))] = {int(r[0]): [float(x) for x in r[1:]] for r in rows}
-    return out
+    return {round(time): nodes for time, nodes in displacements(folder, part).items()}
 
 
 def check(scene, part, *options, names=()):
     """Prints each unit case. Number of those that are wrong."""
     with tempfile.TemporaryDirectory() as temporary:
         folder = Path(temporary) / "deck"
-        subprocess.run([PROGRAM, "export", scene, "--to", "calculix", "--part", part, "-o", folder, "--quiet",
-                        *options], check=True)
-        run = subprocess.run(["ccx", part], cwd=folder, capture_output=True, text=True, timeout=500)
-        if "*ERROR" in run.stdout:
-            print(run.stdout[-2000:])
+        if not run_deck(PROGRAM, scene, part, folder, options):
             return 1
         units, steps, wrong = expected(folder), computed(folder, part), 0
         if sorted(units) != sorted(steps) or not units:
