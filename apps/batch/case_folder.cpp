@@ -144,6 +144,7 @@ void CaseFolder::mark(const CaseEnd& end) const {
   output::remove_leftovers(path_);
   std::error_code error;
   fs::create_directories(path_, error);
+  output::remove_parts(path_);
   output::mark_files(path_, {"done.json", "log.txt"});
   if (fs::file_size(log_, error) > 0 && !error) fs::rename(log_, path_ / "log.txt", error);
   const nlohmann::ordered_json json = {{"case", path_.filename().string()},

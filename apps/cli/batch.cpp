@@ -120,6 +120,7 @@ output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
                                  const PoolReport& report, output::BatchSummary summary,
                                  const Stopwatch& clock) {
   const FolderLock lock(folder);
+  output::remove_parts(folder);
   const BatchTable table = collect_cases(batch, folder);
   describe(summary, batch, table, report);
   write_batch_csv(folder, table);

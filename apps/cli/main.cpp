@@ -9,7 +9,6 @@
 #include <filesystem>
 #include <iomanip>
 #include <iostream>
-#include <memory>
 #include <new>
 
 #include "apps/cli/command.hpp"
@@ -281,6 +280,13 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
   return kFailed;
 }
 
+/// To the end of the process: where the limit is lifted, TBB starts threads for the work that it
+/// has seen, and aborts if memory is short.
+void limit_threads(int threads) {
+  [[maybe_unused]] static const auto* const kept = new tbb::global_control(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -311,9 +317,6 @@ int main(int argc, char** argv) {
     options.out = std::filesystem::path(options.file).stem().string();
   liesl::output::catch_interrupts();
   liesl::ask_for_stop([] { return liesl::output::interrupted() != 0; });
-  std::unique_ptr<tbb::global_control> limit;
-  if (options.threads > 0)
-    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
-                                                  static_cast<size_t>(options.threads));
+  if (options.threads > 0) limit_threads(options.threads);
   return guarded(run, options);
 }

@@ -3,10 +3,12 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <openssl/evp.h>
+#include <signal.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <charconv>
 #include <cstring>
 #include <fstream>
 
@@ -18,6 +20,8 @@ namespace {
 [[noreturn]] void fail(const char* what, const std::filesystem::path& path) {
   throw IoError(what, path, std::strerror(errno));
 }
+
+constexpr std::string_view kPart = ".part-";
 
 }  // namespace
 
@@ -40,9 +44,27 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
 
 void replace_file(const std::filesystem::path& path, std::string_view content) {
   const auto part =
-      path.parent_path() / fmt::format(".{}.part-{}", path.filename().string(), ::getpid());
+      path.parent_path() / fmt::format(".{}{}{}", path.filename().string(), kPart, ::getpid());
   write_file(part, content);
   if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path);
+}
+
+int writer_of_part(const std::string& name) {
+  const auto at = name.rfind(kPart);
+  if (at == std::string::npos || at < 2 || name[0] != '.') return 0;
+  int process = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + at + kPart.size(), end, process);
+  return error == std::errc{} && rest == end ? process : 0;
+}
+
+void remove_parts(const std::filesystem::path& folder) {
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const int writer = writer_of_part(entry.path().filename().string());
+    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH)
+      std::filesystem::remove(entry.path(), error);
+  }
 }
 
 std::string read_file(const std::filesystem::path& path, std::size_t limit) {

@@ -62,10 +62,9 @@ bool documented(const fs::path& folder, const std::string& name) {
          (std::regex_match(name, part, of_part) && fs::exists(folder / (part.str(1) + ".vtu")));
 }
 
-/// Half-written files of a process that is gone.
+/// A file that a process replaces, or was replacing when it was killed.
 bool unfinished(const std::string& name) {
-  static const std::regex part(R"((.*/)?\.[^/]+\.part-\d+)");
-  return std::regex_match(name, part);
+  return writer_of_part(fs::path(name).filename().string()) > 0;
 }
 
 /// "cases/<name>/rest" or "cases/.<name>.what" -> <name>; empty if it is neither.

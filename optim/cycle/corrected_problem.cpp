@@ -12,6 +12,7 @@ namespace {
 
 // Of inner cases that the correction may lift above their limit.
 constexpr double kLift = 0.02;
+constexpr double kRoundOff = 1e-12;  // of the objective
 
 /// e^p, beyond p = 1 its Taylor polynomial of second order there: a long step overflows no row.
 struct Growth {
@@ -33,13 +34,15 @@ struct Growth {
 }  // namespace
 
 CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
-                                   const VectorXd& x_k, Approximation approximation)
+                                   const VectorXd& x_k, double objective,
+                                   Approximation approximation)
     : inner_(std::move(inner)),
       motion_(std::move(gradients)),
       x_k_(x_k),
       linear_(approximation == Approximation::Linear),
       variables_(inner_->variables()) {
-  correct_rows();
+  const double lacking = objective - correct_rows();
+  if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
 }
 
 void CorrectedProblem::narrow(double share) {
@@ -64,7 +67,8 @@ auto CorrectedProblem::steps(const VectorXd& x) const -> Steps {
 }
 
 /// @pre `inner` has just been made, or has taken cases
-void CorrectedProblem::correct_rows() {
+/// @returns the objective of `inner` at x_k
+double CorrectedProblem::correct_rows() {
   const auto m = static_cast<int>(constraints().size()), n = static_cast<int>(x_k_.size());
   c_.setZero(m, n);
   g_.resize(m);
@@ -72,7 +76,7 @@ void CorrectedProblem::correct_rows() {
   double f = 0;
   VectorXd df(n);
   inner_->values(x_k_, f, g_);
-  if (!g_.allFinite()) return;
+  if (!g_.allFinite()) return f;
   inner_->gradients(x_k_, df, dg_);
   const std::vector<RowImage> image = images();
   for (int i = 0; i < m; ++i) {
@@ -85,6 +89,7 @@ void CorrectedProblem::correct_rows() {
     if (!dv) continue;
     c_.row(i) = dv->transpose() / motion_.value(response, at) - dg_.row(i) / v_s;
   }
+  return f;
 }
 
 int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
@@ -95,6 +100,7 @@ int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
 
 void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   inner_->values(x, f, g);
+  f += rest_;
   g_ = g;
   const VectorXd power = c_ * steps(x).s;
   for (int i = 0; i < g.size(); ++i)

@@ -19,8 +19,10 @@ class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
   /// @param gradients of the motion at x_k, of inner.responses(); none needed if it has no images
+  /// @param objective at x_k: `inner` may lack the mass of what no variable changes
   CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
-                   const Eigen::VectorXd& x_k, Approximation approximation = Approximation::Power);
+                   const Eigen::VectorXd& x_k, double objective,
+                   Approximation approximation = Approximation::Power);
 
   /// Narrows the bounds to this share, in (0, 1], of those of `inner` about x_k.
   void narrow(double share);
@@ -46,13 +48,14 @@ class CorrectedProblem final : public StaticProblem {
     Eigen::VectorXd s, first, second;
   };
   Steps steps(const Eigen::VectorXd& x) const;
-  void correct_rows();
+  double correct_rows();
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
   const Eigen::VectorXd x_k_;
   const bool linear_;
   std::vector<NlpVariable> variables_;
+  double rest_ = 0;    ///< of the objective, which `inner` lacks
   RowMatrix c_;        ///< rows x variables
   Eigen::VectorXd g_;  ///< of `inner`, at the latest x
   RowMatrix dg_;       ///< of `inner`, at the latest x

@@ -351,7 +351,7 @@ Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd&
         check_violation(study, variables(), x, gradients, *statics, at.worst, active);
   if (gradients.reason().empty())
     out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
-                                                     study_.cycle.approximation);
+                                                     at.objective, study_.cycle.approximation);
   return out;
 }
 

@@ -63,7 +63,8 @@ Surrogate PartModel::surrogate(const DesignAnalysis& at, const VectorXd& x, doub
   out.optimality = check_optimality({}, variables(), x, {}, *statics, active);
   if (at.worst > task_.cycle.feasibility)
     out.optimality.violation = check_violation({}, variables(), x, {}, *statics, at.worst, active);
-  out.problem = std::make_unique<CorrectedProblem>(std::move(statics), MotionGradients(), x);
+  out.problem =
+      std::make_unique<CorrectedProblem>(std::move(statics), MotionGradients(), x, at.objective);
   return out;
 }
 

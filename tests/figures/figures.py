@@ -39,11 +39,18 @@ def look(file, sentence, write):
     return len(fresh), found
 
 
+def document(word):
+    """A place of figures; argparse's own choices refuse that none is named."""
+    if word not in DOCUMENTS:
+        raise argparse.ArgumentTypeError(f"'{word}' is none of {', '.join(DOCUMENTS)}")
+    return word
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("data", type=Path)
-    parser.add_argument("documents", nargs="*", choices=DOCUMENTS)
+    parser.add_argument("documents", nargs="*", type=document)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--solved", type=Path)
     parser.add_argument("--only", default="")

@@ -49,6 +49,20 @@ std::string refusal(const fs::path& target, bool overwrite = true) {
   return "";
 }
 
+TEST(OwnFiles, PartsOfKilledProcessesGo) {
+  const TemporaryFolder place;
+  const pid_t gone = ::fork();
+  if (gone == 0) ::_exit(0);
+  ASSERT_EQ(::waitpid(gone, nullptr, 0), gone);
+  const std::string left = ".summary.json.part-" + std::to_string(gone);
+  const std::string in_work = ".summary.json.part-" + std::to_string(::getpid());
+  for (const std::string& name : {left, in_work, std::string(".notes.part-two")}) put(place / name);
+  remove_parts(place.path());
+  EXPECT_FALSE(fs::exists(place / left));
+  EXPECT_TRUE(fs::exists(place / in_work));
+  EXPECT_TRUE(fs::exists(place / ".notes.part-two")) << "no name of ours";
+}
+
 TEST(OwnFiles, AreThoseOfTheMark) {
   const TemporaryFolder place;
   write_result(place / "out", "1");

@@ -103,6 +103,18 @@ TEST(Duration, FastestMotionUnderALimitOnTheForce) {
   }
 }
 
+/// What no variable changes counts in the objective, and moves no optimum.
+TEST(Duration, MassThatStaysMovesNoOptimum) {
+  Runner r(moved_block(block(), {.mass = 1, .duration = 1, .effort = 0, .responses = {}}));
+  r.study.constraints = {{r.scene.responses[0], 20, false}};
+  const double F0 = r.run(VectorXd::Constant(1, 1)).limits[0].largest;
+  r.study.constraints[0].limit = 3 * F0;
+  const auto end = r.optimise();
+  EXPECT_EQ(end.status, CycleStatus::Optimal) << end.reason;
+  EXPECT_NEAR(end.x[0], std::sqrt(1. / 3), 1e-3 * end.x[0]);
+  EXPECT_NEAR(end.history.back().objective, kMass + end.x[0], 1e-9);
+}
+
 /// Effort goes with 1/T^3: T + w J has its least where T^4 = 3 w J_0 T_0^3.
 TEST(Duration, BalanceOfTimeAndEffort) {
   const Scene scene = block();

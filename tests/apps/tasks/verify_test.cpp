@@ -81,7 +81,6 @@ const std::map<std::string, std::string> kWrong = {
     {"slider_crank slider_x", "0.45 m at a dead point; 6e-7 m, estimated as 1e-8 m"},
     {"four_bar bend", "5.9 times too large"},
     {"two_link_robot arm1_tip", "3.6 times too large"},
-    {"two_link_robot_path shoulder_torque", "4.0 times too large"},
     {"two_link_robot_path elbow_torque", "6.9 times too large"}};
 
 /// Shipped scenes without meshed parts. Of crane_boom the mesh has no estimate, since nodes are
