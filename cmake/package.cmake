@@ -1,7 +1,5 @@
-# `cpack --config build/NAME/CPackConfig.cmake` makes a package of an installation in /usr.
-# Configure with -DCMAKE_INSTALL_PREFIX=/usr and, for machines other than this one, -DLIESL_ARCH=x86-64
-# and -DLIESL_FACTORISATION=mumps. What
-# may be handed out is in docs/licences.md.
+# `cpack --config build/NAME/CPackConfig.cmake` makes a package of an installation in /usr; the preset
+# "package" is for machines other than this one. What may be handed out is in docs/licences.md.
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME liesl)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})

@@ -43,12 +43,6 @@ void check_options(const Study& study, const CommandOptions& options) {
   if (options.nucleate > 0 && has_catalogue(study.spec))
     refuse("--nucleate: sizes are of catalogues, whose search tries no holes",
            "a study without 'values'", "insert holes first, then give the catalogues");
-  if (options.nucleate > 0 && study.refine)
-    refuse("--nucleate: cycle.refine = \"auto\" goes on without new holes",
-           "cycle.refine = \"never\"", "insert holes first, then refine");
-  if (options.no_verify && study.refine)
-    refuse("--no-verify: cycle.refine = \"auto\" needs the errors of the limits",
-           "cycle.refine = \"never\"", "run without --no-verify");
   if (options.verify && !study.spec.loads.empty())
     refuse("--verify: a study under fixed loads has no motion to verify",
            "a study of a motion, or of load steps", "leave --verify out");
@@ -61,6 +55,13 @@ struct CyclesOfModels {
   RoundHistory& rounds() {
     if (all.size() <= now) all.resize(now + 1);
     return all[now];
+  }
+  /// Cycles of the models before the present one.
+  int before() const {
+    std::size_t count = 0;
+    for (std::size_t m = 0; m < now; ++m)
+      for (const History& round : all[m]) count += round.size();
+    return static_cast<int>(count);
   }
 };
 
@@ -78,7 +79,9 @@ OptimizeHooks hooks_of(const Study& study, const CommandOptions& options, const 
   hooks.on_cycle = [&study, &folder, &line, &options, &models, save](
                        const output::OptimizeSummary& so_far, const RoundHistory& rounds) {
     line.clear();
-    print_cycle(rounds.back().back(), study.spec.objective, options.quiet);
+    Cycle cycle = rounds.back().back();
+    cycle.number += models.before();
+    print_cycle(cycle, study.spec.objective, options.quiet);
     models.rounds() = rounds;
     write_checkpoint(folder.path() / "checkpoint.json", models.all,
                      output::sha256(study.resumable));
@@ -145,6 +148,7 @@ VerifiedOptimum optimum_of(const Study& study, const CommandOptions& options,
                            const OptimizeHooks& hooks, CyclesOfModels& models) {
   VerifiedOptions how;
   how.verify = !options.no_verify;
+  how.refine = study.refine && options.nucleate == 0;
   how.nucleate = options.nucleate;
   how.read = [&options](std::vector<std::string> changes) {
     changes.insert(changes.begin(), options.set.begin(), options.set.end());

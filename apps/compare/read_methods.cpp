@@ -76,21 +76,6 @@ void leave_out_treatments(CaseList& cases) {
   });
 }
 
-/// Methods are compared on one model.
-void refuse_refinement(const toml::table& root, const Study& study, const std::vector<Axis>& axes,
-                       Problems& problems) {
-  const auto refuse = [&](const InputPlace& at) {
-    problems.add(
-        {at.file, at.line, at.column,
-         "cycle.refine = \"auto\" goes on with other models, and methods are compared on one",
-         "cycle.refine = \"never\"", ""});
-  };
-  if (study.refine) refuse(place_of(*root.get("study")));
-  for (const Axis& axis : axes)
-    for (const std::string& key : axis.column.keys)
-      if (key == "cycle.refine") refuse(axis.column.place);
-}
-
 }  // namespace
 
 void read_methods(const toml::table& root, const std::filesystem::path& path,
@@ -108,7 +93,6 @@ void read_methods(const toml::table& root, const std::filesystem::path& path,
   comparison.response = "mass";
   const std::vector<Axis> axes = axes_of(
       root, [&](std::string_view name) { return keys_of_axis(name, study); }, problems);
-  refuse_refinement(root, study, axes, problems);
   problems.throw_if_any();
   rows.cases = expand(axes);
   leave_out_treatments(rows.cases);

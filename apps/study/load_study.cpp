@@ -150,16 +150,6 @@ toml::table with_whole_paths(const Document& scene) {
   return copy;
 }
 
-/// Whether `cycle.refine` asks for finer models; refused where nothing is verified.
-bool refines(StudyReader& reader) {
-  const toml::table* cycle = reader.root["cycle"].as_table();
-  if (!cycle || reader.broken.contains("cycle") || text(*cycle, "refine") != "auto") return false;
-  if (const toml::node* loads = reader.root.get("loads"))
-    reader.scene.problems.add(*loads, "fixed loads have no motion whose mesh or step is refined",
-                              "cycle.refine = \"never\"");
-  return true;
-}
-
 /// A study without what says when its cycles end.
 std::string without_ends(const toml::table& study) {
   toml::table copy = study;
@@ -200,7 +190,8 @@ Study read_document(Document document, const fs::path& folder,
   read_scenarios(scenarios, problems, study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
-  study.refine = refines(reader);
+  const toml::table* cycle = document.root["cycle"].as_table();
+  study.refine = !cycle || broken.contains("cycle") || text(*cycle, "refine") == "auto";
   problems.throw_if_any();
   return study;
 }

@@ -21,9 +21,9 @@ struct Study {
   std::string resumable;
   /// Scenes of the scenarios, the first one's first, with all changes, without layout.
   std::vector<std::string> scene_texts;
-  /// On finer models from the final design on, until it holds on the converged one
-  /// (`cycle.refine`).
-  bool refine = false;
+  /// On finer models from the final design on, until it holds on the converged one, where its
+  /// limits are verified (`cycle.refine`).
+  bool refine = true;
 };
 
 }  // namespace liesl

@@ -72,9 +72,10 @@ class ModelSequence {
     now_.out = optimize_task(now_.study, space_, summary_, options_.nucleate, hooks_, resume(0));
     if (!options_.verify || !can_be_verified()) return std::move(now_);
     limits_ = verify_limits(now_.out, now_.study, hooks_.progress);
-    if (now_.study.refine)
+    const bool refines = options_.refine && now_.study.spec.cycle.method != CycleMethod::Esl;
+    if (refines)
       for (int model = 1; go_on(model);) ++model;
-    warn_of_errors(limits_, feasibility_, now_.study.refine, now_.out.summary.warnings);
+    warn_of_errors(limits_, feasibility_, refines, now_.out.summary.warnings);
     return std::move(now_);
   }
 
@@ -112,7 +113,7 @@ class ModelSequence {
   bool go_on(int model) {
     if (interrupted()) return end(false, now_.out.summary.reason);
     if (!closed(now_.out.status)) return end(false, "the study ended " + now_.out.summary.status);
-    if (limits_.empty()) return end(false, "no limit was verified");
+    if (limits_.empty()) return false;  // as the warnings say
     const VerifiedLimit worst = nearest_limit(limits_);
     for (const VerifiedLimit& l : limits_)
       if (!l.known) return end(false, "the error of limit " + l.name + " is not known");

@@ -16,14 +16,15 @@ struct VerifiedOptimum {
 
 struct VerifiedOptions {
   bool verify = true;
+  bool refine = true;  ///< where the errors of the limits ask for it, but not by method "esl"
   int nucleate = 0;
-  ReadStudy read;  ///< for study.refine
+  ReadStudy read;  ///< of finer models
   /// Called before a study goes on with a finer model: why, and what is finer.
   std::function<void(const std::string& text)> on_refinement;
 };
 
 /// optimize_task, then the errors of the limits of its final design (verify_limits). Where
-/// study.refine asks for it and a limit is not certain, again from that design on a finer model
+/// a limit is not certain, again from that design on a finer model
 /// (finer_model) that has to meet the limits to half of cycle.feasibility, until all are certain:
 /// `refinement` of the summary says what was refined and why, and what ended it. The outcome is
 /// that of the last model; what is initial in it, that of the first; its history has the cycles of

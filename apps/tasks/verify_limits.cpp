@@ -206,9 +206,9 @@ void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility
                     std::vector<std::string>& warnings) {
   for (const VerifiedLimit& l : limits)
     if (l.error() > feasibility && !l.certain(feasibility))
-      warnings.push_back(l.text() +
-                         "; beams of order = 4, more elements or a smaller step make it certain" +
-                         (refines ? "" : ", cycle.refine = \"auto\" takes them"));
+      warnings.push_back(
+          l.text() + "; beams of order = 4, more elements or a smaller step make it certain" +
+          (refines ? "" : ", which cycle.refine = \"auto\" takes unless by \"esl\""));
 }
 
 }  // namespace liesl

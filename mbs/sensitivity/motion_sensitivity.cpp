@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 
 namespace liesl {
@@ -11,7 +12,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
-constexpr double kResting = 1e-4;  // accelerations of an equilibrium, lengths/s^2: its round-off
+constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
 
 /// r_p and Phi_p of all parameters.
 template <FrameGroup G>
@@ -89,6 +90,15 @@ State<G> in_inertial_axes(const Model<G>& model, const State<G>& s) {
   return out;
 }
 
+/// Do drives that stand still begin to accelerate? Nodes of an equilibrium do, by its round-off.
+template <FrameGroup G>
+bool drives_accelerate(const Model<G>& model, const State<G>& at_rest, double duration) {
+  VectorXd rate(model.constraints());
+  Equations<G>(model).acceleration_target(at_rest, at_rest.t, rate);
+  return rate.lpNorm<Eigen::Infinity>() * duration * duration >
+         kResting * std::min(1.0, model.length);
+}
+
 /// The start must not depend on the parameters, or be an equilibrium at rest.
 template <FrameGroup G>
 void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives<G>& derivatives) {
@@ -101,8 +111,8 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
         "rest, its motion and the rate of its motion 0 at the start");
   const bool in_equilibrium = tape.options.start == StartChoice::Equilibrium;
   const State<G>& first = tape.checkpoints.at(0).s;
-  if (in_equilibrium && (first.v.norm() > 0 ||
-                         first.vdot.template lpNorm<Eigen::Infinity>() > kResting * model.length))
+  if (in_equilibrium &&
+      (first.v.norm() > 0 || drives_accelerate(model, first, tape.options.duration)))
     throw std::invalid_argument(
         "sensitivities of a start in equilibrium need one at rest: no velocities, and drives that "
         "begin without velocity and acceleration");

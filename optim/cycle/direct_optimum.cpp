@@ -36,8 +36,8 @@ class DirectProblem final : public StudyProgram {
   }
   void look_at(const VectorXd& x) override {
     Cycle& cycle = record_.add(analysis(), x);
+    record_.keep_if_better(analysis(), x);  // before gradients, in which it may be stopped
     differentiate(x);
-    record_.keep_if_better(analysis(), x);
     cycle.taken = good();
     cycle.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();

@@ -160,9 +160,11 @@ class Study:
     def optimize(self, method: str | None = None, nucleate: int = 0,
                  on_cycle: Callable[[dict[str, Any]], None] | None = None,
                  objective: OwnFunction | None = None,
-                 limits: Mapping[str, OwnFunction] | None = None) -> Optimum:
-        """Sizes, as `liesl optimize --no-verify` does; with `cycle.refine = "auto"` the limits are
-        verified, too.
+                 limits: Mapping[str, OwnFunction] | None = None,
+                 verify: bool = False) -> Optimum:
+        """Sizes, as `liesl optimize --no-verify` does; with `verify` as `liesl optimize`: the final
+        limits have errors, and `cycle.refine` says whether finer models follow, which `design` is then
+        of, not the model of this study.
 
         `method`: the key `cycle.method`; `nucleate`: new holes at most; `on_cycle` is called after
         each cycle with the summary so far. Ctrl-C stops. How it ended is `status`.
@@ -174,15 +176,16 @@ class Study:
         as `nlp` does.
         """
         if objective is not None or limits:
-            if method not in (None, "direct") or nucleate:
-                asked = f"nucleate={nucleate}" if nucleate else f"method={method!r}"
+            if method not in (None, "direct") or nucleate or verify:
+                asked = (f"nucleate={nucleate}" if nucleate else "verify=True" if verify
+                         else f"method={method!r}")
                 raise InputError([Problem(f"{asked} with functions of one's own",
-                                          "method=None or 'direct', no new holes",
+                                          "method=None or 'direct', no new holes, verify=False",
                                           "static problems do not know these functions")])
             return optimize_own(self, objective, dict(limits or {}), on_cycle)
         study = self if method is None else self.change({"cycle.method": method})
         call = None if on_cycle is None else (lambda text: on_cycle(json.loads(text)))
-        return Optimum(study._study.optimize(nucleate, call))
+        return Optimum(study._study.optimize(nucleate, verify, call))
 
     def nlp(self, windows: int = 1, objective: OwnFunction | None = None,
             limits: Mapping[str, OwnFunction] | None = None) -> Nlp:

@@ -114,15 +114,21 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
     });
   }
 
-  /// @param on_cycle called with the summary so far, or None
-  std::shared_ptr<Outcome> optimize(int nucleate, const py::object& on_cycle) const {
-    return run_job([self = shared_from_this(), nucleate, call = hold(on_cycle)](const Stop& stop) {
-      return self->optimized(nucleate, hooks(stop, *call));
+  /// @param verify as `liesl optimize` does  @param on_cycle called with the summary so far, or
+  /// None
+  std::shared_ptr<Outcome> optimize(int nucleate, bool verify, const py::object& on_cycle) const {
+    VerifiedOptions how;
+    how.verify = verify;
+    how.refine = study_->refine && nucleate == 0;
+    how.nucleate = nucleate;
+    how.read = read_;
+    return run_job([self = shared_from_this(), how, call = hold(on_cycle)](const Stop& stop) {
+      return self->optimized(how, hooks(stop, *call));
     });
   }
 
  private:
-  std::shared_ptr<Outcome> optimized(int nucleate, const OptimizeHooks& hooks) const {
+  std::shared_ptr<Outcome> optimized(const VerifiedOptions& how, const OptimizeHooks& hooks) const {
     const Stopwatch clock;
     const ChosenSpace space = choose_space(study_->scene);
     output::OptimizeSummary summary;
@@ -131,10 +137,6 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
     describe(summary, study_->scene, space);
     summary.name = study_->spec.name;
     summary.input_sha256 = output::sha256(study_->input);
-    VerifiedOptions how;
-    how.verify = study_->refine;
-    how.nucleate = nucleate;
-    how.read = read_;
     VerifiedOptimum end = optimize_verified(*study_, space, summary, hooks, how);
     end.out.summary.more["input"] = study_->file;
     end.out.summary.wall_s = clock.seconds();

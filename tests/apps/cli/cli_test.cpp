@@ -249,7 +249,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   expected = common;
   for (const auto& key : documented("### `optimize`").always) expected.insert(key);
   expected.insert("input");
-  for (const char* key : {"verification", "worst_constraint_error"}) {
+  for (const char* key : {"verification", "worst_constraint_error", "refinement"}) {
     EXPECT_TRUE(documented("### `optimize`").sometimes.count(key)) << key;
     expected.insert(key);
   }

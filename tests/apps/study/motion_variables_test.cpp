@@ -175,6 +175,22 @@ TEST(MotionVariables, GradientsAreThoseOfDifferencesWithSlopeTwo) {
     }
 }
 
+/// The lighter the elements, the more the round-off of the equilibrium accelerates their nodes.
+TEST(MotionVariables, AFineMeshStartsAtRest) {
+  Study study = shipped_study("robot_codesign",
+                              {"bodies.arm1.beam.elements=48", "bodies.arm2.beam.elements=48"});
+  study.spec.cycle.method = CycleMethod::Full;
+  const auto space = space_of<SE2>(study.scene.mechanism);
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
+                                       study.spec);
+  const VectorXd x = simulator.design().start();
+  const auto run = simulator.run(x);
+  ASSERT_TRUE(run.good());
+  const MotionGradients motion(simulator.design(), run, x,
+                               {{0, study.spec.constraints.front().response}});
+  EXPECT_EQ(motion.reason(), "");
+}
+
 TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
   const auto refused = [](const Changes& changes, const std::string& why, std::size_t places = 1) {
     try {
