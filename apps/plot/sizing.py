@@ -38,6 +38,7 @@ def draw_history(_folder, pictures, summary):
         worst.set_yscale("symlog", linthresh=1)
         worst.yaxis.set_major_formatter(lambda v, _: f"{v:g}".replace("-", "−"))
     worst.set_ylabel("worst constraint\nabove its limit [%]")
+    mark_models(panels, summary)
     legend(worst)
 
     if loads_change:
@@ -49,6 +50,13 @@ def draw_history(_folder, pictures, summary):
     status = summary.get("status", "")
     pictures.save(figure, "cycle_history", f"cycle history ({status})" if status else
                   "cycle history")
+
+
+def mark_models(panels, summary):
+    """Where the study went on with a finer model."""
+    for model, step in enumerate((summary.get("refinement") or {}).get("steps", [])):
+        for ax in panels:
+            ax.axvline(step["cycles"] + 0.5, color=GREY, linestyle=":", label=None if model else "finer model")
 
 
 def draw_load_change(ax, cycles, changes):

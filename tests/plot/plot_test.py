@@ -93,7 +93,7 @@ def write_optimize(folder):
     constraints = {"bending": dict(limit=1e-3, unit="m"), "stress": dict(limit=1.2e8, unit="Pa")}
     (folder / "summary.json").write_text(json.dumps(
         {"name": "slider-crank rod", "status": "converged", "history": history,
-         "constraints": constraints}))
+         "constraints": constraints, "refinement": {"holds": True, "steps": [{"cycles": 3}]}}))
 
 
 def write_spatial(folder):
