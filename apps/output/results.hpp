@@ -84,6 +84,9 @@ struct Energies {
 /// Largest |value|, the norm for vectors, and where on the abscissa that is.
 struct Peak {
   double size = 0, at = 0;
+  /// Of a motion: by how much the largest value between the steps is larger, as the parabola
+  /// through the steps beside it says; 0 at the first and the last one.
+  double missed = 0;
 };
 
 /// A named quantity over the records.

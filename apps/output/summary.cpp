@@ -28,6 +28,7 @@ Json responses_json(const std::vector<ResponseFigure>& responses) {
     if (!r.axes.empty()) json[r.name]["axes"] = r.axes;
     if (r.error_mesh) json[r.name]["error"]["mesh"] = *r.error_mesh;
     if (r.error_step) json[r.name]["error"]["step"] = *r.error_step;
+    if (r.error_total) json[r.name]["error"]["total"] = *r.error_total;
   }
   return json;
 }
@@ -120,6 +121,7 @@ ResponseFigure response_figure(const ResponseResult& response, const std::vector
     figure.max_abs = response.peak->size;
     figure.at_time = response.peak->at;
   }
+  if (response.peak) figure.missed = response.peak->missed;
   figure.axes = response.axes;
   if (n > 0) {
     const double* last = response.values.data() + (n - 1) * C;

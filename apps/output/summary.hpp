@@ -23,6 +23,8 @@ struct ResponseFigure {
   std::vector<double> final;  ///< value of the last record, one number a component
   std::string axes = {};      ///< letters of the components, see ResponseResult
   std::optional<double> error_mesh = {}, error_step = {};  ///< of max_abs, if it was verified
+  std::optional<double> error_total = {};                  ///< of both, with their signs
+  double missed = 0;                                       ///< Peak::missed
 };
 
 /// Of a recorded series; zeros if it is empty.

@@ -137,6 +137,13 @@ std::vector<output::ResponseResult> empty_responses(const std::vector<ResponseSp
   return out;
 }
 
+/// Of the parabola through three values at equal distances whose middle one is the largest: how far
+/// its vertex is above that.
+double above_the_middle(double before, double middle, double after) {
+  const double bend = before - 2 * middle + after;
+  return bend < 0 ? -std::pow(after - before, 2) / (8 * bend) : 0;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -146,7 +153,8 @@ StepRecorder<G>::StepRecorder(const Scene& scene, const Mechanism& mechanism, co
       dynamic_(scene.simulation.type == SimulationType::Dynamic),
       values_(mechanism, model),
       equations_(model),
-      responses_(empty_responses(scene.responses, mechanism, values_)) {}
+      responses_(empty_responses(scene.responses, mechanism, values_)),
+      neighbours_(responses_.size()) {}
 
 template <FrameGroup G>
 void StepRecorder<G>::operator()(const State<G>& s, bool recorded) {
@@ -161,8 +169,21 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
     const Eigen::VectorXd y = values_(specs_[i], s);
     output::ResponseResult& out = responses_[i];
     if (recorded) append(out.values, y);
-    if (!out.peak || y.norm() > out.peak->size) out.peak = output::Peak{y.norm(), s.t};
+    add_to_peak(out, neighbours_[i], y.norm(), s.t);
   }
+}
+
+template <FrameGroup G>
+void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Neighbours& beside, double size,
+                                  double t) const {
+  if (beside.next) out.peak->missed = above_the_middle(beside.before_peak, out.peak->size, size);
+  beside.next = false;
+  if (!out.peak || size > out.peak->size) {
+    beside.next = dynamic_ && states_ > 0;
+    beside.before_peak = beside.last;
+    out.peak = output::Peak{size, t};
+  }
+  beside.last = size;
 }
 
 /// Of the weight as its factor changes.

@@ -23,7 +23,13 @@ class StepRecorder {
   const output::Energies& energies() const { return energies_; }
 
  private:
+  /// Sizes of a response beside its peak.
+  struct Neighbours {
+    double last = 0, before_peak = 0;
+    bool next = false;  ///< the step before is the peak so far
+  };
   void add_responses(const State<G>& s, bool recorded);
+  void add_to_peak(output::ResponseResult& out, Neighbours& beside, double size, double t) const;
   void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);
 
@@ -36,6 +42,7 @@ class StepRecorder {
   double start_ = 0, work_ = 0, t_before_ = 0, power_before_ = 0;
   double scale_before_ = 1, weight_before_ = 0;
   std::vector<output::ResponseResult> responses_;
+  std::vector<Neighbours> neighbours_;  ///< by response
   output::Energies energies_;
 };
 

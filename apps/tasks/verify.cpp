@@ -85,8 +85,13 @@ class Verification {
     auto& json = summary_.more["verification"];
     json["runs"] = runs_ + 1;
     for (auto& r : summary_.responses) {
-      r.error_mesh = estimate(r.name, "mesh", mesh, coarse_mesh, mesh_order_, json);
-      r.error_step = estimate(r.name, "step", step, coarse_step, kStepOrder, json);
+      const auto mesh_error = estimate(r.name, "mesh", mesh, coarse_mesh, mesh_order_, json);
+      auto step_error = estimate(r.name, "step", step, coarse_step, kStepOrder, json);
+      if (step_error && r.missed > step_error->error) {
+        step_error->error = r.missed;
+        step_error->below = true;
+      }
+      set_errors(r, mesh_error, step_error);
     }
     if (adaptive_)
       summary_.warnings.push_back(
@@ -209,8 +214,19 @@ class Verification {
     return largest;
   }
 
-  std::optional<double> estimate(const std::string& name, const char* of, const Peaks& finer,
-                                 const Peaks& coarser, double order, nlohmann::ordered_json& json) {
+  static void set_errors(output::ResponseFigure& r, const std::optional<ErrorEstimate>& by_mesh,
+                         const std::optional<ErrorEstimate>& by_step) {
+    double total = 0;
+    for (const auto* e : {&by_mesh, &by_step})
+      if (*e) total += (*e)->below ? -(*e)->error : (*e)->error;
+    if (by_mesh) r.error_mesh = by_mesh->error;
+    if (by_step) r.error_step = by_step->error;
+    if (by_mesh || by_step) r.error_total = std::abs(total);
+  }
+
+  std::optional<ErrorEstimate> estimate(const std::string& name, const char* of, const Peaks& finer,
+                                        const Peaks& coarser, double order,
+                                        nlohmann::ordered_json& json) {
     if (!finer.contains(name)) return {};
     Refinement r{peaks_.at(name), finer.at(name)};
     if (coarser.contains(name)) r.coarser = coarser.at(name);
@@ -225,7 +241,7 @@ class Verification {
                       *e.observed < kLeastOrder ? ": it does not converge yet, and the error is "
                                                   "the largest difference seen"
                                                 : ""));
-    return e.error;
+    return e;
   }
 
   const VerifiedScene& source_;
@@ -244,7 +260,7 @@ class Verification {
 ErrorEstimate estimate_error(const Refinement& r, double order, double resolution) {
   const double fine = std::abs(r.finer - r.given);
   const auto by_order = [fine](double p) { return fine / (1 - std::exp2(-p)); };
-  ErrorEstimate e{by_order(order)};
+  ErrorEstimate e{by_order(order), r.given < r.finer};
   if (!r.coarser || fine <= resolution) return e;
   const double coarse = std::abs(*r.coarser - r.given);
   if (coarse <= resolution) return e;

@@ -7,6 +7,10 @@
 ///
 ///   error of R by the mesh = |R - R_m| / (1 - 2^-p), by the step = |R - R_s| / (1 - 2^-2).
 ///
+/// A peak between two steps adds what it is higher than both (output::Peak::missed) to the error by
+/// the step, if that is more. Both together have the signs of R - R_m and R - R_s (missed:
+/// negative).
+///
 /// A fourth run, twice as coarse in whichever of the two costs more, shows the order; where it is
 /// lower, it counts.
 
@@ -31,6 +35,7 @@ struct Refinement {
 /// What a refinement says of the error of the given figure.
 struct ErrorEstimate {
   double error = 0;                     ///< >= 0
+  bool below = false;                   ///< the given figure is below the finer one
   std::optional<double> observed = {};  ///< order, where three figures show one
   bool as_expected = true;              ///< within a half of the order, or nothing to see
 };
@@ -49,9 +54,9 @@ struct VerifiedScene {
 /// @throws InputError for natural frequencies and scenes that trace a path by arc length
 void check_verifiable(const SimulationOptions& options);
 
-/// Adds `error_mesh`, `error_step` to the responses of a summary, the key `verification`, and
-/// warnings where orders are not as expected or a part cannot be refined. Simulates the scene at
-/// most three times more.
+/// Adds `error_mesh`, `error_step`, `error_total` to the responses of a summary, the key
+/// `verification`, and warnings where orders are not as expected or a part cannot be refined.
+/// Simulates the scene at most three times more.
 /// @param scene as read, with these responses  @param summary of its run, with its space
 /// @throws InputError as check_verifiable
 void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,

@@ -78,10 +78,7 @@ std::map<std::string, double> converged_peaks(const std::string& file, const Sce
 
 /// What is estimated wrongly, and why.
 const std::map<std::string, std::string> kWrong = {
-    {"slider_crank slider_x", "0.45 m at a dead point; 6e-7 m, estimated as 1e-8 m"},
-    {"four_bar bend", "5.9 times too large"},
-    {"two_link_robot arm1_tip", "3.6 times too large"},
-    {"two_link_robot_path elbow_torque", "6.9 times too large"}};
+    {"four_bar bend", "5.9 times too large: neither mesh nor the reference is near its order yet"}};
 
 /// Shipped scenes without meshed parts. Of crane_boom the mesh has no estimate, since nodes are
 /// named by number; peaks of bend45 and roll_up are at the start.
@@ -105,7 +102,7 @@ TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
     const auto converged = converged_peaks(file, load_scene(file));
     for (const auto& r : given.responses) {
       const double error = std::abs(r.max_abs - converged.at(r.name)),
-                   estimate = r.error_mesh.value_or(0) + r.error_step.value_or(0);
+                   estimate = r.error_total.value_or(0);
       if (std::max(error, estimate) < kIteration * r.max_abs) continue;
       ++all;
       const std::string response = fmt::format("{} {}", name, r.name);
@@ -117,6 +114,7 @@ TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
     }
   }
   EXPECT_EQ(wrong, expected) << "of " << all;
+  EXPECT_LE(wrong.size(), 0.05 * all) << "of " << all;
   EXPECT_LE(too_small, 0.05 * all) << "of " << all;
 }
 
