@@ -81,8 +81,7 @@ int export_matrices(const CommandOptions& options) {
   const BodySpec& body =
       scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
   output::AtomicFolder folder(target_folder(options), options.force);
-  for (const auto& [name, text] : matrix_files(body.name, std::get<SolidSpec>(body.kind)))
-    output::write_file(folder.path() / name, text);
+  write_part_matrices(folder.path(), body.name, std::get<SolidSpec>(body.kind));
   folder.commit();
   if (!options.quiet) fmt::print("{}\n", (target_folder(options) / (body.name + ".toml")).string());
   return 0;

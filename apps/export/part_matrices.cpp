@@ -5,7 +5,9 @@
 
 #include <stdexcept>
 
+#include "apps/mesh/matrix_file.hpp"
 #include "apps/mesh/matrix_market.hpp"
+#include "apps/output/file.hpp"
 #include "liegroup/so3.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
@@ -38,20 +40,27 @@ std::string scene_part(const std::string& name, const SolidSpec& solid) {
 
 }  // namespace
 
-std::map<std::string, std::string> matrix_files(const std::string& name, const SolidSpec& solid) {
-  const SolidModel& part = *solid.model;
-  const SolidMesh& mesh = part.mesh();
-  if (part.nodal_mass())
+void write_part_matrices(const std::filesystem::path& folder, const std::string& name,
+                         const SolidSpec& solid) {
+  const SolidModel& model = *solid.model;
+  const SolidMesh& mesh = model.mesh();
+  if (model.nodal_mass())
     throw std::invalid_argument("'" + name + "' is given by matrices; expected a part with a mesh");
-  const SolidModel free(mesh, part.material(), {}, {part.thickness(), part.law()});
+  const SolidModel free(mesh, model.material(), {}, {model.thickness(), model.law()});
   const Eigen::VectorXd v = solid_fractions(solid).value;
+  PartMatrices part = {{mesh.dim, mesh.nodes, {}, {}}, {free.stiffness(v), free.mass(v)}};
   const std::string freedoms = fmt::format("'{}': freedoms {} of node 1, of node 2, ...", name,
                                            mesh.dim == 2 ? "x, y" : "x, y, z");
-  return {{name + "_stiffness.mtx", symmetric_text(free.stiffness(v), "N/m, " + freedoms)},
-          {name + "_mass.mtx", symmetric_text(free.mass(v), "kg, " + freedoms)},
-          {name + "_nodes.mtx",
-           dense_text(mesh.nodes.topRows(mesh.dim).transpose(), "m, a row a node, '" + name + "'")},
-          {name + ".toml", scene_part(name, solid)}};
+  output::write_file(folder / (name + "_stiffness.mtx"),
+                     symmetric_text(part.matrices.K, "N/m, " + freedoms));
+  output::write_file(folder / (name + "_mass.mtx"),
+                     symmetric_text(part.matrices.M, "kg, " + freedoms));
+  output::write_file(
+      folder / (name + "_nodes.mtx"),
+      dense_text(mesh.nodes.topRows(mesh.dim).transpose(), "m, a row a node, '" + name + "'"));
+  output::write_file(folder / (name + ".toml"), scene_part(name, solid));
+  for (const Interface& f : solid.interfaces()) part.nodes.sets[f.name] = f.nodes;
+  write_matrix_file(folder / (name + ".h5"), part);
 }
 
 }  // namespace liesl

@@ -2,16 +2,18 @@
 /// @file
 /// A meshed part as matrices between its nodes, for other programs and for `solid.matrices`.
 
-#include <map>
+#include <filesystem>
 #include <string>
 
 #include "mbs/solids/solid_spec.hpp"
 
 namespace liesl {
 
-/// Names and texts of the files: NAME_stiffness.mtx, NAME_mass.mtx, NAME_nodes.mtx (MatrixMarket)
-/// and NAME.toml, the part of a scene that reads them.
-/// @throws std::invalid_argument for a part that is given by matrices itself
-std::map<std::string, std::string> matrix_files(const std::string& name, const SolidSpec& solid);
+/// Writes into a folder NAME_stiffness.mtx, NAME_mass.mtx and NAME_nodes.mtx (MatrixMarket), the
+/// same as NAME.h5 with the nodes of the interfaces as sets, and NAME.toml, the part of a scene
+/// that reads the former.
+/// @throws std::invalid_argument for a part that is given by matrices itself, output::IoError
+void write_part_matrices(const std::filesystem::path& folder, const std::string& name,
+                         const SolidSpec& solid);
 
 }  // namespace liesl

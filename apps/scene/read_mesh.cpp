@@ -22,6 +22,13 @@ void read_file(PartReader& part, const toml::node& node) {
     const std::string end = fs::path(file.path).extension();
     const auto read = end == ".inp" || end == ".INP" ? read_abaqus : read_gmsh;
     part.mesh = read(file.path, file.text);
+    const CellKind& kind = part.mesh.kind();
+    if (kind.family == CellFamily::Simplex && kind.order == 1)
+      part.reader.scene.warnings.push_back(
+          fmt::format("part '{}': cells of constant strain ({}) bend too stiffly; use those with "
+                      "nodes at their "
+                      "edges",
+                      part.name, kind.name));
   } catch (const InputError& error) {
     add_problems(part, error, node);
   }

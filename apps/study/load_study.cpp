@@ -142,8 +142,9 @@ toml::table with_whole_paths(const Document& scene) {
   if (toml::table* bodies = copy["bodies"].as_table())
     for (auto&& [name, body] : *bodies) {
       auto solid = toml::node_view<toml::node>(body)["solid"];
-      for (auto file : {solid["mesh"]["file"], solid["matrices"]["stiffness"],
-                        solid["matrices"]["mass"], solid["matrices"]["nodes"]}) {
+      for (auto file :
+           {solid["mesh"]["file"], solid["matrices"]["stiffness"], solid["matrices"]["mass"],
+            solid["matrices"]["nodes"], solid["matrices"]["file"]}) {
         const auto path = file.value<std::string>();
         if (path && file.is_string())
           *file.as_string() =

@@ -72,7 +72,7 @@ class Scene:
             return self
         meshes = {}
         for name, body in self.to_dict().get("bodies", {}).items():
-            for table, key in (("mesh", "file"), ("matrices", "stiffness"), ("matrices", "mass"), ("matrices", "nodes")):
+            for table, key in (("mesh", "file"), *(("matrices", k) for k in ("stiffness", "mass", "nodes", "file"))):
                 file = body.get("solid", {}).get(table, {}).get(key)
                 if file is not None and not os.path.isabs(file):
                     meshes[f"bodies.{name}.solid.{table}.{key}"] = str((folder / file).resolve())

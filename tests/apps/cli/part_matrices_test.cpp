@@ -37,6 +37,10 @@ hole = { type = "circle", x = 0.1, y = 0.01, radius = 0.006 }
 part = { type = "difference", of = ["bar", "hole"] }
 )";
 
+/// As NAME.toml names them.
+const std::string kThree =
+    R"(stiffness = "bar_stiffness.mtx", mass = "bar_mass.mtx", nodes = "bar_nodes.mtx")";
+
 class PartMatrices : public Program {
  protected:
   void SetUp() override {
@@ -56,6 +60,25 @@ class PartMatrices : public Program {
                                                 << part << kMotion;
     return dir_ / "matrices/scene.toml";
   }
+  /// The motions in "results" and "given".
+  void expect_alike() const {
+    // Positions as they are; rates and the small displacement to what a step's residual leaves.
+    for (const auto& [name, within] : {std::pair{"/bodies/bar/position", 1e-12},
+                                       {"/bodies/bar/velocity", 1e-10},
+                                       {"/responses/tip", 1e-10}}) {
+      const DataSet mesh = read_set(results() / "results.h5", name),
+                    given = read_set(dir_ / "given/results.h5", name);
+      ASSERT_EQ(mesh.shape, given.shape) << name;
+      ASSERT_FALSE(mesh.values.empty()) << name;
+      double largest = 0, difference = 0;
+      for (std::size_t i = 0; i < mesh.values.size(); ++i) {
+        largest = std::max(largest, std::abs(mesh.values[i]));
+        difference = std::max(difference, std::abs(mesh.values[i] - given.values[i]));
+      }
+      EXPECT_GT(largest, 0) << name;
+      EXPECT_LT(difference, within * largest) << name;
+    }
+  }
   /// What is said of a file in which one line was changed.
   std::string said_of(const char* file, const std::string& start, const std::string& line) const {
     const fs::path path = dir_ / "matrices" / file;
@@ -71,23 +94,11 @@ class PartMatrices : public Program {
 
 TEST_F(PartMatrices, AMeshThatIsWrittenAndReadBackMovesAlike) {
   ASSERT_EQ(run({"run", dir_ / "mesh.toml", "-o", results(), "--quiet", "--no-report"}).code, 0);
-  const Outcome o = run({"run", back(), "-o", dir_ / "given", "--quiet", "--no-report"});
-  ASSERT_EQ(o.code, 0) << o.err;
-  // Positions as they are; rates and the small displacement to what a step's residual leaves.
-  for (const auto& [name, within] : {std::pair{"/bodies/bar/position", 1e-12},
-                                     {"/bodies/bar/velocity", 1e-10},
-                                     {"/responses/tip", 1e-10}}) {
-    const DataSet mesh = read_set(results() / "results.h5", name),
-                  given = read_set(dir_ / "given/results.h5", name);
-    ASSERT_EQ(mesh.shape, given.shape) << name;
-    ASSERT_FALSE(mesh.values.empty()) << name;
-    double largest = 0, difference = 0;
-    for (std::size_t i = 0; i < mesh.values.size(); ++i) {
-      largest = std::max(largest, std::abs(mesh.values[i]));
-      difference = std::max(difference, std::abs(mesh.values[i] - given.values[i]));
-    }
-    EXPECT_GT(largest, 0) << name;
-    EXPECT_LT(difference, within * largest) << name;
+  for (const std::string& files : {kThree, std::string("file = \"bar.h5\"")}) {
+    const Outcome o = run(
+        {"run", back(kThree, files), "-o", dir_ / "given", "--quiet", "--no-report", "--force"});
+    ASSERT_EQ(o.code, 0) << o.err;
+    expect_alike();
   }
 }
 
@@ -114,6 +125,12 @@ TEST_F(PartMatrices, FaultsOfTheFilesAreNamedAtTheirPlaces) {
     has(o.out + o.err, words);
   };
   refused(back("bar_mass.mtx", "none.mtx"), "none.mtx");
+  refused(back("stiffness = \"bar_stiffness.mtx\", ", ""), "has matrices without 'stiffness'");
+  refused(back("stiffness =", "file = \"bar.h5\", stiffness ="),
+          "has matrices in a 'file', and 'stiffness'");
+  refused(back(kThree, "file = \"bar_mass.mtx\""), "it is no HDF5 file");
+  ASSERT_EQ(run({"run", dir_ / "mesh.toml", "-o", dir_ / "matrices/r", "--quiet"}).code, 0);
+  refused(back(kThree, "file = \"r/results.h5\""), "it has no data set 'nodes'");
   refused(back("modes", "thickness = 0.1\nmodes"), "has 'thickness' beside the matrices");
   refused(back("nodes = [", "nodes = [156, "), "has no node 156");
   refused(back("nodes = [", "nodes = [1.5, "), "has no node 1.5");

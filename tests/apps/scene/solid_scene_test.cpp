@@ -169,6 +169,8 @@ step = 1e-3
   const std::string file = (folder / "scene.toml").string();
   const Scene scene = read_scene(text, file);
   EXPECT_EQ(rod_of(scene).mesh().kind().abaqus, "C3D4");
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("4-node tetrahedron) bend too stiffly"), std::string::npos);
   EXPECT_NEAR(rod_of(scene).model->total_mass(Eigen::VectorXd::Ones(3)), 7850, 1e-9);
   const auto refused = [&](const std::string& from, const std::string& to, const char* words) {
     try {
