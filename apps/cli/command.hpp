@@ -30,7 +30,7 @@ struct CommandOptions {
   std::string x, y;                ///< plot: columns of a batch
   std::string response;            ///< lean: name of a response of the scene
   std::string tolerance;           ///< lean: "1%" or "0.01"
-  std::string to;                  ///< export: "xdmf", "calculix", "nastran"
+  std::string to;                  ///< export: "xdmf", "calculix", "nastran", "matrices"
   std::string part, cases;         ///< export: body of a scene; "peaks" or "all"
   std::string like;                ///< new: name of a shipped scene or study
   std::vector<std::string> by;     ///< sensitivity: keys of the scene

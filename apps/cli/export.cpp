@@ -9,6 +9,7 @@
 
 #ifdef LIESL_OPTIM
 #include "apps/cli/terminal.hpp"
+#include "apps/export/part_matrices.hpp"
 #include "apps/export/solid_deck.hpp"
 #include "apps/scene/load_scene.hpp"
 #endif
@@ -61,8 +62,34 @@ std::size_t write_deck(const fs::path& folder, const Deck& deck, const CommandOp
   }
 }
 
+/// Where the files of a part go.
+fs::path target_folder(const CommandOptions& options) {
+  return options.out.empty() ? fmt::format("{}_{}_{}", fs::path(options.file).stem().string(),
+                                           options.part, options.to)
+                             : options.out;
+}
+
+/// Stiffness, mass and nodes of a meshed part; its motion does not matter.
+int export_matrices(const CommandOptions& options) {
+  const Scene scene = load_scene(options.file, options.set);
+  std::vector<std::string> parts;
+  for (const BodySpec& body : scene.mechanism.bodies)
+    if (std::holds_alternative<SolidSpec>(body.kind)) parts.push_back(body.name);
+  if (std::find(parts.begin(), parts.end(), options.part) == parts.end())
+    refuse(options, "--part: there is no meshed part '" + options.part + "'",
+           "the name of a meshed part; " + suggestion(options.part, parts));
+  const BodySpec& body =
+      scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
+  output::AtomicFolder folder(target_folder(options), options.force);
+  write_part_matrices(folder.path(), body.name, std::get<SolidSpec>(body.kind));
+  folder.commit();
+  if (!options.quiet) fmt::print("{}\n", (target_folder(options) / (body.name + ".toml")).string());
+  return 0;
+}
+
 /// A folder with the part, its loads, what they shall give back and what all that means.
 int export_deck(const CommandOptions& options) {
+  if (options.to == "matrices") return export_matrices(options);
   if (fs::is_directory(options.file))
     refuse(options, "is a folder; a deck is made of a scene", "the file of a scene");
   const Scene scene = load_scene(options.file, options.set);
@@ -72,10 +99,7 @@ int export_deck(const CommandOptions& options) {
            options.part.empty() ? "--part is missing"
                                 : "--part: there is no beam or meshed part '" + options.part + "'",
            "the name of a beam or meshed part; " + suggestion(options.part, parts));
-  const fs::path target = options.out.empty()
-                              ? fmt::format("{}_{}_{}", fs::path(options.file).stem().string(),
-                                            options.part, options.to)
-                              : options.out;
+  const fs::path target = target_folder(options);
   output::AtomicFolder folder(target, options.force);
   const EslOutcome esl = loads_of_motion(scene, options);
   const DeckCases cases = options.cases == "all" ? DeckCases::All : DeckCases::Peaks;
@@ -107,9 +131,10 @@ int export_command(const CommandOptions& options) {
   if (options.to != "xdmf") return export_deck(options);
   if (!options.part.empty() || !options.out.empty() || !options.set.empty() || options.force ||
       options.cases != "peaks")
-    throw InputError({{options.file, 0, 0,
-                       "--part, --cases, --set, --force and -o are for --to calculix or nastran",
-                       "a results folder alone", "--to calculix"}});
+    throw InputError(
+        {{options.file, 0, 0,
+          "--part, --cases, --set, --force and -o are for --to calculix, nastran or matrices",
+          "a results folder alone", "--to calculix"}});
   output::export_xdmf(options.file);
   if (!options.quiet)
     fmt::print("{}\n", (std::filesystem::path(options.file) / "results.xdmf").string());

@@ -87,11 +87,13 @@ void add_batch_options(CLI::App& command, liesl::CommandOptions& o) {
 
 void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
   command
-      .add_option("--to", o.to,
-                  "xdmf: deformed meshes of a results folder for ParaView; calculix, nastran: a "
-                  "part of a scene with the static loads of its motion")
+      .add_option(
+          "--to", o.to,
+          "xdmf: deformed meshes of a results folder for ParaView; calculix, nastran: a "
+          "part of a scene with the static loads of its motion; matrices: stiffness, mass and "
+          "nodes of a meshed part")
       ->default_val("xdmf")
-      ->check(CLI::IsMember({"xdmf", "calculix", "nastran"}));
+      ->check(CLI::IsMember({"xdmf", "calculix", "nastran", "matrices"}));
   command.add_option("--part", o.part, "Beam or meshed part of the scene");
   command.add_option("--cases", o.cases, "Instants: where the bending is largest, or every record")
       ->default_val("peaks")

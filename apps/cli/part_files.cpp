@@ -57,11 +57,11 @@ void write_cells(const std::filesystem::path& path, const SolidMesh& mesh, const
                  const Eigen::VectorXd& stress) {
   const bool gain = fields.hole_gain.size() > 0;
   std::string text;
-  for (int c = 0; c < mesh.corners(); ++c) text += fmt::format("x{} [m],y{} [m],", c, c);
+  for (int c = 0; c < mesh.nodes_per_cell(); ++c) text += fmt::format("x{} [m],y{} [m],", c, c);
   text += "fraction,stress [Pa]";
   text += gain ? fmt::format(",hole_gain [{}]\n", fields.gain_unit) : "\n";
   for (int e = 0; e < mesh.cell_count(); ++e) {
-    for (int c = 0; c < mesh.corners(); ++c) {
+    for (int c = 0; c < mesh.nodes_per_cell(); ++c) {
       const auto x = mesh.nodes.col(mesh.cells(c, e));
       text += fmt::format("{:.9g},{:.9g},", x[0], x[1]);
     }

@@ -35,7 +35,7 @@ std::vector<int> filled_cells(const VectorXd& fractions) {
 std::vector<int> renumbered(const SolidMesh& mesh, const std::vector<int>& filled) {
   std::vector<int> number(static_cast<std::size_t>(mesh.node_count()), -1);
   for (const int e : filled)
-    for (int c = 0; c < mesh.corners(); ++c) number[std::size_t(mesh.cells(c, e))] = 0;
+    for (int c = 0; c < mesh.nodes_per_cell(); ++c) number[std::size_t(mesh.cells(c, e))] = 0;
   int next = 0;
   for (int& n : number)
     if (n == 0) n = next++;
@@ -54,7 +54,7 @@ void add_units(const SolidModel& model, const std::vector<int>& filled,
           u.col(k).segment(mesh.dim * static_cast<Eigen::Index>(i), mesh.dim);
   for (std::size_t n = 0; n < filled.size(); ++n) {
     const MatrixXd f = deck.stiffness[n] * (model.cell(filled[n]).K * model.at_cell(filled[n], u));
-    for (int c = 0; c < mesh.corners(); ++c)
+    for (int c = 0; c < mesh.nodes_per_cell(); ++c)
       for (Eigen::Index k = 0; k < u.cols(); ++k)
         deck.units[std::size_t(k)].force.col(deck.cells(c, Eigen::Index(n))).head(mesh.dim) +=
             f.col(k).segment(mesh.dim * c, mesh.dim);
@@ -68,9 +68,9 @@ void add_mesh(const SolidModel& model, const VectorXd& fractions, const std::vec
   deck.nodes.resize(3, count);
   for (std::size_t i = 0; i < number.size(); ++i)
     if (number[i] >= 0) deck.nodes.col(number[i]) = mesh.nodes.col(static_cast<Eigen::Index>(i));
-  deck.cells.resize(mesh.corners(), static_cast<Eigen::Index>(filled.size()));
+  deck.cells.resize(mesh.nodes_per_cell(), static_cast<Eigen::Index>(filled.size()));
   for (std::size_t n = 0; n < filled.size(); ++n) {
-    for (int c = 0; c < mesh.corners(); ++c)
+    for (int c = 0; c < mesh.nodes_per_cell(); ++c)
       deck.cells(c, Eigen::Index(n)) = number[std::size_t(mesh.cells(c, filled[n]))];
     deck.stiffness.push_back(model.law().stiffness(fractions[filled[n]]));
   }
@@ -104,6 +104,8 @@ SolidDeck solid_deck(const Scene& scene, const EslOutcome& esl, const std::strin
   const auto& solid =
       std::get<SolidSpec>(scene.mechanism.bodies[std::size_t(scene.mechanism.body(part))].kind);
   const SolidModel& model = *solid.model;
+  if (model.nodal_mass())
+    throw std::invalid_argument("'" + part + "' is given by matrices; expected a part with a mesh");
   SolidDeck deck;
   deck.part = part;
   deck.scene = scene.mechanism.name;
@@ -161,9 +163,9 @@ std::string deck_factors(const SolidDeck& deck) {
 
 std::string deck_readme(const SolidDeck& deck, const std::string& program) {
   const bool calculix = program == "CalculiX", planar = deck.dim == 2;
-  const char* cells = !planar    ? (calculix ? "C3D8I" : "CHEXA")
-                      : calculix ? "one layer of C3D8I"
-                                 : "CQUAD4, membrane stiffness alone";
+  const std::string cells =
+      calculix ? (deck.layered() ? "one layer of " : "") + calculix_element(deck)
+               : nastran_element(deck) + (planar ? ", membrane stiffness alone" : "");
   const Vec3& x = deck.frame.x;
   std::string text = fmt::format(
       "# {0} of '{1}' for {2}\n\n"
@@ -185,7 +187,12 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "  {11} materials with their share of the stiffness.\n",
       deck.part, deck.scene, program, deck.times.size(), deck.units.size(), x[0], x[1], x[2], cells,
       deck.cells.cols(), deck.node_count(), stiffness_groups(deck).size());
-  if (planar && calculix)
+  if (planar && calculix && !deck.layered())
+    text +=
+        "- **Planar part**: its material has no Poisson effect across its plane, so that this is "
+        "one "
+        "of plane\n  stress for every thickness.\n";
+  if (planar && calculix && deck.layered())
     text += fmt::format(
         "- **Planar part**: one layer {:.6g} m thick, held across; its material has no Poisson "
         "effect across the\n"
@@ -201,7 +208,10 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "the loads of\n"
       "  the motion to {:.1e} of the largest displacement.\n\n"
       "| case | time [s] |\n|---|---|\n",
-      calculix ? "; C3D8I is liesl's cell, so that it does to 1e-6" : "", deck.identity.linear);
+      calculix
+          ? fmt::format("; {} is liesl's cell, so that it does to 1e-6", calculix_element(deck))
+          : "",
+      deck.identity.linear);
   for (std::size_t n = 0; n < deck.times.size(); ++n)
     text += fmt::format("| {} | {:.6g} |\n", n + 1, deck.times[n]);
   return text;

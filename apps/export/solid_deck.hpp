@@ -21,7 +21,7 @@ struct SolidDeck {
   double thickness = 0;                          ///< m, of a planar part
   SE3 frame;                                     ///< of the mesh, in the scene
   Eigen::Matrix3Xd nodes;                        ///< m
-  Eigen::MatrixXi cells;                         ///< corners x M, in the order of VTK
+  Eigen::MatrixXi cells;                         ///< nodes of each x M, in the order of VTK
   std::vector<double> stiffness;                 ///< M, share of the full one
   std::map<std::string, std::vector<int>> sets;  ///< interfaces, nodes from 0
   std::vector<int> held;                         ///< nodes of the first interface
@@ -31,6 +31,9 @@ struct SolidDeck {
   Identity identity;
 
   int node_count() const { return static_cast<int>(nodes.cols()); }
+  const CellKind& kind() const { return cell_kind(dim, static_cast<int>(cells.rows())); }
+  /// Planar quadrilaterals are one layer of hexahedra for CalculiX.
+  bool layered() const { return dim == 2 && cells.rows() == 4; }
 };
 
 /// DeckCases::Peaks: the records where the elastic energy has a maximum over time above half of its
@@ -45,13 +48,18 @@ struct StiffnessGroup {
 };
 std::vector<StiffnessGroup> stiffness_groups(const SolidDeck& deck);
 
-/// CalculiX: C3D8I, of which the cells of liesl are in space; a planar part is one layer of them
-/// whose material has no Poisson effect across it, so that its plane is that of plane stress. Each
-/// unit case a linear step. Node k is k + 1, on the far face N + k + 1.
+/// CalculiX: the elements of `CellKind::abaqus`, hexahedra of order 1 as C3D8I, whose stiffness is
+/// that of liesl; planar quadrilaterals of order 1 are one layer of C3D8I (CPS4 has no incompatible
+/// modes). The material of a planar part has no Poisson effect across it, so that its plane is that
+/// of plane stress. Each unit case a linear step. Node k is k + 1, on the far face of a layer
+/// N + k + 1.
 std::string calculix_text(const SolidDeck& deck);
-/// Nastran, in large fields: CHEXA, or CQUAD4 with membrane stiffness alone; a FORCE set each unit
-/// case, a LOAD and a subcase each case.
+/// Nastran, in large fields: CTETRA and CHEXA, or CTRIA3, CTRIA6, CQUAD4 and CQUAD8 with membrane
+/// stiffness alone; a FORCE set each unit case, a LOAD and a subcase each case.
 std::string nastran_text(const SolidDeck& deck);
+/// "C3D10", "CTETRA": what the programs call the cells.
+std::string calculix_element(const SolidDeck& deck);
+std::string nastran_element(const SolidDeck& deck);
 std::string deck_readme(const SolidDeck& deck, const std::string& program);
 /// `unit,node,x..z [m],displacement x..z`: what each unit case shall give back.
 std::string deck_displacements(const SolidDeck& deck);

@@ -12,9 +12,9 @@
 namespace liesl {
 namespace {
 
-/// A node of the deck in each of its layers: half of a planar part's load goes to each face.
+/// A node of the deck in each of its layers: half of its load goes to each face.
 struct Layers {
-  explicit Layers(const SolidDeck& d) : deck(d), count(d.dim == 2 ? 2 : 1) {}
+  explicit Layers(const SolidDeck& d) : deck(d), count(d.layered() ? 2 : 1) {}
   int node(int i, int layer) const { return layer * deck.node_count() + i + 1; }
   double z(int layer) const { return count == 1 ? 0 : (layer - 0.5) * deck.thickness; }
 
@@ -36,12 +36,14 @@ std::string solid_mesh_text(const SolidDeck& deck) {
     for (int i = 0; i < deck.node_count(); ++i)
       text += fmt::format("{}, {:.12e}, {:.12e}, {:.12e}\n", layers.node(i, layer),
                           deck.nodes(0, i), deck.nodes(1, i), deck.nodes(2, i) + layers.z(layer));
-  text += "*ELEMENT, TYPE=C3D8I, ELSET=PART\n";
+  text += fmt::format("*ELEMENT, TYPE={}, ELSET=PART\n", calculix_element(deck));
   for (Eigen::Index e = 0; e < deck.cells.cols(); ++e) {
     text += fmt::format("{}", e + 1);
+    int fields = 1;  // at most 16 a line
     for (int layer = 0; layer < layers.count; ++layer)
       for (Eigen::Index c = 0; c < deck.cells.rows(); ++c)
-        text += fmt::format(", {}", layers.node(deck.cells(c, e), layer));
+        text += fmt::format("{}{}", fields++ % 16 == 0 ? ",\n" : ", ",
+                            layers.node(deck.cells(c, e), layer));
     text += "\n";
   }
   const auto put_set = [&text](const std::string& name, const auto& members) {
@@ -77,6 +79,7 @@ std::string solid_materials_text(const SolidDeck& deck) {
     else
       text += fmt::format("*ELASTIC\n{:.12e}, {:.12e}\n", E, nu);
     text += fmt::format("*SOLID SECTION, ELSET=CELLS{0}, MATERIAL=MATERIAL{0}\n", g + 1);
+    if (deck.dim == 2 && !deck.layered()) text += fmt::format("{:.12e}\n", deck.thickness);
   }
   return text;
 }
@@ -85,7 +88,7 @@ std::string unit_step_text(const SolidDeck& deck, std::size_t k) {
   const Layers layers(deck);
   const SolidDeck::Unit& unit = deck.units[k];
   std::string text = fmt::format("** unit case {}\n*STEP\n*STATIC\n*BOUNDARY, OP=NEW\n", k + 1);
-  if (deck.dim == 2) text += "ALL, 3, 3\n";
+  if (deck.layered()) text += "ALL, 3, 3\n";
   for (int layer = 0; layer < layers.count; ++layer)
     for (const int i : deck.held)
       for (int c = 0; c < deck.dim; ++c)
@@ -103,6 +106,11 @@ std::string unit_step_text(const SolidDeck& deck, std::size_t k) {
 }
 
 }  // namespace
+
+std::string calculix_element(const SolidDeck& deck) {
+  const CellKind& kind = deck.layered() ? cell_kind(3, 8) : deck.kind();
+  return std::string(kind.abaqus) + (kind.nodes == 8 && kind.dim == 3 ? "I" : "");
+}
 
 std::string calculix_text(const SolidDeck& deck) {
   std::string text = fmt::format(
@@ -123,6 +131,12 @@ using nastran::operator<<;
 
 constexpr int kCombined = 1000;  // first number of the LOAD cards and of the supports of cases
 
+/// Local nodes in the order of Nastran: of 20-node hexahedra the upright edges come before the
+/// upper.
+int nastran_local(const CellKind& kind, int c) {
+  return kind.nodes == 20 && c >= 12 ? 12 + (c + 4 - 12) % 8 : c;
+}
+
 /// Materials, properties and cells: property g + 1 is that of group g.
 std::string solid_bulk_text(const SolidDeck& deck) {
   std::string text;
@@ -135,9 +149,9 @@ std::string solid_bulk_text(const SolidDeck& deck) {
     text += planar ? card("PSHELL", {id, id, number(deck.thickness)}) : card("PSOLID", {id, id});
     for (const int e : groups[g].cells) {
       Fields fields{std::to_string(e + 1), id};
-      for (Eigen::Index c = 0; c < deck.cells.rows(); ++c)
-        fields.push_back(std::to_string(deck.cells(c, e) + 1));
-      text += card(planar ? "CQUAD4" : "CHEXA", fields);
+      for (int c = 0; c < deck.kind().nodes; ++c)
+        fields.push_back(std::to_string(deck.cells(nastran_local(deck.kind(), c), e) + 1));
+      text += card(nastran_element(deck), fields);
     }
   }
   return text;
@@ -170,6 +184,13 @@ std::string support_text(const SolidDeck& deck, int id, const Eigen::VectorXd& f
 }
 
 }  // namespace
+
+std::string nastran_element(const SolidDeck& deck) {
+  const CellKind& kind = deck.kind();
+  const bool simplex = kind.family == CellFamily::Simplex;
+  if (kind.dim == 3) return simplex ? "CTETRA" : "CHEXA";
+  return (simplex ? "CTRIA" : "CQUAD") + std::to_string(kind.nodes);
+}
 
 std::string nastran_text(const SolidDeck& deck) {
   std::string text =

@@ -11,12 +11,17 @@ namespace {
 std::vector<Key> part_keys() {
   return {
     {"bodies.*.solid", Type::Table, "", kOneOf, kAny, "Meshed part, simulated with the motions of its interfaces and some modes. Ports: its interfaces."},
-    {"bodies.*.solid.mesh", Type::Table, "", kRequired, kAny, "Cells: quadrilaterals (plane stress, in a planar scene) or hexahedra. Lengths and features are in the coordinates of the mesh."},
+    {"bodies.*.solid.mesh", Type::Table, "", kOneOf, kAny, "Cells: planar ones (plane stress, in a planar scene) or cells in space, all of one kind. Lengths and features are in the coordinates of the mesh."},
     {"bodies.*.solid.mesh.from", Type::Point, "m", kOneOf, kAny, "Grid: its first corner, [x, y] or [x, y, z]; needs `to` and `cells`. Its sides are the sets x_min, x_max, y_min, ..."},
     {"bodies.*.solid.mesh.to", Type::Point, "m", kOptional, kAny, "Grid: the opposite corner."},
     {"bodies.*.solid.mesh.cells", Type::Point, "-", kOptional, {1, 100000}, "Grid: number of cells in each direction."},
-    {"bodies.*.solid.mesh.file", Type::Text, "", kOneOf, kAny, "Quadrilaterals in z = 0 or hexahedra: a Gmsh file (4.1, ASCII), whose physical groups are sets of nodes, or one of Abaqus or CalculiX (.inp, flat) with CPS4, CPE4 or C3D8 and its *NSET. m. Relative to the scene."},
-    {"bodies.*.solid.material", Type::Text, "", kRequired, kAny, "Material."},
+    {"bodies.*.solid.mesh.file", Type::Text, "", kOneOf, kAny, "A Gmsh file (4.1, ASCII), whose physical groups are sets of nodes, or one of Abaqus or CalculiX (.inp, flat) and its *NSET. Triangles (3 or 6 nodes: CPS3, CPS6) or quadrilaterals (4 or 8: CPS4, CPS8) in z = 0, tetrahedra (4 or 10: C3D4, C3D10) or hexahedra (8 or 20: C3D8, C3D20). m. Relative to the scene."},
+    {"bodies.*.solid.matrices", Type::Table, "", kOneOf, kAny, "Instead of a mesh: stiffness and mass of the free part from another program, freedoms node by node (x, y, z of the first, ...): three MatrixMarket files, or one HDF5 `file`. Reduced as a mesh is. Relative to the scene; `liesl export --to matrices` writes them."},
+    {"bodies.*.solid.matrices.stiffness", Type::Text, "N/m", kOptional, kAny, "`coordinate real symmetric` (or `general`): 3 (planar: 2) rows a node. Rigid motions take no forces."},
+    {"bodies.*.solid.matrices.mass", Type::Text, "kg", kOptional, kAny, "Likewise. Components of a displacement are not coupled, and have the same masses."},
+    {"bodies.*.solid.matrices.nodes", Type::Text, "m", kOptional, kAny, "`array real general`: a row [x, y, z] a node; [x, y] of a planar part."},
+    {"bodies.*.solid.matrices.file", Type::Text, "", kOptional, kAny, "HDF5, alone: the data sets `nodes`, `stiffness/row`, `column` and `value`, `mass/...` (counted from 0), and sets of nodes in the group `sets`."},
+    {"bodies.*.solid.material", Type::Text, "", kOptional, kAny, "Material; a mesh needs it."},
     {"bodies.*.solid.thickness", Type::Number, "m", kOptional, kPositive, "Of a planar mesh, which needs it; half to each side."},
     {"bodies.*.solid.at", Type::Vector, "m", "[0, 0, 0]", kAny, "Position of the origin of the mesh.", 3},
     {"bodies.*.solid.orientation", Type::Vector, "rad", "[0, 0, 0]", kAny, "Rotation vector of the axes of the mesh.", 3},
@@ -27,7 +32,7 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.ersatz.ratio", Type::Number, "-", "1e-6", {1e-12, 0.1}, "Of an empty cell."},
 
     {"bodies.*.solid.interfaces", Type::Named, "", kRequired, kAny, "Where the part is held, by name. The first one carries the floating frame."},
-    {"bodies.*.solid.interfaces.*", Type::Table, "", kOptional, kAny, "Nodes that are tied to a frame with the axes of the mesh: exactly one of `circle`, `box` and `set`."},
+    {"bodies.*.solid.interfaces.*", Type::Table, "", kOptional, kAny, "Nodes that are tied to a frame with the axes of the mesh: exactly one of `circle`, `box`, `set` and `nodes`."},
     {"bodies.*.solid.interfaces.*.circle", Type::Table, "", kOneOf, kAny, "Nodes in a circle; in space, in the endless cylinder."},
     {"bodies.*.solid.interfaces.*.circle.centre", Type::Point, "m", kRequired, kAny, "Centre, [x, y] or [x, y, z]."},
     {"bodies.*.solid.interfaces.*.circle.radius", Type::Number, "m", kRequired, kPositive, "Radius."},
@@ -37,6 +42,7 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.interfaces.*.box.from", Type::Point, "m", kRequired, kAny, "One corner."},
     {"bodies.*.solid.interfaces.*.box.to", Type::Point, "m", kRequired, kAny, "The opposite corner."},
     {"bodies.*.solid.interfaces.*.set", Type::Text, "", kOneOf, kAny, "Nodes of a side of the grid (x_min, ...) or of a physical group."},
+    {"bodies.*.solid.interfaces.*.nodes", Type::NumberOrList, "", kOneOf, {.lower = 1}, "Numbers of nodes: from 1, in the order of the nodes of the matrices (of a mesh, in the order of its cells)."},
     {"bodies.*.solid.interfaces.*.point", Type::Point, "m", kOptional, kAny, "Origin of the frame. Default: centre of the circle or box, or the mean of the nodes."},
     {"bodies.*.solid.interfaces.*.tie", Type::Choice, "", "\"rigid\"", kAny, "The nodes move as a rigid body, or the frame moves as they do on average.", 0, "rigid averaged"},
   };
@@ -44,7 +50,7 @@ std::vector<Key> part_keys() {
 
 std::vector<Key> outline_keys() {
   return {
-    {"bodies.*.solid.outline", Type::Named, "", kOptional, kAny, "Where the mesh is material: features and operations by name. The shape is the one entry that no operation works on. Without it all of the mesh is material."},
+    {"bodies.*.solid.outline", Type::Named, "", kOptional, kAny, "Where the mesh is material, of 4-node quadrilaterals or 8-node hexahedra: features and operations by name. The shape is the one entry that no operation works on. Without it all of the mesh is material."},
     {"bodies.*.solid.outline.*", Type::Table, "", kOptional, kAny, "A feature, or an operation on others. Its numbers are parameters of the part."},
     {"bodies.*.solid.outline.*.type", Type::Choice, "", kRequired, kAny, "Planar shapes (endless along their z in space), shapes in space (sphere to slab), operations. half_space is material where x < 0, slab where |z| < height/2. mirror: a shape and its image about the line through x, y at `angle`, in space about the plane y = 0 of its turned axes.", 0,
      "half_space circle rectangle ellipse super_ellipse superformula polyline spline nurbs sphere box ellipsoid slab union intersection difference mirror"},

@@ -60,23 +60,39 @@ Keyword keyword_of(std::string_view line) {
   return out;
 }
 
-/// Corners of a kind of cell; 0: a solid that liesl has not; -1: no solid.
-int corners_of(const std::string& type) {
-  const auto is = [&](std::string_view kind) {
-    return type == kind || type == std::string(kind) + "R" || type == std::string(kind) + "I";
-  };
-  if (is("CPS4") || is("CPE4")) return 4;
-  if (is("C3D8")) return 8;
-  const bool solid = type.starts_with("C3D") || type.starts_with("CPS") || type.starts_with("CPE");
-  return solid ? 0 : -1;
+/// The kind of cell of an element type: plane stress and plane strain alike; R, I and M at its end
+/// name another integration of the same nodes.
+const CellKind* kind_of(std::string type) {
+  if (type.starts_with("CPE")) type[2] = 'S';
+  for (const CellKind& kind : cell_kinds())
+    for (const char* end : {"", "R", "I", "M"})
+      if (!kind.abaqus.empty() && type == std::string(kind.abaqus) + end) return &kind;
+  return nullptr;
 }
+
+bool is_solid(const std::string& type) {
+  return type.starts_with("C3D") || type.starts_with("CPS") || type.starts_with("CPE");
+}
+
+/// "CPS3, ..., C3D20"
+std::string known_types() {
+  std::string out;
+  for (const CellKind& kind : cell_kinds())
+    if (!kind.abaqus.empty()) out += (out.empty() ? "" : ", ") + std::string(kind.abaqus);
+  return out + ", also with R, I or M at their end";
+}
+
+/// Keywords that make nodes and elements, or move them, without listing them.
+constexpr std::string_view kNotListed[] = {"*INCLUDE", "*INSTANCE", "*NGEN",   "*NFILL", "*NCOPY",
+                                           "*NMAP",    "*ELGEN",    "*ELCOPY", "*SYSTEM"};
 
 class AbaqusReader {
  public:
   AbaqusReader(std::string_view text, Problems& problems)
       : text_(text),
         mesh_(problems, {"", "an element may be in two *ELEMENT blocks",
-                         "reverse the order of its nodes", "*ELEMENT, TYPE=CPS4 or C3D8"}) {}
+                         "reverse the order of its nodes", "*ELEMENT, TYPE=C3D10 or another",
+                         "let the preprocessor mesh with one element type"}) {}
 
   SolidMesh read() {
     for (std::size_t at = 0; at < text_.size(); ++line_) {
@@ -94,29 +110,41 @@ class AbaqusReader {
   void begin(const Keyword& keyword) {
     finish_cell();
     keyword_ = keyword;
-    corners_ = -1;
-    if (keyword.name == "*INCLUDE" || keyword.name == "*INSTANCE")
-      mesh_.problem(line_, keyword.name + " is not read", "a flat file with nodes and elements",
-                    "let the preprocessor write it without parts and instances");
+    kind_ = nullptr;
+    refuse_what_is_not_listed(keyword);
     if (keyword.name == "*NSET" && keyword.of("NSET").empty())
       mesh_.problem(line_, "*NSET without a name", "*NSET, NSET=NAME");
     if (keyword.name != "*ELEMENT") return;
     const std::string type = upper(keyword.of("TYPE"));
-    corners_ = corners_of(type);
-    if (corners_ == 0)
-      mesh_.problem(line_, fmt::format("elements of type '{}'", type),
-                    "CPS4, CPE4 or C3D8, also with R or I at their end",
-                    "mesh with quadrilaterals or hexahedra of first order");
+    kind_ = kind_of(type);
+    if (!kind_ && is_solid(type))
+      mesh_.problem(line_, fmt::format("elements of type '{}'", type), known_types(),
+                    "let the preprocessor mesh with one of these");
+  }
+
+  void refuse_what_is_not_listed(const Keyword& keyword) {
+    const auto refuse = [&](const std::string& what) {
+      mesh_.problem(line_, what + " is not read", "a flat file that lists its nodes and elements",
+                    "let the preprocessor write it without parts, instances and generation");
+    };
+    const std::string& name = keyword.name;
+    if (std::find(std::begin(kNotListed), std::end(kNotListed), name) != std::end(kNotListed))
+      return refuse(name);
+    if (name == "*NODE" || name == "*ELEMENT" || name == "*NSET")
+      for (const char* key : {"INPUT", "SYSTEM", "ELSET"})
+        if (keyword.has(key) && !(name == "*ELEMENT" && std::string_view(key) == "ELSET") &&
+            !(std::string_view(key) == "SYSTEM" && upper(keyword.of(key)) == "R"))
+          refuse(fmt::format("{} of {}", key, name));
   }
 
   void data(const std::vector<std::string>& fields) {
     if (keyword_.name == "*NODE") add_node(fields);
     if (keyword_.name == "*NSET") add_to_set(fields);
-    if (keyword_.name == "*ELEMENT" && corners_ > 0) {
+    if (kind_) {
       if (cell_.empty()) cell_line_ = line_;
       for (const std::string& field : fields)
         if (const auto tag = tag_of(field)) cell_.push_back(*tag);
-      if (static_cast<int>(cell_.size()) > corners_) finish_cell();
+      if (static_cast<int>(cell_.size()) > kind_->nodes) finish_cell();
     }
   }
 
@@ -178,12 +206,12 @@ class AbaqusReader {
 
   void finish_cell() {
     if (cell_.empty()) return;
-    std::vector<std::size_t> corners(cell_.begin() + 1, cell_.end());
+    std::vector<std::size_t> nodes(cell_.begin() + 1, cell_.end());
     cell_.clear();
-    if (static_cast<int>(corners.size()) != corners_)
-      return mesh_.problem(cell_line_, fmt::format("an element has {} nodes", corners.size()),
-                           fmt::format("{}", corners_));
-    mesh_.add_cell(std::move(corners), cell_line_);
+    if (static_cast<int>(nodes.size()) != kind_->nodes)
+      return mesh_.problem(cell_line_, fmt::format("an element has {} nodes", nodes.size()),
+                           fmt::format("{}", kind_->nodes));
+    mesh_.add_cell(*kind_, std::move(nodes), cell_line_);
   }
 
   std::optional<std::size_t> tag_of(const std::string& field) {
@@ -199,8 +227,8 @@ class AbaqusReader {
   MeshBuilder mesh_;
   int line_ = 1, cell_line_ = 0;
   Keyword keyword_;
-  int corners_ = -1;               ///< of the cells that are read; -1: none are
-  std::vector<std::size_t> cell_;  ///< number and nodes so far
+  const CellKind* kind_ = nullptr;  ///< of the cells that are read
+  std::vector<std::size_t> cell_;   ///< number and nodes so far
   std::map<std::string, std::vector<std::size_t>> sets_;
   std::map<std::string, std::string> spelling_;
 };

@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdlib>
 #include <map>
+#include <optional>
 #include <string_view>
 
 #include "apps/input/problem.hpp"
@@ -14,31 +15,33 @@
 namespace liesl {
 namespace {
 
-/// What Gmsh calls its element types.
+/// What Gmsh calls element types that are no cells of liesl.
 struct ElementType {
   int number, nodes;
-  const char* name;
+  std::string_view name;
 };
-constexpr ElementType kTypes[] = {{1, 2, "2-node line"},
-                                  {2, 3, "3-node triangle"},
-                                  {3, 4, "4-node quadrilateral"},
-                                  {4, 4, "4-node tetrahedron"},
-                                  {5, 8, "8-node hexahedron"},
-                                  {6, 6, "6-node prism"},
-                                  {7, 5, "5-node pyramid"},
-                                  {8, 3, "3-node line"},
-                                  {9, 6, "6-node triangle"},
-                                  {10, 9, "9-node quadrilateral"},
-                                  {11, 10, "10-node tetrahedron"},
-                                  {12, 27, "27-node hexahedron"},
-                                  {15, 1, "point"},
-                                  {16, 8, "8-node quadrilateral"},
-                                  {17, 20, "20-node hexahedron"}};
+constexpr ElementType kOtherTypes[] = {{6, 6, "6-node prism"},
+                                       {7, 5, "5-node pyramid"},
+                                       {10, 9, "9-node quadrilateral"},
+                                       {12, 27, "27-node hexahedron"},
+                                       {13, 18, "18-node prism"},
+                                       {14, 14, "14-node pyramid"},
+                                       {15, 1, "point"},
+                                       {18, 15, "15-node prism"},
+                                       {19, 13, "13-node pyramid"}};
+constexpr int kPoint = 15;
 
-const ElementType* type_of(int number) {
-  for (const ElementType& t : kTypes)
-    if (t.number == number) return &t;
+const CellKind* kind_of(int number) {
+  for (const CellKind& kind : cell_kinds())
+    if (kind.gmsh == number) return &kind;
   return nullptr;
+}
+
+std::optional<ElementType> type_of(int number) {
+  if (const CellKind* kind = kind_of(number)) return ElementType{number, kind->nodes, kind->name};
+  for (const ElementType& t : kOtherTypes)
+    if (t.number == number) return t;
+  return {};
 }
 
 /// The words of a file, with their places. Reading on after the end, or a number that is none,
@@ -108,7 +111,8 @@ class Words {
 };
 
 struct Element {
-  int type, entity_dim, entity, line;
+  const CellKind* kind;  ///< nothing: a point
+  int entity_dim, entity, line;
   std::vector<std::size_t> nodes;
 };
 
@@ -120,14 +124,16 @@ class Reader {
         mesh_(problems, {"Coherence Mesh of Gmsh unites nodes",
                          "a surface in two physical groups may be saved twice",
                          "reverse the surface's orientation",
-                         "set Mesh.RecombineAll = 1; physical groups must include the surface or "
-                         "volume"}) {}
+                         "physical groups must include the surface or volume",
+                         "set Mesh.RecombineAll to 1 or 0, so that all cells are alike"}) {}
 
   SolidMesh read() {
     read_sections();
-    name_sets(has_hexahedra() ? 3 : 2);
+    int dim = 2;
+    for (const Element& e : elements_) dim = std::max(dim, e.kind ? e.kind->dim : 0);
+    name_sets(dim);
     for (const Element& e : elements_)
-      if (e.type == 3 || e.type == 5) mesh_.add_cell(e.nodes, e.line);
+      if (e.kind && e.kind->dim > 1) add_cell(e);
     return mesh_.build();
   }
 
@@ -213,28 +219,30 @@ class Reader {
     words_.skip(3);
     for (int b = 0; b < blocks; ++b) {
       const int dim = words_.integer(), entity = words_.integer(), number = words_.integer();
-      const ElementType* type = type_of(number);
+      const auto type = type_of(number);
       if (!type)
         words_.fail(fmt::format("elements of type {}", number),
-                    "lines, quadrilaterals or hexahedra");
-      const bool usable = number == 1 || number == 3 || number == 5 || number == 15;
+                    "lines, triangles, quadrilaterals, tetrahedra or hexahedra");
+      const CellKind* kind = kind_of(number);
+      const bool usable = kind || number == kPoint;
       const int n = words_.count();
       if (!usable && n > 0)
         mesh_.problem(words_.line(), fmt::format("{} {}s", n, type->name),
-                      "4-node quadrilaterals or 8-node hexahedra",
-                      "set Mesh.RecombineAll = 1 and Mesh.ElementOrder = 1");
+                      "triangles, quadrilaterals, tetrahedra or hexahedra of order 1 or 2",
+                      "set Mesh.SecondOrderIncomplete = 1; prisms and pyramids come with layers");
       for (int i = 0; i < n; ++i) {
         words_.skip(1);
-        Element e{number, dim, entity, words_.line(), {}};
+        Element e{kind, dim, entity, words_.line(), {}};
         for (int k = 0; k < type->nodes; ++k) e.nodes.push_back(words_.number<std::size_t>());
         if (usable) elements_.push_back(std::move(e));
       }
     }
   }
 
-  bool has_hexahedra() const {
-    return std::any_of(elements_.begin(), elements_.end(),
-                       [](const Element& e) { return e.type == 5; });
+  void add_cell(const Element& e) {
+    std::vector<std::size_t> nodes;
+    for (const int at : gmsh_order(*e.kind)) nodes.push_back(e.nodes[std::size_t(at)]);
+    mesh_.add_cell(*e.kind, std::move(nodes), e.line);
   }
 
   void name_sets(int dim) {

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// Meshes of quadrilaterals or hexahedra from Gmsh.
+/// Meshes from Gmsh.
 
 #include <string>
 #include <string_view>
@@ -10,7 +10,7 @@
 namespace liesl {
 
 /// Reads the text of a Gmsh file, format 4.1, ASCII (`gmsh part.geo -2 -format msh41`); `file`
-/// names it in messages. Cells are 4-node quadrilaterals in z = 0 or 8-node hexahedra; named
+/// names it in messages. Cells are of one of the kinds of `CellKind`, planar ones in z = 0; named
 /// physical groups of points, lines (and faces, in space) become sets of nodes. Nodes that belong
 /// to no cell are left out.
 /// @throws InputError with every problem and its line: another format or version, binary, cells of

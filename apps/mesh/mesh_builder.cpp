@@ -26,8 +26,23 @@ void MeshBuilder::add_node(std::size_t tag, const Eigen::Vector3d& x, int line) 
     problem(line, fmt::format("node {} is there twice", tag), "each node once", hints_.twice_node);
 }
 
-void MeshBuilder::add_cell(std::vector<std::size_t> corners, int line) {
-  cells_.push_back({std::move(corners), line});
+void MeshBuilder::add_cell(const CellKind& kind, std::vector<std::size_t> nodes, int line) {
+  cells_.push_back({&kind, std::move(nodes), line});
+}
+
+/// Cells of the highest dimension; all of the kind of the first of them.
+void MeshBuilder::choose_kind(SolidMesh& mesh) {
+  for (const Cell& cell : cells_) mesh.dim = std::max(mesh.dim, cell.kind->dim);
+  std::erase_if(cells_, [&](const Cell& cell) { return cell.kind->dim != mesh.dim; });
+  const auto other = std::find_if(cells_.begin(), cells_.end(), [&](const Cell& cell) {
+    return cell.kind != cells_.front().kind;
+  });
+  if (other == cells_.end()) return;
+  problem(other->line,
+          fmt::format("several kinds of cells: {} here, {} in line {}", other->kind->name,
+                      cells_.front().kind->name, cells_.front().line),
+          "cells of one kind", hints_.several_kinds);
+  problems_.throw_if_any();
 }
 
 void MeshBuilder::number_nodes(SolidMesh& mesh) {
@@ -44,7 +59,7 @@ void MeshBuilder::number_nodes(SolidMesh& mesh) {
       used.push_back(it->second);
       if (mesh.dim == 2 && planar && std::abs(it->second[2]) > 1e-12) {
         problem(cell.line, fmt::format("node {} lies at z = {}", tag, it->second[2]),
-                "quadrilaterals in the plane z = 0");
+                "planar cells in z = 0");
         planar = false;
       }
     }
@@ -55,7 +70,8 @@ void MeshBuilder::number_nodes(SolidMesh& mesh) {
 }
 
 void MeshBuilder::add_cells(SolidMesh& mesh) {
-  mesh.cells.resize(mesh.corners(), static_cast<Eigen::Index>(cells_.size()));
+  const int nodes_per_cell = cells_.front().kind->nodes;
+  mesh.cells.resize(nodes_per_cell, static_cast<Eigen::Index>(cells_.size()));
   std::map<std::vector<std::size_t>, int> lines;  // of the cells, by their sorted nodes
   int number = 0;
   for (const Cell& cell : cells_) {
@@ -65,12 +81,14 @@ void MeshBuilder::add_cells(SolidMesh& mesh) {
       problem(cell.line,
               fmt::format("the cell has the nodes of the cell in line {}", first->second),
               "each cell once", hints_.twice_cell);
-    for (int c = 0; c < mesh.corners(); ++c)
+    for (int c = 0; c < nodes_per_cell; ++c)
       mesh.cells(c, number) = number_.at(cell.nodes[static_cast<std::size_t>(c)]);
-    if (!(smallest_jacobian(mesh.dim, mesh.corners_of(number)) > 0))
+    if (!(smallest_jacobian(mesh.dim, mesh.nodes_of(number)) > 0))
       problem(cell.line, "the cell is inverted or flat",
               mesh.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
-                            : "corners of the lower side counter-clockwise seen from above",
+              : cell.kind->family == CellFamily::Simplex
+                  ? "the fourth corner where the first three are counter-clockwise seen from it"
+                  : "corners of the lower side counter-clockwise seen from above",
               mesh.dim == 2 ? hints_.inverted : "");
     ++number;
   }
@@ -78,12 +96,11 @@ void MeshBuilder::add_cells(SolidMesh& mesh) {
 
 SolidMesh MeshBuilder::build() {
   SolidMesh mesh;
-  const auto is_hexahedron = [](const Cell& cell) { return cell.nodes.size() == 8; };
-  mesh.dim = std::any_of(cells_.begin(), cells_.end(), is_hexahedron) ? 3 : 2;
-  if (mesh.dim == 3) std::erase_if(cells_, [&](const Cell& cell) { return !is_hexahedron(cell); });
+  choose_kind(mesh);
   number_nodes(mesh);
   if (cells_.empty()) {
-    problem(1, "the file has no cells", "quadrilaterals or hexahedra", hints_.no_cells);
+    problem(1, "the file has no cells", "triangles, quadrilaterals, tetrahedra or hexahedra",
+            hints_.no_cells);
     problems_.throw_if_any();
   }
   add_cells(mesh);

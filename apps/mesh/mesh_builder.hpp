@@ -19,28 +19,30 @@ class MeshBuilder {
  public:
   /// Hints that differ between formats.
   struct Hints {
-    std::string twice_node, twice_cell, inverted, no_cells;
+    std::string twice_node, twice_cell, inverted, no_cells, several_kinds;
   };
   MeshBuilder(Problems& problems, Hints hints) : problems_(problems), hints_(std::move(hints)) {}
 
   void problem(int line, std::string what, std::string expected = "", std::string hint = "");
   void add_node(std::size_t tag, const Eigen::Vector3d& x, int line);
-  /// 4 or 8 corners in the order of SolidMesh.
-  void add_cell(std::vector<std::size_t> corners, int line);
+  /// Nodes in the order of SolidMesh.
+  void add_cell(const CellKind& kind, std::vector<std::size_t> nodes, int line);
   /// Nodes without a cell are left out.
   void add_to_set(const std::string& name, std::size_t tag) { sets_[name].insert(tag); }
   bool has_node(std::size_t tag) const { return positions_.contains(tag); }
 
-  /// Planar if there are no hexahedra; then they are the cells, quadrilaterals are sides.
-  /// @throws InputError: no cells, cells that are there twice, inverted or flat, nodes that do not
-  /// exist, quadrilaterals that do not lie in z = 0
+  /// In space if there are cells in space; planar cells are their sides then.
+  /// @throws InputError: no cells, cells of several kinds, cells that are there twice, inverted or
+  /// flat, nodes that do not exist, planar cells that do not lie in z = 0
   SolidMesh build();
 
  private:
   struct Cell {
+    const CellKind* kind;
     std::vector<std::size_t> nodes;
     int line;
   };
+  void choose_kind(SolidMesh& mesh);
   void number_nodes(SolidMesh& mesh);
   void add_cells(SolidMesh& mesh);
 

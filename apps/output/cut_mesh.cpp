@@ -141,13 +141,74 @@ void cut_space(Cutter& cutter, const std::vector<int>& cells) {
   surface.finish();
 }
 
+/// The triangles that a planar cell, or a side in space, is drawn as: local nodes.
+std::vector<std::array<int, 3>> flat_pieces(const CellKind& kind) {
+  switch (kind.nodes) {
+    case 3:
+      return {{0, 1, 2}};
+    case 4:
+      return {{0, 1, 2}, {0, 2, 3}};
+    case 6:
+      return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+    default:
+      return {{0, 4, 7}, {4, 1, 5}, {5, 2, 6}, {6, 3, 7}, {4, 5, 6}, {4, 6, 7}};
+  }
+}
+
+/// Sides of cells that no other cell has.
+std::vector<CellSide> outer_sides(const CellKind& kind, const std::vector<int>& cells) {
+  std::map<CellSide, CellSide> open;  // by sorted nodes
+  for (std::size_t c = 0; c < cells.size(); c += std::size_t(kind.nodes))
+    for (CellSide side : cell_sides(kind)) {
+      for (int& node : side)
+        if (node >= 0) node = cells[c + std::size_t(node)];
+      CellSide key = side;
+      std::sort(key.begin(), key.end());
+      if (!open.erase(key)) open.emplace(key, side);
+    }
+  std::vector<CellSide> out;
+  for (const auto& [key, side] : open) out.push_back(side);
+  return out;
+}
+
+/// Without a level set.
+void draw_whole(Cutter& cutter, const CellKind& kind, const std::vector<int>& cells) {
+  const auto draw = [&cutter](const CellKind& flat, const int* nodes) {
+    for (const auto& piece : flat_pieces(flat))
+      cutter.fan({cutter.node(nodes[piece[0]]), cutter.node(nodes[piece[1]]),
+                  cutter.node(nodes[piece[2]])});
+  };
+  for (std::size_t c = 0; kind.dim == 2 && c < cells.size(); c += std::size_t(kind.nodes))
+    draw(kind, &cells[c]);
+  for (const CellSide& side : outer_sides(kind, cells)) {
+    if (kind.dim == 3) {
+      draw(side_kind(kind), side.data());
+      continue;
+    }
+    const bool bent = kind.order == 2;
+    const auto a = cutter.node(side[0]), b = cutter.node(side[1]);
+    const auto middle = bent ? cutter.node(side[2]) : b;
+    cutter.mesh.sides.push_back({a, middle});
+    if (bent) cutter.mesh.sides.push_back({middle, b});
+  }
+}
+
 }  // namespace
 
-CutMesh cut_mesh(int corners, const std::vector<int>& cells, const std::vector<double>& nodes,
-                 const std::vector<double>& level) {
+CutMesh cut_mesh(const CellKind& kind, const std::vector<int>& cells,
+                 const std::vector<double>& nodes, const std::vector<double>& level) {
   Cutter cutter(nodes, level);
-  corners == 4 ? cut_plane(cutter, cells) : cut_space(cutter, cells);
+  if (kind.family == CellFamily::Cube && kind.order == 1)
+    kind.dim == 2 ? cut_plane(cutter, cells) : cut_space(cutter, cells);
+  else
+    draw_whole(cutter, kind, cells);
   return std::move(cutter.mesh);
+}
+
+const CellKind& stored_cells(std::string_view name, int nodes) {
+  for (const CellKind& kind : cell_kinds())
+    if (kind.name == name) return kind;
+  return cell_kind(nodes == 4 ? 2 : 3, nodes);
 }
 
 }  // namespace liesl::output

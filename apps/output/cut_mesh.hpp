@@ -1,10 +1,13 @@
 #pragma once
 /// @file
-/// What a level set leaves of a mesh, for a picture: triangles that move with its nodes.
+/// A mesh, or what a level set leaves of it, for a picture: triangles that move with its nodes.
 
 #include <array>
 #include <cstdint>
+#include <string_view>
 #include <vector>
+
+#include "mbs/solids/cell_kind.hpp"
 
 namespace liesl::output {
 
@@ -22,9 +25,15 @@ struct CutMesh {
   std::vector<std::array<std::uint32_t, 2>> sides;
 };
 
-/// @param corners 4 or 8 nodes a cell, in the order of VTK  @param nodes x, y, z of each node
-/// @param level at the nodes, > 0: material; empty: all is material
-CutMesh cut_mesh(int corners, const std::vector<int>& cells, const std::vector<double>& nodes,
-                 const std::vector<double>& level);
+/// Cells of order 2 are drawn as flat triangles between their nodes.
+/// @param cells nodes of each cell, in the order of VTK  @param nodes x, y, z of each node
+/// @param level at the nodes, > 0: material; empty: all is material. Only of 4-node quadrilaterals
+/// and 8-node hexahedra
+CutMesh cut_mesh(const CellKind& kind, const std::vector<int>& cells,
+                 const std::vector<double>& nodes, const std::vector<double>& level);
+
+/// The kind of cells that a results file names; without a name, as earlier versions wrote them,
+/// 4-node quadrilaterals or 8-node hexahedra.
+const CellKind& stored_cells(std::string_view name, int nodes);
 
 }  // namespace liesl::output

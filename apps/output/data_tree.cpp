@@ -100,6 +100,7 @@ void add_mesh(Tree& tree, const MeshResult& mesh) {
   const std::string group = "/meshes/" + hdf5_name(mesh.name);
   const std::size_t C = static_cast<std::size_t>(mesh.corners), r = mesh.records.size();
   tree.group(group);
+  tree.attribute("cell", std::string(cell_kind(mesh.dim(), mesh.corners).name));
   tree.put(group + "/cells", mesh.cells, {mesh.cells.size() / C, C});
   tree.put(group + "/fraction", mesh.fractions, {mesh.fractions.size()}, "-");
   add_coordinates(tree, mesh, group);

@@ -2,6 +2,7 @@
 
 #include <Eigen/Core>
 
+#include "apps/output/cut_mesh.hpp"
 #include "apps/output/hdf5_input.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
@@ -41,7 +42,11 @@ MeshResult mesh(const Hdf5Input& file, const std::string& name, const BodyResult
   MeshResult out;
   out.name = name;
   out.cells = integers(file.numbers(group + "/cells").values);
-  out.corners = static_cast<int>(file.shape(group + "/cells").at(1));
+  const CellKind& kind = stored_cells(file.attribute(group, "cell"),
+                                      static_cast<int>(file.shape(group + "/cells").at(1)));
+  out.corners = kind.nodes;
+  if (const auto t = file.numbers(group + "/thickness").values; kind.dim == 2 && !t.empty())
+    out.thickness = t[0];
   out.fractions = file.numbers(group + "/fraction").values;
   out.records = spread_records(n, kShownRecords);
   const Hdf5Numbers rest = file.numbers(group + "/reference"),

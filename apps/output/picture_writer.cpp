@@ -86,9 +86,10 @@ class PartLines {
   PartLines(const MeshResult& mesh, const BodyResult& body)
       : mesh_(mesh),
         body_(body),
-        cut_(cut_mesh(mesh.corners, mesh.cells, mesh.reference, mesh.level)) {
+        cut_(
+            cut_mesh(cell_kind(mesh.dim(), mesh.corners), mesh.cells, mesh.reference, mesh.level)) {
     const auto rest = places(mesh.reference);
-    lines_ = mesh.corners == 4 ? closed_sides(cut_) : sharp_edges(cut_, rest);
+    lines_ = mesh.dim() == 2 ? closed_sides(cut_) : sharp_edges(cut_, rest);
   }
 
   void put(std::string& text, const std::string& start, const std::string& name,

@@ -40,7 +40,7 @@ struct BodyResult {
 /// A meshed part of N nodes and M cells, at r of the records.
 struct MeshResult {
   std::string name;
-  int corners = 4;                ///< C of a cell: 4 or 8
+  int corners = 4;                ///< C nodes of a cell
   std::vector<int> cells;         ///< M x C, in the order of VTK
   std::vector<double> fractions;  ///< M, of material
   std::vector<int> records;       ///< r, growing
@@ -55,7 +55,9 @@ struct MeshResult {
   std::vector<double> stress_basis = {};
   std::vector<double> amplitudes = {};  ///< n x k; position = x_0 + R_0 (reference + basis)
   std::vector<double> interfaces = {};  ///< I x 3, at rest, as `reference`
-  double thickness = 0;                 ///< of a planar mesh, m
+  double thickness = 0;                 ///< of a planar mesh, m; 0: it is in space
+
+  int dim() const { return thickness > 0 ? 2 : 3; }
 };
 
 /// K coordinates.

@@ -117,7 +117,7 @@ void write_stl(const std::filesystem::path& path, const levelset::Surface& surfa
 void write_vtu(const std::filesystem::path& path, const SolidMesh& mesh,
                const std::vector<MeshField>& cell_fields,
                const std::vector<MeshField>& node_fields) {
-  const int corners = mesh.corners();
+  const int nodes = mesh.nodes_per_cell();
   std::string text;
   put(text,
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"0.1\" "
@@ -130,12 +130,12 @@ void write_vtu(const std::filesystem::path& path, const SolidMesh& mesh,
   put_array(text, {"position", mesh.nodes});
   text += "</Points>\n<Cells>\n<DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">\n";
   for (int e = 0; e < mesh.cell_count(); ++e)
-    for (int c = 0; c < corners; ++c)
-      put(text, "{}{}", mesh.cells(c, e), c + 1 == corners ? '\n' : ' ');
+    for (int c = 0; c < nodes; ++c)
+      put(text, "{}{}", mesh.cells(c, e), c + 1 == nodes ? '\n' : ' ');
   text += "</DataArray>\n<DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">\n";
-  for (int e = 1; e <= mesh.cell_count(); ++e) put(text, "{}\n", corners * e);
+  for (int e = 1; e <= mesh.cell_count(); ++e) put(text, "{}\n", nodes * e);
   text += "</DataArray>\n<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">\n";
-  for (int e = 0; e < mesh.cell_count(); ++e) put(text, "{}\n", mesh.dim == 2 ? 9 : 12);
+  for (int e = 0; e < mesh.cell_count(); ++e) put(text, "{}\n", mesh.kind().vtk);
   text += "</DataArray>\n</Cells>\n</Piece>\n</UnstructuredGrid>\n</VTKFile>\n";
   write_file(path, text);
 }

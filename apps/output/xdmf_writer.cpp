@@ -112,7 +112,7 @@ std::string grid(const MeshResult& mesh, const std::string& file, int record) {
       "    <Grid Name=\"{0}\">\n     <Topology TopologyType=\"{1}\" NumberOfElements=\"{2}\">"
       "<DataItem Dimensions=\"{2} {3}\" NumberType=\"Int\" Precision=\"4\" Format=\"HDF\">"
       "{4}:{5}/cells</DataItem></Topology>\n",
-      escaped(mesh.name + " mesh"), C == 4 ? "Quadrilateral" : "Hexahedron", M, C, escaped(file),
+      escaped(mesh.name + " mesh"), cell_kind(mesh.dim(), mesh.corners).xdmf, M, C, escaped(file),
       escaped(group));
   const auto vectors = [&](const char* name) {
     return slab({file, group + name, r, N, 3}, static_cast<int>(at - mesh.records.begin()), 0, 3);

@@ -86,9 +86,9 @@ std::vector<double> from_cells(const double* values, std::size_t C, std::size_t 
                                const Hdf5Numbers& cells, const std::vector<double>& fractions,
                                std::size_t N) {
   std::vector<double> sum(3 * N, 0.0), weight(N, 0.0);
-  const std::size_t corners = cells.shape[1];
+  const std::size_t per_cell = cells.shape[1];
   for (std::size_t i = 0; i < cells.values.size(); ++i) {
-    const std::size_t cell = i / corners, node = static_cast<std::size_t>(cells.values[i]);
+    const std::size_t cell = i / per_cell, node = static_cast<std::size_t>(cells.values[i]);
     weight.at(node) += fractions.at(cell);
     for (std::size_t k = 0; k < 3; ++k)
       sum[3 * node + k] += fractions[cell] * values[C * cell + c + k];
@@ -123,15 +123,17 @@ Json indices(const Polygons& polygons, Blob& blob) {
   return blob.u32(out);
 }
 
-/// A meshed part: what is material at rest, and how it moves with the amplitudes.
+/// A meshed part: what is material at rest, and how it moves with the amplitudes. A part without
+/// cells is drawn as a rigid body is.
 Json solid(const Group& group, const std::string& name, Blob& blob) {
   const Hdf5Numbers reference = group.whole("/reference"), cells = group.whole("/cells");
-  if (reference.empty() || cells.shape.size() != 2) return nullptr;
-  const int corners = static_cast<int>(cells.shape[1]);
+  if (reference.empty() || cells.empty()) return nullptr;
+  const CellKind& kind =
+      output::stored_cells(group.attribute("cell"), static_cast<int>(cells.shape[1]));
   const CutMesh cut =
-      cut_mesh(corners, integers(cells.values), reference.values, group.whole("/level").values);
+      cut_mesh(kind, integers(cells.values), reference.values, group.whole("/level").values);
   const auto thickness = group.whole("/thickness").values;
-  Json json = {{"name", name}, {"planar", corners == 4}};
+  Json json = {{"name", name}, {"planar", kind.dim == 2}};
   json["thickness"] = thickness.empty() ? 0 : thickness[0];
   json["interfaces"] = group.whole("/interface").values;
   json["x0"] = blob.components(at_vertices(cut, reference.values.data()), 3, Blob::Digits::Seven);

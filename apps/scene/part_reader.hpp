@@ -19,6 +19,7 @@ struct PartReader {
   const std::string& name;
   toml::table& table;
   SolidMesh mesh = {};
+  std::optional<NodalMatrices> matrices = {};  ///< then the mesh has nodes alone
   Material material = {};
   std::vector<Interface> interfaces = {};
   SolidModel::Options options = {};
@@ -39,6 +40,15 @@ struct PartReader {
   std::optional<Vec3> point(const toml::table& in, const char* key, int dim);
 };
 
+/// A file that is named relative to the scene, which the run then depends on.
+struct NamedFile {
+  std::string path, text;
+};
+/// @throws InputError if it cannot be read
+NamedFile load_beside(PartReader& part, const toml::node& name, const std::string& expected);
+/// Problems of a file, at their lines, or at the key that names it.
+void add_problems(PartReader& part, const InputError& error, const toml::node& name);
+
 /// Where an entry of a table inside of a body is written.
 inline const toml::key& key_of(const toml::table& table, const std::string& name) {
   return table.find(name)->first;
@@ -46,6 +56,7 @@ inline const toml::key& key_of(const toml::table& table, const std::string& name
 
 // Parts of a part, in this order.
 void read_mesh(PartReader& part);
+void read_matrices(PartReader& part);
 void read_interfaces(PartReader& part);
 void read_outline(PartReader& part);
 

@@ -14,8 +14,29 @@ namespace {
 
 constexpr double kSlack = 1e-9;  // of a region's size: nodes on its edge are inside
 
-double cell_width(const PartReader& part) {
-  return std::pow(part.mesh.cell_size(0), 1.0 / part.dim());
+std::string width_of_cells(const PartReader& part) {
+  if (part.mesh.cell_count() == 0) return "";
+  return fmt::format("the cells are about {:.3g} m wide",
+                     std::pow(part.mesh.cell_size(0), 1.0 / part.dim()));
+}
+
+/// Numbers of nodes from 1, as files number them.
+bool listed(PartReader& part, const toml::node& list, Interface& interface) {
+  for (const double number : numbers(list)) {
+    if (number != std::floor(number) || number > part.mesh.node_count()) {
+      part.refuse(list, fmt::format("has no node {}", number),
+                  fmt::format("whole numbers from 1 to {}", part.mesh.node_count()));
+      return false;
+    }
+    interface.nodes.push_back(static_cast<int>(number) - 1);
+  }
+  std::sort(interface.nodes.begin(), interface.nodes.end());
+  return true;
+}
+
+void put_at_mean(const SolidMesh& mesh, Interface& interface) {
+  for (const int node : interface.nodes)
+    interface.point += mesh.nodes.col(node) / static_cast<double>(interface.nodes.size());
 }
 
 bool in_circle(PartReader& part, const toml::table& circle, Interface& interface) {
@@ -65,9 +86,13 @@ const toml::node* find_nodes(PartReader& part, const toml::table& table, Interfa
       return nullptr;
     }
     interface.nodes = found->second;
-    for (const int node : interface.nodes)
-      interface.point += mesh.nodes.col(node) / static_cast<double>(interface.nodes.size());
+    put_at_mean(mesh, interface);
     return set;
+  }
+  if (const toml::node* list = table.get("nodes")) {
+    if (!listed(part, *list, interface)) return nullptr;
+    put_at_mean(mesh, interface);
+    return list;
   }
   const bool round = table.contains("circle");
   const toml::node& node = *table.get(round ? "circle" : "box");
@@ -107,7 +132,7 @@ void read_interfaces(PartReader& part) {
                   part.dim() == 2
                       ? "two nodes or more that no other interface has"
                       : "three nodes or more, not in a line, that no other interface has",
-                  fmt::format("the cells are about {:.3g} m wide", cell_width(part)));
+                  width_of_cells(part));
     }
   }
   if (all.empty()) part.refuse(all, "has no interfaces", "at least one");

@@ -17,28 +17,46 @@ namespace fs = std::filesystem;
 constexpr double kMostCells = 1e6;
 
 void read_file(PartReader& part, const toml::node& node) {
-  const fs::path given(node.value_or(std::string()));
-  const fs::path path =
-      given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
   try {
-    const std::string text = load_text(path, "a mesh");
-    const auto read = path.extension() == ".inp" ? read_abaqus : read_gmsh;
-    part.mesh = read(path.lexically_normal().string(), text);
-    part.reader.scene.input += text;
+    const NamedFile file = load_beside(part, node, "a mesh");
+    const std::string end = fs::path(file.path).extension();
+    const auto read = end == ".inp" || end == ".INP" ? read_abaqus : read_gmsh;
+    part.mesh = read(file.path, file.text);
+    const CellKind& kind = part.mesh.kind();
+    if (kind.family == CellFamily::Simplex && kind.order == 1)
+      part.reader.scene.warnings.push_back(
+          fmt::format("part '{}': cells of constant strain ({}) bend too stiffly; use those with "
+                      "nodes at their "
+                      "edges",
+                      part.name, kind.name));
   } catch (const InputError& error) {
-    part.ok = false;
-    for (const InputProblem& problem : error.problems)
-      if (problem.line > 0)
-        part.reader.problems.add(problem);
-      else
-        part.refuse(node, "has no mesh: " + problem.file + ": " + problem.what, problem.expected,
-                    "paths are relative to the scene");
+    add_problems(part, error, node);
   }
 }
 
 }  // namespace
 
+NamedFile load_beside(PartReader& part, const toml::node& name, const std::string& expected) {
+  const fs::path given(name.value_or(std::string()));
+  const fs::path path =
+      given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
+  NamedFile file{path.lexically_normal().string(), load_text(path, expected)};
+  part.reader.scene.input += file.text;
+  return file;
+}
+
+void add_problems(PartReader& part, const InputError& error, const toml::node& name) {
+  part.ok = false;
+  for (const InputProblem& problem : error.problems)
+    if (problem.line > 0)
+      part.reader.problems.add(problem);
+    else
+      part.refuse(name, "cannot be read: " + problem.file + ": " + problem.what, problem.expected,
+                  "paths are relative to the scene");
+}
+
 void read_mesh(PartReader& part) {
+  if (part.table.contains("matrices")) return read_matrices(part);
   const toml::table& mesh = part.table_of("mesh");
   if (const toml::node* file = mesh.get("file")) return read_file(part, *file);
   for (const char* key : {"to", "cells"})

@@ -61,6 +61,13 @@ std::optional<FeatureSpec> read_feature(PartReader& part, const Entry& entry) {
 void read_outline(PartReader& part) {
   if (!part.table.contains("outline")) return;
   toml::table& all = part.table_of("outline");
+  if (!takes_outline(part.mesh))
+    return part.refuse(
+        key_of(part.table, "outline"),
+        fmt::format("has an outline in a mesh of a kind of cell that it does not cut: {}",
+                    part.mesh.kind().name),
+        "4-node quadrilaterals or 8-node hexahedra",
+        "without an outline all of the mesh is material");
   part.solid.outline.dim = part.dim();
   for (const Entry& entry : entries_of(all)) {
     if (const auto feature = read_feature(part, entry))

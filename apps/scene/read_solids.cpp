@@ -16,6 +16,9 @@ namespace liesl {
 namespace {
 
 void read_material(PartReader& part) {
+  if (part.table.contains("matrices")) return;
+  if (!part.table.contains("material"))
+    return part.refuse(part.table, "has a mesh without 'material'", "the name of a material");
   const toml::node& node = *part.table.get("material");
   const auto name = node.value_or(std::string());
   if (!part.reader.known(node, "materials", "material", name) ||
@@ -29,6 +32,7 @@ void read_material(PartReader& part) {
 }
 
 void read_thickness(PartReader& part) {
+  if (part.matrices) return;
   const toml::node* node = part.table.get("thickness");
   if (part.dim() == 2 && !node)
     part.refuse(part.table, "has a planar mesh without 'thickness'", "a number > 0 (m)");
@@ -39,8 +43,11 @@ void read_thickness(PartReader& part) {
 
 void build_model(PartReader& part) {
   try {
-    part.solid.model = std::make_shared<const SolidModel>(std::move(part.mesh), part.material,
-                                                          part.interfaces, part.options);
+    part.solid.model = part.matrices
+                           ? std::make_shared<const SolidModel>(std::move(part.mesh),
+                                                                *part.matrices, part.interfaces)
+                           : std::make_shared<const SolidModel>(std::move(part.mesh), part.material,
+                                                                part.interfaces, part.options);
     const SolidModel& model = *part.solid.model;
     const int inner = model.size() - model.rigid_count() * model.ports();
     if (part.solid.modes >= inner)
@@ -93,8 +100,8 @@ void check_plane(Reader& reader) {
     const bool asked = reader.scene.simulation.space != SpaceChoice::Spatial;
     if (found.plane && asked) return;
     const toml::table& bodies = *reader.root["bodies"].as_table();
-    const toml::node& mesh = *bodies[body.name]["solid"]["mesh"].node();
-    reader.problems.add(mesh,
+    const toml::table& table = *bodies[body.name]["solid"].as_table();
+    reader.problems.add(*table.get(table.contains("mesh") ? "mesh" : "matrices"),
                         fmt::format("part '{}' has a planar mesh, but {}", body.name,
                                     found.plane ? "simulation.space is \"spatial\""
                                                 : "the scene is not planar: " + found.reason),

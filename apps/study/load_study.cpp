@@ -141,11 +141,15 @@ toml::table with_whole_paths(const Document& scene) {
   toml::table copy = scene.root;
   if (toml::table* bodies = copy["bodies"].as_table())
     for (auto&& [name, body] : *bodies) {
-      auto file = toml::node_view<toml::node>(body)["solid"]["mesh"]["file"];
-      const auto path = file.value<std::string>();
-      if (path && file.is_string())
-        *file.as_string() =
-            fs::absolute(fs::path(scene.file).parent_path() / *path).lexically_normal().string();
+      auto solid = toml::node_view<toml::node>(body)["solid"];
+      for (auto file :
+           {solid["mesh"]["file"], solid["matrices"]["stiffness"], solid["matrices"]["mass"],
+            solid["matrices"]["nodes"], solid["matrices"]["file"]}) {
+        const auto path = file.value<std::string>();
+        if (path && file.is_string())
+          *file.as_string() =
+              fs::absolute(fs::path(scene.file).parent_path() / *path).lexically_normal().string();
+      }
     }
   return copy;
 }

@@ -35,7 +35,7 @@ output::MeshResult mesh_at_rest(const BodySpec& body, const Eigen::MatrixXd& phi
   const Eigen::Vector3d origin = solid.interfaces()[0].point;
   output::MeshResult out;
   out.name = body.name;
-  out.corners = mesh.corners();
+  out.corners = mesh.nodes_per_cell();
   out.cells.assign(mesh.cells.data(), mesh.cells.data() + mesh.cells.size());
   append(out.fractions, solid_fractions(solid).value);
   append_columns(out.reference, mesh.nodes.colwise() - origin);

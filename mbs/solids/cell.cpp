@@ -44,41 +44,62 @@ MatrixXd strain_matrix(int dim, const MatrixXd& dN) {
 }
 
 /// dx/dxi transposed: rows xi, columns x.
-MatrixXd jacobian(int dim, const Eigen::Matrix3Xd& corners, const MatrixXd& dN) {
-  return dN * corners.topRows(dim).transpose();
+MatrixXd jacobian(int dim, const Eigen::Matrix3Xd& nodes, const MatrixXd& dN) {
+  return dN * nodes.topRows(dim).transpose();
 }
+
+/// Strains of the incompatible modes: d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian J0 of
+/// the centre and det J0 / det J.
+struct IncompatibleModes {
+  MatrixXd K_ua, K_aa, J0inverse;
+  double det0;
+
+  IncompatibleModes(int dim, Eigen::Index freedoms, const MatrixXd& J0)
+      : K_ua(MatrixXd::Zero(freedoms, dim * dim)),
+        K_aa(MatrixXd::Zero(dim * dim, dim * dim)),
+        J0inverse(linalg::inverse(J0)),
+        det0(linalg::determinant(J0)) {}
+
+  void add(const Vector3d& xi, double det, double w, const MatrixXd& B, const MatrixXd& D) {
+    const int dim = static_cast<int>(J0inverse.rows());
+    const MatrixXd modes = (-2 * xi.head(dim)).asDiagonal();
+    const MatrixXd G = strain_matrix(dim, det0 / det * J0inverse * modes);
+    K_ua += w * B.transpose() * D * G;
+    K_aa += w * G.transpose() * D * G;
+  }
+};
 
 }  // namespace
 
-CellMatrices cell_matrices(int dim, const Eigen::Matrix3Xd& corners, const Material& material,
+CellMatrices cell_matrices(int dim, const Eigen::Matrix3Xd& nodes, const Material& material,
                            double thickness) {
-  const auto n = corners.cols();
+  const auto n = nodes.cols();
+  const CellKind& kind = cell_kind(dim, static_cast<int>(n));
   const MatrixXd D = elasticity(dim, material);
-  const MatrixXd dN0 = corner_functions(dim, Vector3d::Zero()).dN;
-  const MatrixXd J0 = jacobian(dim, corners, dN0), J0inverse = linalg::inverse(J0);
-  const double det0 = linalg::determinant(J0), depth = dim == 2 ? thickness : 1;
+  const MatrixXd dN0 = cell_functions(kind, reference_centre(kind)).dN;
+  const MatrixXd J0 = jacobian(dim, nodes, dN0);
+  const double depth = dim == 2 ? thickness : 1;
+  IncompatibleModes modes(dim, dim * n, J0);
+  const bool incompatible = kind.family == CellFamily::Cube && kind.order == 1;
   CellMatrices cell;
-  cell.stress = D * strain_matrix(dim, J0inverse * dN0);
+  cell.stress = D * strain_matrix(dim, modes.J0inverse * dN0);
   cell.K = MatrixXd::Zero(dim * n, dim * n);
   cell.M = MatrixXd::Zero(n, n);
-  MatrixXd K_ua = MatrixXd::Zero(dim * n, dim * dim), K_aa = MatrixXd::Zero(dim * dim, dim * dim);
-  const double g = 1 / std::sqrt(3.0);
-  for (int point = 0; point < (dim == 2 ? 4 : 8); ++point) {
-    const Vector3d xi(point & 1 ? g : -g, point & 2 ? g : -g, point & 4 ? g : -g);
-    const CornerFunctions f = corner_functions(dim, xi);
-    const MatrixXd J = jacobian(dim, corners, f.dN);
-    const double det = linalg::determinant(J), w = det * depth;
+  for (const QuadraturePoint& p : cell_quadrature(kind, QuadratureUse::Stiffness)) {
+    const CellFunctions f = cell_functions(kind, p.xi);
+    const MatrixXd J = jacobian(dim, nodes, f.dN);
+    const double det = linalg::determinant(J), w = p.weight * det * depth;
     const MatrixXd B = strain_matrix(dim, linalg::inverse(J) * f.dN);
-    // d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian of the centre.
-    const MatrixXd modes = (-2 * xi.head(dim)).asDiagonal();
-    const MatrixXd G = strain_matrix(dim, det0 / det * J0inverse * modes);
     cell.K += w * B.transpose() * D * B;
-    K_ua += w * B.transpose() * D * G;
-    K_aa += w * G.transpose() * D * G;
+    if (incompatible) modes.add(p.xi, det, w, B, D);
+  }
+  for (const QuadraturePoint& p : cell_quadrature(kind, QuadratureUse::Mass)) {
+    const CellFunctions f = cell_functions(kind, p.xi);
+    const double w = p.weight * linalg::determinant(jacobian(dim, nodes, f.dN)) * depth;
     cell.M += w * material.rho * f.N * f.N.transpose();
     cell.volume += w;
   }
-  cell.K -= K_ua * linalg::LDLT(K_aa).solve(K_ua.transpose());
+  if (incompatible) cell.K -= modes.K_ua * linalg::LDLT(modes.K_aa).solve(modes.K_ua.transpose());
   cell.K = (0.5 * (cell.K + cell.K.transpose())).eval();
   return cell;
 }

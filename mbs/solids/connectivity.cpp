@@ -1,15 +1,12 @@
 #include "mbs/solids/connectivity.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 #include <vector>
 
 namespace liesl {
 namespace {
-
-using Side = std::array<int, 4>;
 
 /// Disjoint sets of cells.
 struct Groups {
@@ -27,17 +24,18 @@ struct Groups {
 std::optional<ConnectivityProblem> cut_interface(const SolidModel& model, const Eigen::VectorXd& v,
                                                  double threshold) {
   const SolidMesh& mesh = model.mesh();
+  if (mesh.cell_count() == 0) return std::nullopt;  // a part of matrices: its modes tell
   Groups groups(mesh.cell_count());
-  std::map<Side, int> open;
+  std::map<CellSide, int> open;
   std::vector<std::vector<int>> at_node(mesh.node_count());
   for (int e = 0; e < mesh.cell_count(); ++e) {
     if (!(v[e] >= threshold)) continue;
-    for (Side side : side_nodes(mesh, e)) {
+    for (CellSide side : side_nodes(mesh, e)) {
       std::sort(side.begin(), side.end());  // both neighbours name it alike
       const auto [it, fresh] = open.try_emplace(side, e);
       if (!fresh) groups.join(e, it->second);
     }
-    for (int c = 0; c < mesh.corners(); ++c) at_node[mesh.cells(c, e)].push_back(e);
+    for (int c = 0; c < mesh.nodes_per_cell(); ++c) at_node[mesh.cells(c, e)].push_back(e);
   }
   std::vector<int> main;  // groups that the interfaces so far have in common
   for (int k = 0; k < model.ports(); ++k) {

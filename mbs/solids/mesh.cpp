@@ -2,7 +2,6 @@
 
 #include <Eigen/LU>
 #include <array>
-#include <cmath>
 #include <limits>
 #include <stdexcept>
 
@@ -11,17 +10,11 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// Reference coordinates of the corners.
-Vector3d corner(int dim, int c) {
-  return {(c + 1) / 2 % 2 ? 1.0 : -1.0, c / 2 % 2 ? 1.0 : -1.0,
-          dim == 2 ? 0.0
-          : c / 4  ? 1.0
-                   : -1.0};
-}
-
-double jacobian_determinant(int dim, const Eigen::Matrix3Xd& corners, const Vector3d& xi) {
-  const Eigen::MatrixXd J = corners.topRows(dim) * corner_functions(dim, xi).dN.transpose();
-  return dim == 2 ? J.topLeftCorner<2, 2>().determinant() : J.topLeftCorner<3, 3>().determinant();
+double jacobian_determinant(const CellKind& kind, const Eigen::Matrix3Xd& nodes,
+                            const Vector3d& xi) {
+  const Eigen::MatrixXd J = nodes.topRows(kind.dim) * cell_functions(kind, xi).dN.transpose();
+  return kind.dim == 2 ? J.topLeftCorner<2, 2>().determinant()
+                       : J.topLeftCorner<3, 3>().determinant();
 }
 
 SolidMesh grid(int dim, const Vector3d& from, const Vector3d& to, std::array<int, 3> n) {
@@ -31,9 +24,9 @@ SolidMesh grid(int dim, const Vector3d& from, const Vector3d& to, std::array<int
   SolidMesh mesh;
   mesh.dim = dim;
   const int mx = n[0] + 1, my = n[1] + 1, mz = dim == 2 ? 1 : n[2] + 1;
-  const int layers = dim == 2 ? 1 : n[2];
+  const int layers = dim == 2 ? 1 : n[2], corners = dim == 2 ? 4 : 8;
   mesh.nodes.resize(3, static_cast<Eigen::Index>(mx) * my * mz);
-  mesh.cells.resize(mesh.corners(), static_cast<Eigen::Index>(n[0]) * n[1] * layers);
+  mesh.cells.resize(corners, static_cast<Eigen::Index>(n[0]) * n[1] * layers);
   const char axes[] = "xyz";
   for (int k = 0, node = 0; k < mz; ++k) {
     for (int j = 0; j < my; ++j) {
@@ -52,24 +45,28 @@ SolidMesh grid(int dim, const Vector3d& from, const Vector3d& to, std::array<int
   for (int k = 0, cell = 0; k < layers; ++k)
     for (int j = 0; j < n[1]; ++j)
       for (int i = 0; i < n[0]; ++i, ++cell)
-        for (int c = 0; c < mesh.corners(); ++c)
+        for (int c = 0; c < corners; ++c)
           mesh.cells(c, cell) = ((k + c / 4) * my + j + c / 2 % 2) * mx + i + (c + 1) / 2 % 2;
   return mesh;
 }
 
 }  // namespace
 
-Eigen::Matrix3Xd SolidMesh::corners_of(int cell) const {
-  Eigen::Matrix3Xd x(3, corners());
-  for (int c = 0; c < corners(); ++c) x.col(c) = nodes.col(cells(c, cell));
+Eigen::Matrix3Xd SolidMesh::nodes_of(int cell) const {
+  Eigen::Matrix3Xd x(3, nodes_per_cell());
+  for (int c = 0; c < nodes_per_cell(); ++c) x.col(c) = nodes.col(cells(c, cell));
   return x;
 }
 
+Eigen::Matrix3Xd SolidMesh::corners_of(int cell) const {
+  return nodes_of(cell).leftCols(corners());
+}
+
 double SolidMesh::cell_size(int cell) const {
-  const Eigen::Matrix3Xd x = corners_of(cell);
-  const double g = 1 / std::sqrt(3.0);  // Gauss, exact for the Jacobian
+  const Eigen::Matrix3Xd x = nodes_of(cell);
   double size = 0;
-  for (int c = 0; c < corners(); ++c) size += jacobian_determinant(dim, x, g * corner(dim, c));
+  for (const QuadraturePoint& p : cell_quadrature(kind(), QuadratureUse::Mass))
+    size += p.weight * jacobian_determinant(kind(), x, p.xi);
   return size;
 }
 
@@ -89,36 +86,25 @@ std::vector<int> nodes_where(const SolidMesh& mesh,
   return found;
 }
 
-CornerFunctions corner_functions(int dim, const Vector3d& xi) {
-  const int n = dim == 2 ? 4 : 8;
-  CornerFunctions f;
-  f.N.resize(n);
-  f.dN.resize(dim, n);
-  for (int c = 0; c < n; ++c) {
-    const Vector3d s = corner(dim, c);
-    std::array<double, 3> factor = {(1 + s[0] * xi[0]) / 2, (1 + s[1] * xi[1]) / 2, 1};
-    if (dim == 3) factor[2] = (1 + s[2] * xi[2]) / 2;
-    f.N[c] = factor[0] * factor[1] * factor[2];
-    for (int a = 0; a < dim; ++a) f.dN(a, c) = s[a] / 2 * factor[(a + 1) % 3] * factor[(a + 2) % 3];
-  }
-  return f;
+CellFunctions corner_functions(int dim, const Vector3d& xi) {
+  return cell_functions(cell_kind(dim, dim == 2 ? 4 : 8), xi);
 }
 
-double smallest_jacobian(int dim, const Eigen::Matrix3Xd& corners) {
+double smallest_jacobian(int dim, const Eigen::Matrix3Xd& nodes) {
+  const CellKind& kind = cell_kind(dim, static_cast<int>(nodes.cols()));
   double least = std::numeric_limits<double>::infinity();
-  for (int c = 0; c < corners.cols(); ++c)
-    least = std::min(least, jacobian_determinant(dim, corners, corner(dim, c)));
+  for (int n = 0; n < kind.nodes; ++n)
+    least = std::min(least, jacobian_determinant(kind, nodes, reference_node(kind, n)));
+  for (const QuadraturePoint& p : cell_quadrature(kind, QuadratureUse::Mass))
+    least = std::min(least, jacobian_determinant(kind, nodes, p.xi));
   return least;
 }
 
-std::vector<std::array<int, 4>> side_nodes(const SolidMesh& mesh, int cell) {
-  static constexpr std::array<std::array<int, 4>, 6> faces = {
-      {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 5, 4}, {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}}};
-  std::vector<std::array<int, 4>> sides;
-  for (int s = 0; s < (mesh.dim == 2 ? 4 : 6); ++s) {
-    std::array<int, 4> side = {mesh.cells(s % 4, cell), mesh.cells((s + 1) % 4, cell), -1, -1};
-    if (mesh.dim == 3)
-      for (int i = 0; i < 4; ++i) side[i] = mesh.cells(faces[s][i], cell);
+std::vector<CellSide> side_nodes(const SolidMesh& mesh, int cell) {
+  std::vector<CellSide> sides;
+  for (CellSide side : cell_sides(mesh.kind())) {
+    for (int& node : side)
+      if (node >= 0) node = mesh.cells(node, cell);
     sides.push_back(side);
   }
   return sides;

@@ -7,8 +7,8 @@
 
 namespace liesl {
 
-std::vector<std::array<int, 4>> outer_sides(const SolidMesh& mesh) {
-  std::map<std::array<int, 4>, std::pair<int, std::array<int, 4>>> sides;  // by sorted nodes
+std::vector<CellSide> outer_sides(const SolidMesh& mesh) {
+  std::map<CellSide, std::pair<int, CellSide>> sides;  // by sorted nodes
   for (int e = 0; e < mesh.cell_count(); ++e)
     for (const auto& side : side_nodes(mesh, e)) {
       auto sorted = side;
@@ -17,7 +17,7 @@ std::vector<std::array<int, 4>> outer_sides(const SolidMesh& mesh) {
       ++count;
       own = side;
     }
-  std::vector<std::array<int, 4>> outer;
+  std::vector<CellSide> outer;
   for (const auto& [sorted, counted] : sides)
     if (counted.first == 1) outer.push_back(counted.second);
   return outer;

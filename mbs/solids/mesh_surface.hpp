@@ -2,7 +2,6 @@
 /// @file
 /// The surface of a mesh, and how large its cells are.
 
-#include <array>
 #include <vector>
 
 #include "mbs/solids/mesh.hpp"
@@ -10,7 +9,7 @@
 namespace liesl {
 
 /// The sides that belong to one cell only, as `side_nodes` gives them.
-std::vector<std::array<int, 4>> outer_sides(const SolidMesh& mesh);
+std::vector<CellSide> outer_sides(const SolidMesh& mesh);
 
 /// Side of a square (cube) of the mean size of the cells, m.
 double mean_cell_length(const SolidMesh& mesh);

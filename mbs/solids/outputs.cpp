@@ -1,7 +1,6 @@
 // Supports and linear outputs of a meshed part, as coordinates and vectors in q.
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <stdexcept>
 
 #include "mbs/solids/interface_map.hpp"
@@ -15,20 +14,19 @@ using Eigen::VectorXd;
 namespace {
 
 /// int N dA of the nodes of a side, m^2; plane: length times thickness.
-Eigen::Vector4d side_shares(const SolidModel& model, const std::array<int, 4>& side) {
-  const Eigen::Matrix3Xd& x = model.mesh().nodes;
-  if (model.mesh().dim == 2) {
-    const double half = (x.col(side[1]) - x.col(side[0])).norm() * model.thickness() / 2;
-    return {half, half, 0, 0};
-  }
-  Eigen::Matrix<double, 3, 4> corners;
-  for (int i = 0; i < 4; ++i) corners.col(i) = x.col(side[i]);
-  Eigen::Vector4d shares = Eigen::Vector4d::Zero();
-  for (int point = 0; point < 4; ++point) {
-    const double g = 1 / std::sqrt(3.0);
-    const CornerFunctions f = corner_functions(2, {point & 1 ? g : -g, point & 2 ? g : -g, 0});
-    const Eigen::Matrix<double, 3, 2> J = corners * f.dN.transpose();
-    shares += J.col(0).cross(J.col(1)).norm() * f.N;
+Eigen::VectorXd side_shares(const SolidModel& model, const CellSide& side) {
+  const SolidMesh& mesh = model.mesh();
+  const CellKind& kind = side_kind(mesh.kind());
+  Eigen::Matrix3Xd nodes(3, kind.nodes);
+  for (int i = 0; i < kind.nodes; ++i) nodes.col(i) = mesh.nodes.col(side[std::size_t(i)]);
+  VectorXd shares = VectorXd::Zero(kind.nodes);
+  for (const QuadraturePoint& p : cell_quadrature(kind, QuadratureUse::Mass)) {
+    const CellFunctions f = cell_functions(kind, p.xi);
+    const Eigen::Matrix3Xd J = nodes * f.dN.transpose();
+    const double area = mesh.dim == 2
+                            ? J.col(0).norm() * model.thickness()
+                            : Eigen::Vector3d(J.col(0)).cross(Eigen::Vector3d(J.col(1))).norm();
+    shares += p.weight * area * f.N;
   }
   return shares;
 }
@@ -103,7 +101,7 @@ VectorXd traction_load(const SolidModel& model, const std::vector<int>& nodes,
   const SolidMesh& mesh = model.mesh();
   std::vector<char> in_set(mesh.node_count(), 0);
   for (const int node : nodes) in_set[node] = 1;
-  std::vector<std::array<int, 4>> sides = outer_sides(mesh);
+  std::vector<CellSide> sides = outer_sides(mesh);
   std::erase_if(sides, [&](const auto& side) {
     return !std::all_of(side.begin(), side.end(), [&](int n) { return n < 0 || in_set[n]; });
   });
@@ -111,9 +109,9 @@ VectorXd traction_load(const SolidModel& model, const std::vector<int>& nodes,
     throw std::invalid_argument("traction: no side of a cell has all its nodes in the set");
   VectorXd f = VectorXd::Zero(model.node_freedoms());
   for (const auto& side : sides) {
-    const Eigen::Vector4d shares = side_shares(model, side);
-    for (int i = 0; i < 4 && side[i] >= 0; ++i)
-      f.segment(mesh.dim * side[i], mesh.dim) += shares[i] * traction.head(mesh.dim);
+    const VectorXd shares = side_shares(model, side);
+    for (Eigen::Index i = 0; i < shares.size(); ++i)
+      f.segment(mesh.dim * side[std::size_t(i)], mesh.dim) += shares[i] * traction.head(mesh.dim);
   }
   return model.T().transpose() * f;
 }

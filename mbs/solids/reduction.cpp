@@ -109,19 +109,22 @@ ReducedSolid reduce(const SolidModel& model, const VectorXd& v, ReductionKind ki
 
 namespace {
 
-/// Scalar fields at the corners of cell e, by row: 1, x, y, z, then the components of phi_k.
-/// @param u modes x freedoms  @param Z rows of 1, x, y, z stay zero for a `derivative`
-void fields_at(const SolidModel& model, int e, const MatrixXd& u, bool derivative, MatrixXd& Z) {
-  const SolidMesh& mesh = model.mesh();
-  for (int c = 0; c < mesh.corners(); ++c) {
-    if (!derivative) {
-      Z(0, c) = 1;
-      Z.col(c).segment<3>(1) = mesh.nodes.col(mesh.cells(c, e));
-    }
-    for (int a = 0; a < mesh.dim; ++a)
-      for (Eigen::Index j = 0; j < u.rows(); ++j)
-        Z(4 + 3 * j + a, c) = u(j, model.freedom(e, c) + a);
+/// Scalar fields at a node: 1, x, y, z, then the components of phi_k.
+/// @param u modes x freedoms  @param z 1, x, y, z stay zero for a `derivative`
+void fields_at(const SolidMesh& mesh, int node, const MatrixXd& u, bool derivative,
+               Eigen::Ref<VectorXd> z) {
+  if (!derivative) {
+    z[0] = 1;
+    z.segment<3>(1) = mesh.nodes.col(node);
   }
+  for (int a = 0; a < mesh.dim; ++a)
+    for (Eigen::Index j = 0; j < u.rows(); ++j) z[4 + 3 * j + a] = u(j, mesh.dim * node + a);
+}
+
+/// At the nodes of cell e, by column.
+void fields_in(const SolidMesh& mesh, int e, const MatrixXd& u, bool derivative, MatrixXd& Z) {
+  for (int c = 0; c < mesh.nodes_per_cell(); ++c)
+    fields_at(mesh, mesh.cells(c, e), u, derivative, Z.col(c));
 }
 
 /// From the integrals of products of two fields.
@@ -146,10 +149,17 @@ InertiaIntegrals inertia_integrals(const SolidModel& model, const VectorXd& v,
                                    const MatrixXd& modes) {
   const MatrixXd u = (model.T() * modes).transpose();
   const Eigen::Index fields = 4 + 3 * modes.cols();
-  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().corners()), G = MatrixXd::Zero(fields, fields);
+  if (const Sparse* m = model.nodal_mass()) {
+    MatrixXd Z = MatrixXd::Zero(fields, model.mesh().node_count());
+    for (int i = 0; i < model.mesh().node_count(); ++i)
+      fields_at(model.mesh(), i, u, false, Z.col(i));
+    return by_name(Z * (*m * Z.transpose()).eval());
+  }
+  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().nodes_per_cell()),
+           G = MatrixXd::Zero(fields, fields);
   for (int e = 0; e < model.mesh().cell_count(); ++e) {
     if (v[e] == 0) continue;
-    fields_at(model, e, u, false, Z);
+    fields_in(model.mesh(), e, u, false, Z);
     G.noalias() += v[e] * Z * (model.cell(e).M * Z.transpose()).eval();
   }
   return by_name(G);
@@ -161,12 +171,12 @@ InertiaIntegrals inertia_integrals_derivative(const SolidModel& model, const Vec
                                               const MatrixXd& dmodes) {
   const MatrixXd u = (model.T() * modes).transpose(), du = (model.T() * dmodes).transpose();
   const Eigen::Index fields = 4 + 3 * modes.cols();
-  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().corners()), dZ = Z,
+  MatrixXd Z = MatrixXd::Zero(fields, model.mesh().nodes_per_cell()), dZ = Z,
            half = MatrixXd::Zero(fields, fields);
   for (int e = 0; e < model.mesh().cell_count(); ++e) {
     if (v[e] == 0 && dv[e] == 0) continue;
-    fields_at(model, e, u, false, Z);
-    fields_at(model, e, du, true, dZ);
+    fields_in(model.mesh(), e, u, false, Z);
+    fields_in(model.mesh(), e, du, true, dZ);
     half.noalias() += (v[e] * dZ + 0.5 * dv[e] * Z) * (model.cell(e).M * Z.transpose()).eval();
   }
   return by_name(half + half.transpose());
@@ -191,17 +201,17 @@ FrequencyGradient free_frequency_gradient(const SolidModel& model, const VectorX
   f.frequency = hertz(modes.lambda);
   f.gradient = MatrixXd::Zero(count, dv.cols());
   const MatrixXd u = model.T() * modes.phi;
-  const int dim = model.mesh().dim, corners = model.mesh().corners();
-  MatrixXd phi(dim * corners, count), component(corners, count);
+  const int dim = model.mesh().dim, nodes = model.mesh().nodes_per_cell();
+  MatrixXd phi(dim * nodes, count), component(nodes, count);
   for (int e = 0; e < dv.rows(); ++e) {
     FractionGradient::InnerIterator d(dv, e);
     if (!d) continue;
-    for (int c = 0; c < corners; ++c)
+    for (int c = 0; c < nodes; ++c)
       phi.middleRows(dim * c, dim) = u.middleRows(model.freedom(e, c), dim);
     VectorXd change = model.law().slope(v[e]) *
                       phi.cwiseProduct(model.cell(e).K * phi).colwise().sum().transpose();
     for (int a = 0; a < dim; ++a) {
-      for (int c = 0; c < corners; ++c) component.row(c) = phi.row(dim * c + a);
+      for (int c = 0; c < nodes; ++c) component.row(c) = phi.row(dim * c + a);
       change -= modes.lambda.cwiseProduct(
           component.cwiseProduct(model.cell(e).M * component).colwise().sum().transpose());
     }

@@ -12,7 +12,7 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// M of one component for all of them: freedoms dim * corner + component.
+/// M of one component for all of them: freedoms dim * node + component.
 MatrixXd for_all_components(const MatrixXd& M, int dim) {
   MatrixXd all = MatrixXd::Zero(dim * M.rows(), dim * M.cols());
   for (Eigen::Index i = 0; i < M.rows(); ++i)
@@ -21,7 +21,50 @@ MatrixXd for_all_components(const MatrixXd& M, int dim) {
   return all;
 }
 
+auto K_of(const SolidModel& model) {
+  return [&model](int e) -> const MatrixXd& { return model.cell(e).K; };
+}
+
 }  // namespace
+
+/// T_e^T A_e T_e of every cell, lower triangle; T_e are the rows of T at the cell's freedoms.
+template <class Matrix>
+SparseAssembly SolidModel::add_cells(SparseAssembly assembly, const Matrix& matrix,
+                                     const VectorXd& factor) const {
+  const int dim = mesh_.dim, n = dim * mesh_.nodes_per_cell();
+  std::vector<int> columns, local(size(), -1);
+  MatrixXd T_e, reduced;
+  assembly.begin();
+  for (int e = 0; e < mesh_.cell_count(); ++e) {
+    columns.clear();
+    bool plain = true;
+    for (int i = 0; i < n; ++i) {
+      const int row = freedom(e, i / dim) + i % dim;
+      plain = plain && coordinate_[row] >= 0;
+      for (decltype(T_rows_)::InnerIterator t(T_rows_, row); t; ++t) {
+        const auto c = static_cast<int>(t.col());
+        if (local[c] < 0) local[c] = static_cast<int>(columns.size()), columns.push_back(c);
+      }
+    }
+    const MatrixXd* A = &matrix(e);
+    if (!plain) {
+      T_e.setZero(n, static_cast<Eigen::Index>(columns.size()));
+      for (int i = 0; i < n; ++i)
+        for (decltype(T_rows_)::InnerIterator t(T_rows_, freedom(e, i / dim) + i % dim); t; ++t)
+          T_e(i, local[t.col()]) = t.value();
+      reduced = T_e.transpose() * *A * T_e;
+      A = &reduced;
+    }
+    for (std::size_t j = 0; j < columns.size(); ++j)
+      for (std::size_t i = 0; i < columns.size(); ++i)
+        if (columns[i] >= columns[j])
+          assembly.add(
+              columns[i], columns[j],
+              factor[e] * (*A)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
+    for (const int c : columns) local[c] = -1;
+  }
+  return assembly;
+}
 
 SolidModel::SolidModel(SolidMesh mesh, Material material, std::vector<Interface> interfaces,
                        const Options& options)
@@ -36,8 +79,19 @@ SolidModel::SolidModel(SolidMesh mesh, Material material, std::vector<Interface>
     throw std::invalid_argument("thickness of a planar part must be positive");
   find_shapes();
   number_freedoms();
-  assembly_ = add_cells(SparseAssembly(size()), K_of_shape_, VectorXd::Ones(mesh_.cell_count()));
+  assembly_ = add_cells(SparseAssembly(size()), K_of(*this), VectorXd::Ones(mesh_.cell_count()));
   assembly_.finish();
+}
+
+SolidModel::SolidModel(SolidMesh nodes, const NodalMatrices& matrices,
+                       std::vector<Interface> interfaces)
+    : mesh_(std::move(nodes)), interfaces_(std::move(interfaces)) {
+  mesh_.cells.resize(mesh_.dim == 2 ? 4 : 8, 0);
+  const Sparse m = component_mass(mesh_, matrices);
+  number_freedoms();
+  const Sparse K_q = T_.transpose() * matrices.K * T_, M_q = T_.transpose() * matrices.M * T_;
+  const Sparse K = K_q.triangularView<Eigen::Lower>(), M = M_q.triangularView<Eigen::Lower>();
+  given_ = {K + 0.0 * M, M + 0.0 * K, m};
 }
 
 /// Cells of equal edges (to 1e-10 of their size) share their matrices, the last distinct shape is
@@ -46,7 +100,7 @@ void SolidModel::find_shapes() {
   std::vector<Eigen::Matrix3Xd> known;
   full_mass_.resize(mesh_.cell_count());
   for (int e = 0; e < mesh_.cell_count(); ++e) {
-    Eigen::Matrix3Xd x = mesh_.corners_of(e);
+    Eigen::Matrix3Xd x = mesh_.nodes_of(e);
     if (!(smallest_jacobian(mesh_.dim, x) > 0))
       throw std::invalid_argument("cell " + std::to_string(e) + " is inverted or flat");
     x.colwise() -= Eigen::Vector3d(x.col(0));
@@ -60,7 +114,6 @@ void SolidModel::find_shapes() {
     if (s == known.size()) {
       known.push_back(x);
       shapes_.push_back(cell_matrices(mesh_.dim, x, material_, options_.thickness));
-      K_of_shape_.push_back(shapes_.back().K);
       M_of_shape_.push_back(for_all_components(shapes_.back().M, mesh_.dim));
     }
     shape_of_.push_back(static_cast<int>(s));
@@ -101,62 +154,29 @@ std::optional<int> SolidModel::coordinate(int node, int component) const {
 }
 
 MatrixXd SolidModel::at_cell(int cell, const Eigen::Ref<const MatrixXd>& u) const {
-  MatrixXd out(mesh_.dim * mesh_.corners(), u.cols());
-  for (int c = 0; c < mesh_.corners(); ++c)
+  MatrixXd out(mesh_.dim * mesh_.nodes_per_cell(), u.cols());
+  for (int c = 0; c < mesh_.nodes_per_cell(); ++c)
     out.middleRows(mesh_.dim * c, mesh_.dim) = u.middleRows(freedom(cell, c), mesh_.dim);
   return out;
 }
 
 SolidModel::Sparse SolidModel::stiffness(const VectorXd& v) const {
+  if (!given_.empty()) return given_[0];
   const VectorXd factor = v.unaryExpr([this](double x) { return options_.law.stiffness(x); });
-  return add_cells(assembly_, K_of_shape_, factor).finish();
+  return add_cells(assembly_, K_of(*this), factor).finish();
 }
 
 SolidModel::Sparse SolidModel::stiffness_derivative(const VectorXd& v, const VectorXd& dv) const {
+  if (!given_.empty()) return 0.0 * given_[0];
   const VectorXd slope = v.unaryExpr([this](double x) { return options_.law.slope(x); });
-  return add_cells(assembly_, K_of_shape_, slope.cwiseProduct(dv)).finish();
+  return add_cells(assembly_, K_of(*this), slope.cwiseProduct(dv)).finish();
 }
 
 SolidModel::Sparse SolidModel::mass(const VectorXd& v) const {
-  return add_cells(assembly_, M_of_shape_, v).finish();
-}
-
-/// T_e^T A_e T_e of every cell, lower triangle; T_e are the rows of T at the cell's freedoms.
-SparseAssembly SolidModel::add_cells(SparseAssembly assembly, const std::vector<MatrixXd>& by_shape,
-                                     const VectorXd& factor) const {
-  const int dim = mesh_.dim, n = dim * mesh_.corners();
-  std::vector<int> columns, local(size(), -1);
-  MatrixXd T_e, reduced;
-  assembly.begin();
-  for (int e = 0; e < mesh_.cell_count(); ++e) {
-    columns.clear();
-    bool plain = true;
-    for (int i = 0; i < n; ++i) {
-      const int row = freedom(e, i / dim) + i % dim;
-      plain = plain && coordinate_[row] >= 0;
-      for (decltype(T_rows_)::InnerIterator t(T_rows_, row); t; ++t) {
-        const auto c = static_cast<int>(t.col());
-        if (local[c] < 0) local[c] = static_cast<int>(columns.size()), columns.push_back(c);
-      }
-    }
-    const MatrixXd* A = &by_shape[shape_of_[e]];
-    if (!plain) {
-      T_e.setZero(n, static_cast<Eigen::Index>(columns.size()));
-      for (int i = 0; i < n; ++i)
-        for (decltype(T_rows_)::InnerIterator t(T_rows_, freedom(e, i / dim) + i % dim); t; ++t)
-          T_e(i, local[t.col()]) = t.value();
-      reduced = T_e.transpose() * *A * T_e;
-      A = &reduced;
-    }
-    for (std::size_t j = 0; j < columns.size(); ++j)
-      for (std::size_t i = 0; i < columns.size(); ++i)
-        if (columns[i] >= columns[j])
-          assembly.add(
-              columns[i], columns[j],
-              factor[e] * (*A)(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)));
-    for (const int c : columns) local[c] = -1;
-  }
-  return assembly;
+  if (!given_.empty()) return given_[1];
+  return add_cells(
+             assembly_, [this](int e) -> const MatrixXd& { return cell_mass(e); }, v)
+      .finish();
 }
 
 }  // namespace liesl

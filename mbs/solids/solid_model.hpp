@@ -13,6 +13,7 @@
 #include "mbs/solids/ersatz.hpp"
 #include "mbs/solids/interface.hpp"
 #include "mbs/solids/mesh.hpp"
+#include "mbs/solids/nodal_matrices.hpp"
 
 namespace liesl {
 
@@ -35,6 +36,9 @@ class SolidModel {
   /// shared with another interface, unknown nodes; or a cell that is inverted
   SolidModel(SolidMesh mesh, Material material, std::vector<Interface> interfaces,
              const Options& options);
+  /// A part whose matrices come from elsewhere: `nodes` is a mesh without cells.
+  /// @throws std::invalid_argument, also as `component_mass`
+  SolidModel(SolidMesh nodes, const NodalMatrices& matrices, std::vector<Interface> interfaces);
 
   const SolidMesh& mesh() const { return mesh_; }
   const std::vector<Interface>& interfaces() const { return interfaces_; }
@@ -61,26 +65,33 @@ class SolidModel {
   /// Lower triangle of dK/dp for fractions v with dv/dp = dv.
   Sparse stiffness_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv) const;
   /// kg; and its gradient with respect to the fractions.
-  double total_mass(const Eigen::VectorXd& v) const { return full_mass_.dot(v); }
+  double total_mass(const Eigen::VectorXd& v) const {
+    return given_.empty() ? full_mass_.dot(v) : given_[2].sum();
+  }
   const Eigen::VectorXd& cell_masses() const { return full_mass_; }
 
   /// Motions of the undeformed part, q x rigid_count(): translations, then rotations about the
   /// origin of the mesh.
   const Eigen::MatrixXd& rigid_motions() const { return rigid_; }
 
+  /// Mass between the nodes of one component, of a part without cells; else nothing.
+  const Sparse* nodal_mass() const { return given_.empty() ? nullptr : &given_[2]; }
+
   /// Matrices of a full cell; cells of equal shape share them.
   const CellMatrices& cell(int e) const { return shapes_[shape_of_[e]]; }
   /// Its mass matrix for all freedoms, kg: that of one component for each.
   const Eigen::MatrixXd& cell_mass(int e) const { return M_of_shape_[shape_of_[e]]; }
-  /// First freedom of a corner: freedoms are dim * node + component.
-  int freedom(int cell, int corner) const { return mesh_.dim * mesh_.cells(corner, cell); }
-  /// What u [node freedoms x columns] is at the corners of a cell: dim * corners x columns.
+  /// First freedom of a cell's local node: freedoms are dim * node + component.
+  int freedom(int cell, int local) const { return mesh_.dim * mesh_.cells(local, cell); }
+  /// What u [node freedoms x columns] is at the nodes of a cell: dim * its nodes x columns.
   Eigen::MatrixXd at_cell(int cell, const Eigen::Ref<const Eigen::MatrixXd>& u) const;
 
  private:
   void find_shapes();
   void number_freedoms();
-  SparseAssembly add_cells(SparseAssembly assembly, const std::vector<Eigen::MatrixXd>& by_shape,
+  /// @param matrix of a cell, for all of its freedoms
+  template <class Matrix>
+  SparseAssembly add_cells(SparseAssembly assembly, const Matrix& matrix,
                            const Eigen::VectorXd& factor) const;
 
   SolidMesh mesh_;
@@ -88,7 +99,10 @@ class SolidModel {
   std::vector<Interface> interfaces_;
   Options options_;
   std::vector<CellMatrices> shapes_;
-  std::vector<Eigen::MatrixXd> K_of_shape_, M_of_shape_;
+  /// Of a part without cells: K and M in q with the same pattern, lower triangles, and the mass
+  /// between nodes of one component; else empty.
+  std::vector<Sparse> given_;
+  std::vector<Eigen::MatrixXd> M_of_shape_;  ///< for all components
   std::vector<int> shape_of_;
   Eigen::VectorXd full_mass_;
   std::vector<int> coordinate_;  ///< by freedom, -1: taken by an interface

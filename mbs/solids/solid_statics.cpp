@@ -88,8 +88,8 @@ VectorXd SolidStatics::compliance() const { return f_.cwiseProduct(q()).colwise(
 /// P = s' K mu + M R b, Q = M mu, where b balances the output.
 SolidStatics::CellWeights SolidStatics::cell_weights(int e, const double* mu,
                                                      const double* rigid_b) const {
-  const int dim = model_.mesh().dim, n = dim * model_.mesh().corners();
-  Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1> local(n), rigid(n);
+  const int dim = model_.mesh().dim, n = dim * model_.mesh().nodes_per_cell();
+  CellVector local(n), rigid(n);
   for (int i = 0; i < n; ++i) {
     const int at = model_.freedom(e, i / dim) + i % dim;
     local[i] = mu[at];
@@ -107,7 +107,7 @@ SolidStatics::CellWeights SolidStatics::cell_weights(int e, const double* mu,
 
 void SolidStatics::accumulate(const Solved& mu, int column, const FractionGradient& dv,
                               MatrixXd& out) const {
-  const int dim = model_.mesh().dim, n = dim * model_.mesh().corners();
+  const int dim = model_.mesh().dim, n = dim * model_.mesh().nodes_per_cell();
   std::vector<int> touched;
   for (int e = 0; e < dv.rows(); ++e)
     if (FractionGradient::InnerIterator(dv, e)) touched.push_back(e);

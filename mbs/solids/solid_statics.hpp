@@ -98,8 +98,9 @@ class SolidStatics {
     Eigen::MatrixXd acceleration;  ///< rigid x columns; without inertia relief zero
   };
   /// What a change of a cell's fraction does to an output: -(P . u_n + Q . (R a_n)).
+  using CellVector = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 60, 1>;
   struct CellWeights {
-    Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 24, 1> P, Q;
+    CellVector P, Q;
   };
 
   void solve_columns(Solved& s) const;

@@ -44,7 +44,7 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
   const double p = options.p, q = options.relaxation;
   if (!(p >= 1 && q >= 0)) throw std::invalid_argument("stress norm: p >= 1 and relaxation >= 0");
   const SolidModel& model = statics.model();
-  const int dim = model.mesh().dim, corners = model.mesh().corners(), n = statics.cases();
+  const int dim = model.mesh().dim, local = model.mesh().nodes_per_cell(), n = statics.cases();
   const MatrixXd V = von_mises_form(dim), stress = von_mises(statics, q);
   const Eigen::RowVectorXd largest = stress.colwise().maxCoeff();
   double total = 0;
@@ -73,7 +73,7 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
     for (int k = 0; k < n; ++k)  // d(v^q sigma)/du = v^2q S^T V s / (v^q sigma)
       d[k] = stress(e, k) > 0 ? d[k] * std::pow(v, 2 * q) / stress(e, k) : 0;
     const MatrixXd g = model.cell(e).stress.transpose() * (V * sigma) * d.asDiagonal();
-    for (int c = 0; c < corners; ++c)
+    for (int c = 0; c < local; ++c)
       dS_du.middleRows(model.freedom(e, c), dim) += g.middleRows(dim * c, dim);
   }
   if (dv.cols() == 0) return S;

@@ -6,11 +6,11 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// Value at the centre of a cell, where all corners count alike: dim x columns.
-MatrixXd at_centre(int dim, const MatrixXd& local) {
-  MatrixXd mean = MatrixXd::Zero(dim, local.cols());
-  for (Eigen::Index c = 0; c < local.rows() / dim; ++c) mean += local.middleRows(dim * c, dim);
-  return mean * (static_cast<double>(dim) / static_cast<double>(local.rows()));
+/// Value at the centre of a cell, with the functions N of its nodes there: dim x columns.
+MatrixXd at_centre(int dim, const VectorXd& N, const MatrixXd& local) {
+  MatrixXd centre = MatrixXd::Zero(dim, local.cols());
+  for (Eigen::Index c = 0; c < N.size(); ++c) centre += N[c] * local.middleRows(dim * c, dim);
+  return centre;
 }
 
 /// Displacements and the rigid accelerations that balance their loads, node freedoms x columns.
@@ -23,6 +23,8 @@ VectorXd of_holes(const SolidStatics& statics, const Fields& load, const Fields&
   const SolidModel& model = statics.model();
   const int dim = model.mesh().dim;
   const double rho = model.material().rho;
+  const CellKind& kind = model.mesh().kind();
+  const VectorXd N = cell_functions(kind, reference_centre(kind)).N;
   VectorXd out(model.mesh().cell_count());
   for (int e = 0; e < out.size(); ++e) {
     const MatrixXd u = model.at_cell(e, load.u), mu = model.at_cell(e, output.u);
@@ -31,9 +33,10 @@ VectorXd of_holes(const SolidStatics& statics, const Fields& load, const Fields&
     for (Eigen::Index n = 0; n < sigma.cols(); ++n)
       out[e] += hole_effect(dim, model.material(), sigma.col(n), tau.col(n));
     if (!statics.inertia_relief()) continue;
-    const MatrixXd a = at_centre(dim, model.at_cell(e, load.acceleration));
-    const MatrixXd b = at_centre(dim, model.at_cell(e, output.acceleration));
-    out[e] += rho * (at_centre(dim, mu).cwiseProduct(a) + at_centre(dim, u).cwiseProduct(b)).sum();
+    const MatrixXd a = at_centre(dim, N, model.at_cell(e, load.acceleration));
+    const MatrixXd b = at_centre(dim, N, model.at_cell(e, output.acceleration));
+    out[e] +=
+        rho * (at_centre(dim, N, mu).cwiseProduct(a) + at_centre(dim, N, u).cwiseProduct(b)).sum();
   }
   return out;
 }

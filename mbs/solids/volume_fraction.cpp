@@ -5,6 +5,8 @@
 #include <Eigen/Geometry>
 #include <array>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "mbs/levelset/dual.hpp"
@@ -130,8 +132,15 @@ class Mapping {
 
 }  // namespace
 
+bool takes_outline(const SolidMesh& mesh) {
+  return mesh.kind().family == CellFamily::Cube && mesh.kind().order == 1;
+}
+
 Fractions volume_fractions(const SolidMesh& mesh, const levelset::LevelSet& shape,
                            int subdivisions) {
+  if (!takes_outline(mesh))
+    throw std::invalid_argument("cells of kind '" + std::string(mesh.kind().name) +
+                                "' cannot be cut by an outline");
   const Mapping mapping(mesh, shape, subdivisions > 0 ? subdivisions : (mesh.dim == 2 ? 4 : 3));
   std::vector<CellShare> shares(mesh.cell_count());
   tbb::parallel_for(0, mesh.cell_count(), [&](int cell) { shares[cell] = mapping.share(cell); });

@@ -39,7 +39,7 @@ std::vector<char> kept_nodes(const SolidTask& task, const VectorXd& fractions) {
     for (int k = 0; k < mesh.dim; ++k)
       if (const auto at = model.coordinate(node, k); at && fixed.count(*at)) keep(node);
   for (int e = 0; e < mesh.cell_count(); ++e)
-    for (int c = 0; c < mesh.corners() && fractions[e] < kFull; ++c) keep(mesh.cells(c, e));
+    for (int c = 0; c < mesh.nodes_per_cell() && fractions[e] < kFull; ++c) keep(mesh.cells(c, e));
   return kept;
 }
 

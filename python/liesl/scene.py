@@ -72,9 +72,10 @@ class Scene:
             return self
         meshes = {}
         for name, body in self.to_dict().get("bodies", {}).items():
-            file = body.get("solid", {}).get("mesh", {}).get("file")
-            if file is not None and not os.path.isabs(file):
-                meshes[f"bodies.{name}.solid.mesh.file"] = str((folder / file).resolve())
+            for table, key in (("mesh", "file"), *(("matrices", k) for k in ("stiffness", "mass", "nodes", "file"))):
+                file = body.get("solid", {}).get(table, {}).get(key)
+                if file is not None and not os.path.isabs(file):
+                    meshes[f"bodies.{name}.solid.{table}.{key}"] = str((folder / file).resolve())
         return self.change(meshes) if meshes else self
 
     def _differentiable(self, by: Sequence[str]) -> Any:

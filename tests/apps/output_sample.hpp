@@ -43,6 +43,7 @@ inline output::Results sample_results() {
                       {0, 2, 4},
                       counting(3 * 6 * 3),
                       counting(3 * 6 * 3, 700)});
+  r.meshes[0].thickness = 0.01;
   r.joints.push_back({"pin", "cylindrical", {"m", "rad"}, counting(n * 2), counting(n * 6)});
   r.energies = {counting(n), counting(n, 1), counting(n, 2), counting(n, 3), counting(n, 4)};
   r.constraint_residual = std::vector<double>(n, 1e-12);

@@ -134,6 +134,40 @@ TEST_F(SolidRun, KeepsTheDeformedMesh) {
   EXPECT_NE(xdmf.find("Quadrilateral"), std::string::npos);
 }
 
+/// Cells of four nodes are quadrilaterals or tetrahedra: results say which, also when they are
+/// read.
+TEST_F(SolidRun, ResultsNameTheKindOfCell) {
+  write("part.inp",
+        "*NODE\n1, 0, 0, 0\n2, 0, 1, 0\n3, 0, 0, 1\n4, 2, 0, 0\n5, 2, 1, 0\n6, 2, 0, 1\n"
+        "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n2, 2, 5, 3, 4\n3, 3, 5, 6, 4\n"
+        "*NSET, NSET=left\n1, 2, 3\n*NSET, NSET=right\n4, 5, 6\n");
+  const fs::path file = write("scene.toml", R"(name = "prism"
+gravity = [0, -9.81, 0]
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.part.solid]
+mesh = { file = "part.inp" }
+material = "steel"
+modes = 1
+interfaces = { left = { set = "left" }, right = { set = "right", tie = "averaged" } }
+[joints]
+hinge = { revolute = ["ground", "part.left"] }
+[simulation]
+duration = 1e-2
+step = 1e-3
+)");
+  const Outcome o = run({"run", file, "-o", results()});
+  ASSERT_EQ(o.code, 0) << o.err;
+  EXPECT_NE((o.out + o.err).find("bend too stiffly"), std::string::npos) << o.out << o.err;
+  EXPECT_EQ(read_set(results() / "results.h5", "/meshes/part/cells").shape,
+            (std::vector<hsize_t>{3, 4}));
+  EXPECT_NE(text_of(results() / "results.xdmf").find("\"Tetrahedron\""), std::string::npos);
+  ASSERT_EQ(run({"export", results(), "--to", "xdmf"}).code, 0);
+  const std::string xdmf = text_of(results() / "results.xdmf");
+  EXPECT_NE(xdmf.find("\"Tetrahedron\""), std::string::npos);
+  EXPECT_NE(xdmf.find("meshes.h5:/meshes/part/cells"), std::string::npos);
+}
+
 /// What results.h5 kept in full and what `export` makes of the amplitudes are one.
 TEST_F(SolidRun, ExportMakesTheDeformedMeshOfTheAmplitudes) {
   ASSERT_EQ(command("run").code, 0);

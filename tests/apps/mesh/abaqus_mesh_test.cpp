@@ -1,8 +1,10 @@
 #include "apps/mesh/abaqus_mesh.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include "apps/input/problem.hpp"
+#include "mbs/solids/meshes.hpp"
 
 namespace liesl::test {
 namespace {
@@ -93,6 +95,42 @@ TEST(AbaqusMesh, ReadsQuadrilaterals) {
   EXPECT_EQ(mesh.sets.at("left"), (std::vector<int>{0, 3}));
 }
 
+/// Elements of order 2: a tetrahedron whose edge is bent, a hexahedron over two lines.
+TEST(AbaqusMesh, ReadsNodesAtEdges) {
+  const SolidMesh mesh = read_abaqus("part.inp", R"(*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 0, 1, 0
+4, 0, 0, 1
+5, 0.5, -0.05, 0
+6, 0.5, 0.5, 0
+7, 0, 0.5, 0
+8, 0, 0, 0.5
+9, 0.5, 0, 0.5
+10, 0, 0.5, 0.5
+*ELEMENT, TYPE=C3D10M
+1, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10
+*NSET, NSET=base
+1, 2, 3, 5, 6, 7
+)");
+  EXPECT_EQ(mesh.kind().abaqus, "C3D10");
+  EXPECT_EQ(mesh.sets.at("base").size(), 6u);
+  EXPECT_GT(mesh.cell_size(0), 1.0 / 6 + 1e-3);  // the edge bulges
+  EXPECT_EQ(mesh.nodes_of(0).col(4), Eigen::Vector3d(0.5, -0.05, 0));
+
+  const SolidMesh whole = in_cells(hex_grid({0, 0, 0}, {1, 1, 2}, 1, 1, 1), cell_kind(3, 20));
+  std::string text = "*NODE\n";
+  for (int i = 0; i < 20; ++i)
+    text += fmt::format("{},{},{},{}\n", i + 1, whole.nodes(0, i), whole.nodes(1, i),
+                        whole.nodes(2, i));
+  text += "*ELEMENT, TYPE=C3D20R\n9";
+  for (int i = 0; i < 20; ++i)
+    text += fmt::format("{}{}", i == 15 ? ",\n" : ", ", whole.cells(i, 0) + 1);
+  const SolidMesh read = read_abaqus("part.inp", text + "\n");
+  EXPECT_EQ(read.kind().nodes, 20);
+  EXPECT_EQ(read.nodes_of(0), whole.nodes_of(0));
+}
+
 TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
   struct Case {
     std::string text, words;
@@ -101,8 +139,19 @@ TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
   const std::vector<Case> cases = {
       {"", "no cells", 1},
       {"nothing of the kind\n", "no cells", 1},
-      {tower_with("type=C3D8I", "type=C3D10"), "elements of type 'C3D10'", 18},
-      {tower_with("type=C3D8I", "type=C3D4"), "first order", 18},
+      {tower_with("type=C3D8I", "type=C3D15"), "elements of type 'C3D15'", 18},
+      {tower_with("type=C3D8I", "type=C3D15"), "CPS3, CPS4, CPS6, CPS8, C3D4", 18},
+      {tower_with("type=C3D8I", "type=C3D10"), "an element has 14 nodes", 19},
+      {tower_with("*ELEMENT, TYPE=MASS, ELSET=M\n3, 99", "*ELEMENT, TYPE=C3D4\n3, 1, 2, 4, 11"),
+       "several kinds of cells: 4-node tetrahedron here, 8-node hexahedron in line 19", 23},
+      {tower_with("*Element, type", "*ELGEN\n1, 2, 1, 1\n*Element, type"), "*ELGEN is not read",
+       18},
+      {tower_with("*Element, type", "*NGEN\n1, 4, 1\n*Element, type"), "*NGEN is not read", 18},
+      {tower_with("*HEADING", "*SYSTEM\n0, 0, 1\n*HEADING"), "*SYSTEM is not read", 1},
+      {tower_with("*Element, type", "*NCOPY, CHANGE NUMBER=100\n*Element, type"),
+       "*NCOPY is not read", 18},
+      {tower_with("*NODE, NSET", "*NODE, SYSTEM=C, NSET"), "SYSTEM of *NODE is not read", 4},
+      {tower_with("*NSET, NSET=head", "*NSET, NSET=head, ELSET=Eall"), "ELSET of *NSET", 26},
       {tower_with("type=C3D8I", "type=CPS4"), "an element has 8 nodes", 19},
       {tower_with("1, 1, 2, 3, 4, 11", "1, 1, 4, 3, 2, 11"), "inverted or flat", 19},
       {tower_with("11, 12, 13, 14, 21,", "11, 12, 13, 14, 55,"), "node 55 does not exist", 20},

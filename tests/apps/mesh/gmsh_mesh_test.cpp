@@ -110,6 +110,57 @@ $EndElements
   EXPECT_EQ(mesh.sets.at("base"), (std::vector<int>{0, 1, 2, 3}));
 }
 
+/// The corner of a cube; its nodes at edges are numbered by Gmsh.
+std::string tetrahedra(int type, const std::string& nodes) {
+  return R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$PhysicalNames
+1
+2 3 "base"
+$EndPhysicalNames
+$Entities
+0 0 1 1
+1 0 0 0 1 1 0 1 3 0
+1 0 0 0 1 1 1 0 0
+$EndEntities
+$Nodes
+1 10 1 10
+3 1 0 10
+1 2 3 4 5 6 7 8 9 10
+0 0 0 1 0 0 0 1 0 0 0 1
+0.5 0 0 0.5 0.5 0 0 0.5 0 0 0 0.5 0 0.5 0.5 0.5 0 0.5
+$EndNodes
+$Elements
+2 2 1 2
+2 1 )" + std::string(type == 4 ? "2 1\n1 1 2 3" : "9 1\n1 1 2 3 5 6 7") +
+         "\n3 1 " + std::to_string(type) + " 1\n2 " + nodes + "\n$EndElements\n";
+}
+
+TEST(Gmsh, ReadsTetrahedraWithNodesAtTheirEdges) {
+  for (const int type : {4, 11}) {
+    const SolidMesh mesh =
+        read_gmsh("corner.msh", tetrahedra(type, type == 4 ? "1 2 3 4" : "1 2 3 4 5 6 7 8 9 10"));
+    EXPECT_EQ(mesh.kind().gmsh, type);
+    EXPECT_NEAR(mesh.cell_size(0), 1.0 / 6, 1e-15);
+    EXPECT_EQ(mesh.sets.at("base").size(), type == 4 ? 3u : 6u);
+    for (const int node : mesh.sets.at("base")) EXPECT_EQ(mesh.nodes(2, node), 0);
+    for (int n = 4; n < mesh.kind().nodes; ++n) {
+      const auto& [a, b] = cell_edges(mesh.kind())[std::size_t(n - 4)];
+      const Eigen::Matrix3Xd x = mesh.nodes_of(0);
+      EXPECT_EQ(x.col(n), (x.col(a) + x.col(b)) / 2) << n;
+    }
+  }
+}
+
+TEST(Gmsh, InvertedTetrahedraAreNamedByTheirLine) {
+  const auto problems = problems_of(tetrahedra(4, "2 1 3 4"));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].line, 25);
+  EXPECT_NE(problems[0].text().find("the cell is inverted or flat"), std::string::npos);
+  EXPECT_NE(problems[0].text().find("the fourth corner"), std::string::npos);
+}
+
 TEST(Gmsh, NodesThatAreNowhereAndNodesThereTwiceAreNamedByTheirLines) {
   const auto problems = problems_of(with("2 1.2 0\n9 9 0", "2 nan 0\n-inf 9 0"));
   ASSERT_EQ(problems.size(), 2u);   // all of them, and no cells that follow from them
@@ -150,8 +201,11 @@ TEST(Gmsh, EveryMistakeSaysWhereAndWhatWasExpected) {
       {"hello", "not a Gmsh file", 1},
       {with("4.1 0 8", "2.2 0 8"), "format 2.2", 2},
       {with("4.1 0 8", "4.1 1 8"), "binary", 2},
-      {with("2 1 3 2\n2 1 2 12 11\n3 2 3 13 12", "2 1 2 2\n2 1 2 12\n3 2 3 13"),
-       "2 3-node triangles", 36},
+      {with("2 1 3 2\n2 1 2 12 11\n3 2 3 13 12", "2 1 7 1\n2 1 2 12 11 3"), "1 5-node pyramids",
+       36},
+      {with("2 3 1 3\n1 4 1 1\n1 1 11\n2 1 3 2\n2 1 2 12 11\n",
+            "3 3 1 3\n1 4 1 1\n1 1 11\n2 1 2 1\n2 1 2 11\n2 1 3 1\n"),
+       "several kinds of cells: 4-node quadrilateral here, 3-node triangle in line 37", 39},
       {with("2 1 3 2", "2 1 99 2"), "type 99", 36},
       {with("3 2 3 13 12", "3 2 3 55 12"), "node 55 does not exist", 38},
       {with("2 1.2 0\n", "2 1.2 0.5\n"), "z = 0.5", 38},

@@ -53,6 +53,7 @@ Results moved_plate() {
   frame.name = "plate";
   frame.nodes = 1;
   MeshResult mesh;
+  mesh.thickness = 0.01;
   mesh.name = "plate";
   mesh.cells = {0, 1, 4, 3, 1, 2, 5, 4};
   mesh.reference = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};

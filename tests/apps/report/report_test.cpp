@@ -11,6 +11,7 @@
 #include "apps/report/blob.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/table.hpp"
+#include "mbs/solids/meshes.hpp"
 
 namespace liesl::test {
 namespace {
@@ -91,7 +92,7 @@ double area(const CutMesh& mesh, const std::vector<double>& nodes) {
 TEST(ReportCutMesh, ALineIsCutExactlyWhateverTheMesh) {
   for (const int n : {1, 2, 5, 8}) {
     const Squares s(n, [](double x, double y) { return 0.8 - x - 0.5 * y; });
-    const CutMesh mesh = cut_mesh(4, s.cells, s.nodes, s.level);
+    const CutMesh mesh = cut_mesh(cell_kind(2, 4), s.cells, s.nodes, s.level);
     EXPECT_NEAR(area(mesh, s.nodes), 0.55, 1e-12) << n;  // x < 0.8 - y/2 of the unit square
   }
 }
@@ -99,14 +100,15 @@ TEST(ReportCutMesh, ALineIsCutExactlyWhateverTheMesh) {
 TEST(ReportCutMesh, ADiscIsApproachedWithTheSquareOfTheCells) {
   const auto error = [](int n) {
     const Squares s(n, [](double x, double y) { return 0.3 - std::hypot(x - 0.5, y - 0.5); });
-    return std::abs(area(cut_mesh(4, s.cells, s.nodes, s.level), s.nodes) - M_PI * 0.09);
+    return std::abs(area(cut_mesh(cell_kind(2, 4), s.cells, s.nodes, s.level), s.nodes) -
+                    M_PI * 0.09);
   };
   EXPECT_NEAR(std::log2(error(20) / error(80)) / 2, 2, 0.3);
 }
 
 TEST(ReportCutMesh, SidesAreTheOutlineAndClosed) {
   const Squares s(8, [](double x, double y) { return std::hypot(x - 0.5, y - 0.5) - 0.3; });
-  const CutMesh mesh = cut_mesh(4, s.cells, s.nodes, s.level);
+  const CutMesh mesh = cut_mesh(cell_kind(2, 4), s.cells, s.nodes, s.level);
   std::vector<int> ends(mesh.vertices.size(), 0);
   double length = 0;
   for (const auto& [a, b] : mesh.sides) {
@@ -136,12 +138,47 @@ TEST(ReportCutMesh, TheSurfaceInSpaceIsClosedAndTurnedOutward) {
         cells.insert(cells.end(),
                      {a, a + 1, a + m + 1, a + m, a + up, a + up + 1, a + up + m + 1, a + up + m});
       }
-  const CutMesh mesh = cut_mesh(8, cells, nodes, level);
+  const CutMesh mesh = cut_mesh(cell_kind(3, 8), cells, nodes, level);
   double volume = 0;
   for (const auto& t : mesh.triangles)
     volume +=
         place(mesh, nodes, t[0]).dot(place(mesh, nodes, t[1]).cross(place(mesh, nodes, t[2]))) / 6;
   EXPECT_NEAR(volume, 0.65, 1e-12);  // mean of 0.9 - 0.3 y - 0.2 z
+}
+
+/// Whole meshes of every kind of cell: area and closed outline, or volume of the closed surface.
+TEST(ReportCutMesh, EveryKindOfCellIsDrawnClosedAndTurnedOutward) {
+  for (const CellKind& kind : cell_kinds()) {
+    if (kind.dim == 1) continue;
+    const SolidMesh mesh = in_cells(
+        kind.dim == 2 ? quad_grid({0, 0}, {2, 1}, 3, 2) : hex_grid({0, 0, 0}, {2, 1, 1}, 3, 2, 2),
+        kind);
+    const std::vector<double> nodes(mesh.nodes.data(), mesh.nodes.data() + mesh.nodes.size());
+    const CutMesh cut =
+        cut_mesh(kind, {mesh.cells.data(), mesh.cells.data() + mesh.cells.size()}, nodes, {});
+    if (kind.dim == 2) {
+      EXPECT_NEAR(area(cut, nodes), 2, 1e-12) << kind.name;
+      std::vector<int> ends(cut.vertices.size(), 0);
+      double twice_area = 0;
+      for (const auto& [a, b] : cut.sides) {
+        ++ends[a];
+        --ends[b];
+        twice_area += place(cut, nodes, a).cross(place(cut, nodes, b))[2];
+      }
+      EXPECT_EQ(ends, std::vector<int>(ends.size(), 0)) << kind.name;
+      EXPECT_NEAR(twice_area, 4, 1e-12) << kind.name;  // material on the left
+      continue;
+    }
+    double volume = 0, surface = 0;
+    for (const auto& t : cut.triangles) {
+      const Eigen::Vector3d a = place(cut, nodes, t[0]), b = place(cut, nodes, t[1]),
+                            c = place(cut, nodes, t[2]);
+      volume += a.dot(b.cross(c)) / 6;
+      surface += (b - a).cross(c - a).norm() / 2;
+    }
+    EXPECT_NEAR(volume, 2, 1e-12) << kind.name;
+    EXPECT_NEAR(surface, 10, 1e-12) << kind.name;
+  }
 }
 
 TEST(ReportTable, ReadsQuotesAndUnits) {

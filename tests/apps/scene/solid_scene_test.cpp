@@ -143,6 +143,56 @@ TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
   std::filesystem::remove_all(folder);
 }
 
+/// A prism of three tetrahedra.
+TEST(SolidScene, TakesTetrahedraAndRefusesWhatTheyCannotHave) {
+  const auto folder = std::filesystem::temp_directory_path() / "liesl_tetrahedra_test";
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "PART.INP")
+      << "*NODE\n1, 0, 0, 0\n2, 0, 1, 0\n3, 0, 0, 1\n4, 2, 0, 0\n5, 2, 1, 0\n6, 2, 0, 1\n"
+         "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n2, 2, 5, 3, 4\n3, 3, 5, 6, 4\n"
+         "*NSET, NSET=left\n1, 2, 3\n*NSET, NSET=right\n4, 5, 6\n";
+  const std::string text = R"(name = "prism"
+gravity = [0, 0, -9.81]
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[bodies.rod.solid]
+mesh = { file = "PART.INP" }
+material = "steel"
+modes = 0
+interfaces = { left = { set = "left" }, right = { set = "right", tie = "averaged" } }
+[joints]
+motor = { fixed = ["ground", "rod.left"] }
+[simulation]
+duration = 0.1
+step = 1e-3
+)";
+  const std::string file = (folder / "scene.toml").string();
+  const Scene scene = read_scene(text, file);
+  EXPECT_EQ(rod_of(scene).mesh().kind().abaqus, "C3D4");
+  ASSERT_EQ(scene.warnings.size(), 1u);
+  EXPECT_NE(scene.warnings[0].find("4-node tetrahedron) bend too stiffly"), std::string::npos);
+  EXPECT_NEAR(rod_of(scene).model->total_mass(Eigen::VectorXd::Ones(3)), 7850, 1e-9);
+  const auto refused = [&](const std::string& from, const std::string& to, const char* words) {
+    try {
+      read_scene(changed(text, from, to), file);
+      ADD_FAILURE() << words;
+    } catch (const InputError& error) {
+      EXPECT_NE(error.problems[0].text().find(words), std::string::npos)
+          << error.problems[0].text();
+      EXPECT_EQ(error.problems.size(), 1u) << error.problems.back().text();
+    }
+  };
+  refused("modes = 0", "modes = 0\noutline = { ball = { type = \"sphere\", radius = 0.3 } }",
+          "has an outline in a mesh of a kind of cell that it does not cut: 4-node tetrahedron");
+  refused("set = \"left\"", "set = \"lift\"", "has no set of nodes 'lift'");
+  refused("material = \"steel\"\n", "", "has a mesh without 'material'");
+  refused("set = \"right\"", "nodes = [4, 5, 7]", "has no node 7");
+  refused("set = \"right\"", "nodes = [4, 5, 5.5]", "has no node 5.5");
+  const Scene listed = read_scene(changed(text, "set = \"right\"", "nodes = [6, 4, 5]"), file);
+  EXPECT_EQ(rod_of(listed).interfaces()[1].nodes, rod_of(scene).interfaces()[1].nodes);
+  std::filesystem::remove_all(folder);
+}
+
 /// `to` replaces `from`; '@' in it marks where the problem is expected and is taken out.
 struct BadPart {
   const char *name, *from, *to;

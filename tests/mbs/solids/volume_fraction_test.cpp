@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "mbs/levelset/shapes.hpp"
+#include "mbs/solids/meshes.hpp"
 
 namespace liesl::test {
 namespace {
@@ -168,6 +169,11 @@ INSTANTIATE_TEST_SUITE_P(VolumeFraction, EveryShapeOnAMesh, ::testing::ValuesIn(
                              if (!std::isalnum(static_cast<unsigned char>(c))) c = '_';
                            return name;
                          });
+
+TEST(VolumeFraction, TrianglesAndTetrahedraAreNotCut) {
+  EXPECT_THROW(volume_fractions(split(quad_grid({0, 0}, {1, 1}, 2, 2)), *circle(0.5)),
+               std::invalid_argument);
+}
 
 }  // namespace
 }  // namespace liesl::test
