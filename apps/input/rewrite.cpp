@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "apps/input/document.hpp"
-#include "apps/input/toml_text.hpp"
+#include "apps/input/ordered_text.hpp"
 
 namespace liesl {
 
@@ -109,7 +109,7 @@ std::string rewrite(const std::string& text, const std::string& change) {
     } catch (const InputError&) {  // the edit hit something else: anew
     }
   }
-  return toml_text(wanted);
+  return ordered_text(wanted);
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "apps/input/document.hpp"
-#include "apps/input/toml_text.hpp"
+#include "apps/input/ordered_text.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "apps/scene/trusses.hpp"
 #include "mbs/model/beam_ends.hpp"
@@ -147,7 +147,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
   return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
-                     toml_text(document.root));
+                     ordered_text(document.root));
 }
 
 }  // namespace liesl

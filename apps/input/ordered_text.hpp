@@ -14,6 +14,6 @@ inline constexpr auto kQuoted =
 
 /// A table as TOML, with keys in the order of the file that they were read from, new ones last by
 /// name: bodies, joints and the interfaces of a part are numbered in it. Comments are not kept.
-std::string toml_text(toml::table table);
+std::string ordered_text(toml::table table);
 
 }  // namespace liesl

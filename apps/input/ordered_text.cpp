@@ -1,4 +1,6 @@
-#include "apps/input/toml_text.hpp"
+#include "apps/input/ordered_text.hpp"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cctype>
@@ -10,7 +12,12 @@ namespace liesl {
 
 namespace {
 
+/// The shortest number that is read as the same.
 std::string value_text(const toml::node& value) {
+  if (const auto* number = value.as_floating_point()) {
+    const std::string shortest = fmt::format("{}", number->get());
+    return shortest.find_first_of(".en") == std::string::npos ? shortest + ".0" : shortest;
+  }
   std::ostringstream text;
   text << toml::toml_formatter(value, kQuoted);
   return text.str();
@@ -78,7 +85,7 @@ void write_table(std::ostream& out, const std::string& path, toml::table& table)
 
 }  // namespace
 
-std::string toml_text(toml::table table) {
+std::string ordered_text(toml::table table) {
   std::ostringstream text;
   write_table(text, "", table);
   return text.str();
