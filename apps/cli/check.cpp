@@ -8,6 +8,8 @@
 #include "apps/output/plot_program.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/study/load_study.hpp"
+#include "apps/tasks/load_sensitivity.hpp"
+#include "apps/tasks/sensitivity.hpp"
 
 namespace liesl {
 
@@ -25,6 +27,14 @@ int check_command(const CommandOptions& options) {
     if (!options.quiet)
       fmt::print("{}: a good comparison of {} rows of {}\n", options.file,
                  comparison.rows.cases.rows.size(), comparison.rows.of.string());
+    return 0;
+  }
+  if (kind == FileKind::Sensitivity) {
+    const SensitivityFile file = load_sensitivity(options.file, options.set);
+    const SensitivityProblem problem = scene_problem(file.scene, file.by);
+    if (!options.quiet)
+      fmt::print("{}: a good sensitivity of {} responses by {} parameters of {}\n", options.file,
+                 problem.scene.responses.size(), problem.parameters.size(), file.scene.file);
     return 0;
   }
   const bool study = kind == FileKind::Study;

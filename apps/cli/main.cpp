@@ -42,7 +42,7 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
   command
       .add_option("--by", o.by,
                   "Keys of the scene to differentiate by, as in sections.rod.diameter (a study has "
-                  "its variables)")
+                  "its variables); KEY+KEY change by the same amount")
       ->delimiter(',');
   command.add_option("--method", o.method, "Form of the sensitivities")
       ->check(CLI::IsMember({"auto", "direct", "adjoint"}))
@@ -51,7 +51,7 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
       .add_option("--functionals", o.functionals,
                   "Of each response: peak, integral, mean, rms, at=TIME, p=P, ks=RHO")
       ->delimiter(',')
-      ->default_val(std::vector<std::string>{"peak", "integral", "mean", "rms"});
+      ->default_str("peak,integral,mean,rms");
   command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
 }
 
@@ -160,8 +160,8 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
 void add_commands(CLI::App& app, liesl::CommandOptions& o,
                   int (*&run)(const liesl::CommandOptions&)) {
   static const Entry kEntries[] = {
-      {"check", "FILE", "Validate a scene, study, batch or comparison", liesl::check_command,
-       false},
+      {"check", "FILE", "Validate a scene, study, batch, comparison or sensitivity",
+       liesl::check_command, false},
       {"run", "SCENE", "Simulate a scene", liesl::run_command, true},
       {"esl", "SCENE", "Simulate and write the equivalent static loads", liesl::esl_command, true},
       {"sensitivity", "FILE", "Derivatives of the responses of a motion by parameters",
@@ -185,7 +185,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::export_command, false},
       {"new", "KIND", "Write a scene or study that runs, like a shipped one", liesl::new_command,
        false},
-      {"schema", "KIND", "Print the JSON Schema of a scene, study, batch or comparison",
+      {"schema", "KIND",
+       "Print the JSON Schema of a scene, study, batch, comparison or sensitivity",
        liesl::schema_command, false},
   };
   for (const auto& entry : kEntries) {

@@ -89,15 +89,15 @@ int new_command(const CommandOptions& options) {
 }
 
 int schema_command(const CommandOptions& options) {
-  for (const FileKind kind :
-       {FileKind::Scene, FileKind::Study, FileKind::Batch, FileKind::Comparison})
+  for (const FileKind kind : kFileKinds)
     if (options.file == name_of(kind)) {
       fmt::print("{}", schema_json(kind));
       return 0;
     }
-  throw InputError({{"schema", 0, 0, "there is no kind of file '" + options.file + "'",
-                     "scene, study, batch or comparison",
-                     suggestion(options.file, {"scene", "study", "batch", "comparison"})}});
+  throw InputError(
+      {{"schema", 0, 0, "there is no kind of file '" + options.file + "'",
+        "scene, study, batch, comparison or sensitivity",
+        suggestion(options.file, {"scene", "study", "batch", "comparison", "sensitivity"})}});
 }
 
 }  // namespace liesl

@@ -12,35 +12,39 @@
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/plot_program.hpp"
+#include "apps/tasks/load_sensitivity.hpp"
 
 namespace liesl {
 namespace {
 
 constexpr std::size_t kShown = 8;  // parameters of a gradient on the terminal
 
-SensitivityProblem problem_of(const CommandOptions& options) {
-  const Document document = load_document(options.file);
-  const FileKind kind = kind_of(document.root);
-  if (kind != FileKind::Study) return scene_problem(options.file, options.set, options.by);
-  if (!options.by.empty())
-    throw InputError({{options.file, 0, 0, "--by: a study is differentiated by its variables",
-                       "a scene", "liesl sensitivity SCENE --by KEY, or leave --by out"}});
-  return study_problem(options.file, options.set);
-}
-
-SensitivityRequest request_of(const CommandOptions& options) {
+struct Task {
+  SensitivityProblem problem;
   SensitivityRequest request;
-  if (options.method == "direct") request.method = SensitivityMethod::Direct;
-  if (options.method == "adjoint") request.method = SensitivityMethod::Adjoint;
-  for (const std::string& text : options.functionals) {
-    const auto functional = functional_of(text);
-    if (!functional)
-      throw InputError({{"--functionals " + text, 0, 0, "there is no such functional",
-                         "peak, integral, mean, rms, at=TIME, p=P (P >= 1) or ks=RHO (RHO > 0)",
-                         suggestion(text.substr(0, text.find('=')), functional_words())}});
-    request.functionals.push_back(*functional);
+};
+
+/// What is given on the command line goes before what a file says.
+Task task_of(const CommandOptions& options) {
+  const FileKind kind = kind_of(load_document(options.file).root);
+  Task task;
+  std::vector<std::string> by = options.by;
+  if (kind == FileKind::Sensitivity) {
+    const SensitivityFile file = load_sensitivity(options.file, options.set);
+    task = {scene_problem(file.scene, by.empty() ? file.by : by), file.request};
+    task.problem.scene.mechanism.name = file.name;
+  } else if (kind == FileKind::Study) {
+    if (!by.empty())
+      throw InputError({{options.file, 0, 0, "--by: a study is differentiated by its variables",
+                         "a scene", "liesl sensitivity SCENE --by KEY, or leave --by out"}});
+    task.problem = study_problem(options.file, options.set);
+  } else {
+    task.problem = scene_problem(options.file, options.set, by);
   }
-  return request;
+  if (!options.functionals.empty() || task.request.functionals.empty())
+    task.request.functionals = functionals_of(options.functionals, "--functionals");
+  if (options.method != "auto") task.request.method = method_of(options.method);
+  return task;
 }
 
 void print(const output::Sensitivities& s) {
@@ -72,8 +76,7 @@ void draw(const CommandOptions& options) {
 
 int sensitivity_command(const CommandOptions& options) {
   const Stopwatch clock;
-  const SensitivityRequest request = request_of(options);
-  const SensitivityProblem problem = problem_of(options);
+  const auto [problem, request] = task_of(options);
   const ChosenSpace space = choose_space(problem.scene);
   if (options.check) {
     const SensitivityCheck check = sensitivity_check(problem, space, request);

@@ -20,6 +20,7 @@ bool has_lists(const toml::table* grid) {
 FileKind kind_of(const toml::table& root) {
   const auto has = [&root](const char* key) { return root.contains(key); };
   if (has("bodies")) return FileKind::Scene;
+  if (has("by")) return FileKind::Sensitivity;
   if (has("quantity") || has("reference") || has_lists(root["grid"].as_table()))
     return FileKind::Comparison;
   if (has("grid") || has("table") || has("study") || has("limits")) return FileKind::Batch;
@@ -32,7 +33,7 @@ void expect_kind(const toml::table& root, FileKind wanted, Problems& problems) {
   const FileKind kind = kind_of(root);
   if (kind == wanted || (kind == FileKind::Scene && !root.contains("bodies"))) return;
   constexpr std::string_view kKeys[] = {"[bodies]", "'scene' and [design]", "[grid] or 'table'",
-                                        "[grid] of lists"};
+                                        "[grid] of lists", "'scene' and 'by'"};
   problems.add(root, fmt::format("this is a {}, not a {}", name_of(kind), name_of(wanted)),
                fmt::format("a {}, with {}", name_of(wanted), kKeys[static_cast<int>(wanted)]),
                fmt::format("give a {}, or use a command for a {}", name_of(wanted), name_of(kind)));

@@ -7,14 +7,11 @@
 #include <sstream>
 
 #include "apps/input/document.hpp"
+#include "apps/input/ordered_text.hpp"
 
 namespace liesl {
 
 namespace {
-
-/// "text" and not 'text', as scenes are written.
-constexpr auto kFormat =
-    toml::toml_formatter::default_flags & ~toml::format_flags::allow_literal_strings;
 
 /// A stretch of the text, by bytes, and what comes there.
 struct Edit {
@@ -37,7 +34,7 @@ std::size_t byte_of(const std::string& text, toml::source_position at) {
 
 std::string text_of(const toml::node& value) {
   std::ostringstream out;
-  out << toml::toml_formatter(value, kFormat);
+  out << toml::toml_formatter(value, kQuoted);
   return out.str();
 }
 
@@ -112,9 +109,7 @@ std::string rewrite(const std::string& text, const std::string& change) {
     } catch (const InputError&) {  // the edit hit something else: anew
     }
   }
-  std::ostringstream anew;
-  anew << toml::toml_formatter(wanted, kFormat) << "\n";
-  return anew.str();
+  return ordered_text(wanted);
 }
 
 }  // namespace

@@ -37,6 +37,7 @@ const std::vector<Key>& schema(FileKind kind) {
   static const std::vector<Key> study = study_keys();
   static const std::vector<Key> batch = batch_keys();
   static const std::vector<Key> comparison = compare_keys();
+  static const std::vector<Key> sensitivity = sensitivity_keys();
   switch (kind) {
     case FileKind::Scene:
       return scene;
@@ -45,13 +46,15 @@ const std::vector<Key>& schema(FileKind kind) {
     case FileKind::Batch:
       return batch;
     case FileKind::Comparison:
+      return comparison;
+    case FileKind::Sensitivity:
       break;
   }
-  return comparison;
+  return sensitivity;
 }
 
 std::string_view name_of(FileKind kind) {
-  constexpr std::string_view kNames[] = {"scene", "study", "batch", "comparison"};
+  constexpr std::string_view kNames[] = {"scene", "study", "batch", "comparison", "sensitivity"};
   return kNames[static_cast<int>(kind)];
 }
 

@@ -3,6 +3,7 @@
 /// Every key of scenes and studies as data: type, unit, default, range, options, meaning.
 /// It drives validation, defaults, error messages and docs/scene_reference.md.
 
+#include <array>
 #include <limits>
 #include <string>
 #include <string_view>
@@ -69,9 +70,11 @@ struct Key {
 };
 
 /// Kinds of file: a mechanism, a task on it, many cases of either, a mechanism under many
-/// formalisms.
-enum class FileKind { Scene, Study, Batch, Comparison };
-/// "scene", "study", "batch", "comparison"
+/// formalisms, by what a motion is differentiated.
+enum class FileKind { Scene, Study, Batch, Comparison, Sensitivity };
+inline constexpr std::array kFileKinds = {FileKind::Scene, FileKind::Study, FileKind::Batch,
+                                          FileKind::Comparison, FileKind::Sensitivity};
+/// "scene", "study", "batch", "comparison", "sensitivity"
 std::string_view name_of(FileKind kind);
 const std::vector<Key>& schema(FileKind kind);
 
@@ -101,6 +104,7 @@ std::vector<Key> scene_keys();
 std::vector<Key> study_keys();
 std::vector<Key> batch_keys();
 std::vector<Key> compare_keys();
+std::vector<Key> sensitivity_keys();
 std::vector<Key> solid_keys();
 std::vector<Key> joint_keys();
 std::vector<Key> response_keys(std::string_view parent);

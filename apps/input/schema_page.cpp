@@ -102,6 +102,9 @@ first; a key that only scenes have goes to the scene; `scene.` in front always m
   page += "\n## Comparisons\n\n";
   page += "One scene under many formalisms, meshes and steps, for `liesl compare`.\n";
   page += tables(schema(FileKind::Comparison));
+  page += "\n## Sensitivities\n\n";
+  page += "By which numbers of a scene its motion is differentiated, for `liesl sensitivity`.\n";
+  page += tables(schema(FileKind::Sensitivity));
   return page;
 }
 

@@ -46,6 +46,26 @@ void take_if_faster(LeanRuns& runs, const Setting& other, const std::string& abo
   if (taken) runs.lean = other;
 }
 
+/// Other elements for all flexible beams, with mesh and step of their own, where measured to be
+/// faster.
+template <class Change>
+void try_elements(LeanRuns& runs, const std::string& about, const std::string& choice,
+                  const Change& change) {
+  const Setting before = runs.lean;
+  for (BeamSetting& beam : runs.lean.beams)
+    if (!beam.rigid && beam.modes < 0) change(beam);
+  if (changes(runs.lean, before).empty()) return;
+  const Trial& changed = runs.trial(runs.lean);
+  const bool found = changed.ok && choose_mesh_and_step(runs, " of " + choice);
+  const Setting s = std::exchange(runs.lean, before);
+  if (found)
+    take_if_faster(runs, s, about, choice);
+  else
+    runs.decide(
+        {about, choice + ": no", 0, 0,
+         changed.ok ? "no mesh and step within the budget" : "does not run: " + changed.reason});
+}
+
 }  // namespace
 
 void make_rigid(LeanRuns& runs) {
@@ -80,23 +100,17 @@ void make_rigid(LeanRuns& runs) {
 }
 
 void choose_order(LeanRuns& runs) {
-  const Setting second = runs.lean;
-  bool any = false;
-  for (BeamSetting& beam : runs.lean.beams) {
-    if (beam.rigid || beam.modes >= 0 || beam.order == 4) continue;
+  try_elements(runs, "order", "order 4", [](BeamSetting& beam) {
     beam.order = 4;
-    any = true;
-  }
-  if (!any) return;
-  const Trial& fourth = runs.trial(runs.lean);
-  const bool found = fourth.ok && choose_mesh_and_step(runs, " of order 4");
-  const Setting s = std::exchange(runs.lean, second);
-  if (found)
-    take_if_faster(runs, s, "order", "order 4");
-  else
-    runs.decide(
-        {"order", "order 4: no", 0, 0,
-         fourth.ok ? "no mesh and step within the budget" : "does not run: " + fourth.reason});
+    beam.segments = false;
+  });
+}
+
+void choose_segments(LeanRuns& runs) {
+  try_elements(runs, "segments", "segments", [](BeamSetting& beam) {
+    beam.order = 2;
+    beam.segments = true;
+  });
 }
 
 void choose_modes(LeanRuns& runs) {
@@ -107,6 +121,7 @@ void choose_modes(LeanRuns& runs) {
     for (int count = 0; count <= kMostModes; count = count == 0 ? 1 : 2 * count) {
       s.beams[i].modes = count;
       s.beams[i].order = 2;
+      s.beams[i].segments = false;
       if (runs.good(s)) break;
     }
     take_if_faster(runs, s, "beam " + s.beams[i].name, fmt::format("{} modes", s.beams[i].modes));

@@ -38,7 +38,9 @@ std::string text_of(const Setting& s) {
   std::string text = s.steps > 0 ? fmt::format("{} steps of {:.4g} s", s.steps, s.step()) : "";
   for (const auto& beam : s.beams) {
     text += fmt::format("{}{} ", text.empty() ? "" : ", ", beam.name);
-    text += beam.rigid ? "rigid" : fmt::format("{} elements", beam.elements);
+    text += beam.rigid
+                ? "rigid"
+                : fmt::format("{} {}", beam.elements, beam.segments ? "segments" : "elements");
     if (beam.order != 2 && !beam.rigid) text += fmt::format(" of order {}", beam.order);
     if (beam.modes >= 0) text += fmt::format(" in {} modes", beam.modes);
   }

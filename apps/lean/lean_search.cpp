@@ -25,6 +25,7 @@ LeanResult find_lean(Trials& trials, double tolerance,
   for (int check = 0; check < kMostChecks; ++check) {
     if (!choose_mesh_and_step(runs)) break;
     choose_order(runs);
+    choose_segments(runs);
     choose_modes(runs);
     choose_tangent(runs);
     if (check_held_out(runs))

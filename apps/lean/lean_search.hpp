@@ -9,7 +9,8 @@
 ///   3. beams made rigid one at a time, then those that hardly matter together;
 ///   4. mesh and step: Richardson's estimates of each say where to start (`cheapest`); from there
 ///      every number is made coarser until |R - R_ref| <= tol - r fails;
-///   5. flexible beams linear with few modes, and tangents, where that is measured to be faster;
+///   5. elements of order 4, chains of segments, beams linear with few modes, and tangents, where
+///      that is measured to be faster;
 ///   6. a check on a run twice as fine as the reference, which decided nothing. If it fails, it
 ///      becomes the reference and 4 to 6 are done again.
 

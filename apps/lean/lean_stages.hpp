@@ -20,6 +20,9 @@ void make_rigid(LeanRuns& runs);
 bool choose_mesh_and_step(LeanRuns& runs, const std::string& of = "");
 /// Elements of order 4, with mesh and step of their own, where measured to be faster.
 void choose_order(LeanRuns& runs);
+/// Chains of segments, which have no torsion and no shear, with mesh and step of their own, where
+/// measured to be faster: only in a plane, and within the tolerance of a reference that has both.
+void choose_segments(LeanRuns& runs);
 /// Few modes, where measured to be faster.
 void choose_modes(LeanRuns& runs);
 /// Another tangent, where measured to be faster.

@@ -97,7 +97,8 @@ Setting setting_of(const Scene& scene) {
     const int n = static_cast<int>(beam->sections.size());
     const int modes = beam->as == BeamModel::Modal ? beam->modes : -1;
     s.beams.push_back({body.name, false, modes, beam->order, n,
-                       common_multiple(places(scene, static_cast<int>(b)), n)});
+                       common_multiple(places(scene, static_cast<int>(b)), n),
+                       beam->as == BeamModel::Segments});
   }
   return s;
 }
@@ -113,6 +114,7 @@ std::vector<std::string> changes(const Setting& wanted, const Setting& given) {
       list.push_back(fmt::format("{}elements={}", key, to.elements));
     if (to.order != from.order) list.push_back(fmt::format("{}order={}", key, to.order));
     if (to.rigid && !from.rigid) list.push_back(key + "as=\"rigid\"");
+    if (to.segments && !from.segments) list.push_back(key + "as=\"segments\"");
     if (to.modes != from.modes) {
       list.push_back(key + "as=\"modal\"");
       list.push_back(fmt::format("{}modes={}", key, to.modes));

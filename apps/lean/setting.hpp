@@ -18,6 +18,7 @@ struct BeamSetting {
   int elements = 1;
   int multiple = 1;  ///< numbers of elements that keep every place of the scene on a node are its
                      ///< multiples; 0: no other mesh does
+  bool segments = false;  ///< a chain of segments
 };
 
 /// One model of a scene.

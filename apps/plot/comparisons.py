@@ -148,27 +148,34 @@ def draw_orders(comparison, pictures, _arguments):
 
 
 def draw_effort(comparison, pictures, _arguments):
-    """Iterations and factorisations over what was varied of the mechanism."""
+    """Error, iterations and factorisations over what was varied of the mechanism."""
+    columns = {"newton_iterations": "iterations a step", "factorizations": "factorisations\nin the run"}
+    if comparison.kinds_with("error"):
+        columns = {"error": label(comparison.quantity, comparison.unit), **columns}
     for axis in comparison.physical:
-        figure, panels = stacked(2, 2.6)
+        figure, axes = stacked(len(columns), 2.6)
+        panels = dict(zip(columns, axes))
         for kind in comparison.kinds:
             rows = finest(comparison.of(kind, axis, "steps"), comparison, axis)
-            rows = [row for row in rows if row["status"] != "stopped"]
-            if not rows:
-                continue
-            x = [float(row[axis]) for row in rows]
-            for ax, column in zip(panels, ("newton_iterations", "factorizations")):
-                per = max(float(rows[0]["steps"]), 1) if column == "newton_iterations" else 1
-                ax.plot(x, [float(row[column]) / per for row in rows], label=kind,
-                        **comparison.looks[kind])
-        for ax, name in zip(panels, ("iterations a step", "factorisations\nin the run")):
-            ax.set_ylabel(name)
-            legend(ax)
+            for column, ax in panels.items():
+                good = [row for row in rows if row["status"] != "stopped" and is_number(row[column])]
+                if not good:
+                    continue
+                per = max(float(good[0]["steps"]), 1) if column == "newton_iterations" else 1
+                ax.plot([float(row[axis]) for row in good], [float(row[column]) / per for row in good],
+                        label=kind, **comparison.looks[kind])
+        for column, ax in panels.items():
+            ax.set_ylabel(columns[column])
             scale_axis(ax, "x", [float(row[axis]) for row in comparison.rows])
-        panels[0].set_ylim(bottom=0)
-        log_axes(panels[1], "y")
-        panels[-1].set_xlabel(comparison.label[axis])
-        pictures.save(figure, f"effort_over_{axis}", f"effort over {label(axis, '')}")
+            if column == "newton_iterations":
+                ax.set_ylim(bottom=0)
+            else:
+                log_axes(ax, "y")
+            if column == "error":
+                show_floor(ax, comparison)
+            legend(ax)
+        axes[-1].set_xlabel(comparison.label[axis])
+        pictures.save(figure, f"effort_over_{axis}", f"error and effort over {label(axis, '')}")
 
 
 def scale_axis(ax, axis, values):

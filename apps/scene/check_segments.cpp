@@ -4,8 +4,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <optional>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/sections/section_law.hpp"
 #include "mbs/system/plane.hpp"
 
 namespace liesl {
@@ -15,6 +18,22 @@ namespace {
 bool is_chain(const Mechanism& m, const BodySpec& body) {
   const auto* beam = std::get_if<BeamSpec>(&body.kind);
   return beam && model_of(*beam, m.formalism) == BeamModel::Segments;
+}
+
+/// First frequency of a hinged beam (S. P. Timoshenko, Philos. Mag. 41 (1921) 744-746): what shear
+/// and rotary inertia, which a chain of segments has not, take of it, pi^2/2 (EI/GA + rho I/rho
+/// A)/L^2, at the worst of its sections.
+double left_out_of(const BeamSpec& beam, const Space<SE2>& plane) {
+  double length = 0, worst = 0;
+  for (std::size_t e = 0; e < beam.sections.size(); ++e) {
+    const SE3& at = beam.nodes[e];
+    length += (beam.nodes[e + 1].x - at.x).norm();
+    const SectionLaw law = section_law(beam.sections[e], beam.material);
+    const SE3 align = plane.alignment(at);
+    const SE2::Matrix K = plane.reduce_law(law.K, align), M = plane.reduce_law(law.M, align);
+    worst = std::max(worst, K(2, 2) / K(1, 1) + M(2, 2) / M(1, 1));
+  }
+  return 0.5 * M_PI * M_PI * worst / (length * length);
 }
 
 class SegmentCheck {
@@ -28,9 +47,22 @@ class SegmentCheck {
       if (force.joint < 0)
         for (const Port& port : {force.a, force.b}) check_lug("forces", force.name, port);
     for (const LoadSpec& load : m_.loads) check_load(load);
+    if (plane_)
+      for (const BodySpec& body : m_.bodies)
+        if (is_chain(m_, body)) tell_what_is_left_out(body);
   }
 
  private:
+  void tell_what_is_left_out(const BodySpec& body) {
+    constexpr double kMuch = 0.01;
+    const double share = left_out_of(std::get<BeamSpec>(body.kind), *plane_);
+    if (share > kMuch)
+      reader_.scene.warnings.push_back(fmt::format(
+          "beam '{}' is too stout for a chain of segments, which has no shear and no rotary "
+          "inertia: they would change its first frequency by about {:.2g} %",
+          body.name, 100 * share));
+  }
+
   /// Is this a node between the ends of a chain?
   bool inner(const Port& port) const {
     if (port.body < 0) return false;
@@ -54,6 +86,7 @@ class SegmentCheck {
                                     [this](const BodySpec& body) { return is_chain(m_, body); });
     const SimulationOptions& o = reader_.scene.simulation;
     const PlaneSearch found = find_plane(m_);
+    plane_ = found.plane;
     std::string why;
     if (!found.plane)
       why = found.reason;
@@ -116,6 +149,7 @@ class SegmentCheck {
 
   Reader& reader_;
   const Mechanism& m_;
+  std::optional<Space<SE2>> plane_;
 };
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "apps/input/document.hpp"
+#include "apps/input/ordered_text.hpp"
 #include "apps/scene/outline_text.hpp"
 #include "apps/scene/trusses.hpp"
 #include "mbs/model/beam_ends.hpp"
@@ -145,10 +146,8 @@ std::string design_scene(const Study& study, const Mechanism& final,
     if (c.quantity < ConstantQuantity::DriveValue) write_constant(document.root, c, final);
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
-  std::ostringstream text;
-  text << "# The final design of the study '" << study.spec.name << "'. SI units.\n\n"
-       << document.root << "\n";
-  return text.str();
+  return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
+                     ordered_text(document.root));
 }
 
 }  // namespace liesl

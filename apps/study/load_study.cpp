@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "apps/input/document.hpp"
+#include "apps/input/ordered_text.hpp"
 #include "apps/study/study_reader.hpp"
 
 namespace liesl {
@@ -181,7 +182,7 @@ Study read_document(Document document, const fs::path& folder,
   study.scene.file = first.file;
   study.scene.input = first.text;
   for (const ScenarioText& s : scenarios)
-    study.scene_texts.push_back(content(with_whole_paths(s.scene)));
+    study.scene_texts.push_back(ordered_text(with_whole_paths(s.scene)));
   const Broken scene_broken = validate(first.root, FileKind::Scene, problems);
   Reader scene{first.root, scene_broken, problems, study.scene, {}, {}};
   scene.fixed_loads = document.root.contains("loads");

@@ -30,8 +30,10 @@ Json setting_json(const Setting& s) {
   Json json = {{"space", s.space}, {"steps", s.steps}, {"step", s.step()}, {"tangent", s.tangent}};
   json["beams"] = Json::object();
   for (const auto& beam : s.beams) {
-    Json& b = json["beams"][beam.name] = {
-        {"rigid", beam.rigid}, {"elements", beam.elements}, {"order", beam.order}};
+    Json& b = json["beams"][beam.name] = {{"rigid", beam.rigid},
+                                          {"elements", beam.elements},
+                                          {"order", beam.order},
+                                          {"segments", beam.segments}};
     b["modes"] = beam.modes >= 0 ? Json(beam.modes) : Json(nullptr);
   }
   return json;

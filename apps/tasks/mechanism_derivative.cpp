@@ -14,9 +14,6 @@
 namespace liesl {
 namespace {
 
-/// [f(-2h), f(-h), f(h), f(2h)] -> df/dp, over 12 h.
-constexpr std::array kWeights = {1., -8., 8., -1.};
-
 bool same(const SE3& a, const SE3& b) { return a.R == b.R && a.x == b.x; }
 bool same(const Port& a, const Port& b) {
   return a.body == b.body && a.node == b.node && same(a.offset, b.offset);
@@ -25,6 +22,28 @@ bool same_frames(const std::vector<SE3>& a, const std::vector<SE3>& b) {
   bool equal = a.size() == b.size();
   for (std::size_t i = 0; equal && i < a.size(); ++i) equal = same(a[i], b[i]);
   return equal;
+}
+
+bool same_kind(const BodySpec& a, const BodySpec& b) {
+  if (a.kind.index() != b.kind.index()) return false;
+  const auto* beam = std::get_if<BeamSpec>(&a.kind);
+  if (!beam) return true;
+  const auto& other = std::get<BeamSpec>(b.kind);
+  bool equal = beam->nodes.size() == other.nodes.size() && beam->as == other.as &&
+               beam->modes == other.modes && beam->order == other.order &&
+               beam->ends.size() == other.ends.size() &&
+               beam->sections.size() == other.sections.size();
+  for (std::size_t e = 0; equal && e < beam->sections.size(); ++e)
+    equal = beam->sections[e].shape.index() == other.sections[e].shape.index();
+  return equal;
+}
+
+/// All of a section but its dimensions.
+bool same_constants(const Section& a, const Section& b) {
+  const auto* full = std::get_if<FullSection>(&a.shape);
+  const auto* other = std::get_if<FullSection>(&b.shape);
+  return a.shear_factor == b.shear_factor && a.torsion_constant == b.torsion_constant &&
+         (!full || (full->stiffness == other->stiffness && full->inertia == other->inertia));
 }
 
 /// @param factors in the middle of the elements, at their first and last nodes
@@ -47,33 +66,56 @@ class Differences {
   Differences(const Mechanism& at, const std::function<Mechanism(double)>& changed, double step,
               const SimulationOptions& simulation)
       : at_(at),
-        near_{changed(-2 * step), changed(-step), changed(step), changed(2 * step)},
+        mechanisms_{std::make_shared<const std::array<Mechanism, 4>>(std::array{
+                        changed(-2 * step), changed(-step), changed(step), changed(2 * step)}),
+                    step},
+        near_(*mechanisms_.at),
         step_(step),
         simulation_(simulation) {}
 
   Parameter parameter(const std::string& name) {
-    require_same("gravity", [](const Mechanism& m) { return m.gravity; });
-    if (!function([](const Mechanism& m) { return m.gravity_scale; }).empty())
-      refuse("the factor of gravity");
-    require_same("the number of forces", [](const Mechanism& m) { return m.forces.size(); });
-    for (std::size_t i = 0; i < at_.gears.size(); ++i)
-      require_same("the ratio of gear '" + at_.gears[i].name + "'",
-                   [i](const Mechanism& m) { return m.gears[i].ratio; });
+    require_structure();
     Parameter p{name, {}};
-    for (std::size_t b = 0; b < at_.bodies.size(); ++b) add_body(static_cast<int>(b), p);
-    check_joints();
-    for (std::size_t i = 0; i < at_.drives.size(); ++i) add_drive(i, p);
-    for (std::size_t i = 0; i < at_.forces.size(); ++i) add_force(i, p);
-    for (std::size_t i = 0; i < at_.loads.size(); ++i) add_load(i, p);
+    add_data(p);
+    if (beyond_data_) p.parts = {mechanisms_};
     if (p.parts.empty())
       throw std::invalid_argument(
-          fmt::format("'{}' changes nothing that has a derivative: sections, materials, masses, "
-                      "springs, loads or drives",
+          fmt::format("'{}' changes nothing that has a derivative: geometry, sections, materials, "
+                      "masses, springs, loads or drives",
                       name));
     return p;
   }
 
  private:
+  /// What has derivatives of its own; `beyond_data_` becomes true if that is not all that changes.
+  void add_data(Parameter& p) {
+    differs_unless([&](const Mechanism& m) { return m.gravity == at_.gravity; });
+    if (!function([](const Mechanism& m) { return m.gravity_scale; }).empty()) beyond_data_ = true;
+    for (std::size_t i = 0; i < at_.gears.size(); ++i)
+      differs_unless([&](const Mechanism& m) { return m.gears[i].ratio == at_.gears[i].ratio; });
+    for (std::size_t b = 0; b < at_.bodies.size(); ++b) add_body(static_cast<int>(b), p);
+    compare_joints();
+    for (std::size_t i = 0; i < at_.drives.size(); ++i) add_drive(i, p);
+    for (std::size_t i = 0; i < at_.forces.size(); ++i) add_force(i, p);
+    for (std::size_t i = 0; i < at_.loads.size(); ++i) add_load(i, p);
+  }
+
+  /// The same unknowns at all values: numbers and kinds of everything.
+  void require_structure() const {
+    require("the number of bodies, joints, drives, springs, loads or gears",
+            [&](const Mechanism& m) {
+              return m.bodies.size() == at_.bodies.size() && m.joints.size() == at_.joints.size() &&
+                     m.drives.size() == at_.drives.size() && m.forces.size() == at_.forces.size() &&
+                     m.loads.size() == at_.loads.size() && m.gears.size() == at_.gears.size();
+            });
+    for (std::size_t j = 0; j < at_.joints.size(); ++j)
+      require("the kind of joint '" + at_.joints[j].name + "'",
+              [&](const Mechanism& m) { return m.joints[j].type == at_.joints[j].type; });
+    for (std::size_t b = 0; b < at_.bodies.size(); ++b)
+      require("the kind of body '" + at_.bodies[b].name + "', its elements, sections or modes",
+              [&](const Mechanism& m) { return same_kind(m.bodies[b], at_.bodies[b]); });
+  }
+
   /// Exactly zero for what does not change.
   template <class Get>
   auto difference(Get get) const {
@@ -81,29 +123,26 @@ class Differences {
     by_p = ((get(near_[2]) - get(near_[1])) * 8 - (get(near_[3]) - get(near_[0]))) / (12 * step_);
     return by_p;
   }
-  [[noreturn]] static void refuse(const std::string& what) {
-    throw std::invalid_argument(what +
-                                " changes, of which there is no derivative: parameters are "
-                                "sections, E and rho, masses and inertias, springs, "
-                                "dampers, loads and drives");
-  }
-  template <class Get>
-  void require_same(const std::string& what, Get get) const {
-    for (const Mechanism& m : near_)
-      if (!(get(m) == get(at_))) refuse(what);
-  }
   template <class Equal>
   void require(const std::string& what, Equal equal) const {
     for (const Mechanism& m : near_)
-      if (!equal(m)) refuse(what);
+      if (!equal(m))
+        throw std::invalid_argument(what +
+                                    " changes, of which there is no derivative: parameters are "
+                                    "geometry, sections, materials, masses and inertias, springs, "
+                                    "dampers, loads and drives");
+  }
+  template <class Equal>
+  void differs_unless(Equal equal) {
+    for (const Mechanism& m : near_) beyond_data_ = beyond_data_ || !equal(m);
   }
 
   /// d/dp of a function of time; none if it does not change at any step of the simulation.
   template <class Get>
   FunctionDerivative function(Get get) const {
     FunctionDerivative by_p;
-    for (std::size_t i = 0; i < kWeights.size(); ++i)
-      by_p.push_back({kWeights[i] / (12 * step_), get(near_[i])});
+    for (std::size_t i = 0; i < near_.size(); ++i)
+      by_p.push_back({mechanisms_.weight(i), get(near_[i])});
     const long steps = std::lround(std::ceil(simulation_.duration / simulation_.step));
     for (long n = 0; n <= steps; ++n) {
       const double t = static_cast<double>(n) * simulation_.step;
@@ -113,35 +152,28 @@ class Differences {
     return {};
   }
 
-  void add_body(int b, Parameter& p) const {
+  void add_body(int b, Parameter& p) {
     const auto of = [b](const Mechanism& m) -> const BodySpec& {
       return m.bodies[static_cast<std::size_t>(b)];
     };
-    const std::string name = "body '" + of(at_).name + "'";
-    require(name, [&](const Mechanism& m) {
-      return m.bodies.size() == at_.bodies.size() && of(m).kind.index() == of(at_).kind.index();
-    });
-    require("the velocity of " + name + " at the start", [&](const Mechanism& m) {
+    differs_unless([&](const Mechanism& m) {
       return of(m).velocity == of(at_).velocity &&
              of(m).angular_velocity == of(at_).angular_velocity;
     });
-    if (std::holds_alternative<BeamSpec>(of(at_).kind)) add_beam(b, name, p);
-    if (std::holds_alternative<RigidSpec>(of(at_).kind)) add_rigid(b, name, p);
-    if (std::holds_alternative<SolidSpec>(of(at_).kind)) check_solid(b, name);
+    if (std::holds_alternative<BeamSpec>(of(at_).kind)) add_beam(b, p);
+    if (std::holds_alternative<RigidSpec>(of(at_).kind)) add_rigid(b, p);
+    if (std::holds_alternative<SolidSpec>(of(at_).kind)) check_solid(b, of(at_).name);
   }
 
-  void add_beam(int b, const std::string& name, Parameter& p) const {
+  void add_beam(int b, Parameter& p) {
     const auto of = [b](const Mechanism& m) -> const BeamSpec& {
       return std::get<BeamSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
     };
     const BeamSpec& beam = of(at_);
-    require("the geometry of " + name,
-            [&](const Mechanism& m) { return same_frames(of(m).nodes, beam.nodes); });
-    require("nu, damping or kind of " + name, [&](const Mechanism& m) {
+    differs_unless([&](const Mechanism& m) {
       const BeamSpec& other = of(m);
-      return other.material.nu == beam.material.nu && other.damping == beam.damping &&
-             other.as == beam.as && other.modes == beam.modes &&
-             other.ends.size() == beam.ends.size();
+      return same_frames(other.nodes, beam.nodes) && other.material.nu == beam.material.nu &&
+             other.damping == beam.damping;
     });
     BeamDerivative sum;
     bool depends = false;
@@ -158,7 +190,7 @@ class Differences {
       const auto section = [&](const Mechanism& m) -> const Section& {
         return of(m).sections[static_cast<std::size_t>(e)];
       };
-      require_section(section, name);
+      differs_unless([&](const Mechanism& m) { return same_constants(section(m), section(at_)); });
       for (const auto dimension_name : dimensions(section(at_).shape)) {
         std::array<double, 3> by_p;
         for (std::size_t k = 0; k < 3; ++k)
@@ -180,27 +212,11 @@ class Differences {
     if (depends) p.parts.push_back(std::move(sum));
   }
 
-  template <class Get>
-  void require_section(Get section, const std::string& name) const {
-    const Section& given = section(at_);
-    require("the kind of section, a shear factor or a torsion constant of " + name,
-            [&](const Mechanism& m) {
-              const Section& other = section(m);
-              const auto* full = std::get_if<FullSection>(&given.shape);
-              const auto* same_full = std::get_if<FullSection>(&other.shape);
-              return other.shape.index() == given.shape.index() &&
-                     other.shear_factor == given.shear_factor &&
-                     other.torsion_constant == given.torsion_constant &&
-                     (!full || (full->stiffness == same_full->stiffness &&
-                                full->inertia == same_full->inertia));
-            });
-  }
-
-  void add_rigid(int b, const std::string& name, Parameter& p) const {
+  void add_rigid(int b, Parameter& p) {
     const auto of = [b](const Mechanism& m) -> const RigidSpec& {
       return std::get<RigidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
     };
-    require("the place of " + name, [&](const Mechanism& m) {
+    differs_unless([&](const Mechanism& m) {
       return same(of(m).frame, of(at_).frame) && of(m).points == of(at_).points;
     });
     RigidDerivative by_p;
@@ -218,7 +234,7 @@ class Differences {
     };
     const SolidSpec& solid = of(at_);
     const Eigen::VectorXd fractions = solid_fractions(solid).value;
-    require("material, mesh or outline of the meshed " + name, [&](const Mechanism& m) {
+    require("material, mesh or outline of the meshed body '" + name + "'", [&](const Mechanism& m) {
       const SolidModel &mine = *solid.model, &other = *of(m).model;
       return other.material().E == mine.material().E && other.material().nu == mine.material().nu &&
              other.material().rho == mine.material().rho && other.thickness() == mine.thickness() &&
@@ -227,12 +243,12 @@ class Differences {
     });
   }
 
-  void check_joints() const {
+  void compare_joints() {
     for (std::size_t j = 0; j < at_.joints.size(); ++j)
-      require("the geometry of joint '" + at_.joints[j].name + "'", [&](const Mechanism& m) {
+      differs_unless([&](const Mechanism& m) {
         const JointSpec &a = m.joints[j], &b = at_.joints[j];
-        return a.type == b.type && same(a.a, b.a) && same(a.b, b.b) && a.axis == b.axis &&
-               a.axis2 == b.axis2 && a.pitch == b.pitch;
+        return same(a.a, b.a) && same(a.b, b.b) && a.axis == b.axis && a.axis2 == b.axis2 &&
+               a.pitch == b.pitch;
       });
   }
 
@@ -242,12 +258,11 @@ class Differences {
     if (!by_p.motion.empty()) p.parts.push_back(std::move(by_p));
   }
 
-  void add_force(std::size_t i, Parameter& p) const {
-    require("the ports of force '" + at_.forces[i].name + "'", [&](const Mechanism& m) {
-      return same(m.forces[i].a, at_.forces[i].a) && same(m.forces[i].b, at_.forces[i].b);
+  void add_force(std::size_t i, Parameter& p) {
+    differs_unless([&](const Mechanism& m) {
+      const ForceSpec &a = m.forces[i], &b = at_.forces[i];
+      return same(a.a, b.a) && same(a.b, b.b) && a.curve == b.curve;
     });
-    require("the characteristic of spring '" + at_.forces[i].name + "'",
-            [&](const Mechanism& m) { return m.forces[i].curve == at_.forces[i].curve; });
     ForceDerivative by_p;
     by_p.force = static_cast<int>(i);
     by_p.stiffness = difference([i](const Mechanism& m) { return m.forces[i].stiffness; });
@@ -258,8 +273,8 @@ class Differences {
       p.parts.push_back(std::move(by_p));
   }
 
-  void add_load(std::size_t i, Parameter& p) const {
-    require("the place of load '" + at_.loads[i].name + "'", [&](const Mechanism& m) {
+  void add_load(std::size_t i, Parameter& p) {
+    differs_unless([&](const Mechanism& m) {
       return same(m.loads[i].port, at_.loads[i].port) &&
              m.loads[i].follower == at_.loads[i].follower;
     });
@@ -274,9 +289,11 @@ class Differences {
   }
 
   const Mechanism& at_;
-  const std::array<Mechanism, 4> near_;
+  const NearbyMechanisms mechanisms_;
+  const std::array<Mechanism, 4>& near_;
   const double step_;
   const SimulationOptions& simulation_;
+  bool beyond_data_ = false;
 };
 
 }  // namespace

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <chrono>
+#include <map>
+#include <sstream>
 
 #include "apps/input/document.hpp"
 #include "apps/scene/load_scene.hpp"
@@ -38,11 +40,42 @@ void require_motion(const Scene& scene) {
            "as in bend = { response = \"deflection\", of = \"rod\" }");
 }
 
-std::vector<std::string> with(std::vector<std::string> changes,
-                              const std::vector<output::Sensitivities::Parameter>& names,
+/// Numbers of a scene that change by the same amount: the end of a rod and the place of what it
+/// carries.
+struct Numbers {
+  std::vector<std::string> keys;
+  std::vector<double> values;
+  std::string unit;
+};
+
+/// @param keys "KEY" or "KEY+KEY"  @throws InputError as number_at, and for numbers of two units
+Numbers numbers_at(const SceneText& text, const std::string& keys) {
+  Numbers numbers;
+  std::istringstream list(keys);
+  for (std::string key; std::getline(list, key, '+');) {
+    const SceneNumber number = number_at(text, key);
+    if (!numbers.keys.empty() && number.unit != numbers.unit)
+      refuse(text.file,
+             fmt::format("--by {}: {} is in {}, {} in {}", keys, numbers.keys[0], numbers.unit, key,
+                         number.unit),
+             "numbers of one unit, which change by the same amount", "a comma between parameters");
+    numbers.keys.push_back(key);
+    numbers.values.push_back(number.value);
+    numbers.unit = number.unit;
+  }
+  return numbers;
+}
+
+/// The changes, and those to the values p; a number may belong to several parameters.
+std::vector<std::string> with(std::vector<std::string> changes, const std::vector<Numbers>& numbers,
                               const VectorXd& p) {
-  for (std::size_t i = 0; i < names.size(); ++i)
-    changes.push_back(fmt::format("{}={}", names[i].name, p[static_cast<Eigen::Index>(i)]));
+  std::map<std::string, double> values;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    const double by = p[static_cast<Eigen::Index>(i)] - numbers[i].values[0];
+    for (std::size_t k = 0; k < numbers[i].keys.size(); ++k)
+      values.try_emplace(numbers[i].keys[k], numbers[i].values[k]).first->second += by;
+  }
+  for (const auto& [key, value] : values) changes.push_back(fmt::format("{}={}", key, value));
   return changes;
 }
 
@@ -101,12 +134,13 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
   if (keys.empty())
     refuse(file, "by which parameters? The scene is no study", "--by KEY[,KEY]",
            "as in --by sections.rod.diameter,materials.steel.rho; a study has its variables");
+  std::vector<Numbers> numbers;
   for (const std::string& key : keys) {
-    const SceneNumber number = number_at(text, key);
-    problem.names.push_back({key, number.unit, number.value});
+    numbers.push_back(numbers_at(text, key));
+    problem.names.push_back({key, numbers.back().unit, numbers.back().values.at(0)});
   }
-  problem.mechanism_at = [text, names = problem.names](const VectorXd& p) {
-    return read_scene(text.text, text.file, with(text.changes, names, p)).mechanism;
+  problem.mechanism_at = [text, numbers](const VectorXd& p) {
+    return read_scene(text.text, text.file, with(text.changes, numbers, p)).mechanism;
   };
   problem.options_at = [options = problem.scene.simulation](const VectorXd&) { return options; };
   const VectorXd p = problem.values();

@@ -1,9 +1,11 @@
 #pragma once
 /// @file
 /// A scalar parameter p of a mechanism as data: the derivatives d/dp of what depends on it. What is
-/// not named does not depend on p; geometry (frames, lengths, axes) never does.
+/// not named does not depend on p; what has no derivative of its own, geometry (frames, lengths,
+/// axes) above all, is a matter of `NearbyMechanisms`.
 
 #include <array>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -81,10 +83,22 @@ struct StepDerivative {
   double relative = 0;  ///< dh/dp / h: 1/duration by the duration itself
 };
 
+/// By all that p changes, as differences of fourth order of the equations at constant state, of the
+/// start and of the responses: geometry, Poisson's ratio, gravity, velocities at the start. The
+/// only part of its parameter.
+struct NearbyMechanisms {
+  static constexpr std::array kWeights = {1., -8., 8., -1.};  ///< over 12 step
+  /// At p - 2 step, p - step, p + step, p + 2 step.
+  std::shared_ptr<const std::array<Mechanism, 4>> at;
+  double step = 0;  ///< unit of p
+
+  double weight(std::size_t i) const { return kWeights[i] / (12 * step); }
+};
+
 struct Parameter {
   std::string name;
   std::vector<std::variant<BeamDerivative, RigidDerivative, SolidDerivative, ForceDerivative,
-                           LoadDerivative, DriveDerivative, StepDerivative>>
+                           LoadDerivative, DriveDerivative, StepDerivative, NearbyMechanisms>>
       parts;
 };
 

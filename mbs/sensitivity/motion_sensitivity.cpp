@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mbs/solvers/initial_state.hpp"
+
 namespace liesl {
 namespace {
 
@@ -51,9 +53,13 @@ class Derivatives {
     }
     return by_p_;
   }
+  /// Without the parameters of which `StartDerivatives` has what the start changes by.
   const ResidualDerivative& at_start(const State<G>& s, bool in_equilibrium) {
     at(s, s.rows);
-    if (!in_equilibrium) set_target(s.t, 2);
+    if (in_equilibrium) return by_p_;
+    set_target(s.t, 2);
+    for (size_t i = 0; i < parameters_.size(); ++i)
+      if (parameters_[i].nearby()) by_p_.r.col(static_cast<Eigen::Index>(i)) *= 0;
     return by_p_;
   }
   /// Largest time derivative of Phi_p of this order.
@@ -97,6 +103,41 @@ bool drives_accelerate(const Model<G>& model, const State<G>& at_rest, double du
   Equations<G>(model).acceleration_target(at_rest, at_rest.t, rate);
   return rate.lpNorm<Eigen::Infinity>() * duration * duration >
          kResting * std::min(1.0, model.length);
+}
+
+/// What the consistent start changes by with parameters that are known by mechanisms near by, a
+/// column each: differences of the starts of those. Zero for all others, and where the start is an
+/// equilibrium, whose equations say it.
+template <FrameGroup G>
+StateSensitivity start_derivatives(const Model<G>& model, const Tape<G>& tape,
+                                   const Parameters<G>& parameters, const State<G>& first) {
+  auto ds = StateSensitivity::zero(model.size(), model.constraints(),
+                                   static_cast<int>(parameters.size()));
+  if (tape.options.start == StartChoice::Equilibrium) return ds;
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    if (!parameters[i].nearby()) continue;
+    const auto column = static_cast<Eigen::Index>(i);
+    for (const auto& near : parameters[i].nearby()->models()) {
+      State<G> s = near->model.initial_state();
+      const InitialState start = make_consistent(near->model, tape.options, s);
+      if (start.status != SolveStatus::Converged) throw std::invalid_argument(start.reason);
+      if (start.moved > kMoved * model.length)
+        throw std::invalid_argument(fmt::format(
+            "parameter '{}' opens joints: bodies were moved by {:.3g} m to close them; expected "
+            "geometry in which all bodies that meet at a joint change together",
+            parameters[i].parameter().name, start.moved));
+      s = in_inertial_axes(near->model, s);
+      for (const auto* nodes : {&model.frames(), &model.positions()})
+        for (const int k : *nodes)
+          ds.eta.col(column).template segment<G::dim>(G::dim * k) +=
+              near->weight * G::log(first.H[k].inverse() * s.H[k]);
+      ds.v.col(column) += near->weight * s.v;
+      ds.w.col(column) += near->weight * s.vdot;
+      ds.lambda.col(column) += near->weight * s.lambda;
+    }
+  }
+  ds.a = ds.w;
+  return ds;
 }
 
 /// The start must not depend on the parameters, or be an equilibrium at rest.
@@ -156,13 +197,16 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   StateSensitivity ds;
   SensitivityEnd end;
   long step = 0;
+  const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
+  if (!take_start(sensitivity, tape, first)) return singular(first.t);
+  sensitivity.forward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
+                      ds);
+  ds += start_derivatives(model, tape, parameters, first);
+  at(step++, first, ds);
   const auto advance = [&](const State<G>& s, const ResidualDerivative& by_p) {
     sensitivity.forward(by_p, ds);
     at(step++, s, ds);
   };
-  const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
-  if (!take_start(sensitivity, tape, first)) return singular(first.t);
-  advance(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
   const auto take = [&](const State<G>& before, const State<G>& after, double h) {
     if (sensitivity.step(before, after, h))
       advance(after, derivatives.at(after, before.rows));
@@ -230,7 +274,10 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   }
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(sensitivity, tape, first)) return singular(first.t);
-  go_back(first, derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium));
+  at(step, first, bars, gradient);
+  gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
+  sensitivity.backward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
+                       bars, gradient);
   return {};
 }
 

@@ -8,16 +8,40 @@ using Eigen::MatrixXd;
 template <FrameGroup G>
 ResponseSensitivity<G>::ResponseSensitivity(const Model<G>& model, const ResponseValues<G>& values,
                                             ResponseSpec response, const Parameters<G>& parameters)
-    : model_(model), values_(values), response_(std::move(response)), parameters_(parameters) {}
+    : model_(model), values_(values), response_(std::move(response)), parameters_(parameters) {
+  explicit_ = ResponseValues<G>::depends_on_law(response_.kind);
+  for (const auto& parameter : parameters) {
+    auto& values_near = nearby_.emplace_back();
+    if (!parameter.nearby()) continue;
+    explicit_ = true;
+    for (const auto& near : parameter.nearby()->models())
+      values_near.emplace_back(near->mechanism, near->model);
+  }
+}
+
+/// Differences of what the models near by make of the state.
+template <FrameGroup G>
+Eigen::VectorXd ResponseSensitivity<G>::by_nearby(size_t parameter, const State<G>& s,
+                                                  Index components) const {
+  Eigen::VectorXd y_p = Eigen::VectorXd::Zero(components);
+  const auto& models = parameters_[parameter].nearby()->models();
+  for (size_t i = 0; i < models.size(); ++i)
+    y_p += models[i]->weight *
+           nearby_[parameter][i](response_, NearbyModels<G>::seen_by(*models[i], s));
+  return y_p;
+}
 
 template <FrameGroup G>
 MatrixXd ResponseSensitivity<G>::by_parameters(const State<G>& s, Index components) const {
   MatrixXd y_p = MatrixXd::Zero(components, static_cast<Index>(parameters_.size()));
-  if (!ResponseValues<G>::depends_on_law(response_.kind)) return y_p;
+  if (!explicit_) return y_p;
   State<G> completed = s;
   model_.complete(completed);
   for (size_t i = 0; i < parameters_.size(); ++i)
-    y_p.col(static_cast<Index>(i)) = values_.by_parameter(response_, completed, parameters_[i]);
+    if (parameters_[i].nearby())
+      y_p.col(static_cast<Index>(i)) = by_nearby(i, s, components);
+    else if (ResponseValues<G>::depends_on_law(response_.kind))
+      y_p.col(static_cast<Index>(i)) = values_.by_parameter(response_, completed, parameters_[i]);
   return y_p;
 }
 
@@ -51,7 +75,7 @@ void ResponseSensitivity<G>::add_cotangents(const State<G>& s, const MatrixXd& w
     for (const auto& multiplier : y_h[c].lambda)
       bars.lambda.row(multiplier.row).segment(column, k) += multiplier.value * factors;
   }
-  if (ResponseValues<G>::depends_on_law(response_.kind))
+  if (explicit_)
     gradient.middleCols(column, k) += by_parameters(s, weights.rows()).transpose() * weights;
 }
 

@@ -15,6 +15,9 @@ struct StateSensitivity {
   Eigen::MatrixXd lambda;  ///< m x n_p
 
   static StateSensitivity zero(int n, int m, int columns);
+  StateSensitivity& operator+=(const StateSensitivity& other);
+  /// Of derivatives with cotangents of the same state: n_p x functionals.
+  Eigen::MatrixXd transposed_product(const StateSensitivity& cotangents) const;
 };
 
 }  // namespace liesl

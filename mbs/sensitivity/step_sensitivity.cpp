@@ -115,6 +115,21 @@ StateSensitivity StateSensitivity::zero(int n, int m, int columns) {
   return {none, none, none, none, MatrixXd::Zero(m, columns)};
 }
 
+StateSensitivity& StateSensitivity::operator+=(const StateSensitivity& other) {
+  eta += other.eta;
+  v += other.v;
+  a += other.a;
+  w += other.w;
+  lambda += other.lambda;
+  return *this;
+}
+
+MatrixXd StateSensitivity::transposed_product(const StateSensitivity& cotangents) const {
+  return eta.transpose() * cotangents.eta + v.transpose() * cotangents.v +
+         a.transpose() * cotangents.a + w.transpose() * cotangents.w +
+         lambda.transpose() * cotangents.lambda;
+}
+
 template <FrameGroup G>
 StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
     : model_(model),

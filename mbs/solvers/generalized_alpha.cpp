@@ -1,7 +1,5 @@
 #include "mbs/solvers/generalized_alpha.hpp"
 
-#include <limits>
-
 namespace liesl {
 namespace {
 
@@ -10,6 +8,8 @@ constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
 constexpr int kAugmentations = 10;    // a step
+constexpr double kStalled = 0.1;      // of the opening left by an augmentation: weights grow
+constexpr double kHeavier = 1e3;      // by which they do, for the rest of the step
 constexpr double kUnknown = std::numeric_limits<double>::infinity();  // an augmentation is between
 constexpr double kMemory = 0.1;  // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;  // forces on a body below this share of all count as none
@@ -181,15 +181,19 @@ double GeneralizedAlpha<G>::imbalance() const {
 
 /// lambda* <- lambda at a converged iterate, while the joints are open by more than they may be (E.
 /// Bayo, J. Garcia de Jalon, M. A. Serna, A modified Lagrangian formulation for the dynamic
-/// analysis of constrained mechanical systems, CMAME 71 (1988) 183-195). @returns whether the
-/// iteration goes on
+/// analysis of constrained mechanical systems, CMAME 71 (1988) 183-195). Near a dead point the
+/// bodies hardly yield to some rows: what an augmentation closes there grows with the weight.
+/// @returns whether the iteration goes on
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::augment(StepResult& result) {
   if (model_.penalty.form != ConstraintForm::Augmented) return false;
   const double closed = std::min(kClosed, kConstraint * options_.tolerance * model_.length);
-  if (equations_.opening() <= closed) return false;
+  const double open = equations_.opening();
+  if (open <= closed) return false;
   equations_.phi += equations_.compliance.cwiseProduct(trial_.lambda - equations_.estimate);
   equations_.estimate = trial_.lambda;
+  if (open > kStalled * result.opening) equations_.compliance /= kHeavier;
+  result.opening = open;
   ++result.augmentations;
   return true;
 }
@@ -201,7 +205,10 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   StepResult result;
   predict(s, h);
   turn_axes(s);
-  if (model_.penalty.form == ConstraintForm::Augmented) equations_.estimate = s.lambda;
+  if (model_.penalty.form == ConstraintForm::Augmented) {
+    equations_.estimate = s.lambda;
+    equations_.compliance = model_.penalty.weight.cwiseInverse();
+  }
   double before = 0;
   for (;;) {
     equations_.evaluate(trial_, s.rows, {trial_.t, 1});

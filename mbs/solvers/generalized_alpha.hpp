@@ -4,6 +4,8 @@
 /// "Lie group generalized-alpha time integration of constrained flexible multibody systems",
 /// Mech. Mach. Theory 48).
 
+#include <limits>
+
 #include "mbs/solvers/joint_system.hpp"
 #include "mbs/solvers/node_coordinates.hpp"
 #include "mbs/solvers/options.hpp"
@@ -27,10 +29,11 @@ struct AlphaWeights {
 /// What became of one attempt at a step.
 struct StepResult {
   bool converged = false;
-  int tangents = 0;          ///< how often the tangent was taken at the current state
-  int iterations = 0;        ///< corrections
-  int augmentations = 0;     ///< of the multipliers
-  double residual = 0;       ///< relative, at the last iterate
+  int tangents = 0;       ///< how often the tangent was taken at the current state
+  int iterations = 0;     ///< corrections
+  int augmentations = 0;  ///< of the multipliers
+  double opening = std::numeric_limits<double>::infinity();  ///< at the last of them, m or rad
+  double residual = 0;                                       ///< relative, at the last iterate
   double error = 0;          ///< estimate of the local error of the positions, m
   const char* failure = "";  ///< why not
 };

@@ -143,9 +143,8 @@ template <class G>
 void Model<G>::leave_out_redundant_rows() {
   RedundantRows found = redundant_rows(*this, initial_state());
   redundant = std::move(found.sentences);
-  if (penalty.form != ConstraintForm::Multipliers) return;  // none has to be left out
   dead_point = std::move(found.dead_point);
-  if (found.rows.empty()) return;
+  if (penalty.form != ConstraintForm::Multipliers || found.rows.empty()) return;
   for (const auto& [coupling, equation] : found.rows) {
     couplings[coupling].rows[equation].role = Role::Redundant;
     const std::size_t next = static_cast<std::size_t>(coupling) + 1;

@@ -187,9 +187,18 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Loa
 }
 
 template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism&, const NearbyMechanisms& part) {
+  if (parameter_.parts.size() > 1) return "expected mechanisms near by alone";
+  nearby_ = std::make_unique<NearbyModels<G>>(part, model_);
+  add_nodes(0, model_.nodes());
+  return "";
+}
+
+template <FrameGroup G>
 void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                                const LoadLevel& level, Eigen::VectorXd& r_p,
                                Eigen::VectorXd& phi_p) const {
+  if (nearby_) return nearby_->add(s, previous, level, r_p, phi_p);
   const typename Model<G>::Vector gravity = level.factor * model_.gravity_at(level.t);
   ForceScale unused;
   for (size_t b = 0; b < bodies_.size(); ++b) {

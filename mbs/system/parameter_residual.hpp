@@ -5,7 +5,7 @@
 ///   Phi = row(H) - target(t).
 
 #include "mbs/model/parameter.hpp"
-#include "mbs/system/equations.hpp"
+#include "mbs/system/nearby_models.hpp"
 
 namespace liesl {
 
@@ -15,7 +15,8 @@ namespace liesl {
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
 /// df/dq_0 = -k, -F(t) for its factor, -dF/dp. A load gives the load itself for its factor, or that
-/// of its components; a drive -target(t), or -d(target)/dp.
+/// of its components; a drive -target(t), or -d(target)/dp. Mechanisms near by give differences of
+/// the whole residual.
 template <FrameGroup G>
 class ParameterResidual {
  public:
@@ -44,6 +45,8 @@ class ParameterResidual {
                           const LoadLevel& level) const;
   /// dh/dp / h, see StepDerivative.
   double step() const { return step_; }
+  /// Where the parameter is known by mechanisms near by, else null.
+  const NearbyModels<G>* nearby() const { return nearby_.get(); }
   /// Nodes of the model that dr/dp acts on, growing; zero at all others.
   const std::vector<int>& nodes() const { return nodes_; }
 
@@ -73,6 +76,7 @@ class ParameterResidual {
   std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
   std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);
   std::string add_part(const Mechanism& mechanism, const StepDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const NearbyMechanisms& part);
   std::string set_body(int body, const LawDerivative<G>& law);
   void add_nodes(int first, int count);
   void add_nodes_of(int body);
@@ -88,6 +92,7 @@ class ParameterResidual {
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< of bodies_
   std::vector<RowDerivative> rows_;
   std::vector<LoadChange> loads_;
+  std::unique_ptr<NearbyModels<G>> nearby_;
   double step_ = 0;
 };
 

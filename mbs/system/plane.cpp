@@ -121,6 +121,9 @@ class Search {
         points_.push_back(m_.frame(f.a).x);
         points_.push_back(m_.frame(f.b).x);
       }
+    for (const auto& l : m_.loads)  // beside the plane a force turns the body out of it
+      if (l.port.body >= 0 && !l.spread && l.force.norm() > 0)
+        points_.push_back(m_.frame(l.port).x);
     for (const auto& p : points_) size_ = std::max(size_, (p - points_[0]).norm());
   }
 

@@ -20,6 +20,15 @@ def numbered(name, count, first=0):
     return [f"{name}[{i}]" for i in range(first, first + count)]
 
 
+def terms(*names):
+    """Final values of terms of a weighted sum: (name, factor)."""
+    return lambda s: [Fresh(factor * s["terms"][name]["final"], relative=MASS) for name, factor in names]
+
+
+def after(first, then):
+    return lambda s: [*first(s), *then(s)]
+
+
 def objective(s):
     return [Fresh(s["objective"][key], relative=MASS) for key in ("initial", "final")]
 
@@ -30,10 +39,17 @@ ROWS = {
     "slider_crank_rod": (MASSES, "{:.2f}, {:.2f}, {:.2f}, {:.2f} mm", sizes(*numbered("rod_diameters", 4))),
     "slider_crank_both": (MASSES, "rod {:.2f}, {:.2f}, {:.2f}, {:.2f} mm; crank {:.2f}, {:.2f} mm",
                           sizes(*numbered("rod_diameters", 4), *numbered("crank_diameters", 2))),
+    "rod_stiffest": (MASSES, "largest deflection {:.5f} mm; {:.2f}, {:.2f}, {:.2f}, {:.2f} mm",
+                     after(terms(("bend", MM)), sizes(*numbered("rod_diameters", 4)))),
+    "rod_frequency": (MASSES, "{:.2f} Hz; {:.2f}, {:.2f}, {:.2f}, {:.2f} mm",
+                      after(terms(("lowest frequency", 1)), sizes(*numbered("rod_diameters", 4)))),
+    "rod_goals": (MASSES, "{:.4f} mm, {:.2f} Hz; {:.2f}, {:.2f}, {:.2f}, {:.2f} mm",
+                  after(terms(("bend", MM), ("lowest frequency", 1)), sizes(*numbered("rod_diameters", 4)))),
     "rod_three_speeds": (MASSES, "{:.2f}, {:.2f}, {:.2f}, {:.2f} mm", sizes(*numbered("rod_diameters", 4))),
     "robot_arms": (MASSES, "walls {:.2f}, {:.2f}, {:.2f} mm; {:.2f}, {:.2f}, {:.3f} mm",
                    sizes(*numbered("arm1_walls", 3), *numbered("arm2_walls", 3))),
     "robot_codesign": (MASSES, "{:.3f} s instead of 0.6 s", lambda s: [Fresh(s["design"]["duration"], relative=MASS)]),
+    "robot_speed": (MASSES, "{:.4f} s instead of 0.6 s", lambda s: [Fresh(s["design"]["duration"], relative=MASS)]),
     "svanberg_cantilever": (MASSES, "", lambda s: []),
     "truss_10": (MASSES, "{:.2f} lb", lambda s: [Fresh(s["mass_final"] / POUND, relative=MASS)]),
     "truss_25": (MASSES, "{:.2f} lb", lambda s: [Fresh(s["mass_final"] / POUND, relative=MASS)]),

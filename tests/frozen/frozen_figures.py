@@ -40,6 +40,8 @@ def cases(data):
     for file in sorted((data / "studies").glob("*.toml")):
         if file.stem.startswith("compare_"):
             yield f"studies/{file.stem}", "compare", file
+        elif file.stem.startswith("sensitivity_"):
+            yield f"studies/{file.stem}", "sensitivity", file
         elif not file.stem.startswith("batch_"):
             yield f"studies/{file.stem}", "optimize", file
 

@@ -305,6 +305,12 @@ class Plot(unittest.TestCase):
         self.draws(write_comparison, ["work_precision", "orders", "effort_over_stiffness",
                                       "stability_step_stiffness"])
 
+    def test_error_over_what_was_varied(self):
+        """Above iterations and factorisations."""
+        self.test_comparison()
+        picture = (self.folder / "plots" / "effort_over_stiffness.svg").read_text()
+        self.assertIn('id="axes_3"', picture)
+
     def test_stability_map_of_two_axes(self):
         self.draws(write_comparison, ["stability_elements_step"], "--x=elements", "--y=step")
         self.refuses("varies no number 'formalism'", options=["--x=formalism", "--y=step"])

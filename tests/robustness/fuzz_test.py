@@ -29,6 +29,8 @@ def commands(path):
     """What a shipped file is for."""
     if path.parent.name != "studies" or "/stability/" in path.as_posix():
         return ["run", "esl"] if path.parent.name != "studies" else ["optimize"]
+    if path.name.startswith("sensitivity_"):
+        return ["sensitivity"]
     return [] if path.name.startswith(("compare_", "batch_")) else ["optimize"]
 
 

@@ -26,12 +26,12 @@ def validator(kind):
     return Draft7Validator(schema)
 
 
-KINDS = {kind: validator(kind) for kind in ("scene", "study", "batch", "comparison")}
+KINDS = {kind: validator(kind) for kind in ("scene", "study", "batch", "comparison", "sensitivity")}
 
 
 def kind_of(path):
     first = path.name.split("_")[0]
-    return {"batch": "batch", "compare": "comparison"}.get(first, "study" if path.parent.name == "studies" else "scene")
+    return {"batch": "batch", "compare": "comparison", "sensitivity": "sensitivity"}.get(first, "study" if path.parent.name == "studies" else "scene")
 
 
 def errors(kind, document):

@@ -128,6 +128,53 @@ TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
   EXPECT_NE(o.out.find("8 derivatives checked, 0 wrong"), std::string::npos) << o.out;
 }
 
+/// Files of the kind: psi = int g dt by lengths, too, against differences of whole simulations. The
+/// end of the slider-crank's rod belongs to two parameters.
+TEST_F(Sensitivity, FilesAreThatOfDifferences) {
+  const std::pair<const char*, const char*> files[] = {{"sensitivity_pendulum", "0.1"},
+                                                       {"sensitivity_slider_crank", "0.02"},
+                                                       {"sensitivity_four_bar", "0.04"}};
+  for (const auto& [name, duration] : files) {
+    SCOPED_TRACE(name);
+    const std::string set = std::string("simulation.duration=") + duration;
+    const Outcome check = run({"sensitivity", study(name), "--check", "--set", set});
+    EXPECT_EQ(check.code, 0) << check.out << check.err;
+    EXPECT_NE(check.out.find(" 0 wrong"), std::string::npos) << check.out;
+    ASSERT_EQ(run({"sensitivity", study(name), "-q", "-f", "-o", results(), "--set", set}).code, 0);
+    const Json s = summary();
+    for (const auto& [response, functionals] : s["gradients"].items()) {
+      EXPECT_EQ(keys(functionals), (std::set<std::string>{"integral", "rms"}));
+      for (const auto& [parameter, by] : functionals["rms"]["by"].items())
+        EXPECT_NE(by.get<double>(), 0) << response << " by " << parameter;
+    }
+  }
+}
+
+/// The command line goes before the file; what is wrong in a file is said with its place.
+TEST_F(Sensitivity, FilesAreReadAndChecked) {
+  const fs::path file = study("sensitivity_pendulum");
+  EXPECT_EQ(run({"check", file}).out.find("a good sensitivity of 2 responses by 4 parameters"),
+            file.string().size() + 2);
+  ASSERT_EQ(run({"sensitivity", file, "-q", "-o", results(), "--set", "simulation.duration=0.02",
+                 "--by", "materials.rubber.E", "--functionals", "peak", "--method", "adjoint"})
+                .code,
+            0);
+  EXPECT_EQ(summary()["method"], "adjoint");
+  EXPECT_EQ(keys(summary()["gradients"]["tip"]), (std::set<std::string>{"peak"}));
+  EXPECT_EQ(keys(summary()["gradients"]["tip"]["peak"]["by"]),
+            (std::set<std::string>{"materials.rubber.E"}));
+  const auto refused = [&](const std::string& change, const char* why) {
+    const Outcome o = run({"sensitivity", file, "-o", dir_ / "none", "--set", change});
+    EXPECT_EQ(o.code, 2) << change;
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+  };
+  refused("functionals=[\"integrall\"]", "did you mean 'integral'?");
+  refused("method=forward", "'method'");
+  refused("by=[\"bodies.beam.beam.to.7\"]", "bodies.beam.beam.to.7");
+  refused("byy=1", "byy");
+  EXPECT_EQ(run({"run", file, "-o", dir_ / "none"}).code, 2);
+}
+
 TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   const auto refused = [&](const Words& more, const char* why) {
     Words words = command({"-o", results()});
@@ -143,7 +190,8 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "sections.rod.type"}, "'sections.rod.type' is no number");
   refused({rod, "--by", "bodies.crank.beam.damping"}, "is not written in the scene");
   refused({rod, "--by", "simulation.step"}, "changes nothing that has a derivative");
-  refused({rod, "--by", "bodies.crank.beam.to.0"}, "the geometry of body 'crank' changes");
+  refused({rod, "--by", "bodies.crank.beam.to.0"}, "opens joints: bodies were moved by");
+  refused({rod, "--by", "bodies.rod.beam.to.0+bodies.slider.rigid.mass"}, "numbers of one unit");
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");

@@ -62,6 +62,11 @@ class Stability : public Program {
     return false;
   }
   std::string reason() const { return summary_["reason"]; }
+  /// Joints by penalties, m and rad, with few augmentations.
+  void expect_open_at_most(double opening) const {
+    EXPECT_LE(summary_["max_constraint_residual"].get<double>(), opening);
+    EXPECT_LE(summary_["penalty"]["most_augmentations"].get<int>(), 4);
+  }
 
   /// Column of a table of the last run, by the start of its heading.
   std::vector<double> column(const std::string& name, const char* file = "responses.csv") const {
@@ -244,6 +249,27 @@ TEST_F(Stability, DeadPointsArePassedButNotStartedFrom) {
   }
 }
 
+// 6 by penalties: the same, and the joints stay closed.
+TEST_F(Stability, PenaltiesPassDeadPointsButDoNotStartThere) {
+  const double w = 2 * M_PI;
+  for (const std::string form : {"penalty", "augmented"}) {
+    const std::string set = "simulation.constraints=" + form;
+    const bool closed = form == "augmented";
+    for (const auto& formalism : kAll) {
+      SCOPED_TRACE(form + " " + formalism);
+      EXPECT_EQ(end_under(formalism, "equal_lengths", {set}), Ending::Converged) << reason();
+      EXPECT_LT(off("slider_x", [&](double t) { return 0.4 * std::cos(w * t); }),
+                closed ? 1e-6 : 1e-5);
+      expect_open_at_most(closed ? 1e-9 : 1e-6);
+      EXPECT_EQ(end_under(formalism, "parallelogram_up", {set}), Ending::Converged) << reason();
+      EXPECT_LT(off("rocker", [&](double t) { return w * t; }), closed ? 1e-5 : 1e-7);
+      expect_open_at_most(closed ? 1e-9 : 1e-7);
+      EXPECT_EQ(end_under(formalism, "parallelogram", {set}), Ending::Stopped);
+      EXPECT_NE(reason().find("dead point"), std::string::npos) << reason();
+    }
+  }
+}
+
 // 7 by penalties: nothing is left out.
 TEST_F(Stability, PenaltiesShareRedundantRows) {
   for (const std::string form : {"penalty", "augmented"}) {
@@ -385,6 +411,29 @@ TEST_F(Stability, FreeFlightKeepsItsCourse) {
   }
 }
 
+/// Chains of segments, where a scene lets them: as beams on the group.
+TEST_F(Stability, ChainsOfSegmentsEndAsBeamsDo) {
+  const char* const chain = "segments";
+  EXPECT_EQ(end_under(chain, "half_turn_element"), Ending::Stopped);
+  EXPECT_NE(reason().find("an element turns by pi: use more elements"), std::string::npos);
+  for (const char* diameter : {"0.4", "0.04", "4e-3", "4e-4"})
+    for (const char* tangent : {"constant", "exact"})
+      EXPECT_NE(end_under(chain, "stiff_pendulum",
+                          {std::string("sections.wire.diameter=") + diameter,
+                           std::string("simulation.tangent=") + tangent}),
+                Ending::Stopped)
+          << diameter << " " << tangent << reason();
+  EXPECT_EQ(end_under(chain, "buckling_links"), Ending::Stopped);
+  EXPECT_EQ(summary_["status"], "inaccurate");
+  EXPECT_EQ(end_under(chain, "point_mass"), Ending::Converged);
+  EXPECT_NE(end_under(chain, "snap_through"), Ending::Stopped);
+  EXPECT_NEAR(summary_["critical_loads"][0]["load"].get<double>(), 0.381087, 2e-6);
+  const Outcome column = run({"run", kData / "stability" / "column.toml", "-o", results(), "-f",
+                              "--set", "simulation.formalism=segments"});
+  EXPECT_EQ(column.code, 2);
+  EXPECT_NE(column.err.find("has no torsion as a chain of segments"), std::string::npos);
+}
+
 // 13.
 TEST_F(Stability, SnapThroughStopsUnlessTheArcIsFollowed) {
   for (const auto& formalism : kStatic) {
@@ -411,6 +460,27 @@ TEST_F(Stability, AColumnPastItsBucklingLoadIsCalledUnstable) {
 }
 
 using StabilitySlow = Stability;
+
+/// To 1e-9 m or rad, with at most three augmentations a step.
+TEST_F(StabilitySlow, AugmentationsCloseTheJointsOfEveryShippedMotion) {
+  int motions = 0;
+  for (const auto& entry : fs::directory_iterator(kData / "scenes")) {
+    if (entry.path().extension() != ".toml") continue;
+    SCOPED_TRACE(entry.path().filename());
+    const Outcome o = run({"run", entry.path(), "-o", results(), "-f", "-q", "--no-report", "--set",
+                           "simulation.constraints=augmented"});
+    if (o.code == 2) {
+      EXPECT_NE(o.err.find("constraints"), std::string::npos) << o.err;
+      continue;
+    }
+    ++motions;
+    EXPECT_EQ(o.code, 0) << o.err;
+    const Json s = summary();
+    EXPECT_LE(s["max_constraint_residual"].get<double>(), 1e-9);
+    EXPECT_LE(s["penalty"]["most_augmentations"].get<int>(), 3);
+  }
+  EXPECT_GE(motions, 14);
+}
 
 TEST_F(StabilitySlow, AMillionStepsDoNotDrift) {
   for (const auto& formalism : kAll) {

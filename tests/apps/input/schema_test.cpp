@@ -18,8 +18,8 @@ namespace {
 
 std::vector<Key> all_keys() {
   auto keys = schema(FileKind::Scene);
-  for (const FileKind kind : {FileKind::Study, FileKind::Batch, FileKind::Comparison})
-    keys.insert(keys.end(), schema(kind).begin(), schema(kind).end());
+  for (const FileKind kind : kFileKinds)
+    if (kind != FileKind::Scene) keys.insert(keys.end(), schema(kind).begin(), schema(kind).end());
   return keys;
 }
 
@@ -52,8 +52,7 @@ TEST(Schema, EveryKeyIsExplained) {
 }
 
 TEST(Schema, EveryParentIsATable) {
-  for (const FileKind kind :
-       {FileKind::Scene, FileKind::Study, FileKind::Batch, FileKind::Comparison})
+  for (const FileKind kind : kFileKinds)
     for (const Key& key : schema(kind)) {
       if (key.parent().empty() || key.parent() == "(function)") continue;
       const Key* parent = find_key(kind, key.parent());

@@ -193,6 +193,54 @@ TEST_F(Lean, OrderFourIsTakenWhereItIsFaster) {
   EXPECT_LT(s["lean"]["beams"]["rod"]["elements"], 12);
 }
 
+/// A damped beam has no elements of order 4; segments are as good at half the time.
+TEST_F(Lean, SegmentsAreTakenWhereTheyAreFaster) {
+  ASSERT_EQ(lean(scene("pendulum"), "tip", {"--set", "bodies.beam.beam.damping=1e-5"}).code, 0);
+  const Json s = summary();
+  const Json* segments = decision(s, "segments");
+  ASSERT_NE(segments, nullptr);
+  EXPECT_EQ((*segments)["choice"], "segments: taken") << *segments;
+  EXPECT_TRUE(s["lean"]["beams"]["beam"]["segments"]);
+  EXPECT_FALSE(s["reference"]["beams"]["beam"]["segments"]);
+  EXPECT_LE(s["error"], 0.01);
+  const Scene model = load_scene(results() / "lean.toml");
+  EXPECT_EQ(std::get<BeamSpec>(model.mechanism.bodies[0].kind).as, BeamModel::Segments);
+}
+
+/// Never where a scene needs torsion, nor where shear counts: of this bar 3 EI/(k G A L^2) = 7 % of
+/// its deflection.
+TEST_F(Lean, SegmentsAreNotTakenWhereTorsionOrShearCounts) {
+  const auto refusal = [this](const fs::path& file, const char* response) {
+    EXPECT_EQ(lean(file, response).code, 0);
+    const Json s = summary();
+    const Json* segments = decision(s, "segments");
+    EXPECT_NE(segments, nullptr);
+    if (!segments) return std::string();
+    EXPECT_EQ((*segments)["choice"], "segments: no") << *segments;
+    for (const auto& [name, beam] : s["lean"]["beams"].items()) EXPECT_FALSE(beam["segments"]);
+    return (*segments)["evidence"].get<std::string>();
+  };
+  EXPECT_NE(refusal(scene("bend45"), "tip").find("has no torsion as a chain of segments"),
+            std::string::npos);
+  std::ofstream(dir_ / "bar.toml") << R"(
+[materials]
+steel = { E = 210e9, nu = 0.3, rho = 7850 }
+[sections]
+bar = { type = "rectangle", width = 0.1, height = 0.3, shear_factor = 0.8333333333333334 }
+[bodies]
+bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "bar", material = "steel", elements = 8 } }
+[joints]
+clamp = { fixed = ["ground", "bar.start"] }
+[loads]
+push = { at = "bar.end", force = [0, 0, 1000] }
+[simulation]
+type = "static"
+[responses]
+tip = { response = "position", at = "bar.end", axis = [0, 0, 1] }
+)";
+  EXPECT_EQ(refusal(dir_ / "bar.toml", "tip"), "no mesh and step within the budget");
+}
+
 /// One multiple less of anything is beyond the tolerance.
 TEST_F(Lean, MeshOfTheSliderCrankIsTheCoarsest) {
   ASSERT_EQ(lean(scene("slider_crank"), "bend").code, 0);

@@ -65,6 +65,33 @@ TEST(SegmentsScene, WhatNeedsTorsionOrTurnsAnInnerNodeIsRefused) {
       "a"));
 }
 
+/// What a chain leaves out of a stout beam is told: here E/(k G) + 1 = 4.12 (k = 5/6) times
+/// pi^2/2 h^2/12/L^2.
+TEST(SegmentsScene, AStoutBeamIsToldWhatItLacks) {
+  const auto warnings_of = [](const std::string& height) {
+    return read_scene(
+               "[materials]\nsteel = { E = 210e9, nu = 0.3, rho = 7850 }\n"
+               "[sections]\nbar = { type = \"rectangle\", width = 0.01, height = " +
+                   height +
+                   ", shear_factor = 0.8333333333333334 }\n"
+                   "[bodies]\nbar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "
+                   "\"bar\", material = \"steel\", elements = 4, as = \"segments\" } }\n"
+                   "[joints]\nclamp = { fixed = [\"ground\", \"bar.start\"] }\n"
+                   "[loads]\npush = { at = \"bar.end\", force = [0, 0, 1] }\n"
+                   "[simulation]\nduration = 1\nstep = 1e-3\n",
+               "a")
+        .warnings;
+  };
+  const auto told = [](const std::vector<std::string>& warnings) {
+    for (const auto& w : warnings)
+      if (w.find("beam 'bar' is too stout for a chain of segments") != std::string::npos) return w;
+    return std::string();
+  };
+  EXPECT_NE(told(warnings_of("0.1")).find("by about 1.7 %"), std::string::npos)
+      << told(warnings_of("0.1"));
+  EXPECT_EQ(told(warnings_of("0.05")), "");
+}
+
 TEST(PenaltyScene, IsRead) {
   const std::string text = changed(kGoodScene, "[simulation]",
                                    "[simulation]\nconstraints = \"augmented\"\npenalty = 1e9\n"

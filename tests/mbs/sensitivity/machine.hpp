@@ -107,6 +107,20 @@ inline std::vector<Quantity> quantities(const Mechanism& m) {
   };
 }
 
+/// A quantity that is known by mechanisms near by alone.
+inline Quantity by_nearby(const std::string& name, const Mechanism& m, double nominal,
+                          const std::function<void(Mechanism&, double)>& set) {
+  const double step = std::abs(nominal) / 1024;
+  std::array<Mechanism, 4> at{m, m, m, m};
+  for (const auto& [i, steps] : {std::pair<std::size_t, int>{0, -2}, {1, -1}, {2, 1}, {3, 2}})
+    set(at[i], nominal + steps * step);
+  return {
+      nominal,
+      set,
+      {name,
+       {NearbyMechanisms{std::make_shared<const std::array<Mechanism, 4>>(std::move(at)), step}}}};
+}
+
 inline SimulationOptions tight(double duration, double step) {
   auto o = options(duration, step, 0.8, 1e-11);
   o.max_iterations = 40;

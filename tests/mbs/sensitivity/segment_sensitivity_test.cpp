@@ -126,8 +126,9 @@ TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
   }
 }
 
-/// dy/dp of the tip of a pendulum by E, rho and the side of its square section: those of segments
-/// and of the beam on the group come to one value with the square of the length of elements.
+/// dy/dp of the tip of a pendulum by E, rho, the sides of its section and its length: those of
+/// segments and of the beam on the group come to one value with the square of the length of
+/// elements.
 TEST(SegmentSensitivity, ComesToThatOfTheBeamOnTheGroup) {
   const auto gradients = [](Formalism formalism, int n) {
     Mechanism m = pendulum(n);
@@ -140,33 +141,40 @@ TEST(SegmentSensitivity, ComesToThatOfTheBeamOnTheGroup) {
                             {"rho", {by_density(run.mechanism, 0)}},
                             {"height", {by_dimension(run.mechanism, 0, every, "height")}},
                             {"width", {by_dimension(run.mechanism, 0, every, "width")}}};
-    const double nominal[] = {5e8, 7800, 0.01, 0.01};
+    const double nominal[] = {5e8, 7800, 0.01, 0.01, 1};
     Parameters<SE2> parameters;
     for (const auto& p : by) parameters.emplace_back(run.mechanism, run.model, p);
+    const Quantity length = by_nearby("length", run.mechanism, 1, [n](Mechanism& c, double p) {
+      std::get<BeamSpec>(c.bodies[0].kind).nodes = straight({0, 0, 0}, {p, 0, 0}, n);
+    });
+    parameters.emplace_back(run.mechanism, run.model, length.parameter);
     MatrixXd out;
     const auto end = direct_sensitivity<SE2>(
         run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
           out = s.H[std::size_t(n)].R * ds.eta.middleRows(3 * n, 2);
         });
     EXPECT_TRUE(end.complete()) << end.reason;
-    for (int p = 0; p < 4; ++p) out.col(p) *= nominal[p];
+    for (int p = 0; p < 5; ++p) out.col(p) *= nominal[p];
     return out;
   };
   const MatrixXd limit = (4 * gradients(Formalism::SE3, 32) - gradients(Formalism::SE3, 16)) / 3;
   const auto record = [](const std::string& name, const MatrixXd& by) {
-    for (int p = 0; p < 4; ++p)
+    for (int p = 0; p < 5; ++p)
       RecordProperty(name + "_" + std::to_string(p),
                      std::to_string(by(0, p)) + " " + std::to_string(by(1, p)));
   };
   record("limit", limit);
-  double before = 0;
+  double before = 0, before_by_length = 0;
   for (const int n : {4, 8, 16}) {
     const MatrixXd found = gradients(Formalism::Segments, n);
-    const double off = (found - limit).norm() / limit.norm();
+    const double off = (found - limit).leftCols(4).norm() / limit.leftCols(4).norm(),
+                 by_length = (found - limit).col(4).norm() / limit.col(4).norm();
     record("segments_" + std::to_string(n), found);
     if (before > 0) {
       EXPECT_NEAR(std::log2(before / off), 2, 0.4) << n;
+      EXPECT_NEAR(std::log2(before_by_length / by_length), 2, 0.4) << n;
     }
+    before_by_length = by_length;
     before = off;
     RecordProperty("off_" + std::to_string(n), std::to_string(off));
   }

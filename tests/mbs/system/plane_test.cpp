@@ -162,6 +162,20 @@ TEST(FindPlane, OtherScenes) {
   EXPECT_EQ(find_plane(m).reason, "gravity leaves the plane");
 }
 
+/// It turns the body out of the plane, along which it acts; a moment is the same everywhere.
+TEST(FindPlane, AForceBesideThePlaneLeavesIt) {
+  auto m = test::pendulum(4);
+  LoadSpec load;
+  load.port = {0, 4, SE3(Mat3::Identity(), {0, 0, 0.1})};
+  load.moment = {0, 0, 1};
+  m.loads = {load};
+  EXPECT_TRUE(find_plane(m).plane) << find_plane(m).reason;
+  m.loads[0].force = {0, 3, 0};
+  EXPECT_FALSE(find_plane(m).plane);
+  m.loads[0].port.offset.x = {0, 0.1, 0};
+  EXPECT_TRUE(find_plane(m).plane) << find_plane(m).reason;
+}
+
 TEST(Space, ReduceAndEmbedAreInverse) {
   test::Random random(9);
   Space<SE2> plane;

@@ -1,0 +1,74 @@
+#include "apps/tasks/load_sensitivity.hpp"
+
+#include <fmt/format.h>
+
+#include "apps/batch/grid.hpp"
+#include "apps/input/document.hpp"
+#include "apps/input/validate.hpp"
+#include "apps/input/values.hpp"
+
+namespace liesl {
+namespace {
+
+/// Keys of the file itself; what is left goes to the scene.
+bool is_own(const std::string& change) {
+  const std::string path = change.substr(0, change.find('='));
+  const std::string top = path.substr(0, path.find('.'));
+  return find_key(FileKind::Sensitivity, top) && (top == path || top != "scene");
+}
+
+std::vector<std::string> texts(const toml::table& root, std::string_view key) {
+  std::vector<std::string> list;
+  for (const toml::node* node : strings(root, key)) list.push_back(*node->value<std::string>());
+  return list;
+}
+
+}  // namespace
+
+std::vector<FunctionalSpec> functionals_of(const std::vector<std::string>& words,
+                                           const std::string& where) {
+  std::vector<FunctionalSpec> list;
+  for (const std::string& text : words) {
+    const auto functional = functional_of(text);
+    if (!functional)
+      throw InputError({{fmt::format("{} {}", where, text), 0, 0, "there is no such functional",
+                         "peak, integral, mean, rms, at=TIME, p=P (P >= 1) or ks=RHO (RHO > 0)",
+                         suggestion(text.substr(0, text.find('=')), functional_words())}});
+    list.push_back(*functional);
+  }
+  return list.empty() ? functionals_of({"peak", "integral", "mean", "rms"}, where) : list;
+}
+
+SensitivityMethod method_of(const std::string& word) {
+  return word == "direct"    ? SensitivityMethod::Direct
+         : word == "adjoint" ? SensitivityMethod::Adjoint
+                             : SensitivityMethod::Auto;
+}
+
+SensitivityFile load_sensitivity(const std::filesystem::path& path,
+                                 const std::vector<std::string>& changes) {
+  Document document = load_document(path);
+  Problems problems(document.file);
+  expect_kind(document.root, FileKind::Sensitivity, problems);
+  std::vector<std::string> own, of_scene;
+  for (const std::string& change : changes) (is_own(change) ? own : of_scene).push_back(change);
+  apply_overrides(document.root, FileKind::Sensitivity, own, problems);
+  validate(document.root, FileKind::Sensitivity, problems);
+  problems.throw_if_any();
+  const toml::table& root = document.root;
+  SensitivityFile file;
+  file.name = text(root, "name");
+  file.scene.file = (path.parent_path() / text(root, "scene")).lexically_normal().string();
+  file.scene.text = load_text(file.scene.file, "a scene in TOML");
+  if (const toml::table* set = root["set"].as_table())
+    for (const auto& [name, node] : *set)
+      file.scene.changes.push_back(fmt::format("{}={}", name.str(), toml_text(node)));
+  for (const std::string& change : of_scene) file.scene.changes.push_back(change);
+  file.by = texts(root, "by");
+  file.request.functionals =
+      functionals_of(texts(root, "functionals"), fmt::format("{}: functionals =", document.file));
+  file.request.method = method_of(text(root, "method"));
+  return file;
+}
+
+}  // namespace liesl

@@ -1,0 +1,69 @@
+#include "mbs/system/nearby_models.hpp"
+
+#include <stdexcept>
+
+namespace liesl {
+namespace {
+
+template <class G>
+bool has_amplitudes(const Model<G>& model) {
+  for (const auto& body : model.bodies)
+    for (int k = 0; k < body->nodes(); ++k)
+      if (body->kind(k) == NodeKind::Amplitudes) return true;
+  return false;
+}
+
+/// With the weights of the penalties that the model has: they are no function of p.
+template <class G>
+Model<G> built(const Mechanism& mechanism, const Model<G>& of) {
+  Model<G> model = Model<G>::build(mechanism, of.space);
+  model.penalty = of.penalty;
+  return model;
+}
+
+}  // namespace
+
+template <FrameGroup G>
+NearbyModels<G>::Near::Near(double of_p, const Mechanism& near, const Model<G>& of)
+    : weight(of_p), mechanism(near), model(built(near, of)), equations(model) {}
+
+template <FrameGroup G>
+NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model) {
+  if (has_amplitudes(model))
+    throw std::invalid_argument(
+        "by geometry there are no derivatives of bodies in floating frames, whose modes change "
+        "with it: expected beams of another formalism, no meshed parts");
+  for (std::size_t i = 0; i < mechanisms.at->size(); ++i) {
+    models_.push_back(std::make_unique<Near>(mechanisms.weight(i), (*mechanisms.at)[i], model));
+    const Model<G>& near = models_.back()->model;
+    if (near.size() != model.size() || near.constraints() != model.constraints() ||
+        near.rows() != model.rows())
+      throw std::invalid_argument(
+          "the joints repeat other rows at neighbouring values: expected a place where the number "
+          "of independent rows does not change");
+  }
+}
+
+template <FrameGroup G>
+void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
+                          const LoadLevel& level, Eigen::VectorXd& r_p,
+                          Eigen::VectorXd& phi_p) const {
+  for (const auto& near : models_) {
+    near->equations.evaluate(s, previous, level);
+    r_p += near->weight * near->equations.r;
+    phi_p += near->weight * near->equations.phi;
+  }
+}
+
+template <FrameGroup G>
+State<G> NearbyModels<G>::seen_by(const Near& near, const State<G>& s) {
+  State<G> out = s;
+  near.equations.observe(s, s.rows, out.rows);
+  near.model.complete(out);
+  return out;
+}
+
+template class NearbyModels<SE2>;
+template class NearbyModels<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,43 @@
+#pragma once
+/// @file
+/// The models of a mechanism at neighbouring values of a parameter, on the unknowns of one of them.
+
+#include <memory>
+#include <vector>
+
+#include "mbs/model/parameter.hpp"
+#include "mbs/system/equations.hpp"
+
+namespace liesl {
+
+/// Derivatives by p at constant state, as sums of weights times what the models near by have.
+template <FrameGroup G>
+class NearbyModels {
+ public:
+  struct Near {
+    double weight;  ///< 1 per unit of p
+    const Mechanism& mechanism;
+    Model<G> model;
+    Equations<G> equations;
+    Near(double weight, const Mechanism& mechanism, const Model<G>& model);
+  };
+
+  /// @throws std::invalid_argument if they have other unknowns or rows than the model, or bodies in
+  /// floating frames, whose modes change with p
+  NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model);
+
+  const std::vector<std::unique_ptr<Near>>& models() const { return models_; }
+  /// r_p += dr/dp, phi_p += dPhi/dp, as `ParameterResidual::add`.
+  void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
+           Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+  /// A state as a model near by sees it: its rows, and the frames that follow.
+  static State<G> seen_by(const Near& near, const State<G>& s);
+
+ private:
+  std::vector<std::unique_ptr<Near>> models_;
+};
+
+extern template class NearbyModels<SE2>;
+extern template class NearbyModels<SE3>;
+
+}  // namespace liesl

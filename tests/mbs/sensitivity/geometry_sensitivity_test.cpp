@@ -1,0 +1,135 @@
+/// @file
+/// Derivatives of motions by geometry and whatever else has no derivative of its own: direct form,
+/// adjoint form and differences of simulations.
+
+#include "mbs/sensitivity/forms.hpp"
+
+namespace liesl::test {
+namespace {
+
+void place(Mechanism& m, double crank, double rod) {
+  const auto beam = [&m](std::size_t b, double from, double to) {
+    std::get<BeamSpec>(m.bodies[b].kind).nodes = straight({from, 0, 0}, {to, 0, 0}, 3);
+  };
+  beam(0, 0, crank);
+  beam(1, crank, crank + rod);
+  std::get<RigidSpec>(m.bodies[2].kind).frame.x = {crank + rod, 0, 0};
+  if (m.bodies.size() > 3) std::get<RigidSpec>(m.bodies[3].kind).frame.x = {crank / 3, 0, 0};
+}
+
+std::vector<Quantity> of_geometry(const Mechanism& m) {
+  return {
+      by_nearby("length of the crank", m, 0.15, [](Mechanism& c, double p) { place(c, p, 0.3); }),
+      by_nearby("length of the rod", m, 0.3, [](Mechanism& c, double p) { place(c, 0.15, p); }),
+      by_nearby(
+          "Poisson's ratio", m, 0.3,
+          [](Mechanism& c, double p) { std::get<BeamSpec>(c.bodies[1].kind).material.nu = p; }),
+      by_nearby("damping", m, 1e-5,
+                [](Mechanism& c, double p) { std::get<BeamSpec>(c.bodies[1].kind).damping = p; }),
+      by_nearby("gravity", m, -9.81, [](Mechanism& c, double p) { c.gravity.y() = p; })};
+}
+
+/// Shear hardly counts in beams this slender: rounding of differences is 1e-6 of it.
+Quantity of_poissons_ratio(const Mechanism& m) {
+  return by_nearby("Poisson's ratio", m, 0.3, [](Mechanism& c, double p) {
+    std::get<BeamSpec>(c.bodies[1].kind).material.nu = p;
+  });
+}
+
+constexpr int kNode = 3;  // of the rod, at its end: inner nodes of a chain have no frame
+
+struct Case {
+  const char* name;
+  Formalism formalism;
+};
+std::ostream& operator<<(std::ostream& out, const Case& c) { return out << c.name; }
+
+class GeometrySensitivity : public ::testing::TestWithParam<Case> {
+ protected:
+  Mechanism machine_ = [] {
+    Mechanism m = sensitive_machine();
+    m.formalism = GetParam().formalism;
+    if (m.formalism != Formalism::Segments) return m;
+    m.bodies.pop_back();  // bolted to an inner node
+    m.joints.pop_back();
+    return m;
+  }();
+};
+
+/// By a length EA/L times what the frames move cancels the change of the strain: ten times the
+/// rounding of other parameters, 9e-10 at worst.
+TEST_P(GeometrySensitivity, DirectEqualsAdjoint) {
+  for (const int steps : {10, 100})
+    expect_direct_equals_adjoint<SE2>(steps, machine_, of_geometry(machine_), 2e-4, kNode, 1e-6,
+                                      2e-9);
+}
+
+TEST_P(GeometrySensitivity, EqualsDifferences) {
+  expect_differences<SE2>(machine_, of_geometry(machine_),
+                          {.node = kNode, .largest = 0.08, .error = 3e-7});
+  if (machine_.formalism == Formalism::Segments) return;  // without shear
+  expect_differences<SE2>(machine_, {of_poissons_ratio(machine_)},
+                          {.node = kNode, .largest = 0.08, .error = 3e-6});
+}
+
+INSTANTIATE_TEST_SUITE_P(All, GeometrySensitivity,
+                         ::testing::Values(Case{"se3", Formalism::SE3},
+                                           Case{"r3so3", Formalism::R3SO3},
+                                           Case{"classical", Formalism::Classical},
+                                           Case{"segments", Formalism::Segments}),
+                         [](const auto& of) { return std::string(of.param.name); });
+
+TEST(GeometrySensitivities, InSpaceEqualDifferences) {
+  Mechanism m = sensitive_machine();
+  m.gravity.z() = 2;
+  expect_direct_equals_adjoint<SE3>(100, m, of_geometry(m), 2e-4, kNode, 1e-6, 2e-9);
+  expect_differences<SE3>(m, of_geometry(m), {.node = kNode, .largest = 0.08, .error = 3e-7});
+}
+
+/// By the derivatives of the laws and by mechanisms near by the same.
+TEST(GeometrySensitivities, OfSectionsAreThoseOfTheirLaws) {
+  const Mechanism m = sensitive_machine();
+  const auto diameter = [](Mechanism& c, double p) {
+    for (auto& s : std::get<BeamSpec>(c.bodies[1].kind).sections)
+      std::get<Circle>(s.shape).diameter = p;
+  };
+  const Quantity laws{0.016, diameter, {"laws", {by_dimension(m, 1, {0, 1, 2}, "diameter")}}};
+  const Taped<SE2> run(m, tight(0.02, 2e-4));
+  const auto parameters = run.parameters({laws, by_nearby("nearby", m, 0.016, diameter)});
+  const Outputs<SE2> outputs(run.model);
+  double size = 0, off = 0;
+  const auto end = direct_sensitivity<SE2>(
+      run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
+        const MatrixXd dy = outputs.derivatives(s, ds);
+        size = std::max(size, dy.col(0).head<2>().norm());
+        off = std::max(off, (dy.col(0) - dy.col(1)).head<2>().norm());
+      });
+  ASSERT_TRUE(end.complete()) << end.reason;
+  EXPECT_LT(off, 1e-8 * size);
+}
+
+/// Named, not computed wrongly.
+TEST(GeometrySensitivities, OfJointsThatOpenAndOfFloatingFramesAreRefused) {
+  Mechanism m = sensitive_machine();
+  const auto refusal = [&m](const Quantity& quantity) -> std::string {
+    const Taped<SE2> run(m, tight(0.002, 2e-4));
+    try {
+      const auto parameters = run.parameters({quantity});
+      direct_sensitivity<SE2>(run.model, run.tape, parameters, [](auto&&...) {});
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto open = by_nearby("end of the rod", m, 0.3, [](Mechanism& c, double p) {
+    std::get<BeamSpec>(c.bodies[1].kind).nodes = straight({0.15, 0, 0}, {0.15 + p, 0, 0}, 3);
+  });
+  EXPECT_NE(refusal(open).find("'end of the rod' opens joints"), std::string::npos)
+      << refusal(open);
+  m.formalism = Formalism::Floating;
+  const auto rod = by_nearby("length", m, 0.3, [](Mechanism& c, double p) { place(c, 0.15, p); });
+  EXPECT_NE(refusal(rod).find("floating frames"), std::string::npos) << refusal(rod);
+}
+
+}  // namespace
+}  // namespace liesl::test
