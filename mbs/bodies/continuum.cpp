@@ -6,8 +6,8 @@
 #include <stdexcept>
 
 #include "liegroup/rotation.hpp"
+#include "mbs/solids/continuum_check.hpp"
 #include "mbs/solids/solid_model.hpp"
-#include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
 namespace {
@@ -40,35 +40,6 @@ Eigen::Matrix<double, D, D> polar_rotation(const Eigen::Matrix<double, D, D>& F,
   return R;
 }
 
-/// Pieces of a mesh that share no node, and nodes of no cell.
-int pieces(const SolidMesh& mesh) {
-  std::vector<int> root(static_cast<std::size_t>(mesh.node_count()));
-  for (int i = 0; i < mesh.node_count(); ++i) root[i] = i;
-  const auto find = [&root](int i) {
-    while (root[i] != i) i = root[i] = root[root[i]];
-    return i;
-  };
-  for (int e = 0; e < mesh.cell_count(); ++e)
-    for (int c = 1; c < mesh.cells.rows(); ++c)
-      root[find(mesh.cells(c, e))] = find(mesh.cells(0, e));
-  int count = 0;
-  for (int i = 0; i < mesh.node_count(); ++i) count += find(i) == i;
-  return count;
-}
-
-void check(const std::string& name, const SolidSpec& spec) {
-  const auto refuse = [&name](const std::string& why) {
-    throw std::invalid_argument("part '" + name + "' as a continuum: " + why);
-  };
-  for (const Interface& f : spec.interfaces())
-    if (f.tie != Tie::Rigid) refuse("interface '" + f.name + "' is averaged; expected a rigid one");
-  if (!spec.outline.features.empty()) refuse("its outline cuts cells; expected all of its mesh");
-  const int count = pieces(spec.mesh());
-  if (count > 1)
-    refuse("its mesh is not connected, it has " + std::to_string(count) +
-           " pieces without a node in common; expected one");
-}
-
 }  // namespace
 
 /// What an evaluation computes in.
@@ -96,7 +67,9 @@ ContinuumBody<G>::ContinuumBody(std::string body_name, const SolidSpec& spec,
       ports_(static_cast<int>(ports.size())),
       damping_(spec.damping),
       cells_(spec.mesh().cells) {
-  check(this->name, spec);
+  if (const auto problem = continuum_problem(spec))
+    throw std::invalid_argument("part '" + this->name + "' as a continuum " + problem->text +
+                                "; expected " + problem->expected);
   number_nodes(spec, ports, turn);
   make_cells(spec);
   make_mass();
@@ -152,8 +125,7 @@ void ContinuumBody<G>::make_cells(const SolidSpec& spec) {
   std::map<const CellMatrices*, int> known;  // cells of equal shape share their matrices
   typename Cell::Positions at;
   for (int e = 0; e < model.mesh().cell_count(); ++e) {
-    const auto [found, is_new] =
-        known.emplace(&model.cell(e), static_cast<int>(shapes_.size()));
+    const auto [found, is_new] = known.emplace(&model.cell(e), static_cast<int>(shapes_.size()));
     shape_of_.push_back(found->second);
     if (!is_new) continue;
     gather(e, rest_, at);
@@ -343,8 +315,7 @@ void ContinuumBody<G>::add_shares(const G* H, const std::vector<Share>& shares, 
                                   SparseAssembly& assembly) const {
   assembly.begin();
   const Levers rows = levers(H);
-  std::vector<MatrixXd> of_cell(shares.size(),
-                                MatrixXd(sd * cells_.rows(), sd * cells_.rows()));
+  std::vector<MatrixXd> of_cell(shares.size(), MatrixXd(sd * cells_.rows(), sd * cells_.rows()));
   typename G::Matrix block;
   for (int e = 0; e < cells_.cols(); ++e) {
     for (std::size_t t = 0; t < shares.size(); ++t) shares[t].cell(e, of_cell[t]);
@@ -403,15 +374,15 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::stiffness_at(const BodyState<G>& s
                                   K.noalias() = B.transpose() * (room.response.tangent * B);
                                   if (damping_ > 0) {
                                     cell(e).strain_matrix(room.rates, Bv);
-                                    K.noalias() += damping_ * B.transpose() *
-                                                   (cell(e).stiffness() * Bv);
+                                    K.noalias() +=
+                                        damping_ * B.transpose() * (cell(e).stiffness() * Bv);
                                   }
                                   cell(e).add_geometric(room.stress, K);
                                 },
                                 levers(s.H)}};
   if (s.vdot)
-    shares.push_back(inertia_share(
-        turned(s.H, [&](int i) { return local_acceleration(s, i); }), true));
+    shares.push_back(
+        inertia_share(turned(s.H, [&](int i) { return local_acceleration(s, i); }), true));
   if (damping_ > 0) {
     shares.push_back(damping_share(room, {}));
     shares.back().columns = turned(s.H, [&](int i) { return local_velocity(s, i); });
@@ -441,8 +412,7 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::damping_at(const BodyState<G>& s, 
     const Eigen::Map<const Tangent> v(s.v + dim * node_of(i));
     Lever local;
     const Lever D = lever(i);
-    for (int j = 0; j < dim; ++j)
-      local.col(j) = turn<G>(D.col(j)) * v.template tail<rd>();
+    for (int j = 0; j < dim; ++j) local.col(j) = turn<G>(D.col(j)) * v.template tail<rd>();
     local.template rightCols<rd>() += turn<G>(local_velocity(s, i));
     by_v[i] = s.H[node_of(i)].R * local;
   }
@@ -453,16 +423,15 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::damping_at(const BodyState<G>& s, 
 }
 
 template <FrameGroup G>
-void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity,
-                                     TangentWeights w, const Tangent*, Matrices& A) const {
+void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                                     const Tangent*, Matrices& A) const {
   if (!A.is_sparse()) A.set_form(this->K_);
   A.set_zero();
   in_room(s, [&](Room& room) {
     const auto add = [&A](double weight, const Eigen::SparseMatrix<double>& share) {
       A.sparse.coeffs() += weight * share.coeffs();
     };
-    if (w.mass != 0)
-      add(w.mass, assemble(s.H, {inertia_share(levers(s.H))}, dead_mass_));
+    if (w.mass != 0) add(w.mass, assemble(s.H, {inertia_share(levers(s.H))}, dead_mass_));
     if (w.damping != 0) add(w.damping, damping_at(s, room));
     if (w.stiffness == 0) return;
     add(w.stiffness, stiffness_at(s, room));
@@ -536,7 +505,7 @@ void ContinuumBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& 
 template <FrameGroup G>
 std::unique_ptr<Body<G>> ContinuumBody<G>::derivative(const LawDerivative<G>&) const {
   throw std::invalid_argument("derivative of part '" + this->name +
-                              "': not available as a continuum; expected solid.as = \"reduced\"");
+                              "': a continuum has none; expected solid.as = \"reduced\"");
 }
 
 /// The mean deformation gradient of the cells about a node, by their volumes.

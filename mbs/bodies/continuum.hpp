@@ -133,7 +133,7 @@ class ContinuumBody final : public Body<G> {
   std::vector<Eigen::MatrixXd> cell_mass_;  ///< by shape, of one component
   Eigen::SparseMatrix<double> mass_;        ///< of one component, nodes of the mesh
   Eigen::VectorXd node_mass_;               ///< its rows summed up, kg
-  double dead_mass_ = 1, dead_ = 1;  ///< in place of the rotations of positions
+  double dead_mass_ = 0, dead_ = 0;         ///< in place of the rotations of positions
   double stiffest_ = 0;
   SparseAssembly pattern_{0};
 };

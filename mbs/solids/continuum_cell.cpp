@@ -15,7 +15,7 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr int kEnhanced = 30;           // iterations of alpha
+constexpr int kEnhanced = 30;            // iterations of alpha
 constexpr double kEnhancedDone = 1e-14;  // last change of the strain, of the largest of the cell
 
 /// Rows of strains: [xx, yy, xy] or [xx, yy, zz, xy, yz, zx], of sym(A^T B), shear twice; A by its
@@ -136,8 +136,7 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
     const VectorXd total = E + enhanced_ * alpha;
     out.energy = 0;
     for (int g = 0; g < points(); ++g) {
-      const auto at =
-          solid_law<D>(law_, material_, total.template segment<kStrains>(kStrains * g));
+      const auto at = solid_law<D>(law_, material_, total.template segment<kStrains>(kStrains * g));
       out.energy += weight_[g] * at.energy;
       out.stress.template segment<kStrains>(kStrains * g) = weight_[g] * at.stress;
       weighted.template block<kStrains, kStrains>(kStrains * g, kStrains * g) =

@@ -28,10 +28,10 @@ class ContinuumCell {
 
   /// What one state of the cell is to a law.
   struct Response {
-    double energy = 0;       ///< J
-    Eigen::VectorXd stress;  ///< w_g S_g, second Piola-Kirchhoff, Pa m^3
+    double energy = 0;        ///< J
+    Eigen::VectorXd stress;   ///< w_g S_g, second Piola-Kirchhoff, Pa m^3
     Eigen::MatrixXd tangent;  ///< d(stress)/d(strain), condensed; only where it was asked for
-    bool converged = true;   ///< false: no alpha was found (neo-Hookean, far from any rest)
+    bool converged = true;    ///< false: no alpha was found (neo-Hookean, far from any rest)
   };
 
   /// @param nodes D x n at rest  @param thickness of a planar cell, m

@@ -7,7 +7,7 @@
 namespace liesl {
 namespace {
 
-constexpr int kThickness = 50;          // iterations of the stretch across a plate
+constexpr int kThickness = 50;  // iterations of the stretch across a plate
 constexpr double kThicknessDone = 1e-15;
 
 struct Lame {

@@ -20,8 +20,8 @@ const char* to_string(SolidLaw law);
 template <int D>
 struct LawAtPoint {
   static constexpr int kStrains = D == 2 ? 3 : 6;
-  double energy = 0;                                 ///< W, J/m^3
-  Eigen::Matrix<double, kStrains, 1> stress;         ///< S = dW/dE, Pa
+  double energy = 0;                                  ///< W, J/m^3
+  Eigen::Matrix<double, kStrains, 1> stress;          ///< S = dW/dE, Pa
   Eigen::Matrix<double, kStrains, kStrains> tangent;  ///< dS/dE, Pa
 };
 

@@ -329,8 +329,7 @@ bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
                     "unique value: use more elements",
                     model.bodies[bend.turned]->name, s.t));
   for (size_t b = 0; b < model.bodies.size(); ++b)
-    if (const auto why =
-            model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
+    if (const auto why = model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
         !why.empty())
       return end(SolveStatus::NotConverged,
                  fmt::format("{} at t = {:.6g} s: use smaller cells there, a finer "

@@ -85,7 +85,7 @@ class ContinuumTest : public ::testing::Test {
     return body.energy(model.body_state(at, 0), gravity);
   }
   double slope(double BodyEnergy::*part) const {
-    const double h = 1e-5;
+    const double h = 2e-6;
     return (energy(h).*part - energy(-h).*part) / (2 * h);
   }
 
@@ -184,8 +184,8 @@ TYPED_TEST(ContinuumTest, TangentsAreExact) {
 TYPED_TEST(ContinuumTest, NamesACellThatIsInverted) {
   State<TypeParam> at = this->model.initial_state();
   const int node = this->model.positions().front();
-  at.H[node].x += 0.5 * (at.H[node].R * TypeParam::Tangent::Unit(0)
-                                            .template head<TypeParam::space_dim>());
+  at.H[node].x +=
+      0.5 * (at.H[node].R * TypeParam::Tangent::Unit(0).template head<TypeParam::space_dim>());
   EXPECT_NE(this->body.fault(at.H.data()).find("of 'block' is inverted"), std::string::npos);
 }
 
@@ -203,9 +203,14 @@ TEST(Continuum, RefusesWhatItCannotBe) {
   SolidSpec part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoft);
   EXPECT_EQ(refusal(part), "none");
   part.outline = {2, {{"bar", levelset::FeatureKind::HalfSpace, {2, 0, 0}, {}}}};
-  EXPECT_NE(refusal(part).find("its outline cuts cells"), std::string::npos);
+  EXPECT_NE(refusal(part).find("has an outline, which cuts cells"), std::string::npos);
   part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, {"water", 1e6, 0.5, 1000});
-  EXPECT_NE(refusal(part).find("incompressible"), std::string::npos);
+  EXPECT_NE(refusal(part).find("is incompressible"), std::string::npos);
+  SolidMesh apart = quad_grid({0, 0}, {1, 1}, 3, 1);
+  apart.cells.col(1) = apart.cells.col(0);
+  part.outline = {};
+  part.model = mesh_with_ends(apart, kSoft, {0, 0.5, 0}, {1, 0.5, 0});
+  EXPECT_NE(refusal(part).find("has a mesh of 2 pieces"), std::string::npos) << refusal(part);
 }
 
 }  // namespace

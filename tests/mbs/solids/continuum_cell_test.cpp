@@ -24,8 +24,8 @@ constexpr double kThick = 0.3;
 /// A cell that is no parallelogram.
 template <int D>
 Eigen::Matrix3Xd skewed() {
-  const SolidMesh mesh = D == 2 ? quad_grid({0, 0}, {1, 0.6}, 1, 1)
-                                : hex_grid({0, 0, 0}, {1, 0.6, 0.8}, 1, 1, 1);
+  const SolidMesh mesh =
+      D == 2 ? quad_grid({0, 0}, {1, 0.6}, 1, 1) : hex_grid({0, 0, 0}, {1, 0.6, 0.8}, 1, 1, 1);
   Eigen::Matrix3Xd x = mesh.corners_of(0);
   Random random(4);
   x.topRows<D>() += 0.1 * random.matrix(D, static_cast<int>(x.cols()));
@@ -77,8 +77,7 @@ class ContinuumCellTest : public ::testing::Test {
   }
 };
 
-using Dimensions =
-    ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
 TYPED_TEST_SUITE(ContinuumCellTest, Dimensions);
 
 TYPED_TEST(ContinuumCellTest, AtRestItIsTheCellOfReducedParts) {
@@ -105,14 +104,14 @@ TYPED_TEST(ContinuumCellTest, ForcesAndTangentsAreDerivatives) {
         auto up = x, down = x;
         up(i, a) += h;
         down(i, a) -= h;
-        const double slope = (this->response(cell, up).energy -
-                              this->response(cell, down).energy) / (2 * h);
+        const double slope =
+            (this->response(cell, up).energy - this->response(cell, down).energy) / (2 * h);
         EXPECT_NEAR(f(i, a), slope, 1e-7 * f.norm());
         const typename TestFixture::Positions change =
             (this->force(cell, up) - this->force(cell, down)) / (2 * h);
-        EXPECT_LT((Eigen::Map<const VectorXd>(change.data(), change.size()) - K.col(D * a + i))
-                      .norm(),
-                  1e-7 * K.norm());
+        EXPECT_LT(
+            (Eigen::Map<const VectorXd>(change.data(), change.size()) - K.col(D * a + i)).norm(),
+            1e-7 * K.norm());
       }
     EXPECT_LT((K - K.transpose()).norm(), 1e-12 * K.norm());
   }
@@ -155,11 +154,11 @@ TYPED_TEST(ContinuumCellTest, RatesAreThoseOfTheStrain) {
 TYPED_TEST(ContinuumCellTest, PassesThePatchTest) {
   constexpr int D = TypeParam::value;
   using Nodes = typename TestFixture::Positions;
-  SolidMesh mesh = D == 2 ? quad_grid({0, 0}, {1, 1}, 2, 2)
-                          : hex_grid({0, 0, 0}, {1, 1, 1}, 2, 2, 2);
+  SolidMesh mesh =
+      D == 2 ? quad_grid({0, 0}, {1, 1}, 2, 2) : hex_grid({0, 0, 0}, {1, 1, 1}, 2, 2, 2);
   const int middle = nodes_where(mesh, [](const Vec3& p) {
-    return (p.head<D>().array() - 0.5).abs().maxCoeff() < 1e-9;
-  }).at(0);
+                       return (p.head<D>().array() - 0.5).abs().maxCoeff() < 1e-9;
+                     }).at(0);
   mesh.nodes.col(middle).head<D>() += Vec3(0.12, -0.09, 0.1).head<D>();
   Random random(9);
   const Eigen::Matrix<double, D, D> F =
