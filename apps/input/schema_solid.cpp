@@ -10,7 +10,7 @@ namespace {
 // clang-format off
 std::vector<Key> part_keys() {
   return {
-    {"bodies.*.solid", Type::Table, "", kOneOf, kAny, "Meshed part, simulated with the motions of its interfaces and some modes. Ports: its interfaces."},
+    {"bodies.*.solid", Type::Table, "", kOneOf, kAny, "Meshed part, simulated with the motions of its interfaces and some modes, or with all nodes of its mesh (`as`). Ports: its interfaces."},
     {"bodies.*.solid.mesh", Type::Table, "", kOneOf, kAny, "Cells: planar ones (plane stress, in a planar scene) or cells in space, all of one kind. Lengths and features are in the coordinates of the mesh."},
     {"bodies.*.solid.mesh.from", Type::Point, "m", kOneOf, kAny, "Grid: its first corner, [x, y] or [x, y, z]; needs `to` and `cells`. Its sides are the sets x_min, x_max, y_min, ..."},
     {"bodies.*.solid.mesh.to", Type::Point, "m", kOptional, kAny, "Grid: the opposite corner."},
@@ -25,7 +25,9 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.thickness", Type::Number, "m", kOptional, kPositive, "Of a planar mesh, which needs it; half to each side."},
     {"bodies.*.solid.at", Type::Vector, "m", "[0, 0, 0]", kAny, "Position of the origin of the mesh.", 3},
     {"bodies.*.solid.orientation", Type::Vector, "rad", "[0, 0, 0]", kAny, "Rotation vector of the axes of the mesh.", 3},
-    {"bodies.*.solid.modes", Type::Integer, "", "8", {0, 200}, "Internal modes that are kept, lowest first."},
+    {"bodies.*.solid.as", Type::Choice, "", "\"reduced\"", kAny, "Interfaces and modes in a floating frame, linear in it; or all nodes of the mesh, with any displacement and rotation inside the part (rigid interfaces, no outline).", 0, "reduced continuum"},
+    {"bodies.*.solid.law", Type::Choice, "", "\"st_venant_kirchhoff\"", kAny, "Of a continuum: St. Venant-Kirchhoff, for small strains in any motion, or compressible neo-Hookean, which resists being pushed flat.", 0, "st_venant_kirchhoff neo_hookean"},
+    {"bodies.*.solid.modes", Type::Integer, "", "8", {0, 200}, "Internal modes that are kept, lowest first; not of a continuum."},
     {"bodies.*.solid.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional."},
     {"bodies.*.solid.ersatz", Type::Table, "", kOptional, kAny, "Stiffness of a cell filled to the fraction v: ratio + (1 - ratio) v^exponent."},
     {"bodies.*.solid.ersatz.exponent", Type::Number, "-", "1.4", {1, 10}, "Above 1: partly filled cells are softer than their share."},

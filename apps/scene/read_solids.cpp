@@ -8,6 +8,7 @@
 
 #include "apps/scene/part_reader.hpp"
 #include "mbs/solids/connectivity.hpp"
+#include "mbs/solids/continuum_check.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/plane.hpp"
 
@@ -41,6 +42,28 @@ void read_thickness(PartReader& part) {
   if (node) part.options.thickness = number(part.table, "thickness");
 }
 
+void read_motion(PartReader& part) {
+  if (text(part.table, "as") == "continuum") part.solid.as = SolidMotion::Continuum;
+  if (text(part.table, "law") == to_string(SolidLaw::NeoHookean))
+    part.solid.law = SolidLaw::NeoHookean;
+  if (part.solid.as == SolidMotion::Reduced && part.solid.law != SolidLaw::StVenantKirchhoff)
+    part.refuse(*part.table.get("law"), "is linear in its frame: it has no other law",
+                "as = \"continuum\", or no 'law'");
+  const toml::node& modes = *part.table.get("modes");
+  if (part.solid.as == SolidMotion::Continuum && written(modes))
+    part.refuse(modes, "as a continuum has no modes: all its nodes move", "no 'modes'");
+}
+
+/// A part whose nodes all move.
+void check_continuum(PartReader& part) {
+  if (part.solid.as != SolidMotion::Continuum) return;
+  const auto problem = continuum_problem(part.solid);
+  if (!problem) return;
+  const auto at = part.table.at_path(problem->key);
+  part.refuse(at.node() ? *at.node() : static_cast<const toml::node&>(part.table),
+              "as a continuum " + problem->text, problem->expected);
+}
+
 void build_model(PartReader& part) {
   try {
     part.solid.model = part.matrices
@@ -50,7 +73,8 @@ void build_model(PartReader& part) {
                                                                 part.interfaces, part.options);
     const SolidModel& model = *part.solid.model;
     const int inner = model.size() - model.rigid_count() * model.ports();
-    if (part.solid.modes >= inner)
+    check_continuum(part);
+    if (part.solid.as == SolidMotion::Reduced && part.solid.modes >= inner)
       part.refuse(*part.table.get("modes"),
                   fmt::format("keeps {} modes, its mesh has {} free displacements",
                               part.solid.modes, inner),
@@ -75,10 +99,12 @@ std::optional<SolidSpec> read_solid(Reader& reader, const std::string& name, tom
   if (const toml::table* ersatz = part.table["ersatz"].as_table())
     part.options.law = {number(*ersatz, "exponent"), number(*ersatz, "ratio")};
   const SimulationOptions& o = part.reader.scene.simulation;
-  if (o.type == SimulationType::Static && (o.critical || o.arc_length))
+  read_motion(part);
+  if (o.type == SimulationType::Static && (o.critical || o.arc_length) &&
+      part.solid.as == SolidMotion::Reduced)
     part.reader.scene.warnings.push_back(fmt::format(
-        "part '{}' is linear in its frame: it does not buckle by itself; use several parts in a "
-        "row, or beams",
+        "part '{}' is linear in its frame: it does not buckle by itself; use as = \"continuum\", "
+        "several parts in a row, or beams",
         part.name));
   read_material(part);
   read_mesh(part);

@@ -25,6 +25,14 @@ std::optional<int> part(StudyReader& reader, const toml::node& name, bool with_o
   const auto body = reader.scene.body(name);
   if (!body) return {};
   const SolidSpec* solid = solid_of(reader, *body);
+  if (solid && solid->as == SolidMotion::Continuum) {
+    reader.scene.problems.add(
+        name,
+        fmt::format("part '{}' is a continuum, whose outline and own limits no study takes",
+                    name.value_or(std::string())),
+        fmt::format("bodies.{}.solid.as = \"reduced\"", name.value_or(std::string())));
+    return {};
+  }
   if (solid && !(with_outline && solid->outline.features.empty())) return body;
   reader.scene.problems.add(name,
                             fmt::format("'{}' is no meshed part{}", name.value_or(std::string()),

@@ -6,6 +6,8 @@
 #include "apps/scene/reader.hpp"
 #include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/collect_reference.hpp"
+#include "apps/tasks/displacement_basis.hpp"
+#include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/system/energy.hpp"
@@ -62,35 +64,88 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
 }
 
+constexpr double kShownTo = 1e-6;  // of the size of a part, to which its displacements are shown
+
+/// Displacements of the nodes of a meshed part in the axes of its mesh, seen from the first
+/// interface: u = phi amplitudes at every record.
+struct MeshMotion {
+  Eigen::MatrixXd phi;  ///< node freedoms x k; no columns: it is rigid
+  std::vector<Eigen::VectorXd> amplitudes;
+};
+
+/// Of a continuum, in a basis found on the way. @param turn axes of the mesh to those of its ports
+template <FrameGroup G>
+MeshMotion motion_of(const ContinuumBody<G>& body, const Model<G>& model,
+                     const Trajectory<G>& trajectory, int b, const Eigen::Matrix3d& turn) {
+  constexpr int sd = G::space_dim;
+  using Points = typename ContinuumBody<G>::Points;
+  const auto seen = [&body](const G* H) {
+    Points x;
+    body.positions(H, x);
+    return Points(H[0].R.transpose() * (x.colwise() - H[0].x));
+  };
+  const Points rest = seen(body.reference.data());
+  MeshMotion out;
+  DisplacementBasis basis(rest.size(), kShownTo * rest.cwiseAbs().maxCoeff());
+  for (int n = 0; n < trajectory.size(); ++n) {
+    const Points u = turn.topLeftCorner<sd, sd>().transpose() *
+                     (seen(trajectory.frames(n) + model.first_node(b)) - rest);
+    out.amplitudes.push_back(
+        basis.amplitudes(Eigen::Map<const Eigen::VectorXd>(u.data(), u.size())));
+  }
+  out.phi = basis.basis();
+  return out;
+}
+
+/// Of a reduced part: T Psi e.
+template <FrameGroup G>
+MeshMotion motion_of(const SolidBody<G>& body, const Model<G>& model,
+                     const Trajectory<G>& trajectory, int b) {
+  MeshMotion out{body.model().T() * body.basis(), {}};
+  State<G> s = model.initial_state();
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, s);
+    out.amplitudes.push_back(body.coordinates(model.body_state(s, b)));
+  }
+  return out;
+}
+
 /// Positions of the nodes of a meshed part, x_0 + R_0 (s + u), and of that R_0 u with u = phi e, at
 /// the records that are shown.
 template <FrameGroup G>
 output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
                            const Trajectory<G>& trajectory, int b) {
-  const auto& solid = std::get<SolidSpec>(mechanism.bodies[b].kind);
-  const auto* body = model.bodies[b]->meshed();  // null: rigid
-  Eigen::MatrixXd phi;
-  if (body) phi = solid.model->T() * body->basis();
-  output::MeshResult out = mesh_at_rest(mechanism.bodies[b], phi);
+  const BodySpec& spec = mechanism.bodies[static_cast<size_t>(b)];
+  const SolidMesh& mesh = std::get<SolidSpec>(spec.kind).mesh();
+  const Body<G>& body = *model.bodies[static_cast<size_t>(b)];
+  MeshMotion motion;
+  if (body.meshed()) motion = motion_of(*body.meshed(), model, trajectory, b);
+  output::MeshResult out = mesh_at_rest(spec, motion.phi);
+  if (body.continuum()) {  // its stress is not linear in the displacements
+    const SE3 align = model.space.alignment(std::get<SolidSpec>(spec.kind).frame);
+    motion = motion_of(*body.continuum(), model, trajectory, b, align.R);
+    add_basis(mesh, motion.phi, out);
+  }
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);
-  const int dim = solid.mesh().dim;
-  if (48.0 * static_cast<double>(out.records.size()) * solid.mesh().node_count() >
-      output::kMeshBytes)
+  if (48.0 * static_cast<double>(out.records.size()) * mesh.node_count() > output::kMeshBytes)
     out.records.clear();
-  State<G> s = model.initial_state();
-  for (int n = 0; body && n < trajectory.size(); ++n) {
-    trajectory.read(n, s);
-    append(out.amplitudes, body->coordinates(model.body_state(s, b)));
+  for (Eigen::VectorXd& e : motion.amplitudes) {
+    const Eigen::Index known = e.size();
+    e.conservativeResize(motion.phi.cols());
+    e.tail(e.size() - known).setZero();
+    append(out.amplitudes, e);
   }
+  const Eigen::Vector3d origin = std::get<SolidSpec>(spec.kind).interfaces()[0].point;
+  State<G> s = model.initial_state();
   for (const int n : out.records) {
     trajectory.read(n, s);
     const SE3 H = view.node(s.H.data(), b, 0);
-    Eigen::Matrix3Xd x = solid.mesh().nodes.colwise() - solid.interfaces()[0].point;
+    Eigen::Matrix3Xd x = mesh.nodes.colwise() - origin;
     Eigen::Matrix3Xd u = Eigen::Matrix3Xd::Zero(3, x.cols());
-    if (body) {
-      const Eigen::VectorXd q = phi * body->coordinates(model.body_state(s, b));
-      u.topRows(dim) = Eigen::Map<const Eigen::MatrixXd>(q.data(), dim, x.cols());
+    if (motion.phi.cols() > 0) {
+      const Eigen::VectorXd q = motion.phi * motion.amplitudes[static_cast<size_t>(n)];
+      u.topRows(mesh.dim) = Eigen::Map<const Eigen::MatrixXd>(q.data(), mesh.dim, x.cols());
     }
     x = ((H.R * (x + u)).colwise() + H.x).eval();
     u = (H.R * u).eval();

@@ -48,9 +48,13 @@ output::MeshResult mesh_at_rest(const BodySpec& body, const Eigen::MatrixXd& phi
       out.level.push_back(shape->value(mesh.nodes.col(i)));
   }
   if (phi.cols() > 0) add_stress_basis(*solid.model, phi, out);
+  add_basis(mesh, phi, out);
+  return out;
+}
+
+void add_basis(const SolidMesh& mesh, const Eigen::MatrixXd& phi, output::MeshResult& out) {
   for (Eigen::Index k = 0; k < phi.cols(); ++k)
     append_columns(out.basis, nodes_in_space(mesh, phi.col(k)));
-  return out;
 }
 
 output::Results load_case_results(const std::string& name, const BodySpec& body,

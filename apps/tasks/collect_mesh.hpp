@@ -13,6 +13,9 @@ namespace liesl {
 /// @pre body.kind is a SolidSpec
 output::MeshResult mesh_at_rest(const BodySpec& body, const Eigen::MatrixXd& phi);
 
+/// Puts the displacements by amplitude into a mesh at rest. @param phi node freedoms x k
+void add_basis(const SolidMesh& mesh, const Eigen::MatrixXd& phi, output::MeshResult& out);
+
 /// A part under loads as records: record n is load case n alone, amplitude n is its displacement.
 /// The abscissa "load_case" counts from 1.
 /// @param u node freedoms x cases, in the axes of the mesh, m

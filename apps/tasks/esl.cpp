@@ -2,6 +2,9 @@
 
 #include "apps/tasks/esl.hpp"
 
+#include <fmt/format.h>
+
+#include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/solids/solid_model.hpp"
@@ -80,6 +83,14 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
 }  // namespace
 
 EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress) {
+  for (const BodySpec& body : scene.mechanism.bodies)
+    if (const auto* solid = std::get_if<SolidSpec>(&body.kind);
+        solid && solid->as == SolidMotion::Continuum)
+      throw InputError({{scene.file, 0, 0,
+                         fmt::format("part '{}' is a continuum: its load sets would be of a linear "
+                                     "part",
+                                     body.name),
+                         fmt::format("bodies.{}.solid.as = \"reduced\"", body.name), ""}});
   EslOutcome out;
   out.run.summary.command = "esl";
   describe(out.run.summary, scene, space);

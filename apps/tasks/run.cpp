@@ -30,7 +30,9 @@ double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
   double largest = 0;
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     const int first = model.first_node(static_cast<int>(b));
-    const auto frames = shape.segment(G::dim * first, G::dim * model.bodies[b]->points());
+    const Body<G>& moved = *model.bodies[b];
+    const int nodes = moved.continuum() ? moved.nodes() : moved.points();
+    const auto frames = shape.segment(G::dim * first, G::dim * nodes);
     largest = std::max(largest, frames.cwiseAbs().maxCoeff());
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;

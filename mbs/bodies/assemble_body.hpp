@@ -7,9 +7,14 @@
 
 namespace liesl {
 
-/// f(row, column, block) of each block of K; the body's first node is at row `first`.
+/// f(row, column, block) of each block of K, single numbers of a sparse one; the body's first node
+/// is at row `first`.
 template <int N, class F>
 void each_block(const BodyMatrix<N>& K, int first, F f) {
+  for (int column = 0; column < K.sparse.cols(); ++column)
+    for (typename Eigen::SparseMatrix<double>::InnerIterator at(K.sparse, column); at; ++at)
+      f(first + static_cast<int>(at.row()), first + column,
+        Eigen::Matrix<double, 1, 1>(at.value()));
   if (K.is_dense()) {
     for (size_t i = 0; i < K.nodes.size(); ++i)
       for (size_t j = 0; j < K.nodes.size(); ++j)

@@ -19,6 +19,8 @@ template <FrameGroup G>
 class BeamChain;
 template <FrameGroup G>
 class SolidBody;
+template <FrameGroup G>
+class ContinuumBody;
 
 /// What a body computes in, so that an evaluation allocates nothing and a body can be const: one of
 /// each body for each thread, from `Body::make_workspace`.
@@ -95,7 +97,7 @@ class Body {
   int nodes() const { return static_cast<int>(reference.size()); }
   int size() const { return dim * nodes(); }
   virtual NodeKind kind(int /*node*/) const { return NodeKind::Frame; }
-  /// Nodes that are points of the body: the first ones. Further ones only hold amplitudes.
+  /// Nodes that ports hold on to: the first ones. Further ones hold amplitudes, or are of a mesh.
   virtual int points() const { return nodes(); }
   /// Frames, velocities and their rates of every node from the unknowns; nothing to do where all
   /// nodes are frames.
@@ -104,6 +106,11 @@ class Body {
   /// Turns the axes of the nodes that are positions to where the body is, in place; nothing to do
   /// where there are none.
   virtual void turn_axes(G* /*H*/) const {}
+  /// Takes the nodes that are positions to where its frames carry them from `start`, in place: by a
+  /// correction that turns the body their own steps, straight ones, would stretch it.
+  virtual void follow_frames(const G* /*start*/, G* /*H*/) const {}
+  /// What is wrong with the shape of the body, one clause; empty if nothing is.
+  virtual std::string fault(const G* /*H*/) const { return {}; }
 
   /// A workspace for this body, null if it needs none.
   virtual std::unique_ptr<BodyWorkspace> make_workspace() const { return nullptr; }
@@ -165,6 +172,8 @@ class Body {
   /// beam elements or as a mesh in a floating frame; null if it is none.
   virtual const BeamChain<G>* chain() const { return nullptr; }
   virtual const SolidBody<G>* meshed() const { return nullptr; }
+  /// The body as a mesh whose nodes all move, null if it is none.
+  virtual const ContinuumBody<G>* continuum() const { return nullptr; }
   /// Stiffness of all points as a free linear structure at rest.
   virtual const Matrices& free_stiffness() const { return K_; }
   /// f += elastic forces on all points, from the frames of a completed state; without damping.

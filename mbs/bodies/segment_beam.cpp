@@ -278,6 +278,18 @@ void SegmentBeam::turn_axes(SE2* H) const {
   }
 }
 
+void SegmentBeam::follow_frames(const SE2* start, SE2* H) const {
+  const int n = elements();
+  for (int k = 1; k < n; ++k) {
+    const auto carried = [&](int end) -> Vec2 {
+      const Vec2 from_end = start[end].R.transpose() * (start[k].x - start[end].x);
+      return H[end].x + H[end].R * from_end;
+    };
+    const double share = static_cast<double>(k) / n;
+    H[k].x = (1 - share) * carried(0) + share * carried(n);
+  }
+}
+
 /// With d' and d'' of a segment: psi' = n . d'/l, psi'' = (n . d'' - 2 l' psi')/l.
 void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) const {
   const BodyState<SE2> s{H, v, vdot, w};

@@ -37,6 +37,8 @@ class SegmentBeam final : public Body<SE2> {
   int elements() const override { return nodes() - 1; }
   double damping() const override { return damping_; }
   void turn_axes(SE2* H) const override;
+  /// By both ends, linear in between.
+  void follow_frames(const SE2* start, SE2* H) const override;
   void complete(SE2* H, double* v, double* vdot, const double* w) const override;
 
   void add_inertia(const BodyState<SE2>& s, const Vector& gravity, double* r,

@@ -9,11 +9,18 @@
 #include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/interface.hpp"
 #include "mbs/solids/mesh.hpp"
+#include "mbs/solids/solid_law.hpp"
 
 namespace liesl {
 
 class SolidModel;
 struct Fractions;
+
+/// What a meshed part is simulated as.
+enum class SolidMotion {
+  Reduced,   ///< interfaces and modes in a floating frame, linear in it
+  Continuum  ///< all nodes of the mesh
+};
 
 /// The mesh with its material and interfaces (`model`), in coordinates of its own, and the outline
 /// of the part in it. Its ports are its interfaces; the first of them carries the floating frame. A
@@ -24,6 +31,8 @@ struct SolidSpec {
   levelset::ShapeSpec outline;              ///< without features: all of the mesh is material
   int modes = 8;                            ///< internal modes kept
   double damping = 0;                       ///< stiffness-proportional, s
+  SolidMotion as = SolidMotion::Reduced;
+  SolidLaw law = SolidLaw::StVenantKirchhoff;  ///< of a continuum
 
   const SolidMesh& mesh() const;
   const std::vector<Interface>& interfaces() const;

@@ -59,22 +59,12 @@ void elastic_forces(const Model<G>& model, const State<G>& s, Equations<G>& eq) 
                                   scale);
 }
 
-/// Positions within a body go where its ends carry them from `start`, linear in between: by a
-/// correction that turns the body their own steps, straight ones, would stretch it.
+/// Positions go where the frames of their bodies carry them.
 template <FrameGroup G>
-void follow_ends(const Model<G>& model, const Frames<G>& start, State<G>& s) {
+void follow_frames(const Model<G>& model, const Frames<G>& start, State<G>& s) {
   for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body<G>& body = *model.bodies[b];
-    const int first = model.first_node(static_cast<int>(b)), last = first + body.nodes() - 1;
-    for (int k = first + 1; k < last; ++k) {
-      if (body.kind(k - first) != NodeKind::Position) continue;
-      const auto carried = [&](int end) {
-        const auto from_end = start[end].R.transpose() * (start[k].x - start[end].x);
-        return (s.H[end].x + s.H[end].R * from_end).eval();
-      };
-      const double share = static_cast<double>(k - first) / (last - first);
-      s.H[k].x = (1 - share) * carried(first) + share * carried(last);
-    }
+    const int first = model.first_node(static_cast<int>(b));
+    model.bodies[b]->follow_frames(start.data() + first, s.H.data() + first);
   }
 }
 
@@ -104,7 +94,7 @@ bool assemble_positions(const Model<G>& model, double time, bool relax, State<G>
     if (relax) elastic_forces(model, s, eq);
     if (!system.solve(eq, delta, dlambda, false)) break;
     model.retract(s, delta);
-    if (relax && delta.template lpNorm<Eigen::Infinity>() > kFar) follow_ends(model, start, s);
+    if (relax && delta.template lpNorm<Eigen::Infinity>() > kFar) follow_frames(model, start, s);
     coordinates.turn_positions(s, {});  // stiffness and mass are known in the axes of the body
     if (relax) eq.observe(s, s.rows, s.rows);
   }

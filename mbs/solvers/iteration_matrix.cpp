@@ -121,8 +121,8 @@ void IterationMatrix<G>::linearise_load(const Load<G>& load, const State<G>& s,
   const int first = model_.first_node(load.port.body);
   if (!load.spread) {
     const auto& J = load.port.J;
-    A.node_block(load.port.node - first) +=
-        J.transpose() * dead_load_tangent<G>(load.port.frame(s.H), wrench) * J;
+    A.add_to_node(load.port.node - first,
+                  J.transpose() * dead_load_tangent<G>(load.port.frame(s.H), wrench) * J);
     return;
   }
   if (load.share.size() > 0) {  // all of it follows the first node

@@ -125,6 +125,10 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
     for (int k = 0; k < bodies[b]->nodes(); ++k) {
       const NodeKind kind = bodies[b]->kind(k);
       if (kind != NodeKind::Frame && kind != NodeKind::Position) continue;
+      if (k >= bodies[b]->points()) {  // of a mesh, in the axes of the first node
+        set_velocity_of_mesh(static_cast<int>(b), k);
+        continue;
+      }
       const SE3 H = at(k);
       SE3::Tangent v;
       v << H.R.transpose() * (spec.velocity + spec.angular_velocity.cross(H.x - first.x)),
@@ -137,6 +141,19 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
             .setZero();
     }
   }
+}
+
+/// As of one rigid piece with the first node.
+template <class G>
+void Model<G>::set_velocity_of_mesh(int body, int node) {
+  const G &first = bodies[body]->reference[0], &H = bodies[body]->reference[node];
+  const typename G::Tangent v =
+      initial_velocity_.template segment<G::dim>(G::dim * first_node_[body]);
+  const Vector arm = first.R.transpose() * (H.x - first.x);
+  initial_velocity_.template segment<G::space_dim>(G::dim * (first_node_[body] + node)) =
+      H.R.transpose() * first.R *
+      (v.template head<G::space_dim>() -
+       RotationOf<G>::cross(arm) * v.template tail<G::rotation_dim>());
 }
 
 template <class G>

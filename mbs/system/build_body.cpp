@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/bodies/segment_beam.hpp"
@@ -90,6 +91,8 @@ std::unique_ptr<Body<G>> make(const std::string& name, const SolidSpec& solid,
   std::vector<G> ports;
   for (size_t k = 0; k < solid.interfaces().size(); ++k)
     ports.push_back(space.reduce(solid.port(static_cast<int>(k)), align));
+  if (formalism != Formalism::Rigid && solid.as == SolidMotion::Continuum)
+    return std::make_unique<ContinuumBody<G>>(name, solid, ports, align.R);
   if (formalism != Formalism::Rigid && (solid.modes > 0 || ports.size() > 1))
     return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);
   SolidSpec plain = solid;

@@ -99,6 +99,7 @@ class Model {
   void finish();
   void leave_out_redundant_rows();
   void set_initial_velocity(const Mechanism& mechanism);
+  void set_velocity_of_mesh(int body, int node);
 
   int nodes_ = 0, constraints_ = 0, rows_ = 0;
   std::vector<int> first_node_, frames_, positions_, amplitudes_;

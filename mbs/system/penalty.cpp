@@ -23,25 +23,16 @@ struct Largest {
       double& largest = i < G::space_dim ? translation : rotation;
       largest = std::max(largest, k + inertia * m);
     };
-    const size_t blocks = K.is_dense() ? K.nodes.size() : static_cast<size_t>(K.blocks());
-    for (size_t b = 0; b < blocks; ++b) {
-      const int node = K.is_dense() ? K.nodes[b] : static_cast<int>(b);
-      if (body.kind(node) != NodeKind::Frame) continue;
-      for (int i = 0; i < G::dim; ++i) {
-        const auto j = G::dim * static_cast<Eigen::Index>(b) + i;
-        if (K.is_dense())
-          at(i, K.dense(j, j), M.dense(j, j));
-        else
-          at(i, K.D[b](i, i), M.D[b](i, i));
-      }
-    }
+    for (int node = 0; node < body.nodes(); ++node)
+      for (int i = 0; i < G::dim && body.kind(node) == NodeKind::Frame; ++i)
+        at(i, K.diagonal(node, i), M.diagonal(node, i));
   }
 };
 
 template <class G>
 bool deforms(const Body<G>& body) {
   const auto& K = body.stiffness();
-  return K.is_dense() ? !K.dense.isZero(0) : body.elements() > 0;
+  return K.is_dense() ? !K.dense.isZero(0) : K.is_sparse() || body.elements() > 0;
 }
 
 double rounded_up(double weight) {

@@ -117,9 +117,9 @@ bool has_static_image(const ResponseSpec& r, const Mechanism& mechanism) {
     return false;
   const auto& kind = mechanism.bodies[static_cast<size_t>(body)].kind;
   const StaticImage image = ResponseValues<SE3>::columns(r.kind).image;
-  return std::holds_alternative<BeamSpec>(kind)
-             ? image != StaticImage::None
-             : image == StaticImage::OfParts && std::holds_alternative<SolidSpec>(kind);
+  if (std::holds_alternative<BeamSpec>(kind)) return image != StaticImage::None;
+  const auto* solid = std::get_if<SolidSpec>(&kind);
+  return image == StaticImage::OfParts && solid && solid->as == SolidMotion::Reduced;
 }
 
 template <FrameGroup G>

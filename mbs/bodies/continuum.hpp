@@ -1,0 +1,144 @@
+#pragma once
+/// @file
+/// A meshed part in full motion: every node of the mesh moves, total Lagrangian (P. Wriggers,
+/// Nonlinear Finite Element Methods, Springer 2008, ch. 4). With X the nodes at rest, x where they
+/// are, M the consistent mass and V the potential of the cells (`ContinuumCell`),
+///   M (x'' - g) + dV/dx = forces of the interfaces.
+/// Nodes of a rigid interface move with its port, x = x_P + R_P s, so that couplings hold on to a
+/// port as to any frame; forces on them add up to [R^T f; s x R^T f] there.
+///
+/// Nodes: the interfaces, which are frames, then the other nodes of the mesh, which are positions
+/// (NodeKind::Position). Their axes are turned by the polar rotation of the material about them: in
+/// these axes stiffness and mass are those at rest, however far the part has turned, and factors
+/// hold for as long as strains are small.
+
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
+#include "mbs/bodies/body.hpp"
+#include "mbs/linalg/sparse_assembly.hpp"
+#include "mbs/solids/continuum_cell.hpp"
+#include "mbs/solids/solid_spec.hpp"
+
+namespace liesl {
+
+template <FrameGroup G>
+class ContinuumBody final : public Body<G> {
+ public:
+  using Body<G>::dim;
+  using typename Body<G>::Tangent;
+  using typename Body<G>::Vector;
+  using typename Body<G>::Matrices;
+  static constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  using Points = Eigen::Matrix<double, sd, Eigen::Dynamic>;  ///< a column a node of the mesh
+
+  /// @param ports frames of the interfaces  @param turn components in their axes from components
+  /// in the axes of the mesh
+  /// @throws std::invalid_argument for an interface that is not rigid, an outline, a material that
+  /// is incompressible, a mesh in several pieces
+  ContinuumBody(std::string body_name, const SolidSpec& spec, const std::vector<G>& ports,
+                const Eigen::Matrix3d& turn);
+
+  NodeKind kind(int node) const override {
+    return node < ports_ ? NodeKind::Frame : NodeKind::Position;
+  }
+  int points() const override { return ports_; }
+  const ContinuumBody* continuum() const override { return this; }
+  double damping() const override { return damping_; }
+  std::unique_ptr<BodyWorkspace> make_workspace() const override;
+  void turn_axes(G* H) const override;
+  void follow_frames(const G* start, G* H) const override;
+  std::string fault(const G* H) const override;
+
+  void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
+                   ForceScale& scale) const override;
+  void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
+  void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                     const Tangent* stress, Matrices& A) const override;
+  BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
+  double dissipation(const BodyState<G>& s) const override;
+  double total_mass() const override { return node_mass_.sum(); }
+  double axial_stiffness() const override { return stiffest_; }
+  std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
+                           double* h, double* v) const override;
+
+  /// Where all nodes of the mesh are, m, inertial.
+  void positions(const G* H, Points& x) const;
+  int mesh_nodes() const { return static_cast<int>(node_of_.size()); }
+  /// Node of the body that a node of the mesh moves with: an interface, or its own.
+  int node_of(int mesh_node) const { return node_of_[static_cast<std::size_t>(mesh_node)]; }
+
+ private:
+  using Cell = ContinuumCell<sd>;
+  using Square = Eigen::Matrix<double, sd, sd>;
+  /// d(position)/d(increment) of a node of the mesh in the axes of its node of the body.
+  using Lever = Eigen::Matrix<double, sd, dim>;
+  using Levers = std::vector<Lever, Eigen::aligned_allocator<Lever>>;
+  struct Room;
+  struct Share;
+
+  static std::vector<G> nodes_at_rest(const SolidSpec& spec, const std::vector<G>& ports,
+                                      const Eigen::Matrix3d& turn);
+  void number_nodes(const SolidSpec& spec, const std::vector<G>& ports,
+                    const Eigen::Matrix3d& turn);
+  void make_cells(const SolidSpec& spec);
+  void make_mass();
+  void set_constant_matrices();
+
+  /// Calls f with the workspace of a state, or with one of its own.
+  template <class F>
+  void in_room(const BodyState<G>& s, const F& f) const {
+    const auto own = s.work ? nullptr : make_workspace();
+    f(static_cast<Room&>(s.work ? *s.work : *own));
+  }
+  bool held(int i) const { return node_of(i) < ports_; }
+  Lever lever(int i) const;
+  Levers levers(const G* H) const;
+  const Cell& cell(int e) const {
+    return shapes_[static_cast<std::size_t>(shape_of_[static_cast<std::size_t>(e)])];
+  }
+  const Eigen::MatrixXd& mass_of(int e) const {
+    return cell_mass_[static_cast<std::size_t>(shape_of_[static_cast<std::size_t>(e)])];
+  }
+  /// Values at the corners of a cell.
+  void gather(int e, const Points& all, typename Cell::Positions& at) const;
+  Vector local_velocity(const BodyState<G>& s, int i) const;
+  Vector local_acceleration(const BodyState<G>& s, int i) const;
+  void velocities(const BodyState<G>& s, Points& v) const;
+  /// Forces on the nodes of the mesh to those of the body.
+  void add_to_nodes(const G* H, const Points& f, double* r) const;
+  void stress_of(int e, Room& room, bool tangent) const;
+  void internal_forces(const BodyState<G>& s, Room& room, Points& f, ForceScale* scale) const;
+  void inertia_forces(const BodyState<G>& s, const Vector& gravity, Room& room, Points& f) const;
+
+  Eigen::SparseMatrix<double> assemble(const G* H, const std::vector<Share>& shares,
+                                       double dead) const;
+  void add_shares(const G* H, const std::vector<Share>& shares, double dead,
+                  SparseAssembly& assembly) const;
+  Share inertia_share(Levers columns, bool held_only = false) const;
+  Share damping_share(Room& room, Levers columns) const;
+  template <class Local>
+  Levers turned(const G* H, const Local& local) const;
+  Eigen::SparseMatrix<double> stiffness_at(const BodyState<G>& s, Room& room) const;
+  Eigen::SparseMatrix<double> damping_at(const BodyState<G>& s, Room& room) const;
+
+  int ports_;
+  double damping_;
+  std::vector<int> node_of_;  ///< by node of the mesh: node of the body
+  Points arm_;                ///< by node of the mesh: in the axes of the port it is held by, m
+  Points rest_;               ///< inertial, m
+  Eigen::MatrixXi cells_;     ///< corners x cells
+  std::vector<int> shape_of_;
+  std::vector<Cell> shapes_;                ///< cells of equal shape share them
+  std::vector<Eigen::MatrixXd> cell_mass_;  ///< by shape, of one component
+  Eigen::SparseMatrix<double> mass_;        ///< of one component, nodes of the mesh
+  Eigen::VectorXd node_mass_;               ///< its rows summed up, kg
+  double dead_mass_ = 0, dead_ = 0;         ///< in place of the rotations of positions
+  double stiffest_ = 0;
+  SparseAssembly pattern_{0};
+};
+
+extern template class ContinuumBody<SE2>;
+extern template class ContinuumBody<SE3>;
+
+}  // namespace liesl

@@ -1,0 +1,217 @@
+#include "mbs/solids/continuum_cell.hpp"
+
+#include <Eigen/LU>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "mbs/linalg/dense.hpp"
+#include "mbs/solids/mesh.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr int kEnhanced = 30;            // iterations of alpha
+constexpr double kEnhancedDone = 1e-14;  // last change of the strain, of the largest of the cell
+
+/// Rows of strains: [xx, yy, xy] or [xx, yy, zz, xy, yz, zx], of sym(A^T B), shear twice; A by its
+/// columns: a_i . b_i, a_i . b_j + a_j . b_i.
+template <int D, class A, class B, class Out>
+void symmetric(const A& a, const B& b, Out&& out) {
+  for (int i = 0; i < D; ++i) out[i] = a.col(i).dot(b.col(i));
+  constexpr int shear = D == 2 ? 1 : 3;
+  for (int s = 0; s < shear; ++s) {
+    const int i = s, j = (s + 1) % D;
+    out[D + s] = a.col(i).dot(b.col(j)) + a.col(j).dot(b.col(i));
+  }
+}
+
+template <int D, class Stress>
+Eigen::Matrix<double, D, D> as_tensor(const Stress& s) {
+  Eigen::Matrix<double, D, D> S;
+  if constexpr (D == 2)
+    S << s[0], s[2], s[2], s[1];
+  else
+    S << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
+  return S;
+}
+
+}  // namespace
+
+template <int D>
+ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material, double thickness,
+                                SolidLaw law)
+    : material_(material), law_(law) {
+  if (!(material.E > 0) || !(material.nu < 0.5) || !(material.nu > -1))
+    throw std::invalid_argument("material '" + material.name +
+                                "': expected E > 0 and -1 < nu < 0.5; nu = 0.5 is incompressible");
+  const int points = D == 2 ? 4 : 8;
+  const MatrixXd dN0 = corner_functions(D, Vector3d::Zero()).dN;
+  const MatrixXd J0 = dN0 * nodes.transpose(), J0inverse = linalg::inverse(J0);
+  const double det0 = linalg::determinant(J0);
+  central_ = J0inverse * dN0;
+  weight_.resize(points);
+  enhanced_.setZero(kStrains * points, D * D);
+  MatrixXd weighted = MatrixXd::Zero(kStrains * points, kStrains * points);
+  const auto rest = solid_law<D>(SolidLaw::StVenantKirchhoff, material,
+                                 Eigen::Matrix<double, kStrains, 1>::Zero())
+                        .tangent;
+  const double g = 1 / std::sqrt(3.0);
+  for (int point = 0; point < points; ++point) {
+    const Vector3d xi(point & 1 ? g : -g, point & 2 ? g : -g, point & 4 ? g : -g);
+    const MatrixXd dN = corner_functions(D, xi).dN, J = dN * nodes.transpose();
+    const double det = linalg::determinant(J);
+    gradient_.emplace_back(linalg::inverse(J) * dN);
+    weight_[point] = std::abs(det) * (D == 2 ? thickness : 1);
+    // d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian of the centre: alpha_ij moves along j.
+    const Square modes = det0 / det * J0inverse * Square((-2 * xi.head<D>()).asDiagonal());
+    for (int i = 0; i < D; ++i)
+      for (int j = 0; j < D; ++j) {
+        Square H = Square::Zero();
+        H.row(j) = modes.col(i).transpose();
+        symmetric<D>(Square(Square::Identity()), H,
+                     enhanced_.col(D * i + j).template segment<kStrains>(kStrains * point));
+      }
+    weighted.template block<kStrains, kStrains>(kStrains * point, kStrains * point) =
+        weight_[point] * rest;
+  }
+  volume_ = weight_.sum();
+  const MatrixXd coupled = weighted * enhanced_;
+  to_alpha_ = -linalg::LDLT(enhanced_.transpose() * coupled).solve(coupled.transpose());
+  linear_ = weighted + coupled * to_alpha_;
+  linear_ = (0.5 * (linear_ + linear_.transpose())).eval();
+}
+
+template <int D>
+void ContinuumCell<D>::strain(const Positions& x, VectorXd& E) const {
+  E.resize(strains());
+  for (int g = 0; g < points(); ++g) {
+    const Square F = x.lazyProduct(gradient_[g].transpose());
+    auto at = E.template segment<kStrains>(kStrains * g);
+    symmetric<D>(F, F, at);
+    at.template head<D>().array() = 0.5 * (at.template head<D>().array() - 1);
+    at.template tail<kStrains - D>() *= 0.5;
+  }
+}
+
+template <int D>
+void ContinuumCell<D>::strain_rate(const Positions& x, const Positions& v, VectorXd& rate) const {
+  rate.resize(strains());
+  for (int g = 0; g < points(); ++g) {
+    const Square F = x.lazyProduct(gradient_[g].transpose()),
+                 Fdot = v.lazyProduct(gradient_[g].transpose());
+    symmetric<D>(F, Fdot, rate.template segment<kStrains>(kStrains * g));
+  }
+}
+
+template <int D>
+void ContinuumCell<D>::respond(const VectorXd& E, bool tangent, Response& out) const {
+  out.converged = true;
+  if (law_ == SolidLaw::StVenantKirchhoff)
+    respond_linearly(E, tangent, out);
+  else
+    respond_iterated(E, tangent, out);
+}
+
+template <int D>
+void ContinuumCell<D>::respond_linearly(const VectorXd& E, bool tangent, Response& out) const {
+  out.stress.resize(strains());
+  out.stress.noalias() = linear_.template selfadjointView<Eigen::Lower>() * E;
+  out.energy = 0.5 * out.stress.dot(E);
+  if (tangent) out.tangent = linear_;
+}
+
+/// Newton's method on alpha, from that of the linear law.
+template <int D>
+void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Response& out) const {
+  VectorXd alpha = to_alpha_ * E, step = alpha;
+  MatrixXd weighted = MatrixXd::Zero(strains(), strains()), coupled;
+  out.stress.resize(strains());
+  linalg::LDLT factor(MatrixXd::Identity(alpha.size(), alpha.size()));
+  const auto evaluate = [&] {
+    const VectorXd total = E + enhanced_ * alpha;
+    out.energy = 0;
+    for (int g = 0; g < points(); ++g) {
+      const auto at = solid_law<D>(law_, material_, total.template segment<kStrains>(kStrains * g));
+      out.energy += weight_[g] * at.energy;
+      out.stress.template segment<kStrains>(kStrains * g) = weight_[g] * at.stress;
+      weighted.template block<kStrains, kStrains>(kStrains * g, kStrains * g) =
+          weight_[g] * at.tangent;
+    }
+    coupled = weighted * enhanced_;
+  };
+  out.converged = false;
+  for (int i = 0; i < kEnhanced && !out.converged; ++i) {
+    evaluate();
+    if (!std::isfinite(out.energy)) break;
+    factor = linalg::LDLT(enhanced_.transpose() * coupled);
+    step = factor.solve(enhanced_.transpose() * out.stress);
+    alpha -= step;
+    const double size = std::max(E.cwiseAbs().maxCoeff(), kEnhancedDone);
+    out.converged = (enhanced_ * step).cwiseAbs().maxCoeff() <= kEnhancedDone * (1 + size);
+  }
+  if (!out.converged) {
+    out.energy = std::numeric_limits<double>::quiet_NaN();
+    out.stress.setConstant(out.energy);
+  }
+  if (tangent) out.tangent = weighted - coupled * factor.solve(coupled.transpose());
+}
+
+template <int D>
+void ContinuumCell<D>::add_force(const Positions& x, const VectorXd& stress, Positions& f) const {
+  for (int g = 0; g < points(); ++g) {
+    const Square F = x.lazyProduct(gradient_[g].transpose());
+    const Square P = F * as_tensor<D>(stress.template segment<kStrains>(kStrains * g));
+    f.noalias() += P.lazyProduct(gradient_[g]);
+  }
+}
+
+template <int D>
+void ContinuumCell<D>::strain_matrix(const Positions& x, MatrixXd& B) const {
+  B.resize(strains(), D * nodes());
+  for (int g = 0; g < points(); ++g) {
+    const Square F = x.lazyProduct(gradient_[g].transpose());
+    for (int a = 0; a < nodes(); ++a) {
+      auto at = B.template block<kStrains, D>(kStrains * g, D * a);
+      const auto dN = gradient_[g].col(a);
+      for (int i = 0; i < D; ++i) at.row(i) = dN[i] * F.col(i).transpose();
+      for (int s = D; s < kStrains; ++s) {
+        const int i = s - D, j = (i + 1) % D;
+        at.row(s) = dN[i] * F.col(j).transpose() + dN[j] * F.col(i).transpose();
+      }
+    }
+  }
+}
+
+template <int D>
+void ContinuumCell<D>::add_geometric(const VectorXd& stress, MatrixXd& K) const {
+  for (int g = 0; g < points(); ++g) {
+    const Square S = as_tensor<D>(stress.template segment<kStrains>(kStrains * g));
+    const MatrixXd G = gradient_[g].transpose() * S * gradient_[g];
+    for (int a = 0; a < nodes(); ++a)
+      for (int b = 0; b < nodes(); ++b)
+        K.template block<D, D>(D * a, D * b).diagonal().array() += G(a, b);
+  }
+}
+
+template <int D>
+auto ContinuumCell<D>::central_gradient(const Positions& x) const -> Square {
+  return x.lazyProduct(central_.transpose());
+}
+
+template <int D>
+double ContinuumCell<D>::smallest_determinant(const Positions& x) const {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Positions& gradient : gradient_)
+    least = std::min(least, Square(x.lazyProduct(gradient.transpose())).determinant());
+  return least;
+}
+
+template class ContinuumCell<2>;
+template class ContinuumCell<3>;
+
+}  // namespace liesl

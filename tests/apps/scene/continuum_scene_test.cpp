@@ -1,0 +1,138 @@
+/// @file
+/// Scenes of meshed parts whose nodes all move: what is read, what is refused at its place, and
+/// what their results show.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/good_scene.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/scene/space.hpp"
+#include "apps/tasks/esl.hpp"
+#include "apps/tasks/run.hpp"
+
+namespace liesl::test {
+namespace {
+
+using test::changed;
+
+const std::string kFlap = R"toml(name = "flap"
+[materials]
+rubber = { E = 1e6, nu = 0.3, rho = 1000 }
+
+[bodies.flap.solid]
+as = "continuum"
+mesh = { from = [0, 0], to = [0.3, 0.03], cells = [12, 2] }
+material = "rubber"
+thickness = 0.02
+
+[bodies.flap.solid.interfaces]
+root = { set = "x_min" }
+tip = { set = "x_max" }
+
+[joints]
+clamp = { fixed = ["ground", "flap.root"] }
+
+[loads]
+push = { at = "flap.tip", force = [0, 0.3, 0] }
+
+[simulation]
+type = "static"
+load_steps = 4
+
+[responses]
+tip = { response = "position", at = "flap.tip" }
+)toml";
+
+const SolidSpec& flap_of(const Scene& scene) {
+  return std::get<SolidSpec>(scene.mechanism.bodies[0].kind);
+}
+
+TEST(ContinuumScene, IsRead) {
+  EXPECT_EQ(flap_of(read_scene(kFlap, "a")).as, SolidMotion::Continuum);
+  const std::string neo =
+      changed(kFlap, "as = \"continuum\"", "as = \"continuum\"\nlaw = \"neo_hookean\"");
+  EXPECT_EQ(flap_of(read_scene(neo, "a")).law, SolidLaw::NeoHookean);
+  const std::string reduced = changed(kFlap, "as = \"continuum\"", "");
+  EXPECT_EQ(flap_of(read_scene(reduced, "a")).as, SolidMotion::Reduced);
+}
+
+/// `to` replaces `from`; '@' in it marks where the problem is expected and is taken out.
+struct BadContinuum {
+  const char *name, *from, *to;
+  std::vector<const char*> words;
+};
+void PrintTo(const BadContinuum& part, std::ostream* out) { *out << part.name; }
+class BadContinuumScene : public testing::TestWithParam<BadContinuum> {};
+
+TEST_P(BadContinuumScene, IsRefusedAtItsPlace) {
+  const BadContinuum& c = GetParam();
+  const test::MarkedText marked(changed(kFlap, c.from, c.to));
+  const auto read = [](const auto& text, const auto& file) { read_scene(text, file); };
+  test::expect_refused(marked, "scene.toml", read, c.words);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Parts, BadContinuumScene,
+    testing::Values(BadContinuum{"Averaged",
+                                 "tip = { set = \"x_max\" }",
+                                 "tip = @{ set = \"x_max\", tie = \"averaged\" }",
+                                 {"part 'flap' as a continuum has the averaged interface 'tip'",
+                                  "tie = \"rigid\""}},
+                    BadContinuum{
+                        "Incompressible",
+                        "nu = 0.3, rho = 1000 }\n\n[bodies.flap.solid]\nas = \"continuum\"\n"
+                        "mesh = { from = [0, 0], to = [0.3, 0.03], cells = [12, 2] }\nmaterial = ",
+                        "nu = 0.49995, rho = 1000 }\n\n[bodies.flap.solid]\nas = \"continuum\"\n"
+                        "mesh = { from = [0, 0], to = [0.3, 0.03], cells = [12, 2] }\nmaterial = @",
+                        {"is incompressible", "nu < 0.4999"}},
+                    BadContinuum{"Outline",
+                                 "[bodies.flap.solid.interfaces]",
+                                 "outline = @{ hole = { type = \"half_space\", x = 1 } }\n\n"
+                                 "[bodies.flap.solid.interfaces]",
+                                 {"has an outline", "as = \"reduced\""}},
+                    BadContinuum{"LawOfAReducedPart",
+                                 "as = \"continuum\"",
+                                 "law = @\"neo_hookean\"",
+                                 {"is linear in its frame", "as = \"continuum\""}},
+                    BadContinuum{"Modes",
+                                 "as = \"continuum\"",
+                                 "as = \"continuum\"\nmodes = @4",
+                                 {"as a continuum has no modes"}}),
+    [](const auto& info) { return std::string(info.param.name); });
+
+/// The shapes and amplitudes of the results are where the nodes are: at the tip with the port.
+TEST(ContinuumScene, ResultsShowItsMeshWhereItIs) {
+  const Scene scene = read_scene(kFlap, "a");
+  const RunOutcome out = run_task(scene, choose_space(scene));
+  ASSERT_EQ(out.status, SolveStatus::Converged);
+  ASSERT_EQ(out.results.meshes.size(), 1u);
+  const auto& mesh = out.results.meshes[0];
+  const auto& tip = out.results.responses[0].values;
+  const std::size_t nodes = 13 * 3, records = out.results.times.size();
+  ASSERT_EQ(mesh.reference.size(), 3 * nodes);
+  ASSERT_EQ(mesh.positions.size(), mesh.records.size() * 3 * nodes);
+  const double deflection = tip[3 * (records - 1) + 1] - 0.015;
+  EXPECT_GT(deflection, 0.05);  // bent far: a fourth of its length
+  const std::size_t last = 3 * nodes * (mesh.records.size() - 1);
+  const std::size_t middle = 12 + 13;  // of the side x_max
+  for (int i = 0; i < 2; ++i)
+    EXPECT_NEAR(mesh.positions[last + 3 * middle + i], tip[3 * (records - 1) + i], 1e-6);
+  // The same from shapes and amplitudes.
+  const std::size_t k = mesh.basis.size() / (3 * nodes);
+  ASSERT_EQ(mesh.amplitudes.size(), records * k);
+  double y = mesh.reference[3 * middle + 1];
+  for (std::size_t j = 0; j < k; ++j)
+    y += mesh.amplitudes[(records - 1) * k + j] * mesh.basis[3 * nodes * j + 3 * middle + 1];
+  EXPECT_NEAR(y, tip[3 * (records - 1) + 1] - 0.015, 1e-6);
+}
+
+TEST(ContinuumScene, HasNoLoadSets) {
+  const Scene scene = read_scene(kFlap, "a");
+  const std::string said = test::refusal_of([&] { esl_task(scene, choose_space(scene)); });
+  EXPECT_NE(said.find("part 'flap' is a continuum"), std::string::npos) << said;
+  EXPECT_NE(said.find("as = \"reduced\""), std::string::npos) << said;
+}
+
+}  // namespace
+}  // namespace liesl::test

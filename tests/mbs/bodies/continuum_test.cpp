@@ -1,0 +1,217 @@
+/// @file
+/// Identities of a meshed part whose nodes all move: power, rigid motions, tangents, mass.
+
+#include "mbs/bodies/continuum.hpp"
+
+#include "mbs/run.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/step_tangent.hpp"
+#include "reference/continuum.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::VectorXd;
+
+const Material kSoft = {"soft", 2e6, 0.3, 1000};
+
+/// A short block with both ends held, driven at one, with a spring at the other.
+template <class G>
+Mechanism driven(double damping, SolidLaw law) {
+  Mechanism m;
+  SolidSpec block = G::space_dim == 2 ? continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoft, law)
+                                      : continuum_block({0.4, 0.1, 0.05}, 3, 1, 1, kSoft, law);
+  block.damping = damping;
+  block.frame = SE3(SO3::exp({0, 0, 0.4}).R, {0.1, 0.2, 0});
+  m.bodies = {{"block", block}};
+  m.joints = {{"motor", JointType::Revolute, {}, {0, 0}}};
+  m.drives = {{0, 0, TimeFunction::rate(30, 0.02)}};
+  m.gravity = {1, -9.81, G::space_dim == 3 ? 2.0 : 0.0};
+  LoadSpec push;
+  push.name = "push";
+  push.port = {0, 1};
+  push.force = {40, -60, G::space_dim == 3 ? 25.0 : 0.0};
+  m.loads = {push};
+  ForceSpec spring;
+  spring.name = "spring";
+  spring.a = {-1, 0, SE3(Mat3::Identity(), {0.6, 0.8, 0})};
+  spring.b = {0, 1};
+  spring.stiffness = 200;
+  spring.rest = 0.3;
+  m.forces = {spring};
+  return m;
+}
+
+template <class G>
+class ContinuumTest : public ::testing::Test {
+ protected:
+  static constexpr int kDim = G::dim;
+  using Tangent = typename G::Tangent;
+
+  explicit ContinuumTest(double damping = 0)
+      : model(Model<G>::build(mechanism(damping), space_of<G>(mechanism(damping)))),
+        body(*model.bodies[0]) {
+    Random random(5);
+    s = model.initial_state();
+    VectorXd h = 0.02 * random.vector(model.size());
+    s.v = random.vector(model.size());
+    s.vdot = random.vector(model.size());
+    for (const int k : model.positions())
+      for (auto* x : {&h, &s.v, &s.vdot})
+        x->template segment<G::rotation_dim>(kDim * k + G::space_dim).setZero();
+    model.retract(s, h);
+  }
+  static Mechanism mechanism(double damping) {
+    return driven<G>(damping, SolidLaw::StVenantKirchhoff);
+  }
+  BodyState<G> state() const { return model.body_state(s, 0); }
+  VectorXd internal(const State<G>& at) const {
+    VectorXd r = VectorXd::Zero(body.size());
+    ForceScale scale;
+    body.add_internal(model.body_state(at, 0), r.data(), scale);
+    return r;
+  }
+  VectorXd inertia(const typename Body<G>::Vector& g) const {
+    VectorXd r = VectorXd::Zero(body.size());
+    ForceScale scale;
+    body.add_inertia(state(), g, r.data(), scale);
+    return r;
+  }
+  /// Energy after the time t at the rates of the state.
+  BodyEnergy energy(double t) const {
+    State<G> at = s;
+    model.retract(at, t * s.v + 0.5 * t * t * s.vdot);
+    at.v += t * s.vdot;
+    return body.energy(model.body_state(at, 0), gravity);
+  }
+  double slope(double BodyEnergy::*part) const {
+    const double h = 2e-6;
+    return (energy(h).*part - energy(-h).*part) / (2 * h);
+  }
+
+  typename Body<G>::Vector gravity = 3 * Body<G>::Vector::Ones();
+  Model<G> model;
+  const Body<G>& body;
+  State<G> s;
+};
+
+using Groups = ::testing::Types<SE2, SE3>;
+TYPED_TEST_SUITE(ContinuumTest, Groups);
+
+TYPED_TEST(ContinuumTest, ForcesHaveThePowerOfTheEnergies) {
+  const double elastic = this->slope(&BodyEnergy::elastic),
+               kinetic = this->slope(&BodyEnergy::kinetic),
+               potential = this->slope(&BodyEnergy::potential);
+  const VectorXd still = this->inertia(0 * this->gravity);
+  EXPECT_NEAR(this->internal(this->s).dot(this->s.v), elastic, 1e-7 * std::abs(elastic));
+  EXPECT_NEAR(still.dot(this->s.v), kinetic, 1e-7 * std::abs(kinetic));
+  EXPECT_NEAR((this->inertia(this->gravity) - still).dot(this->s.v), potential,
+              1e-7 * std::abs(potential));
+}
+
+TYPED_TEST(ContinuumTest, EnergyGradientsAreDerivatives) {
+  const BodyEnergy weight{0.7, 1.3, -0.4};
+  VectorXd h = VectorXd::Zero(this->body.size()), v = h;
+  this->body.add_energy_gradient(this->state(), this->gravity, weight, h.data(), v.data());
+  const auto value = [&](const State<TypeParam>& at) {
+    const BodyEnergy e = this->body.energy(this->model.body_state(at, 0), this->gravity);
+    return weight.kinetic * e.kinetic + weight.elastic * e.elastic + weight.potential * e.potential;
+  };
+  const double step = 1e-5;
+  for (const int i : unknowns(this->model)) {
+    if (i >= this->body.size()) continue;
+    const VectorXd unit = step * VectorXd::Unit(this->body.size(), i);
+    State<TypeParam> up = this->s, down = this->s;
+    this->model.retract(up, unit);
+    this->model.retract(down, -unit);
+    EXPECT_NEAR(h[i], (value(up) - value(down)) / (2 * step), 1e-6 * h.norm());
+    up = down = this->s;
+    up.v += unit;
+    down.v -= unit;
+    EXPECT_NEAR(v[i], (value(up) - value(down)) / (2 * step), 1e-6 * v.norm());
+  }
+}
+
+/// A rigid motion of the whole makes no force; stiffness in the axes of the nodes is that at rest.
+TYPED_TEST(ContinuumTest, DoesNotSeeRigidMotions) {
+  using G = TypeParam;
+  const G moved = G::exp(2.1 * G::Tangent::Ones());
+  State<G> at = this->model.initial_state();
+  for (auto& H : at.H) H = moved * H;
+  for (const int k : this->model.positions()) at.H[k].R = this->model.bodies[0]->reference[k].R;
+  this->body.turn_axes(at.H.data());
+  for (int k = 0; k < this->body.nodes(); ++k)
+    EXPECT_LT((at.H[k].R - (moved * this->body.reference[k]).R).norm(), 1e-12) << k;
+  at.v.setZero();
+  EXPECT_LT(this->internal(at).norm(), 1e-12 * this->body.axial_stiffness());
+  auto A = this->body.stiffness();
+  this->body.exact_tangent(this->model.body_state(at, 0), 0 * this->gravity, {}, nullptr, A);
+  const auto& K = this->body.stiffness().sparse;
+  EXPECT_LT((A.sparse - K).norm(), 1e-11 * K.norm());
+  EXPECT_EQ(this->body.fault(at.H.data()), "");
+}
+
+TYPED_TEST(ContinuumTest, WeighsWhatItsMeshDoes) {
+  EXPECT_NEAR(this->body.total_mass(), 0.4 * 0.1 * 0.05 * 1000, 1e-12);
+  State<TypeParam> rigid = this->model.initial_state();
+  rigid.v.setZero();
+  for (int k = 0; k < this->body.nodes(); ++k)  // all along y of the block
+    rigid.v[TypeParam::dim * k + 1] = 2;
+  const auto e = this->body.energy(this->model.body_state(rigid, 0), this->gravity);
+  EXPECT_NEAR(e.kinetic, 0.5 * this->body.total_mass() * 4, 1e-12);
+}
+
+/// Of a step in motion and of statics, both laws, damped.
+TYPED_TEST(ContinuumTest, TangentsAreExact) {
+  constexpr int dim = TypeParam::dim, sd = TypeParam::space_dim;
+  for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
+    const Mechanism m = driven<TypeParam>(1e-4, law);
+    const auto damped = Model<TypeParam>::build(m, space_of<TypeParam>(m));
+    StepTangent<TypeParam> tangent(damped, options(0.02, 5e-4, 0.8, 1e-9), 30);
+    tangent.expect_exact("motion");
+    tangent.expect_transposed("motion");
+    State<TypeParam> at = damped.initial_state();
+    Random random(3);
+    VectorXd h = 5e-3 * random.vector(damped.size());
+    for (const int k : damped.positions()) h.segment(dim * k + sd, dim - sd).setZero();
+    damped.retract(at, h);
+    at.lambda = 100 * random.vector(damped.constraints());
+    expect_exact_statics(damped, at, {0, 1}, "statics");
+  }
+}
+
+/// A cell that is pushed through itself is named.
+TYPED_TEST(ContinuumTest, NamesACellThatIsInverted) {
+  State<TypeParam> at = this->model.initial_state();
+  const int node = this->model.positions().front();
+  at.H[node].x +=
+      0.5 * (at.H[node].R * TypeParam::Tangent::Unit(0).template head<TypeParam::space_dim>());
+  EXPECT_NE(this->body.fault(at.H.data()).find("of 'block' is inverted"), std::string::npos);
+}
+
+/// What cannot be a continuum is refused with what would do.
+TEST(Continuum, RefusesWhatItCannotBe) {
+  const auto refusal = [](const SolidSpec& part) -> std::string {
+    const Mechanism m = clamped(part);
+    try {
+      Model<SE2>::build(m, space_of<SE2>(m));
+    } catch (const std::invalid_argument& error) {
+      return error.what();
+    }
+    return "none";
+  };
+  SolidSpec part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoft);
+  EXPECT_EQ(refusal(part), "none");
+  part.outline = {2, {{"bar", levelset::FeatureKind::HalfSpace, {2, 0, 0}, {}}}};
+  EXPECT_NE(refusal(part).find("has an outline, which cuts cells"), std::string::npos);
+  part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, {"water", 1e6, 0.5, 1000});
+  EXPECT_NE(refusal(part).find("is incompressible"), std::string::npos);
+  SolidMesh apart = quad_grid({0, 0}, {1, 1}, 3, 1);
+  apart.cells.col(1) = apart.cells.col(0);
+  part.outline = {};
+  part.model = mesh_with_ends(apart, kSoft, {0, 0.5, 0}, {1, 0.5, 0});
+  EXPECT_NE(refusal(part).find("has a mesh of 2 pieces"), std::string::npos) << refusal(part);
+}
+
+}  // namespace
+}  // namespace liesl::test

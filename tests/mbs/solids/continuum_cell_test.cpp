@@ -1,0 +1,219 @@
+/// @file
+/// Cells in large motion: forces are gradients, tangents their derivatives, axes do not matter, and
+/// at rest they are the cells of reduced parts.
+
+#include "mbs/solids/continuum_cell.hpp"
+
+#include <Eigen/Geometry>
+#include <Eigen/LU>
+
+#include "mbs/run.hpp"
+#include "mbs/solids/cell.hpp"
+#include "mbs/solids/mesh.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+constexpr SolidLaw kLaws[] = {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean};
+const Material kRubber = {"rubber", 2e6, 0.4, 1000};
+constexpr double kThick = 0.3;
+
+/// A cell that is no parallelogram.
+template <int D>
+Eigen::Matrix3Xd skewed() {
+  const SolidMesh mesh =
+      D == 2 ? quad_grid({0, 0}, {1, 0.6}, 1, 1) : hex_grid({0, 0, 0}, {1, 0.6, 0.8}, 1, 1, 1);
+  Eigen::Matrix3Xd x = mesh.corners_of(0);
+  Random random(4);
+  x.topRows<D>() += 0.1 * random.matrix(D, static_cast<int>(x.cols()));
+  return x;
+}
+
+template <class D>
+class ContinuumCellTest : public ::testing::Test {
+ protected:
+  static constexpr int kDim = D::value;
+  using Cell = ContinuumCell<kDim>;
+  using Positions = typename Cell::Positions;
+
+  static Cell make(SolidLaw law) {
+    return {Positions(skewed<kDim>().template topRows<kDim>()), kRubber, kThick, law};
+  }
+  /// Turned and deformed by up to a fifth.
+  static Positions moved() {
+    Random random(7);
+    const Positions rest = skewed<kDim>().template topRows<kDim>();
+    return turn(1.2) * (rest + 0.06 * random.matrix(kDim, static_cast<int>(rest.cols())));
+  }
+  static Eigen::Matrix<double, kDim, kDim> turn(double angle) {
+    if constexpr (kDim == 2)
+      return Eigen::Rotation2Dd(angle).toRotationMatrix();
+    else
+      return Eigen::AngleAxisd(angle, Vec3(1, 2, -1).normalized()).toRotationMatrix();
+  }
+  static typename Cell::Response response(const Cell& cell, const Positions& x) {
+    VectorXd E;
+    cell.strain(x, E);
+    typename Cell::Response out;
+    cell.respond(E, true, out);
+    EXPECT_TRUE(out.converged);
+    return out;
+  }
+  static Positions force(const Cell& cell, const Positions& x) {
+    Positions f = Positions::Zero(kDim, cell.nodes());
+    cell.add_force(x, response(cell, x).stress, f);
+    return f;
+  }
+  static MatrixXd tangent(const Cell& cell, const Positions& x) {
+    const auto at = response(cell, x);
+    MatrixXd B;
+    cell.strain_matrix(x, B);
+    MatrixXd K = B.transpose() * at.tangent * B;
+    cell.add_geometric(at.stress, K);
+    return K;
+  }
+};
+
+using Dimensions = ::testing::Types<std::integral_constant<int, 2>, std::integral_constant<int, 3>>;
+TYPED_TEST_SUITE(ContinuumCellTest, Dimensions);
+
+TYPED_TEST(ContinuumCellTest, AtRestItIsTheCellOfReducedParts) {
+  constexpr int D = TypeParam::value;
+  const MatrixXd K = cell_matrices(D, skewed<D>(), kRubber, kThick).K;
+  for (const SolidLaw law : kLaws) {
+    const auto cell = this->make(law);
+    const typename TestFixture::Positions rest = skewed<D>().template topRows<D>();
+    EXPECT_LT((this->tangent(cell, rest) - K).norm(), 1e-12 * K.norm());
+    EXPECT_LT(this->force(cell, rest).norm(), 1e-13 * K.norm());
+  }
+}
+
+TYPED_TEST(ContinuumCellTest, ForcesAndTangentsAreDerivatives) {
+  constexpr int D = TypeParam::value;
+  for (const SolidLaw law : kLaws) {
+    const auto cell = this->make(law);
+    const auto x = this->moved();
+    const auto f = this->force(cell, x);
+    const MatrixXd K = this->tangent(cell, x);
+    const double h = 1e-5;
+    for (int a = 0; a < cell.nodes(); ++a)
+      for (int i = 0; i < D; ++i) {
+        auto up = x, down = x;
+        up(i, a) += h;
+        down(i, a) -= h;
+        const double slope =
+            (this->response(cell, up).energy - this->response(cell, down).energy) / (2 * h);
+        EXPECT_NEAR(f(i, a), slope, 1e-7 * f.norm());
+        const typename TestFixture::Positions change =
+            (this->force(cell, up) - this->force(cell, down)) / (2 * h);
+        EXPECT_LT(
+            (Eigen::Map<const VectorXd>(change.data(), change.size()) - K.col(D * a + i)).norm(),
+            1e-7 * K.norm());
+      }
+    EXPECT_LT((K - K.transpose()).norm(), 1e-12 * K.norm());
+  }
+}
+
+/// Forces turn with the cell, energy and stress do not change.
+TYPED_TEST(ContinuumCellTest, DoesNotDependOnAxes) {
+  for (const SolidLaw law : kLaws) {
+    const auto cell = this->make(law);
+    const auto x = this->moved();
+    const auto Q = this->turn(2.1);
+    const auto before = this->response(cell, x), after = this->response(cell, Q * x);
+    EXPECT_NEAR(after.energy, before.energy, 1e-12 * before.energy);
+    EXPECT_LT((after.stress - before.stress).norm(), 1e-12 * before.stress.norm());
+    const auto f = this->force(cell, x);
+    EXPECT_LT((this->force(cell, Q * x) - Q * f).norm(), 1e-12 * f.norm());
+  }
+}
+
+/// Rates of strain are the change of strain.
+TYPED_TEST(ContinuumCellTest, RatesAreThoseOfTheStrain) {
+  const auto cell = this->make(SolidLaw::StVenantKirchhoff);
+  const auto x = this->moved();
+  Random random(3);
+  const typename TestFixture::Positions v = random.matrix(TypeParam::value, cell.nodes());
+  VectorXd rate, up, down;
+  cell.strain_rate(x, v, rate);
+  const double h = 1e-4;
+  cell.strain(x + h * v, up);
+  cell.strain(x - h * v, down);
+  EXPECT_LT((rate - (up - down) / (2 * h)).norm(), 1e-9 * rate.norm());
+  MatrixXd B;
+  cell.strain_matrix(x, B);
+  EXPECT_LT((B * Eigen::Map<const VectorXd>(v.data(), v.size()) - rate).norm(),
+            1e-12 * rate.norm());
+}
+
+/// Patch test, finite: cells that share a node off their middle hold it in balance under a
+/// homogeneous deformation, with the stress of the law.
+TYPED_TEST(ContinuumCellTest, PassesThePatchTest) {
+  constexpr int D = TypeParam::value;
+  using Nodes = typename TestFixture::Positions;
+  SolidMesh mesh =
+      D == 2 ? quad_grid({0, 0}, {1, 1}, 2, 2) : hex_grid({0, 0, 0}, {1, 1, 1}, 2, 2, 2);
+  const int middle = nodes_where(mesh, [](const Vec3& p) {
+                       return (p.head<D>().array() - 0.5).abs().maxCoeff() < 1e-9;
+                     }).at(0);
+  mesh.nodes.col(middle).head<D>() += Vec3(0.12, -0.09, 0.1).head<D>();
+  Random random(9);
+  const Eigen::Matrix<double, D, D> F =
+      this->turn(0.8) * (Eigen::Matrix<double, D, D>::Identity() + 0.2 * random.matrix(D, D));
+  for (const SolidLaw law : kLaws) {
+    Eigen::Matrix<double, D, 1> sum = Eigen::Matrix<double, D, 1>::Zero();
+    double size = 0;
+    for (int e = 0; e < mesh.cell_count(); ++e) {
+      const Nodes X = mesh.corners_of(e).template topRows<D>();
+      const ContinuumCell<D> cell(X, kRubber, kThick, law);
+      const Nodes x = F * X, f = this->force(cell, x);
+      for (int c = 0; c < cell.nodes(); ++c)
+        if (mesh.cells(c, e) == middle) sum += f.col(c), size += f.col(c).norm();
+    }
+    EXPECT_LT(sum.norm(), 1e-12 * size);
+  }
+}
+
+/// S_22 = S_33 = 0 in tension: for St. Venant-Kirchhoff S_11 = E E_11; neo-Hookean has the axial
+/// force of a plate and of a bar in space alike.
+TEST(SolidLaw, PlaneStressIsSpaceWithoutStressAcross) {
+  for (const SolidLaw law : kLaws) {
+    Eigen::Vector3d plane(0.2, -0.05, 0.1);
+    const auto in_plane = solid_law<2>(law, kRubber, plane);
+    Eigen::Matrix<double, 6, 1> space;
+    space << 0.2, -0.05, 0, 0.1, 0, 0;
+    for (int i = 0; i < 50; ++i) {
+      const auto at = solid_law<3>(law, kRubber, space);
+      space[2] -= at.stress[2] / at.tangent(2, 2);
+    }
+    const auto in_space = solid_law<3>(law, kRubber, space);
+    const double scale = in_plane.stress.norm();
+    EXPECT_NEAR(in_plane.stress[0], in_space.stress[0], 1e-12 * scale);
+    EXPECT_NEAR(in_plane.stress[1], in_space.stress[1], 1e-12 * scale);
+    EXPECT_NEAR(in_plane.stress[2], in_space.stress[3], 1e-12 * scale);
+    EXPECT_NEAR(in_plane.energy, in_space.energy, 1e-12 * in_space.energy);
+  }
+}
+
+/// The neo-Hookean material does not fall flat: its energy grows without bound, the linear law lets
+/// the cell be pushed through itself.
+TEST(SolidLaw, NeoHookeanResistsCompression) {
+  Eigen::Matrix<double, 6, 1> strain = Eigen::Matrix<double, 6, 1>::Zero();
+  strain[0] = -0.5 + 5e-9;  // stretch 1e-4
+  const auto neo = solid_law<3>(SolidLaw::NeoHookean, kRubber, strain),
+             linear = solid_law<3>(SolidLaw::StVenantKirchhoff, kRubber, strain);
+  EXPECT_GT(-1e-4 * neo.stress[0], 1e3 * kRubber.E);
+  EXPECT_LT(-1e-4 * linear.stress[0], 1e-3 * kRubber.E);
+}
+
+TEST(SolidLaw, RefusesAnIncompressibleMaterial) {
+  const Eigen::Matrix2Xd x = quad_grid({0, 0}, {1, 1}, 1, 1).corners_of(0).topRows<2>();
+  EXPECT_THROW(ContinuumCell<2>(x, {"water", 1e6, 0.5, 1000}, 1, SolidLaw::NeoHookean),
+               std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace liesl::test

@@ -1,0 +1,275 @@
+/// @file
+/// Meshed parts whose nodes all move, in statics, modes and motion: against closed forms, published
+/// values and the mesh as a linear structure.
+
+#include "mbs/bodies/continuum.hpp"
+#include "mbs/linalg/sparse_lu.hpp"
+#include "mbs/run.hpp"
+#include "mbs/solids/reduction.hpp"
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/solvers/modes.hpp"
+#include "mbs/solvers/simulation.hpp"
+#include "mbs/static_cases.hpp"
+#include "mbs/system/response_value.hpp"
+#include "reference/continuum.hpp"
+#include "reference/meshed_rod.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::VectorXd;
+
+const Material kSoft = {"soft", 2e8, 0.3, 2000};
+
+LoadSpec end_load(const Vec3& force) {
+  LoadSpec load;
+  load.name = "end";
+  load.port = {0, 1};
+  load.force = force;
+  return load;
+}
+
+/// Frame of the free end of a clamped block in equilibrium.
+SE3 end_in_equilibrium(const SolidSpec& part, const Vec3& force, int load_steps = 4) {
+  Mechanism m = clamped(part);
+  m.loads = {end_load(force)};
+  SimulationOptions o = tight();
+  o.max_iterations = 40;
+  o.load_steps = load_steps;
+  const auto found = solve<SE2>(m, o, *find_plane(m).plane);
+  EXPECT_EQ(found.result.report.status, SolveStatus::Converged) << found.result.report.reason;
+  return found.frame(1);
+}
+
+/// Elastica (Mattiasson 1981) at P L^2/EI = 2: [shortening, deflection, tip angle] to the second
+/// order in the length of the cells, and in the limit of slender bars, over (h/L)^2.
+TEST(Continuum, BendsAsTheElastica) {
+  const Vec3 reference(0.1606417208, 0.4934574804, 0.7817498316);
+  const auto tip = [](int n, double h) -> Vec3 {
+    const double E = 1e6, EI = E * h * h * h / 12;
+    const SE3 H = end_in_equilibrium(continuum_block({1, h, 1}, n, 1, 0, {"plate", E, 0, 1}),
+                                     {0, 2 * EI, 0}, 40);
+    return {1 - H.x.x(), H.x.y(), std::atan2(H.R(1, 0), H.R(0, 0))};
+  };
+  const Vec3 a = tip(32, 0.02), b = tip(64, 0.02), c = tip(128, 0.02);
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(std::log2((a[i] - b[i]) / (b[i] - c[i])), 2, 0.12) << i;
+  const Vec3 thin = richardson(b, c), thick = richardson(tip(64, 0.05), tip(128, 0.05));
+  const Vec3 limit = (6.25 * thin - thick) / 5.25;
+  for (int i = 0; i < 3; ++i) EXPECT_NEAR(limit[i], reference[i], 1e-6) << i;
+}
+
+/// Beyond the largest force of the linear law, E A sqrt(1/27) at l^2 = 1/3, there is equilibrium
+/// only of a block pushed through itself, which is none.
+TEST(Continuum, StaticsTakeNoInvertedCell) {
+  const auto status = [](double share) {
+    Mechanism m = clamped(continuum_block({1, 1, 1}, 2, 2, 0, {"foam", 1e3, 0, 100}));
+    m.loads = {end_load({-share * 1e3 / std::sqrt(27.0), 0, 0})};
+    m.joints.push_back({"guide", JointType::Prismatic, {}, {0, 1}, Vec3::UnitX()});
+    return solve<SE2>(m, tight(), *find_plane(m).plane).result.report.status;
+  };
+  EXPECT_EQ(status(0.9), SolveStatus::Converged);
+  EXPECT_NE(status(1.5), SolveStatus::Converged);
+}
+
+/// Cook's membrane (R. D. Cook, Improved two-dimensional finite element, J. Struct. Div. ASCE 100
+/// (1974)): deflection of the middle of the free side, 23.96 of fine meshes, by the stiffness at
+/// rest.
+TEST(Continuum, IsCooksMembraneAtRest) {
+  SolidMesh mesh = quad_grid({0, 0}, {48, 1}, 32, 32);
+  for (int i = 0; i < mesh.node_count(); ++i) {
+    const double x = mesh.nodes(0, i) / 48;
+    mesh.nodes(1, i) = 44 * x + mesh.nodes(1, i) * (44 - 28 * x);
+  }
+  const auto right = mesh.sets.at("x_max");
+  SolidSpec part;
+  part.model = std::make_shared<const SolidModel>(
+      mesh, Material{"panel", 1, 1. / 3, 1},
+      std::vector<Interface>{{"wall", mesh.sets.at("x_min"), {0, 22, 0}, Tie::Rigid}},
+      SolidModel::Options{1, {}});
+  part.as = SolidMotion::Continuum;
+  const ContinuumBody<SE2> body("panel", part, {SE2(Eigen::Matrix2d::Identity(), {0, 22})},
+                                Mat3::Identity());
+  Eigen::SparseMatrix<double> K = body.stiffness().sparse;
+  for (int i = 0; i < 3; ++i) K.coeffRef(i, i) += 1e9;  // the wall
+  VectorXd f = VectorXd::Zero(body.size());
+  for (std::size_t k = 0; k < right.size(); ++k)
+    f[3 * body.node_of(right[k]) + 1] =
+        (k == 0 || k + 1 == right.size() ? 0.5 : 1.0) / static_cast<double>(right.size() - 1);
+  SparseLu lu;
+  ASSERT_TRUE(lu.factor(K));
+  lu.solve(f);
+  EXPECT_NEAR(f[3 * body.node_of(right[right.size() / 2]) + 1], 23.96, 1e-3 * 23.96);
+}
+
+/// Tension of a neo-Hookean bar without lateral contraction of the linear law, nu = 0: S_yy = 0 at
+/// C_yy = 1, and N = mu A (l - 1/l) with mu = E/2.
+TEST(Continuum, StretchesByItsLaw) {
+  const double E = 300, A = 0.02, N = 4;
+  const SE3 H = end_in_equilibrium(
+      continuum_block({1, 0.1, 0.2}, 3, 2, 0, {"rubber", E, 0, 1}, SolidLaw::NeoHookean),
+      {N, 0, 0});
+  const double l = H.x.x();
+  EXPECT_NEAR(0.5 * E * A * (l - 1 / l), N, 1e-9);
+  const SE3 linear =
+      end_in_equilibrium(continuum_block({1, 0.1, 0.2}, 3, 2, 0, {"rubber", E, 0, 1}), {N, 0, 0});
+  const double s = linear.x.x();
+  EXPECT_NEAR(0.5 * E * A * s * (s * s - 1), N, 1e-9);
+}
+
+/// Free modes are those of the mesh with its interfaces, whatever frame it is in.
+TEST(Continuum, VibratesAsItsMesh) {
+  const auto compare = [](const Mechanism& m, const auto& model) {
+    SimulationOptions o = tight();
+    o.type = SimulationType::Modes;
+    constexpr int rigid = std::decay_t<decltype(model)>::Vector::RowsAtCompileTime == 2 ? 3 : 6;
+    o.modes = rigid + 4;
+    const auto found = solve_modes(model, o);
+    ASSERT_EQ(found.report.status, SolveStatus::Converged) << found.report.reason;
+    const auto& solid = std::get<SolidSpec>(m.bodies[0].kind);
+    const VectorXd mesh =
+        free_frequencies(*solid.model, VectorXd::Ones(solid.mesh().cell_count()), 4);
+    for (int i = 0; i < rigid; ++i) EXPECT_LT(found.frequency[i], 1e-3 * mesh[0]);
+    for (int i = 0; i < 4; ++i)
+      EXPECT_NEAR(found.frequency[rigid + i], mesh[i], 1e-7 * mesh[i]) << i;
+  };
+  Mechanism flat, space;
+  flat.bodies = {{"part", continuum_block({0.4, 0.05, 0.02}, 12, 2, 0, kSoft)}};
+  space.bodies = {{"part", continuum_block({0.4, 0.05, 0.02}, 8, 2, 1, kSoft)}};
+  compare(flat, Model<SE2>::build(flat, *find_plane(flat).plane));
+  compare(space, Model<SE3>::build(space, {}));
+}
+
+/// Largest change of the energy of a body that moves freely, over its first value.
+template <class G>
+double energy_drift(const Mechanism& m, double h) {
+  auto r = run<G>(m, space_of<G>(m), options(0.02, h, 1.0, 1e-9));
+  EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  double drift = 0;
+  const double before = total_energy(r, 0);
+  for (int n = 0; n <= r.last(); ++n)
+    drift = std::max(drift, std::abs(total_energy(r, n) - before));
+  return drift / before;
+}
+
+/// It spins and vibrates, let go undeformed; without numerical damping the energy is kept to the
+/// second order of the step.
+TEST(Continuum, AFreeBodyKeepsItsEnergy) {
+  Mechanism flat, space;
+  flat.bodies = {
+      {"part", continuum_block({0.4, 0.04, 0.02}, 10, 1, 0, kSoft), {1, 2, 0}, {0, 0, 100}}};
+  space.bodies = {
+      {"part", continuum_block({0.4, 0.04, 0.02}, 6, 1, 1, kSoft), {1, 2, 0}, {20, 40, 60}}};
+  const double coarse = energy_drift<SE2>(flat, 5e-5), fine = energy_drift<SE2>(flat, 2.5e-5);
+  EXPECT_LT(fine, 1e-4);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.2);
+  const double coarse3 = energy_drift<SE3>(space, 5e-5), fine3 = energy_drift<SE3>(space, 2.5e-5);
+  EXPECT_LT(fine3, 1e-4);
+  EXPECT_NEAR(std::log2(coarse3 / fine3), 2, 0.2);
+}
+
+/// A bar that turns about its end, k = w L sqrt(rho/E): linear, it gets longer by tan(k)/k - 1;
+/// with P = E l (l^2 - 1)/2 the first integral P l - W + rho w^2 x^2/2 is that of its free end.
+double spun_length(double k2) {
+  const auto length_at_rest = [k2](double end) {
+    double sum = 0;
+    constexpr int n = 2000;
+    for (int i = 0; i < n; ++i) {
+      const double x = end * (i + 0.5) / n, c = 0.5 * k2 * (end * end - x * x);
+      const double m = (-0.5 + std::sqrt(0.25 + 1.5 * c)) / 0.75;  // l^2 - 1
+      sum += end / n / std::sqrt(1 + m);
+    }
+    return sum;
+  };
+  double low = 1, high = 2;
+  for (int i = 0; i < 60; ++i)
+    (length_at_rest(0.5 * (low + high)) < 1 ? low : high) = 0.5 * (low + high);
+  return low;
+}
+
+TEST(Continuum, ASpinningBarIsStiffenedByItsStretch) {
+  const double E = 1e6, rho = 1000;
+  for (const double k : {0.1, 0.5}) {
+    const double omega = k * std::sqrt(E / rho);
+    SolidSpec bar = continuum_block({1, 0.2, 0.1}, 16, 2, 0, {"bar", E, 0, rho});
+    bar.damping = 0.05;  // so that it bends no more when the spin is uniform
+    Mechanism m = clamped(bar);
+    m.joints[0].type = JointType::Revolute;
+    m.drives = {{0, 0, TimeFunction::rate(omega, 3)}};
+    const auto r = run_planar(m, options(9, 6e-3, 0.8, 1e-8));
+    ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    const double longer = r.trajectory().frames(r.last())[1].x.norm() - 1;
+    const double linear = std::tan(k) / k, exact = spun_length(k * k);
+    EXPECT_NEAR(longer / (exact - 1), 1, 2e-3) << k;
+    if (k < 0.2) {
+      EXPECT_NEAR(longer / (linear - 1), 1, 0.01);
+    } else {
+      EXPECT_LT(longer / (linear - 1), 0.9);
+    }
+  }
+}
+
+/// Within 1 % of the beam on the group, with one factor for all steps.
+template <class G>
+void expect_as_the_beam(const SolidSpec& part, double duration) {
+  SolidSpec rod = part;
+  auto interfaces = rod.model->interfaces();
+  for (Interface& f : interfaces) f.tie = Tie::Rigid;
+  rod.model =
+      std::make_shared<const SolidModel>(rod.model->mesh(), rod.model->material(), interfaces,
+                                         SolidModel::Options{rod.model->thickness(), {}});
+  rod.as = SolidMotion::Continuum;
+  const auto deflection = [&](const Mechanism& m, auto space) {
+    using Space = decltype(space);
+    using Group = std::conditional_t<std::is_same_v<Space, liesl::Space<SE2>>, SE2, SE3>;
+    const auto r = run<Group>(m, space, options(duration, 1e-4));
+    EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    EXPECT_LE(20 * r.report().factorizations[1], r.report().steps);
+    ::testing::Test::RecordProperty(
+        "us_a_step_of_" + std::to_string(r.model->nodes()) + "_nodes",
+        std::to_string(1e6 * r.report().stepping_cpu_s / double(r.report().steps)));
+    ResponseSpec bend;
+    bend.kind = ResponseKind::Displacement;
+    bend.at = *m.port("rod.mid");
+    bend.axis = Vec3::UnitY();
+    const ResponseValues<Group> values(m, *r.model);
+    State<Group> s = r.model->initial_state();
+    double largest = 0;
+    for (int n = 0; n <= r.last(); ++n) {
+      r.trajectory().read(n, s);
+      largest = std::max(largest, values(bend, s).norm());
+    }
+    return largest;
+  };
+  const Mechanism beam = slider_crank_with_beam(32), mesh = slider_crank_with(rod, 1);
+  const double by_beam = deflection(beam, *find_plane(beam).plane);
+  const double ratio = deflection(mesh, space_of<G>(mesh)) / by_beam;
+  ::testing::Test::RecordProperty("bends_in_space_" + std::to_string(G::space_dim),
+                                  std::to_string(ratio));
+  EXPECT_NEAR(ratio, 1, 0.01);
+}
+
+TEST(Continuum, ASlenderRodBendsAsTheBeam) {
+  expect_as_the_beam<SE2>(meshed_rod({0.15, 0, 0}, 60, 4, 0), 0.12);
+  expect_as_the_beam<SE3>(meshed_rod({0.15, 0, 0}, 60, 4, 0, 4), 0.02);
+}
+
+/// Pushed through itself, a block of the linear law ends with the time and what to do; the
+/// neo-Hookean one is pushed on.
+TEST(Continuum, ACellThatIsInvertedEndsTheRun) {
+  for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
+    Mechanism m = clamped(continuum_block({1, 1, 1}, 2, 2, 0, {"foam", 1e3, 0, 100}, law));
+    m.joints.push_back({"press", JointType::Prismatic, {}, {0, 1}, Vec3::UnitX()});
+    m.drives = {{1, 0, TimeFunction::rate(-0.7, 0.1)}};
+    const auto r = run_planar(m, options(1.3, 5e-3));
+    if (law == SolidLaw::StVenantKirchhoff) {
+      EXPECT_EQ(r.report().status, SolveStatus::NotConverged);
+      EXPECT_NE(r.report().reason.find("of 'part' is inverted at t = "), std::string::npos)
+          << r.report().reason;
+    } else {
+      EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace liesl::test
