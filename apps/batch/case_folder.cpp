@@ -95,6 +95,7 @@ CaseEnd failure(const WorkerEnd& end, const Worker::Limits& limits, const std::s
   } else {
     const bool full = log.find("the disk is full") != std::string::npos;
     out.status = end.exit_code == 2        ? "refused"
+                 : end.exit_code == 127    ? "not started"
                  : full                    ? "disk full"
                  : of_the_environment(log) ? "not written"
                                            : "failed";

@@ -22,8 +22,8 @@ struct CaseEnd {
 
   /// True if the case may end otherwise on the same input: the next command tries it again.
   bool tried_again() const {
-    return status == "disk full" || status == "not written" || status == "killed" ||
-           status == "no memory";
+    return status == "disk full" || status == "not written" || status == "not started" ||
+           status == "killed" || status == "no memory";
   }
 };
 

@@ -49,27 +49,30 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
   if (!(material.E > 0) || !(material.nu < 0.5) || !(material.nu > -1))
     throw std::invalid_argument("material '" + material.name +
                                 "': expected E > 0 and -1 < nu < 0.5; nu = 0.5 is incompressible");
-  const int points = D == 2 ? 4 : 8;
-  const MatrixXd dN0 = corner_functions(D, Vector3d::Zero()).dN;
+  const CellKind& kind = cell_kind(D, static_cast<int>(nodes.cols()));
+  const bool enhanced = kind.family == CellFamily::Cube && kind.order == 1;
+  const auto& quadrature = cell_quadrature(kind, QuadratureUse::Stiffness);
+  const int points = static_cast<int>(quadrature.size());
+  const MatrixXd dN0 = cell_functions(kind, reference_centre(kind)).dN;
   const MatrixXd J0 = dN0 * nodes.transpose(), J0inverse = linalg::inverse(J0);
   const double det0 = linalg::determinant(J0);
   central_ = J0inverse * dN0;
   weight_.resize(points);
-  enhanced_.setZero(kStrains * points, D * D);
+  enhanced_.setZero(kStrains * points, enhanced ? D * D : 0);
   MatrixXd weighted = MatrixXd::Zero(kStrains * points, kStrains * points);
   const auto rest = solid_law<D>(SolidLaw::StVenantKirchhoff, material,
                                  Eigen::Matrix<double, kStrains, 1>::Zero())
                         .tangent;
-  const double g = 1 / std::sqrt(3.0);
   for (int point = 0; point < points; ++point) {
-    const Vector3d xi(point & 1 ? g : -g, point & 2 ? g : -g, point & 4 ? g : -g);
-    const MatrixXd dN = corner_functions(D, xi).dN, J = dN * nodes.transpose();
+    const Vector3d& xi = quadrature[static_cast<std::size_t>(point)].xi;
+    const MatrixXd dN = cell_functions(kind, xi).dN, J = dN * nodes.transpose();
     const double det = linalg::determinant(J);
     gradient_.emplace_back(linalg::inverse(J) * dN);
-    weight_[point] = std::abs(det) * (D == 2 ? thickness : 1);
+    weight_[point] = quadrature[static_cast<std::size_t>(point)].weight * std::abs(det) *
+                     (D == 2 ? thickness : 1);
     // d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian of the centre: alpha_ij moves along j.
     const Square modes = det0 / det * J0inverse * Square((-2 * xi.head<D>()).asDiagonal());
-    for (int i = 0; i < D; ++i)
+    for (int i = 0; enhanced && i < D; ++i)
       for (int j = 0; j < D; ++j) {
         Square H = Square::Zero();
         H.row(j) = modes.col(i).transpose();
@@ -80,9 +83,11 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
         weight_[point] * rest;
   }
   volume_ = weight_.sum();
+  linear_ = weighted;
+  if (!enhanced) return;
   const MatrixXd coupled = weighted * enhanced_;
   to_alpha_ = -linalg::LDLT(enhanced_.transpose() * coupled).solve(coupled.transpose());
-  linear_ = weighted + coupled * to_alpha_;
+  linear_ += coupled * to_alpha_;
   linear_ = (0.5 * (linear_ + linear_.transpose())).eval();
 }
 
@@ -128,12 +133,15 @@ void ContinuumCell<D>::respond_linearly(const VectorXd& E, bool tangent, Respons
 /// Newton's method on alpha, from that of the linear law.
 template <int D>
 void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Response& out) const {
-  VectorXd alpha = to_alpha_ * E, step = alpha;
+  const bool enhanced = enhanced_.cols() > 0;
+  VectorXd alpha, step;
+  if (enhanced) alpha = to_alpha_ * E;
   MatrixXd weighted = MatrixXd::Zero(strains(), strains()), coupled;
   out.stress.resize(strains());
-  linalg::LDLT factor(MatrixXd::Identity(alpha.size(), alpha.size()));
+  linalg::LDLT factor(MatrixXd::Identity(1, 1));
   const auto evaluate = [&] {
-    const VectorXd total = E + enhanced_ * alpha;
+    VectorXd total = E;
+    if (enhanced) total += enhanced_ * alpha;
     out.energy = 0;
     for (int g = 0; g < points(); ++g) {
       const auto at = solid_law<D>(law_, material_, total.template segment<kStrains>(kStrains * g));
@@ -142,12 +150,16 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
       weighted.template block<kStrains, kStrains>(kStrains * g, kStrains * g) =
           weight_[g] * at.tangent;
     }
-    coupled = weighted * enhanced_;
+    if (enhanced) coupled = weighted * enhanced_;
   };
   out.converged = false;
   for (int i = 0; i < kEnhanced && !out.converged; ++i) {
     evaluate();
     if (!std::isfinite(out.energy)) break;
+    if (!enhanced) {
+      out.converged = true;
+      break;
+    }
     factor = linalg::LDLT(enhanced_.transpose() * coupled);
     step = factor.solve(enhanced_.transpose() * out.stress);
     alpha -= step;
@@ -158,7 +170,9 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
     out.energy = std::numeric_limits<double>::quiet_NaN();
     out.stress.setConstant(out.energy);
   }
-  if (tangent) out.tangent = weighted - coupled * factor.solve(coupled.transpose());
+  if (!tangent) return;
+  out.tangent = weighted;
+  if (enhanced) out.tangent -= coupled * factor.solve(coupled.transpose());
 }
 
 template <int D>

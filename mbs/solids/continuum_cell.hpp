@@ -3,7 +3,8 @@
 /// Forces of one cell of a mesh whose nodes all move, total Lagrangian: with positions x_a of its
 /// nodes at shape functions N_a of the reference X,
 ///   F = sum_a x_a grad N_a^T,  E = (F^T F - I)/2 + sum_k alpha_k M_k,  V = sum_g w_g W(E_g),
-/// M_k enhanced Green-Lagrange strains: the symmetric gradients of the incompatible modes of
+/// M_k enhanced Green-Lagrange strains of the 4-node quadrilateral and the 8-node hexahedron (other
+/// kinds have none): the symmetric gradients of the incompatible modes of
 /// `cell_matrices`, so that the cell at rest has its stiffness (J. C. Simo, M. S. Rifai, A class of
 /// mixed assumed strain methods and the method of incompatible modes, Int. J. Numer. Meth. Engng 29
 /// (1990) 1595-1638; S. Klinkel, W. Wagner, A geometrical non-linear brick element based on the
