@@ -220,6 +220,10 @@ TEST(CaseEnd, OfAFullDiskIsTriedAgain) {
   const CaseEnd failed = folder.judge(end, {});
   EXPECT_EQ(failed.status, "failed");
   EXPECT_FALSE(failed.tried_again());
+  end.exit_code = 127;
+  put(place / "cases/.1.log", "");
+  EXPECT_EQ(folder.judge(end, {}).status, "not started");
+  EXPECT_TRUE(folder.judge(end, {}).tried_again());
 }
 
 }  // namespace
