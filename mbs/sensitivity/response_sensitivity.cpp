@@ -10,24 +10,17 @@ ResponseSensitivity<G>::ResponseSensitivity(const Model<G>& model, const Respons
                                             ResponseSpec response, const Parameters<G>& parameters)
     : model_(model), values_(values), response_(std::move(response)), parameters_(parameters) {
   explicit_ = ResponseValues<G>::depends_on_law(response_.kind);
-  for (const auto& parameter : parameters) {
-    auto& values_near = nearby_.emplace_back();
-    if (!parameter.nearby()) continue;
-    explicit_ = true;
-    for (const auto& near : parameter.nearby()->models())
-      values_near.emplace_back(near->mechanism, near->model);
-  }
+  for (const auto& parameter : parameters) explicit_ = explicit_ || parameter.nearby();
 }
 
 /// Differences of what the models near by make of the state.
 template <FrameGroup G>
-Eigen::VectorXd ResponseSensitivity<G>::by_nearby(size_t parameter, const State<G>& s,
+Eigen::VectorXd ResponseSensitivity<G>::by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
                                                   Index components) const {
   Eigen::VectorXd y_p = Eigen::VectorXd::Zero(components);
-  const auto& models = parameters_[parameter].nearby()->models();
-  for (size_t i = 0; i < models.size(); ++i)
-    y_p += models[i]->weight *
-           nearby_[parameter][i](response_, NearbyModels<G>::seen_by(*models[i], s));
+  for (const auto& near : nearby.models())
+    y_p += near->weight * ResponseValues<G>(near->mechanism, near->model)(
+                              response_, NearbyModels<G>::seen_by(*near, s));
   return y_p;
 }
 
@@ -38,8 +31,8 @@ MatrixXd ResponseSensitivity<G>::by_parameters(const State<G>& s, Index componen
   State<G> completed = s;
   model_.complete(completed);
   for (size_t i = 0; i < parameters_.size(); ++i)
-    if (parameters_[i].nearby())
-      y_p.col(static_cast<Index>(i)) = by_nearby(i, s, components);
+    if (const auto* nearby = parameters_[i].nearby())
+      y_p.col(static_cast<Index>(i)) = by_nearby(*nearby, s, components);
     else if (ResponseValues<G>::depends_on_law(response_.kind))
       y_p.col(static_cast<Index>(i)) = values_.by_parameter(response_, completed, parameters_[i]);
   return y_p;

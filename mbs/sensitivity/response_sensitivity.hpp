@@ -28,15 +28,14 @@ class ResponseSensitivity {
  private:
   /// y_p at constant state, components x n_p.
   Eigen::MatrixXd by_parameters(const State<G>& s, Eigen::Index components) const;
-  Eigen::VectorXd by_nearby(std::size_t parameter, const State<G>& s,
+  Eigen::VectorXd by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
                             Eigen::Index components) const;
 
   const Model<G>& model_;
   const ResponseValues<G>& values_;
   const ResponseSpec response_;
   const Parameters<G>& parameters_;
-  std::vector<std::vector<ResponseValues<G>>> nearby_;  ///< by parameter, of its models near by
-  bool explicit_;                                       ///< y_p may be other than zero
+  bool explicit_;  ///< y_p may be other than zero
 };
 
 extern template class ResponseSensitivity<SE2>;
