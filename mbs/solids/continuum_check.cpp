@@ -29,6 +29,9 @@ int pieces(const SolidMesh& mesh) {
 }  // namespace
 
 std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec) {
+  if (spec.mesh().cell_count() == 0)
+    return ContinuumProblem{"matrices", "is known by its matrices alone, which are linear",
+                            "a 'mesh', or as = \"reduced\""};
   if (const Material& m = spec.model->material(); m.nu >= kIncompressible)
     return ContinuumProblem{"material", "is incompressible: nu = " + std::to_string(m.nu),
                             "nu < 0.4999"};
