@@ -43,8 +43,8 @@ std::vector<LimitedPeak> peaks(const StudySpec& spec, std::size_t scenario) {
   return out;
 }
 
-/// The same response of another reading of a mechanism, whose bodies and joints have the same names:
-/// their numbers may be others.
+/// The same response of another reading of a mechanism, whose bodies and joints have the same
+/// names: their numbers may be others.
 ResponseSpec by_name(ResponseSpec r, const Mechanism& from, const Mechanism& to) {
   for (int* body : {&r.at.body, &r.to.body, &r.body})
     if (*body >= 0) *body = to.body(from.bodies[static_cast<std::size_t>(*body)].name);
@@ -206,9 +206,9 @@ void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility
                     std::vector<std::string>& warnings) {
   for (const VerifiedLimit& l : limits)
     if (l.error() > feasibility && !l.certain(feasibility))
-      warnings.push_back(
-          l.text() + "; beams of order = 4, more elements or a smaller step make it certain" +
-          (refines ? "" : ", which cycle.refine = \"auto\" takes unless by \"esl\""));
+      warnings.push_back(l.text() +
+                         "; beams of order = 4, more elements or a smaller step make it certain" +
+                         (refines ? "" : " (cycle.refine = \"auto\"; not by \"esl\")"));
 }
 
 }  // namespace liesl
