@@ -99,7 +99,7 @@ INSTANTIATE_TEST_SUITE_P(
                                  "as = \"continuum\"",
                                  "as = \"continuum\"\nmodes = @4",
                                  {"as a continuum has no modes"}}),
-    [](const auto& info) { return std::string(info.param.name); });
+    [](const auto& part) { return std::string(part.param.name); });
 
 /// The shapes and amplitudes of the results are where the nodes are: at the tip with the port.
 TEST(ContinuumScene, ResultsShowItsMeshWhereItIs) {
