@@ -43,8 +43,8 @@ std::vector<LimitedPeak> peaks(const StudySpec& spec, std::size_t scenario) {
   return out;
 }
 
-/// The same response of another reading of a mechanism, whose bodies and joints have the same names:
-/// their numbers may be others.
+/// The same response of another reading of a mechanism, whose bodies and joints have the same
+/// names: their numbers may be others.
 ResponseSpec by_name(ResponseSpec r, const Mechanism& from, const Mechanism& to) {
   for (int* body : {&r.at.body, &r.to.body, &r.body})
     if (*body >= 0) *body = to.body(from.bodies[static_cast<std::size_t>(*body)].name);
