@@ -49,9 +49,9 @@ SplitOverrides split_overrides(const std::vector<std::string>& overrides);
 /// Moves the changes of the table `set` of a study (keys are paths of the scene) into the scene.
 void apply_set(toml::table& set, toml::table& scene, Problems& problems);
 
-/// A file with a key `by` is a sensitivity, one with a key `quantity` or `reference` is a comparison, one with `grid`, `table`, `study`
-/// or `limits` is a batch, one with `scene`, `design`, `objective`, `constraints` or `cycle` a
-/// study, unless it has `bodies`.
+/// A file with a key `by` is a sensitivity, one with a key `quantity` or `reference` is a
+/// comparison, one with `grid`, `table`, `study` or `limits` is a batch, one with `scene`,
+/// `design`, `objective`, `constraints` or `cycle` a study, unless it has `bodies`.
 FileKind kind_of(const toml::table& root);
 
 /// A file of another kind than a command reads has no key that could be reported.
