@@ -53,9 +53,16 @@ const Json& member(const Json& object, const std::string& key) {
 
 /// The scalar figures of a summary and their units, in the order of the table.
 constexpr std::pair<const char*, const char*> kScalars[] = {
-    {"mass_initial", "kg"}, {"mass_final", "kg"},       {"worst_constraint", "-"},
-    {"kkt_residual", "-"},  {"load_change", "-"},       {"cycles", "-"},
-    {"steps", "-"},         {"newton_iterations", "-"}, {"rejected_steps", "-"},
+    {"mass_initial", "kg"},
+    {"mass_final", "kg"},
+    {"worst_constraint", "-"},
+    {"worst_constraint_error", "-"},
+    {"kkt_residual", "-"},
+    {"load_change", "-"},
+    {"cycles", "-"},
+    {"steps", "-"},
+    {"newton_iterations", "-"},
+    {"rejected_steps", "-"},
     {"stepping_s", "s"},
 };
 

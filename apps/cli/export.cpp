@@ -76,10 +76,16 @@ int export_matrices(const CommandOptions& options) {
   for (const BodySpec& body : scene.mechanism.bodies)
     if (std::holds_alternative<SolidSpec>(body.kind)) parts.push_back(body.name);
   if (std::find(parts.begin(), parts.end(), options.part) == parts.end())
-    refuse(options, "--part: there is no meshed part '" + options.part + "'",
+    refuse(options,
+           options.part.empty() ? "--part is missing"
+                                : "--part: there is no meshed part '" + options.part + "'",
            "the name of a meshed part; " + suggestion(options.part, parts));
   const BodySpec& body =
       scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
+  if (std::get<SolidSpec>(body.kind).as == SolidMotion::Continuum)
+    refuse(options,
+           "part '" + options.part + "' is a continuum: its stiffness changes with its motion",
+           "as = \"reduced\"");
   output::AtomicFolder folder(target_folder(options), options.force);
   write_part_matrices(folder.path(), body.name, std::get<SolidSpec>(body.kind));
   folder.commit();

@@ -33,6 +33,7 @@ Task task_of(const CommandOptions& options) {
     const SensitivityFile file = load_sensitivity(options.file, options.set);
     task = {scene_problem(file.scene, by.empty() ? file.by : by), file.request};
     task.problem.scene.mechanism.name = file.name;
+    task.problem.scene.input = file.input;
   } else if (kind == FileKind::Study) {
     if (!by.empty())
       throw InputError({{options.file, 0, 0, "--by: a study is differentiated by its variables",

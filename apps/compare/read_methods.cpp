@@ -76,6 +76,15 @@ void leave_out_treatments(CaseList& cases) {
   });
 }
 
+/// Methods are compared on one model.
+void refuse_refinement(const std::vector<Axis>& axes, Problems& problems) {
+  for (const Axis& axis : axes)
+    for (const std::string& key : axis.column.keys)
+      if (key == "cycle.refine")
+        problems.add({axis.column.place.file, axis.column.place.line, axis.column.place.column,
+                      "methods are compared on one model", "an axis other than cycle.refine", ""});
+}
+
 }  // namespace
 
 void read_methods(const toml::table& root, const std::filesystem::path& path,
@@ -93,6 +102,7 @@ void read_methods(const toml::table& root, const std::filesystem::path& path,
   comparison.response = "mass";
   const std::vector<Axis> axes = axes_of(
       root, [&](std::string_view name) { return keys_of_axis(name, study); }, problems);
+  refuse_refinement(axes, problems);
   problems.throw_if_any();
   rows.cases = expand(axes);
   leave_out_treatments(rows.cases);

@@ -64,6 +64,8 @@ SensitivityFile load_sensitivity(const std::filesystem::path& path,
     for (const auto& [name, node] : *set)
       file.scene.changes.push_back(fmt::format("{}={}", name.str(), toml_text(node)));
   for (const std::string& change : of_scene) file.scene.changes.push_back(change);
+  file.input = document.text + file.scene.text;
+  for (const std::string& change : changes) file.input += "\n--set " + change;
   file.by = texts(root, "by");
   file.request.functionals =
       functionals_of(texts(root, "functionals"), fmt::format("{}: functionals =", document.file));

@@ -14,6 +14,7 @@ namespace liesl {
 /// A file of the kind "sensitivity".
 struct SensitivityFile {
   std::string name;
+  std::string input;  ///< text of the file and the scene and the changes, for the input's hash
   SceneText scene;
   std::vector<std::string> by;  ///< keys of the scene
   SensitivityRequest request;

@@ -12,8 +12,9 @@ namespace liesl {
 namespace {
 
 constexpr double kForTheDesign =
-    0.5;                         // of cycle.feasibility is left to the design on a finer model
-constexpr int kMostModels = 12;  // each four times as exact: enough for any
+    0.5;                              // of cycle.feasibility is left to the design on a finer model
+constexpr double kSameDesign = 1e-9;  // relative
+constexpr int kMostModels = 12;       // each four times as exact: enough for any
 
 /// Cycles of the models before, then those of the present one, numbered through.
 std::vector<output::CycleRecord> joined(std::vector<output::CycleRecord> before,
@@ -75,13 +76,37 @@ class ModelSequence {
     const bool refines = options_.refine && now_.study.spec.cycle.method != CycleMethod::Esl;
     if (refines)
       for (int model = 1; go_on(model);) ++model;
-    warn_of_errors(limits_, feasibility_, refines, now_.out.summary.warnings);
+    warn_of_errors(limits_, feasibility_, way_to_finer_models(), now_.out.summary.warnings);
     return std::move(now_);
   }
 
  private:
   RoundHistory resume(std::size_t model) const {
     return model < resume_.size() ? resume_[model] : RoundHistory();
+  }
+
+  /// Those of a model that began where the one before has ended now: with other options it may end
+  /// elsewhere.
+  RoundHistory resume_from_here(std::size_t model) const {
+    const RoundHistory cycles = resume(model);
+    if (cycles.empty() || cycles.front().empty()) return {};
+    const Eigen::VectorXd x = final_design(), &was = cycles.front().front().x;
+    return was.size() == x.size() && (was - x).norm() <= kSameDesign * x.norm() ? cycles
+                                                                                : RoundHistory();
+  }
+
+  Eigen::VectorXd final_design() const {
+    const auto& design = now_.out.summary.design;
+    Eigen::VectorXd x(static_cast<Eigen::Index>(design.size()));
+    for (Eigen::Index j = 0; j < x.size(); ++j) x[j] = design[static_cast<std::size_t>(j)].final;
+    return x;
+  }
+
+  /// What the user may do to have them; empty: they were tried.
+  std::string way_to_finer_models() const {
+    if (now_.study.spec.cycle.method == CycleMethod::Esl) return "another cycle.method goes on";
+    if (!now_.study.refine) return "cycle.refine = \"auto\" does so";
+    return options_.refine ? "" : "a run without new holes does so";
   }
 
   bool can_be_verified() const {
@@ -112,8 +137,9 @@ class ModelSequence {
   /// On the next model. False: this was the last.
   bool go_on(int model) {
     if (interrupted()) return end(false, now_.out.summary.reason);
+    if (limits_.empty())  // as the warnings say
+      return steps_.empty() ? false : end(false, "the limits of the finer model are not verified");
     if (!closed(now_.out.status)) return end(false, "the study ended " + now_.out.summary.status);
-    if (limits_.empty()) return false;  // as the warnings say
     const VerifiedLimit worst = nearest_limit(limits_);
     for (const VerifiedLimit& l : limits_)
       if (!l.known) return end(false, "the error of limit " + l.name + " is not known");
@@ -149,7 +175,7 @@ class ModelSequence {
     try {
       next.study = read();
       next.out = optimize_task(next.study, choose_space(next.study.scene), summary_, 0, hooks(),
-                               resume(static_cast<std::size_t>(model)));
+                               resume_from_here(static_cast<std::size_t>(model)));
     } catch (const InputError& error) {
       return end(false, fmt::format("{} cannot be read: {}", what, error.what()));
     } catch (const std::invalid_argument& error) {
@@ -167,10 +193,7 @@ class ModelSequence {
 
   Study read() const {
     Study study = options_.read(changes_);
-    const auto& design = now_.out.summary.design;
-    Eigen::VectorXd x(static_cast<Eigen::Index>(design.size()));
-    for (Eigen::Index j = 0; j < x.size(); ++j) x[j] = design[static_cast<std::size_t>(j)].final;
-    study.spec = starting_at(std::move(study.spec), x);
+    study.spec = starting_at(std::move(study.spec), final_design());
     study.spec.cycle.feasibility = kForTheDesign * feasibility_;
     return study;
   }

@@ -52,7 +52,12 @@ struct Numbers {
 Numbers numbers_at(const SceneText& text, const std::string& keys) {
   Numbers numbers;
   std::istringstream list(keys);
+  if (keys.empty() || keys.back() == '+')
+    refuse(text.file, fmt::format("--by {}: a key is missing", keys), "KEY, or KEY+KEY", "");
   for (std::string key; std::getline(list, key, '+');) {
+    if (std::find(numbers.keys.begin(), numbers.keys.end(), key) != numbers.keys.end())
+      refuse(text.file, fmt::format("--by {}: {} is named twice", keys, key), "each number once",
+             "");
     const SceneNumber number = number_at(text, key);
     if (!numbers.keys.empty() && number.unit != numbers.unit)
       refuse(text.file,

@@ -91,7 +91,9 @@ class Verification {
         step_error->error = r.missed;
         step_error->below = true;
       }
-      set_errors(r, mesh_error, step_error);
+      set_errors(r, mesh_error, step_error,
+                 (mesh_error || step_error) && mesh_error.has_value() == by_mesh &&
+                     step_error.has_value() == by_step);
     }
     if (adaptive_)
       summary_.warnings.push_back(
@@ -215,13 +217,13 @@ class Verification {
   }
 
   static void set_errors(output::ResponseFigure& r, const std::optional<ErrorEstimate>& by_mesh,
-                         const std::optional<ErrorEstimate>& by_step) {
+                         const std::optional<ErrorEstimate>& by_step, bool all_known) {
     double total = 0;
     for (const auto* e : {&by_mesh, &by_step})
       if (*e) total += (*e)->below ? -(*e)->error : (*e)->error;
     if (by_mesh) r.error_mesh = by_mesh->error;
     if (by_step) r.error_step = by_step->error;
-    if (by_mesh || by_step) r.error_total = std::abs(total);
+    if (all_known) r.error_total = std::abs(total);
   }
 
   std::optional<ErrorEstimate> estimate(const std::string& name, const char* of, const Peaks& finer,

@@ -202,13 +202,13 @@ std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& stud
   return LimitVerification(out, study, progress).run();
 }
 
-void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility, bool refines,
-                    std::vector<std::string>& warnings) {
+void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,
+                    const std::string& way, std::vector<std::string>& warnings) {
   for (const VerifiedLimit& l : limits)
     if (l.error() > feasibility && !l.certain(feasibility))
       warnings.push_back(l.text() +
                          "; beams of order = 4, more elements or a smaller step make it certain" +
-                         (refines ? "" : " (cycle.refine = \"auto\"; not by \"esl\")"));
+                         (way.empty() ? "" : " (" + way + ")"));
 }
 
 }  // namespace liesl

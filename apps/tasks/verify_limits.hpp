@@ -36,8 +36,8 @@ std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& stud
                                          const Progress& progress = {});
 
 /// Warns of each limit whose error is more than the study allows (cycle.feasibility), where it
-/// matters.
-void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility, bool refines,
-                    std::vector<std::string>& warnings);
+/// matters. @param way what the user may do; empty: nothing more
+void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,
+                    const std::string& way, std::vector<std::string>& warnings);
 
 }  // namespace liesl

@@ -17,6 +17,7 @@ using Eigen::VectorXd;
 
 constexpr int kPolar = 30;  // iterations of a polar rotation
 constexpr double kPolarDone = 1e-15;
+constexpr double kNear = 1e-6;  // of the size of the mesh: a node at a port goes with that alone
 
 /// w x y = turn(y) w.
 template <class G>
@@ -534,12 +535,13 @@ void ContinuumBody<G>::turn_axes(G* H) const {
 /// By the ports, each weighted with the inverse square of its distance.
 template <FrameGroup G>
 void ContinuumBody<G>::follow_frames(const G* start, G* H) const {
+  const double size = rest_.squaredNorm();
   for (int k = ports_; k < this->nodes(); ++k) {
     Vector sum = Vector::Zero();
     double weights = 0;
     for (int p = 0; p < ports_; ++p) {
       const Vector from = start[p].R.transpose() * (start[k].x - start[p].x);
-      const double weight = 1 / from.squaredNorm();
+      const double weight = 1 / (from.squaredNorm() + kNear * kNear * size);
       sum += weight * (H[p].x + H[p].R * from);
       weights += weight;
     }

@@ -53,7 +53,7 @@ class Derivatives {
     }
     return by_p_;
   }
-  /// Without the parameters of which `StartDerivatives` has what the start changes by.
+  /// Without the parameters of which `start_derivatives` has what the start changes by.
   const ResidualDerivative& at_start(const State<G>& s, bool in_equilibrium) {
     at(s, s.rows);
     if (in_equilibrium) return by_p_;

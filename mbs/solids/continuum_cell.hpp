@@ -60,8 +60,8 @@ class ContinuumCell {
   /// K += sum_g grad N_a . S_g grad N_b I.
   void add_geometric(const Eigen::VectorXd& stress, Eigen::MatrixXd& K) const;
 
-  /// Deformation gradient at the centre, and the smallest determinant of all points: <= 0 where the
-  /// cell is inverted.
+  /// Deformation gradient at the centre, and the smallest determinant of the points of quadrature:
+  /// <= 0 where the cell is inverted there (its corners may be before).
   Eigen::Matrix<double, D, D> central_gradient(const Positions& x) const;
   double smallest_determinant(const Positions& x) const;
 

@@ -1,6 +1,7 @@
 #include "mbs/solids/continuum_check.hpp"
 
 #include <numeric>
+#include <set>
 #include <vector>
 
 #include "mbs/solids/solid_model.hpp"
@@ -42,6 +43,11 @@ std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec) {
     if (f.tie != Tie::Rigid)
       return ContinuumProblem{"interfaces." + f.name, "has the averaged interface '" + f.name + "'",
                               "tie = \"rigid\", or as = \"reduced\""};
+  std::set<int> held;
+  for (const Interface& f : spec.interfaces()) held.insert(f.nodes.begin(), f.nodes.end());
+  if (static_cast<int>(held.size()) == spec.mesh().node_count())
+    return ContinuumProblem{"interfaces", "has no free node: interfaces hold its whole mesh",
+                            "nodes between the interfaces, or a rigid body"};
   if (const int count = pieces(spec.mesh()); count > 1)
     return ContinuumProblem{
         "mesh", "has a mesh of " + std::to_string(count) + " pieces without a node in common",

@@ -21,7 +21,8 @@ std::string text(double x) {
 
 double largest(const Sparse& A) {
   double out = 0;
-  for (Eigen::Index k = 0; k < A.nonZeros(); ++k) out = std::max(out, std::abs(A.valuePtr()[k]));
+  for (Eigen::Index k = 0; k < A.outerSize(); ++k)
+    for (Sparse::InnerIterator it(A, k); it; ++it) out = std::max(out, std::abs(it.value()));
   return out;
 }
 

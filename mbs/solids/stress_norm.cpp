@@ -44,6 +44,8 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
   const double p = options.p, q = options.relaxation;
   if (!(p >= 1 && q >= 0)) throw std::invalid_argument("stress norm: p >= 1 and relaxation >= 0");
   const SolidModel& model = statics.model();
+  if (model.mesh().cell_count() == 0)
+    throw std::invalid_argument("stress norm: a part known by its matrices has no cells");
   const int dim = model.mesh().dim, local = model.mesh().nodes_per_cell(), n = statics.cases();
   const MatrixXd V = von_mises_form(dim), stress = von_mises(statics, q);
   const Eigen::RowVectorXd largest = stress.colwise().maxCoeff();

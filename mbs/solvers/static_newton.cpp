@@ -9,12 +9,15 @@ constexpr double kIncrement = 0.1;  // last correction: this * sqrt(tolerance), 
 constexpr double kHalfTurn = M_PI - 1e-6;   // log is singular at a relative rotation of pi
 constexpr double kNearFold = 0.999 * M_PI;  // where a step that fails has that reason
 
+/// Of the first body that has one; empty: none has.
 template <FrameGroup G>
-bool is_faulty(const Model<G>& model, const State<G>& s) {
-  for (size_t b = 0; b < model.bodies.size(); ++b)
-    if (!model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b))).empty())
-      return true;
-  return false;
+std::string fault_of(const Model<G>& model, const State<G>& s) {
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const std::string fault =
+        model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
+    if (!fault.empty()) return fault + ": use more load steps or smaller cells";
+  }
+  return {};
 }
 
 }  // namespace
@@ -142,9 +145,6 @@ bool StaticNewton<G>::turns_by(double angle, const State<G>& s) const {
 template <FrameGroup G>
 void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   const char* const kTurns = "an element turns by pi: use more elements";
-  const char* const kInverted =
-      "a cell of a meshed part is inverted: use more load steps, smaller cells, or "
-      "law = \"neo_hookean\"";
   if (!result.converged) {
     if (turns_by(kNearFold, s)) result.failure = kTurns;
     return;
@@ -152,9 +152,10 @@ void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   for (size_t b = 0; b < model_.bodies.size(); ++b)
     model_.bodies[b]->turn_axes(trial_.H.data() + model_.first_node(static_cast<int>(b)));
   const bool turned = turns_by(kHalfTurn, trial_);
-  if (turned || is_faulty(model_, trial_)) {
+  const std::string fault = turned ? kTurns : fault_of(model_, trial_);
+  if (!fault.empty()) {
     result.converged = false;
-    result.failure = turned ? kTurns : kInverted;
+    result.failure = fault;
     return;
   }
   for (auto& H : trial_.H) H.orthonormalize();

@@ -2,6 +2,9 @@
 /// @file
 /// Newton's method for equilibrium at one load, and along the path of equilibria.
 
+#include <string>
+#include <vector>
+
 #include "mbs/solvers/iteration_matrix.hpp"
 #include "mbs/solvers/options.hpp"
 
@@ -13,7 +16,7 @@ struct NewtonResult {
   bool singular = false;          ///< the tangent at the first iterate has no inverse
   int iterations = 0;             ///< corrections
   std::vector<double> residuals;  ///< relative, one an evaluation
-  const char* failure = "";       ///< why not
+  std::string failure;            ///< why not
 };
 
 /// Converged: the residual is below tolerance * (size of the forces in it) + round-off, and the

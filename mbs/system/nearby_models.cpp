@@ -21,6 +21,17 @@ Model<G> built(const Mechanism& mechanism, const Model<G>& of) {
   return model;
 }
 
+/// Are the same rows constraints, and the same ones left out as repeating others?
+template <class G>
+bool same_roles(const Model<G>& a, const Model<G>& b) {
+  for (std::size_t c = 0; c < a.couplings.size(); ++c)
+    for (std::size_t i = 0; i < a.couplings[c].rows.size(); ++i)
+      if (a.couplings[c].rows[i].role != b.couplings[c].rows[i].role ||
+          a.couplings[c].rows[i].row.kind() != b.couplings[c].rows[i].row.kind())
+        return false;
+  return true;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -32,12 +43,12 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
   if (has_amplitudes(model))
     throw std::invalid_argument(
         "by geometry there are no derivatives of bodies in floating frames, whose modes change "
-        "with it: expected beams of another formalism, no meshed parts");
+        "with it: expected beams of another formalism, no reduced meshed parts");
   for (std::size_t i = 0; i < mechanisms.at->size(); ++i) {
     models_.push_back(std::make_unique<Near>(mechanisms.weight(i), (*mechanisms.at)[i], model));
     const Model<G>& near = models_.back()->model;
     if (near.size() != model.size() || near.constraints() != model.constraints() ||
-        near.rows() != model.rows())
+        near.rows() != model.rows() || !same_roles(near, model))
       throw std::invalid_argument(
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");

@@ -410,6 +410,10 @@ TEST_F(Compare, RefusesWhatMethodsHaveNot) {
   refused(head + "[grid]\nformalism = [\"se3\"]\n", "a study has no formalism");
   refused(head + "[quantity]\nresponse = \"bend\"\n[grid]\nmethod = [\"esl\"]\n",
           "a study has no quantity");
+  refused(head +
+              "[grid]\nmethod = [\"esl1\"]\n[vary]\nr = { key = \"cycle.refine\", values = "
+              "[\"auto\"] }\n",
+          "methods are compared on one");
   refused("study = \"" + study("cantilever") + "\"\n[grid]\nmethod = [\"esl1\"]\n",
           "the study has no motion");
   refused("scene = \"" + scene("slider_crank") +

@@ -75,7 +75,7 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
   ASSERT_TRUE(motion.reason().empty()) << motion.reason();
   const auto images = inner->images();
-  CorrectedProblem problem(std::move(inner), motion, x);
+  CorrectedProblem problem(std::move(inner), motion, x, run.mass);
   const auto m = static_cast<int>(problem.constraints().size());
   ASSERT_GT(m, 0);
   double f = 0;
@@ -106,7 +106,7 @@ TEST(CorrectedProblem, IsTheSameAfterAllCasesWereLookedAt) {
   const auto run = s.simulator->run(x);
   auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
   const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
-  CorrectedProblem problem(std::move(inner), motion, x);
+  CorrectedProblem problem(std::move(inner), motion, x, run.mass);
   const auto m = static_cast<int>(problem.constraints().size());
   ASSERT_GT(m, 10);
   double f = 0;
