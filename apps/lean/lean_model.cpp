@@ -25,9 +25,10 @@ std::string objection(LeanRuns& runs, const Setting& other) {
   if (!runs.good(other)) return runs.verdict(other) + " from the reference";
   const bool alike = other.tangent != runs.lean.tangent && now.corrections == then.corrections &&
                      now.factorizations == then.factorizations;
-  return alike ? fmt::format("the same {} corrections and {} factorizations", then.corrections,
-                             then.factorizations)
-               : "";
+  if (alike)
+    return fmt::format("the same {} corrections and {} factorizations", then.corrections,
+                       then.factorizations);
+  return runs.fault(other);
 }
 
 /// Takes the other model if it is as good and measured to be faster.

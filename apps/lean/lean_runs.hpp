@@ -35,6 +35,7 @@ class LeanRuns {
   Trials::Times times(const Setting& a, const Setting& b) {
     return trials_.times(changes(a, result.given), changes(b, result.given));
   }
+  std::string fault(const Setting& s) { return trials_.fault(changes(s, result.given)); }
   /// Relative distance of the responses of two settings; infinite if one does not run.
   double distance(const Setting& s, const Setting& from);
   /// From the reference.

@@ -37,12 +37,19 @@ void simulate_on(const Space<G>& space, const Scene& scene, const ResponseSpec& 
 }  // namespace
 
 Trials::Trials(std::string text, std::string file, std::vector<std::string> overrides,
-               std::string response, Progress progress)
+               std::string response, Progress progress, Fault fault)
     : text_(std::move(text)),
       file_(std::move(file)),
       response_(std::move(response)),
       overrides_(std::move(overrides)),
-      progress_(std::move(progress)) {}
+      progress_(std::move(progress)),
+      fault_(std::move(fault)) {}
+
+std::string Trials::fault(const std::vector<std::string>& changes) {
+  if (!fault_) return {};
+  ++runs_;
+  return fault_(scene(changes));
+}
 
 Scene Trials::scene(const std::vector<std::string>& changes) const {
   auto all = overrides_;

@@ -28,9 +28,13 @@ struct Trial {
 /// A scene, a response of it, and the runs made so far.
 class Trials {
  public:
-  /// @param overrides of the user, for all runs  @throws InputError as read_scene
+  /// Why the whole run of a scene cannot be relied on, be its response as it may; empty: it can.
+  using Fault = std::function<std::string(const Scene&)>;
+
+  /// @param overrides of the user, for all runs  @param fault null: none has one
+  /// @throws InputError as read_scene
   Trials(std::string text, std::string file, std::vector<std::string> overrides,
-         std::string response, Progress progress);
+         std::string response, Progress progress, Fault fault = {});
 
   /// Runs the scene with changes "key.path=value"; the same changes are not run twice.
   /// A scene that is refused or does not reach its end is a trial that is not ok.
@@ -42,6 +46,8 @@ class Trials {
     double first, second;
   };
   Times times(const std::vector<std::string>& first, const std::vector<std::string>& second);
+  /// Of the scene with changes, which runs.
+  std::string fault(const std::vector<std::string>& changes);
   /// The scene with changes. @throws InputError
   Scene scene(const std::vector<std::string>& changes) const;
   int runs() const { return runs_; }
@@ -52,6 +58,7 @@ class Trials {
   std::string text_, file_, response_;
   std::vector<std::string> overrides_;
   Progress progress_;
+  Fault fault_;
   std::map<std::vector<std::string>, Trial> known_;
   int runs_ = 0;
 };

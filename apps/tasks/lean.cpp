@@ -10,6 +10,8 @@
 #include "apps/input/rewrite.hpp"
 #include "apps/output/file.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/scene/space.hpp"
+#include "apps/tasks/run.hpp"
 
 namespace liesl {
 
@@ -107,7 +109,11 @@ LeanOutcome lean_task(const LeanRequest& request, const Progress& progress,
   check_response(scene, request.response);
   std::vector<std::string> overrides = request.overrides;
   if (scene.simulation.adaptive) overrides.push_back("simulation.adaptive=false");
-  Trials trials(request.text, request.file, overrides, request.response, progress);
+  const Trials::Fault fault = [&progress](const Scene& changed) {
+    const RunOutcome run = run_task(changed, choose_space(changed), progress);
+    return run.status == SolveStatus::Converged ? std::string() : run.summary.reason;
+  };
+  Trials trials(request.text, request.file, overrides, request.response, progress, fault);
   LeanOutcome out;
   out.result = find_lean(trials, request.tolerance, decided);
   out.summary = describe(out.result, request, scene);
