@@ -192,8 +192,9 @@ const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits) {
 }
 
 std::string VerifiedLimit::text() const {
-  return fmt::format("limit {} is known to {:.2g} % only: mesh {:.2g} %, step {:.2g} %", name,
-                     100 * error(), 100 * mesh, 100 * step);
+  const std::string by_mesh = known || mesh > 0 ? fmt::format("{:.2g} %", 100 * mesh) : "not known";
+  return fmt::format("limit {} is known to {:.2g} % only: mesh {}, step {:.2g} %", name,
+                     100 * error(), by_mesh, 100 * step);
 }
 
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,

@@ -98,7 +98,7 @@ def sentences(run):
         return [*mass[:3], *kkt[:3], mass[3], kkt[3]]
 
     def uniform():
-        s = study("slider_crank_rod").summary
+        s = study("slider_crank_rod", "cycle.refine=never").summary
         return [MM * s["design_range"]["rod_diameters[0]"]["initial"], s["mass_initial"],
                 MM * s["constraints"]["bending"]["max_abs_initial"], Fresh(s["mass_final"], relative=MASS),
                 Fresh(100 * (1 - s["mass_final"] / s["mass_initial"]), within=2)]
@@ -138,7 +138,8 @@ def sentences(run):
                  "and at {:.6f} kg on four_bar_mixed ({:.3f})", plain_ends),
         Sentence("1 % more bending allowed saves {:.1f} g of slider_crank_rod",
                  lambda: [GRAMS / 100 * study("slider_crank_rod").summary["prices"]["bending"]]),
-        Sentence("{:.2f} mm, {:.5f} kg (bend {:.5f} mm). Four diameters: {:.5f} kg, {:.1f} % less", uniform),
+        Sentence("{:.2f} mm, {:.5f} kg (bend {:.5f} mm). On that mesh, of 8 elements of order 2 a link, "
+                 "four diameters need {:.5f} kg, {:.1f} % less", uniform),
         *map(hole, range(6)),
         Sentence("enough from all edges: {:.5f} kg, {:.0f} % lighter", lambda: [
             Fresh(holes()[-1]["objective"], relative=5e-3), 100 * (1 - holes()[-1]["objective"] / holes()[0]["objective_before"])]),
