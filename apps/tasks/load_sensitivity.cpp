@@ -59,7 +59,14 @@ SensitivityFile load_sensitivity(const std::filesystem::path& path,
   SensitivityFile file;
   file.name = text(root, "name");
   file.scene.file = (path.parent_path() / text(root, "scene")).lexically_normal().string();
-  file.scene.text = load_text(file.scene.file, "a scene in TOML");
+  try {
+    file.scene.text = load_text(file.scene.file, "a scene in TOML");
+  } catch (const InputError& error) {
+    for (const InputProblem& problem : error.problems)
+      problems.add(*root.get("scene"), "scene " + problem.file + ": " + problem.what,
+                   problem.expected, "paths are relative to the file");
+    problems.throw_if_any();
+  }
   if (const toml::table* set = root["set"].as_table())
     for (const auto& [name, node] : *set)
       file.scene.changes.push_back(fmt::format("{}={}", name.str(), toml_text(node)));

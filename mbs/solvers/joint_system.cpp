@@ -26,6 +26,18 @@ double point_inertia(const Body<G>& body, double length) {
   return values[0] > kPoint * mass ? 0 : kPointInertia * mass * length * length;
 }
 
+/// The values of a matrix of the same form, without allocation (an assignment of empty sparse
+/// matrices allocates).
+template <int N>
+void take_values(BodyMatrix<N>& to, const BodyMatrix<N>& from) {
+  if (to.is_sparse())
+    to.sparse.coeffs() = from.sparse.coeffs();
+  else if (to.is_dense())
+    to.dense = from.dense;
+  else
+    static_cast<typename BodyMatrix<N>::Chain&>(to) = from;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -87,7 +99,7 @@ template <FrameGroup G>
 bool JointSystem<G>::factor_exact(const IterationMatrix<G>& S) {
   exact_ = true;
   for (size_t b = 0; b < bodies_.size(); ++b) {
-    scratch_[b] = S.body(static_cast<int>(b));
+    take_values(scratch_[b], S.body(static_cast<int>(b)));
     if (!factor_body(static_cast<int>(b), scratch_[b])) return false;
   }
   X_.setZero();

@@ -147,7 +147,7 @@ def test_weights_that_do_not_fit(pendulum, weights, says):
 def test_derivatives_that_there_are_not(pendulum, tmp_path):
     result = liesl.Scene(pendulum).run()
     for by, says in ((["sections.round.diametr"], "diametr"), ([], "parameters"),
-                     (["simulation.rho_inf"], "derivative")):
+                     (["simulation.step"], "derivative")):
         with pytest.raises(liesl.InputError, match=says):
             result.jacobian("bend", by=by)
     with pytest.raises(liesl.InputError, match="'bnd'"):
