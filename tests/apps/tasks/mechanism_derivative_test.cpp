@@ -175,11 +175,10 @@ TEST(MechanismDerivative, OfTablesOfDrives) {
 
 /// Gravity, geometry, damping, axes: by mechanisms at values near p, whose weights differentiate.
 TEST(MechanismDerivative, OfAllElseIsByMechanismsNearBy) {
-  const std::vector<Change> changes = {
-      [](Mechanism& c, double p) { c.gravity.y() += p; },
-      [](Mechanism& c, double p) { rod(c).nodes[2].x.y() += p; },
-      [](Mechanism& c, double p) { rod(c).damping += p * p; },
-      [](Mechanism& c, double p) { c.joints[0].axis.x() += p; }};
+  const std::vector<Change> changes = {[](Mechanism& c, double p) { c.gravity.y() += p; },
+                                       [](Mechanism& c, double p) { rod(c).nodes[2].x.y() += p; },
+                                       [](Mechanism& c, double p) { rod(c).damping += p * p; },
+                                       [](Mechanism& c, double p) { c.joints[0].axis.x() += p; }};
   for (const Change& change : changes) {
     const auto near = only<NearbyMechanisms>(parameter(change));
     ASSERT_TRUE(near.at);
