@@ -15,7 +15,7 @@
 namespace liesl {
 namespace {
 
-std::string list(const Vec3& x, int dim) {
+std::string list(const Eigen::Vector3d& x, int dim) {
   return fmt::format("[{}]", fmt::join(x.data(), x.data() + dim, ", "));
 }
 
