@@ -129,13 +129,23 @@ TEST(Duration, BalanceOfTimeAndEffort) {
   EXPECT_NEAR(end.x[0], std::pow(3 * objective.effort * J0, 0.25), 5e-3 * end.x[0]);
 }
 
+/// robot_codesign, to be simulated at designs.
+struct Robot {
+  explicit Robot(const Changes& changes) : study(full(shipped_study("robot_codesign", changes))) {}
+  static Study full(Study study) {
+    study.spec.cycle.method = CycleMethod::Full;
+    return study;
+  }
+  const Study study;
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
+  const DesignSimulator<SE2> simulator{study.scene.mechanism, space, study.scene.simulation,
+                                       study.spec};
+};
+
 /// Torques, deflections and positions of the robot by walls, values of drives and the duration.
 TEST(MotionVariables, GradientsAreThoseOfDifferencesWithSlopeTwo) {
-  Study study = shipped_study("robot_codesign", {"simulation.tolerance=1e-11"});
-  study.spec.cycle.method = CycleMethod::Full;
-  const auto space = space_of<SE2>(study.scene.mechanism);
-  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
-                                       study.spec);
+  const Robot robot({"simulation.tolerance=1e-11"});
+  const auto& [study, space, simulator] = robot;
   const VectorXd x = simulator.design().start();
   const auto run = simulator.run(x);
   ASSERT_TRUE(run.good());
@@ -177,12 +187,8 @@ TEST(MotionVariables, GradientsAreThoseOfDifferencesWithSlopeTwo) {
 
 /// The lighter the elements, the more the round-off of the equilibrium accelerates their nodes.
 TEST(MotionVariables, AFineMeshStartsAtRest) {
-  Study study = shipped_study("robot_codesign",
-                              {"bodies.arm1.beam.elements=48", "bodies.arm2.beam.elements=48"});
-  study.spec.cycle.method = CycleMethod::Full;
-  const auto space = space_of<SE2>(study.scene.mechanism);
-  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
-                                       study.spec);
+  const Robot robot({"bodies.arm1.beam.elements=48", "bodies.arm2.beam.elements=48"});
+  const auto& [study, space, simulator] = robot;
   const VectorXd x = simulator.design().start();
   const auto run = simulator.run(x);
   ASSERT_TRUE(run.good());
