@@ -23,8 +23,31 @@ else()
 endif()
 target_link_libraries(liesl_suitesparse INTERFACE ${factorisation} klu amd colamd btf suitesparseconfig)
 
+# liesl_package(<name> <prefix of pkg_check_modules> <archive> [what the archive needs...]): liesl_<name>
+# is the archive in programs with the property LIESL_ARCHIVES and the shared library elsewhere, also where
+# there is no archive. Half of the start of a program was spent on the 29 shared libraries that HDF5, Ipopt
+# and OpenSSL bring; archives are not for shared modules, as their code is tied to its place.
+define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
+function(liesl_package name prefix archive)
+  add_library(liesl_${name} INTERFACE)
+  target_include_directories(liesl_${name} SYSTEM INTERFACE ${${prefix}_INCLUDE_DIRS})
+  find_library(LIESL_ARCHIVE_${name} ${archive} HINTS ${${prefix}_LIBRARY_DIRS} ${${prefix}_LIBDIR})
+  mark_as_advanced(LIESL_ARCHIVE_${name})
+  set(archives "$<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>")
+  if(LIESL_ARCHIVE_${name})
+    add_library(liesl_${name}_archive INTERFACE)
+    target_link_libraries(liesl_${name}_archive INTERFACE ${LIESL_ARCHIVE_${name}} ${ARGN})
+    target_link_libraries(liesl_${name} INTERFACE $<IF:${archives},liesl_${name}_archive,PkgConfig::${prefix}>)
+  else()
+    target_link_libraries(liesl_${name} INTERFACE PkgConfig::${prefix})
+  endif()
+endfunction()
+
 if(LIESL_OPTIM)
   pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
+  set(IPOPT_NEEDS ${IPOPT_LINK_LIBRARIES})
+  list(FILTER IPOPT_NEEDS EXCLUDE REGEX "libipopt")
+  liesl_package(ipopt IPOPT libipopt.a ${IPOPT_NEEDS})
   pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 endif()
 if(LIESL_APPS)
@@ -32,7 +55,9 @@ if(LIESL_APPS)
   find_package(nlohmann_json REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
+  liesl_package(hdf5 HDF5 libhdf5.a sz z)
   pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
+  liesl_package(crypto CRYPTO libcrypto.a)
 endif()
 
 # A Python with matplotlib, for pictures and checks; the system's one before others in PATH, which
