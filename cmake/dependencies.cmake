@@ -25,8 +25,8 @@ target_link_libraries(liesl_suitesparse INTERFACE ${factorisation} klu amd colam
 
 # liesl_package(<name> <prefix of pkg_check_modules> <archive> [what the archive needs...]): liesl_<name>
 # is the archive in programs with the property LIESL_ARCHIVES and the shared library elsewhere, also where
-# there is no archive. Half of the start of a program was spent on the 29 shared libraries that HDF5, Ipopt
-# and OpenSSL bring; archives are not for shared modules, as their code is tied to its place.
+# there is no archive. Half of the start of a program was spent on 31 shared libraries, HDF5, libcrypto,
+# Ipopt and what they bring; archives are not for shared modules, as their code is tied to its place.
 define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
 function(liesl_package name prefix archive)
   add_library(liesl_${name} INTERFACE)
