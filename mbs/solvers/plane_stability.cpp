@@ -4,6 +4,7 @@
 
 #include "mbs/linalg/constrained_modes.hpp"
 #include "mbs/linalg/dense.hpp"
+#include "mbs/linalg/inertia.hpp"
 
 namespace liesl {
 namespace {
@@ -162,6 +163,7 @@ std::optional<double> PlaneStability::growth(const State<SE2>& s) {
     }
   Eigen::SparseMatrix<double> saddle(free + held, free + held);
   saddle.setFromTriplets(entries.begin(), entries.end());
+  if (negative_on_null_space(saddle, free) == 0) return 0;  // the signs take less than the modes
   const ConstrainedModes modes = constrained_modes(saddle, M, 1);
   if (!modes.converged) return {};
   if (modes.lambda.size() == 0 || modes.lambda[0] >= 0) return 0;
