@@ -15,6 +15,8 @@ constexpr double kForTheDesign =
     0.5;                              // of cycle.feasibility is left to the design on a finer model
 constexpr double kSameDesign = 1e-9;  // relative
 constexpr int kMostModels = 12;       // each four times as exact: enough for any
+// Refinements in a row that leave an error: on a coarse model it may be small by chance, once.
+constexpr int kMostStalls = 2;
 
 /// Cycles of the models before, then those of the present one, numbered through.
 std::vector<output::CycleRecord> joined(std::vector<output::CycleRecord> before,
@@ -145,7 +147,8 @@ class ModelSequence {
       if (!l.known) return end(false, "the error of limit " + l.name + " is not known");
     if (worst.certain(feasibility_)) return end(true, "");
     const std::string stays = not_converging(before_, limits_, finer_, feasibility_);
-    if (!stays.empty()) return end(false, stays);
+    stalls_ = stays.empty() ? 0 : stalls_ + 1;
+    if (stalls_ == kMostStalls) return end(false, stays);
     finer_ = finer_model(now_.study, limits_, feasibility_, changes_, options_.read);
     if (!finer_.exhausted.empty()) return end(false, worst.text() + ", and " + finer_.exhausted);
     if ((finer_.changes.empty() && model > 1) || model == kMostModels)
@@ -220,6 +223,7 @@ class ModelSequence {
   VerifiedOptimum now_;
   std::vector<VerifiedLimit> limits_, before_;
   FinerModel finer_;
+  int stalls_ = 0;  ///< refinements in a row that left an error as large
   std::vector<std::string> changes_;
   nlohmann::ordered_json refinement_ = nlohmann::ordered_json::object(),
                          steps_ = nlohmann::ordered_json::array();

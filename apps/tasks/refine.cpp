@@ -34,9 +34,10 @@ LargestError largest_error(const std::vector<VerifiedLimit>& limits, double feas
   return w;
 }
 
-/// A power of two.
+/// A power of two. An order below a half tells nothing but that the model is too coarse for one.
 int refinement_factor(const LargestError& w, double allowed, double order) {
-  const double p = std::clamp(w.order.value_or(order), 1.0, order);
+  const bool told = w.order && *w.order > 0.5;
+  const double p = told ? std::clamp(*w.order, 1.0, order) : order;
   const double doublings = std::ceil(std::log2(w.error / allowed) / p);
   return 1 << static_cast<int>(std::clamp(doublings, 1.0, double(kMostAtOnce)));
 }

@@ -153,7 +153,8 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
   const bool in_equilibrium = tape.options.start == StartChoice::Equilibrium;
   const State<G>& first = tape.checkpoints.at(0).s;
   if (in_equilibrium &&
-      (first.v.norm() > 0 || drives_accelerate(model, first, tape.options.duration)))
+      (first.v.norm() * tape.options.duration > kResting * std::min(1.0, model.length) ||
+       drives_accelerate(model, first, tape.options.duration)))
     throw std::invalid_argument(
         "sensitivities of a start in equilibrium need one at rest: no velocities, and drives that "
         "begin without velocity and acceleration");
