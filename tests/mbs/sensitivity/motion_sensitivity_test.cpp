@@ -110,6 +110,21 @@ TYPED_TEST(MotionSensitivity, FromEquilibrium) {
   }
 }
 
+/// The rate of an expression is one of differences: 1e-13 is at rest.
+TYPED_TEST(MotionSensitivity, FromEquilibriumWithADriveByAnExpression) {
+  using G = TypeParam;
+  Mechanism machine = test::sensitive_machine();
+  machine.drives = {{0, 0, TimeFunction::expression("t/0.5 - sin(2*pi*t/0.5)/(2*pi)")}};
+  auto o = test::tight(0.004, 4e-4);
+  o.start = StartChoice::Equilibrium;
+  const Taped<G> run(machine, o);
+  ASSERT_GT(run.tape.checkpoints.at(0).s.v.norm(), 0);
+  const auto end = direct_sensitivity<G>(run.model, run.tape,
+                                         run.parameters({test::quantities(machine).front()}),
+                                         [](long, const State<G>&, const auto&) {});
+  EXPECT_TRUE(end.complete()) << end.reason;
+}
+
 TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
   using G = TypeParam;
   const auto direct = [&](const Mechanism& m) {
