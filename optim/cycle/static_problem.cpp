@@ -66,6 +66,7 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
     answer.result = optimise(problem, options, warm, keep_going, max_iterations);
     answer.iterations += answer.result.iterations;
     if (answer.result.status == NlpStatus::Infeasible) break;  // nor with more cases
+    if (keep_going && !keep_going()) break;
     if (problem.add_violated(answer.result.x, 1e-6) == 0) break;
   }
   warm = answer.result.warm_start();
@@ -119,7 +120,10 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     answer.x = result.x.head(n);
     answer.violation = std::max(0.0, result.x[result.x.size() - 1]);
     answer.merit = result.f;
-    if (problem.add_violated(answer.x, 1e-6) == 0) break;
+    if (keep_going && !keep_going()) break;
+    // Cases that violate less than the worst one say nothing to it.
+    const double allowed = terms.empty() ? answer.violation : 0;
+    if (problem.add_violated(answer.x, allowed + 1e-6) == 0) break;
   }
   const std::vector<ObjectiveTerm> terms = problem.objective_terms();
   for (std::size_t i = 0; i < problem.constraints().size(); ++i)
