@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -170,8 +171,9 @@ Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const St
 template <FrameGroup G>
 SE3::Tangent ResponseValues<G>::section_force_of(const Body<G>& body, const State<G>& s, int number,
                                                  int element, ElementPlace place) const {
-  const Tangent n = body.section_force(model_.body_state(s, number), element, place);
-  return view_.local(n, number, element + node_of(place));
+  const EndForce<G> force(model_, number);
+  return view_.local(force(body, model_.body_state(s, number), element, place), number,
+                     element + node_of(place));
 }
 
 template <FrameGroup G>
@@ -179,10 +181,13 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
   const auto& points = points_of(r.body);
   StressAt largest;
   const Body<G>& body = *model_.bodies[r.body];
+  const auto forces = EndForce<G>(model_, r.body).all(body, model_.body_state(s, r.body));
   for (int e = 0; e < body.elements(); ++e) {
     if (r.point >= 0 && e != r.element) continue;
     for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
-      const SE3::Tangent n = section_force_of(body, s, r.body, e, place);
+      const SE3::Tangent n =
+          view_.local(forces[static_cast<size_t>(e)][static_cast<size_t>(node_of(place))], r.body,
+                      e + node_of(place));
       const size_t half = points[e].size() / 2, first = static_cast<size_t>(node_of(place)) * half;
       for (size_t i = first; i < first + half; ++i) {
         if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
