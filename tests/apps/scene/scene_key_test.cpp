@@ -25,7 +25,7 @@ TEST(FileKeys, BecomeWholePathsAndTheRestStays) {
                          "bodies.arm.solid.matrices.nodes='/home/nodes.csv'",
                          "bodies.plate.solid.mesh.file='/home/scenes/meshes/plate.msh'"}));
   const std::string moved = rewrite_scene(kScene, changes);
-  EXPECT_NE(moved.find("'/home/scenes/meshes/plate.msh'"), std::string::npos) << moved;
+  EXPECT_NE(moved.find("\"/home/scenes/meshes/plate.msh\""), std::string::npos) << moved;
   EXPECT_NE(moved.find("# as measured"), std::string::npos) << moved;
   EXPECT_EQ(moved.find("\"K.mtx\""), std::string::npos) << moved;
 }
