@@ -181,14 +181,19 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
   const auto& points = points_of(r.body);
   StressAt largest;
   const Body<G>& body = *model_.bodies[r.body];
-  const auto forces = EndForce<G>(model_, r.body).all(body, model_.body_state(s, r.body));
-  for (int e = 0; e < body.elements(); ++e) {
-    if (r.point >= 0 && e != r.element) continue;
+  const EndForce<G> force(model_, r.body);
+  const BodyState<G> state = model_.body_state(s, r.body);
+  const bool one = r.point >= 0;
+  const auto all = one ? std::vector<std::array<Tangent, 2>>() : force.all(body, state);
+  for (int e = one ? r.element : 0; e < (one ? r.element + 1 : body.elements()); ++e) {
+    const size_t half = points[e].size() / 2;
     for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
+      const auto end = static_cast<size_t>(node_of(place)), first = end * half;
+      const auto point = static_cast<size_t>(r.point);
+      if (one && (point < first || point >= first + half)) continue;
       const SE3::Tangent n =
-          view_.local(forces[static_cast<size_t>(e)][static_cast<size_t>(node_of(place))], r.body,
+          view_.local(one ? force(body, state, e, place) : all[static_cast<size_t>(e)][end], r.body,
                       e + node_of(place));
-      const size_t half = points[e].size() / 2, first = static_cast<size_t>(node_of(place)) * half;
       for (size_t i = first; i < first + half; ++i) {
         if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
         const Vec3 sigma = points[e][i].S * n;
