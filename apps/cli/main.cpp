@@ -235,7 +235,7 @@ constexpr const char* kOverview =
 bool writes_folder(int (*run)(const liesl::CommandOptions&)) {
   using namespace liesl;
   for (auto* command : {run_command, esl_command, sensitivity_command, optimize_command,
-                        batch_command, compare_command, lean_command})
+                        map_command, batch_command, compare_command, lean_command})
     if (run == command) return true;
   return false;
 }

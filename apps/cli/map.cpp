@@ -95,6 +95,7 @@ int map_command(const CommandOptions& options) {
     throw InputError({{study.scene.file, 0, 0, "simulation.type = \"modes\" has no loads",
                        "\"dynamic\" or \"static\"", ""}});
   const MapRequest request = request_of(options);
+  output::AtomicFolder folder(options.out, options.force);
   output::Progress line("mapping", 1, "", options.quiet);
   MapHooks hooks;
   hooks.keep_going = [] { return output::interrupted() == 0; };
@@ -106,7 +107,6 @@ int map_command(const CommandOptions& options) {
   out.summary.overrides = options.set;
   out.summary.input_sha256 = output::sha256(study.input);
   out.summary.wall_s = clock.seconds();
-  output::AtomicFolder folder(options.out, options.force);
   write(out, folder.path());
   folder.commit();
   try {

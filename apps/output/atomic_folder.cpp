@@ -4,6 +4,8 @@
 #include <signal.h>
 #include <stdio.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <time.h>
 #include <unistd.h>
 
 #include <array>
@@ -11,8 +13,12 @@
 #include <charconv>
 #include <chrono>
 #include <cstring>
+#include <fstream>
+#include <optional>
+#include <sstream>
 #include <string_view>
 #include <thread>
+#include <utility>
 
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
@@ -54,14 +60,33 @@ fs::path partial_of(const fs::path& target) {
   return sibling(target, "partial-" + std::to_string(::getpid()) + "@" + host());
 }
 
+/// When a process began, s of the clock that dates files; none if that cannot be seen.
+std::optional<double> begin_of(int pid) {
+  std::ifstream file("/proc/" + std::to_string(pid) + "/stat");
+  std::string line;
+  if (!std::getline(file, line) || line.rfind(')') == std::string::npos) return {};
+  std::istringstream fields(line.substr(line.rfind(')') + 1));
+  std::string word;
+  double ticks = 0;  // after the computer began: field 22, of which 2 are left out
+  for (int i = 0; i < 19; ++i) fields >> word;
+  if (!(fields >> ticks)) return {};
+  timespec now{}, up{};
+  ::clock_gettime(CLOCK_REALTIME, &now);
+  ::clock_gettime(CLOCK_BOOTTIME, &up);
+  return static_cast<double>(now.tv_sec - up.tv_sec) +
+         1e-9 * static_cast<double>(now.tv_nsec - up.tv_nsec) +
+         ticks / static_cast<double>(::sysconf(_SC_CLK_TCK));
+}
+
 /// Who writes into an unfinished folder.
 struct Writer {
+  fs::path folder;
   int pid = 0;  ///< 0: the folder is none of these
   std::string host;
 
-  explicit Writer(const fs::path& partial) {
+  explicit Writer(fs::path partial) : folder(std::move(partial)) {
     constexpr std::string_view kWord = ".partial-";
-    const std::string name = partial.filename().string();
+    const std::string name = folder.filename().string();
     const auto at = name.rfind(kWord);
     if (name[0] != '.' || at == std::string::npos || at == 0) return;
     const char* const end = name.data() + name.size();
@@ -71,7 +96,8 @@ struct Writer {
     if (whole && rest != end) host = std::string(rest + 1, end);
   }
   bool here() const { return host == output::host(); }
-  /// A process of this computer; another program may have its number by now.
+  /// A process of this computer. A program of another name (another version, Python) may be it,
+  /// too, unless it has got its number since: it began after the folder was last changed.
   bool alive() const {
     if (::kill(pid, 0) != 0 && errno == ESRCH) return false;
     std::error_code hidden, error;
@@ -81,7 +107,12 @@ struct Writer {
       const std::string name = path.filename().string();
       return name.substr(0, name.find(' '));  // "liesl (deleted)" after an installation
     };
-    return plain(program) == plain(fs::read_symlink("/proc/self/exe", error));
+    if (plain(program) == plain(fs::read_symlink("/proc/self/exe", error))) return true;
+    constexpr double kClocks = 1;  // s that they may differ by
+    const std::optional<double> begin = begin_of(pid);
+    struct stat changed {};
+    if (!begin || ::stat(folder.c_str(), &changed) != 0) return true;
+    return *begin <= static_cast<double>(changed.st_mtim.tv_sec) + kClocks;
   }
 };
 

@@ -48,4 +48,37 @@ SceneNumber number_at(const SceneText& scene, const std::string& key) {
   return {};
 }
 
+void for_each_file(
+    toml::table& scene,
+    const std::function<void(const std::string&, toml::value<std::string>&)>& found) {
+  toml::table* bodies = scene["bodies"].as_table();
+  if (!bodies) return;
+  for (auto&& [name, body] : *bodies) {
+    const auto solid = toml::node_view<toml::node>(body)["solid"];
+    for (const char* key :
+         {"mesh.file", "matrices.stiffness", "matrices.mass", "matrices.nodes", "matrices.file"})
+      if (auto* file = solid.at_path(key).as_string())
+        found("bodies." + std::string(name.str()) + ".solid." + key, *file);
+  }
+}
+
+std::string whole_path(const std::filesystem::path& scene, const std::string& named) {
+  return std::filesystem::absolute(scene.parent_path() / named).lexically_normal().string();
+}
+
+std::vector<std::string> whole_paths(const std::string& text, const std::string& scene,
+                                     const std::vector<std::string>& overrides) {
+  Document document = parse_document(text, scene);
+  Problems problems(scene);
+  apply_overrides(document.root, FileKind::Scene, overrides, problems);
+  problems.throw_if_any();
+  std::vector<std::string> changes;
+  for_each_file(document.root, [&](const std::string& key, toml::value<std::string>& file) {
+    std::ostringstream value;
+    value << toml::value<std::string>(whole_path(scene, *file));
+    changes.push_back(key + "=" + value.str());
+  });
+  return changes;
+}
+
 }  // namespace liesl

@@ -5,6 +5,7 @@
 
 #include "apps/input/document.hpp"
 #include "apps/input/ordered_text.hpp"
+#include "apps/scene/scene_key.hpp"
 #include "apps/study/study_reader.hpp"
 
 namespace liesl {
@@ -140,18 +141,9 @@ std::string content(const toml::table& table) {
 /// A scene that may lie in another folder.
 toml::table with_whole_paths(const Document& scene) {
   toml::table copy = scene.root;
-  if (toml::table* bodies = copy["bodies"].as_table())
-    for (auto&& [name, body] : *bodies) {
-      auto solid = toml::node_view<toml::node>(body)["solid"];
-      for (auto file :
-           {solid["mesh"]["file"], solid["matrices"]["stiffness"], solid["matrices"]["mass"],
-            solid["matrices"]["nodes"], solid["matrices"]["file"]}) {
-        const auto path = file.value<std::string>();
-        if (path && file.is_string())
-          *file.as_string() =
-              fs::absolute(fs::path(scene.file).parent_path() / *path).lexically_normal().string();
-      }
-    }
+  for_each_file(copy, [&](const std::string&, toml::value<std::string>& file) {
+    file = whole_path(scene.file, *file);
+  });
   return copy;
 }
 

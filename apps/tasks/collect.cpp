@@ -10,6 +10,7 @@
 #include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_model.hpp"
+#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -50,13 +51,14 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
     for (int i = 0; i < 3; ++i) append(out.rotations, H.R.row(i).transpose());
     append(out.velocities, view.velocity(s.v.data(), {b, k, SE3::identity()}));
   }
+  const BodyState<G> state = model.body_state(s, b);
+  const EndForce<G> end_force(model, b);
   for (size_t e = 0; e < out.elements.size(); ++e) {
-    const BodyState<G> state = model.body_state(s, b);
     append(out.strains,
            view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
     for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
       const SE3::Tangent force =
-          view.local(model.bodies[b]->section_force(state, static_cast<int>(e), end), b,
+          view.local(end_force(*model.bodies[b], state, static_cast<int>(e), end), b,
                      static_cast<int>(e) + node_of(end));
       append(out.section_forces, force);
       if (!stress.empty()) out.stresses.push_back(stress(e, end, force));

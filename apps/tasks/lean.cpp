@@ -10,6 +10,7 @@
 #include "apps/input/rewrite.hpp"
 #include "apps/output/file.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/scene/scene_key.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/tasks/run.hpp"
 
@@ -120,6 +121,8 @@ LeanOutcome lean_task(const LeanRequest& request, const Progress& progress,
   out.summary.more = summary_json(out.result, request);
   if (out.result.status != LeanStatus::Done) return out;
   overrides.insert(overrides.end(), out.result.changes.begin(), out.result.changes.end());
+  for (std::string& file : whole_paths(request.text, request.file, overrides))  // it lies elsewhere
+    overrides.push_back(std::move(file));
   out.scene = header(out.result, request) + rewrite_scene(request.text, overrides);
   return out;
 }

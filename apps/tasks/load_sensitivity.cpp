@@ -23,6 +23,17 @@ std::vector<std::string> texts(const toml::table& root, std::string_view key) {
   return list;
 }
 
+/// What `set` says of keys that the scene has not, or of values that are none, at their places in
+/// the file.
+void check_set(toml::table& set, const SceneText& scene, const std::vector<std::string>& of_scene,
+               Problems& problems) {
+  Document changed = parse_document(scene.text, scene.file);
+  apply_set(set, changed.root, problems);
+  apply_overrides(changed.root, FileKind::Scene, of_scene, problems);
+  validate(changed.root, FileKind::Scene, problems);
+  problems.throw_if_any();
+}
+
 }  // namespace
 
 std::vector<FunctionalSpec> functionals_of(const std::vector<std::string>& words,
@@ -70,6 +81,8 @@ SensitivityFile load_sensitivity(const std::filesystem::path& path,
   if (const toml::table* set = root["set"].as_table())
     for (const auto& [name, node] : *set)
       file.scene.changes.push_back(fmt::format("{}={}", name.str(), toml_text(node)));
+  if (toml::table* set = document.root["set"].as_table())
+    check_set(*set, file.scene, of_scene, problems);
   for (const std::string& change : of_scene) file.scene.changes.push_back(change);
   file.input = document.text + file.scene.text;
   for (const std::string& change : changes) file.input += "\n--set " + change;

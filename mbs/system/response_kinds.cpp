@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -170,8 +171,9 @@ Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const St
 template <FrameGroup G>
 SE3::Tangent ResponseValues<G>::section_force_of(const Body<G>& body, const State<G>& s, int number,
                                                  int element, ElementPlace place) const {
-  const Tangent n = body.section_force(model_.body_state(s, number), element, place);
-  return view_.local(n, number, element + node_of(place));
+  const EndForce<G> force(model_, number);
+  return view_.local(force(body, model_.body_state(s, number), element, place), number,
+                     element + node_of(place));
 }
 
 template <FrameGroup G>
@@ -179,11 +181,19 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
   const auto& points = points_of(r.body);
   StressAt largest;
   const Body<G>& body = *model_.bodies[r.body];
-  for (int e = 0; e < body.elements(); ++e) {
-    if (r.point >= 0 && e != r.element) continue;
+  const EndForce<G> force(model_, r.body);
+  const BodyState<G> state = model_.body_state(s, r.body);
+  const bool one = r.point >= 0;
+  const auto all = one ? std::vector<std::array<Tangent, 2>>() : force.all(body, state);
+  for (int e = one ? r.element : 0; e < (one ? r.element + 1 : body.elements()); ++e) {
+    const size_t half = points[e].size() / 2;
     for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
-      const SE3::Tangent n = section_force_of(body, s, r.body, e, place);
-      const size_t half = points[e].size() / 2, first = static_cast<size_t>(node_of(place)) * half;
+      const auto end = static_cast<size_t>(node_of(place)), first = end * half;
+      const auto point = static_cast<size_t>(r.point);
+      if (one && (point < first || point >= first + half)) continue;
+      const SE3::Tangent n =
+          view_.local(one ? force(body, state, e, place) : all[static_cast<size_t>(e)][end], r.body,
+                      e + node_of(place));
       for (size_t i = first; i < first + half; ++i) {
         if (r.point >= 0 && static_cast<int>(i) != r.point) continue;
         const Vec3 sigma = points[e][i].S * n;

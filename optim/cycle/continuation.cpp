@@ -17,6 +17,7 @@ std::vector<Scenario<G>> at_speed(std::vector<Scenario<G>> scenarios, double spe
     s.simulation.duration /= speed;
     s.simulation.step /= speed;
     s.simulation.step_min /= speed;
+    s.mechanism.penalty.step /= speed;
   }
   return scenarios;
 }

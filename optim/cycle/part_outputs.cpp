@@ -2,6 +2,7 @@
 
 #include "esl/static_part.hpp"
 #include "mbs/model/beam_ends.hpp"
+#include "mbs/system/end_force.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/element_stress.hpp"
 
@@ -93,6 +94,7 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
                                 const Trajectory<G>& trajectory, int body) {
   const ResponseValues<G> values(mechanism, model);
   const BeamChain<G>& beam = *model.bodies[body]->chain();
+  const EndForce<G> end_force(model, body);
   const int elements = beam.elements();
   Eigen::MatrixXd y(outputs.count(), trajectory.size());
   State<G> s = model.initial_state();
@@ -109,7 +111,7 @@ Eigen::MatrixXd dynamic_outputs(const PartOutputs& outputs, const StudySpec& stu
         const auto end = limit.point == 0 ? ElementPlace::First : ElementPlace::Last;
         out = ElementStress<G>::strain_of(
             beam, limit.element, end,
-            beam.section_force(model.body_state(s, body), limit.element, end));
+            end_force(*model.bodies[body], model.body_state(s, body), limit.element, end));
       } else if (r.everywhere) {
         node = node + 1 < elements ? node + 1 : 1;
         out = values(at_node(r, node, elements), s);

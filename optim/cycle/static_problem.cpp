@@ -12,7 +12,8 @@ namespace {
 
 // Of a quasi-Newton method on a problem that is exact near its start only.
 constexpr int kFewIterations = 50;
-constexpr int kMaxRounds = 8;  // screening: optimise, look at all cases, again
+constexpr int kMaxRounds = 8;    // screening: optimise, look at all cases, again
+constexpr double kHopeless = 1;  // violation, relative to the limit
 
 NlpResult optimise(Problem& problem, const CycleOptions& cycle, const NlpWarmStart& warm,
                    const std::function<bool()>& keep_going, int max_iterations) {
@@ -66,6 +67,7 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
     answer.result = optimise(problem, options, warm, keep_going, max_iterations);
     answer.iterations += answer.result.iterations;
     if (answer.result.status == NlpStatus::Infeasible) break;  // nor with more cases
+    if (keep_going && !keep_going()) break;
     if (problem.add_violated(answer.result.x, 1e-6) == 0) break;
   }
   warm = answer.result.warm_start();
@@ -119,7 +121,11 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     answer.x = result.x.head(n);
     answer.violation = std::max(0.0, result.x[result.x.size() - 1]);
     answer.merit = result.f;
-    if (problem.add_violated(answer.x, 1e-6) == 0) break;
+    if (keep_going && !keep_going()) break;
+    // Of limits missed by more than themselves the worst cases: all the others say nothing to t.
+    const bool hopeless = answer.violation > kHopeless && terms.empty();
+    const double allowed = hopeless ? answer.violation : 0;
+    if (problem.add_violated(answer.x, allowed + 1e-6) == 0) break;
   }
   const std::vector<ObjectiveTerm> terms = problem.objective_terms();
   for (std::size_t i = 0; i < problem.constraints().size(); ++i)

@@ -49,7 +49,8 @@ LeastViolation least_violation(NlpSolver solve, Problem& problem, const VectorXd
   ElasticProblem relaxed(problem, {0, 1}, scale, start, start_violation);
   NlpOptions inner = options;
   inner.explain_infeasible = false;
-  inner.progress = nullptr;
+  if (options.progress)
+    inner.progress = [&](const NlpProgress& p) { return options.progress({p.iteration, 0, p.f}); };
   const NlpResult r = solve(relaxed, inner, nullptr);
 
   LeastViolation out;

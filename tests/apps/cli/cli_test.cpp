@@ -73,6 +73,10 @@ TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
   EXPECT_EQ(run({"check", "slider_crank_rod.toml"}).code, 0);
   EXPECT_EQ(run({"run", "slider_crank.toml", "--set", "simulation.duration=0.001"}).code, 0);
   EXPECT_TRUE(fs::exists("slider_crank/summary.json"));
+  const Words map = {"map", "slider_crank_rod.toml", "--over", "rod_diameters[1],rod_diameters[2]",
+                     "--points", "2", "--set", "simulation.duration=0.001"};
+  EXPECT_EQ(run(map).code, 0);
+  EXPECT_TRUE(fs::exists("slider_crank_rod/map.csv"));
   const Outcome again = run({"new", "study", "--like", "slider_crank_rod"});
   EXPECT_EQ(again.code, 3);
   EXPECT_NE(again.err.find("it exists"), std::string::npos) << again.err;

@@ -173,6 +173,20 @@ TEST_F(Sensitivity, FilesAreReadAndChecked) {
   refused("by=[\"bodies.beam.beam.to.7\"]", "bodies.beam.beam.to.7");
   refused("byy=1", "byy");
   EXPECT_EQ(run({"run", file, "-o", dir_ / "none"}).code, 2);
+
+  std::string text = text_of(file);
+  const auto change = [&text](const std::string& from, const std::string& to) {
+    text.replace(text.find(from), from.size(), to);
+  };
+  change("../scenes/", (kData / "scenes/").string());
+  change("\"simulation.duration\" = 0.5",
+         "\"simulation.durations\" = 0.5, \"simulation.step\" = -1");
+  std::ofstream(dir_ / "set.toml") << text;
+  const Outcome o = run({"check", dir_ / "set.toml"});
+  EXPECT_EQ(o.code, 2);
+  for (const char* said : {"set.toml:6:34: unknown key 'simulation.durations'",
+                           "set.toml:6:59: 'simulation.step' is out of range: -1"})
+    EXPECT_NE(o.err.find(said), std::string::npos) << o.err;
 }
 
 TEST_F(Sensitivity, RefusesWhatItCannotDo) {

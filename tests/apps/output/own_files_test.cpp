@@ -8,7 +8,9 @@
 #include <unistd.h>
 
 #include <array>
+#include <chrono>
 #include <iterator>
+#include <thread>
 
 #include "apps/batch/case_folder.hpp"
 #include "apps/output/atomic_folder.hpp"
@@ -198,6 +200,40 @@ TEST(Alone, LeftoversOfKilledRunsInTheSamePlaceGo) {
   EXPECT_EQ(std::distance(fs::directory_iterator(place.path()), {}), 3);
   EXPECT_TRUE(fs::exists(place / ".far.partial-1@elsewhere/data"));
   EXPECT_TRUE(fs::exists(place / ".mine.partial-view/data"));
+}
+
+/// A run of another version, or of Python, has another name; a program that began after the folder
+/// was last changed has only the number of a run that is gone.
+TEST(Alone, FoldersOfProgramsOfAnotherNameStayWhileTheyMayWrite) {
+  using namespace std::chrono_literals;
+  const TemporaryFolder place;
+  std::array<char, 256> host{};
+  ::gethostname(host.data(), host.size() - 1);
+  const auto other_program = [] {
+    const pid_t child = ::fork();
+    if (child == 0) ::execlp("sleep", "sleep", "60", nullptr);
+    return child;
+  };
+  const auto folder_of = [&](const std::string& name, pid_t pid) {
+    return place / ("." + name + ".partial-" + std::to_string(pid) + "@" + host.data());
+  };
+  const pid_t writer = other_program();
+  std::this_thread::sleep_for(100ms);  // it is `sleep` now
+  put(folder_of("writing", writer) / "data");
+  put(place / "later/data");
+  std::this_thread::sleep_for(1500ms);
+  const pid_t later = other_program();
+  std::this_thread::sleep_for(100ms);
+  fs::rename(place / "later", folder_of("gone", later));  // of the process that had its number
+  write_result(place / "out", "1");
+  EXPECT_TRUE(fs::exists(folder_of("writing", writer) / "data"));
+  EXPECT_FALSE(fs::exists(folder_of("gone", later)));
+  for (const pid_t pid : {writer, later}) {
+    ::kill(pid, SIGKILL);
+    ::waitpid(pid, nullptr, 0);
+  }
+  write_result(place / "again", "1");
+  EXPECT_FALSE(fs::exists(folder_of("writing", writer)));
 }
 
 TEST(CaseEnd, OfAFullDiskIsTriedAgain) {

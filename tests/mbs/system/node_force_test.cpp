@@ -39,16 +39,31 @@ Mechanism tapered(Mechanism m) {
   return m;
 }
 
-double largest_stress(const Mechanism& m) {
+/// Of the bar in equilibrium.
+double value_of(const Mechanism& m, const ResponseSpec& response) {
   const auto model = Model<SE3>::build(m, {});
   const auto solved = solve_static(model, test::tight());
   EXPECT_EQ(solved.report.status, SolveStatus::Converged) << solved.report.reason;
   State<SE3> s = model.initial_state();
   solved.trajectory.read(solved.trajectory.size() - 1, s);
+  return ResponseValues<SE3>(m, model)(response, s)[0];
+}
+
+double largest_stress(const Mechanism& m) {
   ResponseSpec stress;
   stress.kind = ResponseKind::Stress;
   stress.body = 0;
-  return ResponseValues<SE3>(m, model)(stress, s)[0];
+  return value_of(m, stress);
+}
+
+double normal_force(const Mechanism& m, int element, ElementPlace place) {
+  ResponseSpec force;
+  force.kind = ResponseKind::SectionForce;
+  force.body = 0;
+  force.element = element;
+  force.place = place;
+  force.component = 0;
+  return value_of(m, force);
 }
 
 /// Von Mises at the outline: bending, and the shear stress V/(k A) that every stress point has.
@@ -56,6 +71,12 @@ double root_stress(double moment, double shear, double diameter = kDiameter) {
   const double area = std::numbers::pi * diameter * diameter / 4;
   const double k = geometry(Section{"circle", Circle{diameter}}, kSteel.nu).ky;
   return std::hypot(8 * moment / (area * diameter), std::sqrt(3) * shear / (k * area));
+}
+
+void pull_at(Mechanism& m, int node, double force) {
+  LoadSpec load = test::tip_load(m, {force, 0, 0});
+  load.port.node = node;
+  m.loads.push_back(load);
 }
 
 class NodeForces : public ::testing::TestWithParam<Formalism> {};
@@ -115,6 +136,59 @@ TEST_P(NodeForces, StressOfATaperUnderWeightConvergesWithOrderTwo) {
   EXPECT_LT(errors[0], 0.01);
   for (std::size_t i = 1; i < errors.size(); ++i)
     EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), 2, 0.1) << errors[i];
+}
+
+/// The normal force at the root of a bar that hangs, q L: that of the middle of its first element
+/// would be 1 - 1/(2n) of it, of first order and unsafe. A taper carries int rho A g dx, with
+/// order 2.
+TEST_P(NodeForces, RootOfAHangingBarCarriesItsWeight) {
+  const double q = 9.81 * kSteel.rho * std::numbers::pi * kDiameter * kDiameter / 4;
+  for (int n : {2, 4, 16}) {
+    Mechanism m = bar(n, GetParam());
+    m.gravity = {9.81, 0, 0};
+    EXPECT_NEAR(normal_force(m, 0, ElementPlace::First) / (q * kLength), 1, 1e-6) << n;
+    EXPECT_NEAR(normal_force(m, n - 1, ElementPlace::Last) / (q * kLength), 0, 1e-6) << n;
+  }
+  std::vector<double> errors;
+  for (int n : {4, 8, 16, 32}) {
+    Mechanism m = tapered(bar(n, GetParam()));
+    m.gravity = {9.81, 0, 0};
+    errors.push_back(
+        std::abs(normal_force(m, 0, ElementPlace::First) / (q * kLength * 7 / 12) - 1));
+  }
+  EXPECT_LT(errors.back(), 2e-3);
+  for (std::size_t i = 2; i < errors.size(); ++i)
+    EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i];
+}
+
+/// A load at a node is no spread load: with a load in the middle of the bar, up or down, and one
+/// beside it, both sides have what hangs on them.
+TEST_P(NodeForces, LoadsAtNodesAreNotSpread) {
+  const double q = 9.81 * kSteel.rho * std::numbers::pi * kDiameter * kDiameter / 4;
+  for (const double pull : {-300., 300.}) {
+    Mechanism m = bar(8, GetParam());
+    m.gravity = {9.81, 0, 0};
+    for (int node : {3, 4}) pull_at(m, node, pull);
+    const auto expect = [&](int element, ElementPlace place, double x, double loads) {
+      EXPECT_NEAR(normal_force(m, element, place), q * (kLength - x) + loads * pull, 1e-5 * q)
+          << element << " " << pull;
+    };
+    expect(0, ElementPlace::First, 0, 2);
+    expect(2, ElementPlace::Last, 0.375, 2);
+    expect(4, ElementPlace::First, 0.5, 0);
+    expect(7, ElementPlace::First, 0.875, 0);
+  }
+}
+
+/// Bars without mass or weight: loads at all nodes stay where they are.
+TEST_P(NodeForces, LoadsAtAllNodesAreNotSpread) {
+  Mechanism m = bar(3, GetParam());
+  for (int node : {1, 2}) pull_at(m, node, 100);
+  for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
+    EXPECT_NEAR(normal_force(m, 0, place), 200, 1e-4);
+    EXPECT_NEAR(normal_force(m, 1, place), 100, 1e-4);
+    EXPECT_NEAR(normal_force(m, 2, place), 0, 1e-4);
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Flexible, NodeForces,

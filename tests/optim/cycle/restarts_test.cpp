@@ -96,6 +96,7 @@ TEST(Continuation, SlowsAllThatTheMotionHas) {
   EXPECT_EQ(slow.mechanism.bodies[2].velocity.x(), 1);
   EXPECT_EQ(slow.simulation.duration, 2 * given[0].simulation.duration);
   EXPECT_EQ(slow.simulation.step, 2 * given[0].simulation.step);
+  EXPECT_EQ(slow.mechanism.penalty.step, 2 * given[0].mechanism.penalty.step);
   EXPECT_DOUBLE_EQ(stage_speed(0, 4), 0.9);
   EXPECT_DOUBLE_EQ(stage_speed(2, 4), 0.95);
   EXPECT_EQ(stage_speed(4, 4), 1);

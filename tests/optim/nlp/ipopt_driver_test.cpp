@@ -82,6 +82,24 @@ TEST(Ipopt, WarmStartNeedsFewerIterations) {
   RecordProperty("warm", again.iterations);
 }
 
+/// Whether limits can be met at all is a problem of its own, before (18 times the limit: hopeless)
+/// or after (9 times) the first run: a request to stop is heard there, too.
+TEST(Ipopt, StopsWhileTheLeastViolationIsSought) {
+  for (const double low : {20., 11.}) {
+    Lambda p = contradiction(low, 2);
+    NlpOptions o;
+    int asked = 0, most = 1000;
+    o.progress = [&](const NlpProgress&) { return ++asked < most; };
+    ASSERT_EQ(solve_ipopt(p, o).status, NlpStatus::Infeasible);
+    ASSERT_GT(asked, 5);
+    most = low > 11 ? 3 : asked - 1;
+    asked = 0;
+    const NlpResult r = solve_ipopt(p, o);
+    EXPECT_EQ(r.status, NlpStatus::Stopped) << low << ": " << r.brief();
+    EXPECT_LE(asked, most + 1);
+  }
+}
+
 TEST(Ipopt, WarmStartGoesById) {
   Lambda p = contradiction(3, 2);
   const NlpResult first = solve_ipopt(p);
