@@ -195,9 +195,9 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");
-  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=penalty", "--set",
-           "simulation.penalty_damping=1e-4"},
-          "no sensitivities of penalties with damping");
+  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=augmented",
+           "--set", "simulation.penalty_damping=1e-4"},
+          "no sensitivities of augmented penalties with damping");
   refused({study("slider_crank_rod"), "--by", "sections.rod.diameter"}, "by its variables");
   refused({study("batch_rod")}, "this is a batch");
 }
