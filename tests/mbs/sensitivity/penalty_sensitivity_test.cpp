@@ -40,7 +40,7 @@ MatrixXd derivatives(const Model<G>& model, int of, const State<G>& s, const Sta
 /// At the end of a motion: direct against adjoint, and against differences of simulations.
 template <class G>
 void expect_gradients(const Mechanism& m, const std::vector<Quantity>& all, int node = 1,
-                      double allowed = 1e-7) {
+                      double allowed = 1e-7, double largest = 0.04) {
   const auto o = tight(0.02, 4e-4);
   const Taped<G> run(m, o);
   const auto parameters = run.parameters(all);
@@ -76,11 +76,12 @@ void expect_gradients(const Mechanism& m, const std::vector<Quantity>& all, int 
           Mechanism changed = m;
           all[p].set(changed, all[p].nominal * (1 + change));
           const Taped<G> at(changed, o);
+          EXPECT_EQ(at.run.report.rejected_steps, 0);
           State<G> s = at.model.initial_state();
           at.run.trajectory.read(at.run.trajectory.size() - 1, s);
           return outputs(at.model, node, s);
         },
-        0.04, 4);
+        largest, 4);
     const auto error = [&](const MatrixXd& y, int first, int count) {
       return (y.col(0) - exact).segment(first, count).norm() / exact.segment(first, count).norm();
     };
@@ -136,7 +137,7 @@ Mechanism shared_machine() {
 }
 
 std::vector<Quantity> quantities_of_links(const Mechanism& m) {
-  return {{7800,
+  return {{steel().rho,
            [](Mechanism& c, double p) { std::get<BeamSpec>(c.bodies[1].kind).material.rho = p; },
            {"rho", {by_density(m, 1)}}},
           {20,
@@ -144,12 +145,13 @@ std::vector<Quantity> quantities_of_links(const Mechanism& m) {
            {"drive", {DriveDerivative{0, 1. / 20}}}}};
 }
 
+/// The links vibrate on their penalties, through many periods: small steps of differences.
 TEST(PenaltySensitivities, OfRowsThatShareForcesEqualDifferences) {
   Mechanism m = shared_machine();
   ASSERT_FALSE(Model<SE3>::build(m, {}).redundant.empty());
   for (const double damping : {0., 1e-4}) {
     m.penalty.damping = damping;
-    expect_gradients<SE3>(m, quantities_of_links(m), 0);
+    expect_gradients<SE3>(m, quantities_of_links(m), 0, 1e-7, 4e-3);
   }
 }
 
