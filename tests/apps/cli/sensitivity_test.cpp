@@ -193,6 +193,8 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "bodies.crank.beam.to.0"}, "opens joints: bodies were moved by");
   refused({rod, "--by", "bodies.rod.beam.to.0+bodies.slider.rigid.mass"}, "numbers of one unit");
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
+  refused({rod, "--by", "sections.rod.diameter", "--functionals", "at=99"},
+          "--functionals at=99: the motion ends at");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=augmented",
