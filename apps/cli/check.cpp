@@ -32,6 +32,8 @@ int check_command(const CommandOptions& options) {
   if (kind == FileKind::Sensitivity) {
     const SensitivityFile file = load_sensitivity(options.file, options.set);
     const SensitivityProblem problem = scene_problem(file.scene, file.by);
+    require_times(file.request.functionals, problem.scene.simulation.duration,
+                  options.file + ": functionals =");
     if (!options.quiet)
       fmt::print("{}: a good sensitivity of {} responses by {} parameters of {}\n", options.file,
                  problem.scene.responses.size(), problem.parameters.size(), file.scene.file);

@@ -44,6 +44,8 @@ Task task_of(const CommandOptions& options) {
   }
   if (!options.functionals.empty() || task.request.functionals.empty())
     task.request.functionals = functionals_of(options.functionals, "--functionals");
+  require_times(task.request.functionals, task.problem.scene.simulation.duration,
+                options.functionals.empty() ? options.file + ": functionals =" : "--functionals");
   if (options.method != "auto") task.request.method = method_of(options.method);
   return task;
 }

@@ -7,6 +7,7 @@
 #include "apps/input/ordered_text.hpp"
 #include "apps/scene/scene_key.hpp"
 #include "apps/study/study_reader.hpp"
+#include "mbs/sections/shape_dimensions.hpp"
 
 namespace liesl {
 
@@ -100,6 +101,56 @@ bool same_bodies(const Mechanism& a, const Mechanism& b) {
   return std::equal(a.bodies.begin(), a.bodies.end(), b.bodies.begin(), b.bodies.end(), same);
 }
 
+bool same_outline(const BodySpec& a, const BodySpec& b) {
+  const auto *x = std::get_if<SolidSpec>(&a.kind), *y = std::get_if<SolidSpec>(&b.kind);
+  if (!x || !y) return !x && !y;
+  const auto &of_x = x->outline.features, &of_y = y->outline.features;
+  return std::equal(of_x.begin(), of_x.end(), of_y.begin(), of_y.end(),
+                    [](const auto& f, const auto& g) {
+                      return f.kind == g.kind && f.values == g.values && f.operands == g.operands;
+                    });
+}
+
+bool same_sections(const DesignSpec& design, const BodySpec& a, const BodySpec& b) {
+  const auto *x = std::get_if<BeamSpec>(&a.kind), *y = std::get_if<BeamSpec>(&b.kind);
+  if (!x || !y) return !x && !y;
+  for (std::size_t e = 0; e < x->sections.size(); ++e) {
+    const Shape &of_x = x->sections[e].shape, &of_y = y->sections[e].shape;
+    if (of_x.index() != of_y.index()) return false;
+    for (const std::string& name : design.properties)
+      if (dimension(of_x, name) != dimension(of_y, name)) return false;
+  }
+  return true;
+}
+
+/// A variable of the design that two scenarios give different values, which it would set in both;
+/// empty: there is none.
+std::string set_otherwise(const StudySpec& spec, Mechanism a, Mechanism b) {
+  const auto body = [](const Mechanism& m, int i) { return m.bodies.at(std::size_t(i)); };
+  for (const DesignSpec& d : spec.design)
+    for (const int i : d.bodies)
+      if (!same_sections(d, body(a, i), body(b, i))) return d.name;
+  for (const ConstantSpec& c : spec.constants)
+    if (constant_of(c, a) != constant_of(c, b)) return c.name;
+  for (const auto& [i, shape] : spec.shapes)
+    if (!same_outline(body(a, i), body(b, i)))
+      return shape.variables.empty() ? body(a, i).name : shape.variables.front().name;
+  return "";
+}
+
+/// What the design varies is its own in every scenario. @pre all is read
+void check_scenarios(const std::vector<ScenarioText>& texts, Problems& problems,
+                     const Study& study) {
+  for (std::size_t s = 1; s < texts.size() && problems.count() == 0; ++s)
+    if (const std::string name =
+            set_otherwise(study.spec, study.scene.mechanism, study.scenarios[s - 1].mechanism);
+        !name.empty())
+      problems.add(
+          *texts[s].node,
+          "scenario '" + texts[s].name + "' changes what the design varies: '" + name + "'",
+          "other keys", "one design stands all scenarios; start and bounds are in [design]");
+}
+
 Scene read_scenario(ScenarioText& from, Problems& problems) {
   const Broken broken = validate(from.scene.root, FileKind::Scene, problems);
   Scene scene;
@@ -187,6 +238,7 @@ Study read_document(Document document, const fs::path& folder,
   read_scenarios(scenarios, problems, study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
+  check_scenarios(scenarios, problems, study);
   const toml::table* cycle = document.root["cycle"].as_table();
   study.refine = !cycle || broken.contains("cycle") || text(*cycle, "refine") == "auto";
   problems.throw_if_any();

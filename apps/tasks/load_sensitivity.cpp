@@ -10,6 +10,8 @@
 namespace liesl {
 namespace {
 
+constexpr double kRounding = 1e-9;
+
 /// Keys of the file itself; what is left goes to the scene.
 bool is_own(const std::string& change) {
   const std::string path = change.substr(0, change.find('='));
@@ -48,6 +50,15 @@ std::vector<FunctionalSpec> functionals_of(const std::vector<std::string>& words
     list.push_back(*functional);
   }
   return list.empty() ? functionals_of({"peak", "integral", "mean", "rms"}, where) : list;
+}
+
+void require_times(const std::vector<FunctionalSpec>& functionals, double duration,
+                   const std::string& where) {
+  for (const FunctionalSpec& f : functionals)
+    if (f.kind == FunctionalKind::At && f.number > duration * (1 + kRounding))
+      throw InputError({{fmt::format("{} {}", where, to_string(f)), 0, 0,
+                         fmt::format("the motion ends at {:.6g} s", duration),
+                         "a time within the motion (s)", ""}});
 }
 
 SensitivityMethod method_of(const std::string& word) {

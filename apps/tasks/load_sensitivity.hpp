@@ -29,6 +29,11 @@ SensitivityFile load_sensitivity(const std::filesystem::path& path,
 std::vector<FunctionalSpec> functionals_of(const std::vector<std::string>& words,
                                            const std::string& where);
 
+/// @param where they were written, for messages
+/// @throws InputError for a time that is not within the motion
+void require_times(const std::vector<FunctionalSpec>& functionals, double duration,
+                   const std::string& where);
+
 SensitivityMethod method_of(const std::string& word);
 
 }  // namespace liesl

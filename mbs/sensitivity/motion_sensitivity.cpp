@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mbs/solvers/initial_state.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -16,11 +17,13 @@ using Eigen::VectorXd;
 constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
 constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
 
-/// r_p and Phi_p of all parameters.
+/// r_p and Phi_p + tau dPhi_p/dt of all parameters.
 template <FrameGroup G>
 class Derivatives {
  public:
-  Derivatives(const Model<G>& model, const Parameters<G>& parameters) : parameters_(parameters) {
+  /// @param damping tau of penalties, s
+  Derivatives(const Model<G>& model, const Parameters<G>& parameters, double damping)
+      : parameters_(parameters), damping_(damping) {
     const auto n_p = static_cast<Eigen::Index>(parameters.size());
     std::vector<Eigen::Triplet<double>> entries;
     for (Eigen::Index i = 0; i < n_p; ++i)
@@ -34,6 +37,10 @@ class Derivatives {
     if (!step.isZero(0)) by_p_.step = step;
     r_p_.setZero(model.size());
     phi_p_.setZero(model.constraints());
+    rate_.setZero(model.constraints());
+    for (const auto& p : parameters)
+      if (p.nearby())
+        for (const auto& near : p.nearby()->models()) near->equations.damping = damping;
   }
   /// At the state after a step. @param previous coupling rows at the state before
   const ResidualDerivative& at(const State<G>& s, const VectorXd& previous) {
@@ -44,6 +51,7 @@ class Derivatives {
     for (size_t i = 0; i < parameters_.size(); ++i) {
       phi_p_.setZero();
       parameters_[i].add(s, previous, level, r_p_, phi_p_);
+      add_damping(parameters_[i], level.t);
       const auto column = static_cast<Eigen::Index>(i);
       by_p_.phi.col(column) = phi_p_;
       for (Eigen::SparseMatrix<double>::InnerIterator it(by_p_.r, column); it; ++it) {
@@ -69,6 +77,12 @@ class Derivatives {
   }
 
  private:
+  void add_damping(const ParameterResidual<G>& parameter, double t) {
+    if (damping_ == 0) return;
+    rate_.setZero();
+    parameter.add_target(t, 1, rate_);
+    phi_p_ += damping_ * rate_;
+  }
   void set_target(double t, int order) {
     for (size_t i = 0; i < parameters_.size(); ++i) {
       phi_p_.setZero();
@@ -78,8 +92,9 @@ class Derivatives {
   }
 
   const Parameters<G>& parameters_;
+  const double damping_;
   ResidualDerivative by_p_;
-  VectorXd r_p_, phi_p_;
+  VectorXd r_p_, phi_p_, rate_;
 };
 
 /// The state with all positions in inertial axes: those of a node turn from step to step, its
@@ -192,7 +207,7 @@ struct StepEnd {
 template <FrameGroup G>
 SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at) {
-  Derivatives<G> derivatives(model, parameters);
+  Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
   require_given_start(model, tape, derivatives);
   StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
   StateSensitivity ds;
@@ -229,7 +244,7 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
 template <FrameGroup G>
 SensitivityEnd static_sensitivity(const Model<G>& model, const Trajectory<G>& path, double time,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at) {
-  Derivatives<G> derivatives(model, parameters);
+  Derivatives<G> derivatives(model, parameters, 0);
   StepSensitivity<G> sensitivity(model, 1);
   StateSensitivity ds;
   State<G> s = model.initial_state();
@@ -248,7 +263,7 @@ template <FrameGroup G>
 SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                    const Parameters<G>& parameters, int functionals,
                                    const CotangentsAt<G>& at, MatrixXd& gradient) {
-  Derivatives<G> derivatives(model, parameters);
+  Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
   require_given_start(model, tape, derivatives);
   StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
   gradient.setZero(static_cast<Eigen::Index>(parameters.size()), functionals);

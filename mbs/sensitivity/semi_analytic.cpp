@@ -4,6 +4,8 @@
 
 #include <stdexcept>
 
+#include "mbs/system/penalty.hpp"
+
 namespace liesl {
 namespace {
 
@@ -18,6 +20,8 @@ class Residuals {
   Residuals(const Model<G>& model, const std::vector<PerturbedModel<G>>& perturbed)
       : perturbed_(perturbed), at_(model) {
     for (const auto& p : perturbed) changed_.emplace_back(*p.model);
+    at_.damping = damping_of_penalties(model);
+    for (auto& eq : changed_) eq.damping = at_.damping;
   }
   /// -[r; Phi] of a change of v and vdot with p_i, divided by the step. @param v, vdot n x n_p
   MatrixXd right_side(const State<G>& s, const VectorXd& previous, const MatrixXd& v,

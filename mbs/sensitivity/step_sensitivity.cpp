@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "mbs/linalg/block_product.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 
@@ -12,6 +13,7 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr int kRefinements = 2;
+constexpr double kShared = 1e-10;  // of B M^-1 B^T: rows that repeat others share forces
 
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
 
@@ -108,6 +110,17 @@ MatrixXd scaled_transposed(const Blocks& T, const MatrixXd& x) {
   return y;
 }
 
+/// The least compliance with which rows of joints that repeat others share forces: a share of
+/// the largest sum of B_ij^2/M_jj.
+double little_compliance(const Eigen::SparseMatrix<double>& start, Eigen::Index n) {
+  const Eigen::VectorXd M = start.diagonal();
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(start.rows());
+  for (Eigen::Index j = 0; j < n; ++j)
+    for (Eigen::SparseMatrix<double>::InnerIterator it(start, j); it; ++it)
+      if (it.row() >= n && M[j] > 0) sum[it.row()] += it.value() * it.value() / M[j];
+  return kShared * sum.maxCoeff();
+}
+
 }  // namespace
 
 StateSensitivity StateSensitivity::zero(int n, int m, int columns) {
@@ -134,32 +147,38 @@ template <FrameGroup G>
 StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
     : model_(model),
       weights_(rho_inf),
+      damping_(damping_of_penalties(model)),
       coordinates_(model, false),
       equations_(model),
       matrix_(model),
       before_(model),
       after_(model) {
-  if (model.penalty.form == ConstraintForm::Multipliers) return;
-  if (model.penalty.damping > 0)
+  if (model.penalty.form != ConstraintForm::Augmented) return;
+  if (damping_ > 0)
     throw std::invalid_argument(
-        "there are no sensitivities of penalties with damping: simulation.penalty_damping = 0");
+        "there are no sensitivities of augmented penalties with damping: "
+        "simulation.penalty_damping = 0, or simulation.constraints = \"penalty\"");
   if (!model.redundant.empty())
     throw std::invalid_argument(
-        "there are no sensitivities where penalties share the forces of rows that repeat others: "
-        "simulation.constraints = \"multipliers\" leaves them out; " +
+        "there are no sensitivities where augmented penalties share the forces of rows that repeat "
+        "others: simulation.constraints = \"penalty\" has them, and \"multipliers\" leaves the "
+        "rows "
+        "out; " +
         model.redundant.front());
 }
 
 template <FrameGroup G>
 bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& previous,
                                    const RateTangents<G>& rates, bool factor) {
+  equations_.damping = at_start_ ? 0 : damping_;
   equations_.evaluate(s, previous, {s.t, 1});
   matrix_.take_prestress(equations_, s);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
   return !factor || matrix_.factor();
 }
 
-/// [M B^T; B 0], nodes that follow others held by the identity.
+/// [M B^T; B 0], nodes that follow others held by the identity. Where rows repeat others it is
+/// factored with a little compliance, which refinement takes out again.
 template <FrameGroup G>
 bool StepSensitivity<G>::start(const State<G>& s) {
   at_start_ = true;
@@ -186,12 +205,19 @@ bool StepSensitivity<G>::start(const State<G>& s) {
   start_matrix_.resize(S.rows(), S.cols());
   start_matrix_.setFromTriplets(entries.begin(), entries.end());
   start_lu_ = SparseLu();
-  return start_lu_.factor(start_matrix_);
+  if (model_.penalty.form == ConstraintForm::Multipliers || model_.redundant.empty())
+    return start_lu_.factor(start_matrix_);
+  const double little = little_compliance(start_matrix_, model_.size());
+  for (int i = model_.size(); i < S.rows(); ++i) entries.emplace_back(i, i, -little);
+  Eigen::SparseMatrix<double> shared(S.rows(), S.cols());
+  shared.setFromTriplets(entries.begin(), entries.end());
+  return start_lu_.factor(shared);
 }
 
 template <FrameGroup G>
 bool StepSensitivity<G>::equilibrium(const State<G>& s, const LoadLevel& level) {
   at_start_ = in_equilibrium_ = true;
+  equations_.damping = 0;
   equations_.evaluate(s, s.rows, level);
   matrix_.take_prestress(equations_, s);
   start_matrix_ = matrix_.assemble(equations_, s, level);
@@ -272,6 +298,18 @@ auto StepSensitivity<G>::at_held_frames(const Known& k) const -> RateChange {
 }
 
 template <FrameGroup G>
+template <class F>
+void StepSensitivity<G>::each_damped_block(F f) const {
+  for (size_t k = 0; k < model_.couplings.size() && damping_ > 0; ++k) {
+    const auto& c = model_.couplings[k];
+    const auto B = equations_.couplings[k].B.topRows(c.constraints);
+    if (c.a.body >= 0) f(c.first_constraint, dim * c.a.node, damping_ * B.template leftCols<dim>());
+    if (c.b.body >= 0)
+      f(c.first_constraint, dim * c.b.node, damping_ * B.template rightCols<dim>());
+  }
+}
+
+template <FrameGroup G>
 void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
                                 StateSensitivity& s) const {
   const TangentWeights w = weights_.at(h_);
@@ -301,6 +339,9 @@ void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivit
   matrix_.add_damping_product(change.v, false, force);
   MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
   rhs << -force, -by_p.phi;
+  each_damped_block([&](int row, int column, const auto& block) {
+    rhs.middleRows(n + row, block.rows()) -= block * change.v.template middleRows<dim>(column);
+  });
   solve(rhs);
   finish(k, rhs, s);
 }
@@ -321,6 +362,10 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   MatrixXd Mmu = MatrixXd::Zero(n, mu.cols()), Cmu = Mmu;
   matrix_.add_mass_product(mu, true, Mmu);
   matrix_.add_damping_product(mu, true, Cmu);
+  each_damped_block([&](int row, int column, const auto& block) {
+    Cmu.template middleRows<dim>(column) +=
+        block.transpose() * rhs.middleRows(n + row, block.rows());
+  });
   after_.at_held_frames_transposed(Cmu, Mmu);
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;

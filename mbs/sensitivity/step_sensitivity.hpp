@@ -18,7 +18,9 @@
 /// So for the group, whose coordinates have the rates v. Others are integrated in their own: dq' =
 /// E eta_{n+1} - E_n eta_n with E of `increments` for T^-1, v', a', w' of known and unknown are
 /// those of the coordinates, and `RateMap` takes them into local frames and back.
-/// `backward` is the transposed of this map (discrete adjoint: exact for the discrete motion).
+/// Penalties lambda = alpha (Phi + tau dPhi/dt) have -1/alpha in the corner of S, tau (D(B v) + B
+/// V) beside B, and Phi_p + tau [dPhi_p/dt + B (v0 - gamma' x0)] in place of Phi_p. `backward` is
+/// the transposed of this map (discrete adjoint: exact for the discrete motion).
 
 #include <Eigen/Core>
 
@@ -30,8 +32,8 @@ namespace liesl {
 /// Derivatives of the equations of motion by n_p parameters at constant state, a column each.
 struct ResidualDerivative {
   Eigen::SparseMatrix<double> r;  ///< n x n_p, dr/dp: a parameter acts on few nodes
-  Eigen::MatrixXd phi;            ///< m x n_p, dPhi/dp; at the start d^2/dt^2 of it
-  Eigen::RowVectorXd step = {};   ///< n_p, dh/dp / h; empty: no parameter changes the step
+  Eigen::MatrixXd phi;           ///< m x n_p, dPhi/dp + tau d/dt of it; at the start d^2/dt^2 of it
+  Eigen::RowVectorXd step = {};  ///< n_p, dh/dp / h; empty: no parameter changes the step
 };
 
 template <FrameGroup G>
@@ -39,7 +41,7 @@ class StepSensitivity {
  public:
   static constexpr int dim = G::dim;
 
-  /// @throws std::invalid_argument for penalties with damping, or that share forces
+  /// @throws std::invalid_argument for augmented penalties with damping, or that share forces
   StepSensitivity(const Model<G>& model, double rho_inf);
 
   /// At the start, where accelerations and multipliers follow from M w + B^T lambda = ...
@@ -90,10 +92,14 @@ class StepSensitivity {
   bool linearise_step(const State<G>& before, const State<G>& after, double h, bool factor);
   void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  /// f(row, column, block) of tau B, by coupling and port.
+  template <class F>
+  void each_damped_block(F f) const;
   using Blocks = typename RateTangents<G>::Blocks;
 
   const Model<G>& model_;
   const AlphaWeights weights_;
+  const double damping_;  ///< of penalties
   NodeCoordinates<G> coordinates_;
   Equations<G> equations_;
   IterationMatrix<G> matrix_;

@@ -21,6 +21,12 @@ bool is_length(const Row<G>& row) {
   return row.kind() != RowKind::Angle && row.kind() != RowKind::Perpendicular;
 }
 
+/// tau of a motion, s; 0 with multipliers.
+template <FrameGroup G>
+double damping_of_penalties(const Model<G>& model) {
+  return model.penalty.form == ConstraintForm::Multipliers ? 0 : model.penalty.damping;
+}
+
 /// Phi from the rows of a state, m or rad by multiplier.
 template <FrameGroup G>
 Eigen::VectorXd openings(const Model<G>& model, const State<G>& s);

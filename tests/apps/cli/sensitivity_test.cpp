@@ -207,11 +207,13 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "bodies.crank.beam.to.0"}, "opens joints: bodies were moved by");
   refused({rod, "--by", "bodies.rod.beam.to.0+bodies.slider.rigid.mass"}, "numbers of one unit");
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
+  refused({rod, "--by", "sections.rod.diameter", "--functionals", "at=99"},
+          "--functionals at=99: the motion ends at");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");
-  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=penalty", "--set",
-           "simulation.penalty_damping=1e-4"},
-          "no sensitivities of penalties with damping");
+  refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=augmented",
+           "--set", "simulation.penalty_damping=1e-4"},
+          "no sensitivities of augmented penalties with damping");
   refused({study("slider_crank_rod"), "--by", "sections.rod.diameter"}, "by its variables");
   refused({study("batch_rod")}, "this is a batch");
 }

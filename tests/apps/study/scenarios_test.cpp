@@ -69,6 +69,10 @@ TEST(Scenarios, HaveTheSameBodiesAndAreMotions) {
   EXPECT_NE(refusal("\"bodies.rod.beam.elements\"=4").find("other bodies"), std::string::npos);
   EXPECT_NE(refusal("\"simulation.type\"=\"static\"").find("is no motion"), std::string::npos);
   EXPECT_NE(refusal("\"bodies.rodd.beam.elements\"=4").find("rodd"), std::string::npos);
+  EXPECT_NE(refusal("\"sections.rod.diameter\"=0.02")
+                .find("scenario 'b' changes what the design varies: 'rod_diameters'"),
+            std::string::npos);
+  EXPECT_EQ(refusal("\"sections.crank.diameter\"=0.021"), "");
   EXPECT_EQ(refusal("\"gravity\"=[0, 0, 0]"), "");
   EXPECT_THROW(shipped_study("rod_three_speeds",
                              {"scenarios={a={set={\"simulation.type\"=\"static\"}}, b={}}"}),

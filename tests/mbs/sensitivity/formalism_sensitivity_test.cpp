@@ -40,15 +40,15 @@ std::vector<Quantity> quantities_of(const Mechanism& m) {
   return all;
 }
 
-Mechanism in_a_plane(const Case& c) {
-  Mechanism m = under(sensitive_machine(), c);
+Mechanism in_a_plane(const Case& c, double E = 7e9) {
+  Mechanism m = under(sensitive_machine(E), c);
   slow_down(m);
   return m;
 }
 
 /// In space the weight, the loads and the disc bend the beams out of the plane of their motion.
-Mechanism out_of_plane(const Case& c) {
-  Mechanism m = in_a_plane(c);
+Mechanism out_of_plane(const Case& c, double E = 7e9) {
+  Mechanism m = in_a_plane(c, E);
   m.gravity.z() = 2;
   m.loads[0].force.z() = 2;
   std::get<RigidSpec>(m.bodies[3].kind).centre.z() = 0.01;
@@ -139,14 +139,14 @@ TEST(FloatingSensitivity, DirectEqualsAdjoint) {
   }
 }
 
-/// Of plastic beams in floating frames the iteration ends at 1e-10.
+/// Of rubber and slow: EA/L times round-off is smaller beside the forces, by sections 2.5e-8 of
+/// them in place of 3e-7.
 TEST(FloatingSensitivity, BySectionsEqualsDifferences) {
-  const Mechanism m = in_a_plane(kCases[2]);
+  Mechanism m = in_a_plane(kCases[2], 7e8);
+  m.drives = {{0, 0, TimeFunction::rate(20, 0.02)}};
   auto all = quantities_of(m);
   all.resize(3);
-  auto o = tight(0.02, 4e-4);
-  o.tolerance = 1e-10;
-  expect_differences<SE2>(m, all, {.simulation = o, .largest = 0.08, .error = 1e-6});
+  expect_differences<SE2>(m, all, {.largest = 0.08});
 }
 
 /// Elements of one formalism with the update of another.
@@ -159,13 +159,13 @@ TEST(UpdateSensitivity, EqualsTheAdjointFormAndDifferencesInAPlane) {
   }
 }
 
-/// 6e-11 at worst; against the largest output of their kind, 7e-12.
-/// Rounding: 1.15e-10 after 100 steps.
+/// Rounding grows with EA: 7.3e-11 at worst; with E = 7e9 1.15e-10 of an output that is 3e-4 of its
+/// kind.
 TEST(UpdateSensitivity, DirectEqualsAdjointInSpace) {
   for (const Case& c : {kCases[4], kCases[5]}) {
-    const Mechanism m = out_of_plane(c);
+    const Mechanism m = out_of_plane(c, 3.5e9);
     for (const int steps : {10, 100, 1000})
-      expect_direct_equals_adjoint<SE3>(steps, m, quantities_of(m), 2e-4, 1, 1e-6, 2e-10);
+      expect_direct_equals_adjoint<SE3>(steps, m, quantities_of(m));
   }
 }
 
@@ -178,9 +178,9 @@ TEST_P(SpunPendulumSensitivity, DirectEqualsAdjoint) {
     expect_direct_equals_adjoint<SE3>(steps, m, quantities_of_the_pendulum(m), 1.5e-3, 0, 1);
 }
 
-/// Rounding of 110 steps adds up, with little damping: by the diameter to 1.1e-7, by all others
-/// less than 1e-7. Sections of floating frames, whose high modes change phase many times, are
-/// above.
+/// Rounding of 110 steps adds up, with little damping: of `classical` by the diameter it ends
+/// extrapolations at 1.1e-7, a fit to many differences at 4e-8. Sections of floating frames, whose
+/// high modes change phase many times, are above.
 TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
   const Mechanism m = under(spun_pendulum(), GetParam());
   auto all = quantities_of_the_pendulum(m);
@@ -190,8 +190,12 @@ TEST_P(SpunPendulumSensitivity, EqualsDifferences) {
   const double largest = m.formalism == Formalism::Rigid       ? 0.16
                          : m.formalism == Formalism::Classical ? 0.04
                                                                : 0.06;
-  expect_differences<SE3>(
-      m, all, {.simulation = o, .node = 0, .largest = largest, .error = 2e-7, .of_kind = true});
+  expect_differences<SE3>(m, all,
+                          {.simulation = o,
+                           .node = 0,
+                           .largest = largest,
+                           .of_kind = true,
+                           .samples = m.formalism == Formalism::Classical ? 48 : 0});
 }
 
 /// What the pendulum is there for: after a whole turn the rotation vectors were rescaled.

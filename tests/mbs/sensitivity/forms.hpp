@@ -103,6 +103,7 @@ struct DifferenceOptions {
   double largest = 0.16;  ///< relative change of a quantity
   double error = 1e-7;    ///< allowed
   bool of_kind = false;   ///< errors relative to the largest output of their kind
+  int samples = 0;        ///< of a fit beside the extrapolations; 0: none
 };
 
 /// Outputs [size x records] of the motion with a quantity changed by a share of its nominal value.
@@ -148,7 +149,8 @@ void expect_differences(const Mechanism& machine, const std::vector<Quantity>& a
     const auto error = [&](const MatrixXd& y) {
       return (y - exact[p]).cwiseAbs().rowwise().maxCoeff().cwiseQuotient(size).maxCoeff();
     };
-    const Differences differences(motion, options.largest, 6);
+    Differences differences(motion, options.largest, 6);
+    if (options.samples > 0) differences.fit(motion, 0.7 * options.largest, options.samples);
     const double best = differences.least(error);
     EXPECT_LT(best, options.error) << all[p].parameter.name;
     ::testing::Test::RecordProperty("best_" + std::to_string(p), std::to_string(1e9 * best));

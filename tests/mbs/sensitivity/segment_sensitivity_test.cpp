@@ -116,7 +116,7 @@ TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
       double best = 1;
       for (const auto& y : found.extrapolated)
         best = std::min(best, std::abs(y(i, 0) - at[i]) / size);
-      EXPECT_LT(best, 1e-6) << i << ", " << all[p].parameter.name;
+      EXPECT_LT(best, 1e-7) << i << ", " << all[p].parameter.name;
       const double coarse = std::abs(found.central[0](i, 0) - at[i]) / size,
                    fine = std::abs(found.central[1](i, 0) - at[i]) / size;
       if (fine > 1e-4) {
