@@ -1,5 +1,7 @@
 #include "mbs/solvers/static_newton.hpp"
 
+#include "mbs/solvers/divergence.hpp"
+
 namespace liesl {
 namespace {
 
@@ -119,7 +121,7 @@ bool StaticNewton<G>::check(NewtonResult& result) {
   result.residuals.push_back(residual / std::max(equations_.scale(), 1e-300));
   result.converged = false;
   if (!std::isfinite(residual + equations_.constraint_residual()))
-    result.failure = "the iteration diverged";
+    result.failure = divergence(model_, trial_);
   else if (small_enough() && moved_ <= kIncrement * std::sqrt(options_.tolerance))
     result.converged = true;
   else if (result.iterations == options_.max_iterations)
