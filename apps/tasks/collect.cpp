@@ -71,9 +71,9 @@ constexpr double kStressTo = 1e-2;  // of its largest stress, to which stresses 
 /// interface: u = phi amplitudes at every record.
 struct MeshMotion {
   Eigen::MatrixXd phi;  ///< node freedoms x k; no columns: it is rigid
+  std::vector<Eigen::VectorXd> amplitudes;
   /// Of a continuum: stresses of the cells below each other by amplitude, Pa.
   Eigen::MatrixXd stress = {};
-  std::vector<Eigen::VectorXd> amplitudes;
 };
 
 /// Of a continuum: displacements with the stresses below them, which do not follow from those by
