@@ -638,7 +638,7 @@ std::string ContinuumBody<G>::no_forces(const G* H) const {
     cell(e).respond(E, false, response);
     if (!response.converged)
       return "cell " + std::to_string(e) + " of '" + this->name +
-             "' is strained so far that its enhanced strains are not found";
+             "' has no stress: it is pushed flat, or its enhanced strains do not converge";
   }
   return {};
 }
