@@ -28,21 +28,21 @@ const std::vector<std::string> kBeam = {"materials.steel.E", "materials.steel.rh
 const std::vector<std::string> kMesh = {"materials.steel.E", "materials.steel.rho",
                                         "bodies.rod.solid.thickness", "bodies.slider.rigid.mass"};
 /// The rod as a mesh, in the place of the beam of the scene.
-const std::string kBeamLine = "rod    = { beam ", kMeshLines = R"(rod    = { solid = {
-  mesh = { from = [0, -0.005], to = [0.3, 0.005], cells = [30, 2] }, at = [0.15, 0, 0],
-  material = "steel", thickness = 0.008, )";
-const std::string kInterfaces = R"(
-  interfaces = { start = { set = "x_min" }, end = { set = "x_max" } } } }
-)";
+const std::string kBeamLine = "rod    = { beam ";
+const std::string kMeshLine =
+    "rod = { solid = { mesh = { from = [0, -0.005], to = [0.3, 0.005], cells = [30, 2] }, "
+    "at = [0.15, 0, 0], material = \"steel\", thickness = 0.008, ";
+const std::string kInterfaces =
+    "interfaces = { start = { set = \"x_min\" }, end = { set = \"x_max\" } } } }";
 
-struct Row {
+struct Case {
   std::string name;
   std::vector<std::string> changes;
   std::string mesh;  ///< further keys of the meshed rod; empty: it is a beam
 };
 
-std::vector<Row> rows() {
-  std::vector<Row> all;
+std::vector<Case> cases() {
+  std::vector<Case> all;
   for (const char* formalism : {"se3", "r3so3", "classical", "floating", "rigid", "segments"})
     all.push_back({formalism, {std::string("simulation.formalism=") + formalism}, ""});
   for (const char* form : {"penalty", "augmented"})
@@ -59,12 +59,12 @@ std::vector<Row> rows() {
   return all;
 }
 
-SensitivityProblem problem_of(const Row& row) {
+SensitivityProblem problem_of(const Case& row) {
   SceneText scene{load_text(kScene, "a scene in TOML"), kScene, row.changes};
   scene.changes.push_back("simulation.duration=0.02");
   if (!row.mesh.empty()) {
     const auto from = scene.text.find(kBeamLine), to = scene.text.find('\n', from);
-    scene.text.replace(from, to - from, kMeshLines + row.mesh + kInterfaces);
+    scene.text.replace(from, to - from, kMeshLine + row.mesh + kInterfaces);
     const auto bend = scene.text.find("bend     =");
     scene.text.erase(bend, scene.text.find('\n', bend) - bend);
   }
@@ -99,7 +99,7 @@ template <FrameGroup G>
 
 /// By turns: the scene as given, the motion converged as sensitivities need it, the direct form.
 template <FrameGroup G>
-void measure(const Row& row, const SensitivityProblem& problem, const Space<G>& space, int runs) {
+void measure(const Case& row, const SensitivityProblem& problem, const Space<G>& space, int runs) {
   const Mechanism& mechanism = problem.scene.mechanism;
   const auto model = Model<G>::build(mechanism, space);
   SimulationOptions converged = problem.scene.simulation;
@@ -128,7 +128,7 @@ int main(int argc, char** argv) {
   const std::string only = argc > 1 ? argv[1] : "";
   const int runs = argc > 2 ? std::atoi(argv[2]) : 7;
   fmt::print("| {:<16} | scene ms | to 1e-8  | direct   | ratio | to it |\n", "row");
-  for (const Row& row : rows()) {
+  for (const Case& row : cases()) {
     if (!only.empty() && row.name != only) continue;
     const SensitivityProblem problem = problem_of(row);
     const ChosenSpace chosen = choose_space(problem.scene);
