@@ -66,36 +66,50 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
 }
 
-constexpr double kShownTo = 1e-6;  // of the size of a part, to which its displacements are shown
+constexpr double kShownTo = 1e-6;   // of the size of a part, to which its displacements are shown
+constexpr double kStressTo = 1e-2;  // of its largest stress, to which stresses of continua are
 
 /// Displacements of the nodes of a meshed part in the axes of its mesh, seen from the first
 /// interface: u = phi amplitudes at every record.
 struct MeshMotion {
   Eigen::MatrixXd phi;  ///< node freedoms x k; no columns: it is rigid
   std::vector<Eigen::VectorXd> amplitudes;
+  /// Of a continuum: stresses of the cells below each other by amplitude, Pa.
+  Eigen::MatrixXd stress = {};
 };
 
-/// Of a continuum, in a basis found on the way. @param turn axes of the mesh to those of its ports
+/// Of a continuum: displacements with the stresses below them, which do not follow from those by
+/// amplitude, in a basis found on the way. @param turn axes of the mesh to those of its ports
 template <FrameGroup G>
 MeshMotion motion_of(const ContinuumBody<G>& body, const Model<G>& model,
                      const Trajectory<G>& trajectory, int b, const Eigen::Matrix3d& turn) {
   constexpr int sd = G::space_dim;
   using Points = typename ContinuumBody<G>::Points;
-  const auto seen = [&body](const G* H) {
+  const Eigen::Matrix<double, sd, sd> axes = turn.topLeftCorner<sd, sd>();
+  const auto seen = [&](const G* H) {
     Points x;
     body.positions(H, x);
-    return Points(H[0].R.transpose() * (x.colwise() - H[0].x));
+    return Points((H[0].R * axes).transpose() * (x.colwise() - H[0].x));
   };
+  const auto at = [&](int n) { return seen(trajectory.frames(n) + model.first_node(b)); };
   const Points rest = seen(body.reference.data());
+  const double tolerance = kShownTo * rest.cwiseAbs().maxCoeff();
+  double largest = 0;
+  for (int n = 0; n < trajectory.size(); ++n)
+    largest = std::max(largest, body.stresses_at(at(n)).cwiseAbs().maxCoeff());
+  const double scale = largest > 0 ? tolerance / (kStressTo * largest) : 1;
   MeshMotion out;
-  DisplacementBasis basis(rest.size(), kShownTo * rest.cwiseAbs().maxCoeff());
+  const Eigen::MatrixXd none = body.stresses_at(rest);
+  DisplacementBasis basis(rest.size() + none.size(), tolerance);
   for (int n = 0; n < trajectory.size(); ++n) {
-    const Points u = turn.topLeftCorner<sd, sd>().transpose() *
-                     (seen(trajectory.frames(n) + model.first_node(b)) - rest);
-    out.amplitudes.push_back(
-        basis.amplitudes(Eigen::Map<const Eigen::VectorXd>(u.data(), u.size())));
+    const Points x = at(n), u = x - rest;
+    const Eigen::MatrixXd stress = scale * body.stresses_at(x);
+    Eigen::VectorXd both(rest.size() + none.size());
+    both << u.reshaped(), stress.reshaped();
+    out.amplitudes.push_back(basis.amplitudes(both));
   }
-  out.phi = basis.basis();
+  out.phi = basis.basis().topRows(rest.size());
+  out.stress = basis.basis().bottomRows(none.size()) / scale;
   return out;
 }
 
@@ -123,10 +137,12 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
   MeshMotion motion;
   if (body.meshed()) motion = motion_of(*body.meshed(), model, trajectory, b);
   output::MeshResult out = mesh_at_rest(spec, motion.phi);
-  if (body.continuum()) {  // its stress is not linear in the displacements
+  if (body.continuum()) {
     const SE3 align = model.space.alignment(std::get<SolidSpec>(spec.kind).frame);
     motion = motion_of(*body.continuum(), model, trajectory, b, align.R);
     add_basis(mesh, motion.phi, out);
+    for (Eigen::Index k = 0; k < motion.stress.cols(); ++k)
+      append(out.stress_basis, motion.stress.col(k));
   }
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);

@@ -1,6 +1,7 @@
 #pragma once
 /// @file
-/// Displacements of a mesh over a motion as amplitudes of few shapes.
+/// Displacements of a mesh over a motion, of a continuum with its stresses, as amplitudes of few
+/// shapes.
 
 #include <Eigen/Core>
 

@@ -24,8 +24,40 @@ bool same_frames(const std::vector<SE3>& a, const std::vector<SE3>& b) {
   return equal;
 }
 
+/// The same cells, interfaces of the same nodes, the same law.
+bool same_mesh(const SolidSpec& a, const SolidSpec& b) {
+  const auto &x = a.mesh().cells, &y = b.mesh().cells;
+  bool equal = a.as == b.as && a.law == b.law && a.modes == b.modes &&
+               a.mesh().node_count() == b.mesh().node_count() && x.rows() == y.rows() &&
+               x.cols() == y.cols() && x == y && a.interfaces().size() == b.interfaces().size();
+  for (std::size_t i = 0; equal && i < a.interfaces().size(); ++i)
+    equal = a.interfaces()[i].nodes == b.interfaces()[i].nodes &&
+            a.interfaces()[i].tie == b.interfaces()[i].tie;
+  return equal;
+}
+
+bool same_places(const SolidSpec& a, const SolidSpec& b) {
+  bool equal = same(a.frame, b.frame) && a.mesh().nodes == b.mesh().nodes;
+  for (std::size_t i = 0; equal && i < a.interfaces().size(); ++i)
+    equal = a.interfaces()[i].point == b.interfaces()[i].point;
+  return equal;
+}
+
+bool same_nu(const SolidSpec& a, const SolidSpec& b) {
+  return a.model->material().nu == b.model->material().nu;
+}
+
+/// Of all that modes depend on but the outline.
+bool same_modes(const SolidSpec& a, const SolidSpec& b) {
+  const ErsatzLaw &x = a.model->law(), &y = b.model->law();
+  return same_nu(a, b) && a.mesh().nodes == b.mesh().nodes && x.exponent == y.exponent &&
+         x.ratio == y.ratio;
+}
+
 bool same_kind(const BodySpec& a, const BodySpec& b) {
   if (a.kind.index() != b.kind.index()) return false;
+  if (const auto* solid = std::get_if<SolidSpec>(&a.kind))
+    return same_mesh(*solid, std::get<SolidSpec>(b.kind));
   const auto* beam = std::get_if<BeamSpec>(&a.kind);
   if (!beam) return true;
   const auto& other = std::get<BeamSpec>(b.kind);
@@ -162,7 +194,7 @@ class Differences {
     });
     if (std::holds_alternative<BeamSpec>(of(at_).kind)) add_beam(b, p);
     if (std::holds_alternative<RigidSpec>(of(at_).kind)) add_rigid(b, p);
-    if (std::holds_alternative<SolidSpec>(of(at_).kind)) check_solid(b, of(at_).name);
+    if (std::holds_alternative<SolidSpec>(of(at_).kind)) add_solid(b, p);
   }
 
   void add_beam(int b, Parameter& p) {
@@ -228,19 +260,32 @@ class Differences {
       p.parts.push_back(by_p);
   }
 
-  void check_solid(int b, const std::string& name) const {
+  /// E, rho and the thickness scale the matrices; the modes of a reduced part, and no more, follow
+  /// what else changes.
+  void add_solid(int b, Parameter& p) {
     const auto of = [b](const Mechanism& m) -> const SolidSpec& {
       return std::get<SolidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
     };
     const SolidSpec& solid = of(at_);
-    const Eigen::VectorXd fractions = solid_fractions(solid).value;
-    require("material, mesh or outline of the meshed body '" + name + "'", [&](const Mechanism& m) {
-      const SolidModel &mine = *solid.model, &other = *of(m).model;
-      return other.material().E == mine.material().E && other.material().nu == mine.material().nu &&
-             other.material().rho == mine.material().rho && other.thickness() == mine.thickness() &&
-             other.law().exponent == mine.law().exponent && other.law().ratio == mine.law().ratio &&
-             other.mesh().nodes == mine.mesh().nodes && solid_fractions(of(m)).value == fractions;
+    if (solid.as == SolidMotion::Reduced) {
+      const Eigen::VectorXd fractions = solid_fractions(solid).value;
+      require("Poisson's ratio, mesh, ersatz law or outline of the meshed body '" +
+                  at_.bodies[static_cast<std::size_t>(b)].name + "'",
+              [&](const Mechanism& m) {
+                return same_modes(of(m), solid) && solid_fractions(of(m)).value == fractions;
+              });
+    }
+    differs_unless([&](const Mechanism& m) {
+      return same_nu(of(m), solid) && same_places(of(m), solid) && of(m).damping == solid.damping;
     });
+    const auto relative = [&](auto get) {
+      const double by_p = difference([&](const Mechanism& m) { return get(*of(m).model); });
+      return by_p == 0 ? 0 : by_p / get(*solid.model);
+    };
+    const double t = relative([](const SolidModel& m) { return m.thickness(); });
+    const SolidScale by_p{b, t + relative([](const SolidModel& m) { return m.material().E; }),
+                          t + relative([](const SolidModel& m) { return m.material().rho; })};
+    if (by_p.stiffness != 0 || by_p.mass != 0) p.parts.push_back(by_p);
   }
 
   void compare_joints() {

@@ -111,6 +111,8 @@ class Body {
   virtual void follow_frames(const G* /*start*/, G* /*H*/) const {}
   /// What is wrong with the shape of the body, one clause; empty if nothing is.
   virtual std::string fault(const G* /*H*/) const { return {}; }
+  /// Why its forces are not finite in a shape where they are not, one clause; empty if they are.
+  virtual std::string no_forces(const G* /*H*/) const { return {}; }
 
   /// A workspace for this body, null if it needs none.
   virtual std::unique_ptr<BodyWorkspace> make_workspace() const { return nullptr; }
@@ -167,6 +169,9 @@ class Body {
   /// were found with.
   virtual void extrapolate_stress(const BodyState<G>&, const double* /*delta*/,
                                   Tangent* /*stress*/) const {}
+  /// Tangents that `extrapolate_stress` fills: one an element; of a mesh whose nodes move as many
+  /// as hold the stresses of all its cells, one after the other.
+  virtual int stresses() const { return elements(); }
 
   /// What the statics of a part that is cut free from its mechanism asks: the body as a chain of
   /// beam elements or as a mesh in a floating frame; null if it is none.

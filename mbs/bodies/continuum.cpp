@@ -248,12 +248,12 @@ std::unique_ptr<BodyWorkspace> ContinuumBody<G>::make_workspace() const {
 
 template <FrameGroup G>
 void ContinuumBody<G>::internal_forces(const BodyState<G>& s, Room& room, Points& f,
-                                       ForceScale* scale) const {
+                                       ForceScale* scale, const double* elastic) const {
   positions(s.H, room.x);
   if (damping_ > 0) velocities(s, room.v);
   f.setZero(sd, mesh_nodes());
   for (int e = 0; e < cells_.cols(); ++e) {
-    stress_of(e, room, false);
+    stress_of(e, room, false, elastic);
     room.forces.setZero(sd, cells_.rows());
     cell(e).add_force(room.at, room.stress, room.forces);
     for (int c = 0; c < cells_.rows(); ++c) f.col(cells_(c, e)) += room.forces.col(c);
@@ -262,13 +262,20 @@ void ContinuumBody<G>::internal_forces(const BodyState<G>& s, Room& room, Points
 }
 
 /// Elastic and viscous stress of a cell, S = dW/dE + damping A Edot with A of the linear law.
+/// @param elastic stresses of all cells to take for dW/dE, null: those of the state
 /// @pre room.x, and room.v with damping
 template <FrameGroup G>
-void ContinuumBody<G>::stress_of(int e, Room& room, bool tangent) const {
+void ContinuumBody<G>::stress_of(int e, Room& room, bool tangent, const double* elastic) const {
   gather(e, room.x, room.at);
-  cell(e).strain(room.at, room.E);
-  cell(e).respond(room.E, tangent, room.response);
-  room.stress = room.response.stress;
+  if (tangent || !elastic) {
+    cell(e).strain(room.at, room.E);
+    cell(e).respond(room.E, tangent, room.response);
+    room.stress = room.response.stress;
+  }
+  if (elastic) {
+    const int n = cell(e).strains();
+    room.stress = Eigen::Map<const VectorXd>(elastic + n * e, n);
+  }
   if (damping_ == 0) return;
   gather(e, room.v, room.rates);
   cell(e).strain_rate(room.at, room.rates, room.rate);
@@ -364,13 +371,13 @@ auto ContinuumBody<G>::turned(const G* H, const Local& local) const -> Levers {
 /// Of the stiffness: material and geometric stiffness of the cells, damping by the place, what
 /// velocities and accelerations of held nodes turn by; forces on held nodes that turn come after.
 template <FrameGroup G>
-Eigen::SparseMatrix<double> ContinuumBody<G>::stiffness_at(const BodyState<G>& s,
-                                                           Room& room) const {
+Eigen::SparseMatrix<double> ContinuumBody<G>::stiffness_at(const BodyState<G>& s, Room& room,
+                                                           const double* elastic) const {
   MatrixXd B, Bv;
   positions(s.H, room.x);
   if (damping_ > 0) velocities(s, room.v);
   std::vector<Share> shares = {{[&](int e, MatrixXd& K) {
-                                  stress_of(e, room, true);
+                                  stress_of(e, room, true, elastic);
                                   cell(e).strain_matrix(room.at, B);
                                   K.noalias() = B.transpose() * (room.response.tangent * B);
                                   if (damping_ > 0) {
@@ -425,7 +432,7 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::damping_at(const BodyState<G>& s, 
 
 template <FrameGroup G>
 void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
-                                     const Tangent*, Matrices& A) const {
+                                     const Tangent* stress, Matrices& A) const {
   if (!A.is_sparse()) A.set_form(this->K_);
   A.set_zero();
   in_room(s, [&](Room& room) {
@@ -435,9 +442,10 @@ void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravit
     if (w.mass != 0) add(w.mass, assemble(s.H, {inertia_share(levers(s.H))}, dead_mass_));
     if (w.damping != 0) add(w.damping, damping_at(s, room));
     if (w.stiffness == 0) return;
-    add(w.stiffness, stiffness_at(s, room));
+    const double* about = stress ? stress->data() : nullptr;
+    add(w.stiffness, stiffness_at(s, room, about));
     Points elastic;
-    internal_forces(s, room, elastic, nullptr);
+    internal_forces(s, room, elastic, nullptr, about);
     inertia_forces(s, gravity, room, room.f);
     for (int i = 0; i < mesh_nodes(); ++i) {
       if (!held(i)) continue;
@@ -446,6 +454,30 @@ void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravit
       typename G::Matrix turning = G::Matrix::Zero();
       turning.template rightCols<rd>() = -w.stiffness * lever(i).transpose() * turn<G>(local);
       A.add_to_node(k, turning);
+    }
+  });
+}
+
+template <FrameGroup G>
+void ContinuumBody<G>::extrapolate_stress(const BodyState<G>& s, const double* delta,
+                                          Tangent* stress) const {
+  const bool moves = !Eigen::Map<const VectorXd>(delta, this->size()).isZero(0);
+  double* out = stress->data();
+  in_room(s, [&](Room& room) {
+    positions(s.H, room.x);
+    BodyState<G> moved = s;
+    moved.v = delta;
+    if (moves) velocities(moved, room.v);
+    for (int e = 0; e < cells_.cols(); ++e, out += room.E.size()) {
+      gather(e, room.x, room.at);
+      cell(e).strain(room.at, room.E);
+      cell(e).respond(room.E, moves, room.response);
+      Eigen::Map<VectorXd> of_cell(out, room.E.size());
+      of_cell = room.response.stress;
+      if (!moves) continue;
+      gather(e, room.v, room.rates);
+      cell(e).strain_rate(room.at, room.rates, room.rate);
+      of_cell.noalias() += room.response.tangent * room.rate;
     }
   });
 }
@@ -504,9 +536,28 @@ void ContinuumBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& 
 }
 
 template <FrameGroup G>
-std::unique_ptr<Body<G>> ContinuumBody<G>::derivative(const LawDerivative<G>&) const {
-  throw std::invalid_argument("derivative of part '" + this->name +
-                              "': a continuum has none; expected solid.as = \"reduced\"");
+std::unique_ptr<Body<G>> ContinuumBody<G>::derivative(const LawDerivative<G>& law) const {
+  const auto* scale = std::get_if<ScaleDerivative>(&law);
+  if (!scale)
+    throw std::invalid_argument("derivative of part '" + this->name +
+                                "': a continuum has that of the scale of its stiffness and mass; "
+                                "expected solid.as = \"reduced\" for that of fractions");
+  return std::unique_ptr<Body<G>>(new ContinuumBody(*this, *scale));
+}
+
+/// Internal forces are linear in E and in the thickness, those of inertia in rho and in it.
+template <FrameGroup G>
+ContinuumBody<G>::ContinuumBody(const ContinuumBody& body, const ScaleDerivative& law)
+    : ContinuumBody(body) {
+  for (Cell& c : shapes_) c.scale(law.stiffness);
+  for (MatrixXd& M : cell_mass_) M *= law.mass;
+  mass_ *= law.mass;
+  node_mass_ *= law.mass;
+  dead_mass_ *= law.mass;
+  dead_ *= law.stiffness;
+  stiffest_ *= law.stiffness;
+  this->K_.sparse *= law.stiffness;
+  this->M_.sparse *= law.mass;
 }
 
 /// The mean deformation gradient of the cells about a node, by their volumes.
@@ -558,6 +609,36 @@ std::string ContinuumBody<G>::fault(const G* H) const {
     gather(e, x, at);
     if (!(cell(e).smallest_determinant(at) > 0))
       return "cell " + std::to_string(e) + " of '" + this->name + "' is inverted";
+  }
+  return {};
+}
+
+template <FrameGroup G>
+MatrixXd ContinuumBody<G>::stresses_at(const Points& x) const {
+  MatrixXd out(Cell::kStrains, cells_.cols());
+  typename Cell::Positions at;
+  for (int e = 0; e < cells_.cols(); ++e) {
+    gather(e, x, at);
+    out.col(e) = cell(e).central_stress(at);
+  }
+  return out;
+}
+
+template <FrameGroup G>
+std::string ContinuumBody<G>::no_forces(const G* H) const {
+  Points x;
+  positions(H, x);
+  if (!x.allFinite()) return {};
+  typename Cell::Positions at;
+  VectorXd E;
+  typename Cell::Response response;
+  for (int e = 0; e < cells_.cols(); ++e) {
+    gather(e, x, at);
+    cell(e).strain(at, E);
+    cell(e).respond(E, false, response);
+    if (!response.converged)
+      return "cell " + std::to_string(e) + " of '" + this->name +
+             "' has no stress: it is pushed flat, or its enhanced strains do not converge";
   }
   return {};
 }

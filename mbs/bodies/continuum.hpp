@@ -48,12 +48,23 @@ class ContinuumBody final : public Body<G> {
   void turn_axes(G* H) const override;
   void follow_frames(const G* start, G* H) const override;
   std::string fault(const G* H) const override;
+  std::string no_forces(const G* H) const override;
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override;
   void add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const override;
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
+  /// Stresses of the points of all cells with their weights, as `ContinuumCell` has them: the
+  /// tangent about them keeps Newton's method on its way where positions that move straight
+  /// stretch cells that turn (D. Magisano, L. Leonetti, G. Garcea, How to improve efficiency and
+  /// robustness of the Newton method in geometrically non-linear structural problem discretized via
+  /// displacement-based finite elements, CMAME 313 (2017) 986-1005).
+  void extrapolate_stress(const BodyState<G>& s, const double* delta,
+                          Tangent* stress) const override;
+  int stresses() const override {
+    return static_cast<int>((cells_.cols() * shapes_[0].strains() + dim - 1) / dim);
+  }
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double dissipation(const BodyState<G>& s) const override;
   double total_mass() const override { return node_mass_.sum(); }
@@ -64,6 +75,9 @@ class ContinuumBody final : public Body<G> {
 
   /// Where all nodes of the mesh are, m, inertial.
   void positions(const G* H, Points& x) const;
+  /// Cauchy stresses at the centres of the cells, a column each, in the axes in which the positions
+  /// of the nodes of the mesh are given, Pa; zero in an inverted cell.
+  Eigen::MatrixXd stresses_at(const Points& x) const;
   int mesh_nodes() const { return static_cast<int>(node_of_.size()); }
   /// Node of the body that a node of the mesh moves with: an interface, or its own.
   int node_of(int mesh_node) const { return node_of_[static_cast<std::size_t>(mesh_node)]; }
@@ -76,6 +90,9 @@ class ContinuumBody final : public Body<G> {
   using Levers = std::vector<Lever, Eigen::aligned_allocator<Lever>>;
   struct Room;
   struct Share;
+
+  /// The derivative of a body by a scale of its law.
+  ContinuumBody(const ContinuumBody& body, const ScaleDerivative& law);
 
   static std::vector<G> nodes_at_rest(const SolidSpec& spec, const std::vector<G>& ports,
                                       const Eigen::Matrix3d& turn);
@@ -107,8 +124,9 @@ class ContinuumBody final : public Body<G> {
   void velocities(const BodyState<G>& s, Points& v) const;
   /// Forces on the nodes of the mesh to those of the body.
   void add_to_nodes(const G* H, const Points& f, double* r) const;
-  void stress_of(int e, Room& room, bool tangent) const;
-  void internal_forces(const BodyState<G>& s, Room& room, Points& f, ForceScale* scale) const;
+  void stress_of(int e, Room& room, bool tangent, const double* elastic = nullptr) const;
+  void internal_forces(const BodyState<G>& s, Room& room, Points& f, ForceScale* scale,
+                       const double* elastic = nullptr) const;
   void inertia_forces(const BodyState<G>& s, const Vector& gravity, Room& room, Points& f) const;
 
   Eigen::SparseMatrix<double> assemble(const G* H, const std::vector<Share>& shares,
@@ -119,7 +137,8 @@ class ContinuumBody final : public Body<G> {
   Share damping_share(Room& room, Levers columns) const;
   template <class Local>
   Levers turned(const G* H, const Local& local) const;
-  Eigen::SparseMatrix<double> stiffness_at(const BodyState<G>& s, Room& room) const;
+  Eigen::SparseMatrix<double> stiffness_at(const BodyState<G>& s, Room& room,
+                                           const double* elastic) const;
   Eigen::SparseMatrix<double> damping_at(const BodyState<G>& s, Room& room) const;
 
   int ports_;

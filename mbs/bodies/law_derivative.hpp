@@ -26,12 +26,18 @@ struct FractionDerivative {
   Eigen::VectorXd derivative;         ///< by cell
 };
 
+/// d(stiffness)/dp and d(mass)/dp of all cells of a meshed part alike, relative to the part's own:
+/// [1/E, 0] by E, [0, 1/rho] by rho, [1/t, 1/t] by the thickness t of a planar mesh.
+struct ScaleDerivative {
+  double stiffness = 0, mass = 0;  ///< 1 per unit of p
+};
+
 /// d/dp of what a body is made of, by its kind:
 /// - a beam, whatever it moves as: d(K, M_s)/dp of each element;
 /// - a rigid body: d(inertia)/dp, the generalized inertia about its frame, conjugate to [u; w];
-/// - a meshed part, whatever it moves as: d(fractions)/dp.
+/// - a meshed part: d(fractions)/dp, not of a continuum; or the scale of its matrices.
 template <FrameGroup G>
-using LawDerivative =
-    std::variant<std::vector<ElementSection<G>>, typename G::Matrix, FractionDerivative>;
+using LawDerivative = std::variant<std::vector<ElementSection<G>>, typename G::Matrix,
+                                   FractionDerivative, ScaleDerivative>;
 
 }  // namespace liesl

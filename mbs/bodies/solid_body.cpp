@@ -129,14 +129,29 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
 }
 
 template <FrameGroup G>
+SolidBody<G>::SolidBody(const SolidBody& body, const ScaleDerivative& law) : SolidBody(body) {
+  this->become_derivative(law.stiffness * (basis_.transpose() * loads_));
+  basis_.setZero();
+  InertiaIntegrals& I = integrals_;
+  I.mass *= law.mass;
+  I.first *= law.mass;
+  I.second *= law.mass;
+  I.mode *= law.mass;
+  for (MatrixXd* of : {&M_e_, &cross_, &product_}) *of *= law.mass;
+  this->set_constant_matrices();
+}
+
+template <FrameGroup G>
 std::unique_ptr<Body<G>> SolidBody<G>::derivative(const LawDerivative<G>& law) const {
+  if (const auto* scale = std::get_if<ScaleDerivative>(&law))
+    return std::unique_ptr<Body<G>>(new SolidBody(*this, *scale));
   const auto* cells = std::get_if<FractionDerivative>(&law);
   const bool fits = cells && cells->model && cells->model->size() == basis_.rows() &&
                     cells->fractions.size() == cells->model->mesh().cell_count() &&
                     cells->derivative.size() == cells->fractions.size();
   if (!fits)
     throw std::invalid_argument("derivative of meshed part '" + this->name +
-                                "': expected that of the fractions of its cells");
+                                "': expected that of the fractions of its cells, or of a scale");
   return std::unique_ptr<Body<G>>(new SolidBody(*this, *cells));
 }
 

@@ -68,6 +68,8 @@ class SolidBody final : public FloatingBody<G> {
 
   /// The derivative of a body by fractions of cells, which Psi follows.
   SolidBody(const SolidBody& body, const FractionDerivative& law);
+  /// By a scale of all its matrices, which the modes do not notice.
+  SolidBody(const SolidBody& body, const ScaleDerivative& law);
   Eigen::MatrixXd basis_derivative(const FractionDerivative& law) const;
   void set_integrals(const InertiaIntegrals& mesh);
 

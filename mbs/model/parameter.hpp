@@ -54,6 +54,13 @@ struct WeightedFunction {
 };
 using FunctionDerivative = std::vector<WeightedFunction>;
 
+/// Stiffness and mass of all of a meshed part, relative to its own, geometry and Poisson's ratio
+/// fixed: [1/E, 0] by E, [0, 1/rho] by rho, [1/t, 1/t] by the thickness t of a planar mesh.
+struct SolidScale {
+  int body = -1;
+  double stiffness = 0, mass = 0;  ///< 1 per unit of p
+};
+
 /// Spring, damper and rest value of a force law; of its F(t) a factor and any change in time.
 struct ForceDerivative {
   int force = -1;  ///< number in Mechanism::forces
@@ -97,8 +104,9 @@ struct NearbyMechanisms {
 
 struct Parameter {
   std::string name;
-  std::vector<std::variant<BeamDerivative, RigidDerivative, SolidDerivative, ForceDerivative,
-                           LoadDerivative, DriveDerivative, StepDerivative, NearbyMechanisms>>
+  std::vector<
+      std::variant<BeamDerivative, RigidDerivative, SolidDerivative, SolidScale, ForceDerivative,
+                   LoadDerivative, DriveDerivative, StepDerivative, NearbyMechanisms>>
       parts;
 };
 

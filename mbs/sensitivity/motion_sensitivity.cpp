@@ -17,7 +17,62 @@ using Eigen::VectorXd;
 constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
 constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
 
-/// r_p and Phi_p + tau dPhi_p/dt of all parameters.
+template <FrameGroup G>
+bool lifted(const ParameterResidual<G>& parameter) {
+  return parameter.nearby() && parameter.nearby()->lift().size() > 0;
+}
+
+/// What a state that goes with the geometry changes by: eta = xi, v' = ad(v) xi, a' = ad(a) xi, w'
+/// = ad(vdot) xi at each node, a column each; zero of all other parameters. It obeys every relation
+/// of a step, which are linear in these, since T^-1(dq) xi - T^-1(-dq) xi = ad(dq) xi. What is left
+/// of the derivatives then has r_p and Phi_p of `add_lifted` for its right side: at constant frames
+/// r_p is EA/L of a length, and round-off of what cancels it is 1e-8 of the accelerations.
+template <FrameGroup G>
+StateSensitivity lift_of(const Model<G>& model, const Parameters<G>& parameters,
+                         const State<G>& s) {
+  auto out = StateSensitivity::zero(model.size(), model.constraints(),
+                                    static_cast<int>(parameters.size()));
+  for (size_t i = 0; i < parameters.size(); ++i) {
+    if (!lifted(parameters[i])) continue;
+    const auto column = static_cast<Eigen::Index>(i);
+    const VectorXd& lift = parameters[i].nearby()->lift();
+    for (const int node : model.frames()) {
+      const Eigen::Index at = G::dim * node;
+      const auto of = [&](const VectorXd& x) ->
+          typename G::Matrix { return G::ad(x.template segment<G::dim>(at)); };
+      const typename G::Tangent xi = lift.template segment<G::dim>(at);
+      out.eta.col(column).template segment<G::dim>(at) = xi;
+      out.v.col(column).template segment<G::dim>(at) = of(s.v) * xi;
+      out.a.col(column).template segment<G::dim>(at) = of(s.a) * xi;
+      out.w.col(column).template segment<G::dim>(at) = of(s.vdot) * xi;
+    }
+  }
+  return out;
+}
+
+/// Calls `at` with a state and its derivatives, those of the lift among them.
+template <FrameGroup G>
+void tell(const Model<G>& model, const Parameters<G>& parameters, const SensitivityAt<G>& at,
+          long step, const State<G>& s, const StateSensitivity& ds) {
+  if (std::none_of(parameters.begin(), parameters.end(), lifted<G>)) return at(step, s, ds);
+  StateSensitivity whole = ds;
+  at(step, s, whole += lift_of(model, parameters, s));
+}
+
+/// Adds the cotangents of a step, what they say of the lift to the gradient.
+template <FrameGroup G>
+void ask(const Model<G>& model, const Parameters<G>& parameters, const CotangentsAt<G>& at,
+         long step, const State<G>& s, StateSensitivity& bars, MatrixXd& gradient) {
+  if (std::none_of(parameters.begin(), parameters.end(), lifted<G>))
+    return at(step, s, bars, gradient);
+  auto own =
+      StateSensitivity::zero(model.size(), model.constraints(), static_cast<int>(gradient.cols()));
+  at(step, s, own, gradient);
+  gradient += lift_of(model, parameters, s).transposed_product(own);
+  bars += own;
+}
+
+/// r_p and Phi_p + tau dPhi_p/dt of all parameters, lifted where they have a lift.
 template <FrameGroup G>
 class Derivatives {
  public:
@@ -50,7 +105,10 @@ class Derivatives {
                                const LoadLevel& level) {
     for (size_t i = 0; i < parameters_.size(); ++i) {
       phi_p_.setZero();
-      parameters_[i].add(s, previous, level, r_p_, phi_p_);
+      if (lifted(parameters_[i]))
+        parameters_[i].nearby()->add_lifted(s, previous, level, r_p_, phi_p_);
+      else
+        parameters_[i].add(s, previous, level, r_p_, phi_p_);
       add_damping(parameters_[i], level.t);
       const auto column = static_cast<Eigen::Index>(i);
       by_p_.phi.col(column) = phi_p_;
@@ -121,8 +179,8 @@ bool drives_accelerate(const Model<G>& model, const State<G>& at_rest, double du
 }
 
 /// What the consistent start changes by with parameters that are known by mechanisms near by, a
-/// column each: differences of the starts of those. Zero for all others, and where the start is an
-/// equilibrium, whose equations say it.
+/// column each, less the lift: differences of the starts of those. Zero for all others, and where
+/// the start is an equilibrium, whose equations say it.
 template <FrameGroup G>
 StateSensitivity start_derivatives(const Model<G>& model, const Tape<G>& tape,
                                    const Parameters<G>& parameters, const State<G>& first) {
@@ -152,6 +210,11 @@ StateSensitivity start_derivatives(const Model<G>& model, const Tape<G>& tape,
     }
   }
   ds.a = ds.w;
+  const StateSensitivity lift = lift_of(model, parameters, first);
+  ds.eta -= lift.eta;
+  ds.v -= lift.v;
+  ds.a -= lift.a;
+  ds.w -= lift.w;
   return ds;
 }
 
@@ -218,10 +281,10 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   sensitivity.forward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
                       ds);
   ds += start_derivatives(model, tape, parameters, first);
-  at(step++, first, ds);
+  tell(model, parameters, at, step++, first, ds);
   const auto advance = [&](const State<G>& s, const ResidualDerivative& by_p) {
     sensitivity.forward(by_p, ds);
-    at(step++, s, ds);
+    tell(model, parameters, at, step++, s, ds);
   };
   const auto take = [&](const State<G>& before, const State<G>& after, double h) {
     if (sensitivity.step(before, after, h))
@@ -254,7 +317,7 @@ SensitivityEnd static_sensitivity(const Model<G>& model, const Trajectory<G>& pa
     if (!sensitivity.equilibrium(s, level))
       return {fmt::format("the tangent at the load factor {:.6g} is singular", s.t)};
     sensitivity.forward(derivatives.at(s, s.rows, level), ds);
-    at(n, s, ds);
+    tell(model, parameters, at, n, s, ds);
   }
   return {};
 }
@@ -270,7 +333,7 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   StateSensitivity bars = StateSensitivity::zero(model.size(), model.constraints(), functionals);
   long step = tape.steps();
   const auto go_back = [&](const State<G>& s, const ResidualDerivative& by_p) {
-    at(step--, s, bars, gradient);
+    ask(model, parameters, at, step--, s, bars, gradient);
     sensitivity.backward(by_p, bars, gradient);
   };
   Replay<G> replay(model, tape);
@@ -290,7 +353,7 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   }
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(sensitivity, tape, first)) return singular(first.t);
-  at(step, first, bars, gradient);
+  ask(model, parameters, at, step, first, bars, gradient);
   gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
   sensitivity.backward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
                        bars, gradient);

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mbs/linalg/dense.hpp"
+#include "mbs/solids/incompatible_modes.hpp"
 #include "mbs/solids/mesh.hpp"
 
 namespace liesl {
@@ -54,9 +55,8 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
   const auto& quadrature = cell_quadrature(kind, QuadratureUse::Stiffness);
   const int points = static_cast<int>(quadrature.size());
   const MatrixXd dN0 = cell_functions(kind, reference_centre(kind)).dN;
-  const MatrixXd J0 = dN0 * nodes.transpose(), J0inverse = linalg::inverse(J0);
-  const double det0 = linalg::determinant(J0);
-  central_ = J0inverse * dN0;
+  const IncompatibleModes modes(cell_jacobian(D, nodes, dN0));
+  central_ = modes.inverse() * dN0;
   weight_.resize(points);
   enhanced_.setZero(kStrains * points, enhanced ? D * D : 0);
   MatrixXd weighted = MatrixXd::Zero(kStrains * points, kStrains * points);
@@ -65,20 +65,13 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
                         .tangent;
   for (int point = 0; point < points; ++point) {
     const Vector3d& xi = quadrature[static_cast<std::size_t>(point)].xi;
-    const MatrixXd dN = cell_functions(kind, xi).dN, J = dN * nodes.transpose();
+    const MatrixXd dN = cell_functions(kind, xi).dN, J = cell_jacobian(D, nodes, dN);
     const double det = linalg::determinant(J);
     gradient_.emplace_back(linalg::inverse(J) * dN);
     weight_[point] = quadrature[static_cast<std::size_t>(point)].weight * std::abs(det) *
                      (D == 2 ? thickness : 1);
-    // d(1 - xi_i^2)/dxi = -2 xi_i, mapped with the Jacobian of the centre: alpha_ij moves along j.
-    const Square modes = det0 / det * J0inverse * Square((-2 * xi.head<D>()).asDiagonal());
-    for (int i = 0; enhanced && i < D; ++i)
-      for (int j = 0; j < D; ++j) {
-        Square H = Square::Zero();
-        H.row(j) = modes.col(i).transpose();
-        symmetric<D>(Square(Square::Identity()), H,
-                     enhanced_.col(D * i + j).template segment<kStrains>(kStrains * point));
-      }
+    if (enhanced)
+      enhanced_.template middleRows<kStrains>(kStrains * point) = modes.strains(xi, det);
     weighted.template block<kStrains, kStrains>(kStrains * point, kStrains * point) =
         weight_[point] * rest;
   }
@@ -89,6 +82,12 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
   to_alpha_ = -linalg::LDLT(enhanced_.transpose() * coupled).solve(coupled.transpose());
   linear_ += coupled * to_alpha_;
   linear_ = (0.5 * (linear_ + linear_.transpose())).eval();
+}
+
+template <int D>
+void ContinuumCell<D>::scale(double factor) {
+  factor_ *= factor;
+  linear_ *= factor;
 }
 
 template <int D>
@@ -170,9 +169,12 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
     out.energy = std::numeric_limits<double>::quiet_NaN();
     out.stress.setConstant(out.energy);
   }
+  out.energy *= factor_;
+  out.stress *= factor_;
   if (!tangent) return;
   out.tangent = weighted;
   if (enhanced) out.tangent -= coupled * factor.solve(coupled.transpose());
+  out.tangent *= factor_;
 }
 
 template <int D>
@@ -223,6 +225,23 @@ double ContinuumCell<D>::smallest_determinant(const Positions& x) const {
   for (const Positions& gradient : gradient_)
     least = std::min(least, Square(x.lazyProduct(gradient.transpose())).determinant());
   return least;
+}
+
+template <int D>
+auto ContinuumCell<D>::central_stress(const Positions& x) const
+    -> Eigen::Matrix<double, kStrains, 1> {
+  const Square F = central_gradient(x);
+  Eigen::Matrix<double, kStrains, 1> E, out = E.Zero();
+  symmetric<D>(F, F, E);
+  E.template head<D>().array() = 0.5 * (E.template head<D>().array() - 1);
+  E.template tail<kStrains - D>() *= 0.5;
+  const auto at = solid_law<D>(law_, material_, E);
+  const double J = F.determinant() * at.across;
+  if (!(J > 0)) return out;
+  const Square sigma = F * as_tensor<D>(at.stress) * F.transpose() / J;
+  out.template head<D>() = sigma.diagonal();
+  for (int s = D; s < kStrains; ++s) out[s] = sigma(s - D, (s - D + 1) % D);
+  return factor_ * out;
 }
 
 template class ContinuumCell<2>;

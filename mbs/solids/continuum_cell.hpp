@@ -43,6 +43,8 @@ class ContinuumCell {
   int points() const { return static_cast<int>(weight_.size()); }
   int strains() const { return kStrains * points(); }
   double volume() const { return volume_; }  ///< m^3
+  /// Energies, stresses and stiffnesses times a factor, those of the derivative by E among them.
+  void scale(double factor);
 
   /// Green-Lagrange strains of the positions, without the enhancement, of all points.
   void strain(const Positions& x, Eigen::VectorXd& E) const;
@@ -64,6 +66,9 @@ class ContinuumCell {
   /// <= 0 where the cell is inverted there (its corners may be before).
   Eigen::Matrix<double, D, D> central_gradient(const Positions& x) const;
   double smallest_determinant(const Positions& x) const;
+  /// Cauchy stress F S F^T/J at the centre in the axes of x, Pa; zero where the cell is inverted
+  /// there. Enhanced strains are zero at the centre.
+  Eigen::Matrix<double, kStrains, 1> central_stress(const Positions& x) const;
 
  private:
   using Square = Eigen::Matrix<double, D, D>;
@@ -75,7 +80,7 @@ class ContinuumCell {
   std::vector<Positions> gradient_;  ///< grad N by point, 1/m
   Positions central_;                ///< that at the centre
   Eigen::VectorXd weight_;           ///< m^3
-  double volume_ = 0;
+  double volume_ = 0, factor_ = 1;
   Eigen::MatrixXd enhanced_;  ///< M: strains() x modes
   Eigen::MatrixXd linear_;
   Eigen::MatrixXd to_alpha_;  ///< alpha = to_alpha E of the linear law

@@ -1,6 +1,7 @@
 #include "mbs/solids/solid_law.hpp"
 
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -39,6 +40,8 @@ LawAtPoint<D> linear(const Lame& k, const Strain<D>& E) {
   out.tangent.diagonal().template tail<LawAtPoint<D>::kStrains - D>().setConstant(k.mu);
   out.stress = out.tangent * E;
   out.energy = 0.5 * out.stress.dot(E);
+  if (D == 2)
+    out.across = std::sqrt(std::max(0., 1 - 2 * k.lambda / (k.lambda + 2 * k.mu) * (E[0] + E[1])));
   return out;
 }
 
@@ -76,6 +79,7 @@ LawAtPoint<D> neo_hookean(const Lame& k, const Strain<D>& E) {
     c = across(k, ln_J);
     ln_J += 0.5 * std::log(c);
     trace += c;
+    out.across = std::sqrt(c);
   }
   const Square inverse = C.inverse();
   const double slope = k.lambda * ln_J - k.mu;

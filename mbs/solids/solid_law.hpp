@@ -21,6 +21,7 @@ template <int D>
 struct LawAtPoint {
   static constexpr int kStrains = D == 2 ? 3 : 6;
   double energy = 0;                                  ///< W, J/m^3
+  double across = 1;                                  ///< stretch of a plate through its thickness
   Eigen::Matrix<double, kStrains, 1> stress;          ///< S = dW/dE, Pa
   Eigen::Matrix<double, kStrains, kStrains> tangent;  ///< dS/dE, Pa
 };

@@ -1,5 +1,9 @@
 #include "mbs/solvers/generalized_alpha.hpp"
 
+#include <algorithm>
+
+#include "mbs/solvers/divergence.hpp"
+
 namespace liesl {
 namespace {
 
@@ -9,7 +13,8 @@ constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance 
 constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
 constexpr int kAugmentations = 10;    // a step
 constexpr double kStalled = 0.1;      // of the opening left by an augmentation: weights grow
-constexpr double kHeavier = 1e3;      // by which they do, for the rest of the step
+constexpr double kHeavier = 1e3;      // by which they do at least, for the rest of the step
+constexpr double kHeaviest = 1e6;     // and at most
 constexpr double kUnknown = std::numeric_limits<double>::infinity();  // an augmentation is between
 constexpr double kMemory = 0.1;  // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;  // forces on a body below this share of all count as none
@@ -182,7 +187,9 @@ double GeneralizedAlpha<G>::imbalance() const {
 /// lambda* <- lambda at a converged iterate, while the joints are open by more than they may be (E.
 /// Bayo, J. Garcia de Jalon, M. A. Serna, A modified Lagrangian formulation for the dynamic
 /// analysis of constrained mechanical systems, CMAME 71 (1988) 183-195). Near a dead point the
-/// bodies hardly yield to some rows: what an augmentation closes there grows with the weight.
+/// bodies hardly yield to some rows: what an augmentation closes there grows with the weight. Of
+/// compliance c and flexibility f of the bodies it leaves c/(c + f), which was measured: c becomes
+/// what leaves a tenth of what is allowed.
 /// @returns whether the iteration goes on
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::augment(StepResult& result) {
@@ -192,7 +199,10 @@ bool GeneralizedAlpha<G>::augment(StepResult& result) {
   if (open <= closed) return false;
   equations_.phi += equations_.compliance.cwiseProduct(trial_.lambda - equations_.estimate);
   equations_.estimate = trial_.lambda;
-  if (open > kStalled * result.opening) equations_.compliance /= kHeavier;
+  if (const double left = open / result.opening; left > kStalled) {
+    const double stiff = left < 1 ? left / (1 - left) : kHeaviest;
+    equations_.compliance /= std::clamp(stiff * open / (kStalled * closed), kHeavier, kHeaviest);
+  }
   result.opening = open;
   ++result.augmentations;
   return true;
@@ -215,7 +225,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
     const double residual = imbalance();
     result.residual = residual;
     if (!std::isfinite(equations_.residual() + equations_.constraint_residual())) {
-      result.failure = "the iteration diverged";
+      result.failure = divergence(model_, trial_);
       return result;
     }
     bool augmented = false;

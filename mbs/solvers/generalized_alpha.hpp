@@ -5,6 +5,7 @@
 /// Mech. Mach. Theory 48).
 
 #include <limits>
+#include <string>
 
 #include "mbs/solvers/joint_system.hpp"
 #include "mbs/solvers/node_coordinates.hpp"
@@ -34,8 +35,8 @@ struct StepResult {
   int augmentations = 0;  ///< of the multipliers
   double opening = std::numeric_limits<double>::infinity();  ///< at the last of them, m or rad
   double residual = 0;                                       ///< relative, at the last iterate
-  double error = 0;          ///< estimate of the local error of the positions, m
-  const char* failure = "";  ///< why not
+  double error = 0;     ///< estimate of the local error of the positions, m
+  std::string failure;  ///< why not
 };
 
 /// Where the tangent in use for a step size was taken, if it is not the constant one.

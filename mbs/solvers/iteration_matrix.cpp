@@ -37,7 +37,7 @@ IterationMatrix<G>::IterationMatrix(const Model<G>& model)
       if (model.bodies[b]->kind(k) == NodeKind::Follower)
         followers_.push_back(model.first_node(static_cast<int>(b)) + k);
   for (const auto& body : model.bodies)
-    prestress_.section.emplace_back(body->elements(), G::Tangent::Zero());
+    prestress_.section.emplace_back(body->stresses(), G::Tangent::Zero());
   for (const auto& c : model.couplings) prestress_.force.push_back(Eigen::VectorXd::Zero(c.acting));
 }
 

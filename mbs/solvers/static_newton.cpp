@@ -1,5 +1,7 @@
 #include "mbs/solvers/static_newton.hpp"
 
+#include "mbs/solvers/divergence.hpp"
+
 namespace liesl {
 namespace {
 
@@ -28,6 +30,16 @@ StaticNewton<G>::StaticNewton(const Model<G>& model, const SimulationOptions& op
   rhs_.setZero(system_.size() + system_.constraints(), 2);
   predictor_.setZero(model.size());
   delta_.setZero(model.size());
+  for (size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body<G>& body = *model.bodies[b];
+    std::vector<int> frames;
+    for (int k = 0; k < body.nodes(); ++k)
+      if (body.kind(k) == NodeKind::Frame)
+        frames.push_back(model.first_node(static_cast<int>(b)) + k);
+    if (static_cast<int>(frames.size()) < body.nodes() &&
+        body.kind(body.nodes() - 1) == NodeKind::Position)
+      straight_.insert(straight_.end(), frames.begin(), frames.end());
+  }
 }
 
 template <FrameGroup G>
@@ -108,8 +120,19 @@ void StaticNewton<G>::correct(Eigen::Ref<const Eigen::VectorXd> step) {
   delta_ = step.head(system_.size());
   system_.extrapolate_prestress(equations_, trial_, delta_);
   moved_ = std::sqrt(product(delta_, delta_) / model_.nodes()) / model_.length;
-  model_.retract(trial_, delta_);
+  move();
   trial_.lambda += step.tail(system_.constraints());
+}
+
+/// By the increments. Positions move straight, and so do the frames beside them: on the arc of a
+/// screw they would leave them by half the turn times the way.
+template <FrameGroup G>
+void StaticNewton<G>::move() {
+  std::vector<typename Model<G>::Vector> x;
+  for (const int k : straight_)
+    x.push_back(trial_.H[k].x + trial_.H[k].R * delta_.template segment<G::space_dim>(dim * k));
+  model_.retract(trial_, delta_);
+  for (std::size_t i = 0; i < x.size(); ++i) trial_.H[straight_[i]].x = x[i];
 }
 
 /// Records the residual; @returns true if the iteration continues.
@@ -119,7 +142,7 @@ bool StaticNewton<G>::check(NewtonResult& result) {
   result.residuals.push_back(residual / std::max(equations_.scale(), 1e-300));
   result.converged = false;
   if (!std::isfinite(residual + equations_.constraint_residual()))
-    result.failure = "the iteration diverged";
+    result.failure = divergence(model_, trial_);
   else if (small_enough() && moved_ <= kIncrement * std::sqrt(options_.tolerance))
     result.converged = true;
   else if (result.iterations == options_.max_iterations)

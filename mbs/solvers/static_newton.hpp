@@ -65,6 +65,7 @@ class StaticNewton {
   bool solve_both(const State<G>& s, double load);
   double product(const Eigen::VectorXd& a, Eigen::Ref<const Eigen::VectorXd> b) const;
   void correct(Eigen::Ref<const Eigen::VectorXd> step);
+  void move();
   bool check(NewtonResult& result);
   void finish(State<G>& s, double load, NewtonResult& result);
   bool turns_by(double angle, const State<G>& s) const;
@@ -74,7 +75,8 @@ class StaticNewton {
   Equations<G> equations_;
   IterationMatrix<G> system_;
   State<G> trial_;
-  Eigen::MatrixXd rhs_;  ///< columns: correction at constant load, d(state)/d(load)
+  std::vector<int> straight_;  ///< frames of bodies with nodes that are positions
+  Eigen::MatrixXd rhs_;        ///< columns: correction at constant load, d(state)/d(load)
   Eigen::VectorXd predictor_, delta_;
   double moved_ = 0;  ///< root mean square of the last correction, of the model's length
 };

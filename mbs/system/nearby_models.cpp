@@ -53,6 +53,23 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");
   }
+  if (model.update == NodeUpdate::Screw && model.positions().empty()) set_lift(model);
+}
+
+template <FrameGroup G>
+void NearbyModels<G>::set_lift(const Model<G>& model) {
+  Eigen::VectorXd lift = Eigen::VectorXd::Zero(model.size());
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (int k = 0; k < model.bodies[b]->nodes(); ++k)
+      for (const auto& near : models_) {
+        const auto at = static_cast<std::size_t>(k);
+        const G moved =
+            model.bodies[b]->reference[at].inverse() * near->model.bodies[b]->reference[at];
+        near->moved.push_back(moved);
+        lift.template segment<G::dim>(G::dim * (model.first_node(static_cast<int>(b)) + k)) +=
+            near->weight * G::log(moved);
+      }
+  if (!lift.isZero(0)) lift_ = std::move(lift);
 }
 
 template <FrameGroup G>
@@ -61,6 +78,25 @@ void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                           Eigen::VectorXd& phi_p) const {
   for (const auto& near : models_) {
     near->equations.evaluate(s, previous, level);
+    r_p += near->weight * near->equations.r;
+    phi_p += near->weight * near->equations.phi;
+  }
+}
+
+template <FrameGroup G>
+void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previous,
+                                 const LoadLevel& level, Eigen::VectorXd& r_p,
+                                 Eigen::VectorXd& phi_p) const {
+  State<G> lifted = s;
+  for (const auto& near : models_) {
+    for (std::size_t k = 0; k < s.H.size(); ++k) {
+      const auto at = G::dim * static_cast<Eigen::Index>(k);
+      const auto Ad = near->moved[k].AdInv();
+      lifted.H[k] = s.H[k] * near->moved[k];
+      lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);
+      lifted.vdot.template segment<G::dim>(at) = Ad * s.vdot.template segment<G::dim>(at);
+    }
+    near->equations.evaluate(lifted, previous, level);
     r_p += near->weight * near->equations.r;
     phi_p += near->weight * near->equations.phi;
   }

@@ -19,6 +19,7 @@ class NearbyModels {
     const Mechanism& mechanism;
     Model<G> model;
     Equations<G> equations;
+    std::vector<G> moved;  ///< by node, from the frame at rest of the model to that of this one
     Near(double weight, const Mechanism& mechanism, const Model<G>& model);
   };
 
@@ -30,11 +31,22 @@ class NearbyModels {
   /// r_p += dr/dp, phi_p += dPhi/dp, as `ParameterResidual::add`.
   void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+  /// xi by node, what the frames at rest change by, in their own axes; empty where they do not, or
+  /// where nodes do not move along the group.
+  const Eigen::VectorXd& lift() const { return lift_; }
+  /// The same as `add`, of states that go with the geometry: H D(p), Ad(D^-1) v, Ad(D^-1) vdot with
+  /// D(p) from the frames at rest to those at p, d/dp: xi, ad(v) xi, ad(vdot) xi. No element is
+  /// strained by that, so that EA/L is not in the differences. @pre lift() is not empty
+  void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
+                  Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
   /// A state as a model near by sees it: its rows, and the frames that follow.
   static State<G> seen_by(const Near& near, const State<G>& s);
 
  private:
+  void set_lift(const Model<G>& model);
+
   std::vector<std::unique_ptr<Near>> models_;
+  Eigen::VectorXd lift_;
 };
 
 extern template class NearbyModels<SE2>;

@@ -125,6 +125,13 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
 }
 
 template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const SolidScale& part) {
+  if (!kind_of<SolidSpec>(mechanism, part.body)) return expected("meshed part", part.body);
+  add_nodes_of(part.body);
+  return set_body(part.body, ScaleDerivative{part.stiffness, part.mass});
+}
+
+template <FrameGroup G>
 template <class Matches>
 void ParameterResidual<G>::add_rows(RowDerivative part, Matches matches) {
   for (const auto& c : model_.couplings)

@@ -72,6 +72,7 @@ class ParameterResidual {
   std::string add_part(const Mechanism& mechanism, const BeamDerivative& part);
   std::string add_part(const Mechanism& mechanism, const RigidDerivative& part);
   std::string add_part(const Mechanism& mechanism, const SolidDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const SolidScale& part);
   std::string add_part(const Mechanism& mechanism, const ForceDerivative& part);
   std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
   std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);

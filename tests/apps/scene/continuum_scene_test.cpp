@@ -127,6 +127,31 @@ TEST(ContinuumScene, ResultsShowItsMeshWhereItIs) {
   EXPECT_NEAR(y, tip[3 * (records - 1) + 1] - 0.015, 1e-6);
 }
 
+/// In the middle of a pulled flap P/A of the thinner section, in the axes of the mesh, which turns
+/// with its clamp.
+TEST(ContinuumScene, ResultsShowItsStress) {
+  const double P = 20, E = 1e6, nu = 0.3, A = 0.03 * 0.02;
+  std::string pulled = changed(kFlap, "force = [0, 0.3, 0]", "force = [12, 16, 0]");
+  pulled = changed(pulled, "thickness = 0.02",
+                   "thickness = 0.02\norientation = [0, 0, 0.9272952180016122]");
+  const Scene scene = read_scene(pulled, "a");
+  const RunOutcome out = run_task(scene, choose_space(scene));
+  ASSERT_EQ(out.status, SolveStatus::Converged);
+  const auto& mesh = out.results.meshes[0];
+  const std::size_t cells = 24, k = mesh.basis.size() / mesh.reference.size();
+  ASSERT_EQ(mesh.stress_basis.size(), k * cells * 3);
+  const std::size_t cell = 6, last = out.results.times.size() - 1;
+  Vec3 stress = Vec3::Zero();
+  for (std::size_t j = 0; j < k; ++j)
+    for (std::size_t c = 0; c < 3; ++c)
+      stress[int(c)] +=
+          mesh.amplitudes[last * k + j] * mesh.stress_basis[3 * (cells * j + cell) + c];
+  const double across = 1 - nu * P / (E * A), sigma = P / (A * across * across);
+  EXPECT_NEAR(stress[0], sigma, 0.015 * sigma);
+  EXPECT_LT(std::abs(stress[1]), 0.015 * sigma);
+  EXPECT_LT(std::abs(stress[2]), 0.015 * sigma);
+}
+
 TEST(ContinuumScene, HasNoLoadSets) {
   const Scene scene = read_scene(kFlap, "a");
   const std::string said = test::refusal_of([&] { esl_task(scene, choose_space(scene)); });

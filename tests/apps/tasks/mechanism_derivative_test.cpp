@@ -192,23 +192,69 @@ TEST(MechanismDerivative, WhatHasNoneIsRefusedByName) {
   EXPECT_NE(refusal([](Mechanism&, double) {}).find("'p' changes nothing"), std::string::npos);
 }
 
-TEST(MechanismDerivative, OfAMeshBuiltAnewIsRefused) {
-  const Mechanism meshed = slider_crank_with_mesh(10, 2, 1);
-  const auto built_anew = [](auto change) -> Change {
-    return [change](Mechanism& m, double p) {
-      auto& solid = std::get<SolidSpec>(m.bodies[1].kind);
-      Material material = solid.model->material();
-      SolidModel::Options options{solid.model->thickness(), solid.model->law()};
-      change(material, options, p);
-      solid.model =
-          std::make_shared<const SolidModel>(solid.mesh(), material, solid.interfaces(), options);
-    };
+/// A change of the meshed rod that builds it anew.
+Change built_anew(
+    const std::function<void(SolidMesh&, Material&, SolidModel::Options&, double)>& change) {
+  return [change](Mechanism& m, double p) {
+    auto& solid = std::get<SolidSpec>(m.bodies[1].kind);
+    SolidMesh mesh = solid.mesh();
+    Material material = solid.model->material();
+    SolidModel::Options options{solid.model->thickness(), solid.model->law()};
+    change(mesh, material, options, p);
+    solid.model =
+        std::make_shared<const SolidModel>(std::move(mesh), material, solid.interfaces(), options);
   };
-  for (const Change& change :
-       {built_anew([](Material&, auto&options, double p) { options.thickness += p; }),
-        built_anew([](Material&material, auto&, double p) { material.E *= 1 + p; }),
-        built_anew([](Material&material, auto&, double p) { material.rho *= 1 + p; })})
-    EXPECT_NE(refusal(change, meshed).find("of the meshed"), std::string::npos);
+}
+
+Mechanism with_mesh(SolidMotion as) {
+  Mechanism m = slider_crank_with_mesh(10, 2, 1);
+  std::get<SolidSpec>(m.bodies[1].kind).as = as;
+  return m;
+}
+
+/// Its matrices are proportional to E, rho and the thickness.
+TEST(MechanismDerivative, OfMeshedPartsByMaterialAndThickness) {
+  for (const SolidMotion as : {SolidMotion::Reduced, SolidMotion::Continuum}) {
+    const Mechanism m = with_mesh(as);
+    const auto scale = [&m](const auto& change) {
+      return only<SolidScale>(parameter(built_anew(change), 1e-3, m));
+    };
+    const SolidScale by_E = scale([](auto&, Material& of, auto&, double p) { of.E *= 1 + p; });
+    EXPECT_EQ(by_E.body, 1);
+    EXPECT_NEAR(by_E.stiffness, 1, 1e-12);
+    EXPECT_EQ(by_E.mass, 0);
+    const SolidScale by_rho = scale([](auto&, Material& of, auto&, double p) { of.rho *= 1 + p; });
+    EXPECT_EQ(by_rho.stiffness, 0);
+    EXPECT_NEAR(by_rho.mass, 1, 1e-12);
+    const SolidScale by_thickness =
+        scale([](auto&, auto&, SolidModel::Options& of, double p) { of.thickness *= 1 + p; });
+    EXPECT_NEAR(by_thickness.stiffness, 1, 1e-12);
+    EXPECT_NEAR(by_thickness.mass, 1, 1e-12);
+  }
+}
+
+/// Of a continuum what else changes is by mechanisms near by; the modes of a reduced part have no
+/// derivative by it.
+TEST(MechanismDerivative, OfMeshesAndPoissonsRatioOfAContinuumAlone) {
+  const Change stretched =
+                   built_anew([](SolidMesh&mesh, auto&, auto&, double p) { mesh.nodes *= 1 + p; }),
+               poisson = built_anew([](auto&, Material&of, auto&, double p) { of.nu += p; });
+  for (const Change& change : {stretched, poisson}) {
+    EXPECT_TRUE(
+        only<NearbyMechanisms>(parameter(change, 1e-3, with_mesh(SolidMotion::Continuum))).at);
+    EXPECT_NE(refusal(change, with_mesh(SolidMotion::Reduced)).find("of the meshed body 'rod'"),
+              std::string::npos);
+  }
+}
+
+/// The number of unknowns would change.
+TEST(MechanismDerivative, OfFinerMeshesIsRefused) {
+  const Change finer = [](Mechanism& m, double p) {
+    auto& solid = std::get<SolidSpec>(m.bodies[1].kind);
+    if (p != 0) solid = meshed_rod(solid.frame.x, 12, 2, 1);
+  };
+  EXPECT_NE(refusal(finer, with_mesh(SolidMotion::Reduced)).find("the kind of body 'rod'"),
+            std::string::npos);
 }
 
 }  // namespace

@@ -189,6 +189,17 @@ TYPED_TEST(ContinuumTest, NamesACellThatIsInverted) {
   EXPECT_NE(this->body.fault(at.H.data()).find("of 'block' is inverted"), std::string::npos);
 }
 
+/// Of a cell whose law has no stress, here at a point, there are no forces; it is named.
+TYPED_TEST(ContinuumTest, NamesACellWithoutStress) {
+  const Mechanism m = driven<TypeParam>(0, SolidLaw::NeoHookean);
+  const auto neo = Model<TypeParam>::build(m, space_of<TypeParam>(m));
+  State<TypeParam> at = neo.initial_state();
+  EXPECT_EQ(neo.bodies[0]->no_forces(at.H.data()), "");
+  for (const int k : neo.positions()) at.H[k].x = at.H[neo.positions().front()].x;
+  EXPECT_NE(neo.bodies[0]->no_forces(at.H.data()).find("of 'block' has no stress"),
+            std::string::npos);
+}
+
 /// What cannot be a continuum is refused with what would do.
 TEST(Continuum, RefusesWhatItCannotBe) {
   const auto refusal = [](const SolidSpec& part) -> std::string {

@@ -1,23 +1,72 @@
 /// @file
-/// Sensitivities of motions in which all nodes of a meshed part move, by what is beside it: direct
-/// against adjoint, and against differences. Its own parameters have none yet.
+/// Sensitivities of motions in which all nodes of a meshed part move, by what is beside it, by its
+/// material, thickness and lengths: direct against adjoint, against differences, and against those
+/// of beams.
 
 #include "mbs/sensitivity/forms.hpp"
+#include "mbs/sensitivity/response_sensitivity.hpp"
 #include "reference/continuum.hpp"
 #include "reference/meshed_rod.hpp"
 
 namespace liesl::test {
 namespace {
 
-/// A slider-crank with a meshed rod.
-Mechanism machine_with_continuum(SolidLaw law, int nz = 0) {
-  SolidSpec rod = continuum_block({kRodLength, kRodHeight, kRodThickness}, nz > 0 ? 4 : 8,
-                                  nz > 0 ? 1 : 2, nz, {"plastic", 1e9, 0.3, 1200}, law);
+const Material kPlastic = {"plastic", 1e9, 0.3, 1200};
+
+/// The rod with cells as many as `nz` > 0 says in space.
+SolidSpec rod_of(SolidLaw law, int nz, double length, double thickness, const Material& material) {
+  SolidSpec rod = continuum_block({length, kRodHeight, thickness}, nz > 0 ? 4 : 8, nz > 0 ? 1 : 2,
+                                  nz, material, law);
   rod.frame.x = {0.15, 0, 0};
   rod.damping = 1e-5;
-  Mechanism m = slider_crank_with(rod, 1);
+  return rod;
+}
+
+/// A slider-crank with a meshed rod.
+Mechanism machine_with_continuum(SolidLaw law, int nz = 0) {
+  Mechanism m = slider_crank_with(rod_of(law, nz, kRodLength, kRodThickness, kPlastic), 1);
   m.gravity = {0, -9.81, 0};
   return m;
+}
+
+SolidSpec& part(Mechanism& m) { return std::get<SolidSpec>(m.bodies[1].kind); }
+
+/// Sets E, rho or nu of the rod.
+auto material_of_rod(double Material::*constant) {
+  return [constant](Mechanism& m, double p) {
+    Material material = part(m).model->material();
+    material.*constant = p;
+    part(m).model = of_material(*part(m).model, material);
+  };
+}
+
+/// Its material, and in the plane its thickness.
+std::vector<Quantity> of_the_rod(SolidLaw law, int nz = 0) {
+  std::vector<Quantity> all = {
+      {1e9, material_of_rod(&Material::E), {"E", {SolidScale{1, 1e-9, 0}}}},
+      {1200, material_of_rod(&Material::rho), {"rho", {SolidScale{1, 0, 1 / 1200.}}}}};
+  if (nz == 0)
+    all.push_back(
+        {kRodThickness,
+         [law](Mechanism& m, double p) { part(m) = rod_of(law, 0, kRodLength, p, kPlastic); },
+         {"thickness", {SolidScale{1, 1 / kRodThickness, 1 / kRodThickness}}}});
+  return all;
+}
+
+/// Its length, which all nodes of the mesh follow, and its height.
+std::vector<Quantity> lengths(const Mechanism& m, SolidLaw law, int nz = 0) {
+  return {by_nearby("length of the rod", m, kRodLength,
+                    [law, nz](Mechanism& c, double p) {
+                      part(c) = rod_of(law, nz, p, kRodThickness, kPlastic);
+                      std::get<RigidSpec>(c.bodies[2].kind).frame.x = {0.15 + p, 0, 0};
+                    }),
+          by_nearby("height of the rod", m, kRodHeight, [](Mechanism& c, double p) {
+            const SolidModel& old = *part(c).model;
+            SolidMesh mesh = old.mesh();
+            mesh.nodes.row(1) *= p / kRodHeight;
+            part(c).model = mesh_with_ends(std::move(mesh), old.material(), Vec3::Zero(),
+                                           {kRodLength, 0, 0}, {old.thickness(), {}});
+          })};
 }
 
 std::vector<Quantity> mass_of_the_slider() {
@@ -41,11 +90,153 @@ TEST(ContinuumSensitivity, AreThoseOfDifferences) {
     expect_differences<SE2>(machine_with_continuum(law), mass_of_the_slider(), options);
 }
 
-TEST(ContinuumSensitivity, ItsOwnParametersAreRefused) {
+TEST(ContinuumSensitivity, ByItsOwnParametersDirectEqualsAdjoint) {
+  for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean})
+    expect_direct_equals_adjoint<SE2>(20, machine_with_continuum(law), of_the_rod(law));
+  const auto law = SolidLaw::StVenantKirchhoff;
+  expect_direct_equals_adjoint<SE3>(5, machine_with_continuum(law, 1), of_the_rod(law, 1));
+}
+
+TEST(ContinuumSensitivity, ByItsOwnParametersAreThoseOfDifferences) {
+  DifferenceOptions options;
+  options.of_kind = true;
+  options.largest = 0.3;
+  for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean})
+    expect_differences<SE2>(machine_with_continuum(law), of_the_rod(law), options);
+}
+
+/// By lengths what the nodes move cancels the stiffness of a cell times its change: of the largest
+/// output of its kind round-off leaves 5e-9, and 5e-7 of the differences of simulations.
+TEST(ContinuumSensitivity, ByLengthsBothFormsAreThoseOfDifferences) {
+  const auto law = SolidLaw::NeoHookean;
+  const Mechanism m = machine_with_continuum(law);
+  expect_direct_equals_adjoint<SE2>(20, m, lengths(m, law), 2e-4, 1, 1, 2e-8);
+  DifferenceOptions options;
+  options.of_kind = true;
+  options.largest = 0.1;
+  options.error = 2e-6;
+  expect_differences<SE2>(m, lengths(m, law), options);
+  const auto linear = SolidLaw::StVenantKirchhoff;
+  const Mechanism in_space = machine_with_continuum(linear, 1);
+  expect_direct_equals_adjoint<SE3>(50, in_space, lengths(in_space, linear, 1), 2e-4, 1, 1, 2e-8);
+}
+
+/// Energy depends on the law itself; central differences of one more step of Richardson.
+TEST(ContinuumSensitivity, OfTheEnergyIsThatOfDifferences) {
+  const auto law = SolidLaw::NeoHookean;
+  const Mechanism m = machine_with_continuum(law);
+  const auto o = tight(0.02, 4e-4);
+  ResponseSpec energy;
+  energy.kind = ResponseKind::Energy;
+  const auto all = of_the_rod(law);
+  const Taped<SE2> run(m, o);
+  const auto parameters = run.parameters(all);
+  const ResponseValues<SE2> values(run.mechanism, run.model);
+  const ResponseSensitivity<SE2> of(run.model, values, energy, parameters);
+  MatrixXd exact;
+  const auto end = direct_sensitivity<SE2>(
+      run.model, run.tape, parameters,
+      [&](long, const State<SE2>& s, const auto& ds) { exact = of(s, ds); });
+  ASSERT_TRUE(end.complete()) << end.reason;
+  for (std::size_t p = 0; p < all.size(); ++p) {
+    const auto at = [&](double change) -> MatrixXd {
+      Mechanism changed = m;
+      all[p].set(changed, all[p].nominal * (1 + change));
+      const Taped<SE2> near(changed, o);
+      State<SE2> s = near.model.initial_state();
+      near.run.trajectory.read(near.run.trajectory.size() - 1, s);
+      return ResponseValues<SE2>(near.mechanism, near.model)(energy, s);
+    };
+    const double slope = all[p].nominal * exact(0, Eigen::Index(p));
+    const double size = std::max(std::abs(slope), 1e-2 * std::abs(at(0)(0, 0)));
+    const double best = Differences(at, 0.16, 4).least([&](const MatrixXd& y) {
+      return std::abs(y(0, 0) - slope) / size;
+    });
+    EXPECT_LT(best, 1e-7) << all[p].parameter.name;
+  }
+}
+
+TEST(ContinuumSensitivity, ByFractionsIsRefused) {
   const Mechanism m = machine_with_continuum(SolidLaw::StVenantKirchhoff);
   const auto model = Model<SE2>::build(m, space_of<SE2>(m));
   const Parameter by = {"fractions", {SolidDerivative{1, Eigen::VectorXd::Ones(16)}}};
   EXPECT_THROW(ParameterResidual<SE2>(m, model, by), std::invalid_argument);
+}
+
+constexpr double kSide = 0.01;
+
+/// The pendulum as a mesh of n x 2 quadrilaterals.
+void mesh_pendulum(Mechanism& m, int n, double length, double height) {
+  SolidSpec s = continuum_block({length, height, kSide}, n, 2, 0, {"soft", 5e8, 0.3, 7800});
+  m.bodies[0].kind = s;
+}
+
+Mechanism swinging(int n, Formalism formalism, bool meshed) {
+  Mechanism m = pendulum(n);
+  m.formalism = formalism;
+  m.gravity_scale = TimeFunction::expression("t < 0.2 ? sin(2.5*pi*t)^2 : 1");
+  if (meshed) mesh_pendulum(m, n, 1, kSide);
+  return m;
+}
+
+/// E, rho, the side of the section in the plane, the length.
+std::vector<Quantity> of_the_pendulum(const Mechanism& m, int n, bool meshed) {
+  const auto nothing = [](Mechanism&, double) {};
+  if (!meshed)
+    return {{5e8, nothing, {"E", {by_youngs_modulus(m, 0)}}},
+            {7800, nothing, {"rho", {by_density(m, 0)}}},
+            {kSide, nothing, {"side", {by_dimension(m, 0, {}, "width")}}},
+            by_nearby("length", m, 1, [n](Mechanism& c, double p) {
+              std::get<BeamSpec>(c.bodies[0].kind).nodes = straight({0, 0, 0}, {p, 0, 0}, n);
+            })};
+  return {
+      {5e8, nothing, {"E", {SolidScale{0, 1 / 5e8, 0}}}},
+      {7800, nothing, {"rho", {SolidScale{0, 0, 1 / 7800.}}}},
+      by_nearby("side", m, kSide, [n](Mechanism& c, double p) { mesh_pendulum(c, n, 1, p); }),
+      by_nearby("length", m, 1, [n](Mechanism& c, double p) { mesh_pendulum(c, n, p, kSide); })};
+}
+
+/// p dy/dp of the tip at the end, a column each of `of_the_pendulum`.
+MatrixXd of_the_tip(int n, Formalism formalism, bool meshed = false) {
+  const Taped<SE2> run(swinging(n, formalism, meshed), tight(0.3, 2e-3));
+  const auto all = of_the_pendulum(run.mechanism, n, meshed);
+  const auto tip = std::size_t(meshed ? 1 : n);
+  const auto parameters = run.parameters(all);
+  MatrixXd out;
+  const auto end = direct_sensitivity<SE2>(
+      run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
+        out = s.H[tip].R * ds.eta.middleRows(3 * Eigen::Index(tip), 2);
+      });
+  EXPECT_TRUE(end.complete()) << end.reason;
+  for (std::size_t p = 0; p < all.size(); ++p) out.col(Eigen::Index(p)) *= all[p].nominal;
+  return out;
+}
+
+/// A table of docs/sensitivities.md: segments, the beam on the group and the continuum come to one
+/// value, with the square of the length of their elements.
+TEST(ContinuumSensitivities, ComeToThoseOfBeams) {
+  const auto record = [](const std::string& name, const MatrixXd& by) {
+    for (int p = 0; p < by.cols(); ++p)
+      RecordProperty(name + "_" + std::to_string(p),
+                     std::to_string(by(0, p)) + " " + std::to_string(by(1, p)));
+  };
+  const MatrixXd limit = (4 * of_the_tip(32, Formalism::SE3) - of_the_tip(16, Formalism::SE3)) / 3;
+  record("limit", limit);
+  const auto off = [&](const std::string& name, const MatrixXd& found) {
+    const Eigen::RowVectorXd share =
+        (found - limit).colwise().norm().cwiseQuotient(limit.colwise().norm());
+    record(name, found);
+    for (int p = 0; p < found.cols(); ++p)
+      RecordProperty("off_" + name + "_" + std::to_string(p), std::to_string(1e6 * share[p]));
+    return share.maxCoeff();
+  };
+  off("segments_16", of_the_tip(16, Formalism::Segments));
+  EXPECT_LT(off("segments_32", of_the_tip(32, Formalism::Segments)), 1e-3);
+  off("continuum_20", of_the_tip(20, Formalism::SE3, true));
+  const double coarse = off("continuum_40", of_the_tip(40, Formalism::SE3, true)),
+               fine = off("continuum_80", of_the_tip(80, Formalism::SE3, true));
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
+  EXPECT_LT(fine, 5e-4);
 }
 
 }  // namespace

@@ -233,5 +233,47 @@ TEST(SolidLaw, RefusesAnIncompressibleMaterial) {
                std::invalid_argument);
 }
 
+/// Of the same deformation everywhere, turned: closed forms of a bar that does not contract, and of
+/// the neo-Hookean law in space, sigma = (mu (b - 1) + lambda ln J 1)/J.
+TEST(ContinuumCellStress, IsThatOfCauchy) {
+  const Material plain = {"plain", 2e6, 0, 1000};
+  const double l = 1.3, angle = 0.7;
+  const Eigen::Matrix3Xd rest = skewed<Cells<2, 4>>();
+  const Eigen::Matrix2d R = Eigen::Rotation2Dd(angle).matrix(),
+                        F = R * Eigen::Vector2d(l, 1).asDiagonal();
+  const ContinuumCell<2> flat(rest.topRows<2>(), plain, kThick, SolidLaw::StVenantKirchhoff);
+  const Eigen::Vector3d in_plane = flat.central_stress(F * rest.topRows<2>());
+  const double pull = plain.E * l * (l * l - 1) / 2;
+  const Eigen::Vector2d along = R.col(0);
+  EXPECT_NEAR(in_plane[0], pull * along[0] * along[0], 1e-9 * pull);
+  EXPECT_NEAR(in_plane[1], pull * along[1] * along[1], 1e-9 * pull);
+  EXPECT_NEAR(in_plane[2], pull * along[0] * along[1], 1e-9 * pull);
+
+  const Eigen::Matrix3Xd block = skewed<Cells<3, 8>>();
+  Mat3 G;
+  G << 1.1, 0.2, -0.1, 0.05, 0.9, 0.1, 0, -0.15, 1.2;
+  const ContinuumCell<3> cell(block, kRubber, 1, SolidLaw::NeoHookean);
+  const Eigen::Matrix<double, 6, 1> stress = cell.central_stress(G * block);
+  const double J = G.determinant(), mu = kRubber.G(),
+               lambda = 2 * mu * kRubber.nu / (1 - 2 * kRubber.nu);
+  const Mat3 one = Mat3::Identity(),
+             exact = (mu * (G * G.transpose() - one) + lambda * std::log(J) * one) / J;
+  const double sizes = exact.norm();
+  for (int i = 0; i < 3; ++i) {
+    EXPECT_NEAR(stress[i], exact(i, i), 1e-9 * sizes) << i;
+    EXPECT_NEAR(stress[3 + i], exact(i, (i + 1) % 3), 1e-9 * sizes) << i;
+  }
+  EXPECT_TRUE(cell.central_stress(-block).isZero(0)) << "inverted";
+}
+
+/// A plate that is pulled gets thinner by Poisson's ratio, small strains.
+TEST(ContinuumCellStress, KnowsHowThinAPlateGets) {
+  for (const SolidLaw law : kLaws) {
+    const Eigen::Matrix<double, 3, 1> strain(1e-4, 0, 0);
+    const auto at = solid_law<2>(law, kRubber, strain);
+    EXPECT_NEAR(at.across, 1 - kRubber.nu / (1 - kRubber.nu) * 1e-4, 1e-8);
+  }
+}
+
 }  // namespace
 }  // namespace liesl::test

@@ -47,8 +47,8 @@ TEST(Continuum, BendsAsTheElastica) {
   const Vec3 reference(0.1606417208, 0.4934574804, 0.7817498316);
   const auto tip = [](int n, double h) -> Vec3 {
     const double E = 1e6, EI = E * h * h * h / 12;
-    const SE3 H = end_in_equilibrium(continuum_block({1, h, 1}, n, 1, 0, {"plate", E, 0, 1}),
-                                     {0, 2 * EI, 0}, 40);
+    const SE3 H =
+        end_in_equilibrium(continuum_block({1, h, 1}, n, 1, 0, {"plate", E, 0, 1}), {0, 2 * EI, 0});
     return {1 - H.x.x(), H.x.y(), std::atan2(H.R(1, 0), H.R(0, 0))};
   };
   const Vec3 a = tip(32, 0.02), b = tip(64, 0.02), c = tip(128, 0.02);
@@ -251,6 +251,53 @@ void expect_as_the_beam(const SolidSpec& part, double duration) {
 TEST(Continuum, ASlenderRodBendsAsTheBeam) {
   expect_as_the_beam<SE2>(meshed_rod({0.15, 0, 0}, 60, 4, 0), 0.12);
   expect_as_the_beam<SE3>(meshed_rod({0.15, 0, 0}, 60, 4, 0, 4), 0.02);
+}
+
+/// The tip of data/scenes/pendulum.toml after half a second; errors, and microseconds a step, of
+/// both in a table of docs/accuracy_and_speed.md.
+TEST(Continuum, APendulumSwingsAsTheBeam) {
+  const auto tip = [](int n, bool meshed) -> Eigen::Vector2d {
+    Mechanism m = pendulum(n);
+    if (meshed)
+      m.bodies[0].kind = continuum_block({1, 0.01, 0.01}, n, 2, 0, {"soft", 5e8, 0.3, 7800});
+    const auto r = run_planar(m, options(0.5, 1e-3, 0.8, 1e-8));
+    EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    RecordProperty((meshed ? "continuum_us_" : "beam_us_") + std::to_string(n),
+                   std::to_string(1e6 * r.report().stepping_cpu_s / double(r.report().steps)));
+    return r.trajectory().frames(r.last())[meshed ? 1 : n].x;
+  };
+  const Eigen::Vector2d fine = tip(64, false), limit = (4 * fine - tip(32, false)) / 3;
+  const auto error = [&](int n, bool meshed) {
+    const double off = (tip(n, meshed) - limit).norm();
+    RecordProperty((meshed ? "continuum_off_" : "beam_off_") + std::to_string(n),
+                   std::to_string(1e6 * off));
+    return off;
+  };
+  for (const int n : {4, 8, 16}) error(n, false);
+  error(10, true);
+  error(20, true);
+  const double before = error(40, true), last = error(80, true);
+  EXPECT_LT(last, 2e-4);
+  EXPECT_LT(last, 0.5 * before);
+}
+
+/// A strip that is bent by 45 degrees, 64 x 1 cells, in one load step, as beams are.
+TEST(Continuum, BendsFarInFewLoadSteps) {
+  const double h = 0.02, E = 1e6, EI = E * h * h * h / 12;
+  const auto solved = [&](int load_steps) {
+    Mechanism m = clamped(continuum_block({1, h, 1}, 64, 1, 0, {"plate", E, 0, 1}));
+    m.loads = {end_load({0, 2 * EI, 0})};
+    SimulationOptions o = tight();
+    o.max_iterations = 40;
+    o.load_steps = load_steps;
+    return solve<SE2>(m, o, *find_plane(m).plane);
+  };
+  const auto at_once = solved(1), slowly = solved(40);
+  for (const auto* found : {&at_once, &slowly})
+    ASSERT_EQ(found->result.report.status, SolveStatus::Converged) << found->result.report.reason;
+  EXPECT_EQ(at_once.result.report.rejected_steps, 0);
+  EXPECT_LE(at_once.result.report.newton_iterations, 12);
+  EXPECT_LT((at_once.frame(1).x - slowly.frame(1).x).norm(), 1e-7);
 }
 
 /// Pushed through itself, a block of the linear law ends with the time and what to do; the

@@ -532,6 +532,27 @@ TYPED_TEST(BodyDerivative, OfAMeshedPartAlongItsFractionsIsTheResidual) {
   EXPECT_THROW(body.derivative(std::vector<ElementSection<G>>(3)), std::invalid_argument);
 }
 
+/// Stiffness and mass of all cells scale internal forces and those of inertia.
+TYPED_TEST(BodyDerivative, OfAMeshedPartByItsScaleIsAShareOfTheResidual) {
+  using G = TypeParam;
+  const SolidSpec spec = bar<G>(1);
+  std::vector<G> ports(2, G::identity());
+  for (int i : {0, 1})
+    ports[std::size_t(i)].x = spec.interfaces()[std::size_t(i)].point.template head<G::space_dim>();
+  const SolidBody<G> body("bar", spec, ports, Mat3::Identity());
+  this->move(body);
+  const auto both = body.derivative(ScaleDerivative{1, 1});
+  expect_homogeneous<G>([this](const Body<G>& b) { return this->residual(b); }, body, *both, 1e-9);
+  const VectorXd K = this->residual(*body.derivative(ScaleDerivative{1, 0})),
+                 M = this->residual(*body.derivative(ScaleDerivative{0, 1})),
+                 all = this->residual(body);
+  EXPECT_GT(K.norm(), 1e-6 * all.norm());
+  EXPECT_GT(M.norm(), 1e-6 * all.norm());
+  EXPECT_LT((K + M - all).norm(), 1e-12 * all.norm());
+  EXPECT_NEAR(body.derivative(ScaleDerivative{0, 2})->total_mass(), 2 * body.total_mass(),
+              1e-12 * body.total_mass());
+}
+
 /// A rigid part of a mesh: rebuilt bodies at all fractions.
 TEST(ParameterOfAMechanism, FractionsOfARigidPart) {
   Mechanism m;

@@ -1,0 +1,23 @@
+#pragma once
+/// @file
+/// What is said of an iteration whose forces are not finite.
+
+#include <string>
+
+#include "mbs/system/model.hpp"
+
+namespace liesl {
+
+/// "the iteration diverged", and why where a body knows.
+template <FrameGroup G>
+std::string divergence(const Model<G>& model, const State<G>& s) {
+  std::string what = "the iteration diverged";
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (const auto why =
+            model.bodies[b]->no_forces(s.H.data() + model.first_node(static_cast<int>(b)));
+        !why.empty())
+      what += "; " + why;
+  return what;
+}
+
+}  // namespace liesl
