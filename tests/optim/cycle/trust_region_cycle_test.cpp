@@ -361,8 +361,8 @@ TEST(TrustRegionCycle, InfeasibleEndIsAStationaryPointOfTheViolation) {
 
 TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
   StudyCase study = rod({duration(0.05)});
-  study.scene.mechanism.penalty.form = ConstraintForm::Penalty;
-  study.scene.mechanism.penalty.damping = 1e-5;
+  study.scene.mechanism.penalty.form = ConstraintForm::Augmented;
+  study.scene.mechanism.penalty.damping = 1e-9;  // larger ones leave joints open
   const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
   const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
   EXPECT_TRUE(closed(r.status)) << r.reason;
@@ -370,6 +370,22 @@ TEST(TrustRegionCycle, MotionWithoutSensitivitiesTakesThePlainCycleAndSaysSo) {
   study.spec.cycle.method = CycleMethod::Esl1;
   EXPECT_THROW(run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec),
                std::invalid_argument);
+}
+
+TEST(TrustRegionCycle, JointsByDampedPenaltiesEndAtTheOptimumOfMultipliers) {
+  StudyCase study = rod({duration(0.05)});
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
+  const auto end = [&] {
+    return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
+  };
+  const auto exact = end();
+  ASSERT_EQ(exact.status, CycleStatus::Optimal) << exact.reason;
+  study.scene.mechanism.penalty.form = ConstraintForm::Penalty;
+  study.scene.mechanism.penalty.damping = 1e-5;
+  const auto damped = end();
+  EXPECT_EQ(damped.status, CycleStatus::Optimal) << damped.reason;
+  EXPECT_NEAR(damped.history.back().objective, exact.history.back().objective,
+              1e-3 * exact.history.back().objective);
 }
 
 }  // namespace
