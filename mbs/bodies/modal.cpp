@@ -109,18 +109,26 @@ void ModalBody<G>::spread(const Motion& m, Field& field) const {
   field.ddu.noalias() = Psi_ * m.acceleration;
 }
 
-/// Pi^T M Pi with the velocities of all nodes = Pi [v_0; edot],
-/// Pi = [(I - ad(u_k)) Ad(X_k^-1), (I - ad(u_k)/2) Psi_k].
+/// Velocities of all nodes = Pi [v_0; edot], Pi = [(I - ad(u_k)) Ad(X_k^-1), (I - ad(u_k)/2)
+/// Psi_k].
 template <FrameGroup G>
-Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
-  const Eigen::VectorXd u = Psi_ * m.e;
+Eigen::MatrixXd ModalBody<G>::velocity_matrix(const Eigen::VectorXd& u) const {
   Eigen::MatrixXd Pi(this->size(), dim + Psi_.cols());
   for (int k = 0; k < this->nodes(); ++k) {
-    const Eigen::MatrixXd ad_u = G::ad(Tangent(u.template segment<dim>(dim * k))), A_k = A_[k],
-                          psi = Psi_.middleRows(dim * k, dim);
-    Pi.block(dim * k, 0, dim, dim) = A_k - linalg::product(ad_u, A_k);
-    Pi.block(dim * k, dim, dim, Psi_.cols()) = psi - 0.5 * linalg::product(ad_u, psi);
+    const typename G::Matrix ad_u = G::ad(Tangent(u.template segment<dim>(dim * k)));
+    auto at = Pi.template middleRows<dim>(dim * k);
+    at.template leftCols<dim>() = A_[k] - ad_u * A_[k];
+    at.rightCols(Psi_.cols()) = Psi_.template middleRows<dim>(dim * k);
+    at.rightCols(Psi_.cols()).noalias() -=
+        (0.5 * ad_u).lazyProduct(Psi_.template middleRows<dim>(dim * k));
   }
+  return Pi;
+}
+
+/// Pi^T M Pi.
+template <FrameGroup G>
+Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
+  const Eigen::MatrixXd Pi = velocity_matrix(Psi_ * m.e);
   Eigen::MatrixXd MPi = Eigen::MatrixXd::Zero(Pi.rows(), Pi.cols());
   for (int j = 0; j < Pi.cols(); ++j)
     beam_->mass().multiply_add(Pi.col(j).data(), MPi.col(j).data());
@@ -174,29 +182,36 @@ void ModalBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tang
   q.noalias() += Psi_.transpose() * room.full;
 }
 
-/// Product rule on `inertia_force`, node by node; columns by e, edot and v_0.
+/// Product rule on `inertia_force`; columns by e, edot and v_0. Forces on [v_0; edot] are Pi^T f,
+/// and Pi turns with u by ad(du)^T f.
 template <FrameGroup G>
 Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
                                                   const Tangent& a_0) const {
   using Eigen::MatrixXd;
   using Pair = typename Beam<G>::Pair;
+  using Matrix = typename G::Matrix;
   const Eigen::Index size = this->size(), n = Psi_.cols();
   Field field;
   spread(m, field);
+  const MatrixXd Pi = velocity_matrix(field.u);
   Eigen::VectorXd vel(size), acc(size), force = Eigen::VectorXd::Zero(size);
   MatrixXd dvel(size, 2 * n + dim), dacc(size, 2 * n + dim);
+  dvel.middleCols(n, n) = Pi.rightCols(n);
+  dvel.rightCols(dim) = Pi.leftCols(dim);
   for (int k = 0; k < this->nodes(); ++k) {
     const int at = dim * k;
     const Tangent du = field.du.template segment<dim>(at),
                   ddu = field.ddu.template segment<dim>(at), carried = A_[k] * v_0;
-    const MatrixXd psi = Psi_.middleRows(at, dim), A_k = A_[k],
-                   ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
+    const auto psi = Psi_.template middleRows<dim>(at);
     vel.template segment<dim>(at) = velocity(k, field, v_0);
     acc.template segment<dim>(at) = acceleration(k, field, v_0, a_0);
-    dvel.middleRows(at, dim) << linalg::product(G::ad(Tangent(carried + 0.5 * du)), psi),
-        psi - 0.5 * linalg::product(ad_u, psi), A_k - linalg::product(ad_u, A_k);
-    dacc.middleRows(at, dim) << linalg::product(G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), psi),
-        linalg::product(G::ad(carried), psi), -linalg::product(G::ad(du), A_k);
+    const Matrix by_v = G::ad(Tangent(carried + 0.5 * du)),
+                 by_a = G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), along = G::ad(carried);
+    dvel.template middleRows<dim>(at).leftCols(n).noalias() = by_v.lazyProduct(psi);
+    auto of_acc = dacc.template middleRows<dim>(at);
+    of_acc.leftCols(n).noalias() = by_a.lazyProduct(psi);
+    of_acc.middleCols(n, n).noalias() = along.lazyProduct(psi);
+    of_acc.template rightCols<dim>() = -G::ad(du) * A_[k];
   }
   MatrixXd dforce = MatrixXd::Zero(size, 2 * n + dim);
   for (int e = 0; e < beam_->elements(); ++e) {
@@ -205,26 +220,24 @@ Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent
     Pair g;
     element.inertia_force(A, B, vel.data() + dim * e, acc.template segment<2 * dim>(dim * e), g);
     force.template segment<2 * dim>(dim * e) += g;
-    dforce.middleRows(dim * e, 2 * dim) +=
-        linalg::product(element.mass(), dacc.middleRows(dim * e, 2 * dim)) +
-        linalg::product(element.gyroscopic_tangent(A, B, vel.data() + dim * e),
-                        dvel.middleRows(dim * e, 2 * dim));
+    const auto gyroscopic = element.gyroscopic_tangent(A, B, vel.data() + dim * e);
+    auto at = dforce.template middleRows<2 * dim>(dim * e);
+    at.noalias() += element.mass().lazyProduct(dacc.template middleRows<2 * dim>(dim * e));
+    at.noalias() += gyroscopic.lazyProduct(dvel.template middleRows<2 * dim>(dim * e));
   }
-  MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
+  MatrixXd turned(size, n), arms(size, dim + n);
   for (int k = 0; k < this->nodes(); ++k) {
     const int at = dim * k;
-    const MatrixXd psi = Psi_.middleRows(at, dim), A_k = A_[k],
-                   ad_u = G::ad(Tangent(field.u.template segment<dim>(at)));
-    typename G::Matrix turn;  // ad(du)^T f by du
+    Matrix turn;  // ad(du)^T f by du
     for (int j = 0; j < dim; ++j)
       turn.col(j) = G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at);
-    const MatrixXd df = dforce.middleRows(at, dim), turned = linalg::transposed_product(ad_u, df),
-                   turn_psi = linalg::product(turn, psi);
-    out.topRows(dim) += linalg::transposed_product(A_k, df - turned);
-    out.topLeftCorner(dim, n) -= linalg::transposed_product(A_k, turn_psi);
-    out.bottomRows(n) += linalg::transposed_product(psi, df - 0.5 * turned);
-    out.block(dim, 0, n, n) -= 0.5 * linalg::transposed_product(psi, turn_psi);
+    const auto psi = Psi_.template middleRows<dim>(at);
+    turned.template middleRows<dim>(at).noalias() = turn.lazyProduct(psi);
+    arms.template middleRows<dim>(at).template leftCols<dim>() = A_[k];
+    arms.template middleRows<dim>(at).rightCols(n) = 0.5 * psi;
   }
+  MatrixXd out = linalg::transposed_product(Pi, dforce);
+  out.leftCols(n) -= linalg::transposed_product(arms, turned);
   return out;
 }
 

@@ -62,6 +62,7 @@ class ModalBody final : public FloatingBody<G> {
   Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
                                       const Tangent& a_0) const override;
   Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
+  Eigen::MatrixXd velocity_matrix(const Eigen::VectorXd& u) const;
   void reduce(std::vector<NodeKind> kind, int modes);
   /// Displacements of all nodes and their rates, Psi times those of e.
   struct Field {
