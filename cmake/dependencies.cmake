@@ -23,21 +23,29 @@ else()
 endif()
 target_link_libraries(liesl_suitesparse INTERFACE ${factorisation} klu amd colamd btf suitesparseconfig)
 
-# liesl_package(<name> <prefix of pkg_check_modules> <archive> [what the archive needs...]): liesl_<name>
-# is the archive in programs with the property LIESL_ARCHIVES and the shared library elsewhere, also where
-# there is no archive. Half of the start of a program was spent on 31 shared libraries, HDF5, libcrypto,
-# Ipopt and what they bring; archives are not for shared modules, as their code is tied to its place.
+# liesl_package(<name> <prefix of pkg_check_modules> <archive> <symbol> [what the archive needs...]):
+# liesl_<name> is the archive in programs with the property LIESL_ARCHIVES, if a program with a symbol of it
+# links, and the shared library elsewhere. Half of the start of `liesl` was spent on 31 shared libraries,
+# HDF5, libcrypto, Ipopt and what they bring; archives are not for shared modules, as their code is tied to
+# its place, and not worth the time to link each test with them.
+include(CheckCXXSourceCompiles)
 define_property(TARGET PROPERTY LIESL_ARCHIVES BRIEF_DOCS "Linked with archives of packages")
-function(liesl_package name prefix archive)
+function(liesl_package name prefix archive symbol)
   add_library(liesl_${name} INTERFACE)
   target_include_directories(liesl_${name} SYSTEM INTERFACE ${${prefix}_INCLUDE_DIRS})
-  find_library(LIESL_ARCHIVE_${name} ${archive} HINTS ${${prefix}_LIBRARY_DIRS} ${${prefix}_LIBDIR})
+  find_library(LIESL_ARCHIVE_${name} ${archive} PATHS ${${prefix}_LIBRARY_DIRS} ${${prefix}_LIBDIR}
+               NO_DEFAULT_PATH)
   mark_as_advanced(LIESL_ARCHIVE_${name})
-  set(archives "$<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>")
   if(LIESL_ARCHIVE_${name})
+    set(CMAKE_REQUIRED_LIBRARIES ${LIESL_ARCHIVE_${name}} ${ARGN})
+    check_cxx_source_compiles("extern \"C\" int ${symbol}(); int main() { return ${symbol}(); }"
+                              LIESL_ARCHIVE_${name}_LINKS)
+  endif()
+  if(LIESL_ARCHIVE_${name}_LINKS)
     add_library(liesl_${name}_archive INTERFACE)
     target_link_libraries(liesl_${name}_archive INTERFACE ${LIESL_ARCHIVE_${name}} ${ARGN})
-    target_link_libraries(liesl_${name} INTERFACE $<IF:${archives},liesl_${name}_archive,PkgConfig::${prefix}>)
+    target_link_libraries(liesl_${name} INTERFACE
+      $<IF:$<BOOL:$<TARGET_PROPERTY:LIESL_ARCHIVES>>,liesl_${name}_archive,PkgConfig::${prefix}>)
   else()
     target_link_libraries(liesl_${name} INTERFACE PkgConfig::${prefix})
   endif()
@@ -46,8 +54,8 @@ endfunction()
 if(LIESL_OPTIM)
   pkg_check_modules(IPOPT REQUIRED IMPORTED_TARGET ipopt)
   set(IPOPT_NEEDS ${IPOPT_LINK_LIBRARIES})
-  list(FILTER IPOPT_NEEDS EXCLUDE REGEX "libipopt")
-  liesl_package(ipopt IPOPT libipopt.a ${IPOPT_NEEDS})
+  list(FILTER IPOPT_NEEDS EXCLUDE REGEX "/libipopt[^/]*$")
+  liesl_package(ipopt IPOPT libipopt.a CreateIpoptProblem ${IPOPT_NEEDS})
   pkg_check_modules(NLOPT REQUIRED IMPORTED_TARGET nlopt)
 endif()
 if(LIESL_APPS)
@@ -55,9 +63,9 @@ if(LIESL_APPS)
   find_package(nlohmann_json REQUIRED)
   find_package(CLI11 REQUIRED)
   pkg_check_modules(HDF5 REQUIRED IMPORTED_TARGET hdf5)
-  liesl_package(hdf5 HDF5 libhdf5.a sz z)
+  liesl_package(hdf5 HDF5 libhdf5.a H5Fopen sz z)
   pkg_check_modules(CRYPTO REQUIRED IMPORTED_TARGET libcrypto)
-  liesl_package(crypto CRYPTO libcrypto.a)
+  liesl_package(crypto CRYPTO libcrypto.a EVP_Digest)
 endif()
 
 # A Python with matplotlib, for pictures and checks; the system's one before others in PATH, which

@@ -108,7 +108,7 @@ struct Writer {
       return name.substr(0, name.find(' '));  // "liesl (deleted)" after an installation
     };
     if (plain(program) == plain(fs::read_symlink("/proc/self/exe", error))) return true;
-    constexpr double kClocks = 1;  // s that they may differ by
+    constexpr double kClocks = 60;  // s that they may differ by
     const std::optional<double> begin = begin_of(pid);
     struct stat changed {};
     if (!begin || ::stat(folder.c_str(), &changed) != 0) return true;

@@ -66,7 +66,8 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
   }
 }
 
-constexpr double kShownTo = 1e-6;   // of the size of a part, to which its displacements are shown
+constexpr double kShownTo = 1e-6;  // of the size of a part, to which its displacements are shown
+constexpr double kStretch = 1e-3, kNoise = 1e-9;  // stress below is round-off, of its modulus
 constexpr double kStressTo = 1e-2;  // of its largest stress, to which stresses of continua are
 
 /// Displacements of the nodes of a meshed part in the axes of its mesh, seen from the first
@@ -97,7 +98,8 @@ MeshMotion motion_of(const ContinuumBody<G>& body, const Model<G>& model,
   double largest = 0;
   for (int n = 0; n < trajectory.size(); ++n)
     largest = std::max(largest, body.stresses_at(at(n)).cwiseAbs().maxCoeff());
-  const double scale = largest > 0 ? tolerance / (kStressTo * largest) : 1;
+  const double modulus = body.stresses_at((1 + kStretch) * rest).cwiseAbs().maxCoeff() / kStretch;
+  const double scale = tolerance / (kStressTo * std::max(largest, kNoise * modulus));
   MeshMotion out;
   const Eigen::MatrixXd none = body.stresses_at(rest);
   DisplacementBasis basis(rest.size() + none.size(), tolerance);

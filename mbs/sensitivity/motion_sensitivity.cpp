@@ -231,7 +231,8 @@ void require_given_start(const Model<G>& model, const Tape<G>& tape, Derivatives
   const bool in_equilibrium = tape.options.start == StartChoice::Equilibrium;
   const State<G>& first = tape.checkpoints.at(0).s;
   if (in_equilibrium &&
-      (first.v.norm() * tape.options.duration > kResting * std::min(1.0, model.length) ||
+      (first.v.template lpNorm<Eigen::Infinity>() * tape.options.duration >
+           kMoved * std::min(1.0, model.length) ||  // the rate of a drive has round-off
        drives_accelerate(model, first, tape.options.duration)))
     throw std::invalid_argument(
         "sensitivities of a start in equilibrium need one at rest: no velocities, and drives that "

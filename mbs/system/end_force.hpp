@@ -21,7 +21,8 @@ namespace liesl {
 ///     n(first) = n_e - s/2,   n(last) = n_e + s/2,   s = (J_e + J_{e+1})/2
 ///
 /// of the force; of an element at an end of the beam s is the mean of the two jumps next to it.
-/// What flips from element to element cancels. Jumps at nodes that couplings or loads hold on to
+/// On elements of one length and load per length that is the element's own load; next to a step in
+/// either it is of first order. What flips from element to element cancels. Jumps at nodes that couplings or loads hold on to
 /// are left out: the other one counts, or none. Moments are linear in an element and stay
 /// (Body::section_force).
 template <FrameGroup G>

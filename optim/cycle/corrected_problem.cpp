@@ -93,7 +93,7 @@ double CorrectedProblem::correct_rows() {
 }
 
 int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
-  const int added = inner_->add_violated(x, tolerance - kLift);
+  const int added = inner_->add_violated(x, (1 + tolerance) * (1 - kLift) - 1);
   if (added > 0) correct_rows();
   return added;
 }

@@ -125,7 +125,7 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
     // Of limits missed by more than themselves the worst cases: all the others say nothing to t.
     const bool hopeless = answer.violation > kHopeless && terms.empty();
     const double allowed = hopeless ? answer.violation : 0;
-    if (problem.add_violated(answer.x, allowed + 1e-6) == 0) break;
+    if (problem.add_violated(answer.x, allowed + 1e-6 * (1 + allowed)) == 0) break;
   }
   const std::vector<ObjectiveTerm> terms = problem.objective_terms();
   for (std::size_t i = 0; i < problem.constraints().size(); ++i)

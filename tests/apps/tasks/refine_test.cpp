@@ -50,6 +50,8 @@ TEST(FinerModel, ElementsAndStepsFollowErrorAndOrder) {
   const FinerModel step = finer(kOrder4, {"bending", 5e-4, 0, 3.9 * 2.5e-4});
   EXPECT_EQ(step.changes, Changes{"simulation.step=5e-05"});
   EXPECT_TRUE(step.step);
+  const FinerModel stalled = finer(kOrder4, {"bending", 0, 0, 15.9 * 2.5e-4, {}, -1.8});
+  EXPECT_EQ(stalled.changes, Changes{"simulation.step=2.5e-05"}) << "as if none were observed";
 }
 
 TEST(FinerModel, LimitsThatAreCertainAskForNothing) {

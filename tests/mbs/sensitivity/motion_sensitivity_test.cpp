@@ -110,12 +110,27 @@ TYPED_TEST(MotionSensitivity, FromEquilibriumWithADriveByAnExpression) {
   machine.drives = {{0, 0, TimeFunction::expression("t/0.5 - sin(2*pi*t/0.5)/(2*pi)")}};
   auto o = test::tight(0.004, 4e-4);
   o.start = StartChoice::Equilibrium;
+  const Quantity of = test::quantities(machine).front();
   const Taped<G> run(machine, o);
   ASSERT_GT(run.tape.checkpoints.at(0).s.v.norm(), 0);
-  const auto end = direct_sensitivity<G>(run.model, run.tape,
-                                         run.parameters({test::quantities(machine).front()}),
-                                         [](long, const State<G>&, const auto&) {});
-  EXPECT_TRUE(end.complete()) << end.reason;
+  const Outputs<G> outputs(run.model);
+  const int steps = int(run.tape.steps()), smooth = Outputs<G>::sd + Outputs<G>::dim;
+  MatrixXd exact(outputs.size(), steps + 1);
+  const auto end = direct_sensitivity<G>(run.model, run.tape, run.parameters({of}),
+                                         [&](long step, const State<G>& s, const auto& ds) {
+                                           exact.col(step) = outputs.derivatives(s, ds).col(0);
+                                         });
+  ASSERT_TRUE(end.complete()) << end.reason;
+  const test::Differences differences(
+      [&](double change) { return changed_motion<G>(machine, of, change, o, outputs, steps + 1); },
+      0.16, 6);
+  const VectorXd size = test::sizes(exact.cwiseAbs().rowwise().maxCoeff(), outputs.groups);
+  const double best = differences.least([&](const MatrixXd& y) {
+    const MatrixXd error = (y / of.nominal - exact).cwiseAbs();
+    const VectorXd worst = error.rowwise().maxCoeff().cwiseQuotient(size);
+    return worst.head(smooth).maxCoeff();
+  });
+  EXPECT_LT(best, 1e-7);
 }
 
 TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
