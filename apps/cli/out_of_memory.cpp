@@ -4,6 +4,7 @@
 /// it. The program therefore answers its mmap itself. Of the program only: not part of any library.
 
 #include <sys/mman.h>
+#include <sys/resource.h>
 #include <sys/syscall.h>
 #include <unistd.h>
 
@@ -18,6 +19,20 @@ constexpr std::string_view kMessage =
     "liesl: out of memory; use fewer elements, a larger step or output_every, or allow it more "
     "address space (the linear algebra alone takes 128 MB a thread)\n";
 constexpr int kFailed = 3;
+constexpr rlim_t kLeast = rlim_t{96} << 20;  // the libraries, and a stack for a thread of OpenBLAS
+
+[[noreturn]] void end() {
+  (void)!::write(STDERR_FILENO, kMessage.data(), kMessage.size());
+  ::_exit(kFailed);
+}
+
+/// OpenBLAS begins its threads while it is loaded, and sends an interrupt where it cannot.
+void before_libraries_begin(int, char**, char**) {
+  rlimit space{};
+  if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur < kLeast) end();
+}
+[[gnu::used, gnu::section(".preinit_array")]] void (*const first)(int, char**,
+                                                                  char**) = &before_libraries_begin;
 
 }  // namespace
 
@@ -26,10 +41,7 @@ constexpr int kFailed = 3;
 extern "C" void* mmap(void* address, size_t size, int protection, int flags, int file,
                       off_t offset) noexcept {
   const long got = ::syscall(SYS_mmap, address, size, protection, flags, file, offset);
-  if (got == -1 && errno == ENOMEM && (flags & MAP_ANONYMOUS)) {
-    (void)!::write(STDERR_FILENO, kMessage.data(), kMessage.size());
-    ::_exit(kFailed);
-  }
+  if (got == -1 && errno == ENOMEM && (flags & MAP_ANONYMOUS)) end();
   return reinterpret_cast<void*>(got);
 }
 
