@@ -22,9 +22,9 @@ namespace liesl {
 ///
 /// of the force; of an element at an end of the beam s is the mean of the two jumps next to it.
 /// On elements of one length and load per length that is the element's own load; next to a step in
-/// either it is of first order. What flips from element to element cancels. Jumps at nodes that couplings or loads hold on to
-/// are left out: the other one counts, or none. Moments are linear in an element and stay
-/// (Body::section_force).
+/// either it is of first order. What flips from element to element cancels. Jumps at nodes that
+/// couplings or loads hold on to are left out: the other one counts, or none. Moments are linear in
+/// an element and stay (Body::section_force).
 template <FrameGroup G>
 class EndForce {
  public:
