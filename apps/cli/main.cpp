@@ -20,6 +20,10 @@
 #include "apps/output/versions.hpp"
 #include "mbs/linalg/stop_request.hpp"
 
+/// Of OpenBLAS, where it is the BLAS: ends its threads, which it begins again when it needs them.
+/// It begins them while it is loaded, to turn in a loop for tens of milliseconds.
+extern "C" [[gnu::weak]] int blas_thread_shutdown_();
+
 namespace {
 
 constexpr int kRefused = 2, kFailed = 3;
@@ -293,6 +297,7 @@ void limit_threads(int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  if (blas_thread_shutdown_) blas_thread_shutdown_();
   CLI::App app("Flexible mechanisms on SE(3), sized under the loads of their motion.", "liesl");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);
