@@ -106,9 +106,9 @@ TYPED_TEST(MotionSensitivity, FromEquilibrium) {
 /// The rate of an expression is one of differences: 1e-13 is at rest.
 TYPED_TEST(MotionSensitivity, FromEquilibriumWithADriveByAnExpression) {
   using G = TypeParam;
-  Mechanism machine = test::sensitive_machine();
+  Mechanism machine = test::sensitive_machine(7e8);
   machine.drives = {{0, 0, TimeFunction::expression("t/0.5 - sin(2*pi*t/0.5)/(2*pi)")}};
-  auto o = test::tight(0.004, 4e-4);
+  auto o = test::tight(0.02, 4e-4);
   o.start = StartChoice::Equilibrium;
   const Quantity of = test::quantities(machine).front();
   const Taped<G> run(machine, o);
