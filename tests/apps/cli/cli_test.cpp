@@ -73,8 +73,10 @@ TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
   EXPECT_EQ(run({"check", "slider_crank_rod.toml"}).code, 0);
   EXPECT_EQ(run({"run", "slider_crank.toml", "--set", "simulation.duration=0.001"}).code, 0);
   EXPECT_TRUE(fs::exists("slider_crank/summary.json"));
-  const Words map = {"map", "slider_crank_rod.toml", "--over", "rod_diameters[1],rod_diameters[2]",
-                     "--points", "2", "--set", "simulation.duration=0.001"};
+  const Words map = {"map",      "slider_crank_rod.toml",
+                     "--over",   "rod_diameters[1],rod_diameters[2]",
+                     "--points", "2",
+                     "--set",    "simulation.duration=0.001"};
   EXPECT_EQ(run(map).code, 0);
   EXPECT_TRUE(fs::exists("slider_crank_rod/map.csv"));
   const Outcome again = run({"new", "study", "--like", "slider_crank_rod"});
@@ -276,7 +278,7 @@ TEST_F(Cli, EslWritesTheLoads) {
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
   const Outcome o =
       run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1", "--set",
-           "simulation.constraints=penalty", "--set", "simulation.penalty_damping=1e-5"});
+           "simulation.constraints=augmented", "--set", "simulation.penalty_damping=1e-9"});
   EXPECT_EQ(o.code, 2) << o.err;
   EXPECT_NE(o.err.find("cycle.method needs sensitivities"), std::string::npos) << o.err;
   EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl2"}).code,
