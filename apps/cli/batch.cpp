@@ -173,6 +173,7 @@ int batch_command(const CommandOptions& options) {
   const fs::path folder = fs::absolute(options.out).lexically_normal();
   output::BatchSummary summary;
   summary.overrides = options.set;
+  summary.input = options.file;
   summary.input_sha256 = output::sha256(batch.input);
   summary.jobs = pool.jobs;
   summary.shard = options.shard;

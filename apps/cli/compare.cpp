@@ -91,6 +91,7 @@ class Run {
     summary_.norm = rows.optimize ? "" : name_of(comparison.norm);
     summary_.rows = static_cast<int>(rows.cases.rows.size());
     summary_.overrides = options.set;
+    summary_.input = options.file;
     summary_.input_sha256 = output::sha256(rows.input);
     prepare(folder_, summary_.input_sha256, options.force);
     if (fs::exists(folder_ / "rows.csv")) table_.read(folder_ / "rows.csv");

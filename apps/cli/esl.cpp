@@ -100,6 +100,7 @@ int esl_command(const CommandOptions& options) {
   output::write_file(folder.path() / "loads.csv", loads_csv(out.beams));
   if (!options.quiet) print(out);
   out.run.summary.overrides = options.set;
+  out.run.summary.more["input"] = options.file;
   out.run.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.run.summary));
   folder.commit();

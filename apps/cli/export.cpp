@@ -117,9 +117,9 @@ int export_deck(const CommandOptions& options) {
           : write_deck(folder.path(), beam_deck(scene, esl, options.part, cases), options);
   folder.commit();
   if (!options.quiet)
-    fmt::print("{}: {} load cases of '{}'\n",
+    fmt::print("{}: {} load case{} of '{}'\n",
                (target / (options.part + (options.to == "calculix" ? ".inp" : ".bdf"))).string(),
-               count, options.part);
+               count, count == 1 ? "" : "s", options.part);
   return 0;
 }
 

@@ -257,7 +257,7 @@ int print_completion(const CLI::App& app, const std::string& shell) {
 void print_overview(const CLI::App& app) {
   std::cout << kOverview << "Commands:\n";
   for (const auto* command : app.get_subcommands({}))
-    std::cout << "  " << std::left << std::setw(11) << command->get_name()
+    std::cout << "  " << std::left << std::setw(13) << command->get_name()
               << command->get_description() << "\n";
   std::cout << "\nliesl COMMAND --help lists the options of a command.\n";
 }

@@ -101,6 +101,7 @@ int sensitivity_command(const CommandOptions& options) {
       output::write_sensitivities_csv(folder.path() / "sensitivities.csv", out.result);
   }
   out.summary.overrides = options.set;
+  out.summary.more["input"] = options.file;
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
   folder.commit();

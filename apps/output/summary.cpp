@@ -162,6 +162,7 @@ Json to_json(const BatchSummary& s) {
   json["ended"] = Json::object();
   for (const auto& [status, count] : s.ended) json["ended"][status] = count;
   json.update({{"jobs", s.jobs}, {"shard", s.shard}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}});
+  json["input"] = s.input;
   add_tail(json, s.warnings, s.overrides, s.input_sha256);
   return json;
 }
@@ -187,6 +188,7 @@ Json to_json(const CompareSummary& s) {
                               {"error", number(r.error)},
                               {"time", number(r.time)}});
   json["wall_s"] = s.wall_s;
+  json["input"] = s.input;
   add_tail(json, s.warnings, s.overrides, s.input_sha256);
   return json;
 }

@@ -104,6 +104,7 @@ struct BatchSummary {
   double wall_s = 0;                               ///< of this command
   double cpu_s = 0;                                ///< of all processes of all cases
   std::vector<std::string> warnings, overrides;
+  std::string input;  ///< file, as it was named
   std::string input_sha256;
 };
 nlohmann::ordered_json to_json(const BatchSummary& summary);
@@ -133,6 +134,7 @@ struct CompareSummary {
   std::vector<FormalismRatio> ratios;
   double wall_s = 0;
   std::vector<std::string> warnings, overrides;
+  std::string input;  ///< file, as it was named
   std::string input_sha256;
 };
 nlohmann::ordered_json to_json(const CompareSummary& summary);

@@ -72,7 +72,8 @@ def draw_mechanism(folder, pictures, _summary):
     shown = few(instants)
     marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
-    heading = "mechanism" if len(shown) == 1 else f"mechanism at {len(shown)} instants"
+    what = "shapes of vibration" if abscissa.startswith("frequency") else "instants"
+    heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} {what}"
     pictures.save(figure, "mechanism", heading + (f", bending × {scale:g}" if scale != 1 else ""))
 
 

@@ -1,10 +1,12 @@
 #include "apps/report/report.hpp"
 
 #include <algorithm>
+#include <fstream>
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
+#include "apps/output/versions.hpp"
 #include "apps/report/motion.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/series.hpp"
@@ -16,14 +18,29 @@ namespace {
 
 Json read_summary(const fs::path& folder) {
   const fs::path path = folder / "summary.json";
-  if (!fs::is_directory(folder)) throw output::IoError("report", folder, "there is no such folder");
+  if (!fs::is_directory(folder))
+    throw output::IoError("report", folder,
+                          fs::exists(folder) ? "it is a file; name the folder of a result"
+                                             : "there is no such folder");
   if (!fs::exists(path))
     throw output::IoError("report", folder, "it holds no result of liesl (no summary.json)");
   Json summary = Json::parse(output::read_file(path), nullptr, false);
   if (!summary.is_object() || !summary.contains("versions") ||
       !summary["versions"].contains("liesl"))
     throw output::IoError("report", path, "it is not of liesl, or not whole");
+  const Json& version = summary["versions"]["liesl"];
+  if (version != output::versions().front().second)
+    throw output::IoError("report", path, "it is of liesl " + version.dump() + "; run it again");
   return summary;
+}
+
+/// A result that lacks a file which liesl wrote in it is half a result.
+void check_whole(const fs::path& folder, const Json& summary) {
+  if (summary.value("command", "") == "batch" || fs::exists(folder / "results.h5")) return;
+  std::ifstream mark(folder / output::kMark);
+  for (std::string name; std::getline(mark, name);)
+    if (name == "results.h5")
+      throw output::IoError("report", folder, "its results.h5 is not there; run it again");
 }
 
 /// Cases of a batch that have a page of their own.
@@ -40,6 +57,7 @@ Json reported_cases(const fs::path& folder) {
 std::string page_of(const fs::path& folder, const std::string& name) {
   Blob blob;
   const Json summary = read_summary(folder);
+  check_whole(folder, summary);
   Json data = {{"folder", name}, {"summary", summary}};
   try {
     if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")

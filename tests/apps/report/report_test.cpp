@@ -268,6 +268,10 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
   fs::copy(results(), dir_ / "half", fs::copy_options::recursive);
   output::write_file(dir_ / "half/summary.json", "{\"versions\": {\"liesl\"");
   refused((dir_ / "half").string(), "not whole");
+  output::write_file(dir_ / "half/summary.json", "{\"versions\": {\"liesl\": \"0.0.9\"}}");
+  refused((dir_ / "half").string(), "it is of liesl \"0.0.9\"");
+  fs::remove(results() / "results.h5");
+  refused(results().string(), "its results.h5 is not there");
 }
 
 TEST_F(ReportProgram, APageOfTheUserStays) {

@@ -104,6 +104,9 @@ const choose = (id, columns, chosen, change) => {
   return node;
 };
 
+/** A choice with its name, on one line. */
+const named = (text, node) => el('span', { class: 'named' }, el('label', { for: node.id }, text), ' ', node);
+
 /** A batch: any two columns, coloured by a third. */
 function pairs(table) {
   const columns = table.numeric().filter((c) => c !== table.columns[0]);
@@ -126,7 +129,7 @@ function pairs(table) {
     shade = choose('scatter-c', columns, third.name, update), key = el('span', { class: 'colours inline' });
   table.listeners.push(update);
   const node = card('Any two columns', el('div', { class: 'controls row' },
-    el('label', { for: 'scatter-x' }, 'across'), x, el('label', { for: 'scatter-y' }, 'upwards'), y, el('label', { for: 'scatter-c' }, 'colour'), shade, key), scatter.node);
+    named('across', x), named('upwards', y), named('colour', shade), key), scatter.node);
   node.classList.add('wide');
   return node;
 }

@@ -70,7 +70,7 @@ function draw(holder, lines, d, scale) {
   const tables = lines.map((l) => [l.x, l.y.map((y) => y / scale.factor)]);
   const data = tables.length > 1 ? uPlot.join(tables.map((t) => t.map((c) => Array.from(c)))) : tables[0];
   const plot = new uPlot({
-    width: 400, height: d.height ?? 190, padding: [8, 10, 0, 0],
+    width: 400, height: d.height ?? 190, padding: [8, 16, 0, 0],
     legend: { show: false },
     cursor: { points: { size: 6 }, drag: { x: true, y: false }, y: false },
     scales: { x: { time: false }, y: { range: (_, low, high) => range(low, high, d.limit ? d.limit / scale.factor : null) } },

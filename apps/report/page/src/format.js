@@ -61,6 +61,13 @@ export function quantity(x, unit, digits = 4) {
   return number(x / factor, digits) + (name ? '\u00a0' + name : '');
 }
 
+/** "(12.4, 0, \u22123.1) mm"; of one number "12.4 mm" */
+export function quantities(xs, unit, digits = 4) {
+  if (xs.length === 1) return quantity(xs[0], unit, digits);
+  const { factor, unit: name } = scaleOf(Math.max(...xs.map(Math.abs)), unit === '-' ? '' : unit);
+  return `(${xs.map((x) => tick(x / factor, digits)).join(', ')})${name ? '\u00a0' + name : ''}`;
+}
+
 /** "+26 %", "\u22120.4 %"; what is next to nothing is "0 %". */
 export function percent(share) {
   if (share === null || share === undefined || Number.isNaN(share)) return '\u2013';

@@ -24,7 +24,7 @@ function page() {
   if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
   const wide = [cycles(data, player), ...(data.cases ? cases(data) : [])];
   add(left, tables.limits(s), tables.design(s));
-  add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s) : null, tables.references(s), tables.further(s));
+  add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s), tables.gradients(s));
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
   const origin = tables.provenance(data);
   origin.classList.add('wide');

@@ -33,6 +33,7 @@ export class Player {
     }
     this.fillColours();
     this.setScale(this.modes ? 1 : this.view.goodScale());
+    if (!(this.view.deformed > 0)) for (const node of [this.scaler, this.node.querySelector('#good')]) node.disabled = true;  // rigid bodies only
     this.clock.listen(() => this.show());
     if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
     if (this.modes) this.toggle(true);

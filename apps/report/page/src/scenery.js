@@ -50,6 +50,9 @@ const kShapes = {
   fixed: (r) => new BoxGeometry(1.7 * r, 1.7 * r, 1.7 * r),
 };
 
+const kLinks = ['rod', 'cylinder'];  // joints that are bodies without mass
+const kC = new Vector3();
+
 /** A joint at its second port, by the shape of its motion; a foot below where it is tied to the
     ground. */
 export class JointView {
@@ -58,6 +61,10 @@ export class JointView {
     this.joint = joint;
     this.mesh = new Group();
     const material = surface(0xd9822b);
+    if (kLinks.includes(joint.type)) {  // from port to port, as long as it is now
+      this.link = new Mesh(new CylinderGeometry(0.45 * radius, 0.45 * radius, 1, 12), surface(0x8a929c));
+      this.mesh.add(this.link);
+    }
     const shape = (kShapes[joint.type] ?? kShapes.spherical)(radius);
     this.glyph = new Mesh(shape, material);
     this.axis = new Vector3(...(joint.axis.length ? joint.axis : [0, 0, 1]));
@@ -79,9 +86,16 @@ export class JointView {
     kB.copy(this.axis).applyQuaternion(kQ);
     this.glyph.position.copy(kA);
     this.glyph.quaternion.setFromUnitVectors(kUp, kB);
+    if (this.link) {
+      frames.place(joint.bodies[1 - end], joint.nodes[1 - end], joint.places, 3 * (1 - end), kB);
+      kC.subVectors(kB, kA);
+      this.link.position.copy(kA).addScaledVector(kC, 0.5);
+      this.link.scale.y = kC.length() || 1e-9;
+      this.link.quaternion.setFromUnitVectors(kUp, kC.normalize());
+    }
     if (this.foot) {
       frames.place('ground', 0, joint.places, 3 * this.grounded, kB);
-      this.foot.position.copy(joint.type === 'prismatic' ? kB : kA).add(this.offset);
+      this.foot.position.copy(joint.type === 'prismatic' || this.link ? kB : kA).add(this.offset);
     }
   }
 }

@@ -1,10 +1,10 @@
 // Figures of a summary as tables: head, limits, design, provenance.
 
 import { card, el } from './dom.js';
-import { number, percent, quantity } from './format.js';
+import { number, percent, quantities, quantity, tick } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
-const kMiddling = ['running', 'incomplete', 'cycle limit', 'interrupted'];
+const kMiddling = ['recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
 
 export function badge(status) {
   const kind = kGood.includes(status) ? 'good' : kMiddling.includes(status) ? 'fair' : 'poor';
@@ -37,7 +37,7 @@ export function head(data) {
   const tiles = [];
   if (s.mass_initial !== undefined)
     tiles.push(tile('mass', `${quantity(s.mass_initial, 'kg')} \u2192 ${quantity(s.mass_final, 'kg')}`, percent(s.mass_final / s.mass_initial - 1)));
-  if (s.objective)
+  if (s.objective && s.objective.quantity !== 'mass')
     tiles.push(tile(s.objective.quantity, `${quantity(s.objective.initial, s.objective.unit)} \u2192 ${quantity(s.objective.final, s.objective.unit)}`,
       percent(s.objective.final / s.objective.initial - 1)));
   if (s.worst_constraint !== undefined && s.worst_constraint !== null)
@@ -45,7 +45,8 @@ export function head(data) {
   if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
   if (s.kkt_residual !== undefined)
     tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(s)}` : `not optimal for the ${subject(s)}`));
-  if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
+  if (s.frequencies_hz?.length) tiles.push(tile('lowest frequency', quantity(s.frequencies_hz[0], 'Hz', 4), `of ${s.frequencies_hz.length}`));
+  else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response));
   return el('header', {},
@@ -65,13 +66,17 @@ function table(heading, rows, kinds = []) {
 export function limits(s) {
   const entries = Object.entries(s.constraints ?? {});
   if (entries.length === 0) return null;
-  const price = (name) => s.prices?.[name];
+  const unit = s.objective?.unit ?? 'kg', prices = Object.entries(s.prices ?? {});
+  const price = (name) => prices.filter(([of]) => of === name || of.startsWith(`${name} at `)).reduce((sum, [, p]) => sum + p, 0);
   const rows = entries.map(([name, c]) => [
     name, quantity(c.limit, c.unit), quantity(c.max_abs_initial, c.unit), quantity(c.max_abs_final, c.unit),
     el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, percent(c.violation)),
     c.at_time ? quantity(c.at_time, 's', 3) : '\u2013',
-    price(name) === undefined ? '\u2013' : quantity(price(name) / 100, 'kg', 3),
+    price(name) ? quantity(price(name) / 100, unit, 3) : '\u2013',
   ]);
+  for (const [of, p] of prices)  // walls, limits of a part
+    if (!entries.some(([name]) => of === name || of.startsWith(`${name} at `)))
+      rows.push([of, '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', quantity(p / 100, unit, 3)]);
   return card('Limits',
     table(['limit', 'allowed', 'before', 'after', 'above it', 'at', '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
     s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(s)}: ${s.kkt}.`) : null);
@@ -97,13 +102,29 @@ export function design(s) {
   return card('Design', table(['variable', 'start', 'end', 'change', 'between its bounds'], rows, ['', 'n', 'n', 'n', '']));
 }
 
-export function responses(s) {
+export function responses(s, abscissa) {
   const entries = Object.entries(s.responses ?? {});
   if (entries.length === 0) return null;
-  const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit), number(r.at_time, 4),
-    [r.final].flat().map((x) => quantity(x, r.unit)).join(', ')]);
-  return card('Responses', table(['response', 'largest', 'at', 'at the end'], rows, ['', 'n', 'n', 'n']));
+  const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit), tick(r.at_time, 4),
+    quantities([r.final].flat().map((x) => (Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit)]);
+  const at = abscissa?.abscissa_unit && abscissa.abscissa_unit !== '-' ? `at [${abscissa.abscissa_unit}]` : 'at';
+  return card('Responses', table(['response', 'largest', at, 'at the end'], rows, ['', 'n', 'n', 'n']));
 }
+
+/** Derivatives of the figures of a motion: by a percent of each parameter. */
+export function gradients(s) {
+  const rows = [];
+  for (const [response, figures] of Object.entries(s.gradients ?? {}))
+    for (const [figure, g] of Object.entries(figures))
+      for (const [key, slope] of Object.entries(g.by)) {
+        const p = s.parameters[key];
+        rows.push([`${response}, ${figure}`, quantity(g.value, g.unit), key, `${number(slope, 4)} ${per(g.unit, p.unit)}`,
+          g.value ? percent(0.01 * slope * p.value / g.value) : '\u2013']);
+      }
+  if (!rows.length) return null;
+  return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', '', 'n', 'n']));
+}
+const per = (above, below) => (below && below !== '-' ? `${above && above !== '-' ? above : '1'}/${below.includes('/') ? `(${below})` : below}` : above === '-' ? '' : above);
 
 export function references(s) {
   if (!s.references?.length) return null;
@@ -118,9 +139,9 @@ export function references(s) {
 export function further(s) {
   const blocks = [];
   if (s.frequencies_hz?.length)
-    blocks.push(table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['n', 'n']));
+    blocks.push(table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['', 'n']));
   if (s.critical_loads?.length)
-    blocks.push(table(['critical load', 'kind'], s.critical_loads.map((c) => [number(c.load, 5), c.limit_point ? 'limit point' : 'bifurcation']), ['n', '']));
+    blocks.push(table(['critical load', 'kind'], s.critical_loads.map((c) => [number(c.load, 5), c.limit_point ? 'limit point' : 'bifurcation']), ['', '']));
   const parts = Object.entries(s.parts ?? {});
   if (parts.length)
     blocks.push(table(['part', 'cells', 'modes', 'mass', 'right up to'],

@@ -44,9 +44,18 @@ export class View {
   /** Box about all instants, the plane of a planar motion, and which way is up. */
   measure() {
     this.box = new Box3();
-    for (const body of this.bodies)
-      for (let i = 0; i < body.xs[0].length; i += Math.max(1, Math.floor(body.xs[0].length / 4000)))
+    for (const body of this.bodies) {
+      const arms = body.elements.length ? [] : this.armsOf(body);  // what a rigid body reaches
+      for (let i = 0; i < body.xs[0].length; i += Math.max(1, Math.floor(body.xs[0].length / 4000))) {
         this.box.expandByPoint(kV.set(body.xs[0][i], body.xs[1][i], body.xs[2][i]));
+        kQ.set(...body.qs.map((c) => c[i])).normalize();
+        for (const arm of arms)
+          this.box.expandByPoint(kV.copy(arm).applyQuaternion(kQ).add(new Vector3(...body.xs.map((c) => c[i]))));
+      }
+    }
+    for (const joint of this.motion.joints)  // places on the ground, with room for the foot below
+      for (const end of [0, 1])
+        if (joint.bodies[end] === 'ground' && joint.places.length && joint.type !== 'prismatic') this.box.expandByPoint(kV.fromArray(joint.places, 3 * end));
     for (const mesh of this.motion.meshes) this.addToBox(mesh);
     const size = this.box.getSize(new Vector3());
     this.size = size.length() || 1;
@@ -84,6 +93,13 @@ export class View {
     for (const joint of this.joints) this.scene.add(joint.mesh);
   }
 
+  /** Points and places of joints of a body, in its axes. */
+  armsOf(body) {
+    const points = [];
+    for (let i = 0; i < (body.points?.length ?? 0); i += 3) points.push(new Vector3(...body.points.slice(i, i + 3)));
+    return [...points, ...this.portsOf(body)];
+  }
+
   /** Places of joints on a body, in its axes. */
   portsOf(body) {
     return this.motion.joints.flatMap((j) =>
@@ -119,7 +135,7 @@ export class View {
     }
     this.deformed = size;
     const deformation = { key: 'displacement', label: 'deformation', unit: 'm', map: 'size', size, low: 0, high: size };
-    this.quantities = this.modes ? [deformation] : [deformation, ...quantities(this.bodies, stress)];
+    this.quantities = [...(size > 0 ? [deformation] : []), ...(this.modes ? [] : quantities(this.bodies, stress))];
   }
 
   /** A scale that shows the largest deformation as a tenth of the picture; 1, 2 or 5 times a power. */
@@ -200,7 +216,7 @@ export class View {
 
   /** The camera as near as the whole motion allows. */
   fit() {
-    const centre = this.box.getCenter(new Vector3()), margin = (this.shapes ? 0.1 : 0.035) * this.size;  // shapes are magnified
+    const centre = this.box.getCenter(new Vector3()), margin = (this.shapes ? 0.1 : 0.05) * this.size;  // shapes are magnified
     const from = this.planar
       ? this.normal.clone().addScaledVector(this.up, 0.2).addScaledVector(kV.crossVectors(this.up, this.normal), -0.1)
       : new Vector3(0.75, -1, 0.55);
