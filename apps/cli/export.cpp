@@ -25,6 +25,38 @@ namespace fs = std::filesystem;
   throw InputError({{options.file, 0, 0, std::move(what), std::move(expected), ""}});
 }
 
+/// The scene of a results folder: its final design, or the file that `run` or `esl` read, with what
+/// was overridden.
+Scene scene_of_folder(const CommandOptions& options) {
+  const fs::path folder = options.file;
+  if (fs::exists(folder / "design.toml")) return load_scene(folder / "design.toml", options.set);
+  const auto summary =
+      fs::exists(folder / "summary.json")
+          ? nlohmann::json::parse(output::read_file(folder / "summary.json"), nullptr, false)
+          : nlohmann::json();
+  const auto text = [&](const char* key) {
+    return summary.is_object() && summary.contains(key) && summary[key].is_string()
+               ? summary[key].get<std::string>()
+               : std::string();
+  };
+  if (text("command") != "run" && text("command") != "esl")
+    refuse(options, "is a folder without a scene",
+           "the file of a scene, or a folder of 'run', 'esl' or 'optimize'");
+  const std::string file = text("input");
+  std::vector<std::string> set = summary.value("overrides", std::vector<std::string>());
+  if (!fs::is_regular_file(file) ||
+      output::sha256(load_scene(file, set).input) != text("input_sha256"))
+    refuse(options, "'" + file + "', which it was made of, is gone or has changed",
+           "the file as it was, named from here");
+  set.insert(set.end(), options.set.begin(), options.set.end());
+  return load_scene(file, set);
+}
+
+Scene scene_of(const CommandOptions& options) {
+  return fs::is_directory(options.file) ? scene_of_folder(options)
+                                        : load_scene(options.file, options.set);
+}
+
 /// Names of the beams and meshed parts of a scene.
 std::vector<std::string> parts_of(const Scene& scene) {
   std::vector<std::string> names;
@@ -71,7 +103,7 @@ fs::path target_folder(const CommandOptions& options) {
 
 /// Stiffness, mass and nodes of a meshed part; its motion does not matter.
 int export_matrices(const CommandOptions& options) {
-  const Scene scene = load_scene(options.file, options.set);
+  const Scene scene = scene_of(options);
   std::vector<std::string> parts;
   for (const BodySpec& body : scene.mechanism.bodies)
     if (std::holds_alternative<SolidSpec>(body.kind)) parts.push_back(body.name);
@@ -96,9 +128,7 @@ int export_matrices(const CommandOptions& options) {
 /// A folder with the part, its loads, what they shall give back and what all that means.
 int export_deck(const CommandOptions& options) {
   if (options.to == "matrices") return export_matrices(options);
-  if (fs::is_directory(options.file))
-    refuse(options, "is a folder; a deck is made of a scene", "the file of a scene");
-  const Scene scene = load_scene(options.file, options.set);
+  const Scene scene = scene_of(options);
   const auto parts = parts_of(scene);
   if (std::find(parts.begin(), parts.end(), options.part) == parts.end())
     refuse(options,

@@ -111,5 +111,31 @@ TEST_F(Export, WritesAFolderOrNothing) {
   EXPECT_EQ(run({"export", scene, "--part", "rod"}).code, 2);
 }
 
+/// The folder of a run says which scene it was, that of an optimisation has its final design.
+TEST_F(Export, TakesTheSceneOfAResultsFolder) {
+  const fs::path scene = dir_ / "mine.toml";
+  fs::copy_file(kData / "scenes/slider_crank.toml", scene);
+  const auto deck_of = [&](const fs::path& source, const Words& set) {
+    Words words = {
+        "export", source.string(),         "--part", "rod", "--to", "calculix", "--force",
+        "-o",     (dir_ / "deck").string()};
+    words.insert(words.end(), set.begin(), set.end());
+    const Outcome o = run(words);
+    return o.code == 0 ? text_of(dir_ / "deck/rod.inp") : o.err;
+  };
+  const Words shorter = {"--set", kShort[0]};
+  Words words = {"run", scene.string(), "-o", (dir_ / "results").string()};
+  words.insert(words.end(), shorter.begin(), shorter.end());
+  ASSERT_EQ(run(words).code, 0);
+  EXPECT_EQ(deck_of(dir_ / "results", {}), deck_of(scene, shorter));
+  std::ofstream(scene, std::ios::app) << "# changed\n";
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("is gone or has changed"), std::string::npos);
+  fs::copy_file(kData / "scenes/four_bar.toml", dir_ / "results/design.toml");
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("there is no beam"), std::string::npos) << "no 'rod'";
+  fs::remove_all(dir_ / "results");
+  fs::create_directories(dir_ / "results");
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("is a folder without a scene"), std::string::npos);
+}
+
 }  // namespace
 }  // namespace liesl::test
