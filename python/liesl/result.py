@@ -219,12 +219,23 @@ class _Folder:
     def __init__(self, folder: Path):
         _liesl.require_result(folder)
         self.folder = folder
+        self._require_whole()
         self._sets: dict[str, Any] = {}
         files = sorted(folder.glob("*.h5"), key=lambda f: (f.name != "results.h5", f.name))
         self._files = [_liesl.Hdf5Sets(file) for file in files]
         for file in self._files:
             for name in file.names():
                 self._sets.setdefault(name, file)
+
+    def _require_whole(self) -> None:
+        """Neither of another version, nor without its HDF5 file, which `.liesl` lists."""
+        version = json.loads(self.summary()).get("versions", {}).get("liesl")
+        if version != _liesl.__version__:
+            raise IoError(f"cannot read '{self.folder}': it is of liesl {version}; run it again", str(self.folder))
+        mark = self.folder / ".liesl"
+        listed = _liesl.read_file(mark).splitlines() if mark.exists() else []
+        if "results.h5" in listed and not (self.folder / "results.h5").exists():
+            raise IoError(f"cannot read '{self.folder}': its results.h5 is not there; run it again", str(self.folder))
 
     def names(self) -> list[str]:
         return list(self._sets)

@@ -94,6 +94,19 @@ def test_a_folder_that_is_no_result(tmp_path, make):
     assert isinstance(error.value, OSError)
 
 
+def test_half_a_result_and_one_of_another_version(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    summary = tmp_path / "out/summary.json"
+    text = summary.read_text()
+    summary.write_text(text.replace(f'"liesl": "{liesl.__version__}"', '"liesl": "0.0.9"'))
+    with pytest.raises(liesl.IoError, match="it is of liesl 0.0.9"):
+        liesl.open(tmp_path / "out")
+    summary.write_text(text)
+    (tmp_path / "out/results.h5").unlink()
+    with pytest.raises(liesl.IoError, match="its results.h5 is not there"):
+        liesl.open(tmp_path / "out")
+
+
 def test_check_raises_where_a_simulation_has_no_end(pendulum):
     pendulum["loads"] = {"blow": {"at": "rod.end", "force": [0, 1e9, 0]}}
     result = liesl.Scene(pendulum).run()
