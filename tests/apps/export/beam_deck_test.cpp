@@ -131,7 +131,8 @@ TEST_F(Export, TakesTheSceneOfAResultsFolder) {
   std::ofstream(scene, std::ios::app) << "# changed\n";
   EXPECT_NE(deck_of(dir_ / "results", {}).find("is gone or has changed"), std::string::npos);
   fs::copy_file(kData / "scenes/four_bar.toml", dir_ / "results/design.toml");
-  EXPECT_NE(deck_of(dir_ / "results", {}).find("there is no beam"), std::string::npos) << "no 'rod'";
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("there is no beam"), std::string::npos)
+      << "no 'rod'";
   fs::remove_all(dir_ / "results");
   fs::create_directories(dir_ / "results");
   EXPECT_NE(deck_of(dir_ / "results", {}).find("is a folder without a scene"), std::string::npos);
