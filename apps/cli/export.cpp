@@ -43,7 +43,10 @@ Scene scene_of_folder(const CommandOptions& options) {
     refuse(options, "is a folder without a scene",
            "the file of a scene, or a folder of 'run', 'esl' or 'optimize'");
   const std::string file = text("input");
-  std::vector<std::string> set = summary.value("overrides", std::vector<std::string>());
+  std::vector<std::string> set;
+  if (summary.contains("overrides"))
+    for (const auto& change : summary["overrides"])
+      if (change.is_string()) set.push_back(change.get<std::string>());
   if (!fs::is_regular_file(file) ||
       output::sha256(load_scene(file, set).input) != text("input_sha256"))
     refuse(options, "'" + file + "', which it was made of, is gone or has changed",
@@ -96,9 +99,12 @@ std::size_t write_deck(const fs::path& folder, const Deck& deck, const CommandOp
 
 /// Where the files of a part go.
 fs::path target_folder(const CommandOptions& options) {
-  return options.out.empty() ? fmt::format("{}_{}_{}", fs::path(options.file).stem().string(),
-                                           options.part, options.to)
-                             : options.out;
+  if (!options.out.empty()) return options.out;
+  const fs::path whole = fs::absolute(options.file).lexically_normal(),
+                 source = whole.has_filename() ? whole : whole.parent_path();
+  return fmt::format("{}_{}_{}",
+                     (fs::is_directory(source) ? source.filename() : source.stem()).string(),
+                     options.part, options.to);
 }
 
 /// Stiffness, mass and nodes of a meshed part; its motion does not matter.

@@ -20,10 +20,6 @@
 #include "apps/output/versions.hpp"
 #include "mbs/linalg/stop_request.hpp"
 
-/// Of OpenBLAS, where it is the BLAS: ends its threads, which it begins again when it needs them.
-/// It begins them while it is loaded, to turn in a loop for tens of milliseconds.
-extern "C" [[gnu::weak]] int blas_thread_shutdown_();
-
 namespace {
 
 constexpr int kRefused = 2, kFailed = 3;
@@ -184,8 +180,8 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
        liesl::report_command, false},
       {"plot", "DIR", "Draw what a results folder holds", liesl::plot_command, false},
       {"export", "FILE",
-       "Write the motion of a results folder, or a part of a scene with its loads, for "
-       "another program",
+       "Write the motion of a results folder, or a part of a scene or results "
+       "folder with its loads, for another program",
        liesl::export_command, false},
       {"new", "KIND", "Write a scene or study that runs, like a shipped one", liesl::new_command,
        false},
@@ -297,7 +293,6 @@ void limit_threads(int threads) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  if (blas_thread_shutdown_) blas_thread_shutdown_();
   CLI::App app("Flexible mechanisms on SE(3), sized under the loads of their motion.", "liesl");
   app.set_version_flag("--version", version_text());
   app.require_subcommand(1);

@@ -47,6 +47,8 @@ def test_batch(data, command, tmp_path):
     (tmp_path / "two.toml").write_text(
         f'name = "two"\nscene = "{data}/scenes/pendulum.toml"\n'
         '[grid]\nduration = { key = "simulation.duration", values = [0.01, 0.02] }\n')
+    half = command("batch", "two.toml", "--shard", "1/2")
+    assert half.status == "incomplete"
     folder = command("batch", "two.toml")
     assert list(folder.tables["results"]["duration"]) == [0.01, 0.02]
     assert list(folder.tables["results"]["status"]) == ["done", "done"]

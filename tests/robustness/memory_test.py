@@ -2,7 +2,7 @@
 """Commands under limits of the address space: memory_test.py PROGRAM DATA [MB ...]
 
 Each command must end by itself within 60 s, with a result or with "out of memory" (exit code 3).
-Where not even the shared libraries fit, the system's loader says so (127). Default: 64, 80, 128, 256,
+Where not even the shared libraries fit, the system's loader says so (127). Default: 64, 80, 104, 128, 256,
 512 MB.
 """
 
@@ -70,7 +70,7 @@ def wrong(name, limit, outcome, out):
 
 def main():
     program, data = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    limits = [int(w) for w in sys.argv[3:]] or [64, 80, 128, 256, 512]
+    limits = [int(w) for w in sys.argv[3:]] or [64, 80, 104, 128, 256, 512]
     failures, count = [], 0
     with tempfile.TemporaryDirectory(prefix="liesl_memory_") as folder:
         out = Path(folder) / "out"

@@ -106,7 +106,7 @@ export function responses(s, abscissa) {
   const entries = Object.entries(s.responses ?? {});
   if (entries.length === 0) return null;
   const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit), tick(r.at_time, 4),
-    quantities([r.final].flat().map((x) => (Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit)]);
+    quantities([r.final].flat().map((x) => (x !== null && Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit)]);
   const at = abscissa?.abscissa_unit && abscissa.abscissa_unit !== '-' ? `at [${abscissa.abscissa_unit}]` : 'at';
   return card('Responses', table(['response', 'largest', at, 'at the end'], rows, ['', 'n', 'n', 'n']));
 }
@@ -119,7 +119,7 @@ export function gradients(s) {
       for (const [key, slope] of Object.entries(g.by)) {
         const p = s.parameters[key];
         rows.push([`${response}, ${figure}`, quantity(g.value, g.unit), key, `${number(slope, 4)} ${per(g.unit, p.unit)}`,
-          g.value ? percent(0.01 * slope * p.value / g.value) : '\u2013']);
+          g.value && slope !== null ? percent(0.01 * slope * p.value / g.value) : '\u2013']);
       }
   if (!rows.length) return null;
   return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', '', 'n', 'n']));
