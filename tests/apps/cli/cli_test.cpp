@@ -240,7 +240,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   ASSERT_EQ(
       run({"esl", scene("pendulum"), "-o", results(), "--set", "simulation.duration=0.01"}).code,
       0);
-  expected.insert("identity");
+  expected.insert({"identity", "input"});
   EXPECT_EQ(keys(summary()), expected);
 
   ASSERT_EQ(run(short_run(results(), {"-f"})).code, 0);
