@@ -179,7 +179,9 @@ def test_a_call_costs_less_than_a_millisecond_beyond_the_run(pendulum):
         result["bodies/rod/position"]
         return time.perf_counter() - begin - result.summary["wall_s"]
 
-    assert min(beyond() for _ in range(20)) <= 1e-3
+    # The least of many: other work on the machine only adds to it.
+    end = time.perf_counter() + 30
+    assert any(beyond() <= 1e-3 for _ in iter(lambda: time.perf_counter() < end, False))
 
 
 def test_threads_share_a_scene(pendulum):
