@@ -5,12 +5,10 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 #include <vector>
 
+#include "apps/bench/processor_time.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/run.hpp"
 #include "mbs/solvers/dynamics.hpp"
@@ -19,17 +17,6 @@
 
 namespace liesl {
 namespace {
-
-double seconds(const std::function<void()>& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> v) {
-  std::sort(v.begin(), v.end());
-  return v[v.size() / 2];
-}
 
 /// By turns: the scene as given, the motion converged as the study has it, its sensitivities.
 template <FrameGroup G>

@@ -8,11 +8,10 @@
 
 #include <algorithm>
 #include <cstdlib>
-#include <ctime>
-#include <functional>
 #include <string>
 #include <vector>
 
+#include "apps/bench/processor_time.hpp"
 #include "apps/input/document.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/tasks/sensitivity.hpp"
@@ -69,17 +68,6 @@ SensitivityProblem problem_of(const Case& row) {
     scene.text.erase(bend, scene.text.find('\n', bend) - bend);
   }
   return scene_problem(scene, row.mesh.empty() ? kBeam : kMesh);
-}
-
-double seconds(const std::function<void()>& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
-
-double median(std::vector<double> v) {
-  std::sort(v.begin(), v.end());
-  return v[v.size() / 2];
 }
 
 template <FrameGroup G>

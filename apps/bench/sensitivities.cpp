@@ -5,10 +5,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <ctime>
 #include <fstream>
 #include <functional>
 
+#include "apps/bench/processor_time.hpp"
 #include "mbs/model/curves.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
 #include "mbs/sensitivity/semi_analytic.hpp"
@@ -23,13 +23,6 @@ using Eigen::VectorXd;
 
 constexpr int kElements = 400, kSteps = 100;
 constexpr double kPerturbation = 1e-7;  // of a height, semi-analytic form
-
-/// Processor time.
-double seconds(const std::function<void()>& work) {
-  const std::clock_t begin = std::clock();
-  work();
-  return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
-}
 
 /// That of data/scenes/pendulum.toml.
 Mechanism pendulum() {
@@ -66,8 +59,7 @@ struct Pendulum {
   explicit Pendulum(const Space<G>& in) : space(in), model(Model<G>::build(mechanism, space)) {
     std::vector<double> times;
     for (int i = 0; i < 5; ++i) times.push_back(seconds([&] { simulate(model, options); }));
-    std::sort(times.begin(), times.end());
-    forward = times[2];
+    forward = median(times);
     simulate(model, options, {}, &tape);
   }
   std::vector<int> group(int i, int groups) const {
