@@ -6,6 +6,7 @@
 #include <list>
 
 #include "apps/batch/case_folder.hpp"
+#include "apps/output/installation.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/progress.hpp"
 
@@ -19,7 +20,7 @@ namespace fs = std::filesystem;
 std::vector<std::string> command_of(const Batch& batch, std::size_t row, const CaseFolder& folder,
                                     const PoolOptions& options) {
   const bool go_on = batch.optimize && folder.has_checkpoint();
-  std::vector<std::string> words = {fs::read_symlink("/proc/self/exe").string(),
+  std::vector<std::string> words = {output::program_path().string(),
                                     batch.optimize ? "optimize" : "run",
                                     batch.of.string(),
                                     "-o",

@@ -12,6 +12,7 @@
 #include <cstring>
 #include <sstream>
 
+#include "apps/output/installation.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
 
@@ -57,17 +58,12 @@ Outcome run(std::vector<std::string> arguments) {
   return outcome;
 }
 
-fs::path script() {
-  const fs::path program = fs::read_symlink("/proc/self/exe");
-  return program.parent_path().parent_path() / "share/liesl/plot/plot.py";
-}
-
 }  // namespace
 
 std::vector<fs::path> draw(const fs::path& folder, const std::string& x, const std::string& y) {
   const char* chosen = std::getenv("LIESL_PYTHON");
   const std::string python = chosen && *chosen ? chosen : LIESL_PYTHON;
-  const fs::path plot = script();
+  const fs::path plot = share_path() / "plot/plot.py";
   if (!fs::exists(plot)) throw IoError("draw with", plot, "no such file; install liesl again");
   std::vector<std::string> arguments = {python, plot.string(), folder.string()};
   if (!x.empty()) arguments.insert(arguments.end(), {"--x=" + x, "--y=" + y});

@@ -28,7 +28,7 @@ stop() {
 trap stop EXIT
 chmod 755 "$dir"
 mkdir "$dir/state" "$dir/spool" "$dir/bin"
-cp "$program" "$dir/bin/liesl"  # where the script finds it
+ln -s "$program" "$dir/bin/liesl"  # where the script finds it
 
 # --- a cluster of one node -----------------------------------------------------------------------
 node=$(hostname -s) port=$((20000 + RANDOM % 20000)) user=$(id -un)
