@@ -1,4 +1,4 @@
-# What .ci/run and .ci/full have in common: stages that are timed, and the verdict at the end.
+# What .ci/run and .ci/full have in common: the stages of the gate, timed, and the verdict at the end.
 failed=()
 verdicts=()
 logs=$(mktemp -d)
@@ -65,4 +65,25 @@ another_kernel() {
 # The kernel beside Haswell that this processor can run.
 wide_kernel() {
   if grep -qw avx512f /proc/cpuinfo; then echo SkylakeX; else echo Zen; fi
+}
+
+# Where what is asked is whether the engine builds, installs and links.
+unoptimised=-DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG"
+
+# The groups alone: a build of all with sanitizers takes longer than the rest of the gate.
+groups_sanitized() {
+  cmake --preset asan >/dev/null &&
+    cmake --build --preset asan -j "$jobs" --target test_liegroup && ctest --preset asan-groups -j2
+}
+
+# The stages of .ci/run, with which .ci/full begins.
+gate() {
+  stage "release build and the tests of the gate (./bootstrap test)" env LIESL_PRESET=ci \
+    LIESL_PACKAGES="slurmctld slurmd munge chromium chromium-driver python3-jsonschema python3-dev python3-numpy pybind11-dev python3-pytest python3-scipy calculix-ccx python3-sphinx python3-myst-parser furo" LIESL_CTEST_ARGS="-LE full|sanitize" ./bootstrap test
+  stage "format (clang-format)" check_format
+  stage "layers, sizes and links" check_layers
+  stage "shapes with another kernel of OpenBLAS (Haswell)" another_kernel Haswell -LE full
+  stage "shapes with another kernel of OpenBLAS ($(wide_kernel))" another_kernel "$(wide_kernel)" -LE full
+  stage "engine alone, installed" engine_alone "$unoptimised"
+  stage "groups under ASan and UBSan" groups_sanitized
 }

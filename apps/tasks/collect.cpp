@@ -52,14 +52,13 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
     append(out.velocities, view.velocity(s.v.data(), {b, k, SE3::identity()}));
   }
   const BodyState<G> state = model.body_state(s, b);
-  const EndForce<G> end_force(model, b);
+  const auto forces = EndForce<G>(model, b).all(*model.bodies[b], state);
   for (size_t e = 0; e < out.elements.size(); ++e) {
     append(out.strains,
            view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
     for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
-      const SE3::Tangent force =
-          view.local(end_force(*model.bodies[b], state, static_cast<int>(e), end), b,
-                     static_cast<int>(e) + node_of(end));
+      const SE3::Tangent force = view.local(forces[e][static_cast<size_t>(node_of(end))], b,
+                                            static_cast<int>(e) + node_of(end));
       append(out.section_forces, force);
       if (!stress.empty()) out.stresses.push_back(stress(e, end, force));
     }

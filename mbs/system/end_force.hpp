@@ -48,10 +48,8 @@ class EndForce {
     Tangent n = body.section_force(s, e, place);
     for (const auto& [node, share] : shares(e, place))
       if (node > 0)
-        n.template head<G::space_dim>() +=
-            share * (body.section_force(s, node, ElementPlace::First) -
-                     body.section_force(s, node - 1, ElementPlace::Last))
-                        .template head<G::space_dim>();
+        add_jump(body.section_force(s, node, ElementPlace::First),
+                 body.section_force(s, node - 1, ElementPlace::Last), share, n);
     return n;
   }
 
@@ -66,9 +64,8 @@ class EndForce {
       for (const ElementPlace place : {ElementPlace::First, ElementPlace::Last})
         for (const auto& [node, share] : shares(e, place))
           if (node > 0)
-            n[std::size_t(e)][std::size_t(node_of(place))].template head<G::space_dim>() +=
-                share * (raw[std::size_t(node)][0] - raw[std::size_t(node - 1)][1])
-                            .template head<G::space_dim>();
+            add_jump(raw[std::size_t(node)][0], raw[std::size_t(node - 1)][1], share,
+                     n[std::size_t(e)][std::size_t(node_of(place))]);
     return n;
   }
 
@@ -87,6 +84,10 @@ class EndForce {
   }
 
  private:
+  static void add_jump(const Tangent& first, const Tangent& last, double share, Tangent& n) {
+    n.template head<G::space_dim>() += share * (first - last).template head<G::space_dim>();
+  }
+
   struct Share {
     int node;  ///< whose jump; 0: none
     double of_jump;

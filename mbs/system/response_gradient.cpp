@@ -4,7 +4,6 @@
 /// [R^T d; 0].
 
 #include "mbs/bodies/beam_element.hpp"
-#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/penalty.hpp"
 #include "mbs/system/response_value.hpp"
@@ -83,9 +82,8 @@ void ResponseValues<G>::add_section_force_of(int body, int element, ElementPlace
   const int node = element + node_of(place), first = G::dim * model_.first_node(body);
   Tangent reduced;
   for (int j = 0; j < G::dim; ++j) reduced[j] = view_.local(Tangent::Unit(j), body, node).dot(f);
-  EndForce<G>(model_, body)
-      .add_gradient(*model_.bodies[body], model_.body_state(at.s, body), element, place, reduced,
-                    out.h.data() + first);
+  end_force(body).add_gradient(*model_.bodies[body], model_.body_state(at.s, body), element, place,
+                               reduced, out.h.data() + first);
 }
 
 template <FrameGroup G>

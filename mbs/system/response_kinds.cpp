@@ -3,7 +3,6 @@
 
 #include <cmath>
 
-#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -171,9 +170,13 @@ Eigen::VectorXd ResponseValues<G>::section_force(const ResponseSpec& r, const St
 template <FrameGroup G>
 SE3::Tangent ResponseValues<G>::section_force_of(const Body<G>& body, const State<G>& s, int number,
                                                  int element, ElementPlace place) const {
-  const EndForce<G> force(model_, number);
-  return view_.local(force(body, model_.body_state(s, number), element, place), number,
+  return view_.local(end_force(number)(body, model_.body_state(s, number), element, place), number,
                      element + node_of(place));
+}
+
+template <FrameGroup G>
+const EndForce<G>& ResponseValues<G>::end_force(int body) const {
+  return end_forces_.try_emplace(body, model_, body).first->second;
 }
 
 template <FrameGroup G>
@@ -181,7 +184,7 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
   const auto& points = points_of(r.body);
   StressAt largest;
   const Body<G>& body = *model_.bodies[r.body];
-  const EndForce<G> force(model_, r.body);
+  const EndForce<G>& force = end_force(r.body);
   const BodyState<G> state = model_.body_state(s, r.body);
   const bool one = r.point >= 0;
   const auto all = one ? std::vector<std::array<Tangent, 2>>() : force.all(body, state);

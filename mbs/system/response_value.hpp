@@ -7,6 +7,7 @@
 
 #include "mbs/model/response.hpp"
 #include "mbs/sections/stress.hpp"
+#include "mbs/system/end_force.hpp"
 #include "mbs/system/parameter_residual.hpp"
 #include "mbs/system/spatial_view.hpp"
 
@@ -192,6 +193,7 @@ class ResponseValues {
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
+  const EndForce<G>& end_force(int body) const;
   const std::vector<std::vector<StressPoint>>& points_of(int body) const;
   /// Adds the cotangent f [6] of a port's increment, or velocity, to that of its node.
   void add_port(Eigen::VectorXd& out, const Port& port, const SE3::Tangent& f) const;
@@ -209,6 +211,7 @@ class ResponseValues {
   SpatialView<G> view_;
   /// Of the beams whose stress was asked for, by body and element: `element_stress_points`.
   mutable std::map<int, std::vector<std::vector<StressPoint>>> stress_points_;
+  mutable std::map<int, EndForce<G>> end_forces_;
 };
 
 /// Force and moment [6] that a joint transmits to its port b, in b's own axes; and the coordinates
