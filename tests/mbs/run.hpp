@@ -63,7 +63,7 @@ inline SimulationOptions options(double duration, double step, double rho = 0.8,
   return o;
 }
 
-/// Number in State::q of a joint coordinate, -1 if the coupling does not keep it.
+/// Number in State::rows of a joint coordinate, -1 if the coupling does not keep it.
 template <class G>
 int row_of(const Model<G>& model, int coupling, int coordinate) {
   const auto& c = model.couplings[std::size_t(coupling)];

@@ -2,7 +2,7 @@
 """What `liesl optimize` wrote about a shipped study: solved_test.py SUMMARY README
 
 SUMMARY is summary.json of the study, README data/studies/README.md, whose table of ends it must agree
-with: status, initial mass to 1e-4, final mass to 2e-3 (what the kernels of OpenBLAS leave open).
+with: status, initial mass to 1e-4, final mass to 2e-3, and to 1e-4 of the outlines that end so with every kernel of OpenBLAS.
 Limits of beams hold on the converged model.
 """
 
@@ -13,6 +13,8 @@ from pathlib import Path
 
 # Their limits are of meshed parts, whose error is not known.
 MESHED = ("connecting rod", "connecting rod in space")
+# Final masses that do not depend on rounding; runs with two kernels (.ci/run) are held to one figure.
+EVERY_KERNEL = ("cantilever", "connecting_rod", "four_bar_mixed", "robot_arm_lattice")
 
 
 def numbers(cell):
@@ -29,8 +31,8 @@ def row_of(readme, study):
     return None
 
 
-def problems(summary, row):
-    """Yields what is wrong with a study's end."""
+def problems(summary, row, final=2e-3):
+    """Yields what is wrong with a study's end; `final`: how far the final mass may be off."""
     if summary["status"] not in ("optimal", "converged"):
         yield f"status {summary['status']}: {summary['reason']}"
     worst = summary["worst_constraint"]
@@ -43,7 +45,7 @@ def problems(summary, row):
         return
     if row[0] != summary["status"]:
         yield f"status {summary['status']}, the README says {row[0]}"
-    for key, value, tolerance in zip(("mass_initial", "mass_final"), numbers(row[2]), (1e-4, 2e-3)):
+    for key, value, tolerance in zip(("mass_initial", "mass_final"), numbers(row[2]), (1e-4, final)):
         if not math.isclose(summary[key], value, rel_tol=tolerance):
             yield f"{key} {summary[key]:.6g} kg, the README says {value:.6g}"
 
@@ -51,8 +53,9 @@ def problems(summary, row):
 def main():
     path, readme = Path(sys.argv[1]), Path(sys.argv[2])
     summary = json.loads(path.read_text())
-    found = list(problems(summary, row_of(readme.read_text(), path.parent.name)))
-    print(f"{path.parent.name}: {summary['mass_final']:.6g} kg; {'; '.join(found) or 'as expected'}")
+    study = path.parent.name
+    found = list(problems(summary, row_of(readme.read_text(), study), 1e-4 if study in EVERY_KERNEL else 2e-3))
+    print(f"{study}: {summary['mass_final']:.6g} kg; {'; '.join(found) or 'as expected'}")
     return 1 if found else 0
 
 

@@ -22,12 +22,12 @@ Words rod(const std::string& change) { return {"check", study("connecting_rod"),
 Words scene_with(const std::string& change) { return {"check", "SCENE", "--set", change}; }
 
 const Refusal kRefusals[] = {
-    {"WallToItself", rod("walls.big_bore_hole1.to=big_bore"), 2,
-     "wall 'big_bore_hole1' is between 'big_bore' and itself"},
+    {"WallToItself", rod("walls.big_bore_edge.to=big_bore"), 2,
+     "wall 'big_bore_edge' is between 'big_bore' and itself"},
     {"GroupsOfAnOutline", rod("design.height.groups=2"), 2,
      "'height' moves an outline, which has no groups"},
     {"BoundsOutOfOrder", rod("design.height.bounds=[0.5,0.1]"), 2,
-     "connecting_rod.toml:8:10: 'height': bounds [0.5, 0.1], expected least < largest"},
+     "connecting_rod.toml:11:10: 'height': bounds [0.5, 0.1], expected least < largest"},
     {"GriddedKeyForAllCases",
      {"batch", "BATCH", "-o", "DIR/b", "--set", "joints.motor.drive.rate=3"},
      2,

@@ -11,7 +11,7 @@ export function badge(status) {
   return el('span', { class: `badge ${kind}` }, status);
 }
 
-/** What is optimised: a motion, or a part under loads that stay. */
+/** What is optimised: a motion, or a part under fixed loads. */
 const subject = (s) => (s.load_cases ? 'study' : 'motion');
 
 const kMeaning = {
