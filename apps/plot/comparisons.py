@@ -230,6 +230,35 @@ def draw_stability(comparison, pictures, arguments):
 METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN, "direct": PURPLE}
 
 
+def near_optimum(rows, share=0.03):
+    """Range of masses about the lightest optimal one that shows its neighbours apart; None: all fit."""
+    masses = [float(row["mass"]) for row in rows if is_number(row["mass"])]
+    optimal = [float(row["mass"]) for row in rows
+               if row["status"] == "optimal" and is_number(row["mass"])]
+    near = [m for m in masses if optimal and abs(m / min(optimal) - 1) <= share]
+    if len(near) in (0, len(masses)):
+        return None
+    room = max(0.15 * (max(near) - min(near)), 1e-3 * min(near))
+    return min(near) - room, max(near) + room
+
+
+def mark_outside(ax, rows, limits):
+    """What is outside lies on the edge of the panel, with its mass."""
+    ax.set_ylim(*limits)
+    written = set()
+    for row in rows:
+        if not (is_number(row["mass"]) and is_number(row["cpu_s"])):
+            continue
+        mass, time = float(row["mass"]), float(row["cpu_s"])
+        text = f"{mass:.3g}"
+        if limits[0] <= mass <= limits[1] or (text, round(math.log10(time), 1)) in written:
+            continue
+        written.add((text, round(math.log10(time), 1)))
+        up = mass > limits[1]
+        ax.annotate(text, (time, limits[1 if up else 0]), xytext=(0, -8 if up else 8),
+                    textcoords="offset points", ha="center", va="top" if up else "bottom", fontsize=7)
+
+
 def draw_methods(series, pictures):
     """Mass against processor time, a point an optimisation; below it how far from optimal it ended."""
     rows = [dict(zip(series.names, row)) for row in series.rows]
@@ -239,17 +268,23 @@ def draw_methods(series, pictures):
     kinds = list(dict.fromkeys(row[markers] for row in rows)) if markers else [""]
     looks = dict(zip(kinds, "osD^vPX*<>" * len(kinds)))
     figure, panels = stacked(2, 3.2)
+    limits = near_optimum(rows)
     for ax, column, unit in ((panels[0], "mass", "kg"), (panels[1], "kkt", "")):
         for row in rows:
             if not (is_number(row[column]) and is_number(row["cpu_s"])):
                 continue
             colour = METHODS.get(row.get("method"), RED)
             good = row["status"] in ("optimal", "converged")
-            ax.plot(float(row["cpu_s"]), float(row[column]),
+            y = float(row[column])
+            if column == "mass" and limits:
+                y = min(max(y, limits[0]), limits[1])
+            ax.plot(float(row["cpu_s"]), y, clip_on=False,
                     marker=looks[row[markers] if markers else ""], color=colour, markersize=7,
                     markerfacecolor=colour if row["status"] == "optimal" else "white",
                     alpha=0.85 if good else 0.35, linestyle="none")
         ax.set_ylabel(label("KKT residual" if column == "kkt" else column, unit))
+    if limits:
+        mark_outside(panels[0], rows, limits)
     panels[1].axhline(0.01, label="optimal below", **LIMIT)
     log_axes(panels[0], "x")
     log_axes(panels[1], "x", "y")

@@ -1,0 +1,232 @@
+/// @file
+/// What static problems of the whole mechanism (thesis section 5.2) would add to those of single
+/// parts: the figures of docs/methods.md.
+#include "reference/mechanism_statics.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "optim/cycle/motion_model.hpp"
+#include "optim/cycle/trust_region_rule.hpp"
+#include "reference/shipped.hpp"
+
+namespace liesl::test {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A motion whose limits have static problems of the whole mechanism as images.
+class WholeMechanism final : public DesignModel {
+ public:
+  WholeMechanism(const std::vector<Scenario<SE2>>& motion, const StudySpec& study)
+      : motion_(motion, study) {}
+
+  const std::vector<NlpVariable>& variables() const override { return motion_.variables(); }
+  VectorXd unit(const VectorXd& x) const override { return motion_.unit(x); }
+  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x, const Progress& progress) override {
+    return motion_.analyse(x, progress);
+  }
+  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at, const VectorXd& x,
+                                                double move) const override {
+    return motion_.static_problem(at, x, move);
+  }
+  DynamicOptimality optimality(const DesignAnalysis& at, const VectorXd& x,
+                               const Progress& progress) const override {
+    return motion_.optimality(at, x, progress);
+  }
+  std::optional<double> load_change(const DesignAnalysis& now,
+                                    const DesignAnalysis& before) const override {
+    return motion_.load_change(now, before);
+  }
+  /// With other rows in place of those that only continue the motion.
+  Surrogate surrogate(const DesignAnalysis& at, const VectorXd& x, double move,
+                      double active) const override {
+    Surrogate out = motion_.surrogate(at, x, move, active);
+    const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(at).runs.front();
+    const StudySpec& study = motion_.study();
+    std::vector<LimitedResponse> responses;
+    for (std::size_t c = 0; c < study.constraints.size(); ++c)
+      responses.push_back({static_cast<int>(c), study.constraints[c].response});
+    MotionGradients gradients(motion_.design(), run, x, responses);
+    auto members =
+        static_parts(study, motion_.simulator(0), run, x, move, std::vector<FrequencyLimitSpec>{});
+    auto rows =
+        std::make_unique<MotionRows>(gradients, 0, gradients.responses(), study, variables());
+    members.push_back(
+        {std::make_unique<MechanismRows<SE2>>(
+             std::move(rows), MechanismStatics<SE2>(motion_.simulator(0), run), study),
+         0, 0});
+    out.problem = std::make_unique<CorrectedProblem>(combined(std::move(members)),
+                                                     std::move(gradients), x, at.objective);
+    return out;
+  }
+
+ private:
+  MotionModel<SE2> motion_;
+};
+
+/// A study of a planar motion.
+struct Simulated {
+  explicit Simulated(Study s) : study(std::move(s)) {
+    study.spec.cycle.max = 60;
+    motion = {
+        {study.scene.mechanism, space_of<SE2>(study.scene.mechanism), study.scene.simulation}};
+  }
+  template <class Model>
+  LoopResult optimise(CycleMethod method) const {
+    StudySpec spec = study.spec;
+    spec.cycle.method = method;
+    Model model(motion, spec);
+    TrustRegionRule rule(spec.cycle);
+    return run_loop(model, rule, spec.cycle, {}, {});
+  }
+  Study study;
+  std::vector<Scenario<SE2>> motion;
+};
+
+/// robot_arms with a single limit that the static problem of no part tells.
+Simulated arms_with(Study study, ResponseSpec response, double limit) {
+  study.spec.constraints = {{std::move(response), limit}};
+  study.spec.constraints[0].has_image = false;
+  return Simulated(std::move(study));
+}
+
+/// How far the tip swings beyond the end of the motion, which both arms do: a vibration.
+Simulated tip_of_arms(double limit) {
+  Study study = shipped_study("robot_arms");
+  ResponseSpec tip;
+  tip.name = "tip";
+  tip.at = *study.scene.mechanism.port("payload.origin");
+  tip.axis = Vec3::UnitX();
+  tip.side = Side::Down;
+  return arms_with(std::move(study), tip, limit);
+}
+
+/// Arms at a right angle that turn as one, with a limit on the change of the distance from the
+/// shoulder to the payload: both bend as the inertia of the payload asks for.
+Simulated bent_arms(double limit) {
+  Study study = shipped_study("robot_arms");
+  Mechanism& m = study.scene.mechanism;
+  const int arm2 = m.body("arm2"), payload = m.body("payload");
+  auto& beam = std::get<BeamSpec>(m.bodies[std::size_t(arm2)].kind);
+  beam.nodes = straight({0.6, 0, 0}, {0.6, 0.6, 0}, static_cast<int>(beam.sections.size()));
+  std::get<RigidSpec>(m.bodies[std::size_t(payload)].kind).frame.x = Vec3(0.6, 0.6, 0);
+  m.joints[2].type = JointType::Fixed;
+  m.drives.resize(1);
+  ResponseSpec reach;
+  reach.name = "reach";
+  reach.kind = ResponseKind::Elongation;
+  reach.at = *m.port("arm1.start");
+  reach.to = *m.port("payload.origin");
+  return arms_with(std::move(study), reach, limit);
+}
+
+/// d ln v / d ln x_i of a limit where it is largest, in the motion and by the whole mechanism.
+struct Slopes {
+  VectorXd motion, statics;
+};
+Slopes relative_slopes(const Simulated& s, int constraint) {
+  StudySpec spec = s.study.spec;
+  spec.cycle.method = CycleMethod::Full;
+  MotionModel<SE2> model(s.motion, spec);
+  const VectorXd x = model.start();
+  const auto at = model.analyse(x, {});
+  const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(*at).runs.front();
+  const ResponseSpec& response = s.study.spec.constraints[std::size_t(constraint)].response;
+  const MotionGradients motion(model.design(), run, x, {{constraint, response}});
+  int peak = 0;
+  for (int n = 0; n < motion.records(0); ++n)
+    if (motion.value(0, n) > motion.value(0, peak)) peak = n;
+  Slopes out;
+  const double v =
+      MechanismStatics<SE2>(model.simulator(0), run).value(response, peak, x, &out.statics);
+  EXPECT_NEAR(v, motion.value(0, peak), 1e-12 * v);
+  out.statics = out.statics.cwiseProduct(x) / v;
+  out.motion = motion.gradient(0, peak)->cwiseProduct(x) / v;
+  return out;
+}
+
+void record(const std::string& name, double figure) {
+  testing::Test::RecordProperty(name, std::to_string(figure));
+}
+
+/// The slope of the reference itself, by differences.
+TEST(MechanismStatics, HaveTheSlopesOfDifferences) {
+  const Simulated s = tip_of_arms(3e-3);
+  MotionModel<SE2> model(s.motion, s.study.spec);
+  const VectorXd x = model.start();
+  const auto at = model.analyse(x, {});
+  const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(*at).runs.front();
+  const ResponseSpec& tip = s.study.spec.constraints[0].response;
+  MechanismStatics<SE2> statics(model.simulator(0), run);
+  const int last = static_cast<int>(run.times().size()) - 1;
+  int peak = last;
+  for (int n = 0; n < last; ++n)
+    if (run.limits[0].values[std::size_t(n)] > run.limits[0].values[std::size_t(peak)]) peak = n;
+  VectorXd slope;
+  statics.value(tip, peak, x, &slope);
+  for (int i = 0; i < x.size(); ++i) {
+    const VectorXd h = 1e-4 * x[i] * VectorXd::Unit(x.size(), i);
+    const double d =
+        (statics.value(tip, peak, x + h, nullptr) - statics.value(tip, peak, x - h, nullptr)) /
+        (2 * h[i]);
+    EXPECT_NEAR(d, slope[i], 1e-6 * slope.norm()) << i;
+  }
+}
+
+/// A crank that is thicker bends the rod less in motion, by its inertia; that is not static: drives
+/// held, the mechanism is determinate, and its joints carry the same forces whatever bends.
+TEST(MechanismStatics, TellOfAPartWhatItsOwnStaticsTell) {
+  const Slopes rod = relative_slopes(Simulated(shipped_study("slider_crank_both")), 0);
+  const auto crank = rod.motion.size() - 2;
+  record("rod_by_crank_motion", rod.motion.tail(2).sum());
+  record("rod_by_crank_statics", rod.statics.tail(2).sum());
+  EXPECT_NEAR(rod.motion.tail(2).sum(), -0.8, 0.1);
+  EXPECT_LT(rod.statics.tail(2).norm(), 0.01 * rod.motion.tail(2).norm());
+  EXPECT_NEAR(rod.statics.head(crank).sum(), -4, 0.1);  // 1/EI
+}
+
+/// Cycles of the same study with other rows, which all end at the same mass.
+struct Cycles {
+  int powers, parts, mechanism;  ///< 0: no part tells it
+};
+Cycles cycles_of(const std::string& name, const Simulated& s, bool parts) {
+  const auto count = [&](const char* rows, const LoopResult& run) {
+    EXPECT_EQ(run.status, CycleStatus::Optimal) << name << ", " << rows << ": " << run.reason;
+    record(name + "_" + rows, static_cast<double>(run.history.size()));
+    record(name + "_" + rows + "_kg", run.best->mass);
+    return static_cast<int>(run.history.size());
+  };
+  const LoopResult powers = s.optimise<MotionModel<SE2>>(CycleMethod::Full),
+                   mechanism = s.optimise<WholeMechanism>(CycleMethod::Full);
+  EXPECT_NEAR(mechanism.best->mass, powers.best->mass, 1e-3 * powers.best->mass) << name;
+  Cycles out{count("powers", powers), 0, count("mechanism", mechanism)};
+  if (parts) out.parts = count("parts", s.optimise<MotionModel<SE2>>(CycleMethod::Esl1));
+  return out;
+}
+
+/// Limits on single parts: static problems of the parts save cycles, and those of the whole
+/// mechanism hardly any beyond.
+TEST(MechanismStaticsSlow, SaveNoMoreThanStaticsOfPartsWhereALimitIsOnAPart) {
+  const Changes from_16_mm = {"design.rod_diameters.start=0.016"};
+  for (const auto& [name, s] :
+       {std::pair{"rod", Simulated(shipped_study("slider_crank_rod", from_16_mm))},
+        std::pair{"arms", Simulated(shipped_study("robot_arms"))}}) {
+    const Cycles n = cycles_of(name, s, true);
+    EXPECT_LE(2 * n.parts, n.powers) << name;
+    EXPECT_LE(std::abs(n.mechanism - n.parts), 2) << name;
+  }
+}
+
+/// Limits on several bodies: they save cycles where the bodies bend as the loads ask for, and none
+/// where they vibrate.
+TEST(MechanismStaticsSlow, SaveCyclesWhereSeveralBodiesBendTogether) {
+  const Cycles bent = cycles_of("bent", bent_arms(1.5e-3), false);
+  EXPECT_LE(3 * bent.mechanism, 2 * bent.powers);
+  const Cycles tip = cycles_of("tip", tip_of_arms(3e-3), false);
+  EXPECT_LE(2 * tip.powers, 3 * tip.mechanism);
+}
+
+}  // namespace
+}  // namespace liesl::test
