@@ -114,11 +114,13 @@ void check_changes(const Batch& batch, Problems& problems) {
 
 /// Where the value of a change "--set key=text" stands.
 const InputPlace* place_of(const Batch& batch, std::size_t row, const std::string& source) {
-  for (std::size_t c = 0; c < batch.cases.columns.size(); ++c)
-    for (const std::string& key : batch.cases.columns[c].keys) {
-      const CaseValue& value = batch.cases.rows[row].values[c];
+  for (std::size_t c = 0; c < batch.cases.columns.size(); ++c) {
+    const CaseValue& value = batch.cases.rows[row].values[c];
+    for (const std::string& change : value.instead.value_or(std::vector<std::string>()))
+      if (source == "--set " + change) return &value.place;
+    for (const std::string& key : batch.cases.columns[c].keys)
       if (source == "--set " + key + "=" + value.text) return &value.place;
-    }
+  }
   return nullptr;
 }
 

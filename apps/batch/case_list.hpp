@@ -2,6 +2,7 @@
 /// @file
 /// The cases of a batch as data: which keys change, and to what in each case.
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,8 @@ struct InputPlace {
 struct CaseValue {
   std::string text;
   InputPlace place;
+  /// Changes "key.path=value" in the place of those of the column's keys.
+  std::optional<std::vector<std::string>> instead = std::nullopt;
 };
 
 /// What one column of the cases changes: one key, or several that share the value.

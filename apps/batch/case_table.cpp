@@ -78,7 +78,8 @@ bool folder_name(const std::string& name) {
 void read_header(const CsvRow& header, CaseList& list, std::size_t& names, Problems& problems) {
   std::set<std::string> seen;
   for (std::size_t c = 0; c < header.size(); ++c) {
-    const auto& [key, place] = header[c];
+    const std::string& key = header[c].text;
+    const InputPlace& place = header[c].place;
     if (key.empty()) add(problems, place, "a column without a key", "a key of the study or scene");
     if (!seen.insert(key).second)
       add(problems, place, fmt::format("column '{}' is there twice", key), "every key once");

@@ -32,6 +32,13 @@ std::string toml_text(const toml::node& node) {
     for (const toml::node& item : *list) text += (text.empty() ? "" : ", ") + toml_text(item);
     return "[" + text + "]";
   }
+  if (const toml::table* table = node.as_table()) {
+    std::string text;
+    for (const auto& [key, item] : *table)
+      text += (text.empty() ? "" : ", ") + toml_text(toml::value<std::string>(key.str())) + " = " +
+              toml_text(item);
+    return "{" + text + "}";
+  }
   if (node.is_floating_point()) return fmt::format("{}", *node.value<double>());
   std::ostringstream out;
   node.visit([&out](const auto& value) { out << value; });

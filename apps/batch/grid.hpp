@@ -22,7 +22,7 @@ struct Axis {
 /// Axes of a validated table of axes, in the order of the file; none of a table that is empty.
 std::vector<Axis> read_axes(const toml::table& grid);
 
-/// A value as TOML; numbers with the fewest digits that give back the same double.
+/// A value as TOML on one line; numbers with the fewest digits that give back the same double.
 std::string toml_text(const toml::node& node);
 /// Where a value stands; nowhere if it comes from --set or is a default.
 InputPlace place_of(const toml::node& node);

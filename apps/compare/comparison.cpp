@@ -6,6 +6,7 @@
 #include <set>
 
 #include "apps/batch/grid.hpp"
+#include "apps/compare/models.hpp"
 #include "apps/compare/row_table.hpp"
 #include "apps/input/document.hpp"
 #include "apps/input/validate.hpp"
@@ -211,8 +212,12 @@ void read_changes(const toml::table& root, Comparison& comparison) {
 
 std::vector<std::string> Comparison::physics(std::size_t row) const {
   std::vector<std::string> changes;
-  for (const std::string& change : overrides(rows.cases, row))
-    if (!is_numerical(change.substr(0, change.find('=')))) changes.push_back(change);
+  const CaseList& cases = rows.cases;
+  for (std::size_t c = 0; c < cases.columns.size(); ++c) {
+    const CaseValue& value = cases.rows[row].values[c];
+    for (const std::string& key : cases.columns[c].keys)
+      if (!value.instead && !is_numerical(key)) changes.push_back(key + "=" + value.text);
+  }
   return changes;
 }
 
@@ -291,6 +296,10 @@ Comparison load_comparison(const fs::path& path, const std::vector<std::string>&
     comparison.reference = read_reference(*reference, problems);
   problems.throw_if_any();
   rows.cases = expand(axes);
+  if (const toml::table* models = root["models"].as_table()) {
+    add_models(*models, axes, rows.cases, problems);
+    problems.throw_if_any();
+  }
   check_cases(rows, problems);
   check_references(comparison, problems);
   problems.throw_if_any();

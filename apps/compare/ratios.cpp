@@ -44,9 +44,11 @@ std::vector<output::FormalismRatio> formalism_ratios(const CaseList& runs, const
   const auto first = rows_of(runs, column, formalisms[0]);
   for (std::size_t f = 1; f < formalisms.size(); ++f) {
     std::vector<double> error, time;
+    bool compared = false;  // a model has meshes of its own
     for (const auto& [others, row] : rows_of(runs, column, formalisms[f])) {
       const auto same = first.find(others);
       if (same == first.end()) continue;
+      compared = true;
       const auto ratio = [&](const char* figure, std::vector<double>& into) {
         const auto a = table.figure(row, figure), b = table.figure(same->second, figure);
         if (a && b && *b > 0) into.push_back(*a / *b);
@@ -54,6 +56,7 @@ std::vector<output::FormalismRatio> formalism_ratios(const CaseList& runs, const
       ratio("error", error);
       ratio("cpu_s", time);
     }
+    if (!compared) continue;
     ratios.push_back(
         {formalisms[f], formalisms[0], static_cast<int>(time.size()), median(error), median(time)});
   }

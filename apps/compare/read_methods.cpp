@@ -15,7 +15,7 @@ namespace {
 
 /// What only simulations have.
 void refuse_keys_of_scenes(const toml::table& root, Problems& problems) {
-  for (const char* name : {"quantity", "reference", "beams"})
+  for (const char* name : {"quantity", "reference", "beams", "models"})
     if (const toml::node* node = root.get(name))
       problems.add(*node, fmt::format("a study has no {}", name), "a comparison of methods",
                    fmt::format("leave '{}' out, or give a 'scene' instead of the study", name));

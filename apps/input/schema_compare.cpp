@@ -41,6 +41,14 @@ std::vector<Key> compare_keys() {
     {"grid.approximation", Type::List, "", kOptional, kAny, "Of a study: cycle.approximation."},
     {"grid.treatment", Type::List, "", kOptional, kAny, "Of a study: `treatment` of all constraints."},
 
+    {"models", Type::Named, "", kOptional, kAny, "Further rows of a scene by name, which stands in the column `formalism`: other keys of the scene, such as a meshed part in the place of a beam. They have the other axes of the grid and its reference; needs `grid.formalism`."},
+    {"models.*", Type::Table, "", kOptional, kAny, "One model."},
+    {"models.*.set", Type::Named, "", kRequired, kAny, "Keys of the scene to change, whole tables among them, as in \"bodies.rod\" = { solid = { ... } }."},
+    {"models.*.set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},
+    {"models.*.elements", Type::Table, "", kOptional, kAny, "Meshes in the place of `grid.elements`."},
+    {"models.*.elements.key", Type::Texts, "", kRequired, kAny, "Key of the scene, or several that share the value, as in \"bodies.rod.solid.mesh.cells.0\"."},
+    {"models.*.elements.values", Type::List, "", kRequired, kAny, "Values of the key."},
+
     {"vary", Type::Named, "", kOptional, kAny, "Further axes by name, over any keys of the scene (of the study). What changes the mechanism or its motion has a reference of its own for each combination."},
     {"vary.*", Type::Table, "", kOptional, kAny, "One axis."},
     {"vary.*.key", Type::Texts, "", kRequired, kAny, "Key of the scene, as for --set, or several that share the value."},

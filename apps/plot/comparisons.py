@@ -29,7 +29,7 @@ class Comparison:
             row["kind"] = " ".join(row[n] for n in words) or row.get("formalism", "") or "rows"
         self.kinds = list(dict.fromkeys(row["kind"] for row in self.rows))
         # Lines that lie on each other are told apart by their markers.
-        self.looks = {kind: dict(color=COLOURS[i % len(COLOURS)], marker="osD^vP"[i % 6],
+        self.looks = {kind: dict(color=COLOURS[i % len(COLOURS)], marker="osD^vPX*"[i % 8],
                                  markersize=9 - min(i, 4) * 1.5, markeredgecolor="white",
                                  markeredgewidth=0.6, linewidth=2.6 - min(i, 4) * 0.4)
                       for i, kind in enumerate(self.kinds)}

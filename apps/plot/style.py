@@ -12,7 +12,8 @@ import matplotlib.pyplot as plt  # noqa: E402
 # Okabe & Ito: told apart with every kind of colour vision.
 BLUE, ORANGE, GREEN, RED, PURPLE, SKY = (
     "#0072B2", "#E69F00", "#009E73", "#D55E00", "#CC79A7", "#56B4E9")
-COLOURS = [BLUE, ORANGE, GREEN, PURPLE, SKY, RED]
+BLACK, OLIVE = "#000000", "#8A8D00"
+COLOURS = [BLUE, ORANGE, GREEN, PURPLE, SKY, RED, BLACK, OLIVE]
 GREY = "#6e6e6e"
 LIMIT = dict(color="black", linestyle=(0, (5, 3)), linewidth=1.1)
 

@@ -1,6 +1,7 @@
 /// @file
 /// Responses: quantities that a scene names and a study limits.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -53,6 +54,33 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
   reader.problems.add(said, fmt::format("beam '{}' has no node '{}'", body.name, place),
                       fmt::format("mid, node1 to node{}, or max", n - 1),
                       suggestion(place, places));
+  return false;
+}
+
+/// Interface of a part between its first and its last one, or "max".
+bool read_place_of_part(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const toml::node& node = *table.get("at");
+  const auto place = node.value_or(std::string());
+  const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
+  const auto& interfaces = std::get<SolidSpec>(body.kind).interfaces();
+  const int last = static_cast<int>(interfaces.size()) - 1;
+  std::vector<std::string> places;
+  for (int k = 1; k < last; ++k) places.push_back(interfaces[static_cast<std::size_t>(k)].name);
+  const auto found = std::find(places.begin(), places.end(), place);
+  response.everywhere = place == "max";
+  if (response.everywhere && !places.empty()) return true;
+  if (found != places.end()) {
+    response.s = static_cast<double>(found - places.begin() + 1) / last;
+    return true;
+  }
+  const std::string expected = places.empty()
+                                   ? "a part with an interface between its first and its last one"
+                                   : fmt::format("one of {}, or max", fmt::join(places, ", "));
+  reader.problems.add(
+      written(node) ? node : static_cast<const toml::node&>(table),
+      fmt::format("part '{}' has no interface '{}' between its first and its last one", body.name,
+                  place),
+      expected, "the deflection is measured from the chord between these two");
   return false;
 }
 
@@ -144,6 +172,13 @@ bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& res
 }
 
 bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const auto body = reader.body(*table.get("of"));
+  if (!body) return false;
+  const BodySpec& of = reader.scene.mechanism.bodies[static_cast<std::size_t>(*body)];
+  if (response.kind == ResponseKind::Deflection && std::holds_alternative<SolidSpec>(of.kind)) {
+    response.body = *body;
+    return read_place_of_part(reader, table, response);
+  }
   const auto beam = reader.beam(*table.get("of"));
   if (!beam) return false;
   response.body = *beam;

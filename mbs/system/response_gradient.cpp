@@ -150,7 +150,7 @@ void ResponseValues<G>::add_deflection(const ResponseSpec& r, const At& at, Cota
   double place = r.s;
   Eigen::Vector2d a = Eigen::Vector2d::Unit(G::space_dim == 3 ? at.component : in_plane(r.body));
   if (r.everywhere) {
-    const int n = model_.bodies[r.body]->elements();
+    const int n = static_cast<int>(now.size()) - 1;
     double largest = 0;
     for (int k = 1; k < n; ++k) {
       const Eigen::Vector2d offset = deflection_at(r.body, now, double(k) / n);

@@ -15,6 +15,16 @@ Eigen::VectorXd along(const ResponseSpec& r, const Vec3& v) {
   return r.axis ? scalar(r.axis->dot(v)) : Eigen::VectorXd(v);
 }
 
+/// Nodes of a beam or interfaces of a part, where the scene puts them.
+std::vector<SE3> nodes_at_rest(const BodySpec& body) {
+  if (const auto* beam = std::get_if<BeamSpec>(&body.kind)) return beam->nodes;
+  const auto& part = std::get<SolidSpec>(body.kind);
+  std::vector<SE3> frames;
+  for (size_t k = 0; k < part.interfaces().size(); ++k)
+    frames.push_back(part.port(static_cast<int>(k)));
+  return frames;
+}
+
 }  // namespace
 
 Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s) {
@@ -80,16 +90,15 @@ Eigen::VectorXd ResponseValues<G>::displacement(const ResponseSpec& r, const Sta
 template <FrameGroup G>
 Eigen::Vector2d ResponseValues<G>::deflection_at(int body, const std::vector<SE3>& now,
                                                  double place) const {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
-  return chord_offset(now, place) - chord_offset(beam.nodes, place);
+  return chord_offset(now, place) - chord_offset(nodes_at_rest(mechanism_.bodies[body]), place);
 }
 
 template <FrameGroup G>
 int ResponseValues<G>::in_plane(int body) const {
   if constexpr (G::space_dim == 2) {
     const Vec3 normal = model_.space.frame.R.col(2);
-    const auto& beam = std::get<BeamSpec>(mechanism_.bodies[body].kind);
-    return std::abs(beam.nodes[0].R.col(1).dot(normal)) < 0.5 ? 0 : 1;
+    const SE3 first = mechanism_.frame({body, 0, SE3::identity()});
+    return std::abs(first.R.col(1).dot(normal)) < 0.5 ? 0 : 1;
   }
   return 0;
 }
@@ -99,7 +108,7 @@ Eigen::VectorXd ResponseValues<G>::deflection(const ResponseSpec& r, const State
   const std::vector<SE3> now = nodes(s.H.data(), r.body);
   if (r.everywhere) {
     double largest = 0;
-    const int n = model_.bodies[r.body]->elements();
+    const int n = static_cast<int>(now.size()) - 1;
     for (int k = 1; k < n; ++k)
       largest = std::max(largest, deflection_at(r.body, now, double(k) / n).norm());
     return scalar(largest);

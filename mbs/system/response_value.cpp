@@ -189,7 +189,7 @@ Eigen::VectorXd ResponseValues<G>::by_parameter(const ResponseSpec& r, const Sta
 template <FrameGroup G>
 std::vector<SE3> ResponseValues<G>::nodes(const G* H, int body) const {
   std::vector<SE3> frames;
-  for (int k = 0; k < model_.bodies[body]->nodes(); ++k) frames.push_back(view_.node(H, body, k));
+  for (int k = 0; k < model_.bodies[body]->points(); ++k) frames.push_back(view_.node(H, body, k));
   return frames;
 }
 

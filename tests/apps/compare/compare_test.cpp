@@ -118,6 +118,56 @@ TEST_F(Compare, ExtrapolationCancelsSecondOrders) {
   EXPECT_NEAR(both, 0, 1e-20);
 }
 
+/// A mesh in the place of a beam is a row by the name of its model, with the reference of the
+/// grid: the same bending, nearer to it with more cells.
+TEST_F(Compare, ModelsAreRows) {
+  const std::string model =
+      "[models.mesh]\nelements = { key = \"bodies.rod.solid.mesh.cells.0\", values = [8, 32] }\n"
+      "[models.mesh.set.\"bodies.rod\".solid]\nas = \"continuum\"\nmaterial = \"steel\"\n"
+      "at = [0.15, 0, 0]\nthickness = 9.0689968e-3\n"
+      "mesh = { from = [0, -4.330127e-3], to = [0.3, 4.330127e-3], cells = [8, 2] }\n"
+      "[models.mesh.set.\"bodies.rod\".solid.interfaces]\nstart = { set = \"x_min\" }\n"
+      "mid = { box = { from = [0.149, -1], to = [0.151, 1] } }\nend = { set = \"x_max\" }\n";
+  const std::string text =
+      head("slider_crank", "bend") +
+      "[reference]\nformalisms = [\"r3so3\", \"se3\"]\nelements = 16\nstep = 1e-4\n"
+      "extrapolate = \"mesh\"\n[grid]\nformalism = [\"se3\", \"rigid\"]\nelements = [4]\n"
+      "step = [1e-4]\n[set]\n\"simulation.duration\" = 0.02\n";
+  const std::string penalty = "[models.soft]\nset = { \"simulation.constraints\" = \"penalty\" }\n";
+  const Outcome o = compare(text + model + penalty);
+  ASSERT_EQ(o.code, 0) << o.err;
+  const auto all = rows();
+  ASSERT_EQ(all.size(), 5u);
+  EXPECT_EQ(all[2].at("formalism"), "mesh");
+  EXPECT_EQ(all[2].at("elements"), "8");
+  EXPECT_EQ(all[4].at("formalism"), "soft");
+  EXPECT_EQ(summary()["references"].size(), 1u);
+  const double size = number(all[1], "error");  // a rigid rod does not bend at all
+  EXPECT_LT(number(all[3], "error"), 0.02 * size);
+  EXPECT_LT(number(all[3], "error"), 0.2 * number(all[2], "error"));
+  EXPECT_NEAR(number(all[4], "error"), number(all[0], "error"), 1e-3 * size);
+  EXPECT_NE(all[4].at("error"), all[0].at("error"));
+  EXPECT_EQ(summary()["ratios"].size(), 2u) << "meshes of its own have no pairs";
+
+  const std::pair<std::string, const char*> wrong[] = {
+      {text + "[models.se3]\nset = {}\n", "'se3' is the name of a formalism"},
+      {text + "[models.soft]\n", "missing key 'models.soft.set'"},
+      {text + "[models.soft]\nset = { \"simulation.constraint\" = 1 }\n",
+       "did you mean 'constraints'?"},
+      {head("pendulum", "tip") + "[grid]\nstep = [1e-3]\n" + penalty,
+       "study.toml:8:1: the grid has no formalism, in whose place the model stands"},
+      {head("slider_crank", "bend") + "[grid]\nformalism = [\"se3\"]\n" + model,
+       "study.toml:9:12: the grid has no elements, in whose place these stand"},
+      {text + std::string(model).replace(model.find("mid ="), 3, "middle"),
+       "part 'rod' has no interface 'mid' between its first and its last one; expected one of "
+       "middle, or max"},
+  };
+  for (const auto& [bad, message] : wrong) {
+    const std::string said = refusal(bad);
+    EXPECT_NE(said.find(message), std::string::npos) << bad << "\n" << said;
+  }
+}
+
 TEST(SeriesOfComparisons, CubicsAreExactBetweenInstants) {
   const auto f = [](double t) { return 1 - t + 2 * t * t - 3 * t * t * t; };
   using output::Norm;

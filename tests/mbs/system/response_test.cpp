@@ -226,6 +226,16 @@ INSTANTIATE_TEST_SUITE_P(EveryFormalism, Responses,
                                            Formalism::Floating, Formalism::Rigid),
                          [](const auto& of) { return std::string(to_string(of.param)); });
 
+/// With a rigid interface "mid" at the nodes with x = 0.5, between its ends.
+test::MeshModel with_middle(const SolidModel& part) {
+  std::vector<Interface> interfaces = part.interfaces();
+  const auto middle = [](const auto& x) { return std::abs(x[0] - 0.5) < 1e-9; };
+  interfaces.insert(interfaces.begin() + 1,
+                    {"mid", nodes_where(part.mesh(), middle), {0.5, 0.1, 0}, Tie::Rigid});
+  return std::make_shared<const SolidModel>(part.mesh(), part.material(), interfaces,
+                                            SolidModel::Options{part.thickness(), {}});
+}
+
 /// A meshed part that swings on a hinge.
 template <class G>
 Mechanism swinging_part() {
@@ -233,6 +243,7 @@ Mechanism swinging_part() {
   s.model = test::mesh_with_ends(G::space_dim == 2 ? quad_grid({0, 0}, {1, 0.2}, 12, 4)
                                                    : hex_grid({0, 0, 0}, {1, 0.2, 0.1}, 8, 3, 2),
                                  {"soft", 1e7, 0.3, 1000}, {0, 0.1, 0}, {1, 0.1, 0}, {0.1, {}});
+  s.model = with_middle(*s.model);
   s.modes = 4;
   Mechanism m;
   m.gravity = {0, -9.81, 0};
@@ -251,12 +262,14 @@ void expect_gradients_of_a_part() {
   std::vector<ResponseSpec> all;
   for (const auto kind :
        {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::Displacement,
-        ResponseKind::Elongation, ResponseKind::Energy, ResponseKind::Compliance}) {
+        ResponseKind::Deflection, ResponseKind::Elongation, ResponseKind::Energy,
+        ResponseKind::Compliance}) {
     ResponseSpec r;
     r.name = name_of(kind);
     r.kind = kind;
     r.body = 0;
-    r.at = {0, 1};
+    r.s = 0.5;
+    r.at = {0, 2};
     r.to = {0, 0};
     all.push_back(r);
   }
