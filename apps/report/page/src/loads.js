@@ -1,12 +1,12 @@
 // The loads of a cycle at one of its instants, as arrows on the parts.
 
-import { ConeGeometry, CylinderGeometry, Group, InstancedMesh, Matrix4, Quaternion, Vector3 } from 'three';
+import { ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, Vector3 } from 'three';
 import { array } from './data.js';
 import { surface } from './materials.js';
 
 const kLongest = 0.2;  // arrow of the largest force, of the size of the mechanism
 const kShortest = 0.004;  // below, a force is not drawn
-const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = new Quaternion(), kM = new Matrix4(), kS = new Vector3();
+const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = new Quaternion();
 
 /** Loads of the page's data: [{cycle, scenario, body, at, nodes, load, largest, moment}], N and N m. */
 export function readLoads(list) {
@@ -25,18 +25,13 @@ export class LoadArrows {
   constructor(view, loads) {
     this.view = view;
     this.unit = (kLongest * view.size) / Math.max(1e-300, ...loads.map((l) => l.largest));
-    const most = Math.max(1, ...loads.map((l) => l.nodes)) * Math.max(1, new Set(loads.map((l) => l.body)).size);
     const r = 0.0035 * view.size;
     this.head = 5 * r;
-    const material = surface(0xc8453b);
-    this.shafts = new InstancedMesh(new CylinderGeometry(r, r, 1, 8).translate(0, 0.5, 0), material, most);
-    this.heads = new InstancedMesh(new ConeGeometry(2.4 * r, this.head, 12).translate(0, 0.5 * this.head, 0), material, most);
+    this.material = surface(0xc8453b);
+    this.shaft = new CylinderGeometry(r, r, 1, 8).translate(0, 0.5, 0);
+    this.tip = new ConeGeometry(2.4 * r, this.head, 12).translate(0, 0.5 * this.head, 0);
     this.mesh = new Group();
-    for (const mesh of [this.shafts, this.heads]) {
-      mesh.frustumCulled = false;
-      mesh.count = 0;
-      this.mesh.add(mesh);
-    }
+    this.arrows = [];  // [shaft, head], as many as were ever shown
     view.scene.add(this.mesh);
     view.arrows = this;
     this.parts = [];
@@ -61,18 +56,26 @@ export class LoadArrows {
         this.view.turn(part.body, body.elements.length ? node : 0, kQ);  // of a meshed part the axes of its mesh
         kF.applyQuaternion(kQ).normalize();
         this.view.place(part.body, node, [0, 0, 0], 0, kX);
-        kQ.setFromUnitVectors(kUp, kF);
-        const shaft = Math.max(length - this.head, 0.1 * length), head = Math.min(1, length / this.head);
-        this.shafts.setMatrixAt(count, kM.compose(kX, kQ, kS.set(1, shaft, 1)));
-        this.heads.setMatrixAt(count, kM.compose(kX.addScaledVector(kF, shaft), kQ, kS.set(head, head, head)));
-        ++count;
+        this.put(count++, length);
       }
     }
-    for (const mesh of [this.shafts, this.heads]) {
-      mesh.count = count;
-      mesh.instanceMatrix.needsUpdate = true;
-    }
+    for (const [k, arrow] of this.arrows.entries()) for (const mesh of arrow) mesh.visible = k < count;
     this.view.canvas.dataset.arrows = count;
+  }
+
+  /** Arrow k from kX along kF. */
+  put(k, length) {
+    if (k === this.arrows.length) {
+      this.arrows.push([new Mesh(this.shaft, this.material), new Mesh(this.tip, this.material)]);
+      this.mesh.add(...this.arrows[k]);
+    }
+    const [shaft, head] = this.arrows[k], straight = Math.max(length - this.head, 0.1 * length), size = Math.min(1, length / this.head);
+    shaft.quaternion.setFromUnitVectors(kUp, kF);
+    head.quaternion.copy(shaft.quaternion);
+    shaft.position.copy(kX);
+    shaft.scale.set(1, straight, 1);
+    head.position.copy(kX).addScaledVector(kF, straight);
+    head.scale.setScalar(size);
   }
 }
 

@@ -2,12 +2,12 @@
 // optimisation; the pointer tells the values.
 
 import { card, el, onTheme, theme } from './dom.js';
-import { css, kSeries } from './colors.js';
+import { kSeries, paint } from './colors.js';
 import { linearTicks } from './scatter.js';
 import { percent, quantity, scaleOf, tick } from './format.js';
 import { swatch } from './charts.js';
 
-const kLeft = 66, kBottom = 42, kTop = 12, kRight = 14, kHeight = 420, kBands = 12, kFine = 3;
+const kLeft = 66, kBottom = 42, kTop = 12, kRight = 14, kHeight = 420, kBands = 12, kFine = 2;
 
 export function maps(data) {
   return data.map ? new DesignMap(data).card() : null;
@@ -66,7 +66,7 @@ class DesignMap {
     const values = this.values(name), known = values.filter((v) => v !== null);
     const low = Math.min(...known), high = Math.max(...known), { unit, limit } = this.of[name];
     this.levels = known.length && high > low ? [...Array(kBands - 1)].map((_, k) => low + ((k + 1) * (high - low)) / kBands) : [];
-    this.fill(ctx, values, low, high, ratio);
+    this.fill(ctx, values, low, high);
     for (const level of this.levels) this.contour(ctx, values, level, theme('ink'), 0.5, []);
     const local = this.local.checked ? this.values(`${name} local`) : null;
     if (local) for (const level of this.levels) this.contour(ctx, local, level, kSeries[1], 1.1, [5, 4]);
@@ -79,18 +79,23 @@ class DesignMap {
     this.describe(low, high, unit, limit, !!local);
   }
 
-  /** Bands of colour between the levels. */
-  fill(ctx, values, low, high, ratio) {
+  /** Bands of colour between the levels, at every second pixel. */
+  fill(ctx, values, low, high) {
     const x0 = this.ax.at(this.x[0]), x1 = this.ax.at(this.x[this.nx - 1]), y0 = this.ay.at(this.y[0]), y1 = this.ay.at(this.y[this.y.length - 1]);
-    const step = kFine / ratio;
-    for (let py = y1; py < y0; py += step)
-      for (let px = x0; px < x1; px += step) {
-        const v = this.valueAt(values, this.ax.from(px + step / 2), this.ay.from(py + step / 2));
+    const w = Math.max(1, Math.round((x1 - x0) / kFine)), h = Math.max(1, Math.round((y0 - y1) / kFine));
+    const small = el('canvas', { width: w, height: h }), image = new ImageData(w, h), rgb = [0, 0, 0];
+    for (let q = 0; q < h; ++q)
+      for (let p = 0; p < w; ++p) {
+        const v = this.valueAt(values, this.ax.from(x0 + ((p + 0.5) / w) * (x1 - x0)), this.ay.from(y1 + ((q + 0.5) / h) * (y0 - y1)));
         if (v === null) continue;
-        const band = high > low ? Math.min(kBands - 1, Math.floor((kBands * (v - low)) / (high - low))) : 0;
-        ctx.fillStyle = css('size', (band + 0.5) / kBands);
-        ctx.fillRect(px, py, Math.min(step, x1 - px) + 0.4, Math.min(step, y0 - py) + 0.4);
+        const band = high > low ? Math.min(kBands - 1, Math.floor((kBands * (v - low)) / (high - low))) : 0, at = 4 * (q * w + p);
+        paint('size', (band + 0.5) / kBands, rgb, 0);
+        for (let c = 0; c < 3; ++c) image.data[at + c] = 255 * rgb[c];
+        image.data[at + 3] = 255;
       }
+    small.getContext('2d').putImageData(image, 0, 0);
+    ctx.imageSmoothingEnabled = false;
+    ctx.drawImage(small, x0, y1, x1 - x0, y0 - y1);
   }
 
   /** Bilinear between the points; null where one of them has no value. */
