@@ -49,6 +49,36 @@ Json to_json(const SimulationEffort& e) {
           {"factorizations", e.factorizations}};
 }
 
+Json to_json(const std::vector<CycleLoads>& parts) {
+  Json list = Json::array();
+  for (const CycleLoads& part : parts) {
+    Json loads = Json::array();
+    for (const CycleLoads::Load& load : part.loads)
+      loads.push_back(std::vector<double>(load.data(), load.data() + load.size()));
+    list.push_back({{"body", part.body},
+                    {"scenario", part.scenario},
+                    {"times", part.times},
+                    {"loads", std::move(loads)}});
+  }
+  return list;
+}
+
+std::vector<CycleLoads> read_loads(const Json& list) {
+  std::vector<CycleLoads> parts;
+  for (const Json& j : list) {
+    CycleLoads& part = parts.emplace_back();
+    part.body = j.at("body");
+    part.scenario = j.at("scenario");
+    part.times = j.at("times").get<std::vector<double>>();
+    for (const Json& values : j.at("loads")) {
+      const auto v = values.get<std::vector<double>>();
+      part.loads.push_back(
+          CycleLoads::Load::Map(v.data(), 6, static_cast<Eigen::Index>(v.size() / 6)));
+    }
+  }
+  return parts;
+}
+
 Json to_json(const Cycle& c) {
   Json cycle = {{"number", c.number},
                 {"start", c.start},
@@ -64,6 +94,7 @@ Json to_json(const Cycle& c) {
                 {"worst_constraint", c.worst_constraint},
                 {"worst_at", c.worst_at},
                 {"load_cases", c.load_cases},
+                {"loads", to_json(c.loads)},
                 {"iterations", c.iterations},
                 {"move", c.move},
                 {"taken", c.taken},
@@ -100,6 +131,7 @@ Cycle read_cycle(const Json& j) {
   c.worst_at = j.at("worst_at");
   if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
   c.load_cases = j.at("load_cases");
+  if (j.contains("loads")) c.loads = read_loads(j.at("loads"));
   c.iterations = j.at("iterations");
   c.move = j.at("move");
   c.taken = j.at("taken");

@@ -6,6 +6,7 @@
 #include "apps/output/export_xdmf.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/result_summary.hpp"
 
 #ifdef LIESL_OPTIM
 #include "apps/cli/terminal.hpp"
@@ -25,19 +26,29 @@ namespace fs = std::filesystem;
   throw InputError({{options.file, 0, 0, std::move(what), std::move(expected), ""}});
 }
 
+/// Meshes and matrices are those that the result was made of.
+void check_files(const CommandOptions& options, const Scene& scene,
+                 const nlohmann::ordered_json& summary) {
+  const auto known = summary.value("files", nlohmann::ordered_json::object());
+  for (const NamedInput& file : scene.files)
+    if (std::none_of(known.begin(), known.end(),
+                     [&](const auto& sha256) { return sha256 == file.sha256; }))
+      refuse(options, "'" + file.path + "', which it was made of, has changed",
+             "the file as it was");
+}
+
 /// The scene of a results folder: its final design, or the file that `run` or `esl` read, with what
 /// was overridden.
 Scene scene_of_folder(const CommandOptions& options) {
   const fs::path folder = options.file;
-  if (fs::exists(folder / "design.toml")) return load_scene(folder / "design.toml", options.set);
-  const auto summary =
-      fs::exists(folder / "summary.json")
-          ? nlohmann::json::parse(output::read_file(folder / "summary.json"), nullptr, false)
-          : nlohmann::json();
+  const auto summary = output::read_summary(folder, "export");
+  if (fs::exists(folder / "design.toml")) {
+    check_files(options, load_scene(folder / "design.toml"), summary);
+    return load_scene(folder / "design.toml", options.set);
+  }
   const auto text = [&](const char* key) {
-    return summary.is_object() && summary.contains(key) && summary[key].is_string()
-               ? summary[key].get<std::string>()
-               : std::string();
+    return summary.contains(key) && summary[key].is_string() ? summary[key].get<std::string>()
+                                                             : std::string();
   };
   if (text("command") != "run" && text("command") != "esl")
     refuse(options, "is a folder without a scene",
@@ -177,6 +188,7 @@ int export_command(const CommandOptions& options) {
         {{options.file, 0, 0,
           "--part, --cases, --set, --force and -o are for --to calculix, nastran or matrices",
           "a results folder alone", "--to calculix"}});
+  output::read_summary(options.file, "export");
   output::export_xdmf(options.file);
   if (!options.quiet)
     fmt::print("{}\n", (std::filesystem::path(options.file) / "results.xdmf").string());

@@ -50,6 +50,8 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
   if (out.simulated) output::write_file(folder / "design.toml", final_scene(out, study));
   for (const PartOutcome& part : out.parts) write_part(folder, part);
+  if (!out.loads.empty())
+    output::write_file(folder / "cycle_loads.csv", loads_table(out.loads, scene.simulation.type));
   output::write_summary(folder / "summary.json", output::to_json(out.summary));
 }
 

@@ -2,9 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace liesl::nastran {
 
-std::string number(double value) { return fmt::format("{:.9E}", value); }
+std::string number(double value) {
+  constexpr double kLeast = 1e-98;  // below, an exponent of three digits would not fit its field
+  return fmt::format("{:.9E}", std::abs(value) < kLeast ? 0.0 : value);
+}
 
 Fields& operator<<(Fields& fields, const Eigen::Vector3d& v) {
   for (const double x : v) fields.push_back(number(x));
@@ -12,12 +18,23 @@ Fields& operator<<(Fields& fields, const Eigen::Vector3d& v) {
 }
 
 std::string card(const std::string& name, const Fields& fields) {
-  std::string text = fmt::format("{:<8}", name + "*");
-  for (std::size_t i = 0; i < fields.size(); ++i) {
-    if (i > 0 && i % 4 == 0) text += "\n*       ";
-    text += fmt::format("{:>16}", fields[i]);
+  constexpr std::size_t kFields = 4;  // of a line
+  std::size_t lines = (fields.size() + kFields - 1) / kFields;
+  lines += lines % 2;
+  std::string text;
+  for (std::size_t line = 0; line < lines; ++line) {
+    text += fmt::format("{:<8}", line == 0 ? name + "*" : "*");
+    for (std::size_t i = kFields * line; i < std::min(fields.size(), kFields * (line + 1)); ++i)
+      text += fmt::format("{:>16}", fields[i]);
+    text.erase(text.find_last_not_of(' ') + 1);
+    text += "\n";
   }
-  return text + "\n";
+  return text;
+}
+
+std::string title(const std::string& text) {
+  constexpr std::size_t kColumns = 72;
+  return text.substr(0, kColumns) + "\n";
 }
 
 }  // namespace liesl::nastran

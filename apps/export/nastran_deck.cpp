@@ -11,6 +11,7 @@ namespace {
 using nastran::card;
 using nastran::Fields;
 using nastran::number;
+using nastran::title;
 using nastran::operator<<;
 
 /// Type and dimensions of PBARL. The first dimension of its bars is along z of the element.
@@ -42,8 +43,8 @@ std::string section_text(const SectionGroup& group, std::size_t id) {
 }
 
 std::string control_text(const BeamDeck& deck) {
-  std::string text = fmt::format("SOL 106\nCEND\nTITLE = {} of {}\nDISPLACEMENT = ALL\nSPC = 1\n",
-                                 deck.part, deck.scene);
+  std::string text = "SOL 106\nCEND\n" + title("TITLE = " + deck.part + " of " + deck.scene) +
+                     "DISPLACEMENT = ALL\nSPC = 1\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += fmt::format("SUBCASE {}\n  LABEL = {:.9g} s\n  NLPARM = 1\n  LOAD = {}\n", n + 1,
                         deck.cases[n].time, n + 1);
@@ -73,6 +74,7 @@ std::string bulk_text(const BeamDeck& deck) {
 std::string loads_text(const BeamDeck& deck) {
   std::string text;
   const auto add = [&](const char* name, std::size_t set, std::size_t node, const Vec3& load) {
+    if (load.isZero(0)) return;  // a card needs a component
     Fields fields{std::to_string(set), std::to_string(node), "0", "1."};
     text += card(name, fields << load);
   };
@@ -87,10 +89,9 @@ std::string loads_text(const BeamDeck& deck) {
 }  // namespace
 
 std::string nastran_text(const BeamDeck& deck) {
-  return fmt::format(
-             "$ '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
-             "$ See README.md beside this file.\n",
-             deck.part, deck.scene) +
+  return title("$ '" + deck.part + "' of '" + deck.scene + "'") +
+         "$ under the equivalent static loads of its motion. SI units.\n"
+         "$ See README.md beside this file.\n" +
          control_text(deck) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
          loads_text(deck) + "ENDDATA\n";
 }

@@ -127,6 +127,7 @@ namespace {
 using nastran::card;
 using nastran::Fields;
 using nastran::number;
+using nastran::title;
 using nastran::operator<<;
 
 constexpr int kCombined = 1000;  // first number of the LOAD cards and of the supports of cases
@@ -193,8 +194,8 @@ std::string nastran_element(const SolidDeck& deck) {
 }
 
 std::string nastran_text(const SolidDeck& deck) {
-  std::string text =
-      fmt::format("SOL 101\nCEND\nTITLE = {} of {}\nDISPLACEMENT = ALL\n", deck.part, deck.scene);
+  std::string text = "SOL 101\nCEND\n" + title("TITLE = " + deck.part + " of " + deck.scene) +
+                     "DISPLACEMENT = ALL\n";
   for (std::size_t n = 0; n < deck.times.size(); ++n)
     text +=
         fmt::format("SUBCASE {0}\n  LABEL = the motion at {1:.9g} s\n  LOAD = {2}\n  SPC = {2}\n",

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <iterator>
 #include <map>
@@ -89,19 +90,54 @@ class PartLines {
         cut_(
             cut_mesh(cell_kind(mesh.dim(), mesh.corners), mesh.cells, mesh.reference, mesh.level)) {
     const auto rest = places(mesh.reference);
+    far_ = farthest_interface();
     lines_ = mesh.dim() == 2 ? closed_sides(cut_) : sharp_edges(cut_, rest);
   }
 
   void put(std::string& text, const std::string& start, const std::string& name,
            std::size_t record) const {
-    const std::vector<Vector3d> x = at(record);
+    const std::vector<Vector3d> x = at(record), rest = places(mesh_.reference);
+    const Chord chord = chord_at(record);
     for (std::size_t l = 0; l < lines_.size(); ++l)
-      for (const std::uint32_t v : lines_[l])
-        fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g}\n", start, name, l,
-                       x[v][0], x[v][1], x[v][2]);
+      for (const std::uint32_t v : lines_[l]) {
+        const Vector3d b = x[v] - chord.carry(rest[v]);
+        fmt::format_to(std::back_inserter(text),
+                       "{},{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", start, name, l,
+                       x[v][0], x[v][1], x[v][2], b[0], b[1], b[2]);
+      }
   }
 
  private:
+  /// The line from the first interface to the one farthest from it: where it is, and how long.
+  struct Chord {
+    Vector3d x0, rest, stretch;  ///< m; at rest in the axes of the first interface
+    Matrix3d turn;
+    /// A place at rest, carried along without bending.
+    Vector3d carry(const Vector3d& x) const {
+      const double square = rest.squaredNorm();
+      return x0 + turn * x + (square > 0 ? x.dot(rest) / square : 0) * stretch;
+    }
+  };
+
+  std::size_t farthest_interface() const {
+    std::size_t far = 0;
+    for (std::size_t i = 0; 3 * i < mesh_.interfaces.size(); ++i)
+      if (vector_at(mesh_.interfaces, i).norm() > vector_at(mesh_.interfaces, far).norm()) far = i;
+    return far;
+  }
+
+  Chord chord_at(std::size_t record) const {
+    const std::size_t frame = record * static_cast<std::size_t>(body_.nodes);
+    const Matrix3d R0 = axes_at(body_.rotations, frame);
+    Chord out{vector_at(body_.positions, frame), Vector3d::Zero(), Vector3d::Zero(), R0};
+    if (far_ == 0) return out;
+    const Vector3d now = vector_at(body_.positions, frame + far_) - out.x0;
+    out.rest = vector_at(mesh_.interfaces, far_);
+    out.turn = Eigen::Quaterniond::FromTwoVectors(R0 * out.rest, now).toRotationMatrix() * R0;
+    out.stretch = now - out.turn * out.rest;
+    return out;
+  }
+
   std::vector<Vector3d> places(const std::vector<double>& nodes) const {
     std::vector<Vector3d> out;
     for (const auto& v : cut_.vertices)
@@ -128,6 +164,7 @@ class PartLines {
   const MeshResult& mesh_;
   const BodyResult& body_;
   CutMesh cut_;
+  std::size_t far_ = 0;  ///< interface at the other end of the chord; 0: there is no other
   std::vector<std::vector<std::uint32_t>> lines_;
 };
 
@@ -145,19 +182,23 @@ std::vector<int> pictured(int records) {
 void write_sections_csv(const std::filesystem::path& path, const Results& results) {
   std::string text = "body,element,along x [m],along y [m],along z [m]\n";
   const std::size_t head = text.size();
-  for (const BodyResult& body : results.bodies)
-    for (std::size_t e = 0; e < body.shapes.size() && !body.reference_rotations.empty(); ++e) {
-      const Vector3d seen(seen_along(body, e, 0), seen_along(body, e, 1), seen_along(body, e, 2));
-      if (seen.maxCoeff() > 0)
-        fmt::format_to(std::back_inserter(text), "{},{},{:.6g},{:.6g},{:.6g}\n", field(body.name),
-                       e, seen[0], seen[1], seen[2]);
-    }
+  for (const BodyResult& body : results.bodies) {
+    std::vector<Vector3d> seen;
+    for (std::size_t e = 0; e < body.shapes.size() && !body.reference_rotations.empty(); ++e)
+      seen.emplace_back(seen_along(body, e, 0), seen_along(body, e, 1), seen_along(body, e, 2));
+    if (std::all_of(seen.begin(), seen.end(), [](const Vector3d& s) { return s.isZero(0); }))
+      continue;
+    for (std::size_t e = 0; e < seen.size(); ++e)
+      fmt::format_to(std::back_inserter(text), "{},{},{:.6g},{:.6g},{:.6g}\n", field(body.name), e,
+                     seen[e][0], seen[e][1], seen[e][2]);
+  }
   if (text.size() > head) write_file(path, text);
 }
 
 void write_part_lines_csv(const std::filesystem::path& path, const Results& results) {
-  std::string text =
-      heading(results.abscissa, results.abscissa_unit) + ",body,line,x [m],y [m],z [m]\n";
+  std::string text = heading(results.abscissa, results.abscissa_unit) +
+                     ",body,line,x [m],y [m],z [m],"
+                     "bending x [m],bending y [m],bending z [m]\n";
   const std::size_t head = text.size();
   for (const MeshResult& mesh : results.meshes) {
     const auto body = std::find_if(results.bodies.begin(), results.bodies.end(),

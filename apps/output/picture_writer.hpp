@@ -14,13 +14,16 @@ inline constexpr int kFrames = 13, kPictured = 5;
 
 /// How thick the elements of beams look along the axes of the scene, at rest:
 /// `body, element, along x [m], along y [m], along z [m]`. Across an axis that a beam points along
-/// its larger thickness. Elements whose section has no shape are left out; no file without any.
+/// its larger thickness, 0 of a section without a shape. Bodies without any shape are left out; no
+/// file without others.
 /// @throws IoError (both)
 void write_sections_csv(const std::filesystem::path& path, const Results& results);
 
 /// Lines of deformed meshed parts at the instants that pictures show: of a planar part its
 /// outline, material on the left, of a part in space the edges where its surface turns by more than
-/// 30 degrees: `<abscissa>, body, line, x [m], y [m], z [m]`. No file without meshed parts.
+/// 30 degrees: `<abscissa>, body, line, x [m], y [m], z [m], bending x [m], bending y [m], bending
+/// z [m]`, the latter what of a place is deformation about the chord, the line from the first
+/// interface to the farthest. No file without meshed parts.
 void write_part_lines_csv(const std::filesystem::path& path, const Results& results);
 
 }  // namespace liesl::output

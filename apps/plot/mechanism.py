@@ -11,7 +11,7 @@ from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
 from style import BLUE, GREEN, ORANGE, PURPLE, label
-from tables import Table, table
+from tables import HalfResult, Table, table
 
 INSTANTS = 5  # more hide each other
 COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
@@ -28,10 +28,22 @@ def read_frames(path):
     for time, body, kind, node, *x in frames.rows:
         bodies = instants.setdefault(float(time), {})
         bodies.setdefault(body, (kind, {}))[1][int(node)] = tuple(map(float, x[:3]))
+    check_whole(path, instants)
     ordered = [(t, {b: (kind, [nodes[k] for k in sorted(nodes)])
                     for b, (kind, nodes) in bodies.items()})
                for t, bodies in instants.items()]
     return ordered, label(frames.names[0], frames.units[0])
+
+
+def check_whole(path, instants):
+    """Every instant has the nodes of the first one, and no number is left out."""
+    first = {body: set(nodes) for body, (_, nodes) in next(iter(instants.values()), {}).items()}
+    for time, bodies in instants.items():
+        if {body: set(nodes) for body, (_, nodes) in bodies.items()} != first:
+            raise HalfResult(path, f"nodes are missing at {time:g}")
+    for body, nodes in first.items():
+        if nodes != set(range(len(nodes))):
+            raise HalfResult(path, f"nodes of '{body}' are missing")
 
 
 def read_sections(folder):
@@ -44,7 +56,7 @@ def read_sections(folder):
 
 
 def read_part_lines(folder):
-    """{(time, body): [line, ...]}, each a list of points."""
+    """{(time, body): [line, ...]}, each a list of points (x, y, z, bending along x, y, z)."""
     found = table(folder, "part_lines.csv")
     parts = {}
     for time, body, line, *x in found.rows if found else []:
@@ -53,8 +65,20 @@ def read_part_lines(folder):
     return {key: list(lines.values()) for key, lines in parts.items()}
 
 
-def read_shapes(folder):
-    return Shapes(read_sections(folder), read_part_lines(folder))
+def scaled_parts(parts, scale):
+    """The same with the bending drawn larger: lists of points (x, y, z)."""
+    return {key: [[tuple(x + (scale - 1) * b for x, b in zip(point[:3], point[3:])) for point in line]
+                  for line in lines] for key, lines in parts.items()}
+
+
+def read_shapes(folder, instants):
+    """@param instants as of read_frames"""
+    sections = read_sections(folder)
+    nodes = {body: len(at) for _, bodies in instants[:1] for body, (_, at) in bodies.items()}
+    for body, seen in sections.items():
+        if len(seen) != nodes.get(body, 0) - 1:
+            raise HalfResult(folder / "sections.csv", f"'{body}' has {len(seen)} elements and {nodes.get(body, 0)} nodes")
+    return Shapes(sections, read_part_lines(folder))
 
 
 def draw_mechanism(folder, pictures, _summary):
@@ -63,12 +87,13 @@ def draw_mechanism(folder, pictures, _summary):
     instants, abscissa = read_frames(folder / "frames.csv")
     if not instants:
         return
-    shapes = read_shapes(folder)
+    shapes = read_shapes(folder, instants)
     axes = shown_axes(instants, shapes)
     figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
     ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
     ax.set_anchor("N")  # below the heading; what stays free is cut off
-    scale = 1 if abscissa.startswith("frequency") else bending_scale(instants)
+    scale = 1 if abscissa.startswith("frequency") else bending_scale(instants, shapes.parts)
+    shapes.parts = scaled_parts(shapes.parts, scale)
     shown = few(instants)
     marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
@@ -86,7 +111,7 @@ def few(instants):
 def shown_axes(instants, shapes):
     """Two axes for what lies in a coordinate plane, else all three."""
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
-    points += [x for lines in shapes.parts.values() for line in lines for x in line]
+    points += [x[:3] for lines in shapes.parts.values() for line in lines for x in line]
     spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
     flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
     return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
@@ -115,11 +140,12 @@ def straight_at_rest(instants):
             if len(nodes) > 2 and largest_offset(nodes) <= STRAIGHT * math.dist(nodes[0], nodes[-1])}
 
 
-def bending_scale(instants):
+def bending_scale(instants, parts=None):
     """1, 2, 5, 10, ...: the largest that leaves all bending below VISIBLE of the mechanism."""
     straight = straight_at_rest(instants)
     largest = max((largest_offset(nodes) for _, bodies in instants
                    for body, (_, nodes) in bodies.items() if body in straight), default=0)
+    largest = max([largest] + [math.hypot(*x[3:]) for lines in (parts or {}).values() for line in lines for x in line])
     points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
     size = math.dist(*extremes(points))
     if largest <= 1e-9 * size:
@@ -151,7 +177,7 @@ class Shapes:
             fill_lines(ax, axes, lines, colour)
             return True
         seen = self.sections.get(body, [])
-        if not seen or len(seen) != len(nodes) - 1 or len(axes) != 2:
+        if not seen or len(axes) != 2:
             return False
         hidden = ({0, 1, 2} - set(axes)).pop()
         thickness = [element[hidden] for element in seen]

@@ -1,6 +1,7 @@
 """CSV tables of a results folder, by columns."""
 
 import csv
+import io
 import math
 import re
 
@@ -9,14 +10,27 @@ class NothingToDraw(Exception):
     """The folder does not hold what a picture needs; the text says what."""
 
 
+class HalfResult(NothingToDraw):
+    """A file of the folder is not whole; the text says which and where."""
+
+    def __init__(self, path, what):
+        super().__init__(f"{path} is not whole: {what}; run it again")
+
+
 class Table:
     """A CSV file by columns: `names` and `units` from headings like `bend [m]`."""
 
     def __init__(self, path):
         with open(path, newline="", encoding="utf-8", errors="replace") as file:
-            rows = [row for row in csv.reader(file) if row]
+            text = file.read()
+        rows = [row for row in csv.reader(io.StringIO(text, newline="")) if row]
         if not rows:
             raise NothingToDraw(f"{path} is empty")
+        if not text.endswith("\n"):
+            raise HalfResult(path, f"it ends within line {len(rows)}")
+        for n, row in enumerate(rows):
+            if len(row) != len(rows[0]):
+                raise HalfResult(path, f"row {n} has {len(row)} cells, the heading {len(rows[0])}")
         parts = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", heading) for heading in rows[0]]
         self.names = [part.group(1) for part in parts]
         self.units = [part.group(2) or "" for part in parts]

@@ -6,7 +6,8 @@
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
-#include "apps/output/versions.hpp"
+#include "apps/output/result_summary.hpp"
+#include "apps/report/loads.hpp"
 #include "apps/report/motion.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/series.hpp"
@@ -15,24 +16,6 @@ namespace fs = std::filesystem;
 
 namespace liesl::report {
 namespace {
-
-Json read_summary(const fs::path& folder) {
-  const fs::path path = folder / "summary.json";
-  if (!fs::is_directory(folder))
-    throw output::IoError("report", folder,
-                          fs::exists(folder) ? "it is a file; name the folder of a result"
-                                             : "there is no such folder");
-  if (!fs::exists(path))
-    throw output::IoError("report", folder, "it holds no result of liesl (no summary.json)");
-  Json summary = Json::parse(output::read_file(path), nullptr, false);
-  if (!summary.is_object() || !summary.contains("versions") ||
-      !summary["versions"].contains("liesl"))
-    throw output::IoError("report", path, "it is not of liesl, or not whole");
-  const Json& version = summary["versions"]["liesl"];
-  if (version != output::versions().front().second)
-    throw output::IoError("report", path, "it is of liesl " + version.dump() + "; run it again");
-  return summary;
-}
 
 /// A result that lacks a file which liesl wrote in it is half a result.
 void check_whole(const fs::path& folder, const Json& summary) {
@@ -56,7 +39,7 @@ Json reported_cases(const fs::path& folder) {
 
 std::string page_of(const fs::path& folder, const std::string& name) {
   Blob blob;
-  const Json summary = read_summary(folder);
+  const Json summary = output::read_summary(folder, "report");
   check_whole(folder, summary);
   Json data = {{"folder", name}, {"summary", summary}};
   try {
@@ -65,6 +48,10 @@ std::string page_of(const fs::path& folder, const std::string& name) {
     data["charts"] = charts(folder, summary, blob);
     data["sized"] = sized_elements(folder);
     data["outlines"] = outlines(folder, blob);
+    data["loads"] = cycle_loads(folder, blob);
+    for (const char* table : {"map", "path"})
+      if (const fs::path file = folder / (std::string(table) + ".csv"); fs::exists(file))
+        data[table] = cases(file);
     for (const char* table : {"results.csv", "rows.csv"})
       if (fs::exists(folder / table)) data["cases"] = cases(folder / table);
     if (fs::exists(folder / "cases")) data["reported"] = reported_cases(folder);

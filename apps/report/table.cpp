@@ -50,6 +50,8 @@ const Table::Column* Table::column(const std::string& name) const {
 
 Table read_table(const std::filesystem::path& path) {
   const std::string text = output::read_file(path);
+  if (text.empty() || text.back() != '\n')
+    throw output::IoError("read", path, "it ends within a line: half a result; run it again");
   Table table;
   std::size_t at = 0;
   for (const std::string& cell : line(text, at)) table.columns.push_back(heading(cell));

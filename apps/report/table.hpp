@@ -22,7 +22,7 @@ struct Table {
   const Column* column(const std::string& name) const;
 };
 
-/// @throws output::IoError for a file that is no table
+/// @throws output::IoError for a file that is no table, or ends within a line
 Table read_table(const std::filesystem::path& path);
 
 /// NaN where a cell is no number.

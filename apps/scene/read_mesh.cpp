@@ -6,6 +6,7 @@
 #include "apps/input/document.hpp"
 #include "apps/mesh/abaqus_mesh.hpp"
 #include "apps/mesh/gmsh_mesh.hpp"
+#include "apps/output/file.hpp"
 #include "apps/scene/part_reader.hpp"
 
 namespace liesl {
@@ -42,6 +43,7 @@ NamedFile load_beside(PartReader& part, const toml::node& name, const std::strin
       given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;
   NamedFile file{path.lexically_normal().string(), load_text(path, expected)};
   part.reader.scene.input += file.text;
+  part.reader.scene.files.push_back({file.path, output::sha256(file.text)});
   return file;
 }
 

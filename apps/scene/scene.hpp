@@ -11,6 +11,12 @@
 
 namespace liesl {
 
+/// A file that a scene names: a mesh, matrices.
+struct NamedInput {
+  std::string path;    ///< as the scene names it, from where the program runs
+  std::string sha256;  ///< of its bytes
+};
+
 struct Scene {
   Mechanism mechanism;
   SimulationOptions simulation;
@@ -18,6 +24,7 @@ struct Scene {
   std::vector<std::string> warnings;  ///< what is accepted but looks like a mistake
   std::string file;                   ///< where it was read
   std::string input;                  ///< the file's text and the overrides, for the input's hash
+  std::vector<NamedInput> files;      ///< that it names; their texts are in `input`, too
 };
 
 }  // namespace liesl

@@ -233,6 +233,7 @@ Study read_document(Document document, const fs::path& folder,
   study.input = document.text + study.scene.input;
   for (const std::string& text : overrides) study.input += "\n--set " + text;
   study.resumable = without_ends(document.root) + content(first.root);
+  for (const NamedInput& file : study.scene.files) study.resumable += file.sha256;
   for (std::size_t s = 1; s < scenarios.size(); ++s)
     study.resumable += content(scenarios[s].scene.root);
   read_scenarios(scenarios, problems, study);

@@ -260,6 +260,7 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
   study.scene.mechanism = rounds.last.mechanism;
   const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
   describe_cycles(out.summary, {rounds.before, end.history}, SolidResponse::Mass);
+  out.loads = loads_of_cycles({rounds.before, end.history}, study);
   describe_result(out.summary, study, *design, end);
   describe_catalogue(out.summary, rounds.catalogue);
   for (auto& figure : out.summary.design)

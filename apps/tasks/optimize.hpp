@@ -8,6 +8,7 @@
 #include "apps/output/summary.hpp"
 #include "apps/scene/space.hpp"
 #include "apps/study/study.hpp"
+#include "apps/tasks/cycle_loads.hpp"
 #include "apps/tasks/holes.hpp"
 #include "apps/tasks/part_fields.hpp"
 #include "optim/cycle/topology_cycle.hpp"
@@ -31,7 +32,8 @@ struct OptimizeOutcome {
   std::vector<output::DesignRow> design;     ///< of beam sections
   Mechanism mechanism;                       ///< at the final design, of a motion
   std::vector<PartOutcome> parts;
-  std::optional<Holes> holes;  ///< of studies of outlines
+  std::vector<LoadsOfCycle> loads;  ///< of a motion, in the order of the cycles
+  std::optional<Holes> holes;       ///< of studies of outlines
 };
 
 /// Called while a task runs. The summary of an unfinished task has the status "running".

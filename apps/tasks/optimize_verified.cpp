@@ -52,6 +52,7 @@ void join_summary(const output::OptimizeSummary& first, output::OptimizeSummary&
 void join_outcome(const OptimizeOutcome& first, OptimizeOutcome& last) {
   join_summary(first.summary, last.summary);
   if (!first.initial.empty()) last.initial = first.initial;
+  last.loads = joined_loads(first.loads, last.loads, first.summary.history.size());
   for (auto& row : last.design)
     for (const auto& figure : last.summary.design)
       if (figure.name == row.variable) row.initial = figure.initial;

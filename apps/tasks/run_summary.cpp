@@ -16,6 +16,7 @@ void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace
   summary.space_reason = space.reason;
   summary.input_sha256 = output::sha256(scene.input);
   summary.warnings = scene.warnings;
+  for (const NamedInput& file : scene.files) summary.more["files"][file.path] = file.sha256;
 }
 
 namespace {

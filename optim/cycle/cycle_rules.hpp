@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "optim/cycle/cycle_loads.hpp"
 #include "optim/cycle/simulation_effort.hpp"
 #include "optim/nlp/problem.hpp"
 #include "optim/nlp/result.hpp"
@@ -41,11 +42,12 @@ struct Cycle {
   std::string worst_constraint;
   std::string worst_at;  ///< "t = 0.1 s", a load case; empty: everywhere
   std::optional<double>
-      load_change;               ///< against the cycle before, if its records have the same times
-  int load_cases = 0;            ///< retained by the screening
-  int iterations = 0;            ///< of the optimiser
-  double move = 0;               ///< move limit of the answer
-  Eigen::VectorXd lower, upper;  ///< bounds of the answer, from the move limit and the study
+      load_change;                ///< against the cycle before, if its records have the same times
+  int load_cases = 0;             ///< retained by the screening
+  std::vector<CycleLoads> loads;  ///< of the simulated design, the few that tell most
+  int iterations = 0;             ///< of the optimiser
+  double move = 0;                ///< move limit of the answer
+  Eigen::VectorXd lower, upper;   ///< bounds of the answer, from the move limit and the study
   /// What a change of each variable is measured by; empty: all by the size of the design.
   Eigen::VectorXd unit;
   double seconds = 0;

@@ -39,6 +39,7 @@ Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
   c.worst = analysis->worst;
   c.worst_constraint = analysis->worst_constraint;
   c.worst_at = analysis->worst_at;
+  c.loads = analysis->loads;
   if (last_) c.load_change = model_.load_change(*analysis, *last_);
   c.unit = model_.unit(x);
   c.effort = model_.effort();

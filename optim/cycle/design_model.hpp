@@ -9,6 +9,7 @@
 
 #include "mbs/solvers/report.hpp"
 #include "optim/cycle/corrected_problem.hpp"
+#include "optim/cycle/cycle_loads.hpp"
 #include "optim/cycle/dynamic_optimality.hpp"
 #include "optim/cycle/simulation_effort.hpp"
 
@@ -19,12 +20,13 @@ struct DesignAnalysis {
   virtual ~DesignAnalysis() = default;
 
   SolveStatus status = SolveStatus::Converged;
-  std::string reason;            ///< why it is not good
-  double objective = 0;          ///< unit of the study's objective
-  double mass = 0;               ///< kg
-  double worst = -1;             ///< largest |r|/limit - 1 over all records and limits
-  std::string worst_constraint;  ///< its name
-  std::string worst_at;          ///< where: "t = 0.1 s", a load case; empty: everywhere
+  std::string reason;             ///< why it is not good
+  double objective = 0;           ///< unit of the study's objective
+  double mass = 0;                ///< kg
+  double worst = -1;              ///< largest |r|/limit - 1 over all records and limits
+  std::string worst_constraint;   ///< its name
+  std::string worst_at;           ///< where: "t = 0.1 s", a load case; empty: everywhere
+  std::vector<CycleLoads> loads;  ///< of a motion, the few that tell most
 
   /// The same without what only the next designs need: motions.
   virtual std::shared_ptr<DesignAnalysis> figures() const = 0;

@@ -9,6 +9,7 @@
 #include <mutex>
 
 #include "optim/cycle/motion_rows.hpp"
+#include "optim/cycle/screened_loads.hpp"
 #include "optim/cycle/treatment.hpp"
 #include "optim/study/study_errors.hpp"
 
@@ -146,6 +147,8 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a, const VectorXd& x) const {
       a.reason = run.reason();
       if (!study_.scenarios.empty()) a.reason += " (" + study_.scenarios[s] + ")";
     }
+    for (CycleLoads& part : screened_loads(run, static_cast<int>(s)))
+      a.loads.push_back(std::move(part));
     a.limits.push_back({run.times(), run.limits, run.frequencies, run.masses});
     if (run.good() && !study_.part_limits.empty()) judge_parts(a, s, x);
     if (run.worst <= a.worst) continue;

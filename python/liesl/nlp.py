@@ -338,8 +338,11 @@ def minimize(nlp: Nlp, tolerance: float = 1e-6, feasibility: float = 1e-6,
     `tolerance`: of the scaled optimality conditions; `feasibility`: allowed scaled violation. Points
     without a value (NaN) shorten the step. Calls of one process wait for each other.
     Raises InputError for shapes that do not fit and derivatives that are no numbers, and whatever
-    the functions raise.
+    the functions raise; TypeError for what is no program.
     """
+    if not isinstance(nlp, Nlp):
+        raise TypeError(f"minimize takes a program, not {nlp!r} of type {type(nlp).__name__}: "
+                        "liesl.Nlp(...) of functions, or study.nlp()")
     for name, value in (("tolerance", tolerance), ("feasibility", feasibility)):
         if not 0 < value < 1:
             raise InputError(f"{name} is {value}; expected a number in (0, 1)")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import csv
+import io
 import json
 import os
 import tempfile
@@ -291,10 +292,12 @@ class FolderResult(Result):
 
 def _table(path: Path) -> dict[str, np.ndarray]:
     try:
-        with path.open(newline="", encoding="utf-8") as file:
-            rows = list(csv.reader(file))
+        text = path.read_text(encoding="utf-8")
+        rows = list(csv.reader(io.StringIO(text, newline="")))
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise IoError(f"cannot read '{path}': {error}", str(path)) from None
+    if not text.endswith("\n"):
+        raise IoError(f"cannot read '{path}': it ends within a line; run it again", str(path))
     names, rows = (rows[0], rows[1:]) if rows else ([], [])
     if any(len(row) != len(names) for row in rows):
         raise IoError(f"cannot read '{path}': its rows have different lengths", str(path))

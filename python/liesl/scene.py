@@ -8,7 +8,6 @@ from pathlib import Path
 from typing import Any, Mapping, Sequence
 
 from . import _liesl, toml_text
-from .errors import InputError, IoError
 from .result import Result
 
 PathLike = str | os.PathLike
@@ -33,12 +32,10 @@ class Scene:
 
     @classmethod
     def load(cls, path: PathLike, changes: Mapping[str, Any] | None = None) -> Scene:
-        """Reads a TOML file. Raises InputError with file, line and column of all problems."""
+        """Reads a TOML file. Raises InputError with file, line and column of all problems, IoError
+        if there is no such file."""
         file = os.path.abspath(path)
-        try:
-            text = _liesl.read_file(file)
-        except IoError as error:
-            raise InputError(str(error)) from None
+        text = _liesl.read_file(file)
         return cls._made(text, file, tuple(toml_text.changes(changes or {})))
 
     def change(self, values: Mapping[str, Any]) -> Scene:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _liesl, toml_text
-from .errors import InputError, IoError, NotConverged, Problem
+from .errors import InputError, NotConverged, Problem
 from .nlp import Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize
 from .result import Result
 
@@ -106,12 +106,10 @@ class Study:
 
     @classmethod
     def load(cls, path: str | os.PathLike, changes: Mapping[str, Any] | None = None) -> Study:
-        """Reads a TOML file and its scene. Raises InputError with all problems of both."""
+        """Reads a TOML file and its scene. Raises InputError with all problems of both, IoError if
+        there is no such file."""
         file = os.path.abspath(path)
-        try:
-            text = _liesl.read_file(file)
-        except IoError as error:
-            raise InputError(str(error)) from None
+        text = _liesl.read_file(file)
         return cls(text, file, os.path.dirname(file), tuple(toml_text.changes(changes or {})))
 
     def change(self, values: Mapping[str, Any]) -> Study:

@@ -9,6 +9,7 @@ import numpy as np
 from .errors import InputError, Problem
 
 _EXPECTED = "a number, text, True or False, list, array or dict"
+_DEEPEST = 50  # levels of lists and dicts; the keys of a scene need six
 
 
 def _text(value: str) -> str:
@@ -25,7 +26,8 @@ def _number(value: int | float) -> str:
     return repr(value) if abs(value) != float("inf") else ("inf" if value > 0 else "-inf")
 
 
-def _value(value: Any, path: str, problems: list[Problem]) -> str:
+def _value(value: Any, path: str, problems: list[Problem], above: tuple[int, ...] = ()) -> str:
+    """@param above: ids of the lists and dicts that hold it"""
     if isinstance(value, (np.ndarray, np.generic)):
         value = value.tolist()
     if isinstance(value, bool):
@@ -34,12 +36,20 @@ def _value(value: Any, path: str, problems: list[Problem]) -> str:
         return _number(value)
     if isinstance(value, str):
         return _text(value)
+    if isinstance(value, (list, tuple, Mapping)):
+        if id(value) in above:
+            problems.append(Problem(f"'{path}' holds itself", _EXPECTED))
+            return "0"
+        if len(above) >= _DEEPEST:
+            problems.append(Problem(f"'{path[:60]}...' lies in more than {_DEEPEST} lists and dicts", _EXPECTED))
+            return "0"
+        above += (id(value),)
     if isinstance(value, (list, tuple)):
-        return "[" + ", ".join(_value(v, f"{path}.{i}", problems)
-                               for i, v in enumerate(value)) + "]"
+        return "[" + ", ".join([_value(v, f"{path}.{i}", problems, above)
+                                for i, v in enumerate(value)]) + "]"
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_key(k, path, problems)} = {_value(v, _join(path, k), problems)}"
-                               for k, v in value.items()) + "}"
+        return "{" + ", ".join([f"{_key(k, path, problems)} = {_value(v, _join(path, k), problems, above)}"
+                                for k, v in value.items()]) + "}"
     problems.append(Problem(f"'{path}' is of type {type(value).__name__}", _EXPECTED))
     return "0"
 
@@ -66,12 +76,14 @@ def document(data: Mapping[str, Any]) -> str:
                          "scene")
     problems: list[Problem] = []
     lines = []
+    above = (id(data),)
     for key, value in data.items():
-        if not isinstance(value, Mapping):
-            lines.insert(0, f"{_key(key, '', problems)} = {_value(value, str(key), problems)}")
+        if not isinstance(value, Mapping) or value is data:
+            lines.insert(0, f"{_key(key, '', problems)} = {_value(value, str(key), problems, above)}")
             continue
         lines.append(f"\n[{_key(key, '', problems)}]")
-        lines += [f"{_key(k, str(key), problems)} = {_value(v, _join(str(key), k), problems)}"
+        inside = (*above, id(value))
+        lines += [f"{_key(k, str(key), problems)} = {_value(v, _join(str(key), k), problems, inside)}"
                   for k, v in value.items()]
     if problems:
         raise InputError(problems)

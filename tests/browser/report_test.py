@@ -48,6 +48,8 @@ elements = [4, 8]
 step = [4e-4, 2e-4]
 """
 
+MAP = ["--over", "rod_diameters[0]=0.007:0.014,rod_diameters[1]=0.007:0.014", "--points", "5"]
+
 HASH = """const c = document.querySelector('.stage canvas');
 const d = c.toDataURL(); let h = 0;
 for (let i = 0; i < d.length; ++i) h = (31 * h + d.charCodeAt(i)) | 0; return h;"""
@@ -136,6 +138,57 @@ class Pages(unittest.TestCase):
             self.slide(name, value)
             seen.append(self.picture())
         self.assertEqual(len(set(seen)), len(seen), "each change shows")
+
+    def test_loads_of_each_cycle_are_arrows(self):
+        self.show(rod(), name="rod_loads")
+        arrows = lambda: int(self.browser.run("return document.querySelector('.stage canvas').dataset.arrows ?? 0"))  # noqa: E731
+        largest = "return document.querySelector('#loads tbody tr').children[2].textContent"
+        press = "document.querySelectorAll('.loads button')[0].click()"
+        self.assertEqual(arrows(), 0)
+        last, plain = self.browser.run(largest), self.picture()
+        self.browser.run(press)
+        drawn = self.picture()
+        self.assertGreater(arrows(), 2)
+        self.assertNotEqual(drawn, plain)
+        self.assertEqual(self.browser.run("return document.querySelectorAll('.loads button[aria-pressed=true]').length"), 1)
+        if os.environ.get("LIESL_PICTURES"):
+            self.browser.picture(Path(os.environ["LIESL_PICTURES"]) / "rod_arrows.png")
+            self.browser.run("document.querySelector('.loads').scrollIntoView()")
+            self.browser.frames()
+            self.browser.picture(Path(os.environ["LIESL_PICTURES"]) / "rod_cycles.png")
+        self.slide("cycle", 0)
+        self.assertNotEqual(self.browser.run(largest), last, "the first cycle has other loads")
+        self.assertGreater(arrows(), 2, "and its arrows are shown")
+        self.assertNotEqual(self.picture(), drawn)
+        self.slide("time", 0.01)
+        self.assertEqual(arrows(), 0, "arrows belong to their instant")
+
+    def test_map_has_contours_and_tells_its_values(self):
+        folder = FOLDER / "map"
+        done = liesl("map", str(DATA / "studies/slider_crank_rod.toml"), *MAP, "--path", str(rod()), "-o", str(folder), "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        self.show(folder)
+        colours = """const c = document.querySelector('canvas.map'), d = c.getContext('2d').getImageData(0, 0, c.width, c.height).data, seen = new Set();
+            for (let i = 0; i < d.length; i += 4) seen.add((d[i] << 16) | (d[i + 1] << 8) | d[i + 2]); return seen.size;"""
+        self.assertGreater(self.browser.run(colours), 12, "bands of colour")
+        picture = "return document.querySelector('canvas.map').toDataURL()"
+        seen = [self.browser.run(picture)]
+        names = self.browser.run("return [...document.getElementById('map-of').options].map((o) => o.value)")
+        self.assertGreater(len(names), 1)
+        self.slide("map-of", names[1])
+        seen.append(self.browser.run(picture))
+        self.browser.run("document.getElementById('map-local').click()")
+        seen.append(self.browser.run(picture))
+        self.assertEqual(len(set(seen)), 3, "quantity and local model")
+        tell = """const c = document.querySelector('canvas.map'), r = c.getBoundingClientRect();
+            c.dispatchEvent(new MouseEvent('mousemove', { clientX: r.x + arguments[0] * r.width, clientY: r.y + 0.5 * r.height, bubbles: true }));
+            const t = document.querySelector('.tip'); return t.hidden ? '' : t.textContent;"""
+        told = self.browser.run(tell, 0.5)
+        for name in names:
+            self.assertIn(name, told)
+        self.assertNotEqual(self.browser.run(tell, 0.7), told)
+        self.assertEqual(self.browser.run(tell, 0.005), "", "nothing beside the map")
 
     def test_cursor_follows_the_instant_and_the_click(self):
         self.show(rod())
@@ -297,6 +350,23 @@ class Pages(unittest.TestCase):
         self.browser.run("document.querySelector('#cases tbody tr').click()")
         self.browser.wait(lambda: "/cases/" in self.browser.run("return location.href"), "the case")
         self.browser.wait(lambda: self.browser.run("return document.documentElement.dataset.ready"), "its page")
+
+    def test_a_case_without_a_page_says_how_to_get_it(self):
+        file = FOLDER / "unpaged.toml"
+        file.write_text(f'name = "two"\nscene = "{DATA}/scenes/pendulum.toml"\n'
+                        '[grid]\nduration = { key = "simulation.duration", values = [0.01, 0.02] }\n')
+        folder = FOLDER / "unpaged"
+        self.assertEqual(liesl("batch", str(file), "-o", str(folder), "--quiet", "--no-report").returncode, 0)
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        self.show(folder)
+        self.browser.run("document.querySelector('#cases tbody tr').click()")
+        self.assertIn("liesl report unpaged/cases/1", self.browser.run("return document.getElementById('said').textContent"))
+        self.assertNotIn("/cases/", self.browser.run("return location.href"))
+        self.assertEqual(liesl("report", str(folder / "cases/1")).returncode, 0)
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        self.show(folder)
+        self.browser.run("document.querySelector('#cases tbody tr').click()")
+        self.browser.wait(lambda: "/cases/1/" in self.browser.run("return location.href"), "the case")
 
     def test_comparison_tells_its_points(self):
         file = FOLDER / "compare.toml"

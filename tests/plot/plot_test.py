@@ -50,8 +50,9 @@ def write_shapes(folder):
     write_csv(folder / "sections.csv", ["body", "element", "along x [m]", "along y [m]", "along z [m]"],
               [["crank", e, 0.02, 0.02, 0.02] for e in range(8)] + [["rod", e, 1e-4, 1e-4, 1e-4] for e in range(8)])
     square = lambda h: [(-h, -h), (h, -h), (h, h), (-h, h), (-h, -h)]  # noqa: E731
-    write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", "x [m]", "y [m]", "z [m]"],
-              [[t, "slider", line, 0.4 + x, y, 0] for t in times(13, 0.042)[::3]
+    write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", "x [m]", "y [m]", "z [m]",
+                                          "bending x [m]", "bending y [m]", "bending z [m]"],
+              [[t, "slider", line, 0.4 + x, y, 0, 0, 1e-3 * x, 0] for t in times(13, 0.042)[::3]
                for line, points in ((0, square(0.03)), (1, square(0.01)[::-1])) for x, y in points])
 
 
@@ -330,6 +331,41 @@ class Plot(unittest.TestCase):
     def test_nothing_to_draw(self):
         (self.folder / "summary.json").write_text("{}")
         self.refuses("no table")
+
+    def test_bending_of_parts_and_beams_has_one_scale(self):
+        sys.path.insert(0, str(PLOT.parent))
+        import mechanism as drawn  # noqa: PLC0415
+        write_run(self.folder), write_shapes(self.folder)
+        instants, _ = drawn.read_frames(self.folder / "frames.csv")
+        shapes = drawn.read_shapes(self.folder, instants)
+        beams = drawn.bending_scale(instants)
+        self.assertEqual(drawn.bending_scale(instants, shapes.parts), beams)  # those bend less
+        moved = drawn.scaled_parts(shapes.parts, beams)
+        for key, lines in shapes.parts.items():
+            for line, larger in zip(lines, moved[key]):
+                for (x, y, z, bx, by, bz), at in zip(line, larger):
+                    self.assertAlmostEqual(math.dist(at, (x + (beams - 1) * bx, y + (beams - 1) * by, z)), 0, places=12)
+        bent = {key: [[(*x[:3], 0, 1000 * x[4], 0) for x in line] for line in lines] for key, lines in shapes.parts.items()}
+        self.assertLess(drawn.bending_scale(instants, bent), beams)  # now the part sets it
+        self.assertEqual(plot(self.folder).returncode, 0)
+        self.assertIn(f"bending × {beams:g}", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+
+    def test_half_a_result(self):
+        """A file that was cut off, within a line, after a line, or in the middle."""
+        def cut(name, keep):
+            write_run(self.folder), write_shapes(self.folder)
+            path = self.folder / name
+            path.write_text(keep(path.read_text()))
+        lines = lambda text, n: "".join(text.splitlines(keepends=True)[:n])  # noqa: E731
+        for name in ("frames.csv", "sections.csv"):
+            cut(name, lambda text: text[:-3])
+            self.refuses(name, "not whole", "within line")
+            cut(name, lambda text: lines(text, -4))
+            self.refuses(name, "not whole")
+            cut(name, lambda text: lines(text, 5) + lines(text, 9)[len(lines(text, 7)):] + text[len(lines(text, 9)):])
+            self.refuses(name, "not whole")
+        cut("part_lines.csv", lambda text: lines(text, -1) + "0.1,slider,0,0.3\n")
+        self.refuses("part_lines.csv", "has 4 cells")
 
     def test_broken_files(self):
         (self.folder / "summary.json").write_text("{")

@@ -73,9 +73,12 @@ TEST(PictureWriter, LinesOfAPartAreItsDeformedOutline) {
   const TemporaryFolder folder;
   write_part_lines_csv(folder.path() / "lines.csv", moved_plate());
   const std::string text = read_file(folder.path() / "lines.csv");
-  EXPECT_TRUE(text.starts_with("time [s],body,line,x [m],y [m],z [m]\n0,plate,0,"));
+  EXPECT_TRUE(
+      text.starts_with("time [s],body,line,x [m],y [m],z [m],bending x [m],bending y [m],"
+                       "bending z [m]\n0,plate,0,"));
   // Its right end, at 1.5 of the mesh, goes to y = 1.5 (1 + amplitude).
-  for (const char* corner : {"0,plate,0,5,1.5,0", "0,plate,0,4,1.5,0", "1,plate,0,5,1.8,0"})
+  for (const char* corner :
+       {"0,plate,0,5,1.5,0,0,0,0", "0,plate,0,4,1.5,0,0,0,0", "1,plate,0,5,1.8,0,0,0.3,0"})
     EXPECT_NE(text.find(std::string("\n") + corner + "\n"), std::string::npos) << text;
   EXPECT_EQ(text.find(",plate,1,"), std::string::npos) << "one closed line";
   EXPECT_EQ(text.find(",2,0\n"), std::string::npos) << "nothing where there is no material";

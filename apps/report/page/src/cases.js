@@ -35,7 +35,8 @@ class CaseTable {
       onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, c.name)));
     this.body = el('tbody', {});
     this.note = el('p', { class: 'note', 'aria-live': 'polite' });
-    const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note),
+    this.said = el('p', { class: 'note', id: 'said', 'aria-live': 'polite' });
+    const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said,
       el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
     node.classList.add('wide');
     this.update();
@@ -76,7 +77,7 @@ class CaseTable {
 
   line(row) {
     const opens = this.address(row);
-    return el('tr', { class: opens ? 'opens' : '', onclick: () => this.open(row) }, this.columns.map((c, i) => {
+    return el('tr', { class: opens || !this.compare ? 'opens' : '', onclick: () => this.open(row) }, this.columns.map((c, i) => {
       const text = this.cell(c, row);
       const content = c.name === 'status' ? badge(text) : i === 0 && opens ? el('a', { href: opens }, text) : text;
       return el('td', { class: c.number ? 'n' : 'text', title: c.number ? null : text }, content);
@@ -91,6 +92,9 @@ class CaseTable {
   open(row) {
     const address = this.address(row);
     if (address) location.href = address;
+    if (address || this.compare || !this.said) return;
+    const name = String(this.columns[0].cells[row]);  // batches of many cases have pages where they are asked for
+    this.said.textContent = `Case ${name} has no page yet: "liesl report ${this.data.folder}/cases/${name}" writes it, "liesl report ${this.data.folder}" then links it here.`;
   }
 
   describe(row, names) {

@@ -4,6 +4,7 @@ import { array } from './data.js';
 import { card, el, svg } from './dom.js';
 import { cycleChart } from './charts.js';
 import { Clock } from './clock.js';
+import { loadCases } from './loadcases.js';
 import { percent, quantity } from './format.js';
 
 // Names of section dimensions by shape, in the order of results.h5.
@@ -23,11 +24,13 @@ export function cycles(data, player) {
   const label = el('output', { for: 'cycle' }), figures = el('dl', { class: 'figures' });
   const pictures = data.outlines.map((o) => outlinePicture(o));
   const bars = designBars(s, history);
+  const loads = loadCases(data, player, data.motion?.unit);
   choice.listen(() => {
     const i = Math.round(choice.record()), h = history[i];
     slider.value = i;
     label.textContent = `${choice.word} ${h.cycle} of ${numbers[numbers.length - 1]}`;
     figures.replaceChildren(...figuresOf(h, s));
+    loads?.show(h.cycle);
     bars?.show(h.design);
     for (const picture of pictures) picture.show(h.cycle, i === history.length - 1);
     showSections(data, player, h.design, i === history.length - 1);
@@ -37,9 +40,10 @@ export function cycles(data, player) {
     ? cycleChart(s.objective?.quantity ?? 'objective', s.objective?.unit ?? '', numbers, history.map((h) => h.objective), choice)
     : cycleChart('mass', 'kg', numbers, history.map((h) => h.mass), choice);
   const second = cycleChart('worst limit, above it [%]', '', numbers, history.map((h) => 100 * h.worst_constraint), choice);
+  const forces = loads && numbers.every((n) => loads.known(n)) ? cycleChart('largest load', 'N', numbers, numbers.map((n) => loads.largest(n)), choice) : null;
   const node = card(choice.word === 'step' ? 'Steps' : 'Cycles',
     el('div', { class: 'controls two' }, slider, label),
-    el('div', { class: 'split' }, el('div', {}, first, second), el('div', {}, figures, ...pictures.map((p) => p.node), bars?.node)));
+    el('div', { class: 'split' }, el('div', {}, first, second, forces), el('div', {}, figures, loads?.node, ...pictures.map((p) => p.node), bars?.node)));
   choice.set(numbers[numbers.length - 1]);
   return node;
 }

@@ -6,6 +6,7 @@ import { Clock } from './clock.js';
 import { cycles } from './cycles.js';
 import { array, load } from './data.js';
 import { el, isDark, setTheme } from './dom.js';
+import { maps } from './map.js';
 import { Player } from './player.js';
 import * as tables from './tables.js';
 
@@ -22,7 +23,7 @@ function page() {
   player?.start();
   const timed = player && !player.shapes ? clock : null;
   if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
-  const wide = [cycles(data, player), ...(data.cases ? cases(data) : [])];
+  const wide = [maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
   add(left, tables.limits(s), tables.design(s));
   add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s), tables.gradients(s));
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));

@@ -141,9 +141,14 @@ function axisOf(values, log, from, to) {
       for (const m of wide ? [1] : [1, 2, 5]) if (Math.log10(m) + e >= a - pad && Math.log10(m) + e <= b + pad) ticks.push(m * 10 ** e);
     return { ticks, at: (x) => from + ((Math.log10(x) - a + pad) / (b - a + 2 * pad)) * (to - from) };
   }
-  const pad = 0.06 * (high - low || Math.abs(high) || 1), a = low - pad, b = high + pad, raw = (b - a) / 6;
-  const power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= raw);
+  const pad = 0.06 * (high - low || Math.abs(high) || 1), a = low - pad, b = high + pad;
+  return { ticks: linearTicks(a, b), at: (x) => from + ((x - a) / (b - a)) * (to - from) };
+}
+
+/** About six round values from a to b. */
+export function linearTicks(a, b) {
+  const raw = (b - a) / 6 || 1, power = 10 ** Math.floor(Math.log10(raw)), step = [1, 2, 5, 10].map((k) => k * power).find((k) => k >= raw);
   const ticks = [];
-  for (let t = Math.ceil(a / step); t * step <= b; ++t) ticks.push(t * step);
-  return { ticks, at: (x) => from + ((x - a) / (b - a)) * (to - from) };
+  for (let t = Math.ceil(a / step - 1e-9); t * step <= b + 1e-9 * step; ++t) ticks.push(t * step);
+  return ticks;
 }

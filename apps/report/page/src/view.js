@@ -176,6 +176,7 @@ export class View {
       view.update(scale, colour, plain);
     }
     for (const joint of this.joints) joint.update(this);
+    this.arrows?.update();
   }
 
   /** What a body is coloured by now; null: plain. */

@@ -1,0 +1,15 @@
+#pragma once
+/// @file
+/// summary.json of a results folder, read back.
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace liesl::output {
+
+/// Of a folder that this version of liesl wrote. @param verb what cannot be done without: "report"
+/// @throws IoError for a folder that is none, no result, not whole, or of another version
+nlohmann::ordered_json read_summary(const std::filesystem::path& folder, const std::string& verb);
+
+}  // namespace liesl::output

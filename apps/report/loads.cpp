@@ -1,0 +1,36 @@
+#include "apps/report/loads.hpp"
+
+#include "apps/output/io_error.hpp"
+#include "apps/report/table.hpp"
+
+namespace liesl::report {
+
+Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
+  constexpr std::size_t kTime = 3, kNode = 4, kFirst = 5, kComponents = 6;
+  const std::filesystem::path path = folder / "cycle_loads.csv";
+  Json list = Json::array();
+  if (!std::filesystem::exists(path)) return list;
+  const Table table = read_table(path);
+  if (table.columns.size() != kFirst + kComponents)
+    throw output::IoError("report", path, "it has other columns; run it again");
+  std::vector<std::vector<double>> values;
+  for (const Table::Column& column : table.columns) values.push_back(numbers(column));
+  const auto text = [&](std::size_t c, std::size_t row) { return table.columns[c].cells[row]; };
+  for (std::size_t row = 0; row < table.rows();) {
+    const std::size_t first = row;
+    std::vector<double> load;
+    for (; row < table.rows() && values[kNode][row] == static_cast<double>(row - first); ++row)
+      for (std::size_t c = 0; c < kComponents; ++c) load.push_back(values[kFirst + c][row]);
+    if (row == first)
+      throw output::IoError("report", path, "nodes are missing in it; run it again");
+    list.push_back({{"cycle", values[0][first]},
+                    {"scenario", text(1, first)},
+                    {"body", text(2, first)},
+                    {"at", values[kTime][first]},
+                    {"nodes", row - first},
+                    {"load", blob.f32(load)}});
+  }
+  return list;
+}
+
+}  // namespace liesl::report

@@ -1,0 +1,85 @@
+// The loads of a cycle at one of its instants, as arrows on the parts.
+
+import { ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, Vector3 } from 'three';
+import { array } from './data.js';
+import { surface } from './materials.js';
+
+const kLongest = 0.2;  // arrow of the largest force, of the size of the mechanism
+const kShortest = 0.004;  // below, a force is not drawn
+const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = new Quaternion();
+
+/** Loads of the page's data: [{cycle, scenario, body, at, nodes, load, largest, moment}], N and N m. */
+export function readLoads(list) {
+  return (list ?? []).map((d) => {
+    const load = array(d.load), part = { ...d, load, largest: 0, moment: 0 };
+    for (let k = 0; k < d.nodes; ++k) {
+      part.largest = Math.max(part.largest, Math.hypot(...load.slice(6 * k, 6 * k + 3)));
+      part.moment = Math.max(part.moment, Math.hypot(...load.slice(6 * k + 3, 6 * k + 6)));
+    }
+    return part;
+  });
+}
+
+/** Forces on the nodes of beams and the interfaces of meshed parts; one scale for all cycles. */
+export class LoadArrows {
+  constructor(view, loads) {
+    this.view = view;
+    this.unit = (kLongest * view.size) / Math.max(1e-300, ...loads.map((l) => l.largest));
+    const r = 0.0035 * view.size;
+    this.head = 5 * r;
+    this.material = surface(0xc8453b);
+    this.shaft = new CylinderGeometry(r, r, 1, 8).translate(0, 0.5, 0);
+    this.tip = new ConeGeometry(2.4 * r, this.head, 12).translate(0, 0.5 * this.head, 0);
+    this.mesh = new Group();
+    this.arrows = [];  // [shaft, head], as many as were ever shown
+    view.scene.add(this.mesh);
+    view.arrows = this;
+    this.parts = [];
+  }
+
+  /** @param parts loads of one instant, a part each; [] hides them */
+  show(parts) {
+    this.parts = parts;
+    this.view.set({});
+  }
+
+  update() {
+    let count = 0;
+    for (const part of this.parts) {
+      const body = this.view.byName.get(part.body);
+      if (!body) continue;
+      for (let k = 0; k < part.nodes; ++k) {
+        const node = nodeOf(part, k, body);
+        kF.fromArray(part.load, 6 * k);
+        const length = kF.length() * this.unit;
+        if (length < kShortest * this.view.size) continue;
+        this.view.turn(part.body, body.elements.length ? node : 0, kQ);  // of a meshed part the axes of its mesh
+        kF.applyQuaternion(kQ).normalize();
+        this.view.place(part.body, node, [0, 0, 0], 0, kX);
+        this.put(count++, length);
+      }
+    }
+    for (const [k, arrow] of this.arrows.entries()) for (const mesh of arrow) mesh.visible = k < count;
+    this.view.canvas.dataset.arrows = count;
+  }
+
+  /** Arrow k from kX along kF. */
+  put(k, length) {
+    if (k === this.arrows.length) {
+      this.arrows.push([new Mesh(this.shaft, this.material), new Mesh(this.tip, this.material)]);
+      this.mesh.add(...this.arrows[k]);
+    }
+    const [shaft, head] = this.arrows[k], straight = Math.max(length - this.head, 0.1 * length), size = Math.min(1, length / this.head);
+    shaft.quaternion.setFromUnitVectors(kUp, kF);
+    head.quaternion.copy(shaft.quaternion);
+    shaft.position.copy(kX);
+    shaft.scale.set(1, straight, 1);
+    head.position.copy(kX).addScaledVector(kF, straight);
+    head.scale.setScalar(size);
+  }
+}
+
+/** Node of the final model: a refined one has more, at the same places. */
+function nodeOf(part, k, body) {
+  return part.nodes === body.nodes || !body.elements.length ? k : Math.round((k * (body.nodes - 1)) / (part.nodes - 1 || 1));
+}

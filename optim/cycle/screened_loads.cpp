@@ -1,0 +1,88 @@
+#include "optim/cycle/screened_loads.hpp"
+
+#include <algorithm>
+
+#include "mbs/solids/solid_model.hpp"
+#include "mbs/system/spatial_view.hpp"
+#include "optim/cycle/treatment.hpp"
+
+namespace liesl {
+namespace {
+
+using Load = CycleLoads::Load;
+
+/// The loads of a beam at record n.
+template <FrameGroup G>
+Load beam_load(const SpatialView<G>& view, const LoadSet& set, int n) {
+  Load load(6, set.f.rows() / G::dim);
+  for (Eigen::Index k = 0; k < load.cols(); ++k)
+    load.col(k) = view.local(set.f.col(n).template segment<G::dim>(G::dim * k), set.body,
+                             static_cast<int>(k));
+  return load;
+}
+
+/// The loads on the interfaces of a meshed part at record n.
+Load part_load(const SolidModel& model, const SolidLoadSet& set, int n) {
+  const Eigen::VectorXd f = set.load(n);
+  const int dim = model.mesh().dim, turns = model.rigid_count() - dim;
+  Load load = Load::Zero(6, model.ports());
+  for (int k = 0; k < model.ports(); ++k) {
+    load.col(k).head(dim) = f.segment(model.port(k), dim);
+    load.col(k).tail(turns) = f.segment(model.port(k) + dim, turns);
+  }
+  return load;
+}
+
+/// The largest of the maxima over time; none if there is no load at all.
+std::vector<int> kept_records(const std::vector<double>& sizes) {
+  if (sizes.empty() || !(*std::max_element(sizes.begin(), sizes.end()) > 0)) return {};
+  const std::set<int> maxima = treated_records(Treatment::Maxima, sizes);
+  std::vector<int> kept(maxima.begin(), maxima.end());
+  std::stable_sort(kept.begin(), kept.end(),
+                   [&](int a, int b) { return sizes[std::size_t(a)] > sizes[std::size_t(b)]; });
+  kept.resize(std::min(kept.size(), kKeptLoads));
+  std::sort(kept.begin(), kept.end());
+  return kept;
+}
+
+/// @param load_at record -> loads
+template <class LoadAt>
+void add_part(int body, int scenario, const std::vector<double>& times, double length,
+              const LoadAt& load_at, std::vector<CycleLoads>& out) {
+  std::vector<double> sizes;
+  for (std::size_t n = 0; n < times.size(); ++n) {
+    const Load load = load_at(static_cast<int>(n));
+    sizes.push_back(std::hypot(load.topRows<3>().norm(), load.bottomRows<3>().norm() / length));
+  }
+  CycleLoads part{body, scenario, {}, {}};
+  for (const int n : kept_records(sizes)) {
+    part.times.push_back(times[std::size_t(n)]);
+    part.loads.push_back(load_at(n));
+  }
+  if (!part.times.empty()) out.push_back(std::move(part));
+}
+
+}  // namespace
+
+template <FrameGroup G>
+std::vector<CycleLoads> screened_loads(const DesignRun<G>& run, int scenario) {
+  std::vector<CycleLoads> out;
+  if (!run.good()) return out;
+  const SpatialView<G> view(run.mechanism, *run.model);
+  for (const LoadSet& set : run.loads)
+    add_part(
+        set.body, scenario, set.t, run.model->length,
+        [&](int n) { return beam_load<G>(view, set, n); }, out);
+  for (const SolidLoadSet& set : run.solid_loads) {
+    const auto& spec = std::get<SolidSpec>(run.mechanism.bodies[std::size_t(set.body)].kind);
+    add_part(
+        set.body, scenario, set.t, run.model->length,
+        [&](int n) { return part_load(*spec.model, set, n); }, out);
+  }
+  return out;
+}
+
+template std::vector<CycleLoads> screened_loads(const DesignRun<SE2>&, int);
+template std::vector<CycleLoads> screened_loads(const DesignRun<SE3>&, int);
+
+}  // namespace liesl

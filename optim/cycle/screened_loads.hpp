@@ -1,0 +1,22 @@
+#pragma once
+/// @file
+/// Few of the loads of a motion, to be kept with its cycle.
+
+#include "optim/cycle/cycle_loads.hpp"
+#include "optim/cycle/design_run.hpp"
+
+namespace liesl {
+
+/// Instants of a part that are kept at most.
+inline constexpr std::size_t kKeptLoads = 3;
+
+/// Of each part with loads the records where their size has a maximum over time above half of its
+/// largest (Treatment::Maxima), the largest kKeptLoads of them. The size is the norm over the
+/// points, moments divided by the length of the mechanism. Parts without loads are left out.
+template <FrameGroup G>
+std::vector<CycleLoads> screened_loads(const DesignRun<G>& run, int scenario);
+
+extern template std::vector<CycleLoads> screened_loads(const DesignRun<SE2>&, int);
+extern template std::vector<CycleLoads> screened_loads(const DesignRun<SE3>&, int);
+
+}  // namespace liesl

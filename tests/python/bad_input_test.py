@@ -1,0 +1,178 @@
+"""Every line of bad input is a clear error: of which kind, with which place, and nothing is written."""
+
+import json
+
+import numpy as np
+import pytest
+
+import liesl
+
+TETRAHEDRON = """*NODE
+1, 0, 0, 0
+2, 1, 0, 0
+3, 0, 1, 0
+4, 0, 0, 1
+*ELEMENT, TYPE=C3D4
+1, {cell}
+*NSET, NSET=foot
+1, 2, 3
+*NSET, NSET=head
+4
+"""
+
+
+def with_mesh(folder, cell="1, 2, 3, 4", interface="foot"):
+    """A scene of one tetrahedron from a file."""
+    (folder / "part.inp").write_text(TETRAHEDRON.format(cell=cell))
+    return {
+        "name": "part",
+        "materials": {"steel": {"E": 210e9, "nu": 0.3, "rho": 7850}},
+        "bodies": {"part": {"solid": {"material": "steel", "mesh": {"file": str(folder / "part.inp")},
+                                      "interfaces": {"foot": {"set": interface}}}}},
+        "simulation": {"duration": 0.01, "step": 1e-3},
+    }
+
+
+def test_files_that_are_not_there(tmp_path):
+    for load in (liesl.Scene.load, liesl.Study.load):
+        with pytest.raises(liesl.IoError, match="missing.toml") as error:
+            load(tmp_path / "missing.toml")
+        assert isinstance(error.value, OSError) and error.value.path.endswith("missing.toml")
+        with pytest.raises(liesl.IoError):
+            load(tmp_path)  # a folder
+
+
+@pytest.mark.parametrize("make", [
+    lambda p: None,
+    lambda p: p.mkdir(),
+    lambda p: (p.mkdir(), (p / "summary.json").write_text('{"of": "another program"}')),
+])
+def test_a_folder_that_is_no_result(tmp_path, make):
+    make(tmp_path / "x")
+    before = sorted(tmp_path.rglob("*"))
+    with pytest.raises(liesl.IoError, match="x"):
+        liesl.open(tmp_path / "x")
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_half_a_result(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    results = tmp_path / "out/results.h5"
+    whole = results.read_bytes()
+    results.write_bytes(whole[: len(whole) // 2])
+    with pytest.raises(liesl.IoError, match="results.h5"):
+        liesl.open(tmp_path / "out")["time"]
+    results.unlink()
+    with pytest.raises(liesl.IoError, match="results.h5 is not there"):
+        liesl.open(tmp_path / "out")
+
+
+def test_a_table_that_was_cut_off(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    table = tmp_path / "out/responses.csv"
+    table.write_text(table.read_text()[:-5])
+    with pytest.raises(liesl.IoError, match="responses.csv"):
+        liesl.open(tmp_path / "out").tables
+    with pytest.raises(liesl.IoError, match="ends within a line"):
+        liesl.open(tmp_path / "out").report(tmp_path / "page.html")
+    assert not (tmp_path / "page.html").exists()
+
+
+def test_a_foreign_or_old_version(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    summary = tmp_path / "out/summary.json"
+    data = json.loads(summary.read_text())
+    for version in ("0.0.9", "99.0.0", None):
+        data["versions"]["liesl"] = version
+        summary.write_text(json.dumps(data))
+        with pytest.raises(liesl.IoError, match=f"of liesl {version}"):
+            liesl.open(tmp_path / "out")
+
+
+def test_nan_in_a_gradient(rod):
+    def objective(at):
+        y = at["responses/bending"]
+        return float((y ** 2).mean()), {"bending": np.full_like(y, np.nan)}
+    with pytest.raises(liesl.InputError, match="objective"):
+        rod.nlp(objective=objective).gradient(rod.x0)
+    nlp = liesl.Nlp([("x", -1, 1, 0.5)], lambda x: x[0] ** 2, lambda x: [np.nan])
+    with pytest.raises(liesl.InputError, match="by 'x' is nan"):
+        liesl.minimize(nlp)
+
+
+@pytest.mark.parametrize("key, value, place", [
+    ("gravity", "down", "gravity"),
+    ("gravity", [0, "one", 0], "gravity"),
+    ("simulation", 3, "simulation"),
+    ("simulation", {"duration": "long", "step": 1e-3}, "simulation.duration"),
+    ("bodies", [], "bodies"),
+    ("name", None, "name"),
+])
+def test_a_scene_dict_of_wrong_types(pendulum, key, value, place):
+    pendulum[key] = value
+    with pytest.raises(liesl.InputError, match=place):
+        liesl.Scene(pendulum)
+
+
+def test_what_holds_itself(pendulum):
+    whole = dict(pendulum)
+    whole["bodies"] = whole
+    with pytest.raises(liesl.InputError, match="'bodies' holds itself"):
+        liesl.Scene(whole)
+    beam = pendulum["bodies"]["rod"]["beam"]
+    beam["beam"] = beam
+    with pytest.raises(liesl.InputError, match="'bodies.rod.beam.beam' holds itself"):
+        liesl.Scene(pendulum)
+    del beam["beam"]
+    ring = [1, 0]
+    ring.append(ring)
+    pendulum["bodies"]["rod"]["beam"]["to"] = ring
+    with pytest.raises(liesl.InputError, match="'bodies.rod.beam.to.2' holds itself"):
+        liesl.Scene(pendulum)
+    beam["to"] = [1, 0, 0]
+    with pytest.raises(liesl.InputError, match="holds itself"):
+        liesl.Scene(pendulum).change({"gravity": ring})
+    deep = []
+    for _ in range(5000):
+        deep = [deep]
+    with pytest.raises(liesl.InputError, match="50 lists"):
+        liesl.Scene({**pendulum, "gravity": deep})
+
+
+def test_one_list_in_two_places_is_fine(pendulum):
+    point = [1, 0, 0]
+    pendulum["bodies"]["rod"]["beam"]["to"] = point
+    pendulum["loads"] = {"push": {"at": "rod.end", "force": point}}
+    assert liesl.Scene(pendulum).run().status == "done"
+
+
+def test_arrays_of_any_layout(pendulum, rod):
+    pendulum["bodies"]["rod"]["beam"]["to"] = np.asfortranarray(np.eye(3))[::-1, :][2]
+    result = liesl.Scene(pendulum).run()
+    weights = np.zeros((len(result.time), 6))[:, ::2]
+    assert not weights.flags["C_CONTIGUOUS"]
+    weights[-1, 1] = 1
+    same = np.ascontiguousarray(weights)
+    keys = ["sections.round.diameter"]
+    assert np.array_equal(result.vjp({"tip": weights}, by=keys), result.vjp({"tip": same}, by=keys))
+    x = np.repeat(rod.x0, 2)[::2]
+    assert rod.evaluate(x).objective == rod.evaluate(rod.x0).objective
+
+
+@pytest.mark.parametrize("what", [3, None, "study", [], lambda x: x])
+def test_what_is_no_program(what):
+    with pytest.raises(TypeError, match="minimize takes a program"):
+        liesl.minimize(what)
+
+
+def test_a_mesh_with_an_inverted_tetrahedron(tmp_path):
+    with pytest.raises(liesl.InputError, match="inverted or flat") as error:
+        liesl.Scene(with_mesh(tmp_path, cell="1, 3, 2, 4"))
+    assert any(p.file.endswith("part.inp") and p.line == 7 for p in error.value.problems)
+    assert sorted(f.name for f in tmp_path.iterdir()) == ["part.inp"]
+
+
+def test_a_node_set_that_is_not_there(tmp_path):
+    with pytest.raises(liesl.InputError, match="fot") as error:
+        liesl.Scene(with_mesh(tmp_path, interface="fot"))
+    assert "foot" in str(error.value)
