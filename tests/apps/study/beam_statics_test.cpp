@@ -69,7 +69,8 @@ class Derivatives : public testing::TestWithParam<Case> {};
 
 TEST_P(Derivatives, AreRight) {
   const Study study = shipped_study(GetParam().study);
-  const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
+  const Mechanism& mechanism = study.scene.mechanism;
+  const SimulationOptions& simulation = study.scene.simulation;
   const DerivativeReport report =
       GetParam().spatial ? check_study_derivatives<SE3>(mechanism, {}, simulation, study.spec)
                          : check_study_derivatives<SE2>(mechanism, space_of<SE2>(mechanism),

@@ -26,7 +26,8 @@ Study plain_arm() {
 
 TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
   const Study study = plain_arm();
-  const auto& [mechanism, simulation, responses, warnings, file, input] = study.scene;
+  const Mechanism& mechanism = study.scene.mechanism;
+  const SimulationOptions& simulation = study.scene.simulation;
   const Space<SE2> space = space_of<SE2>(mechanism);
   using End = CycleResult<SE2>;
   const auto optimised = [&](int most) {

@@ -222,6 +222,78 @@ TEST(NodeForce, AreTheReactionOfTheClampAndInEquilibrium) {
   EXPECT_LT((tip - Vec3(0, 0, 600)).norm(), 1e-6 * 600);
 }
 
+/// Elements of order 4, too: the root of a bar that hangs carries its weight.
+TEST(NodeForce, OfBeamsOfOrderFourCarryTheWeight) {
+  const double q = 9.81 * kSteel.rho * std::numbers::pi * kDiameter * kDiameter / 4;
+  for (int n : {2, 4}) {
+    Mechanism m = bar(n, Formalism::SE3);
+    std::get<BeamSpec>(m.bodies[0].kind).order = 4;
+    m.gravity = {9.81, 0, 0};
+    EXPECT_NEAR(normal_force(m, 0, ElementPlace::First) / (q * kLength), 1, 1e-6) << n;
+    EXPECT_NEAR(normal_force(m, n - 1, ElementPlace::Last) / (q * kLength), 0, 1e-6) << n;
+  }
+}
+
+/// Two bars of other thickness in one beam: at the root, away from the step, all of the weight; at
+/// the step an error that falls with the length of the elements.
+TEST(NodeForce, OfASteppedBarCarryTheWeight) {
+  std::vector<double> errors;
+  for (int n : {4, 8, 16}) {
+    Mechanism m = bar(n, Formalism::SE3);
+    auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
+    for (std::size_t e = beam.sections.size() / 2; e < beam.sections.size(); ++e)
+      beam.sections[e].shape = Circle{kDiameter / 2};
+    m.gravity = {9.81, 0, 0};
+    const double q = 9.81 * kSteel.rho * std::numbers::pi * kDiameter * kDiameter / 4;
+    EXPECT_NEAR(normal_force(m, 0, ElementPlace::First) / (q * kLength * 5 / 8), 1, 1e-6) << n;
+    const double below = q * kLength / 8;
+    errors.push_back(std::abs(normal_force(m, n / 2, ElementPlace::First) / below - 1));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_NEAR(std::log2(errors[i - 1] / errors[i]), 1, 0.1) << errors[i];
+}
+
+/// A quarter of a circle, clamped, under its weight along the tangent of its root: the normal force
+/// there is all of it, but for an error that falls with the square of the length.
+TEST(NodeForce, OfAnArcCarryTheWeight) {
+  const double a = std::numbers::pi * kDiameter * kDiameter / 4;
+  std::vector<double> errors;
+  for (int n : {4, 8, 16, 32}) {
+    Mechanism m = bar(n, Formalism::SE3);
+    auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
+    beam.nodes = arc(
+        Arc::with_radius(Vec3::Zero(), Vec3::UnitX(), Vec3::UnitZ(), 0.5, std::numbers::pi / 2), n);
+    m.gravity = {9.81, 0, 0};
+    const double weight = 9.81 * kSteel.rho * a * 0.5 * std::numbers::pi / 2;
+    errors.push_back(std::abs(normal_force(m, 0, ElementPlace::First) / weight - 1));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i];
+}
+
+/// In the plane, in motion: at the pin the rod's section force is what the pin transmits, but for
+/// an error that falls with the square of the length of the elements.
+TEST(NodeForce, AtAPinAreTheForceOfTheJoint) {
+  std::vector<double> errors;
+  for (int n : {4, 8, 16}) {
+    Mechanism m = test::slider_crank({n});
+    m.drives[0].motion = TimeFunction::rate(60, 0.02);
+    const auto run = test::run_planar(m, test::options(0.03, 1e-4));
+    ASSERT_EQ(run.report().status, SolveStatus::Converged);
+    State<SE2> s = run.model->initial_state();
+    run.trajectory().read(run.trajectory().size() - 1, s);
+    ResponseSpec force;
+    force.kind = ResponseKind::SectionForce;
+    force.body = 1;
+    force.place = ElementPlace::First;
+    const double section = ResponseValues<SE2>(m, *run.model)(force, s)[0];
+    const SE3::Tangent pin = joint_force(m, *run.model, 1, s);
+    errors.push_back(std::abs(std::abs(section) - std::abs(pin[0])));
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i)
+    EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i];
+}
+
 /// In motion the forces at both sides of a node differ by its share of the internal force, which is
 /// its load in the equivalent static load case.
 TEST(NodeForce, MakeTheLoadsOfTheEquivalentStaticCases) {
