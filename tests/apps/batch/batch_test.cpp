@@ -320,7 +320,7 @@ TEST_F(BatchProgram, FailuresAreRowsWithReasons) {
                 .code,
             1);
   EXPECT_EQ(table().at("status")[0], "done");
-  EXPECT_NE(table().at("status")[1], "done");
+  EXPECT_EQ(table().at("status")[1], "not_converged");
   EXPECT_NE(table().at("reason")[1], "");
 }
 
