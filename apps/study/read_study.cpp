@@ -326,9 +326,25 @@ std::vector<Entry> for_each_bar(StudyReader& reader, const Entry& entry,
   return out;
 }
 
+/// A limit on what is 0 by definition holds for every design.
+bool is_of_rigid_beam(StudyReader& reader, const ResponseSpec& response) {
+  const int body = deformed_body(response);
+  if (body < 0) return false;
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  const auto* beam = std::get_if<BeamSpec>(&body_of(reader, body).kind);
+  return beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid;
+}
+
 void read_constraint(StudyReader& reader, const Entry& entry) {
   auto response = response_of(reader, entry);
   if (!response) return;
+  if (is_of_rigid_beam(reader, *response))
+    return reader.scene.problems.add(
+        *entry.table,
+        fmt::format("limit '{}' is on what is 0 by definition: '{}' is simulated as a rigid body",
+                    entry.name, body_of(reader, deformed_body(*response)).name),
+        "a response that deformation is not needed for, or a flexible beam",
+        "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
   response->side = read_side(reader, entry, *response);
   const bool image = has_static_image(*response, reader.scene.scene.mechanism);
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};

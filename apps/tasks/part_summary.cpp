@@ -108,6 +108,16 @@ void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const 
                : "the modes that were tried do not do, the mesh may be too coarse"));
 }
 
+/// Largest angular velocity of the frame of a body, rad/s.
+template <FrameGroup G>
+double fastest_turn(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
+  const int at = G::dim * model.first_node(body) + G::space_dim;
+  double turn = 0;
+  for (int n = 0; n < trajectory.size(); ++n)
+    turn = std::max(turn, trajectory.v(n).segment(at, G::rotation_dim).norm());
+  return turn;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -116,11 +126,15 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
   std::vector<double> times;
   for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto say = [&](const std::vector<std::string>& warnings) {
+      summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
+    };
+    say(beam_range_warnings(model.bodies[b]->name, beam_range(model, trajectory, int(b))));
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
-    for (const auto& warning : range_warnings(body->name, part_range(*body, e)))
-      summary.warnings.push_back(warning);
+    const double spin = fastest_turn(model, trajectory, int(b));
+    say(range_warnings(body->name, part_range(*body, e, spin)));
     try {
       describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),
                     motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0);

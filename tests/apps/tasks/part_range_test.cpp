@@ -1,0 +1,109 @@
+/// @file
+/// How far bodies in floating frames go beyond what they can describe.
+#include "apps/tasks/part_range.hpp"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "apps/scene/load_scene.hpp"
+#include "apps/tasks/run.hpp"
+
+namespace liesl::test {
+namespace {
+
+constexpr double kE = 210e9, kRho = 7850, kSide = 0.02, kLength = 1;
+const double kEI = kE * std::pow(kSide, 4) / 12;
+const double kEuler = M_PI * M_PI * kEI / (kLength * kLength);
+
+/// A square bar along x, meshed or a beam, between `first` and `second` or held at `first` alone.
+std::string bar(bool meshed, bool two, const std::string& rest) {
+  const std::string mesh = fmt::format(
+      R"toml(bar = {{ solid = {{ mesh = {{ from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }},
+material = "steel", thickness = 0.02, modes = 4, interfaces = {{ first = {{ set = "x_min" }}{} }} }} }})toml",
+      two ? ", second = { set = \"x_max\" }" : "");
+  const std::string beam =
+      R"toml(bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "square", material = "steel",
+elements = 16, as = "modal", points = { first = { on = "start", at = [0, 0, 0] }, second = { on = "end", at = [1, 0, 0] } } } })toml";
+  return fmt::format(R"toml(
+[materials]
+steel = {{ E = 210e9, nu = 0.3, rho = 7850 }}
+[sections]
+square = {{ type = "rectangle", width = 0.02, height = 0.02 }}
+[bodies]
+{}
+{})toml",
+                     meshed ? mesh : beam, rest);
+}
+
+std::string pulled(const std::string& force) {
+  return "[joints]\nclamp = { fixed = [\"ground\", \"bar.first\"] }\n[loads]\nf = { at = "
+         "\"bar.second\", force = " +
+         force +
+         ", scale = { table = [[0, 0], [0.2, 1]], interpolation = \"quintic\" } }\n"
+         "[simulation]\nduration = 0.25\nstep = 1e-3\n";
+}
+
+std::string spun(double rate) {
+  return fmt::format(
+      "[joints]\nhub = {{ revolute = [\"ground\", \"bar.first\"], drive = {{ rate = {}, ramp = 0.2 "
+      "}} }}\n[simulation]\nduration = 0.25\nstep = 1e-3\n",
+      rate);
+}
+
+/// The figure after `words` in the warnings of a motion, 0 if there is none.
+double said(const std::string& text, const std::string& words) {
+  const Scene scene = read_scene(text, "scene.toml");
+  const RunOutcome out = run_task(scene, choose_space(scene));
+  EXPECT_EQ(out.status, SolveStatus::Converged) << out.summary.reason;
+  for (const std::string& warning : out.summary.warnings)
+    if (const auto at = warning.find(words); at != std::string::npos)
+      return std::stod(warning.substr(at + words.size()));
+  return 0;
+}
+
+const char* const kPulled = "is pulled by up to ";
+const char* const kCarries = "carries up to ";
+const char* const kBends = "bends by up to ";
+const char* const kTurns = "turns at up to ";
+
+/// Both kinds name the same share of pi^2 EI/L^2.
+TEST(PartRange, TensionOverTheEulerLoad) {
+  const double share = 10e3 / kEuler;
+  for (const bool meshed : {true, false}) {
+    EXPECT_NEAR(said(bar(meshed, true, pulled("[10e3, 0, 0]")), kPulled), share, 0.05 * share);
+    EXPECT_EQ(said(bar(meshed, true, pulled("[10e3, 0, 0]")), kCarries), 0);
+    EXPECT_EQ(said(bar(meshed, true, pulled("[2e3, 0, 0]")), kPulled), 0) << "within the bound";
+  }
+}
+
+TEST(PartRange, CompressionOfABeamInAFloatingFrame) {
+  const double share = 5e3 / kEuler;
+  EXPECT_NEAR(said(bar(false, true, pulled("[-5e3, 0, 0]")), kCarries), share, 0.05 * share);
+  EXPECT_EQ(said(bar(false, true, pulled("[-5e3, 0, 0]")), kPulled), 0);
+}
+
+/// The end of a cantilever turns by F L^2/(2 EI).
+TEST(PartRange, TurnOfABeamInAFloatingFrame) {
+  const double turn = 8e2 * kLength * kLength / (2 * kEI),
+               bound = said(bar(false, true, pulled("[0, 100, 0]")), kBends);
+  EXPECT_NEAR(said(bar(false, true, pulled("[0, 800, 0]")), kBends), turn, 0.1 * turn);
+  EXPECT_EQ(bound, 0) << "within the bound";
+}
+
+/// omega_1 = 3.516 sqrt(EI/(rho A L^4)).
+TEST(PartRange, SpinOverTheLowestFrequencyOfABlade) {
+  const double omega = 3.516 * std::sqrt(kEI / (kRho * kSide * kSide));
+  EXPECT_NEAR(said(bar(true, false, spun(60)), kTurns), 60 / omega, 0.05 * 60 / omega);
+  EXPECT_EQ(said(bar(true, false, spun(20)), kTurns), 0) << "within the bound";
+}
+
+/// With a free interface at its tip it is the centrifugal force that is named, m Omega^2 L/2.
+TEST(PartRange, CentrifugalForceOfAPartOfTwoInterfaces) {
+  const double share = kRho * kSide * kSide * 60 * 60 / 2 / kEuler;
+  EXPECT_NEAR(said(bar(true, true, spun(60)), kPulled), share, 0.1 * share);
+}
+
+}  // namespace
+}  // namespace liesl::test
