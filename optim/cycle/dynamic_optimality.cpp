@@ -298,6 +298,9 @@ std::string DynamicOptimality::brief() const {
 bool ViolationCertificate::stationary() const { return residual <= kOptimalResidual; }
 
 std::string ViolationCertificate::brief() const {
+  if (!stationary() && worst_variable.empty())
+    return fmt::format("not shown to be a stationary point of the violation (residual {:.2g})",
+                       residual);
   if (!stationary())
     return fmt::format(
         "not shown to be a stationary point of the violation (residual {:.2g}, '{}' should {})",

@@ -169,6 +169,50 @@ TEST(UpdateSensitivity, DirectEqualsAdjointInSpace) {
   }
 }
 
+/// How near differences come to the gradients, over E in GPa: the table of docs/sensitivities.md.
+/// Their error is round-off of positions times EA/L; it falls with E, and that of the gradients is
+/// not seen. best_p is that of parameter p, in 1e-9.
+struct OverStiffness {
+  const char* name;
+  int update;  ///< of kCases
+  double E;
+  double error, adjoint;  ///< allowed: of differences, of the adjoint form in space; 0: not asked
+};
+std::ostream& operator<<(std::ostream& out, const OverStiffness& c) { return out << c.name; }
+class StiffnessSlow : public ::testing::TestWithParam<OverStiffness> {};
+
+TEST_P(StiffnessSlow, BoundsHowNearDifferencesCome) {
+  const Case& c = kCases[std::size_t(GetParam().update)];
+  const double E = GetParam().E * 1e9;
+  Mechanism m = in_a_plane(c, E);
+  DifferenceOptions options{.largest = c.largest, .error = GetParam().error};
+  auto all = quantities_of(m);
+  if (m.formalism == Formalism::Floating) {
+    m.drives = {{0, 0, TimeFunction::rate(20, 0.02)}};
+    all = quantities_of(m);
+    all.resize(3);
+    options.largest = 0.08;
+  }
+  expect_differences<SE2>(m, all, options);
+  const Mechanism space = out_of_plane(c, E);
+  if (GetParam().adjoint > 0)
+    expect_direct_equals_adjoint<SE3>(100, space, quantities_of(space), 2e-4, 1, 1e-6,
+                                      GetParam().adjoint);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StiffnessSlow,
+                         ::testing::Values(OverStiffness{"screws_21", 5, 21, 7e-7, 2e-10},
+                                           OverStiffness{"screws_14", 5, 14, 3e-7, 2e-10},
+                                           OverStiffness{"screws_7", 5, 7, 1e-7, 1.5e-10},
+                                           OverStiffness{"screws_3_5", 5, 3.5, 1e-7, 1e-10},
+                                           OverStiffness{"r3so3_updates_21", 4, 21, 7e-7, 2e-10},
+                                           OverStiffness{"r3so3_updates_14", 4, 14, 3e-7, 2e-10},
+                                           OverStiffness{"r3so3_updates_7", 4, 7, 1e-7, 1.5e-10},
+                                           OverStiffness{"r3so3_updates_3_5", 4, 3.5, 1e-7, 1e-10},
+                                           OverStiffness{"floating_7", 2, 7, 4e-7, 0},
+                                           OverStiffness{"floating_0_7", 2, 0.7, 5e-8, 0}),
+                         kName);
+
 class SpunPendulumSensitivity : public ::testing::TestWithParam<Case> {};
 
 /// Multipliers are forces of 30 N beside moments of 0.01 N m, which have their rounding.
