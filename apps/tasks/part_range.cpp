@@ -95,11 +95,14 @@ PartRange part_range(const SolidBody<G>& body, const MatrixXd& e, double spin) {
 }
 
 template <FrameGroup G>
-PartRange beam_range(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
+PartRange beam_range(const Mechanism& mechanism, const Model<G>& model,
+                     const Trajectory<G>& trajectory, int index) {
   constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
-  const auto* body = dynamic_cast<const ModalBody<G>*>(model.bodies.at(index).get());
   PartRange range;
-  if (!body || trajectory.size() == 0) return range;
+  const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies.at(index).kind);
+  if (!beam || model_of(*beam, mechanism.formalism) != BeamModel::Modal) return range;
+  const auto* body = static_cast<const ModalBody<G>*>(model.bodies.at(index).get());
+  if (trajectory.size() == 0) return range;
   const auto& X = body->reference;
   const int last = body->nodes() - 1;
   const Eigen::Index n = body->basis().cols() - body->padding();
@@ -138,7 +141,7 @@ std::vector<std::string> beam_range_warnings(const std::string& beam, const Part
 
 template PartRange part_range(const SolidBody<SE2>&, const MatrixXd&, double);
 template PartRange part_range(const SolidBody<SE3>&, const MatrixXd&, double);
-template PartRange beam_range(const Model<SE2>&, const Trajectory<SE2>&, int);
-template PartRange beam_range(const Model<SE3>&, const Trajectory<SE3>&, int);
+template PartRange beam_range(const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&, int);
+template PartRange beam_range(const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&, int);
 
 }  // namespace liesl

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mbs/bodies/solid_body.hpp"
+#include "mbs/model/mechanism.hpp"
 #include "mbs/solvers/trajectory.hpp"
 #include "mbs/system/model.hpp"
 
@@ -38,7 +39,8 @@ PartRange part_range(const SolidBody<G>& body, const Eigen::MatrixXd& e, double 
 /// The same of a beam in a floating frame: turns of its nodes, normal forces of its elements, the
 /// Euler load from the softness of its end held at the start. Of any other body: nothing.
 template <FrameGroup G>
-PartRange beam_range(const Model<G>& model, const Trajectory<G>& trajectory, int body);
+PartRange beam_range(const Mechanism& mechanism, const Model<G>& model,
+                     const Trajectory<G>& trajectory, int body);
 
 /// A sentence for each bound that is passed: a tenth of the Euler load and of (Omega/omega_1)^2,
 /// 0.15 rad.
@@ -47,7 +49,9 @@ std::vector<std::string> beam_range_warnings(const std::string& beam, const Part
 
 extern template PartRange part_range(const SolidBody<SE2>&, const Eigen::MatrixXd&, double);
 extern template PartRange part_range(const SolidBody<SE3>&, const Eigen::MatrixXd&, double);
-extern template PartRange beam_range(const Model<SE2>&, const Trajectory<SE2>&, int);
-extern template PartRange beam_range(const Model<SE3>&, const Trajectory<SE3>&, int);
+extern template PartRange beam_range(const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&,
+                                     int);
+extern template PartRange beam_range(const Mechanism&, const Model<SE3>&, const Trajectory<SE3>&,
+                                     int);
 
 }  // namespace liesl

@@ -129,7 +129,8 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
     const auto say = [&](const std::vector<std::string>& warnings) {
       summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
     };
-    say(beam_range_warnings(model.bodies[b]->name, beam_range(model, trajectory, int(b))));
+    say(beam_range_warnings(model.bodies[b]->name,
+                            beam_range(mechanism, model, trajectory, int(b))));
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
