@@ -1,5 +1,7 @@
 #include "mbs/bodies/floating.hpp"
 
+#include "mbs/linalg/block_product.hpp"
+
 namespace liesl {
 
 template <FrameGroup G>
@@ -63,19 +65,52 @@ void FloatingBody<G>::become_derivative(const Eigen::MatrixXd& dK_e) {
   unused_weight_ = 0;
 }
 
+template <FrameGroup G>
+Eigen::MatrixXd FloatingBody<G>::times_increments(const Motion& m, const Eigen::MatrixXd& X) const {
+  Eigen::MatrixXd out(X.rows(), dim + X.cols());
+  out.leftCols(dim).setZero();
+  out.rightCols(X.cols()) = X;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    auto own = out.template middleCols<dim>(dim + at);
+    own.noalias() =
+        X.template middleCols<dim>(at).lazyProduct(G::Tinv(Tangent(m.e.template segment<dim>(at))));
+    out.template leftCols<dim>().noalias() -= own.lazyProduct(m.Y[i].AdInv());
+  }
+  return out;
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd FloatingBody<G>::increments_transposed_times(const Motion& m,
+                                                             const Eigen::MatrixXd& X) const {
+  Eigen::MatrixXd out(dim + X.rows(), X.cols());
+  out.topRows(dim).setZero();
+  out.bottomRows(X.rows()) = X;
+  for (size_t i = 0; i < interfaces_.size(); ++i) {
+    const int at = dim * static_cast<int>(i);
+    const typename G::Matrix turn = G::Tinv(Tangent(m.e.template segment<dim>(at))).transpose(),
+                             carry = -m.Y[i].AdInv().transpose() * turn;
+    out.template middleRows<dim>(dim + at).setZero();
+    add_block_product(turn, X, at, out, dim + at);
+    add_block_product(carry, X, at, out, 0);
+  }
+  return out;
+}
+
 /// A = mass L^T M(e) L + stiffness E^T K_e E with [h_0; de] = L [h_0; h_i; deta], L = [I 0; E].
 template <FrameGroup G>
 void FloatingBody<G>::set_matrix(const Motion& m, double mass, double stiffness,
                                  Matrices& A) const {
-  const Eigen::MatrixXd E = increments(m);
-  A.dense.noalias() = stiffness * E.transpose() * K_e_ * E;
+  const int n = reduced_size();
+  A.dense = increments_transposed_times(m, times_increments(m, stiffness * K_e_));
   if (mass > 0) {
-    Eigen::MatrixXd L(dim + E.rows(), E.cols());
-    L.topRows(dim).setIdentity();
-    L.bottomRows(E.rows()) = E;
-    A.dense.noalias() += mass * L.transpose() * inertia_matrix(m) * L;
+    const Eigen::MatrixXd M = mass * inertia_matrix(m, dim + n);
+    Eigen::MatrixXd ML = times_increments(m, M.rightCols(n));
+    ML.leftCols(dim) += M.leftCols(dim);
+    A.dense += increments_transposed_times(m, ML.bottomRows(n));
+    A.dense.topRows(dim) += ML.topRows(dim);
   }
-  for (int j = static_cast<int>(E.cols()) - unused_; j < E.cols(); ++j)
+  for (int j = dim + n - unused_; j < dim + n; ++j)
     A.dense(j, j) = unused_weight_ * (mass + stiffness);
 }
 

@@ -73,11 +73,14 @@ class FloatingBody : public Body<G> {
   /// gravity in the axes of the frame.
   virtual void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                              Eigen::VectorXd& q, ForceScale& scale, Workspace& work) const = 0;
-  /// Derivatives of [f_0; q] by e, by edot and by v_0, side by side: (dim + n) x (2 n + dim).
-  virtual Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
-                                              const Tangent& a_0) const = 0;
-  /// Mass matrix of [v_0; edot], (dim + n) x (dim + n); rows of padding are zero.
-  virtual Eigen::MatrixXd inertia_matrix(const Motion& m) const = 0;
+  /// Derivatives of [f_0; q] by e, (dim + n) x n.
+  virtual Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
+                                       const Tangent& a_0) const = 0;
+  /// By the first `rates` of edot and by v_0, side by side: (dim + n) x (rates + dim).
+  virtual Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
+                                           int rates) const = 0;
+  /// The first columns of the mass matrix of [v_0; edot], dim + n rows; those of padding are zero.
+  virtual Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const = 0;
 
   /// Without `rates` of H and w alone.
   void measure(const BodyState<G>& s, bool rates, Motion& m) const;
@@ -102,12 +105,17 @@ class FloatingBody : public Body<G> {
     f(static_cast<Workspace&>(s.work ? *s.work : *own));
   }
   void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
-  /// Derivatives of e, edot and eddot by the frames, and of eddot by v, n x (dim + n) each, at
-  /// constant v and vdot; of e: `increments`, of edot by v and eddot by vdot as well.
+  /// X E and E^T X: E is the identity but for the rows of the interfaces.
+  Eigen::MatrixXd times_increments(const Motion& m, const Eigen::MatrixXd& X) const;
+  Eigen::MatrixXd increments_transposed_times(const Motion& m, const Eigen::MatrixXd& X) const;
+  /// Derivatives of edot and eddot by the frames, and of eddot by v, at constant v and vdot, the
+  /// columns and rows that are not zero: by h_0 and h_i, of the interfaces. Those of e are
+  /// `increments`, of edot by v and of eddot by vdot as well.
   struct Kinematics {
     Eigen::MatrixXd rate, acceleration, acceleration_by_v;
   };
-  Kinematics kinematics(const BodyState<G>& s, const Motion& m) const;
+  /// @param forces whether all of them, or only acceleration_by_v
+  Kinematics kinematics(const BodyState<G>& s, const Motion& m, bool forces) const;
   /// A += weight times the derivative of the shares of forces q on frames and interfaces at
   /// constant q.
   void add_turning(const Motion& m, const Eigen::VectorXd& q, double weight, Matrices& A) const;

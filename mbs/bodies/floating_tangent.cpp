@@ -6,11 +6,13 @@
 #include <numbers>
 
 #include "mbs/bodies/floating.hpp"
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 namespace {
 
-constexpr int kTerms = 20;  // of the series below: 1e-16 up to 1 rad, 1e-12 at pi
+constexpr int kTerms = 20;        // of the series below: 1e-16 up to 1 rad, 1e-12 at pi
+constexpr double kSmall = 1e-18;  // of a term against the sum: the next ones are smaller still
 
 /// B_2m/(2m)! = (-1)^(m+1) 2 zeta(2m)/(2 pi)^2m, m = 1, 2, ...
 std::array<double, kTerms> bernoulli_over_factorial() {
@@ -40,7 +42,10 @@ typename G::Matrix second_dTinv(const typename G::Tangent& u, const typename G::
     xj = (U * xj + along_units(x)).eval();
     xb = (U * xb + B * x).eval();
     x = (U * x).eval();
-    if (k % 2 == 0) sum += coefficient[k / 2 - 1] * xjb;
+    if (k % 2 == 1) continue;
+    const Matrix term = coefficient[k / 2 - 1] * xjb;
+    sum += term;
+    if (k > 2 && term.cwiseAbs().maxCoeff() < kSmall * sum.cwiseAbs().maxCoeff()) break;
   }
   return sum;
 }
@@ -58,11 +63,12 @@ typename G::Matrix ad_transposed_of(const typename G::Tangent& f) {
 /// With y = v_i - c, c = Ad(Y^-1) v_0, z = vdot_i - Ad(Y^-1) vdot_0 + ad(y) c as in `measure`, and
 /// g = h_i - Ad(Y^-1) h_0 the increment of Y: du = T^-1 g, dc = ad(c) g, dy = -ad(c) g.
 template <FrameGroup G>
-auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m) const -> Kinematics {
+auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m, bool forces) const
+    -> Kinematics {
   using Node = Eigen::Map<const Tangent>;
   using Matrix = typename G::Matrix;
-  const int n = reduced_size();
-  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(n, dim + n);
+  const int ni = interface_size();
+  const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(ni, dim + ni);
   Kinematics k{zero, zero, zero};
   for (size_t i = 0; i < interfaces_.size(); ++i) {
     const int at = dim * static_cast<int>(i), node = dim * interfaces_[i];
@@ -73,18 +79,19 @@ auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m) const -
     const Matrix Ti = G::Tinv(u), Dy = G::dTinv(u, y), ad_c = G::ad(c), ad_y = G::ad(y);
     Matrix along;  // the derivative of T^-1 along the rate
     for (int j = 0; j < dim; ++j) along.col(j) = G::dTinv(u, Tangent::Unit(j)) * rate;
-    const Matrix dz = -G::ad(a) + ad_c * ad_c + ad_y * ad_c;
     const Matrix rate_g = Dy * Ti - Ti * ad_c;
-    const Matrix acceleration_g = G::dTinv(u, z) * Ti + Ti * dz + second_dTinv<G>(u, y, rate) * Ti -
-                                  along * ad_c + Dy * rate_g;
-    const Matrix by_y = along + Dy * Ti - Ti * ad_c, by_c = Ti * ad_y;
+    const Matrix by_y = along + rate_g, by_c = Ti * ad_y;
     const auto set = [&](Eigen::MatrixXd& D, const Matrix& own, const Matrix& frame) {
       D.template block<dim, dim>(at, dim + at) = own;
       D.template block<dim, dim>(at, 0) = frame;
     };
+    set(k.acceleration_by_v, by_y, (by_c - by_y) * back);
+    if (!forces) continue;
+    const Matrix dz = -G::ad(a) + ad_c * ad_c + ad_y * ad_c;
+    const Matrix acceleration_g = G::dTinv(u, z) * Ti + Ti * dz + second_dTinv<G>(u, y, rate) * Ti -
+                                  along * ad_c + Dy * rate_g;
     set(k.rate, rate_g, -rate_g * back);
     set(k.acceleration, acceleration_g, -acceleration_g * back);
-    set(k.acceleration_by_v, by_y, (by_c - by_y) * back);
   }
   return k;
 }
@@ -109,50 +116,63 @@ void FloatingBody<G>::add_turning(const Motion& m, const Eigen::VectorXd& q, dou
   }
 }
 
-/// r = [f_0; 0] + E^T q with the forces [f_0; q] of inertia, and K_e (e + c edot) in q.
+/// r = [f_0; 0] + E^T q with the forces [f_0; q] of inertia, and K_e (e + c edot) in q. Of these
+/// d = by_e E + by_frames: what goes by the frames without e reaches those of the body alone.
 template <FrameGroup G>
 void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                                     const Tangent*, Matrices& A) const {
   using Eigen::MatrixXd;
+  using linalg::product;
   Motion m = at_reference();
   measure(s, true, m);
-  const int n = reduced_size();
-  const MatrixXd E = increments(m), M = inertia_matrix(m);
-  MatrixXd d = MatrixXd::Zero(dim + n, dim + n);  // of [f_0; q]
-  if (w.mass != 0) {
-    d.leftCols(dim) += w.mass * M.leftCols(dim);
-    d += w.mass * M.rightCols(n) * E;
-  }
+  const int n = reduced_size(), ni = interface_size();
+  const bool forces = w.stiffness != 0, rates = w.damping != 0;
   const double c = this->damping();
-  if (w.stiffness != 0 || w.damping != 0) {
-    const Tangent v0 = Eigen::Map<const Tangent>(s.v), a0 = apparent_acceleration<G>(s, 0, gravity);
-    const MatrixXd F = inertia_derivatives(m, v0, a0);
-    const auto by_e = F.leftCols(n), by_rate = F.middleCols(n, n), by_v0 = F.rightCols(dim);
-    const Kinematics k = kinematics(s, m);
-    d += w.stiffness * (by_e * E + by_rate * k.rate + M.rightCols(n) * k.acceleration) +
-         w.damping * (by_rate * E + M.rightCols(n) * k.acceleration_by_v);
-    d.leftCols(dim) +=
-        w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity) + w.damping * by_v0;
-    d.bottomRows(n) += K_e_ * ((w.stiffness + w.damping * c) * E + w.stiffness * c * k.rate);
+  const MatrixXd M = inertia_matrix(m, w.mass != 0 ? dim + n : dim + ni);
+  MatrixXd by_e = MatrixXd::Zero(dim + n, n), by_frames = MatrixXd::Zero(dim + n, dim + ni);
+  if (w.mass != 0) {
+    by_e = w.mass * M.rightCols(n);
+    by_frames.leftCols(dim) = w.mass * M.leftCols(dim);
   }
-  A.dense.noalias() = E.transpose() * d.bottomRows(n);
+  const Tangent v0 = Eigen::Map<const Tangent>(s.v), a0 = apparent_acceleration<G>(s, 0, gravity);
+  if (forces || rates) {
+    const Kinematics k = kinematics(s, m, forces);
+    const int columns = rates ? n : ni;
+    const MatrixXd R = inertia_by_rates(m, v0, a0, columns);
+    const auto M_i = M.middleCols(dim, ni);
+    if (rates) {
+      by_e += w.damping * R.leftCols(n);
+      by_frames += w.damping * product(M_i, k.acceleration_by_v);
+      by_frames.leftCols(dim) += w.damping * R.rightCols(dim);
+    }
+    if (forces) {
+      by_e += w.stiffness * inertia_by_e(m, v0, a0);
+      by_frames += w.stiffness * (product(R.leftCols(ni), k.rate) + product(M_i, k.acceleration));
+      by_frames.leftCols(dim) += w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity);
+      by_frames.bottomRows(n) += product(K_e_.leftCols(ni), w.stiffness * c * k.rate);
+    }
+    if (const double stiff = w.stiffness + w.damping * c; stiff != 0)
+      by_e.bottomRows(n) += stiff * K_e_;
+  }
+  MatrixXd d = times_increments(m, by_e);
+  d.leftCols(dim + ni) += by_frames;
+  A.dense = increments_transposed_times(m, d.bottomRows(n));
   A.dense.topRows(dim) += d.topRows(dim);
-  if (w.stiffness != 0) {
-    const auto own = this->make_workspace();
-    auto& work = static_cast<Workspace&>(*own);
-    Tangent f0 = Tangent::Zero();
-    ForceScale scale;
-    inertia_force(m, Eigen::Map<const Tangent>(s.v), apparent_acceleration<G>(s, 0, gravity), f0,
-                  work.q, scale, work);
-    add_turning(m, work.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
-  }
+  if (forces)
+    in_workspace(s, [&](Workspace& work) {
+      Tangent f0 = Tangent::Zero();
+      ForceScale scale;
+      work.q.setZero();
+      inertia_force(m, v0, a0, f0, work.q, scale, work);
+      add_turning(m, work.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
+    });
   const int size = dim + n;
   for (int j = size - unused_; j < size; ++j) A.dense(j, j) = w.mass + w.stiffness;
 }
 
-template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&) const
+template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&, bool) const
     -> Kinematics;
-template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&) const
+template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&, bool) const
     -> Kinematics;
 template void FloatingBody<SE2>::add_turning(const Motion&, const Eigen::VectorXd&, double,
                                              Matrices&) const;

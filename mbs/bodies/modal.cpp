@@ -109,32 +109,6 @@ void ModalBody<G>::spread(const Motion& m, Field& field) const {
   field.ddu.noalias() = Psi_ * m.acceleration;
 }
 
-/// Velocities of all nodes = Pi [v_0; edot], Pi = [(I - ad(u_k)) Ad(X_k^-1), (I - ad(u_k)/2)
-/// Psi_k].
-template <FrameGroup G>
-Eigen::MatrixXd ModalBody<G>::velocity_matrix(const Eigen::VectorXd& u) const {
-  Eigen::MatrixXd Pi(this->size(), dim + Psi_.cols());
-  for (int k = 0; k < this->nodes(); ++k) {
-    const typename G::Matrix ad_u = G::ad(Tangent(u.template segment<dim>(dim * k)));
-    auto at = Pi.template middleRows<dim>(dim * k);
-    at.template leftCols<dim>() = A_[k] - ad_u * A_[k];
-    at.rightCols(Psi_.cols()) = Psi_.template middleRows<dim>(dim * k);
-    at.rightCols(Psi_.cols()).noalias() -=
-        (0.5 * ad_u).lazyProduct(Psi_.template middleRows<dim>(dim * k));
-  }
-  return Pi;
-}
-
-/// Pi^T M Pi.
-template <FrameGroup G>
-Eigen::MatrixXd ModalBody<G>::inertia_matrix(const Motion& m) const {
-  const Eigen::MatrixXd Pi = velocity_matrix(Psi_ * m.e);
-  Eigen::MatrixXd MPi = Eigen::MatrixXd::Zero(Pi.rows(), Pi.cols());
-  for (int j = 0; j < Pi.cols(); ++j)
-    beam_->mass().multiply_add(Pi.col(j).data(), MPi.col(j).data());
-  return linalg::transposed_product(Pi, MPi);
-}
-
 template <FrameGroup G>
 auto ModalBody<G>::velocity(int k, const Field& field, const Tangent& v0) const -> Tangent {
   const Tangent u = field.u.template segment<dim>(dim * k),
@@ -153,16 +127,22 @@ auto ModalBody<G>::acceleration(int k, const Field& field, const Tangent& v0,
 }
 
 template <FrameGroup G>
+void ModalBody<G>::nodal_rates(const Field& field, const Tangent& v0, const Tangent& a0,
+                               Eigen::VectorXd& v, Eigen::VectorXd& a) const {
+  for (int k = 0; k < this->nodes(); ++k) {
+    v.template segment<dim>(dim * k) = velocity(k, field, v0);
+    a.template segment<dim>(dim * k) = acceleration(k, field, v0, a0);
+  }
+}
+
+template <FrameGroup G>
 void ModalBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0,
                                  Tangent& f_0, Eigen::VectorXd& q, ForceScale& scale,
                                  typename FloatingBody<G>::Workspace& work) const {
   using Pair = typename Beam<G>::Pair;
   Room& room = static_cast<Room&>(work);
   spread(m, room.field);
-  for (int k = 0; k < this->nodes(); ++k) {
-    room.velocity.template segment<dim>(dim * k) = velocity(k, room.field, v_0);
-    room.acceleration.template segment<dim>(dim * k) = acceleration(k, room.field, v_0, a_0);
-  }
+  nodal_rates(room.field, v_0, a_0, room.velocity, room.acceleration);
   room.full.setZero();
   Pair g;
   for (int e = 0; e < beam_->elements(); ++e) {
@@ -180,65 +160,6 @@ void ModalBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tang
     scale.add<G>(f);
   }
   q.noalias() += Psi_.transpose() * room.full;
-}
-
-/// Product rule on `inertia_force`; columns by e, edot and v_0. Forces on [v_0; edot] are Pi^T f,
-/// and Pi turns with u by ad(du)^T f.
-template <FrameGroup G>
-Eigen::MatrixXd ModalBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
-                                                  const Tangent& a_0) const {
-  using Eigen::MatrixXd;
-  using Pair = typename Beam<G>::Pair;
-  using Matrix = typename G::Matrix;
-  const Eigen::Index size = this->size(), n = Psi_.cols();
-  Field field;
-  spread(m, field);
-  const MatrixXd Pi = velocity_matrix(field.u);
-  Eigen::VectorXd vel(size), acc(size), force = Eigen::VectorXd::Zero(size);
-  MatrixXd dvel(size, 2 * n + dim), dacc(size, 2 * n + dim);
-  dvel.middleCols(n, n) = Pi.rightCols(n);
-  dvel.rightCols(dim) = Pi.leftCols(dim);
-  for (int k = 0; k < this->nodes(); ++k) {
-    const int at = dim * k;
-    const Tangent du = field.du.template segment<dim>(at),
-                  ddu = field.ddu.template segment<dim>(at), carried = A_[k] * v_0;
-    const auto psi = Psi_.template middleRows<dim>(at);
-    vel.template segment<dim>(at) = velocity(k, field, v_0);
-    acc.template segment<dim>(at) = acceleration(k, field, v_0, a_0);
-    const Matrix by_v = G::ad(Tangent(carried + 0.5 * du)),
-                 by_a = G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu)), along = G::ad(carried);
-    dvel.template middleRows<dim>(at).leftCols(n).noalias() = by_v.lazyProduct(psi);
-    auto of_acc = dacc.template middleRows<dim>(at);
-    of_acc.leftCols(n).noalias() = by_a.lazyProduct(psi);
-    of_acc.middleCols(n, n).noalias() = along.lazyProduct(psi);
-    of_acc.template rightCols<dim>() = -G::ad(du) * A_[k];
-  }
-  MatrixXd dforce = MatrixXd::Zero(size, 2 * n + dim);
-  for (int e = 0; e < beam_->elements(); ++e) {
-    const auto& element = beam_->element(e);
-    const G &A = this->reference[e], &B = this->reference[e + 1];
-    Pair g;
-    element.inertia_force(A, B, vel.data() + dim * e, acc.template segment<2 * dim>(dim * e), g);
-    force.template segment<2 * dim>(dim * e) += g;
-    const auto gyroscopic = element.gyroscopic_tangent(A, B, vel.data() + dim * e);
-    auto at = dforce.template middleRows<2 * dim>(dim * e);
-    at.noalias() += element.mass().lazyProduct(dacc.template middleRows<2 * dim>(dim * e));
-    at.noalias() += gyroscopic.lazyProduct(dvel.template middleRows<2 * dim>(dim * e));
-  }
-  MatrixXd turned(size, n), arms(size, dim + n);
-  for (int k = 0; k < this->nodes(); ++k) {
-    const int at = dim * k;
-    Matrix turn;  // ad(du)^T f by du
-    for (int j = 0; j < dim; ++j)
-      turn.col(j) = G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at);
-    const auto psi = Psi_.template middleRows<dim>(at);
-    turned.template middleRows<dim>(at).noalias() = turn.lazyProduct(psi);
-    arms.template middleRows<dim>(at).template leftCols<dim>() = A_[k];
-    arms.template middleRows<dim>(at).rightCols(n) = 0.5 * psi;
-  }
-  MatrixXd out = linalg::transposed_product(Pi, dforce);
-  out.leftCols(n) -= linalg::transposed_product(arms, turned);
-  return out;
 }
 
 template <FrameGroup G>

@@ -59,10 +59,11 @@ class ModalBody final : public FloatingBody<G> {
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                      Eigen::VectorXd& q, ForceScale& scale,
                      typename FloatingBody<G>::Workspace& work) const override;
-  Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
-                                      const Tangent& a_0) const override;
-  Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
-  Eigen::MatrixXd velocity_matrix(const Eigen::VectorXd& u) const;
+  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
+                               const Tangent& a_0) const override;
+  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
+                                   int rates) const override;
+  Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const override;
   void reduce(std::vector<NodeKind> kind, int modes);
   /// Displacements of all nodes and their rates, Psi times those of e.
   struct Field {
@@ -73,6 +74,19 @@ class ModalBody final : public FloatingBody<G> {
     Eigen::VectorXd full, velocity, acceleration;  ///< of all nodes
   };
   void spread(const Motion& m, Field& field) const;
+  using Blocks = typename Matrices::Blocks;  ///< one a node
+  /// Forces on the nodes by nodal numbers that change velocities and accelerations of each node by
+  /// these blocks: sum of G(v) by_v + M by_a over the elements.
+  BlockTridiagonal<dim> force_tangent(const Eigen::VectorXd& v, const Blocks& by_v,
+                                      const Blocks& by_a) const;
+  /// Forces on [v_0; edot] from those on the nodes, a column each: sum A_k^T (I - ad(u_k))^T f_k
+  /// and Psi^T (I - ad(u_k)/2)^T f_k. @param turn of columns by e: what the arms turn with u, -D_u
+  /// [ad(u)^T f], or none
+  Eigen::MatrixXd on_coordinates(const Eigen::VectorXd& u, const Eigen::MatrixXd& forces,
+                                 const Blocks& turn = {}) const;
+  /// Velocities and accelerations of all nodes.
+  void nodal_rates(const Field& field, const Tangent& v0, const Tangent& a0, Eigen::VectorXd& v,
+                   Eigen::VectorXd& a) const;
   /// Velocity of node k, and its rate from the acceleration a_0 of the frame.
   Tangent velocity(int k, const Field& field, const Tangent& v0) const;
   Tangent acceleration(int k, const Field& field, const Tangent& v0, const Tangent& a0) const;

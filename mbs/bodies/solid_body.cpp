@@ -239,48 +239,65 @@ void SolidBody<G>::inertia_force(const Motion& m, const Tangent& v_0, const Tang
   q.noalias() += M_e_ * m.acceleration;
 }
 
-/// Product rule on `inertia_force`: what depends on e is S, C and J, on edot D and the Coriolis
-/// terms, on v_0 all that turns.
+/// Product rule on `inertia_force`: what depends on e is S, C and J.
 template <FrameGroup G>
-MatrixXd SolidBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
-                                           const Tangent& a_0) const {
+MatrixXd SolidBody<G>::inertia_by_e(const Motion& m, const Tangent& v_0, const Tangent& a_0) const {
   const auto velocity = in_space<G>(v_0), rate = in_space<G>(a_0);
   const Vector3d v = velocity.template head<3>(), omega = velocity.template tail<3>();
   const Matrix3d turning = hat(omega);
-  const Matrix3d W = hat(Vector3d(rate.template tail<3>())) + turning * turning;
+  const Matrix3d W = hat(Vector3d(rate.template tail<3>())) + turning * turning,
+                 field = W.transpose();
+  const Eigen::Index n = this->reduced_size();
+  const MatrixXd C = moments(m.e);
+  const Vector3d a = Vector3d(rate.template head<3>()) + omega.cross(v);
+  MatrixXd out = MatrixXd::Zero(dim + n, n);
+  for (Eigen::Index k = 0; k < n; ++k) {
+    const VectorXd column = product_.col(k);
+    const Eigen::Map<const MatrixXd> dC(column.data(), 9, n);  // dD as well
+    const Vector3d mode = integrals_.mode.col(k);
+    const Matrix3d dJ =
+        as_matrix(cross_.col(k)).transpose() + as_matrix(C.col(k)) + as_matrix(dC * m.e);
+    out.col(k).head(dim) = from_space<G>(
+        W * mode, mode.cross(a) + axial(dJ * field + as_matrix(dC * m.acceleration) +
+                                        2 * as_matrix(dC * m.rate) * turning.transpose()));
+    out.col(k).tail(n) = dC.transpose() * Map9(field.data());
+  }
+  return out;
+}
+
+/// What depends on edot is D and the Coriolis terms, on v_0 all that turns.
+template <FrameGroup G>
+MatrixXd SolidBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent&,
+                                        int rates) const {
+  const auto velocity = in_space<G>(v_0);
+  const Vector3d v = velocity.template head<3>(), omega = velocity.template tail<3>();
+  const Matrix3d turning = hat(omega), coriolis = 2 * turning.transpose();
   const InertiaIntegrals& I = integrals_;
   const Eigen::Index n = this->reduced_size();
   const MatrixXd C = moments(m.e);
-  const Vector3d S = I.first + I.mode * m.e, a = Vector3d(rate.template head<3>()) + omega.cross(v);
+  const Vector3d S = I.first + I.mode * m.e;
   const VectorXd slow = C * m.rate;
   const Matrix3d J = I.second + as_matrix(cross_ * m.e).transpose() + as_matrix(C * m.e);
   MatrixXd D(9, n);
   Eigen::Map<VectorXd>(D.data(), D.size()).noalias() = product_ * m.rate;
-  MatrixXd out = MatrixXd::Zero(dim + n, 2 * n + dim);
-  const auto nine = [](const Matrix3d& A) { return VectorXd(Map9(A.data())); };
-  for (Eigen::Index k = 0; k < n; ++k) {
+  MatrixXd out = MatrixXd::Zero(dim + n, rates + dim);
+  for (Eigen::Index k = 0; k < rates; ++k) {
     const VectorXd column = product_.col(k);
-    const Eigen::Map<const MatrixXd> dC(column.data(), 9, n);  // dD as well
-    const Vector3d mode = I.mode.col(k);
-    const Matrix3d dJ =
-        as_matrix(cross_.col(k)).transpose() + as_matrix(C.col(k)) + as_matrix(dC * m.e);
-    out.col(k).head(dim) = from_space<G>(
-        W * mode, mode.cross(a) + axial(dJ * W.transpose() + as_matrix(dC * m.acceleration) +
-                                        2 * as_matrix(dC * m.rate) * turning.transpose()));
-    out.col(k).tail(n) = dC.transpose() * nine(W.transpose());
-    out.col(n + k).head(dim) =
-        from_space<G>(2 * turning * mode, axial(2 * as_matrix(C.col(k)) * turning.transpose()));
-    out.col(n + k).tail(n) = dC.transpose() * nine(2 * turning.transpose());
+    const Eigen::Map<const MatrixXd> dD(column.data(), 9, n);
+    out.col(k).head(dim) =
+        from_space<G>(2 * turning * Vector3d(I.mode.col(k)), axial(as_matrix(C.col(k)) * coriolis));
+    out.col(k).tail(n) = dD.transpose() * Map9(coriolis.data());
   }
+  const auto nine = [](const Matrix3d& A) { return VectorXd(Map9(A.data())); };
   for (int j = 0; j < dim; ++j) {
     const auto direction = in_space<G>(Tangent::Unit(j));
     const Vector3d dv = direction.template head<3>(), dw = direction.template tail<3>();
     const Matrix3d turn = hat(dw), dW = turn * turning + turning * turn;
     const Vector3d da = omega.cross(dv) + dw.cross(v);
-    out.col(2 * n + j).head(dim) = from_space<G>(
+    out.col(rates + j).head(dim) = from_space<G>(
         I.mass * da + dW * S + 2 * turn * (I.mode * m.rate),
         S.cross(da) + axial(J * dW.transpose() + 2 * as_matrix(slow) * turn.transpose()));
-    out.col(2 * n + j).tail(n) = I.mode.transpose() * da + C.transpose() * nine(dW.transpose()) +
+    out.col(rates + j).tail(n) = I.mode.transpose() * da + C.transpose() * nine(dW.transpose()) +
                                  D.transpose() * nine(2 * turn.transpose());
   }
   return out;
@@ -288,7 +305,7 @@ MatrixXd SolidBody<G>::inertia_derivatives(const Motion& m, const Tangent& v_0,
 
 /// [m, -S~, N; S~, tr(J) - J, int rho r x phi; N^T, ..., M_e].
 template <FrameGroup G>
-MatrixXd SolidBody<G>::inertia_matrix(const Motion& m) const {
+MatrixXd SolidBody<G>::inertia_matrix(const Motion& m, int columns) const {
   const InertiaIntegrals& I = integrals_;
   const int n = this->reduced_size();
   const MatrixXd C = moments(m.e);
@@ -306,7 +323,7 @@ MatrixXd SolidBody<G>::inertia_matrix(const Motion& m) const {
   const auto own = kinds<G>();
   std::vector<int> rows(own.begin(), own.end());
   for (int k = 0; k < n; ++k) rows.push_back(6 + k);
-  return full(rows, rows);
+  return full(rows, std::vector<int>(rows.begin(), rows.begin() + columns));
 }
 
 template <FrameGroup G>
@@ -358,7 +375,7 @@ BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) co
   rate << Eigen::Map<const Tangent>(s.v), m.rate;
   const Vector3d S = integrals_.first + integrals_.mode * m.e;
   BodyEnergy energy;
-  energy.kinetic = 0.5 * rate.dot(inertia_matrix(m) * rate);
+  energy.kinetic = 0.5 * rate.dot(inertia_matrix(m, dim + this->reduced_size()) * rate);
   energy.elastic = 0.5 * m.e.dot(this->reduced_stiffness() * m.e);
   energy.potential =
       -gravity.dot(integrals_.mass * s.H[0].x + s.H[0].R * S.template head<G::space_dim>());
@@ -378,7 +395,7 @@ void SolidBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& grav
   const int n = this->reduced_size();
   VectorXd rate(dim + n);
   rate << v_0, m.rate;
-  const VectorXd momentum = inertia_matrix(m) * rate;
+  const VectorXd momentum = inertia_matrix(m, dim + this->reduced_size()) * rate;
   const auto velocity = in_space<G>(v_0);
   const Vector3d u = velocity.template head<3>(), omega = velocity.template tail<3>();
   const Vector g = s.H[0].R.transpose() * gravity;

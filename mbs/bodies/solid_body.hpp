@@ -81,9 +81,11 @@ class SolidBody final : public FloatingBody<G> {
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                      Eigen::VectorXd& q, ForceScale& scale,
                      typename FloatingBody<G>::Workspace& work) const override;
-  Eigen::MatrixXd inertia_derivatives(const Motion& m, const Tangent& v_0,
-                                      const Tangent& a_0) const override;
-  Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
+  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
+                               const Tangent& a_0) const override;
+  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
+                                   int rates) const override;
+  Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const override;
 
   int ports_;
   double damping_;

@@ -22,11 +22,34 @@ bool lifted(const ParameterResidual<G>& parameter) {
   return parameter.nearby() && parameter.nearby()->lift().size() > 0;
 }
 
+/// Of positions, in the axes of their nodes.
+template <FrameGroup G>
+void add_positions(const Model<G>& model, const NearbyModels<G>& nearby, const State<G>& s,
+                   Eigen::Index column, StateSensitivity& out) {
+  constexpr int sd = G::space_dim;
+  for (const int node : model.positions()) {
+    const int carrier = nearby.carriers()[static_cast<std::size_t>(node)], from = G::dim * carrier;
+    const Eigen::Index at = G::dim * node;
+    const typename Model<G>::Vector xi = nearby.lift().template segment<sd>(at);
+    const typename G::Tangent v = s.v.template segment<G::dim>(from);
+    const CarriedRates<G> real(v, s.vdot.template segment<G::dim>(from), xi),
+        alike(v, s.a.template segment<G::dim>(from), xi);
+    const SquareMatrix<sd> R = s.H[static_cast<std::size_t>(node)].R.transpose() *
+                               s.H[static_cast<std::size_t>(carrier)].R;
+    out.eta.col(column).template segment<sd>(at) = R * xi;
+    out.v.col(column).template segment<sd>(at) = R * real.v;
+    out.a.col(column).template segment<sd>(at) = R * alike.vdot;
+    out.w.col(column).template segment<sd>(at) = R * real.vdot;
+  }
+}
+
 /// What a state that goes with the geometry changes by: eta = xi, v' = ad(v) xi, a' = ad(a) xi, w'
 /// = ad(vdot) xi at each node, a column each; zero of all other parameters. It obeys every relation
 /// of a step, which are linear in these, since T^-1(dq) xi - T^-1(-dq) xi = ad(dq) xi. What is left
 /// of the derivatives then has r_p and Phi_p of `add_lifted` for its right side: at constant frames
 /// r_p is EA/L of a length, and round-off of what cancels it is 1e-8 of the accelerations.
+/// Positions go with the first frame of their body, R_0 xi, which obeys the relations of a step but
+/// for its error of integration: `StepSensitivity::lag`.
 template <FrameGroup G>
 StateSensitivity lift_of(const Model<G>& model, const Parameters<G>& parameters,
                          const State<G>& s) {
@@ -46,8 +69,23 @@ StateSensitivity lift_of(const Model<G>& model, const Parameters<G>& parameters,
       out.a.col(column).template segment<G::dim>(at) = of(s.a) * xi;
       out.w.col(column).template segment<G::dim>(at) = of(s.vdot) * xi;
     }
+    add_positions(model, *parameters[i].nearby(), s, column, out);
   }
   return out;
+}
+
+/// What the lift of two states leaves of the relations of the step between them, at positions.
+template <FrameGroup G>
+std::optional<StateSensitivity> lag_of(const Model<G>& model, const Parameters<G>& parameters,
+                                       const StepSensitivity<G>& step, const State<G>& before,
+                                       const State<G>& after) {
+  if (model.positions().empty() || std::none_of(parameters.begin(), parameters.end(), lifted<G>))
+    return std::nullopt;
+  StateSensitivity lag =
+      step.lag(lift_of(model, parameters, before), lift_of(model, parameters, after));
+  for (const int node : model.frames())
+    for (MatrixXd* x : {&lag.v, &lag.a, &lag.w}) x->middleRows(G::dim * node, G::dim).setZero();
+  return lag;
 }
 
 /// Calls `at` with a state and its derivatives, those of the lift among them.
@@ -98,7 +136,9 @@ class Derivatives {
         for (const auto& near : p.nearby()->models()) near->equations.damping = damping;
   }
   /// At the state after a step. @param previous coupling rows at the state before
-  const ResidualDerivative& at(const State<G>& s, const VectorXd& previous) {
+  const ResidualDerivative& at(const State<G>& s, const VectorXd& previous,
+                               std::optional<StateSensitivity> lag = std::nullopt) {
+    by_p_.lag = std::move(lag);
     return at(s, previous, {s.t, 1});
   }
   const ResidualDerivative& at(const State<G>& s, const VectorXd& previous,
@@ -289,7 +329,8 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   };
   const auto take = [&](const State<G>& before, const State<G>& after, double h) {
     if (sensitivity.step(before, after, h))
-      advance(after, derivatives.at(after, before.rows));
+      advance(after, derivatives.at(after, before.rows,
+                                    lag_of(model, parameters, sensitivity, before, after)));
     else
       end = singular(after.t);
   };
@@ -349,7 +390,8 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
       const StepEnd<G>& end = stretch[k];
       const State<G>& before = k > 0 ? stretch[k - 1].s : start;
       if (!sensitivity.step(before, end.s, end.h)) return singular(end.s.t);
-      go_back(end.s, derivatives.at(end.s, before.rows));
+      go_back(end.s, derivatives.at(end.s, before.rows,
+                                    lag_of(model, parameters, sensitivity, before, end.s)));
     }
   }
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);

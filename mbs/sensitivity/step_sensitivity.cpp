@@ -282,7 +282,25 @@ auto StepSensitivity<G>::known(const StateSensitivity& local) const -> Known {
 }
 
 template <FrameGroup G>
+StateSensitivity StepSensitivity<G>::lag(const StateSensitivity& before,
+                                         const StateSensitivity& after) const {
+  const TangentWeights w = weights_.at(h_);
+  const Known k = known(before);
+  const MatrixXd x = scaled(ahead_, after.eta) - k.x0;
+  StateSensitivity out;
+  out.a = x / (weights_.beta * h_ * h_) + k.a0 - after.a;
+  out.v = w.damping * x + k.v0 - after.v;
+  out.w = w.mass * x + k.w0 - after.w;
+  return out;
+}
+
+template <FrameGroup G>
 void StepSensitivity<G>::add_step(const ResidualDerivative& by_p, Known& k) const {
+  if (by_p.lag) {
+    k.a0 += by_p.lag->a;
+    k.v0 += by_p.lag->v;
+    k.w0 += by_p.lag->w;
+  }
   if (by_p.step.size() == 0) return;
   k.a0 += by_step_a_ * by_p.step;
   k.v0 += by_step_v_ * by_p.step;
@@ -369,6 +387,9 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   after_.at_held_frames_transposed(Cmu, Mmu);
   p -= by_p.r.transpose() * mu + by_p.phi.transpose() * rhs.bottomRows(m);
   const MatrixXd w0 = s.w - Mmu, v0 = s.v - Cmu, a0 = s.a + (1 - am) / (1 - af) * w0;
+  if (by_p.lag)
+    p +=
+        by_p.lag->a.transpose() * s.a + by_p.lag->v.transpose() * v0 + by_p.lag->w.transpose() * w0;
   if (by_p.step.size() > 0)
     p += by_p.step.transpose() * (by_step_a_.transpose() * a0 + by_step_v_.transpose() * v0);
   s.eta = scaled_transposed(back_, w.mass * Mmu + w.damping * Cmu - x);

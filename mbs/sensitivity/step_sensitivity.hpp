@@ -23,6 +23,7 @@
 /// the transposed of this map (discrete adjoint: exact for the discrete motion).
 
 #include <Eigen/Core>
+#include <optional>
 
 #include "mbs/sensitivity/rate_map.hpp"
 #include "mbs/solvers/generalized_alpha.hpp"
@@ -34,6 +35,9 @@ struct ResidualDerivative {
   Eigen::SparseMatrix<double> r;  ///< n x n_p, dr/dp: a parameter acts on few nodes
   Eigen::MatrixXd phi;           ///< m x n_p, dPhi/dp + tau d/dt of it; at the start d^2/dt^2 of it
   Eigen::RowVectorXd step = {};  ///< n_p, dh/dp / h; empty: no parameter changes the step
+  /// v, a and w of `StepSensitivity::lag`, where r and phi are of states that go with p and do not
+  /// obey the relations of the step: these obey them up to that.
+  std::optional<StateSensitivity> lag = std::nullopt;
 };
 
 template <FrameGroup G>
@@ -65,7 +69,10 @@ class StepSensitivity {
     Eigen::MatrixXd x0, a0, v0, w0;
   };
   Known known(const StateSensitivity& before) const;
-  /// Adds what the parameters change by the step itself.
+  /// v', a', w' that the step makes of `before` and eta of `after`, less those of `after`: zero if
+  /// these are derivatives of states along the step. @pre nodes move along the group
+  StateSensitivity lag(const StateSensitivity& before, const StateSensitivity& after) const;
+  /// Adds what the parameters change by the step itself, and the lag.
   void add_step(const ResidualDerivative& by_p, Known& k) const;
   /// What v and vdot of the state after change by at held frames, n x n_p: v0 - gamma' x0 and w0 -
   /// beta' x0, in local frames.

@@ -21,6 +21,26 @@ Model<G> built(const Mechanism& mechanism, const Model<G>& of) {
   return model;
 }
 
+/// Do nodes move along the group, or are positions next to a frame of their body that does?
+template <class G>
+bool has_carriers(const Model<G>& model) {
+  if (model.update != NodeUpdate::Screw) return false;
+  for (const auto& body : model.bodies)
+    for (int k = 0; k < body->nodes(); ++k)
+      if (body->kind(k) == NodeKind::Position && body->kind(0) != NodeKind::Frame) return false;
+  return true;
+}
+
+/// From the frame at rest of a node to that of a model near by.
+template <class G>
+G way_of(const Body<G>& body, const Body<G>& near, int node) {
+  const auto k = static_cast<std::size_t>(node);
+  if (body.kind(node) != NodeKind::Position) return body.reference[k].inverse() * near.reference[k];
+  G way;
+  way.x = body.reference[0].R.transpose() * (near.reference[k].x - body.reference[k].x);
+  return way;
+}
+
 /// Are the same rows constraints, and the same ones left out as repeating others?
 template <class G>
 bool same_roles(const Model<G>& a, const Model<G>& b) {
@@ -53,22 +73,24 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");
   }
-  if (model.update == NodeUpdate::Screw && model.positions().empty()) set_lift(model);
+  if (has_carriers(model)) set_lift(model);
 }
 
 template <FrameGroup G>
 void NearbyModels<G>::set_lift(const Model<G>& model) {
   Eigen::VectorXd lift = Eigen::VectorXd::Zero(model.size());
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    for (int k = 0; k < model.bodies[b]->nodes(); ++k)
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const Body<G>& body = *model.bodies[b];
+    const int first = model.first_node(static_cast<int>(b));
+    for (int k = 0; k < body.nodes(); ++k) {
+      carriers_.push_back(body.kind(k) == NodeKind::Position ? first : first + k);
       for (const auto& near : models_) {
-        const auto at = static_cast<std::size_t>(k);
-        const G moved =
-            model.bodies[b]->reference[at].inverse() * near->model.bodies[b]->reference[at];
-        near->moved.push_back(moved);
-        lift.template segment<G::dim>(G::dim * (model.first_node(static_cast<int>(b)) + k)) +=
-            near->weight * G::log(moved);
+        near->moved.push_back(way_of(body, *near->model.bodies[b], k));
+        lift.template segment<G::dim>(G::dim * (first + k)) +=
+            near->weight * G::log(near->moved.back());
       }
+    }
+  }
   if (!lift.isZero(0)) lift_ = std::move(lift);
 }
 
@@ -88,9 +110,23 @@ void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previ
                                  const LoadLevel& level, Eigen::VectorXd& r_p,
                                  Eigen::VectorXd& phi_p) const {
   State<G> lifted = s;
+  constexpr int sd = G::space_dim;
   for (const auto& near : models_) {
     for (std::size_t k = 0; k < s.H.size(); ++k) {
       const auto at = G::dim * static_cast<Eigen::Index>(k);
+      if (carriers_[k] != static_cast<int>(k)) {
+        const auto from = G::dim * carriers_[k];
+        const auto& xi = near->moved[k].x;
+        const CarriedRates<G> rates(s.v.template segment<G::dim>(from),
+                                    s.vdot.template segment<G::dim>(from), xi);
+        const auto& R_0 = s.H[static_cast<std::size_t>(carriers_[k])].R;
+        const SquareMatrix<sd> to_node = s.H[k].R.transpose() * R_0;
+        lifted.H[k].x = s.H[k].x + R_0 * xi;
+        lifted.v.template segment<sd>(at) = s.v.template segment<sd>(at) + to_node * rates.v;
+        lifted.vdot.template segment<sd>(at) =
+            s.vdot.template segment<sd>(at) + to_node * rates.vdot;
+        continue;
+      }
       const auto Ad = near->moved[k].AdInv();
       lifted.H[k] = s.H[k] * near->moved[k];
       lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);

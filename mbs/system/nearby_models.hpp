@@ -19,7 +19,9 @@ class NearbyModels {
     const Mechanism& mechanism;
     Model<G> model;
     Equations<G> equations;
-    std::vector<G> moved;  ///< by node, from the frame at rest of the model to that of this one
+    /// By node, from the frame at rest of the model to that of this one; of positions the way
+    /// alone, in the axes of the first frame of their body.
+    std::vector<G> moved;
     Near(double weight, const Mechanism& mechanism, const Model<G>& model);
   };
 
@@ -31,12 +33,17 @@ class NearbyModels {
   /// r_p += dr/dp, phi_p += dPhi/dp, as `ParameterResidual::add`.
   void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
-  /// xi by node, what the frames at rest change by, in their own axes; empty where they do not, or
-  /// where nodes do not move along the group.
+  /// xi by node, what the frames at rest change by, in their own axes; of positions in the axes of
+  /// the first frame of their body. Empty where they do not change, or where nodes do not move
+  /// along the group.
   const Eigen::VectorXd& lift() const { return lift_; }
+  /// By node: the first frame of the body of a position, the node itself of a frame.
+  const std::vector<int>& carriers() const { return carriers_; }
   /// The same as `add`, of states that go with the geometry: H D(p), Ad(D^-1) v, Ad(D^-1) vdot with
   /// D(p) from the frames at rest to those at p, d/dp: xi, ad(v) xi, ad(vdot) xi. No element is
-  /// strained by that, so that EA/L is not in the differences. @pre lift() is not empty
+  /// strained by that, so that EA/L is not in the differences. Positions go as if they were fixed
+  /// to the first frame R_0 of their body: x + R_0 xi; what strains them then is the strain of the
+  /// body times xi, not xi. @pre lift() is not empty
   void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                   Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
   /// A state as a model near by sees it: its rows, and the frames that follow.
@@ -47,6 +54,23 @@ class NearbyModels {
 
   std::vector<std::unique_ptr<Near>> models_;
   Eigen::VectorXd lift_;
+  std::vector<int> carriers_;
+};
+
+/// What a point that is fixed to a frame at xi, in its axes, has of its rates: R_0^T x', with v and
+/// vdot of the frame: omega x xi and omega' x xi + omega x (omega x xi).
+template <FrameGroup G>
+struct CarriedRates {
+  using Vector = typename Model<G>::Vector;
+  Vector v, vdot;
+  CarriedRates(const typename G::Tangent& frame_v, const typename G::Tangent& frame_vdot,
+               const Vector& xi) {
+    typename G::Tangent way = G::Tangent::Zero(), turned = way;
+    way.template head<G::space_dim>() = xi;
+    v = (G::ad(frame_v) * way).template head<G::space_dim>();
+    turned.template head<G::space_dim>() = v;
+    vdot = (G::ad(frame_vdot) * way + G::ad(frame_v) * turned).template head<G::space_dim>();
+  }
 };
 
 extern template class NearbyModels<SE2>;

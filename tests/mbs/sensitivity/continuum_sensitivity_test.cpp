@@ -105,12 +105,13 @@ TEST(ContinuumSensitivity, ByItsOwnParametersAreThoseOfDifferences) {
     expect_differences<SE2>(machine_with_continuum(law), of_the_rod(law), options);
 }
 
-/// By lengths what the nodes move cancels the stiffness of a cell times its change: of the largest
-/// output of its kind round-off leaves 5e-9, and 5e-7 of the differences of simulations.
+/// States go with the mesh, as of beams on the group. Round-off leaves 5e-7 of the differences of
+/// simulations.
 TEST(ContinuumSensitivity, ByLengthsBothFormsAreThoseOfDifferences) {
   const auto law = SolidLaw::NeoHookean;
   const Mechanism m = machine_with_continuum(law);
-  expect_direct_equals_adjoint<SE2>(20, m, lengths(m, law), 2e-4, 1, 1, 2e-8);
+  expect_direct_equals_adjoint<SE2>(20, m, lengths(m, law), 2e-4, 1, 1);
+  expect_direct_equals_adjoint<SE2>(100, m, lengths(m, law));
   DifferenceOptions options;
   options.of_kind = true;
   options.largest = 0.1;
@@ -118,7 +119,7 @@ TEST(ContinuumSensitivity, ByLengthsBothFormsAreThoseOfDifferences) {
   expect_differences<SE2>(m, lengths(m, law), options);
   const auto linear = SolidLaw::StVenantKirchhoff;
   const Mechanism in_space = machine_with_continuum(linear, 1);
-  expect_direct_equals_adjoint<SE3>(50, in_space, lengths(in_space, linear, 1), 2e-4, 1, 1, 2e-8);
+  expect_direct_equals_adjoint<SE3>(50, in_space, lengths(in_space, linear, 1), 2e-4, 1, 1);
 }
 
 /// Energy depends on the law itself; central differences of one more step of Richardson.
