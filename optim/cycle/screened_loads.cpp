@@ -33,21 +33,24 @@ Load part_load(const SolidModel& model, const SolidLoadSet& set, int n) {
   return load;
 }
 
-/// The largest of the maxima over time; none if there is no load at all.
-std::vector<int> kept_records(const std::vector<double>& sizes) {
+/// The largest of the maxima over time, and the record `worst` (-1: none); none if there is no load
+/// at all.
+std::vector<int> kept_records(const std::vector<double>& sizes, int worst) {
   if (sizes.empty() || !(*std::max_element(sizes.begin(), sizes.end()) > 0)) return {};
   const std::set<int> maxima = treated_records(Treatment::Maxima, sizes);
   std::vector<int> kept(maxima.begin(), maxima.end());
   std::stable_sort(kept.begin(), kept.end(),
                    [&](int a, int b) { return sizes[std::size_t(a)] > sizes[std::size_t(b)]; });
-  kept.resize(std::min(kept.size(), kKeptLoads));
+  std::erase(kept, worst);
+  kept.resize(std::min(kept.size(), worst < 0 ? kKeptLoads : kKeptLoads - 1));
+  if (worst >= 0) kept.push_back(worst);
   std::sort(kept.begin(), kept.end());
   return kept;
 }
 
 /// @param load_at record -> loads
 template <class LoadAt>
-void add_part(int body, int scenario, const std::vector<double>& times, double length,
+void add_part(int body, int scenario, int worst, const std::vector<double>& times, double length,
               const LoadAt& load_at, std::vector<CycleLoads>& out) {
   std::vector<double> sizes;
   for (std::size_t n = 0; n < times.size(); ++n) {
@@ -55,11 +58,21 @@ void add_part(int body, int scenario, const std::vector<double>& times, double l
     sizes.push_back(std::hypot(load.topRows<3>().norm(), load.bottomRows<3>().norm() / length));
   }
   CycleLoads part{body, scenario, {}, {}};
-  for (const int n : kept_records(sizes)) {
+  for (const int n : kept_records(sizes, worst)) {
     part.times.push_back(times[std::size_t(n)]);
     part.loads.push_back(load_at(n));
   }
   if (!part.times.empty()) out.push_back(std::move(part));
+}
+
+/// Record where the limit is largest that is nearest to its bound, or furthest beyond; -1: none.
+template <FrameGroup G>
+int worst_record(const DesignRun<G>& run) {
+  for (const LimitSeries& limit : run.limits)
+    if (limit.name == run.worst_constraint && !limit.values.empty())
+      return static_cast<int>(std::max_element(limit.values.begin(), limit.values.end()) -
+                              limit.values.begin());
+  return -1;
 }
 
 }  // namespace
@@ -69,14 +82,15 @@ std::vector<CycleLoads> screened_loads(const DesignRun<G>& run, int scenario) {
   std::vector<CycleLoads> out;
   if (!run.good()) return out;
   const SpatialView<G> view(run.mechanism, *run.model);
+  const int worst = worst_record(run);
   for (const LoadSet& set : run.loads)
     add_part(
-        set.body, scenario, set.t, run.model->length,
+        set.body, scenario, worst, set.t, run.model->length,
         [&](int n) { return beam_load<G>(view, set, n); }, out);
   for (const SolidLoadSet& set : run.solid_loads) {
     const auto& spec = std::get<SolidSpec>(run.mechanism.bodies[std::size_t(set.body)].kind);
     add_part(
-        set.body, scenario, set.t, run.model->length,
+        set.body, scenario, worst, set.t, run.model->length,
         [&](int n) { return part_load(*spec.model, set, n); }, out);
   }
   return out;

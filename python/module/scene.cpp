@@ -10,7 +10,8 @@
 namespace liesl::python {
 namespace {
 
-/// A scene that was read, and its text. Of one that is no file, problems have no lines.
+/// A scene that was read, and its text. Of one that is no file, its own problems have no
+/// lines, those of meshes do.
 class SceneInput : public std::enable_shared_from_this<SceneInput> {
  public:
   SceneInput(const std::string& text, const std::string& file,
@@ -53,7 +54,8 @@ class SceneInput : public std::enable_shared_from_this<SceneInput> {
     return read();
   } catch (InputError& error) {
     if (is_file()) throw;
-    for (InputProblem& problem : error.problems) problem.line = problem.column = 0;
+    for (InputProblem& problem : error.problems)
+      if (problem.file == kNoFile) problem.line = problem.column = 0;
     throw InputError(error.problems);
   }
   SceneText text_;

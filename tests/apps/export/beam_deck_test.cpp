@@ -8,6 +8,7 @@
 #include <sstream>
 
 #include "apps/good_scene.hpp"
+#include "apps/output/file.hpp"
 #include "apps/program.hpp"
 #include "apps/scene/load_scene.hpp"
 
@@ -138,9 +139,19 @@ TEST_F(Export, TakesTheSceneOfAResultsFolder) {
                 fs::copy_options::overwrite_existing);
   EXPECT_NE(deck_of(dir_ / "results", {}).find("there is no beam"), std::string::npos)
       << "no 'rod'";
-  fs::remove_all(dir_ / "results");
-  fs::create_directories(dir_ / "results");
+  const fs::path summary = dir_ / "results/summary.json";
+  std::string text = text_of(summary);
+  fs::remove(dir_ / "results/design.toml");
+  text.replace(text.find("\"command\": \"run\""), 16, "\"command\": \"map\"");
+  output::write_file(summary, text);
   EXPECT_NE(deck_of(dir_ / "results", {}).find("is a folder without a scene"), std::string::npos);
+  const std::string key = "\"liesl\": \"";
+  text.replace(text.find(key) + key.size(), 1, "9");
+  output::write_file(summary, text);
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("run it again"), std::string::npos);
+  EXPECT_EQ(run({"export", (dir_ / "results").string(), "--to", "xdmf"}).code, 3);
+  fs::remove(summary);
+  EXPECT_NE(deck_of(dir_ / "results", {}).find("no summary.json"), std::string::npos);
 }
 
 }  // namespace

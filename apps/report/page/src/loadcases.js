@@ -14,7 +14,7 @@ export function loadCases(data, player, abscissaUnit) {
   const node = el('div', { class: 'loads' }, el('h3', {}, 'Loads'), buttons,
     el('div', { class: 'scroll' }, el('table', { id: 'loads' }, el('thead', {}, el('tr', {},
       ['part', 'at'].map((t) => el('th', {}, t)), ['largest force', 'largest moment'].map((t) => el('th', { class: 'n' }, t)))), table)),
-    el('p', { class: 'note' }, 'The equivalent static loads of the cycle at the instants where they are largest. The arrows are the forces on ' +
+    el('p', { class: 'note' }, 'The equivalent static loads of the cycle at the instants where they, or the limit that bounds the design most, are largest. The arrows are the forces on ' +
       'the nodes of beams and on the interfaces of meshed parts, drawn on the motion of the final design, all cycles to one scale.'));
   let shown = null, cycle = null;
 

@@ -4,7 +4,7 @@ import { ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, Vector3 } from
 import { array } from './data.js';
 import { surface } from './materials.js';
 
-const kLongest = 0.2;  // arrow of the largest force, of the size of the mechanism
+const kLongest = 0.3;  // arrow of the largest force, of the size of the mechanism
 const kShortest = 0.004;  // below, a force is not drawn
 const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = new Quaternion();
 
