@@ -30,6 +30,7 @@ std::vector<std::string> command_of(const Batch& batch, std::size_t row, const C
                                     "--threads",
                                     std::to_string(options.threads)};
   if (!options.reports) words.push_back("--no-report");
+  if (batch.optimize && !options.verified) words.push_back("--no-verify");
   for (const std::string& change : batch.changes(row)) {
     words.push_back("--set");
     words.push_back(change);

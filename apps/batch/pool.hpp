@@ -12,7 +12,8 @@ struct PoolOptions {
   int threads = 1;  ///< of each process
   Shard shard;
   bool quiet = false;
-  bool reports = true;  ///< each case writes its report.html
+  bool reports = true;   ///< each case writes its report.html
+  bool verified = true;  ///< cases of a study have errors of their limits
 };
 
 struct PoolReport {

@@ -169,6 +169,7 @@ int batch_command(const CommandOptions& options) {
                                : std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   pool.threads = std::max(1, options.threads);
   pool.quiet = options.quiet;
+  pool.verified = !options.no_verify;
   pool.reports = !options.no_report && batch.cases.rows.size() <= kMostReports;
   const fs::path folder = fs::absolute(options.out).lexically_normal();
   output::BatchSummary summary;

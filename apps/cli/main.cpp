@@ -116,6 +116,9 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
       command.add_flag("--no-verify", o.no_verify, "Leave the errors of the limits out")
           ->excludes(verify);
   }
+  if (name == "batch")
+    command.add_flag("--no-verify", o.no_verify,
+                     "Leave the errors of the limits of a study's cases out");
   if (name == "run" || name == "optimize" || name == "batch" || name == "compare")
     command.add_flag("--no-report", o.no_report, "Write no report.html");
   if (name == "optimize") {

@@ -324,6 +324,24 @@ TEST_F(BatchProgram, FailuresAreRowsWithReasons) {
   EXPECT_NE(table().at("reason")[1], "");
 }
 
+/// Of cases of a study, whose errors of limits take two runs more.
+TEST_F(BatchProgram, NoVerifyLeavesErrorsOfLimitsOut) {
+  const fs::path file =
+      write("sizes.toml", "name = \"sizes\"\nstudy = \"" + study("slider_crank_rod") +
+                              "\"\n[grid]\n"
+                              "limit = { key = \"constraints.bending.limit\", values = [1e-3] }\n");
+  const Words quick = {"--set", "cycle.method=esl", "--set", "simulation.duration=0.02"};
+  Words words = quick;
+  words.push_back("--no-verify");
+  batch(file, words);
+  EXPECT_EQ(table().at("status").size(), 1u);
+  EXPECT_FALSE(table().contains("worst_constraint_error [-]"));
+  words = quick;
+  words.push_back("--force");
+  batch(file, words);
+  EXPECT_TRUE(table().contains("worst_constraint_error [-]"));
+}
+
 /// Everything of every case is in one file.
 TEST_F(BatchProgram, Hdf5HoldsTheTableAndTheCases) {
   ASSERT_EQ(batch(simulations(), {"--set", "grid.rate.values=[100, 1e7]"}).code, 1);
