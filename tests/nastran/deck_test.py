@@ -7,6 +7,8 @@ parts of every kind of cell linearly. Ends with 77 (skipped) without NumPy.
 """
 
 import csv
+import hashlib
+import json
 import subprocess
 import sys
 import tempfile
@@ -23,7 +25,7 @@ sys.dont_write_bytecode = True
 sys.path.insert(0, str(Path(__file__).parents[1] / "calculix"))
 from bulk import Deck, DeckError, by_number  # noqa: E402
 from elements import KINDS, beam, section, solid  # noqa: E402
-from meshes import BAR, ELEMENTS, bar_mesh  # noqa: E402
+from meshes import BAR, bar_mesh  # noqa: E402
 
 PROGRAM, DATA = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
 WITHIN_BEAM = 0.02  # of the deflection: second-order theory with the elements of the scene
@@ -191,16 +193,36 @@ class Nastran(unittest.TestCase):
         self.assertLess(error, WITHIN_SOLID)
         return deck
 
+    def bar_of(self, element):
+        """A scene whose mesh is a file."""
+        (self.folder / f"{element}.inp").write_text(bar_mesh(element))
+        grid = "{ from = [0, 0, 0], to = [0.2, 0.04, 0.04], cells = [20, 4, 4] }"
+        text = BAR.replace(grid, f'{{ file = "{element}.inp" }}').replace('"x_min"', '"left"').replace('"x_max"', '"right"')
+        if not element.startswith("C3D"):
+            text = text.replace("modes = 0", "modes = 0\nthickness = 0.01")
+        (self.folder / f"{element}.toml").write_text(text)
+        return self.folder / f"{element}.toml"
+
     def test_every_kind_of_cell(self):
         for element, name in NASTRAN.items():
-            (self.folder / f"{element}.inp").write_text(bar_mesh(element))
-            grid = "{ from = [0, 0, 0], to = [0.2, 0.04, 0.04], cells = [20, 4, 4] }"
-            text = BAR.replace(grid, f'{{ file = "{element}.inp" }}').replace('"x_min"', '"left"').replace('"x_max"', '"right"')
-            if not element.startswith("C3D"):
-                text = text.replace("modes = 0", "modes = 0\nthickness = 0.01")
-            (self.folder / f"{element}.toml").write_text(text)
-            deck = self.check_solid(self.folder / f"{element}.toml", "bar", "--cases", "all")
-            self.assertTrue(deck.of(name))
+            self.assertTrue(self.check_solid(self.bar_of(element), "bar", "--cases", "all").of(name))
+
+    def test_a_mesh_that_has_changed_is_no_longer_that_of_the_result(self):
+        scene, result = self.bar_of("CPS3"), self.folder / "result"
+        subprocess.run([PROGRAM, "run", scene, "-o", result, "--quiet", "--no-report"], check=True)
+        mesh = self.folder / "CPS3.inp"
+        files = json.loads((result / "summary.json").read_text())["files"]
+        self.assertEqual(list(files.values()), [hashlib.sha256(mesh.read_bytes()).hexdigest()])
+        export = [PROGRAM, "export", result, "--to", "nastran", "--part", "bar", "-o", self.folder / "deck", "--quiet", "--force"]
+        design = result / "design.toml"
+        design.write_text(scene.read_text().replace('"CPS3.inp"', f'"{mesh}"'))
+        subprocess.run(export, check=True)
+        mesh.write_text(mesh.read_text() + "** another\n")
+        for _ in range(2):  # as the final design of an optimisation, then as the scene of a run
+            done = subprocess.run(export, capture_output=True, text=True, check=False)
+            self.assertNotEqual(done.returncode, 0)
+            self.assertIn("has changed", done.stderr)
+            design.unlink(missing_ok=True)
 
     def test_parts_of_motions(self):
         (self.folder / "bar.toml").write_text(BAR.replace("[20, 4, 4]", "[8, 2, 2]"))
