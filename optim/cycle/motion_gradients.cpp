@@ -5,6 +5,7 @@
 #include <set>
 
 #include "mbs/bodies/solid_body.hpp"
+#include "mbs/linalg/stop_request.hpp"
 
 namespace liesl {
 
@@ -82,6 +83,7 @@ void MotionGradients::differentiate(const DesignRun<G>& run, const ResponseValue
   State<G> completed;
   std::size_t record = run.statics ? 1 : 0;  // equilibria: not that without a load
   const auto take = [&](long, const State<G>& s, const StateSensitivity& ds) {
+    look_for_stop();
     if (record == times.size() || s.t != times[record]) return;
     completed = s;
     model.complete(completed);
@@ -118,6 +120,7 @@ bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const Respon
   std::vector<std::vector<VectorXd>> y(series_.size());
   State<G> s = model.initial_state();
   for (int n = 0; n < trajectory.size(); ++n) {
+    look_for_stop();
     trajectory.read(n, s);
     for (std::size_t r = 0; r < series_.size(); ++r) {
       y[r].push_back(values(series_[r].response.response, s));
@@ -148,6 +151,7 @@ bool MotionGradients::differentiate_maxima(const DesignRun<G>& run, const Respon
   const SensitivityEnd end = adjoint_sensitivity<G>(
       model, run.tape, parameters, functionals,
       [&](long, const State<G>& now, StateSensitivity& bars, Eigen::MatrixXd& by_p) {
+        look_for_stop();
         const auto [first, last] = at.equal_range(now.t);
         for (auto k = first; k != last; ++k) {
           const Wanted& w = wanted[static_cast<std::size_t>(k->second)];

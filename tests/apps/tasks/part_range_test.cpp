@@ -20,12 +20,10 @@ const double kEuler = M_PI * M_PI * kEI / (kLength * kLength);
 /// A square bar along x, meshed or a beam, between `first` and `second` or held at `first` alone.
 std::string bar(bool meshed, bool two, const std::string& rest) {
   const std::string mesh = fmt::format(
-      R"toml(bar = {{ solid = {{ mesh = {{ from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }},
-material = "steel", thickness = 0.02, modes = 4, interfaces = {{ first = {{ set = "x_min" }}{} }} }} }})toml",
+      R"toml(bar = {{ solid = {{ mesh = {{ from = [0, -0.01], to = [1, 0.01], cells = [100, 4] }}, material = "steel", thickness = 0.02, modes = 4, interfaces = {{ first = {{ set = "x_min" }}{} }} }} }})toml",
       two ? ", second = { set = \"x_max\" }" : "");
   const std::string beam =
-      R"toml(bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "square", material = "steel",
-elements = 16, as = "modal", points = { first = { on = "start", at = [0, 0, 0] }, second = { on = "end", at = [1, 0, 0] } } } })toml";
+      R"toml(bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "square", material = "steel", elements = 16, as = "modal", points = { first = { on = "start", at = [0, 0, 0] }, second = { on = "end", at = [1, 0, 0] } } } })toml";
   return fmt::format(R"toml(
 [materials]
 steel = {{ E = 210e9, nu = 0.3, rho = 7850 }}
