@@ -54,9 +54,13 @@ class Pool {
         limits_{batch.time, batch.memory},
         waiting_(cases_to_run()),
         line_("cases", static_cast<double>(waiting_.size()), "cases", options.quiet) {
-    // A process a core: the linear algebra of each keeps to its threads.
-    for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"})
-      ::setenv(name, std::to_string(options.threads).c_str(), 0);
+    // A process a core: the linear algebra of each keeps to its threads, or fewer.
+    for (const char* name : {"OMP_NUM_THREADS", "OPENBLAS_NUM_THREADS"}) {
+      const char* text = std::getenv(name);
+      const long given = text ? std::strtol(text, nullptr, 10) : 0;
+      if (given < 1 || given > options.threads)
+        ::setenv(name, std::to_string(options.threads).c_str(), 1);
+    }
   }
 
   PoolReport run() {

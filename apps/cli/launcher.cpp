@@ -32,13 +32,23 @@ rlim_t threads_within(rlim_t space) {
   return 1 + std::min<rlim_t>(others, INT_MAX);
 }
 
+/// How many threads OpenBLAS would begin: its variables in its order, else a thread a core.
+long threads_wanted() {
+  for (const char* name : {"OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"}) {
+    const char* text = std::getenv(name);
+    const long number = text ? std::strtol(text, nullptr, 10) : 0;
+    if (number > 0) return number;
+  }
+  return ::sysconf(_SC_NPROCESSORS_ONLN);
+}
+
 void limit_threads(rlim_t space) {
-  const long cores = ::sysconf(_SC_NPROCESSORS_ONLN);
+  const long wanted = threads_wanted();
   const rlim_t threads = threads_within(space);
-  if (cores < 1 || threads >= static_cast<rlim_t>(cores)) return;
+  if (wanted < 1 || threads >= static_cast<rlim_t>(wanted)) return;
   std::array<char, 16> number;
   std::snprintf(number.data(), number.size(), "%d", static_cast<int>(threads));
-  ::setenv("OPENBLAS_NUM_THREADS", number.data(), 0);
+  ::setenv("OPENBLAS_NUM_THREADS", number.data(), 1);
 }
 
 }  // namespace
@@ -59,7 +69,10 @@ int main(int, char** words) {
   } else if (length > 0) {
     errno = ENAMETOOLONG;
   }
-  std::fprintf(stderr, "liesl: cannot start '%s': %s; install liesl again\n", program.data(),
-               std::strerror(errno));
+  std::fprintf(
+      stderr,
+      "liesl: cannot start its program, '%s' in the folder of bin/liesl: %s; install or copy "
+      "all of liesl\n",
+      LIESL_PROGRAM, std::strerror(errno));
   return kFailed;
 }

@@ -34,7 +34,10 @@ std::string card(const std::string& name, const Fields& fields) {
 
 std::string title(const std::string& text) {
   constexpr std::size_t kColumns = 72;
-  return text.substr(0, kColumns) + "\n";
+  std::string line = text.substr(0, kColumns);
+  const auto foreign = [](char c) { return static_cast<unsigned char>(c) > 127; };
+  std::replace_if(line.begin(), line.end(), foreign, '?');  // also half a letter of UTF-8
+  return line + "\n";
 }
 
 }  // namespace liesl::nastran

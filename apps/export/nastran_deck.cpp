@@ -1,6 +1,9 @@
 #ifdef LIESL_OPTIM
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
 
 #include "apps/export/beam_deck.hpp"
 #include "apps/export/nastran_card.hpp"
@@ -42,12 +45,15 @@ std::string section_text(const SectionGroup& group, std::size_t id) {
   return card("PBARL", fields);
 }
 
-std::string control_text(const BeamDeck& deck) {
+/// @param loads cards of each case; a set without cards would be fatal, and so is left out
+std::string control_text(const BeamDeck& deck, const std::vector<std::string>& loads) {
   std::string text = "SOL 106\nCEND\n" + title("TITLE = " + deck.part + " of " + deck.scene) +
                      "DISPLACEMENT = ALL\nSPC = 1\n";
-  for (std::size_t n = 0; n < deck.cases.size(); ++n)
-    text += fmt::format("SUBCASE {}\n  LABEL = {:.9g} s\n  NLPARM = 1\n  LOAD = {}\n", n + 1,
-                        deck.cases[n].time, n + 1);
+  for (std::size_t n = 0; n < deck.cases.size(); ++n) {
+    text +=
+        fmt::format("SUBCASE {}\n  LABEL = {:.9g} s\n  NLPARM = 1\n", n + 1, deck.cases[n].time);
+    if (!loads[n].empty()) text += fmt::format("  LOAD = {}\n", n + 1);
+  }
   return text;
 }
 
@@ -71,17 +77,24 @@ std::string bulk_text(const BeamDeck& deck) {
          card("SPC1", {"1", "123456", "1"});
 }
 
-std::string loads_text(const BeamDeck& deck) {
-  std::string text;
-  const auto add = [&](const char* name, std::size_t set, std::size_t node, const Vec3& load) {
-    if (load.isZero(0)) return;  // a card needs a component
-    Fields fields{std::to_string(set), std::to_string(node), "0", "1."};
-    text += card(name, fields << load);
+/// All components are written as 0.
+bool no_load(const Vec3& load) {
+  const std::string zero = number(0);
+  return std::all_of(load.begin(), load.end(), [&](double x) { return number(x) == zero; });
+}
+
+/// Cards of each case; none where nothing loads it.
+std::vector<std::string> loads_text(const BeamDeck& deck) {
+  std::vector<std::string> text(deck.cases.size());
+  const auto add = [&](const char* name, std::size_t n, std::size_t node, const Vec3& load) {
+    if (no_load(load)) return;  // a card needs a component
+    Fields fields{std::to_string(n + 1), std::to_string(node), "0", "1."};
+    text[n] += card(name, fields << load);
   };
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     for (std::size_t k = 1; k < deck.nodes.size(); ++k) {
-      add("FORCE", n + 1, k + 1, deck.cases[n].force[k]);
-      add("MOMENT", n + 1, k + 1, deck.cases[n].moment[k]);
+      add("FORCE", n, k + 1, deck.cases[n].force[k]);
+      add("MOMENT", n, k + 1, deck.cases[n].moment[k]);
     }
   return text;
 }
@@ -89,11 +102,12 @@ std::string loads_text(const BeamDeck& deck) {
 }  // namespace
 
 std::string nastran_text(const BeamDeck& deck) {
+  const std::vector<std::string> loads = loads_text(deck);
   return title("$ '" + deck.part + "' of '" + deck.scene + "'") +
          "$ under the equivalent static loads of its motion. SI units.\n"
          "$ See README.md beside this file.\n" +
-         control_text(deck) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
-         loads_text(deck) + "ENDDATA\n";
+         control_text(deck, loads) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
+         fmt::format("{}", fmt::join(loads, "")) + "ENDDATA\n";
 }
 
 }  // namespace liesl

@@ -1,6 +1,6 @@
 /// @file
 /// Where the program that runs is installed: PREFIX/bin/liesl, which starts
-/// PREFIX/libexec/liesl/liesl, and PREFIX/share/liesl. The build tree is laid out alike.
+/// PREFIX/libexec/liesl-program, and PREFIX/share/liesl. The build tree is laid out alike.
 #pragma once
 
 #include <filesystem>

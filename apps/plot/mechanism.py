@@ -11,13 +11,14 @@ from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection
 
 from style import BLUE, GREEN, ORANGE, PURPLE, label
-from tables import HalfResult, Table, table
+from tables import HalfResult, NothingToDraw, Table, table
 
 INSTANTS = 5  # more hide each other
 COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
 VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
 FILL = 0.35  # opacity of what bodies cover
 THIN = 0.004  # thickness, of the size of the mechanism, below which a beam is drawn as a line
+PART_COLUMNS = 9  # of part_lines.csv
 STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
 
 
@@ -57,7 +58,10 @@ def read_sections(folder):
 
 def read_part_lines(folder):
     """{(time, body): [line, ...]}, each a list of points (x, y, z, bending along x, y, z)."""
-    found = table(folder, "part_lines.csv")
+    path = folder / "part_lines.csv"
+    found = table(folder, path.name)
+    if found and len(found.names) != PART_COLUMNS:
+        raise NothingToDraw(f"{path} is of another version; run it again")
     parts = {}
     for time, body, line, *x in found.rows if found else []:
         lines = parts.setdefault((float(time), body), {})

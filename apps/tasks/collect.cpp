@@ -52,7 +52,9 @@ void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const St
     append(out.velocities, view.velocity(s.v.data(), {b, k, SE3::identity()}));
   }
   const BodyState<G> state = model.body_state(s, b);
-  const auto forces = EndForce<G>(model, b).all(*model.bodies[b], state);
+  auto forces = EndForce<G>(model, b).all(*model.bodies[b], state);
+  const typename G::Tangent none = G::Tangent::Zero();
+  forces.resize(out.elements.size(), {none, none});  // as of a rigid body
   for (size_t e = 0; e < out.elements.size(); ++e) {
     append(out.strains,
            view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));

@@ -44,7 +44,7 @@ void measure_pull(const SolidBody<G>& body, const MatrixXd& e, double spin, Part
   const VectorXd d = first.R.transpose() * span.normalized();
   const VectorXd pull = d.transpose() * (K * e.topRows(dim)).topRows(sd);
   range.euler = std::max(0., -pull.minCoeff() / euler);
-  const double centrifugal = body.total_mass() * spin * spin * span.norm() / 2;
+  const double centrifugal = body.total_mass() * spin * spin * span.norm() / 6;
   range.pull = std::max(0., (pull.maxCoeff() + centrifugal) / euler);
 }
 

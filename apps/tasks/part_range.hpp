@@ -24,7 +24,8 @@ struct PartRange {
 /// Compression N = -d . f_1, f = K_e e the force on the second interface, d the direction from the
 /// first to it. Euler load between hinges of a bar that is as soft across d as the part held at its
 /// first interface, y = F L^3/(3 EI): P_E = pi^2 EI/L^2 = pi^2 L/(3 y/F). Tension is -N, with the
-/// centrifugal force of a part that turns, m Omega^2 L/2.
+/// share of the first interface in the centrifugal force of a part that turns, m Omega^2 L/6; that
+/// of the second, m Omega^2 L/3, is in f_1.
 ///
 /// A part of one interface has no force at another, and no turn of it. Omega is the angular
 /// velocity of its frame, omega_1 its lowest circular frequency held at the interface: what spins

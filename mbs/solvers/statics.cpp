@@ -27,9 +27,10 @@ constexpr double kPoseTurn = 0.1;        // rad, or of the mechanism's length: a
 constexpr int kPoseSamples = 256;        // of the drives between 0 and simulation.at
 constexpr int kMaxPoses = 4096;
 
-/// Negative eigenvalues of tangents on the motions that the joints leave. Where loads that follow
-/// the motion make them unsymmetric there is no such count that means anything: 1 if the
-/// determinant is negative, which changes where a further equilibrium branches off.
+/// Negative eigenvalues of tangents on the motions that the joints leave. Where loads make them
+/// unsymmetric (those that follow the motion; spread ones, whose shares of the nodes have no
+/// potential) there is no such count that means anything: 1
+/// if the determinant is negative, which changes where a further equilibrium branches off.
 class NegativeCount {
  public:
   /// @param A tangent with constraints  @param n unknowns without multipliers  @returns -1:
@@ -266,8 +267,10 @@ class LoadPath {
   void tell_critical() {
     if (count_.follows())
       result_.report.warnings.push_back(
-          "loads that follow the motion make the tangent unsymmetric: loads where another "
-          "equilibrium branches off are found, flutter is not; a motion shows it");
+          "loads that follow the motion, or that are spread over a beam that bends, make the "
+          "tangent "
+          "unsymmetric: loads where another equilibrium branches off are found, flutter is not; a "
+          "motion shows it");
     for (const auto& c : result_.critical)
       result_.report.warnings.push_back(fmt::format(
           "{} at the load factor {:.6g}: the tangent has {} negative {} before and {} after",

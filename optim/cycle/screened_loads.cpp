@@ -1,6 +1,9 @@
 #include "optim/cycle/screened_loads.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <set>
+#include <variant>
 
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/system/spatial_view.hpp"

@@ -16,3 +16,17 @@ cmake -G Ninja -S "$source/tests/install" -B "$place/build" -DCMAKE_PREFIX_PATH=
   -DCMAKE_BUILD_TYPE=Release
 cmake --build "$place/build"
 "$place/build/user"
+
+# The program, by its path and by a link: bin/liesl finds what it starts, and that its own files.
+if [[ -x $place/prefix/bin/liesl ]]; then
+  ln -s "$place/prefix/bin/liesl" "$place/link"
+  for program in "$place/prefix/bin/liesl" "$place/link"; do
+    "$program" --version | head -1
+    "$program" run "$source/data/scenes/pendulum.toml" -o "$place/run" --force --quiet \
+      --set simulation.duration=0.01
+  done
+  mkdir "$place/case"
+  printf 'scene = "%s"\n[grid]\nrho = { key = "simulation.rho_inf", values = [0.8, 0.9] }\n' \
+    "$source/data/scenes/pendulum.toml" >"$place/batch.toml"
+  "$place/link" batch "$place/batch.toml" -o "$place/case/batch" -j 1 --no-report --quiet
+fi

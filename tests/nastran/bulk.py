@@ -35,6 +35,7 @@ class Deck:
         begin, end = lines.index("BEGIN BULK"), lines.index("ENDDATA")
         self._read_control([line for line in lines[:begin] if not line.startswith("$")])
         self._read_bulk([(n, line) for n, line in enumerate(lines[:end], 1) if n > begin + 1 and not line.startswith("$")])
+        self._check_loads()
 
     def of(self, name):
         return self.cards.get(name, [])
@@ -64,6 +65,19 @@ class Deck:
             if entry:
                 self._add(entry)
             entry = [(n, line)]
+
+    def _check_loads(self):
+        """Every set of loads that is asked for has a card."""
+        single = {card[0] for name in ("FORCE", "MOMENT") for card in self.of(name)}
+        combined = {card[0]: card[3::2] for card in self.of("LOAD")}
+        for case, of in self.subcases.items():
+            number = of.get("LOAD")
+            if number is not None and number not in single | set(combined):
+                raise DeckError(f"subcase {case} asks for loads {number}, of which there is no card")
+        for number, sets in combined.items():
+            missing = {s for s in sets if s is not None} - single
+            if missing:
+                raise DeckError(f"LOAD {number} combines sets {sorted(missing)}, of which there is no card")
 
     def _add(self, entry):
         n, first = entry[0]
