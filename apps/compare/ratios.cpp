@@ -14,12 +14,20 @@ std::optional<double> median(std::vector<double> x) {
   return x.size() % 2 ? x[half] : 0.5 * (x[half - 1] + x[half]);
 }
 
+/// Has a row values of its own, such as the meshes of a model? They are others than those of the
+/// grid, even if they read the same.
+bool has_own_values(const CaseList::Row& row, std::size_t formalism) {
+  for (std::size_t c = 0; c < row.values.size(); ++c)
+    if (c != formalism && row.values[c].instead) return true;
+  return false;
+}
+
 /// The rows of a formalism by their values in all other columns.
 std::map<std::vector<std::string>, std::string> rows_of(const CaseList& runs, std::size_t column,
                                                         const std::string& formalism) {
   std::map<std::vector<std::string>, std::string> rows;
   for (const CaseList::Row& row : runs.rows) {
-    if (plain(row.values[column].text) != formalism) continue;
+    if (plain(row.values[column].text) != formalism || has_own_values(row, column)) continue;
     std::vector<std::string> others;
     for (std::size_t c = 0; c < row.values.size(); ++c)
       if (c != column) others.push_back(row.values[c].text);

@@ -57,7 +57,7 @@ bool read_place(Reader& reader, const toml::table& table, ResponseSpec& response
   return false;
 }
 
-/// Interface of a part between its first and its last one, or "max".
+/// Interface of a part between its first and its last one, or "max" if none is called that.
 bool read_place_of_part(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const toml::node& node = *table.get("at");
   const auto place = node.value_or(std::string());
@@ -67,12 +67,12 @@ bool read_place_of_part(Reader& reader, const toml::table& table, ResponseSpec& 
   std::vector<std::string> places;
   for (int k = 1; k < last; ++k) places.push_back(interfaces[static_cast<std::size_t>(k)].name);
   const auto found = std::find(places.begin(), places.end(), place);
-  response.everywhere = place == "max";
-  if (response.everywhere && !places.empty()) return true;
   if (found != places.end()) {
     response.s = static_cast<double>(found - places.begin() + 1) / last;
     return true;
   }
+  response.everywhere = place == "max";
+  if (response.everywhere && !places.empty()) return true;
   const std::string expected = places.empty()
                                    ? "a part with an interface between its first and its last one"
                                    : fmt::format("one of {}, or max", fmt::join(places, ", "));

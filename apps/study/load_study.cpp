@@ -151,6 +151,44 @@ void check_scenarios(const std::vector<ScenarioText>& texts, Problems& problems,
           "other keys", "one design stands all scenarios; start and bounds are in [design]");
 }
 
+/// Limits and objective on what is always 0 in a scenario after the first, which was asked when
+/// they were read. @pre all is read
+void check_rigid_beams(const std::vector<ScenarioText>& texts, Problems& problems,
+                       const Study& study) {
+  for (std::size_t s = 1; s < texts.size() && problems.count() == 0; ++s) {
+    const Mechanism& mechanism = study.scenarios[s - 1].mechanism;
+    const auto check = [&](const char* what, const ResponseSpec& response) {
+      const int body = deformed_body(response);
+      if (body < 0) return;
+      const BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
+      const auto* beam = std::get_if<BeamSpec>(&spec.kind);
+      if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid)
+        problems.add(*texts[s].node,
+                     std::string(what) + " '" + response.name + "' is always 0 in scenario '" +
+                         texts[s].name + "': '" + spec.name + "' is rigid",
+                     "a response that does not need deformation, or a flexible beam",
+                     "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
+    };
+    for (const ConstraintSpec& c : study.spec.constraints)
+      check(c.weight > 0 ? "response" : "limit", c.response);
+    for (const ResponseSpec& r : study.spec.motion_objective.responses) check("response", r);
+  }
+}
+
+/// Adds the files that only scenarios after the first name. @pre they are read
+void add_files(Study& study) {
+  for (const Scene& scene : study.scenarios)
+    for (const NamedInput& file : scene.files) {
+      auto& files = study.scene.files;
+      if (std::any_of(files.begin(), files.end(),
+                      [&](const NamedInput& known) { return known.path == file.path; }))
+        continue;
+      files.push_back(file);
+      study.input += file.sha256;
+      study.resumable += file.sha256;
+    }
+}
+
 Scene read_scenario(ScenarioText& from, Problems& problems) {
   const Broken broken = validate(from.scene.root, FileKind::Scene, problems);
   Scene scene;
@@ -237,9 +275,11 @@ Study read_document(Document document, const fs::path& folder,
   for (std::size_t s = 1; s < scenarios.size(); ++s)
     study.resumable += content(scenarios[s].scene.root);
   read_scenarios(scenarios, problems, study);
+  add_files(study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
   check_scenarios(scenarios, problems, study);
+  check_rigid_beams(scenarios, problems, study);
   const toml::table* cycle = document.root["cycle"].as_table();
   study.refine = !cycle || broken.contains("cycle") || text(*cycle, "refine") == "auto";
   problems.throw_if_any();

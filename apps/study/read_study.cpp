@@ -103,6 +103,23 @@ int read_support(StudyReader& reader, const std::string& body, const toml::node&
 
 namespace {
 
+/// Says so if what is limited or minimised is of a rigid beam: it is 0 for every design. Scenarios
+/// after the first are asked when all is read.
+bool is_of_rigid_beam(StudyReader& reader, const toml::node& at, const char* what,
+                      const ResponseSpec& response) {
+  const int index = deformed_body(response);
+  if (index < 0) return false;
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  const BodySpec& body = body_of(reader, index);
+  const auto* beam = std::get_if<BeamSpec>(&body.kind);
+  if (!beam || model_of(*beam, mechanism.formalism) != BeamModel::Rigid) return false;
+  reader.scene.problems.add(
+      at, fmt::format("{} '{}' is always 0: '{}' is rigid", what, response.name, body.name),
+      "a response that does not need deformation, or a flexible beam",
+      "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
+  return true;
+}
+
 /// Largest values in the objective, as constraints with a weight.
 void read_largest(StudyReader& reader, const toml::table& table, const toml::table* weights) {
   const toml::node* given = weights ? weights->get("largest") : nullptr;
@@ -123,7 +140,8 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
       continue;
     }
     for (const ResponseSpec& response : reader.scene.scene.responses) {
-      if (response.name != name) continue;
+      if (response.name != name || is_of_rigid_beam(reader, *names[i], "response", response))
+        continue;
       const bool fixed = reader.root.contains("loads"),
                  image = has_static_image(response, reader.scene.scene.mechanism);
       if (fixed && !image)
@@ -229,7 +247,8 @@ void read_motion_objective(StudyReader& reader, const toml::table& table) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
     for (const ResponseSpec& response : reader.scene.scene.responses)
-      if (response.name == name) objective.responses.push_back(response);
+      if (response.name == name && !is_of_rigid_beam(reader, *node, "response", response))
+        objective.responses.push_back(response);
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
   if (!(objective.mass > 0 || objective.duration > 0 || objective.effort > 0 || objective.extremes))
@@ -326,25 +345,10 @@ std::vector<Entry> for_each_bar(StudyReader& reader, const Entry& entry,
   return out;
 }
 
-/// A limit on what is 0 by definition holds for every design.
-bool is_of_rigid_beam(StudyReader& reader, const ResponseSpec& response) {
-  const int body = deformed_body(response);
-  if (body < 0) return false;
-  const Mechanism& mechanism = reader.scene.scene.mechanism;
-  const auto* beam = std::get_if<BeamSpec>(&body_of(reader, body).kind);
-  return beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid;
-}
-
 void read_constraint(StudyReader& reader, const Entry& entry) {
   auto response = response_of(reader, entry);
   if (!response) return;
-  if (is_of_rigid_beam(reader, *response))
-    return reader.scene.problems.add(
-        *entry.table,
-        fmt::format("limit '{}' is on what is 0 by definition: '{}' is simulated as a rigid body",
-                    entry.name, body_of(reader, deformed_body(*response)).name),
-        "a response that deformation is not needed for, or a flexible beam",
-        "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
+  if (is_of_rigid_beam(reader, *entry.table, "limit", *response)) return;
   response->side = read_side(reader, entry, *response);
   const bool image = has_static_image(*response, reader.scene.scene.mechanism);
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};

@@ -108,14 +108,14 @@ void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const 
                : "the modes that were tried do not do, the mesh may be too coarse"));
 }
 
-/// Largest angular velocity of the frame of a body, rad/s.
+/// Angular velocity of the frame of a body in its own axes, a column a record, rad/s.
 template <FrameGroup G>
-double fastest_turn(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
+Eigen::MatrixXd turns(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
   const int at = G::dim * model.first_node(body) + G::space_dim;
-  double turn = 0;
+  Eigen::MatrixXd omega(G::rotation_dim, trajectory.size());
   for (int n = 0; n < trajectory.size(); ++n)
-    turn = std::max(turn, trajectory.v(n).segment(at, G::rotation_dim).norm());
-  return turn;
+    omega.col(n) = trajectory.v(n).segment(at, G::rotation_dim);
+  return omega;
 }
 
 }  // namespace
@@ -125,17 +125,17 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
                     const Trajectory<G>& trajectory, bool motion) {
   std::vector<double> times;
   for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
+  const auto say = [&](const std::vector<std::string>& warnings) {
+    summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
+  };
+  for (const auto& [b, range] : beam_ranges(mechanism, model, trajectory))
+    say(beam_range_warnings(mechanism.bodies[size_t(b)], mechanism.formalism, range));
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto say = [&](const std::vector<std::string>& warnings) {
-      summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
-    };
-    say(beam_range_warnings(model.bodies[b]->name,
-                            beam_range(mechanism, model, trajectory, int(b))));
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
-    const double spin = fastest_turn(model, trajectory, int(b));
-    say(range_warnings(body->name, part_range(*body, e, spin)));
+    const Eigen::MatrixXd omega = turns(model, trajectory, int(b));
+    say(range_warnings(body->name, body->points(), part_range(*body, e, omega)));
     try {
       describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),
                     motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0);

@@ -76,7 +76,7 @@ ModesResult<G> solve_modes(const Model<G>& model, const SimulationOptions& optio
   const Eigen::SparseMatrix<double> skew = A - Eigen::SparseMatrix<double>(A.transpose());
   if (skew.norm() > kUnsymmetric * A.norm())
     out.report.warnings.push_back(
-        "loads that follow the motion, or that are spread over a beam that bends, make the tangent "
+        "loads that follow the motion, or are spread over a beam that bends, make the tangent "
         "unsymmetric: modes are of its symmetric part");
   const Eigen::SparseMatrix<double> P = unknowns(model, static_cast<int>(A.rows())),
                                     N = unknowns(model, model.size());

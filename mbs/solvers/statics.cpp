@@ -267,10 +267,8 @@ class LoadPath {
   void tell_critical() {
     if (count_.follows())
       result_.report.warnings.push_back(
-          "loads that follow the motion, or that are spread over a beam that bends, make the "
-          "tangent "
-          "unsymmetric: loads where another equilibrium branches off are found, flutter is not; a "
-          "motion shows it");
+          "loads that follow the motion, or spread over bent beams, make the tangent unsymmetric: "
+          "where equilibria branch off is found, flutter is not; a motion shows it");
     for (const auto& c : result_.critical)
       result_.report.warnings.push_back(fmt::format(
           "{} at the load factor {:.6g}: the tangent has {} negative {} before and {} after",

@@ -341,7 +341,7 @@ def minimize(nlp: Nlp, tolerance: float = 1e-6, feasibility: float = 1e-6,
     the functions raise; TypeError for what is no program.
     """
     if not isinstance(nlp, Nlp):
-        raise TypeError(f"minimize takes a program, not {nlp!r} of type {type(nlp).__name__}: "
+        raise TypeError(f"minimize takes an Nlp, not {nlp!r} of type {type(nlp).__name__}: "
                         "liesl.Nlp(...) of functions, or study.nlp()")
     for name, value in (("tolerance", tolerance), ("feasibility", feasibility)):
         if not 0 < value < 1:

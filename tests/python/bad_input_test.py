@@ -161,7 +161,7 @@ def test_arrays_of_any_layout(pendulum, rod):
 
 @pytest.mark.parametrize("what", [3, None, "study", [], lambda x: x])
 def test_what_is_no_program(what):
-    with pytest.raises(TypeError, match="minimize takes a program"):
+    with pytest.raises(TypeError, match="minimize takes an Nlp"):
         liesl.minimize(what)
 
 

@@ -157,7 +157,7 @@ const BadStudy kStudies[] = {
     {"LimitOfARigidBeam",
      "[constraints]\nbending = { response = \"deflection\", of = \"rod\", at = \"mid\", limit = 1.0e-3 }\nagain = {",
      "[set]\n\"bodies.rod.beam.as\" = \"rigid\"\n[constraints]\nagain = @{",
-     {"limit 'again' is on what is 0 by definition", "'rod' is simulated as a rigid body"}},
+     {"limit 'again' is always 0: 'rod' is rigid", "a response that does not need deformation"}},
     {"NoResponse", "use = \"bend\"", "use = @\"bent\"", {"no response 'bent'", "'bend'"}},
     {"NotOfAPart", "use = \"bend\"", "use = @\"slider_x\"", {"'again' is not on the deformation of a part"}},
     {"NothingToUse", "again = { use = \"bend\", ", "again = @{ ", {"missing key", "use, mass, response"}},
@@ -174,6 +174,39 @@ const BadStudy kStudies[] = {
 
 INSTANTIATE_TEST_SUITE_P(Study, Refused, testing::ValuesIn(kStudies),
                          [](const auto& tested) { return std::string(tested.param.name); });
+
+/// An objective of it is refused as a limit is, and what is 0 in one scenario only, too.
+TEST(Study, NothingOfARigidBeamIsMinimised) {
+  const auto refusal = [](const std::string& text) -> std::string {
+    try {
+      read(text);
+      return "";
+    } catch (const InputError& error) {
+      return error.what();
+    }
+  };
+  const std::string rigid = "set]\n\"bodies.rod.beam.as\" = \"rigid\"\n";
+  const auto weighted = [](const std::string& terms) {
+    const std::string text = changed(
+        kGoodStudy,
+        "bending = { response = \"deflection\", of = \"rod\", at = \"mid\", limit = 1.0e-3 }",
+        "heavy = { mass = [\"rod\"], limit = 1 }");
+    const std::string free = changed(text, "again = { use = \"bend\", limit = 2.0e-3 }\n", "");
+    return changed(changed(free, "method = \"esl\"", "method = \"esl1\""), "minimize = \"mass\"",
+                   "minimize = \"weighted\"\n" + terms);
+  };
+  const std::string always = "response 'bend' is always 0: 'rod' is rigid";
+  for (const char* const terms : {"weights = { mass = 1, largest = 1 }\nlargest = [\"bend\"]",
+                                  "weights = { mass = 1, effort = 1 }\neffort = [\"bend\"]"}) {
+    EXPECT_EQ(refusal(weighted(terms)).find("always 0"), std::string::npos);
+    const std::string said = refusal(weighted(terms) + "[" + rigid);
+    EXPECT_NE(said.find(always), std::string::npos) << said;
+  }
+  const std::string said = refusal(kGoodStudy + "[scenarios.a]\n[scenarios.b." + rigid);
+  EXPECT_NE(said.find("limit 'bending' is always 0 in scenario 'b': 'rod' is rigid"),
+            std::string::npos)
+      << said;
+}
 
 TEST(Study, WallsMayNotMeetWithinTheBounds) {
   const auto path = std::filesystem::path(test::kDataDir) / "studies/robot_arms.toml";

@@ -35,6 +35,17 @@ square = {{ type = "rectangle", width = 0.02, height = 0.02 }}
                      meshed ? mesh : beam, rest);
 }
 
+/// The same bar, meshed in space.
+std::string shaft(bool two, const std::string& rest) {
+  return fmt::format(R"toml(
+[materials]
+steel = {{ E = 210e9, nu = 0.3, rho = 7850 }}
+[bodies]
+bar = {{ solid = {{ mesh = {{ from = [0, -0.01, -0.01], to = [1, 0.01, 0.01], cells = [60, 2, 2] }}, material = "steel", modes = 4, interfaces = {{ first = {{ set = "x_min" }}{} }} }} }}
+{})toml",
+                     two ? ", second = { set = \"x_max\" }" : "", rest);
+}
+
 std::string pulled(const std::string& force) {
   return "[joints]\nclamp = { fixed = [\"ground\", \"bar.first\"] }\n[loads]\nf = { at = "
          "\"bar.second\", force = " +
@@ -43,11 +54,11 @@ std::string pulled(const std::string& force) {
          "[simulation]\nduration = 0.25\nstep = 1e-3\n";
 }
 
-std::string spun(double rate) {
+std::string spun(double rate, const std::string& axis = "[0, 0, 1]") {
   return fmt::format(
-      "[joints]\nhub = {{ revolute = [\"ground\", \"bar.first\"], drive = {{ rate = {}, ramp = 0.2 "
-      "}} }}\n[simulation]\nduration = 0.25\nstep = 1e-3\n",
-      rate);
+      "[joints]\nhub = {{ revolute = [\"ground\", \"bar.first\"], axis = {}, drive = {{ rate = {}, "
+      "ramp = 0.2 }} }}\n[simulation]\nduration = 0.25\nstep = 1e-3\n",
+      axis, rate);
 }
 
 /// The figure after `words` in the warnings of a motion, 0 if there is none.
@@ -101,6 +112,15 @@ TEST(PartRange, SpinOverTheLowestFrequencyOfABlade) {
 TEST(PartRange, CentrifugalForceOfAPartOfTwoInterfaces) {
   const double share = kRho * kSide * kSide * 60 * 60 / 2 / kEuler;
   EXPECT_NEAR(said(bar(true, true, spun(60)), kPulled), share, 0.1 * share);
+}
+
+/// About its own length nothing is pulled.
+TEST(PartRange, SpinAboutTheOwnAxis) {
+  for (const bool two : {true, false}) {
+    const char* const words = two ? kPulled : kTurns;
+    EXPECT_EQ(said(shaft(two, spun(80, "[1, 0, 0]")), words), 0) << two;
+    EXPECT_GT(said(shaft(two, spun(80)), words), 0) << two;
+  }
 }
 
 }  // namespace
