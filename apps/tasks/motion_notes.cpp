@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "mbs/solvers/plane_stability.hpp"
 #include "mbs/solvers/statics.hpp"
@@ -99,16 +100,22 @@ std::vector<std::string> struck_start(const Scene& scene, const Model<G>& model,
   const SimulationOptions& o = scene.simulation;
   const Formalism formalism = scene.mechanism.formalism;
   if (o.type != SimulationType::Dynamic || o.start != StartChoice::Assembled ||
-      trajectory.size() < 2 || formalism == Formalism::Floating || formalism == Formalism::Rigid ||
+      trajectory.size() < 2 || formalism == Formalism::Rigid ||
       scene.responses.size() != results.responses.size())
     return {};
   if (std::none_of(scene.responses.begin(), scene.responses.end(),
                    [](const ResponseSpec& r) { return is_struck(r.kind); }))
     return {};
-  State<G> start = model.initial_state(), rest = start;
-  trajectory.read(0, start);
-  if (mobility(model, start).free > 0 || !equilibrium(model, o, rest)) return {};
-  const ResponseValues<G> values(scene.mechanism, model);
+  Mechanism still = scene.mechanism;  // floating frames are for motions only
+  const bool floating = formalism == Formalism::Floating;
+  if (floating) still.formalism = Formalism::SE3;
+  std::optional<Model<G>> nodal;
+  if (floating) nodal = Model<G>::build(still, model.space);
+  const Model<G>& of = floating ? *nodal : model;
+  State<G> start = of.initial_state(), rest = start;
+  if (!floating) trajectory.read(0, start);
+  if (mobility(of, start).free > 0 || !equilibrium(of, o, rest)) return {};
+  const ResponseValues<G> values(still, of);
   std::vector<std::string> names;
   double largest_share = 0;
   for (std::size_t i = 0; i < scene.responses.size(); ++i) {
