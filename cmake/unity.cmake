@@ -1,6 +1,7 @@
 # Unity builds: the sources of a folder are compiled a few at once, so that headers and the templates of
 # Eigen are paid for once in a group. What stands in the unnamed namespace of one source is seen by the
-# next of its folder: one name there, one meaning. -DLIESL_UNITY=OFF compiles each source alone, which is
+# next of its folder: one name there, one meaning; tests have a namespace each, liesl::test::<source>,
+# around theirs. -DLIESL_UNITY=OFF compiles each source alone, which is
 # faster where one source changes at a time.
 option(LIESL_UNITY "Compile the sources of a folder together" ON)
 

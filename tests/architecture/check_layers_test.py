@@ -90,7 +90,8 @@ class CheckLayers(unittest.TestCase):
     def test_second_namespace_of_tests(self):
         self.refuses({"tests/mbs/run.hpp": "namespace liesl::cases {\n}\n"}, "liesl::cases")
         self.refuses({"tests/mbs/model/a_test.cpp": "namespace liesl {\n}\n"}, "namespace liesl: tests")
-        self.refuses({"tests/mbs/model/a_test.cpp": "namespace {\n}\n"}, "in namespace liesl::test")
+        self.refuses({"tests/mbs/model/a_test.cpp": "namespace {\n}\n"}, "in namespace liesl::test::a_test")
+        self.refuses({"tests/mbs/model/a_test.cpp": "namespace liesl::test::b_test {\n}\n"}, "liesl::test::b_test: tests")
 
     def test_cast_of_a_body(self):
         cast = "const auto* b = dynamic_cast<const SolidBody<G>*>(&body);\n"

@@ -8,7 +8,7 @@
 
 #include "mbs/system/state.hpp"
 
-namespace liesl::test {
+namespace liesl::test::corotational_test {
 namespace {
 
 template <FrameGroup G>
@@ -98,4 +98,4 @@ TEST(CorotationalForce, IsTheInternalForceInSpaceAsTheMeshRefines) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::corotational_test

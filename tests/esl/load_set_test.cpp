@@ -10,7 +10,7 @@
 #include "esl/static_part.hpp"
 #include "mbs/motion.hpp"
 
-namespace liesl::test {
+namespace liesl::test::load_set_test {
 namespace {
 
 using test::Motion;
@@ -178,4 +178,4 @@ TEST(LoadSets, RigidBodiesHaveNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::load_set_test

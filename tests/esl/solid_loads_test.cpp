@@ -10,7 +10,7 @@
 #include "mbs/solvers/dynamics.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_loads_test {
 namespace {
 
 struct Moved {
@@ -81,4 +81,4 @@ TEST(SolidLoads, OfAPartAtRestAreNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_loads_test

@@ -11,7 +11,7 @@
 #include "mbs/run.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::static_part_test {
 namespace {
 
 using Matrix = Eigen::MatrixXd;
@@ -285,4 +285,4 @@ TEST(Support, InertiaReliefNeedsMass) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::static_part_test

@@ -7,7 +7,7 @@
 
 #include "sampling.hpp"
 
-namespace liesl::test {
+namespace liesl::test::frames_test {
 namespace {
 
 constexpr double kPi = std::numbers::pi;
@@ -189,4 +189,4 @@ TEST(ProductGroup, StacksItsFactors) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::frames_test

@@ -6,7 +6,7 @@
 
 #include "sampling.hpp"
 
-namespace liesl::test {
+namespace liesl::test::numdiff_test {
 namespace {
 
 TEST(NumDiff, NumbersVectorsAndDynamicSizes) {
@@ -68,4 +68,4 @@ TEST(NumDiff, SweepAcceptsLinearFunctionsAndRefusesNan) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::numdiff_test

@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-namespace liesl::test {
+namespace liesl::test::trig_series_test {
 namespace {
 
 using namespace trig;
@@ -180,4 +180,4 @@ TEST(TrigSeries, Polynomial) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::trig_series_test

@@ -15,7 +15,7 @@
 #include "apps/batch/grid.hpp"
 #include "apps/good_scene.hpp"
 
-namespace liesl::test {
+namespace liesl::test::batch_input_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -258,4 +258,4 @@ TEST(Shard, IsInItsRange) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::batch_input_test

@@ -10,7 +10,7 @@
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::batch_test {
 namespace {
 
 class BatchProgram : public Program {
@@ -381,4 +381,4 @@ TEST_F(BatchProgram, DrawsAnyPairOfColumns) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::batch_test

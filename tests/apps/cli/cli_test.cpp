@@ -6,7 +6,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::cli_test {
 namespace {
 
 class Cli : public Program {};
@@ -462,4 +462,4 @@ TEST_F(Cli, RunsEveryShippedScene) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cli_test

@@ -8,7 +8,7 @@
 #include "apps/batch/case_table.hpp"
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::map_test {
 namespace {
 
 using Columns = std::map<std::string, std::vector<double>>;
@@ -178,4 +178,4 @@ TEST_F(Map, RefusesWhatTheStudyHasNot) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::map_test

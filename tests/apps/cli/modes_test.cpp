@@ -5,7 +5,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::modes_test {
 namespace {
 
 class Modes : public Program {};
@@ -60,4 +60,4 @@ type = "modes"
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::modes_test

@@ -3,7 +3,7 @@
 #include "apps/program.hpp"
 #include "apps/study/load_study.hpp"
 
-namespace liesl::test {
+namespace liesl::test::nucleation_test {
 namespace {
 
 class Nucleation : public Program {
@@ -81,4 +81,4 @@ TEST_F(Nucleation, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::nucleation_test

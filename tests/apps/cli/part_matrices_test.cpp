@@ -5,7 +5,7 @@
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_matrices_test {
 namespace {
 
 const std::string kMotion = R"([joints]
@@ -137,4 +137,4 @@ TEST_F(PartMatrices, FaultsOfTheFilesAreNamedAtTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_matrices_test

@@ -5,7 +5,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::refusals_test {
 namespace {
 
 struct Refusal {
@@ -178,4 +178,4 @@ TEST_F(LeanEnd, NamesNoFileThatItDidNotWrite) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::refusals_test

@@ -6,7 +6,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::sensitivity_test {
 namespace {
 
 /// Columns of a table of numbers by their headings.
@@ -247,4 +247,4 @@ elongation = { response = "elongation", between = ["rod.big_end", "rod.small_end
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::sensitivity_test

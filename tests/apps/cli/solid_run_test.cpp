@@ -5,7 +5,7 @@
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_run_test {
 namespace {
 
 class SolidRun : public Program {
@@ -252,4 +252,4 @@ TEST_F(SolidRun, BadPartsAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_run_test

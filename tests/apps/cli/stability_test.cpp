@@ -5,7 +5,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::stability_test {
 namespace {
 
 enum class Ending {
@@ -492,4 +492,4 @@ TEST_F(StabilitySlow, AMillionStepsDoNotDrift) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::stability_test

@@ -5,7 +5,7 @@
 
 #include "apps/program.hpp"
 
-namespace liesl::test {
+namespace liesl::test::traps_test {
 namespace {
 
 const std::string kMaterials = R"toml(
@@ -222,4 +222,4 @@ f = { at = "plate.tip", force = [0, 1000, 0] }
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::traps_test

@@ -5,7 +5,7 @@
 #include "apps/study/load_study.hpp"
 #include "mbs/solids/solid_model.hpp"
 
-namespace liesl::test {
+namespace liesl::test::verify_test {
 namespace {
 
 class VerifyCommand : public Program {
@@ -145,4 +145,4 @@ TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::verify_test

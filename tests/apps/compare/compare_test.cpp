@@ -13,7 +13,7 @@
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/system/energy.hpp"
 
-namespace liesl::test {
+namespace liesl::test::compare_test {
 namespace {
 
 using Row = std::map<std::string, std::string>;
@@ -474,4 +474,4 @@ TEST_F(Compare, RefusesWhatMethodsHaveNot) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::compare_test

@@ -12,7 +12,7 @@
 #include "apps/program.hpp"
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl::test {
+namespace liesl::test::beam_deck_test {
 namespace {
 
 const std::vector<std::string> kShort = {"simulation.duration=0.03"};
@@ -155,4 +155,4 @@ TEST_F(Export, TakesTheSceneOfAResultsFolder) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::beam_deck_test

@@ -7,7 +7,7 @@
 #include "apps/input/document.hpp"
 #include "apps/input/values.hpp"
 
-namespace liesl::test {
+namespace liesl::test::ordered_text_test {
 namespace {
 
 std::vector<std::string> names(toml::table& table) {
@@ -47,4 +47,4 @@ TEST(OrderedText, NumbersAreTheShortestAndNewKeysComeLast) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::ordered_text_test

@@ -10,7 +10,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::overrides_test {
 namespace {
 
 using test::kGoodScene;
@@ -85,4 +85,4 @@ TEST(Overrides, OfAStudyReachItsScene) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::overrides_test

@@ -13,7 +13,7 @@
 #include "apps/input/problem.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::schema_test {
 namespace {
 
 std::vector<Key> all_keys() {
@@ -97,4 +97,4 @@ TEST(Nearest, IsByEditDistance) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::schema_test

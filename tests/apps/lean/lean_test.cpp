@@ -16,7 +16,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "mbs/solvers/richardson.hpp"
 
-namespace liesl::test {
+namespace liesl::test::lean_test {
 namespace {
 
 // --- distance ------------------------------------------------------------------------------------
@@ -406,4 +406,4 @@ TEST_F(LeanSlow, MeetsItsToleranceInEveryShippedScene) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::lean_test

@@ -6,7 +6,7 @@
 #include "apps/input/problem.hpp"
 #include "mbs/solids/meshes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::abaqus_mesh_test {
 namespace {
 
 /// Two hexahedra on top of each other, as preprocessors write them: comments, a cell over two
@@ -178,4 +178,4 @@ TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::abaqus_mesh_test

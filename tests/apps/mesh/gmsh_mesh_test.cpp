@@ -4,7 +4,7 @@
 
 #include "apps/input/problem.hpp"
 
-namespace liesl::test {
+namespace liesl::test::gmsh_mesh_test {
 namespace {
 
 /// Two quadrilaterals side by side, a named line on the left, a node that no cell uses.
@@ -232,4 +232,4 @@ TEST(Gmsh, AFileCutShortIsRefusedWhereverItIsCut) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::gmsh_mesh_test

@@ -4,7 +4,7 @@
 
 #include "apps/input/problem.hpp"
 
-namespace liesl::test {
+namespace liesl::test::matrix_market_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -67,4 +67,4 @@ TEST(MatrixMarket, EveryMistakeSaysWhereAndWhatWasExpected) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::matrix_market_test

@@ -16,7 +16,7 @@
 
 namespace fs = std::filesystem;
 
-namespace liesl::test {
+namespace liesl::test::atomic_folder_test {
 namespace {
 
 using namespace output;
@@ -218,4 +218,4 @@ TEST(Sha256, KnownValues) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::atomic_folder_test

@@ -20,7 +20,7 @@
 
 namespace fs = std::filesystem;
 
-namespace liesl::test {
+namespace liesl::test::own_files_test {
 namespace {
 
 using namespace output;
@@ -263,4 +263,4 @@ TEST(CaseEnd, OfAFullDiskIsTriedAgain) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::own_files_test

@@ -7,7 +7,7 @@
 #include "apps/output/file.hpp"
 #include "tests/apps/output_sample.hpp"
 
-namespace liesl::test {
+namespace liesl::test::picture_writer_test {
 namespace {
 
 using namespace output;
@@ -93,4 +93,4 @@ TEST(PictureWriter, NoFileWithoutMeshedParts) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::picture_writer_test

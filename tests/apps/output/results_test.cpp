@@ -21,7 +21,7 @@
 #include "apps/output/xdmf_writer.hpp"
 #include "tests/apps/output_sample.hpp"
 
-namespace liesl::test {
+namespace liesl::test::results_test {
 namespace {
 
 using namespace output;
@@ -238,4 +238,4 @@ TEST(SpreadRecords, FirstAndLastAreAmongThem) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::results_test

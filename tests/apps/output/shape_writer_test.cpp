@@ -15,7 +15,7 @@
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shape_writer_test {
 namespace {
 
 using namespace output;
@@ -26,7 +26,7 @@ using namespace levelset;
 LevelSetPtr plate_with_hole() {
   std::vector<Operand> operands;
   operands.push_back({"plate", rectangle(0.1, 0.06, 0.005)});
-  operands.push_back({"hole", circle(0.02)});
+  operands.push_back({"hole", levelset::circle(0.02)});
   return subtract(std::move(operands));
 }
 
@@ -144,4 +144,4 @@ TEST_F(ShapeFile, VtuHoldsCellsAndFields) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shape_writer_test

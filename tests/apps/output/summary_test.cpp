@@ -18,7 +18,7 @@
 #include "apps/output/versions.hpp"
 #include "tests/apps/output_sample.hpp"
 
-namespace liesl::test {
+namespace liesl::test::summary_test {
 namespace {
 
 using namespace output;
@@ -137,4 +137,4 @@ TEST(Interrupt, FirstSignalIsARequest) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::summary_test

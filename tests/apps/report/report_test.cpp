@@ -13,7 +13,7 @@
 #include "apps/report/table.hpp"
 #include "mbs/solids/meshes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::report_test {
 namespace {
 
 using output::cut_mesh;
@@ -294,4 +294,4 @@ TEST(ReportPage, TextsCannotEndTheScript) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::report_test

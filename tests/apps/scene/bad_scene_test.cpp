@@ -10,7 +10,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::bad_scene_test {
 namespace {
 
 using test::changed;
@@ -264,4 +264,4 @@ TEST(BadScene, LoadsThatFollowABeamOfFourthOrderAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::bad_scene_test

@@ -11,7 +11,7 @@
 #include "apps/tasks/esl.hpp"
 #include "apps/tasks/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::continuum_scene_test {
 namespace {
 
 using test::changed;
@@ -160,4 +160,4 @@ TEST(ContinuumScene, HasNoLoadSets) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::continuum_scene_test

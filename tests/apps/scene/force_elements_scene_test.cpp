@@ -8,7 +8,7 @@
 #include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 
-namespace liesl::test {
+namespace liesl::test::force_elements_scene_test {
 namespace {
 
 Mechanism mechanism(const std::string& from, const std::string& to) {
@@ -134,4 +134,4 @@ TEST(ForceElementsScene, JointForceOfACylinder) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::force_elements_scene_test

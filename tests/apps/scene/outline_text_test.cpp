@@ -8,7 +8,7 @@
 
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl::test {
+namespace liesl::test::outline_text_test {
 namespace {
 
 using levelset::FeatureKind;
@@ -90,4 +90,4 @@ TEST(OutlineText, OfASpatialPartIsReadBack) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::outline_text_test

@@ -7,7 +7,7 @@
 
 #include "apps/input/rewrite.hpp"
 
-namespace liesl::test {
+namespace liesl::test::scene_key_test {
 namespace {
 
 constexpr const char* kScene = R"([bodies]
@@ -35,4 +35,4 @@ TEST(FileKeys, NoneChangesNothing) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::scene_key_test

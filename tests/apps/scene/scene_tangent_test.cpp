@@ -14,7 +14,7 @@
 #include "mbs/step_tangent.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::scene_tangent_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
 INSTANTIATE_TEST_SUITE_P(Shipped, SceneTangent, ::testing::ValuesIn(scenes()), test_name);
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::scene_tangent_test

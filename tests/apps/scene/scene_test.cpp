@@ -11,7 +11,7 @@
 #include "apps/input/document.hpp"
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl::test {
+namespace liesl::test::scene_test {
 namespace {
 
 using test::changed;
@@ -295,4 +295,4 @@ TEST_F(File, IsAScene) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::scene_test

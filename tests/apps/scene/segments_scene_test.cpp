@@ -6,7 +6,7 @@
 #include "apps/good_scene.hpp"
 #include "apps/scene/load_scene.hpp"
 
-namespace liesl::test {
+namespace liesl::test::segments_scene_test {
 namespace {
 
 using test::changed;
@@ -114,4 +114,4 @@ TEST(PenaltyScene, ADriveThatJumpsIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::segments_scene_test

@@ -15,7 +15,7 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shipped_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -118,4 +118,4 @@ TEST(Shipped, SvanbergsCantileverIsScaledToHisNumbers) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shipped_test

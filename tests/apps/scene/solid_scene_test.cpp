@@ -13,7 +13,7 @@
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_scene_test {
 namespace {
 
 using test::changed;
@@ -310,4 +310,4 @@ INSTANTIATE_TEST_SUITE_P(Scene, BadSolid, testing::ValuesIn(kParts),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_scene_test

@@ -9,7 +9,7 @@
 #include "mbs/solvers/statics.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl::test {
+namespace liesl::test::truss_scene_test {
 namespace {
 
 using test::changed;
@@ -115,4 +115,4 @@ TEST(TrussScene, FaultsAreSaidAtTheirPlaces) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::truss_scene_test

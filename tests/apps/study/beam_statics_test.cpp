@@ -18,7 +18,7 @@
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
 
-namespace liesl::test {
+namespace liesl::test::beam_statics_test {
 namespace {
 
 /// The scene with the design that the study starts from.
@@ -280,4 +280,4 @@ TEST(BeamStatics, BoundsAreThoseOfTheMoveLimit) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::beam_statics_test

@@ -10,7 +10,7 @@
 #include "reference/bilinear_plate.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::cantilever_holes_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -76,4 +76,4 @@ TEST(CantileverHoles, ReferenceElementIsRightForASlenderBar) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cantilever_holes_test

@@ -9,7 +9,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::catalogue_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -235,4 +235,4 @@ TEST(PartOfCatalogue, IsTheBestOfAllDesigns) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::catalogue_test

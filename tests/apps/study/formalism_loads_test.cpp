@@ -10,7 +10,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::formalism_loads_test {
 namespace {
 
 Changes with(Changes changes, Formalism f) {
@@ -169,4 +169,4 @@ TEST(FormalismLoads, OfTheFloatingFrameSizeTheSameRodAsItStiffens) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::formalism_loads_test

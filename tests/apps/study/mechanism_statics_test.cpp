@@ -11,7 +11,7 @@
 #include "optim/cycle/trust_region_rule.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::mechanism_statics_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -229,4 +229,4 @@ TEST(MechanismStaticsSlow, SaveCyclesWhereSeveralBodiesBendTogether) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::mechanism_statics_test

@@ -9,7 +9,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::mixed_study_test {
 namespace {
 
 TEST(MixedStudySlow, HasRightDerivatives) {
@@ -70,4 +70,4 @@ TEST(MassLimit, OfBeamAndPlatesFollowsTheDesign) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::mixed_study_test

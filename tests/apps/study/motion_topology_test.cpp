@@ -5,7 +5,7 @@
 #include "optim/cycle/topology_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::motion_topology_test {
 namespace {
 
 /// A plate whose height is the only variable; holes keep 10 mm from its edge and the flanges.
@@ -57,4 +57,4 @@ TEST(MotionTopologySlow, AHoleMakesTheArmLighterAtTheSameLimit) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::motion_topology_test

@@ -11,7 +11,7 @@
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::motion_variables_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -222,4 +222,4 @@ TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::motion_variables_test

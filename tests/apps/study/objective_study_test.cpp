@@ -9,7 +9,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::objective_study_test {
 namespace {
 
 using test::changed;
@@ -116,4 +116,4 @@ TEST(ObjectiveStudy, LoadSetsOfAStaticSceneAreScenarios) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::objective_study_test

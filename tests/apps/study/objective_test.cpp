@@ -14,7 +14,7 @@
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"
 
-namespace liesl::test {
+namespace liesl::test::objective_test {
 namespace {
 
 struct End {
@@ -133,4 +133,4 @@ TEST_F(HighestFrequency, OfAMassIsThatOfTheSquareBar) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::objective_test

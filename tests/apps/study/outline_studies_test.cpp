@@ -7,7 +7,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::outline_studies_test {
 namespace {
 
 /// The study's part without its openings, named "hole...", "pocket..." or "opening...": its motion
@@ -79,4 +79,4 @@ TEST(RobotArmLatticeSlow, IsAQuarterLighterThanTheFullArm) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::outline_studies_test

@@ -7,7 +7,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_limit_motion_test {
 namespace {
 
 /// The height of a connecting rod of few cells, in a short motion.
@@ -148,4 +148,4 @@ TEST(PartLimitOfAMotion, WithoutSensitivitiesThereIsNoCertificate) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_limit_motion_test

@@ -12,7 +12,7 @@
 #include "optim/cycle/topology_cycle.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_objective_test {
 namespace {
 
 PartEnd optimise(const std::string& text) {
@@ -164,4 +164,4 @@ TEST_F(CantileverObjective, WhatFixedLoadsDoNotHaveIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_objective_test

@@ -5,7 +5,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::scenarios_test {
 namespace {
 
 CycleResult<SE2> optimise(const Study& study) {
@@ -125,4 +125,4 @@ TEST(MotionRows, LimitOnAJointForceHoldsAtTheOptimum) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::scenarios_test

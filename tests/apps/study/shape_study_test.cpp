@@ -9,7 +9,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shape_study_test {
 namespace {
 
 using test::changed;
@@ -149,4 +149,4 @@ bending = { response = "deflection", of = "rod", limit = 1.0e-3 }
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shape_study_test

@@ -9,7 +9,7 @@
 #include "reference/shipped.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shipped_study_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -179,4 +179,4 @@ TEST(ShippedMotionGradients, AreThoseOfDifferences) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shipped_study_test

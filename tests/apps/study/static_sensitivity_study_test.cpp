@@ -13,7 +13,7 @@
 #include "reference/places.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::static_sensitivity_study_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -198,4 +198,4 @@ INSTANTIATE_TEST_SUITE_P(Bars, PublishedTruss,
                          [](const auto& of) { return std::string(of.param.study).substr(0, 8); });
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::static_sensitivity_study_test

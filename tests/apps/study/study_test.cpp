@@ -9,7 +9,7 @@
 #include "apps/study/load_study.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::study_test {
 namespace {
 
 using test::changed;
@@ -220,4 +220,4 @@ TEST(Study, WallsMayNotMeetWithinTheBounds) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::study_test

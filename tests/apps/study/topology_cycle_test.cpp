@@ -17,7 +17,7 @@
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/places.hpp"
 
-namespace liesl::test {
+namespace liesl::test::topology_cycle_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -237,4 +237,4 @@ TEST(TopologyCycle, GradientsWithAnInsertedHolePassTheStepSweep) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::topology_cycle_test

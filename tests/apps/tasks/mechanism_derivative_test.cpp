@@ -9,7 +9,7 @@
 #include "mbs/model/beam_ends.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::mechanism_derivative_test {
 namespace {
 
 using Change = std::function<void(Mechanism&, double)>;
@@ -258,4 +258,4 @@ TEST(MechanismDerivative, OfFinerMeshesIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::mechanism_derivative_test

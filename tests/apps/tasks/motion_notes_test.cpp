@@ -9,7 +9,7 @@
 #include "apps/tasks/run.hpp"
 #include "reference/shipped.hpp"
 
-namespace liesl::test {
+namespace liesl::test::motion_notes_test {
 namespace {
 
 /// A cantilever along x with its load, `scale` over time.
@@ -102,4 +102,4 @@ TEST(LeavingPlane, IsOfAutoOnly) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::motion_notes_test

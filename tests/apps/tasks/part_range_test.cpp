@@ -10,7 +10,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_range_test {
 namespace {
 
 constexpr double kE = 210e9, kRho = 7850, kSide = 0.02, kLength = 1;
@@ -124,4 +124,4 @@ TEST(PartRange, SpinAboutTheOwnAxis) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_range_test

@@ -12,7 +12,7 @@
 #include "apps/tasks/optimize_verified.hpp"
 #include "apps/tasks/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::refine_test {
 namespace {
 
 using Changes = std::vector<std::string>;
@@ -155,4 +155,4 @@ TEST_F(RefinedRod, ResumesOnTheModelWhereItWasStopped) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::refine_test

@@ -17,7 +17,7 @@
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::verify_test {
 namespace {
 
 Refinement figures(double order, double C) {
@@ -126,4 +126,4 @@ TEST(Verify, RefusesWhatHasNoResponsesAndNamesWhatItLeavesOut) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::verify_test

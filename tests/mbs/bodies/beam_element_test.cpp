@@ -11,7 +11,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::beam_element_test {
 namespace {
 
 using test::Random;
@@ -283,4 +283,4 @@ TYPED_TEST(BeamElementTest, LinearCantileverHasTheExactTip) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::beam_element_test

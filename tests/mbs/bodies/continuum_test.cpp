@@ -8,7 +8,7 @@
 #include "mbs/step_tangent.hpp"
 #include "reference/continuum.hpp"
 
-namespace liesl::test {
+namespace liesl::test::continuum_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -225,4 +225,4 @@ TEST(Continuum, RefusesWhatItCannotBe) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::continuum_test

@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::fourth_order_element_test {
 namespace {
 
 using test::Random;
@@ -283,4 +283,4 @@ TYPED_TEST(FourthOrderElementTest, LinearCantileverHasTheExactTip) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::fourth_order_element_test

@@ -9,7 +9,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::modal_test {
 namespace {
 
 template <class G>
@@ -147,4 +147,4 @@ TYPED_TEST(ModalBodyTest, AllModesMakeTheFrequenciesOfTheFreeBeam) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::modal_test

@@ -7,7 +7,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::reissner_element_test {
 namespace {
 
 template <class G>
@@ -148,4 +148,4 @@ TYPED_TEST(ReissnerElementTest, GyroscopicTangentIsTheDerivativeOfTheInertiaForc
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::reissner_element_test

@@ -13,7 +13,7 @@
 #include "mbs/solids/volume_fraction.hpp"
 #include "reference/meshed_part.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_body_test {
 namespace {
 
 using Eigen::Matrix3d;
@@ -343,4 +343,4 @@ TEST(SolidBody, ASpinningBarGrowsAsTheClosedFormSays) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_body_test

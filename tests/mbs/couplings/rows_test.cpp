@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::rows_test {
 namespace {
 
 using test::Random;
@@ -134,4 +134,4 @@ TEST(ScrewRow, FollowsItsTurns) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::rows_test

@@ -5,7 +5,7 @@
 #include "liegroup/so3.hpp"
 #include "mbs/levelset/shapes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::csg_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -123,4 +123,4 @@ TEST(Csg, ParametersAreNamedByTheirPath) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::csg_test

@@ -5,7 +5,7 @@
 #include "liegroup/numdiff.hpp"
 #include "mbs/levelset/shapes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::features_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -167,4 +167,4 @@ TEST(LevelSet, FlawsAreNamed) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::features_test

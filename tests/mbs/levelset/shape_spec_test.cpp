@@ -9,7 +9,7 @@
 #include "mbs/levelset/csg.hpp"
 #include "mbs/levelset/features.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shape_spec_test {
 namespace {
 
 using namespace levelset;
@@ -25,7 +25,7 @@ ShapeSpec plate_with_holes() {
 
 TEST(ShapeSpec, IsTheTreeOfItsFeatures) {
   std::vector<Operand> holes, all;
-  holes.push_back({"left", placed_in_plane(-0.5, 0, 0, circle(0.2))});
+  holes.push_back({"left", placed_in_plane(-0.5, 0, 0, levelset::circle(0.2))});
   holes.push_back({"right", placed_in_plane(0.5, 0, 0.3, super_ellipse(0.3, 0.2, 3, 4))});
   all.push_back({"plate", placed_in_plane(0, 0, 0, rectangle(2, 1, 0.1))});
   all.push_back({"holes", unite(std::move(holes), 0.05)});
@@ -125,4 +125,4 @@ TEST(ShapeSpec, EveryKindMakesAShapeOfItsParameters) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shape_spec_test

@@ -47,16 +47,16 @@ inline std::vector<Operand> pair(LevelSetPtr a, LevelSetPtr b) {
 }
 
 inline LevelSetPtr two_circles_united(std::optional<double> radius) {
-  return unite(
-      pair(placed_in_plane(-0.2, 0, 0, circle(0.5)), placed_in_plane(0.3, 0.1, 0, circle(0.4))),
-      radius);
+  return unite(pair(placed_in_plane(-0.2, 0, 0, levelset::circle(0.5)),
+                    placed_in_plane(0.3, 0.1, 0, levelset::circle(0.4))),
+               radius);
 }
 
 inline std::vector<NamedShape> all_shapes() {
   return {
       {"half-plane", [] { return turned(half_space()); }, true},
       {"half-space", [] { return tilted(half_space()); }, true},
-      {"circle", [] { return turned(circle(0.6)); }, true},
+      {"circle", [] { return turned(levelset::circle(0.6)); }, true},
       {"sphere", [] { return tilted(sphere(0.6)); }, true},
       {"rectangle", [] { return turned(rectangle(1.2, 0.8)); }, true},
       {"rectangle with fillet", [] { return turned(rectangle(1.2, 0.8, 0.15)); }, true},
@@ -94,12 +94,14 @@ inline std::vector<NamedShape> all_shapes() {
       {"smooth intersection",
        [] {
          return intersect(
-             pair(turned(rectangle(1.2, 0.8)), placed_in_plane(0.2, 0.1, 0, circle(0.5))), 0.15);
+             pair(turned(rectangle(1.2, 0.8)), placed_in_plane(0.2, 0.1, 0, levelset::circle(0.5))),
+             0.15);
        }},
       {"smooth difference",
        [] {
          return subtract(
-             pair(turned(rectangle(1.2, 0.8)), placed_in_plane(0.5, 0.1, 0, circle(0.3))), 0.1);
+             pair(turned(rectangle(1.2, 0.8)), placed_in_plane(0.5, 0.1, 0, levelset::circle(0.3))),
+             0.1);
        }},
   };
 }

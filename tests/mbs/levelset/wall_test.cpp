@@ -10,7 +10,7 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/solids/mesh.hpp"
 
-namespace liesl::test {
+namespace liesl::test::wall_test {
 namespace {
 
 using namespace levelset;
@@ -25,7 +25,7 @@ LevelSetPtr plate(LevelSetPtr one, LevelSetPtr two) {
   return subtract(std::move(operands));
 }
 LevelSetPtr hole(double x, double y, double radius) {
-  return placed_in_plane(x, y, 0.3, circle(radius));
+  return placed_in_plane(x, y, 0.3, levelset::circle(radius));
 }
 Eigen::Matrix3Xd samples() { return quad_grid({-0.1, -0.05}, {0.1, 0.05}, 40, 20).nodes; }
 
@@ -138,7 +138,7 @@ TEST(Wall, BetweenSuperEllipsesIsTheDistanceOfTheirOutlines) {
 
 TEST(Part, IsFoundByNameAndByPathWithItsSignAndFirstParameter) {
   std::vector<Operand> inner;
-  inner.push_back({"ring", circle(0.03)});
+  inner.push_back({"ring", levelset::circle(0.03)});
   inner.push_back({"core", hole(0, 0, 0.01)});
   std::vector<Operand> outer;
   outer.push_back({"plate", rectangle(0.2, 0.1)});
@@ -153,4 +153,4 @@ TEST(Part, IsFoundByNameAndByPathWithItsSignAndFirstParameter) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::wall_test

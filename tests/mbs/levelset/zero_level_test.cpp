@@ -8,7 +8,7 @@
 #include "mbs/levelset/shapes.hpp"
 #include "mbs/levelset/simplex.hpp"
 
-namespace liesl::test {
+namespace liesl::test::zero_level_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -118,4 +118,4 @@ TEST(Simplex, TetrahedraFillTheCubeWithPositiveVolumes) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::zero_level_test

@@ -5,7 +5,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::block_tridiagonal_test {
 namespace {
 
 using test::Random;
@@ -84,4 +84,4 @@ TYPED_TEST(BlockTridiagonalTest, RefusesASingularPivot) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::block_tridiagonal_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-namespace liesl::test {
+namespace liesl::test::sparse_cholesky_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -61,4 +61,4 @@ TEST(SparseCholesky, WhatIsNotPositiveDefiniteIsSaidSo) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::sparse_cholesky_test

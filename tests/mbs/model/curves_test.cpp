@@ -13,7 +13,7 @@
 
 #include "mbs/model/cubic_spline.hpp"
 
-namespace liesl::test {
+namespace liesl::test::curves_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -259,4 +259,4 @@ TEST(Spline, RefusesBadPoints) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::curves_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace liesl::test {
+namespace liesl::test::force_curve_test {
 namespace {
 
 using enum TimeFunction::Interpolation;
@@ -53,4 +53,4 @@ TEST(ForceCurve, RefusesTablesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::force_curve_test

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace liesl::test {
+namespace liesl::test::mechanism_test {
 namespace {
 
 SE3 turned(const Vec3& w, const Vec3& x) {
@@ -111,4 +111,4 @@ TEST(Mechanism, RefusesPortsThatCannotBe) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::mechanism_test

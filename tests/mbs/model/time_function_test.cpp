@@ -14,7 +14,7 @@
 #include "mbs/allocation_count.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::time_function_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -305,4 +305,4 @@ TEST(TimeFunction, EvaluationsAllocateNothing) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::time_function_test

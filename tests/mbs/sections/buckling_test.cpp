@@ -6,7 +6,7 @@
 
 #include <cmath>
 
-namespace liesl::test {
+namespace liesl::test::buckling_test {
 namespace {
 
 const Material kSteel{"steel", 210e9, 0.3, 7850};
@@ -70,4 +70,4 @@ TEST(Buckling, DerivativesAreThoseOfTheValues) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::buckling_test

@@ -15,7 +15,7 @@
 #include "mbs/sections/stress.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::section_stress_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -199,4 +199,4 @@ TEST(StressPoints, FullSectionHasNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::section_stress_test

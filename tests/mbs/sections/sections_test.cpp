@@ -15,7 +15,7 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/step_sweep.hpp"
 
-namespace liesl::test {
+namespace liesl::test::sections_test {
 namespace {
 
 constexpr double pi = std::numbers::pi;
@@ -274,4 +274,4 @@ TEST(WhatIsWrong, SectionAndMaterial) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::sections_test

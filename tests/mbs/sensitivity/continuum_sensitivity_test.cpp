@@ -8,7 +8,7 @@
 #include "reference/continuum.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::continuum_sensitivity_test {
 namespace {
 
 const Material kPlastic = {"plastic", 1e9, 0.3, 1200};
@@ -241,4 +241,4 @@ TEST(ContinuumSensitivities, ComeToThoseOfBeams) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::continuum_sensitivity_test

@@ -6,7 +6,7 @@
 #include "mbs/sensitivity/motion_sensitivity.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
 
-namespace liesl::test {
+namespace liesl::test::coupling_sensitivity_test {
 namespace {
 
 /// Value at the end and its derivative, by the direct and the adjoint form.
@@ -113,4 +113,4 @@ TEST(CouplingSensitivity, OfASpringTableIsThatOfDifferences) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::coupling_sensitivity_test

@@ -4,7 +4,7 @@
 
 #include "mbs/sensitivity/forms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::formalism_sensitivity_test {
 namespace {
 
 /// A formalism, with an update of its own or not.
@@ -264,4 +264,4 @@ TEST(SpunPendulum, TurnsByMoreThanPi) {
 INSTANTIATE_TEST_SUITE_P(All, SpunPendulumSensitivity, ::testing::ValuesIn(kCases), kName);
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::formalism_sensitivity_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace liesl::test {
+namespace liesl::test::functional_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -118,4 +118,4 @@ TEST(Functional, IsReadAsItIsWritten) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::functional_test

@@ -4,7 +4,7 @@
 
 #include "mbs/sensitivity/forms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::geometry_sensitivity_test {
 namespace {
 
 constexpr int kNode = 3;  // of the rod, at its end: inner nodes of a chain have no frame
@@ -144,4 +144,4 @@ TEST(GeometrySensitivities, OfJointsThatOpenAndOfFloatingFramesAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::geometry_sensitivity_test

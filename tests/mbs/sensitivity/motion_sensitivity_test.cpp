@@ -5,7 +5,7 @@
 
 #include "mbs/sensitivity/forms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::motion_sensitivity_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -156,4 +156,4 @@ TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::motion_sensitivity_test

@@ -4,7 +4,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl::test {
+namespace liesl::test::penalty_sensitivity_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -201,4 +201,4 @@ TEST(PenaltySensitivities, AugmentedWithDampingOrSharedRowsAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::penalty_sensitivity_test

@@ -6,7 +6,7 @@
 #include "mbs/sensitivity/response_sensitivity.hpp"
 #include "reference/published_sensitivities.hpp"
 
-namespace liesl::test {
+namespace liesl::test::published_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -149,4 +149,4 @@ TEST(PublishedSensitivities, LinearAbsorber) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::published_test

@@ -5,7 +5,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl::test {
+namespace liesl::test::response_sensitivity_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -140,4 +140,4 @@ TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::response_sensitivity_test

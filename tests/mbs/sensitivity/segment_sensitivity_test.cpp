@@ -5,7 +5,7 @@
 #include "mbs/sensitivity/machine.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
 
-namespace liesl::test {
+namespace liesl::test::segment_sensitivity_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -182,4 +182,4 @@ TEST(SegmentSensitivity, ComesToThatOfTheBeamOnTheGroup) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::segment_sensitivity_test

@@ -8,7 +8,7 @@
 
 #include "mbs/sensitivity/machine.hpp"
 
-namespace liesl::test {
+namespace liesl::test::semi_analytic_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -78,4 +78,4 @@ TYPED_TEST(SemiAnalytic, SolvesWithTheFrozenFactorComeNearer) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::semi_analytic_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <stdexcept>
 
-namespace liesl::test {
+namespace liesl::test::cell_kind_test {
 namespace {
 
 using Eigen::Vector3d;
@@ -143,4 +143,4 @@ TEST(CellKind, NumbersOfNodesThatNoKindHasAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cell_kind_test

@@ -10,7 +10,7 @@
 #include "mbs/solids/reduction.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::test {
+namespace liesl::test::cell_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -271,4 +271,4 @@ TEST(CooksMembrane, ConvergesToTheKnownValue) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cell_test

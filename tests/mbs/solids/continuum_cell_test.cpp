@@ -11,7 +11,7 @@
 #include "mbs/solids/cell.hpp"
 #include "mbs/solids/mesh.hpp"
 
-namespace liesl::test {
+namespace liesl::test::continuum_cell_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -276,4 +276,4 @@ TEST(ContinuumCellStress, KnowsHowThinAPlateGets) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::continuum_cell_test

@@ -10,14 +10,14 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::test {
+namespace liesl::test::ersatz_test {
 namespace {
 
 Eigen::Vector2d displacement(int ny, double x, double radius, ErsatzLaw law) {
   using namespace levelset;
   std::vector<Operand> operands;
   operands.push_back({"plate", placed_in_plane(0.05, 0, 0, rectangle(0.3, 0.1))});
-  operands.push_back({"hole", placed_in_plane(x, 0.0013, 0, circle(radius))});
+  operands.push_back({"hole", placed_in_plane(x, 0.0013, 0, levelset::circle(radius))});
   const LevelSetPtr shape = subtract(std::move(operands));
   const SolidMesh mesh = quad_grid({0, -0.02}, {0.1, 0.02}, 5 * ny / 2, ny);
   SolidModel::Options options;
@@ -91,4 +91,4 @@ TEST(Ersatz, SlopeIsTheDerivative) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::ersatz_test

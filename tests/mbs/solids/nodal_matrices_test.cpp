@@ -8,7 +8,7 @@
 #include "mbs/solids/meshes.hpp"
 #include "mbs/solids/reduction.hpp"
 
-namespace liesl::test {
+namespace liesl::test::nodal_matrices_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -105,4 +105,4 @@ TEST(NodalMatrices, WhatIsNoFreeSolidIsRefusedWithItsReason) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::nodal_matrices_test

@@ -69,7 +69,7 @@ struct Plate {
     operands.push_back({"plate", placed_in_plane(0.1, 0, 0, rectangle(0.3, 0.051, 0.002))});
     operands.push_back(
         {"one", placed_in_plane(0.071, 0.002, 0.2, super_ellipse(0.03, 0.013, 3, 2.5))});
-    operands.push_back({"two", placed_in_plane(0.141, 0.019, 0, circle(0.0131))});
+    operands.push_back({"two", placed_in_plane(0.141, 0.019, 0, levelset::circle(0.0131))});
     return subtract(std::move(operands), 0.003);
   }
   static SolidModel make_model(const PlateCase& c) {

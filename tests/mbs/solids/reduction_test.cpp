@@ -10,7 +10,7 @@
 #include "mbs/linalg/symmetric_modes.hpp"
 #include "mbs/solids/plate.hpp"
 
-namespace liesl::test {
+namespace liesl::test::reduction_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -168,4 +168,4 @@ INSTANTIATE_TEST_SUITE_P(Solids, PlateReduction, ::testing::ValuesIn(plate_cases
                          [](const auto& c) { return c.param.name(); });
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::reduction_test

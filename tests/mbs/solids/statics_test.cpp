@@ -8,7 +8,7 @@
 #include "mbs/solids/plate.hpp"
 #include "mbs/solids/solid_statics.hpp"
 
-namespace liesl::test {
+namespace liesl::test::statics_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -132,4 +132,4 @@ TEST(SolidModel, RefusesInterfacesThatHoldNothing) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::statics_test

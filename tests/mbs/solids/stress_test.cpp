@@ -5,7 +5,7 @@
 #include "mbs/solids/plate.hpp"
 #include "mbs/solids/stress_norm.hpp"
 
-namespace liesl::test {
+namespace liesl::test::stress_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -102,4 +102,4 @@ TEST(Connectivity, CellsThatTouchInACornerAreNotJoined) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::stress_test

@@ -10,7 +10,7 @@
 
 #include "mbs/solids/holes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::topological_derivative_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -151,4 +151,4 @@ TEST(TopologicalDerivative, OfABlockInTensionIsTheClosedForm) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::topological_derivative_test

@@ -7,7 +7,7 @@
 #include "mbs/levelset/shapes.hpp"
 #include "mbs/solids/meshes.hpp"
 
-namespace liesl::test {
+namespace liesl::test::volume_fraction_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -176,4 +176,4 @@ TEST(VolumeFraction, TrianglesAndTetrahedraAreNotCut) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::volume_fraction_test

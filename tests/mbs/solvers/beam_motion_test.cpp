@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "reference/published.hpp"
 
-namespace liesl::test {
+namespace liesl::test::beam_motion_test {
 namespace {
 
 /// Largest lag of the tip behind the turning axis, and the extension at the end.
@@ -101,4 +101,4 @@ TEST(FlyingBeam, LinearMomentumDriftsWithTheSquareOfTheElementLength) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::beam_motion_test

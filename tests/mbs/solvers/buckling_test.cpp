@@ -9,7 +9,7 @@
 #include "mbs/linalg/sparse_lu.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::buckling_test {
 namespace {
 
 using test::solve;
@@ -283,4 +283,4 @@ TEST(Buckling, FollowerForceHasNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::buckling_test

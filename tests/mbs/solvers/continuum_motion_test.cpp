@@ -14,7 +14,7 @@
 #include "reference/continuum.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::continuum_motion_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -319,4 +319,4 @@ TEST(Continuum, ACellThatIsInvertedEndsTheRun) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::continuum_motion_test

@@ -5,7 +5,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::drives_test {
 namespace {
 
 using test::options;
@@ -182,4 +182,4 @@ TEST(Coordinates, CountRotationOverManyTurns) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::drives_test

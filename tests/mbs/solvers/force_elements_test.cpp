@@ -7,7 +7,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
 
-namespace liesl::test {
+namespace liesl::test::force_elements_test {
 namespace {
 
 constexpr double kGravity = 9.81;
@@ -355,4 +355,4 @@ TEST(GravityScale, SlowRampDoesNotStrike) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::force_elements_test

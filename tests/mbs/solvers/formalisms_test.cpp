@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "reference/published.hpp"
 
-namespace liesl::test {
+namespace liesl::test::formalisms_test {
 namespace {
 
 Mechanism with(Mechanism m, Formalism f) {
@@ -122,4 +122,4 @@ TEST(Formalisms, RotationVectorsSurviveTurnsOnlyWhenRescaled) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::formalisms_test

@@ -10,7 +10,7 @@
 #include "mbs/static_cases.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::fourth_order_test {
 namespace {
 
 Mechanism of_order(Mechanism m, int order) {
@@ -196,4 +196,4 @@ TEST(FourthOrder, RefusesWhatItCannotDo) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::fourth_order_test

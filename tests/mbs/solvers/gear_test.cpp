@@ -6,7 +6,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
 
-namespace liesl::test {
+namespace liesl::test::gear_test {
 namespace {
 
 constexpr double kJ1 = 0.03, kJ2 = 0.2, kTorque = 1.5;
@@ -196,4 +196,4 @@ TEST(Gear, RefusesWhatIsNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::gear_test

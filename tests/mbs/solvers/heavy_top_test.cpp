@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "reference/published.hpp"
 
-namespace liesl::test {
+namespace liesl::test::heavy_top_test {
 namespace {
 
 struct Error {
@@ -53,4 +53,4 @@ TEST(HeavyTop, StartsWithTheEnergyOfTheReference) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::heavy_top_test

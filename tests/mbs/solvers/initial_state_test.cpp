@@ -7,7 +7,7 @@
 #include "mbs/run.hpp"
 #include "mbs/system/constraint_rank.hpp"
 
-namespace liesl::test {
+namespace liesl::test::initial_state_test {
 namespace {
 
 using test::options;
@@ -266,4 +266,4 @@ TEST(Dynamics, FreeBodyTumbles) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::initial_state_test

@@ -10,7 +10,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
 
-namespace liesl::test {
+namespace liesl::test::iteration_matrix_test {
 namespace {
 
 /// Two beams and a rigid body in the plane of x and y (or, with `tilt`, in space): joints with
@@ -224,4 +224,4 @@ TYPED_TEST(IterationMatrixTest, SolvesAndSolvesTransposed) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::iteration_matrix_test

@@ -7,7 +7,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::joint_system_test {
 namespace {
 
 using test::Random;
@@ -231,4 +231,4 @@ TYPED_TEST(JointSystemTest, ExactTangentIsTheDerivativeOfTheResidual) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::joint_system_test

@@ -6,7 +6,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::joints_test {
 namespace {
 
 struct Expected {
@@ -234,4 +234,4 @@ TEST(Joints, UniversalJointHasItsTwoAngles) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::joints_test

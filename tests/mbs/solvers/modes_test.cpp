@@ -9,7 +9,7 @@
 #include "mbs/solvers/static_newton.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::modes_test {
 namespace {
 
 constexpr auto kConverged = SolveStatus::Converged;
@@ -235,4 +235,4 @@ TEST(Modes, ShapesAreMassNormalisedAndKeepTheJoints) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::modes_test

@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "reference/published.hpp"
 
-namespace liesl::test {
+namespace liesl::test::node_update_test {
 namespace {
 
 Mechanism updated(Mechanism m, NodeUpdate update) {
@@ -59,4 +59,4 @@ TEST(NodeUpdate, IsWhatTheFormalismTakesUnlessChosen) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::node_update_test

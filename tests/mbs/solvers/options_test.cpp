@@ -12,7 +12,7 @@
 #include "mbs/solvers/statics.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::options_test {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
@@ -83,4 +83,4 @@ TEST(Options, SolversRefuseThem) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::options_test

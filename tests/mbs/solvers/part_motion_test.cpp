@@ -9,7 +9,7 @@
 #include "mbs/run.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_motion_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -100,4 +100,4 @@ TYPED_TEST(RodSignals, AreTheElasticEnergy) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_motion_test

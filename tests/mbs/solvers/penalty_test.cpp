@@ -6,7 +6,7 @@
 #include "mbs/run.hpp"
 #include "mbs/step_tangent.hpp"
 
-namespace liesl::test {
+namespace liesl::test::penalty_test {
 namespace {
 
 Mechanism penalised(Mechanism m, ConstraintForm form, double weight = 0, double damping = 0) {
@@ -188,4 +188,4 @@ TEST(Penalty, BadWeightsAreRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::penalty_test

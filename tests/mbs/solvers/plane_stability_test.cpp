@@ -6,7 +6,7 @@
 #include "mbs/run.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::plane_stability_test {
 namespace {
 
 constexpr double kEI = 10, kInPlane = 4000, kMass = 2;  // N m^2, kg/m
@@ -90,4 +90,4 @@ TEST(PlaneStability, SaysWhereItCannotTell) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::plane_stability_test

@@ -3,7 +3,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::recovery_test {
 namespace {
 
 using test::options;
@@ -124,4 +124,4 @@ TEST(Records, OutputEveryKeepsEveryNthStep) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::recovery_test

@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::replay_test {
 namespace {
 
 template <FrameGroup G>
@@ -144,4 +144,4 @@ TEST(Replay, OfAShortMotionHasNothingToSolve) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::replay_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace liesl::test {
+namespace liesl::test::richardson_test {
 namespace {
 
 /// Trapezoidal sums of exp on [0, 1] are of order 2 and have a known error.
@@ -79,4 +79,4 @@ TEST(Richardson, DivisorsAreAscendingAndComplete) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::richardson_test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace liesl::test {
+namespace liesl::test::ringing_test {
 namespace {
 
 /// Forces of a smooth motion at step n, a turn in 100 steps, and a part that alternates.
@@ -72,4 +72,4 @@ TEST(Ringing, CalmRhoIsTheLargestThatCalms) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::ringing_test

@@ -8,7 +8,7 @@
 #include "mbs/solvers/modes.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::screw_joint_test {
 namespace {
 
 constexpr double kMass = 2, kInertia = 0.05, kGravity = 9.81;
@@ -218,4 +218,4 @@ TEST(ScrewJoint, WithoutPitchIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::screw_joint_test

@@ -10,7 +10,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
 
-namespace liesl::test {
+namespace liesl::test::segment_beam_test {
 namespace {
 
 Mechanism segments(Mechanism m, SegmentSpec spec = {}) {
@@ -310,4 +310,4 @@ TEST(SegmentBeam, WhatItCannotDoIsRefused) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::segment_beam_test

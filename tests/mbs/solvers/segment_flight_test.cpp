@@ -5,7 +5,7 @@
 #include "mbs/run.hpp"
 #include "mbs/static_cases.hpp"
 
-namespace liesl::test {
+namespace liesl::test::segment_flight_test {
 namespace {
 
 constexpr double kThrow = 8, kUntil = 5;  // N, s: the largest force, half way
@@ -127,4 +127,4 @@ TEST(SegmentFlight, BoltedAtAnAngleItBendsAsTheBeamOnTheGroup) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::segment_flight_test

@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "reference/published.hpp"
 
-namespace liesl::test {
+namespace liesl::test::slider_crank_test {
 namespace {
 
 using test::SliderCrankRow;
@@ -48,4 +48,4 @@ TEST(SliderCrank, UniformDiameters) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::slider_crank_test

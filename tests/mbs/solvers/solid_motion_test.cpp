@@ -8,7 +8,7 @@
 #include "mbs/system/response_value.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_motion_test {
 namespace {
 
 using test::options;
@@ -169,4 +169,4 @@ TEST(SolidMotion, PlanarMeshesAreNotForSpace) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_motion_test

@@ -15,7 +15,7 @@
 #include "mbs/step_sweep.hpp"
 #include "reference/meshed_part.hpp"
 
-namespace liesl::test {
+namespace liesl::test::solid_statics_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -334,4 +334,4 @@ TEST(SolidModes, AHangingBarSwings) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::solid_statics_test

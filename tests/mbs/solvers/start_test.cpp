@@ -5,7 +5,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl::test {
+namespace liesl::test::start_test {
 namespace {
 
 using test::options;
@@ -156,4 +156,4 @@ TEST(StartTest, DampingIsInThePower) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::start_test

@@ -8,7 +8,7 @@
 #include "mbs/static_cases.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::statics_test {
 namespace {
 
 using test::solve;
@@ -304,4 +304,4 @@ TEST(Statics, NeverANumberThatIsNone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::statics_test

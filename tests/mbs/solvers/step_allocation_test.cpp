@@ -33,7 +33,7 @@ void* calloc(std::size_t n, std::size_t size) {
 }
 #endif
 
-namespace liesl::test {
+namespace liesl::test::step_allocation_test {
 namespace {
 
 #ifdef LIESL_COUNTS_MALLOC
@@ -173,4 +173,4 @@ TEST(ParameterAllocations, NoneOfAMeshedPart) {
 #endif
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::step_allocation_test

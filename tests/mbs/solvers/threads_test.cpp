@@ -10,7 +10,7 @@
 #include "mbs/solvers/simulation.hpp"
 #include "reference/mechanisms.hpp"
 
-namespace liesl::test {
+namespace liesl::test::threads_test {
 namespace {
 
 /// All numbers of a trajectory, one after the other.
@@ -79,4 +79,4 @@ TEST(Threads, Statics) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::threads_test

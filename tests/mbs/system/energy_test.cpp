@@ -4,7 +4,7 @@
 #include "mbs/run.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl::test {
+namespace liesl::test::energy_test {
 namespace {
 
 using test::options;
@@ -213,4 +213,4 @@ TEST(Energy, BalancesThePowerOfDrivesLoadsActuatorsAndDampers) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::energy_test

@@ -8,7 +8,7 @@
 #include "mbs/static_cases.hpp"
 #include "mbs/system/response_value.hpp"
 
-namespace liesl::test {
+namespace liesl::test::node_force_test {
 namespace {
 
 constexpr double kLength = 1, kDiameter = 0.02;
@@ -322,4 +322,4 @@ TEST(NodeForce, MakeTheLoadsOfTheEquivalentStaticCases) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::node_force_test

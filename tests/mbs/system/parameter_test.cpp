@@ -15,7 +15,7 @@
 #include "mbs/system/parameter_residual.hpp"
 #include "reference/meshed_part.hpp"
 
-namespace liesl::test {
+namespace liesl::test::parameter_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -584,4 +584,4 @@ TEST(ParameterOfAMechanism, FractionsOfARigidPart) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::parameter_test

@@ -4,7 +4,7 @@
 
 #include "mbs/run.hpp"
 
-namespace liesl::test {
+namespace liesl::test::planar_spatial_test {
 namespace {
 
 using test::moved;
@@ -126,4 +126,4 @@ TEST(FrameInvariance, ScenesFarFromTheOriginRun) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::planar_spatial_test

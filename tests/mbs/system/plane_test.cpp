@@ -8,7 +8,7 @@
 #include "mbs/run.hpp"
 #include "mbs/sections/section_law.hpp"
 
-namespace liesl::test {
+namespace liesl::test::plane_test {
 namespace {
 
 using Change = std::function<void(Mechanism&)>;
@@ -216,4 +216,4 @@ TEST(Space, TurnedSectionsBendAboutTheRightAxis) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::plane_test

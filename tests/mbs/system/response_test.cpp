@@ -10,7 +10,7 @@
 #include "mbs/system/response_value.hpp"
 #include "reference/meshed_part.hpp"
 
-namespace liesl::test {
+namespace liesl::test::response_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -353,4 +353,4 @@ TEST_P(Responses, HaveTheirExplicitDerivativesByTheLaw) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::response_test

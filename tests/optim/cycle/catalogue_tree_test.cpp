@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace liesl::test {
+namespace liesl::test::catalogue_tree_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -185,4 +185,4 @@ TEST(BoxAnswer, IsTheBestCycleAndSaysWhetherItClosed) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::catalogue_tree_test

@@ -9,7 +9,7 @@
 #include "optim/nlp/check_derivatives.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 
-namespace liesl::test {
+namespace liesl::test::combined_problem_test {
 namespace {
 
 /// minimise c |x|^2 subject to 1/x_j <= 1: x = (1, 1, ...). One more constraint after a look.
@@ -104,4 +104,4 @@ TEST(CombinedProblem, HasTheOptimaOfItsMembers) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::combined_problem_test

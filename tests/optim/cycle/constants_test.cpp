@@ -5,7 +5,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::constants_test {
 namespace {
 
 /// A mass on a spring, pushed by a constant force from rest: v(t) = F/sqrt(k m) sin(sqrt(k/m) t).
@@ -87,4 +87,4 @@ TEST(Constants, PlainMethodAndStaticsRefuseThem) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::constants_test

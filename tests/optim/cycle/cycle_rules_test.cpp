@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-namespace liesl::test {
+namespace liesl::test::cycle_rules_test {
 namespace {
 
 const std::vector<NlpVariable> kVariable{{"x", 0.1, 10, 1}};
@@ -100,4 +100,4 @@ TEST(Ends, AgreementNeedsLoadsMassAndLimits) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cycle_rules_test

@@ -12,7 +12,7 @@
 #include "reference/studies.hpp"
 #include "reference/svanberg_beam.hpp"
 
-namespace liesl::test {
+namespace liesl::test::cycle_test {
 namespace {
 
 template <FrameGroup G = SE2>
@@ -365,4 +365,4 @@ TEST(CycleEnds, ResumeRefusesAnotherStudy) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::cycle_test

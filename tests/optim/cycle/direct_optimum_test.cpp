@@ -7,7 +7,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::direct_optimum_test {
 namespace {
 
 struct DirectRod {
@@ -93,4 +93,4 @@ TEST(DirectOptimum, ResumedEndsAtTheSameDesign) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::direct_optimum_test

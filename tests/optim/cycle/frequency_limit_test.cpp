@@ -8,7 +8,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::frequency_limit_test {
 namespace {
 
 StudySpec lightest(double least, int count) {
@@ -219,4 +219,4 @@ TEST(SideLimit, HoldsItsSideAlone) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::frequency_limit_test

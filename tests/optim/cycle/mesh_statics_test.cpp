@@ -13,7 +13,7 @@
 #include "optim/cycle/esl_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 
-namespace liesl::test {
+namespace liesl::test::mesh_statics_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -88,7 +88,7 @@ struct Block {
     std::vector<Operand> operands;
     operands.push_back({"block", box(9, 9, 9)});
     operands.push_back({"hole", std::move(feature)});
-    operands.push_back({"other", placed_in_plane(1.15, -1.17, 0, circle(0.22))});
+    operands.push_back({"other", placed_in_plane(1.15, -1.17, 0, levelset::circle(0.22))});
     return subtract(std::move(operands));
   }
   static SolidModel make_model(bool space) {
@@ -232,4 +232,4 @@ TEST(MeshStatics, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::mesh_statics_test

@@ -7,7 +7,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::motion_gradients_test {
 namespace {
 
 StudyCase many_sections() {
@@ -69,4 +69,4 @@ TEST(MotionGradients, ManySectionsEndOptimal) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::motion_gradients_test

@@ -11,7 +11,7 @@
 #include "mbs/levelset/features.hpp"
 #include "mbs/linalg/stop_after.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_model_test {
 namespace {
 
 using Eigen::MatrixXd;
@@ -89,4 +89,4 @@ TEST(PartModel, StoppedAnywhereItGoesOn) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_model_test

@@ -11,7 +11,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::restarts_test {
 namespace {
 
 struct RestartedRod {
@@ -160,4 +160,4 @@ TEST(Restarts, KeepTheDesignThatExceedsLimitsLeast) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::restarts_test

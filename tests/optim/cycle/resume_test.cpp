@@ -6,7 +6,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::resume_test {
 namespace {
 
 class Resume : public testing::TestWithParam<CycleMethod> {
@@ -47,4 +47,4 @@ INSTANTIATE_TEST_SUITE_P(Methods, Resume, testing::Values(CycleMethod::Esl1, Cyc
                          });
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::resume_test

@@ -10,7 +10,7 @@
 #include "optim/cycle/motion_cycle.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::treatment_test {
 namespace {
 
 constexpr Treatment kAggregating[] = {Treatment::Functional, Treatment::PNorm, Treatment::Ks};
@@ -124,4 +124,4 @@ TEST(Treatment, AllOfTheLargestValueEndAtOneDesign) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::treatment_test

@@ -11,7 +11,7 @@
 #include "optim/nlp/check_derivatives.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::trust_region_cycle_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -389,4 +389,4 @@ TEST(TrustRegionCycle, JointsByDampedPenaltiesEndAtTheOptimumOfMultipliers) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::trust_region_cycle_test

@@ -9,7 +9,7 @@
 #include "optim/cycle/design_run.hpp"
 #include "reference/meshed_rod.hpp"
 
-namespace liesl::test {
+namespace liesl::test::part_shape_test {
 namespace {
 
 using levelset::FeatureKind;
@@ -71,4 +71,4 @@ TEST(PartShape, RefusesABodyWithoutOutline) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::part_shape_test

@@ -6,7 +6,7 @@
 #include "mbs/solids/plate.hpp"
 #include "optim/design/shape.hpp"
 
-namespace liesl::test {
+namespace liesl::test::shape_design_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -160,4 +160,4 @@ TEST(ShapeDesign, WallsToAnInterfaceHaveARowANode) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::shape_design_test

@@ -10,7 +10,7 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::sizing_test {
 namespace {
 
 DesignSpec design(const char* name, std::vector<int> bodies, int groups) {
@@ -118,4 +118,4 @@ TEST(Sizing, RefusesRigidBodiesAndTooManyGroups) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::sizing_test

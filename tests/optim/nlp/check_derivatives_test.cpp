@@ -12,7 +12,7 @@
 #include "reference/svanberg_beam.hpp"
 #include "reference/ten_bar_truss.hpp"
 
-namespace liesl::test {
+namespace liesl::test::check_derivatives_test {
 namespace {
 
 void expect_right(Problem& p, const Eigen::VectorXd& x) {
@@ -243,4 +243,4 @@ TEST(ElasticProblem, MayBeElasticOnceMore) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::check_derivatives_test

@@ -11,7 +11,7 @@
 #include "reference/ten_bar_truss.hpp"
 #include "reference/two_springs.hpp"
 
-namespace liesl::test {
+namespace liesl::test::drivers_test {
 namespace {
 
 class EveryDriver : public testing::TestWithParam<Driver> {
@@ -214,4 +214,4 @@ TEST(IpoptDriver, StepsBackFromPointsWithoutAValue) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::drivers_test

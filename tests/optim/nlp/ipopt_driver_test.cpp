@@ -11,7 +11,7 @@
 #include "reference/svanberg_beam.hpp"
 #include "reference/ten_bar_truss.hpp"
 
-namespace liesl::test {
+namespace liesl::test::ipopt_driver_test {
 namespace {
 
 NlpOptions tight() {
@@ -192,4 +192,4 @@ TEST(Ipopt, StartFarFromFeasibleStillFindsTheOptimum) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::ipopt_driver_test

@@ -9,7 +9,7 @@
 #include "reference/ten_bar_truss.hpp"
 #include "reference/two_springs.hpp"
 
-namespace liesl::test {
+namespace liesl::test::kkt_test {
 namespace {
 
 TEST(Kkt, FixedPointOfTheCycleIsNotOptimalForTheDynamicProblem) {
@@ -104,4 +104,4 @@ TEST(NonnegativeLeastSquares, RepeatedAndEmptyColumns) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::kkt_test

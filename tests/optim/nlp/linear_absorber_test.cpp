@@ -9,7 +9,7 @@
 #include "optim/nlp/nlopt_driver.hpp"
 #include "reference/published_sensitivities.hpp"
 
-namespace liesl::test {
+namespace liesl::test::linear_absorber_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -85,4 +85,4 @@ TEST(LinearAbsorberOptimum, BySlsqpAndMma) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::linear_absorber_test

@@ -10,7 +10,7 @@
 #include "optim/cycle/design_run.hpp"
 #include "reference/studies.hpp"
 
-namespace liesl::test {
+namespace liesl::test::study_errors_test {
 namespace {
 
 std::string joined(const std::vector<std::string>& errors) {
@@ -66,4 +66,4 @@ TEST(StudyErrors, AreRefusedBeforeAnythingIsSimulated) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::study_errors_test
