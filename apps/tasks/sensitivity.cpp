@@ -24,6 +24,8 @@ namespace {
 
 using Eigen::VectorXd;
 
+constexpr const char* kWithDerivative = "a parameter with a derivative";
+constexpr const char* kList = "docs/sensitivities.md lists them";
 constexpr double kDifference = 1. / 1024;  // of a number of the scene, or of 1 where it is 0
 
 [[noreturn]] void refuse(const std::string& file, std::string what, std::string expected,
@@ -161,8 +163,13 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
       problem.parameters.push_back(
           parameter_of(key, problem.scene.mechanism, changed, step, problem.scene.simulation));
     } catch (const std::invalid_argument& error) {
-      refuse(file, fmt::format("--by {}: {}", key, error.what()), "a parameter with a derivative",
-             "docs/sensitivities.md lists them");
+      refuse(file, fmt::format("--by {}: {}", key, error.what()), kWithDerivative, kList);
+    } catch (const InputError& error) {
+      const InputProblem& first = error.problems.front();
+      refuse(file,
+             fmt::format("--by {}: values next to its own are refused: {}{}{}", key, first.what,
+                         first.expected.empty() ? "" : ", not ", first.expected),
+             kWithDerivative, kList);
     }
   }
   return problem;

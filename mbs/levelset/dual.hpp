@@ -40,9 +40,10 @@ struct Dual {
   friend Dual cos(const Dual& a) { return {std::cos(a.v), -std::sin(a.v) * a.d}; }
   friend Dual sin(const Dual& a) { return {std::sin(a.v), std::cos(a.v) * a.d}; }
   /// a^b for a >= 0; zero with zero derivatives at a = 0 (right for b > 1).
-  friend Dual pow(const Dual& a, const Dual& b) {
+  friend Dual pow(const Dual& a, const Dual& b) { return pow(a, b, std::pow(a.v, b.v)); }
+  /// The same with the value p of a^b.
+  friend Dual pow(const Dual& a, const Dual& b, double p) {
     if (!(a.v > 0)) return {0.0};
-    const double p = std::pow(a.v, b.v);
     return {p, p * (b.v / a.v * a.d + std::log(a.v) * b.d)};
   }
   friend Dual atan2(const Dual& y, const Dual& x) {

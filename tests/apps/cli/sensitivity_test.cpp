@@ -203,6 +203,8 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "sections.rod.diametr"}, "did you mean 'diameter'?");
   refused({rod, "--by", "sections.rod.type"}, "'sections.rod.type' is no number");
   refused({rod, "--by", "bodies.crank.beam.damping"}, "is not written in the scene");
+  refused({rod, "--by", "bodies.rod.beam.elements"},
+          "--by bodies.rod.beam.elements: values next to its own are refused");
   refused({rod, "--by", "simulation.step"}, "changes nothing that has a derivative");
   refused({rod, "--by", "bodies.crank.beam.to.0"}, "opens joints: bodies were moved by");
   refused({rod, "--by", "bodies.rod.beam.to.0+bodies.slider.rigid.mass"}, "numbers of one unit");

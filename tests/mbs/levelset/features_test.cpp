@@ -101,6 +101,25 @@ TEST(LevelSet, SuperEllipseHasTheOutlineOfTheThesis) {
   }
 }
 
+/// Products and roots in the place of powers, and powers where there are none.
+TEST(LevelSet, SuperEllipseIsItsFormulaWhateverItsExponents) {
+  const double a = 0.3, b = 0.2;
+  for (const auto& [xi, eta] :
+       {std::pair{2.0, 2.0}, {4.0, 4.0}, {8.0, 8.0}, {3.0, 5.0}, {1.5, 2.5}, {9.0, 7.0}}) {
+    const LevelSetPtr s = super_ellipse(a, b, xi, eta);
+    for (double x : {-0.45, -0.1, 0.0, 0.02, 0.29})
+      for (double y : {-0.3, 0.01, 0.15}) {
+        const double f = std::pow(std::abs(x) / a, xi) + std::pow(std::abs(y) / b, eta),
+                     length = std::hypot(x / a, y / b) / std::hypot(x / (a * a), y / (b * b)),
+                     phi = (1 - std::pow(f, 2 / (xi + eta))) * length;
+        Vector3d dx;
+        EXPECT_NEAR(s->value({x, y, 0}), phi, 1e-15)
+            << xi << ", " << eta << " at " << x << ", " << y;
+        EXPECT_DOUBLE_EQ(s->evaluate({x, y, 0}, dx, nullptr), s->value({x, y, 0}));
+      }
+  }
+}
+
 TEST(LevelSet, SuperformulaOfACircleIsACircleAndThreeCornersRepeat) {
   const LevelSetPtr round = superformula({0.5, 1, 1, 0, 2, 2, 2});
   EXPECT_NEAR(round->value({0.3, 0.4, 0}), 0, 1e-15);
