@@ -122,6 +122,22 @@ TEST(ContinuumScene, ResultsShowItsMeshWhereItIs) {
   EXPECT_NEAR(y, tip[3 * (records - 1) + 1] - 0.015, 1e-6);
 }
 
+/// An averaged tip bends as a rigid one but for what that stiffens its end.
+TEST(ContinuumScene, TakesAveragedInterfaces) {
+  const auto deflection = [](const std::string& text) {
+    const Scene scene = read_scene(text, "a");
+    const RunOutcome out = run_task(scene, choose_space(scene));
+    EXPECT_EQ(out.status, SolveStatus::Converged);
+    const auto& tip = out.results.responses[0].values;
+    return tip[tip.size() - 2] - 0.015;
+  };
+  const double rigid = deflection(kFlap),
+               averaged = deflection(changed(kFlap, "tip = { set = \"x_max\" }",
+                                             "tip = { set = \"x_max\", tie = \"averaged\" }"));
+  EXPECT_GT(averaged, rigid);
+  EXPECT_NEAR(averaged, rigid, 0.02 * rigid);
+}
+
 /// In the middle of a pulled flap P/A of the thinner section, in the axes of the mesh, which turns
 /// with its clamp.
 TEST(ContinuumScene, ResultsShowItsStress) {
