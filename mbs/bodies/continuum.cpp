@@ -1,11 +1,10 @@
 #include "mbs/bodies/continuum.hpp"
 
-#include <Eigen/LU>
-#include <functional>
 #include <map>
 #include <stdexcept>
 
 #include "liegroup/rotation.hpp"
+#include "mbs/bodies/polar_rotation.hpp"
 #include "mbs/solids/continuum_check.hpp"
 #include "mbs/solids/solid_model.hpp"
 
@@ -15,30 +14,15 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr int kPolar = 30;  // iterations of a polar rotation
-constexpr double kPolarDone = 1e-15;
+// Of an averaged port: stiffness, of E times the size of a cell for each node, and mass, of that of
+// its nodes. What the port lags behind them is below what a hundredth of a cell is strained by.
+constexpr double kStiffPort = 100, kLightPort = 1e-3;
 constexpr double kNear = 1e-6;  // of the size of the mesh: a node at a port goes with that alone
 
 /// w x y = turn(y) w.
 template <class G>
 auto turn(const Eigen::Matrix<double, G::space_dim, 1>& y) {
   return (-RotationOf<G>::cross(y)).eval();
-}
-
-/// R of F = R U (N. J. Higham, Computing the polar decomposition, SIAM J. Sci. Stat. Comput. 7
-/// (1986)); `otherwise` for a gradient that is inverted.
-template <int D>
-Eigen::Matrix<double, D, D> polar_rotation(const Eigen::Matrix<double, D, D>& F,
-                                           const Eigen::Matrix<double, D, D>& otherwise) {
-  if (!(F.determinant() > 0)) return otherwise;
-  Eigen::Matrix<double, D, D> R = F;
-  for (int i = 0; i < kPolar; ++i) {
-    const Eigen::Matrix<double, D, D> next = 0.5 * (R + R.inverse().transpose());
-    const double change = (next - R).norm();
-    R = next;
-    if (change <= kPolarDone) break;
-  }
-  return R;
 }
 
 }  // namespace
@@ -74,6 +58,7 @@ ContinuumBody<G>::ContinuumBody(std::string body_name, const SolidSpec& spec,
   number_nodes(spec, ports, turn);
   make_cells(spec);
   make_mass();
+  make_averaged(spec, turn);
   set_constant_matrices();
 }
 
@@ -84,7 +69,8 @@ std::vector<G> ContinuumBody<G>::nodes_at_rest(const SolidSpec& spec, const std:
   std::vector<G> nodes = ports;
   std::vector<bool> held(static_cast<std::size_t>(spec.mesh().node_count()), false);
   for (const Interface& f : spec.interfaces())
-    for (const int i : f.nodes) held[static_cast<std::size_t>(i)] = true;
+    if (f.tie == Tie::Rigid)
+      for (const int i : f.nodes) held[static_cast<std::size_t>(i)] = true;
   const Eigen::Vector3d origin = spec.interfaces()[0].point;
   for (int i = 0; i < spec.mesh().node_count(); ++i) {
     if (held[static_cast<std::size_t>(i)]) continue;
@@ -101,8 +87,8 @@ void ContinuumBody<G>::number_nodes(const SolidSpec& spec, const std::vector<G>&
   const int n = spec.mesh().node_count();
   node_of_.assign(static_cast<std::size_t>(n), -1);
   for (int p = 0; p < ports_; ++p)
-    for (const int i : spec.interfaces()[static_cast<std::size_t>(p)].nodes)
-      node_of_[static_cast<std::size_t>(i)] = p;
+    if (const Interface& f = spec.interfaces()[static_cast<std::size_t>(p)]; f.tie == Tie::Rigid)
+      for (const int i : f.nodes) node_of_[static_cast<std::size_t>(i)] = p;
   arm_.setZero(sd, n);
   rest_.resize(sd, n);
   int next = ports_;
@@ -136,6 +122,26 @@ void ContinuumBody<G>::make_cells(const SolidSpec& spec) {
 }
 
 template <FrameGroup G>
+void ContinuumBody<G>::make_averaged(const SolidSpec& spec, const Eigen::Matrix3d& turn) {
+  const double size = sd == 2 ? spec.model->thickness() : std::cbrt(shapes_[0].volume());
+  for (int p = 0; p < ports_; ++p) {
+    const Interface& f = spec.interfaces()[static_cast<std::size_t>(p)];
+    if (f.tie == Tie::Rigid) continue;
+    Points places(sd, f.nodes.size());
+    std::vector<int> nodes;
+    double mass = 0;
+    for (const int i : f.nodes) {
+      const Eigen::Vector3d s = turn * (spec.mesh().nodes.col(i) - f.point);
+      places.col(static_cast<Eigen::Index>(nodes.size())) = s.head<sd>();
+      nodes.push_back(node_of(i));
+      mass += node_mass_[i];
+    }
+    averaged_.emplace_back(p, std::move(nodes), std::move(places),
+                           kStiffPort * spec.model->material().E * size, kLightPort * mass);
+  }
+}
+
+template <FrameGroup G>
 void ContinuumBody<G>::make_mass() {
   SparseAssembly assembly(mesh_nodes());
   assembly.begin();
@@ -160,15 +166,23 @@ void ContinuumBody<G>::set_constant_matrices() {
                                          levers(rest.H)}};
   const std::vector<Share> mass = {inertia_share(levers(rest.H))};
   pattern_ = SparseAssembly(this->size());
-  add_shares(rest.H, stiffness, 0, pattern_);
+  const OfPorts of_ports = [&rest](const AveragedPort<G>& port, std::size_t) {
+    return port.stiffness_at(rest.H, VectorXd::Zero(port.strains()));
+  };
+  add_shares(rest.H, stiffness, 0, of_ports, pattern_);
   const Eigen::SparseMatrix<double> K = pattern_.finish();
   const double size = std::cbrt(shapes_[0].volume());
   for (int k = ports_; k < this->nodes(); ++k)
     for (int i = 0; i < sd; ++i) stiffest_ = std::max(stiffest_, K.coeff(dim * k + i, dim * k + i));
   dead_ = stiffest_ * size * size;
   dead_mass_ = total_mass() / mesh_nodes() * size * size;
-  this->K_.set_sparse(assemble(rest.H, stiffness, dead_));
-  this->M_.set_sparse(assemble(rest.H, mass, dead_mass_));
+  this->K_.set_sparse(assemble(rest.H, stiffness, dead_, of_ports));
+  this->M_.set_sparse(assemble(rest.H, mass, dead_mass_, masses_of_ports()));
+}
+
+template <FrameGroup G>
+auto ContinuumBody<G>::masses_of_ports() const -> OfPorts {
+  return [](const AveragedPort<G>& port, std::size_t) { return port.mass(); };
 }
 
 template <FrameGroup G>
@@ -298,6 +312,7 @@ void ContinuumBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity,
     inertia_forces(s, gravity, room, room.f);
     scale.force += room.f.squaredNorm();
     add_to_nodes(s.H, room.f, r);
+    for (const auto& port : averaged_) port.add_inertia(s, r);
   });
 }
 
@@ -306,21 +321,22 @@ void ContinuumBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale
   in_room(s, [&](Room& room) {
     internal_forces(s, room, room.f, &scale);
     add_to_nodes(s.H, room.f, r);
+    for (const auto& port : averaged_) port.add_internal(s.H, 1, r, &scale);
   });
 }
 
 /// sum of (R D)_a^T K_ab columns_b over cells and shares, as blocks of the nodes of the body.
 template <FrameGroup G>
 Eigen::SparseMatrix<double> ContinuumBody<G>::assemble(const G* H, const std::vector<Share>& shares,
-                                                       double dead) const {
+                                                       double dead, const OfPorts& of_ports) const {
   SparseAssembly assembly = pattern_;
-  add_shares(H, shares, dead, assembly);
+  add_shares(H, shares, dead, of_ports, assembly);
   return std::move(assembly).finish();
 }
 
 template <FrameGroup G>
 void ContinuumBody<G>::add_shares(const G* H, const std::vector<Share>& shares, double dead,
-                                  SparseAssembly& assembly) const {
+                                  const OfPorts& of_ports, SparseAssembly& assembly) const {
   assembly.begin();
   const Levers rows = levers(H);
   std::vector<MatrixXd> of_cell(shares.size(), MatrixXd(sd * cells_.rows(), sd * cells_.rows()));
@@ -344,6 +360,13 @@ void ContinuumBody<G>::add_shares(const G* H, const std::vector<Share>& shares, 
   }
   for (int k = ports_; k < this->nodes(); ++k)
     for (int i = sd; i < dim; ++i) assembly.add(dim * k + i, dim * k + i, dead);
+  for (std::size_t p = 0; p < averaged_.size(); ++p) {
+    const MatrixXd of_port = of_ports(averaged_[p], p);
+    const std::vector<int> at = averaged_[p].unknowns();
+    for (std::size_t j = 0; j < at.size(); ++j)
+      for (std::size_t i = 0; i < at.size(); ++i)
+        assembly.add(at[i], at[j], of_port(Eigen::Index(i), Eigen::Index(j)));
+  }
 }
 
 /// The consistent mass with accelerations that are columns times what is varied.
@@ -396,7 +419,11 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::stiffness_at(const BodyState<G>& s
     shares.back().columns = turned(s.H, [&](int i) { return local_velocity(s, i); });
     shares.back().held_only = true;
   }
-  return assemble(s.H, shares, dead_);
+  return assemble(s.H, shares, dead_, [&](const AveragedPort<G>& port, std::size_t p) {
+    return port.stiffness_at(
+        s.H, elastic ? VectorXd(Eigen::Map<const VectorXd>(elastic + stress_of_port(p), dim))
+                     : port.stress(s.H));
+  });
 }
 
 /// damping B^T A B. @pre room.x, kept as long as the share
@@ -427,7 +454,8 @@ Eigen::SparseMatrix<double> ContinuumBody<G>::damping_at(const BodyState<G>& s, 
   std::vector<Share> shares = {inertia_share(std::move(by_v), true)};
   positions(s.H, room.x);
   if (damping_ > 0) shares.push_back(damping_share(room, levers(s.H)));
-  return assemble(s.H, shares, 0);
+  return assemble(s.H, shares, 0,
+                  [&s](const AveragedPort<G>& port, std::size_t) { return port.damping_at(s.v); });
 }
 
 template <FrameGroup G>
@@ -439,7 +467,8 @@ void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravit
     const auto add = [&A](double weight, const Eigen::SparseMatrix<double>& share) {
       A.sparse.coeffs() += weight * share.coeffs();
     };
-    if (w.mass != 0) add(w.mass, assemble(s.H, {inertia_share(levers(s.H))}, dead_mass_));
+    if (w.mass != 0)
+      add(w.mass, assemble(s.H, {inertia_share(levers(s.H))}, dead_mass_, masses_of_ports()));
     if (w.damping != 0) add(w.damping, damping_at(s, room));
     if (w.stiffness == 0) return;
     const double* about = stress ? stress->data() : nullptr;
@@ -480,6 +509,8 @@ void ContinuumBody<G>::extrapolate_stress(const BodyState<G>& s, const double* d
       of_cell.noalias() += room.response.tangent * room.rate;
     }
   });
+  for (std::size_t p = 0; p < averaged_.size(); ++p)
+    stress[stress_of_port(p) / dim] = averaged_[p].stress(s.H, delta);
 }
 
 template <FrameGroup G>
@@ -493,6 +524,10 @@ BodyEnergy ContinuumBody<G>::energy(const BodyState<G>& s, const Vector& gravity
     for (int e = 0; e < cells_.cols(); ++e) {
       stress_of(e, room, false);
       out.elastic += room.response.energy;
+    }
+    for (const auto& port : averaged_) {
+      out.elastic += port.elastic_energy(s.H);
+      out.kinetic += port.kinetic_energy(s.v);
     }
   });
   return out;
@@ -527,6 +562,10 @@ void ContinuumBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& 
     velocities(s, room.v);
     const Points momentum = weight.kinetic * (room.v * mass_);
     add_to_nodes(s.H, momentum, v);
+    for (const auto& port : averaged_) {
+      port.add_internal(s.H, weight.elastic, h, nullptr);
+      port.add_momentum(s.v, weight.kinetic, v);
+    }
     for (int i = 0; i < mesh_nodes(); ++i)
       if (held(i))
         Eigen::Map<Tangent>(h + dim * node_of(i)).template tail<rd>() +=
@@ -551,6 +590,7 @@ ContinuumBody<G>::ContinuumBody(const ContinuumBody& body, const ScaleDerivative
     : ContinuumBody(body) {
   for (Cell& c : shapes_) c.scale(law.stiffness);
   for (MatrixXd& M : cell_mass_) M *= law.mass;
+  for (auto& port : averaged_) port.scale(law.stiffness, law.mass);
   mass_ *= law.mass;
   node_mass_ *= law.mass;
   dead_mass_ *= law.mass;

@@ -5,15 +5,19 @@
 /// are, M the consistent mass and V the potential of the cells (`ContinuumCell`),
 ///   M (x'' - g) + dV/dx = forces of the interfaces.
 /// Nodes of a rigid interface move with its port, x = x_P + R_P s, so that couplings hold on to a
-/// port as to any frame; forces on them add up to [R^T f; s x R^T f] there.
+/// port as to any frame; forces on them add up to [R^T f; s x R^T f] there. Those of an averaged
+/// one are nodes as all others, and its port moves with their average (`AveragedPort`).
 ///
 /// Nodes: the interfaces, which are frames, then the other nodes of the mesh, which are positions
 /// (NodeKind::Position). Their axes are turned by the polar rotation of the material about them: in
 /// these axes stiffness and mass are those at rest, however far the part has turned, and factors
 /// hold for as long as strains are small.
 
+#include <functional>
+
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
+#include "mbs/bodies/averaged_port.hpp"
 #include "mbs/bodies/body.hpp"
 #include "mbs/linalg/sparse_assembly.hpp"
 #include "mbs/solids/continuum_cell.hpp"
@@ -33,8 +37,8 @@ class ContinuumBody final : public Body<G> {
 
   /// @param ports frames of the interfaces  @param turn components in their axes from components
   /// in the axes of the mesh
-  /// @throws std::invalid_argument for an interface that is not rigid, an outline, a material that
-  /// is incompressible, a mesh in several pieces
+  /// @throws std::invalid_argument for an outline, a material that is incompressible, a mesh in
+  /// several pieces
   ContinuumBody(std::string body_name, const SolidSpec& spec, const std::vector<G>& ports,
                 const Eigen::Matrix3d& turn);
 
@@ -63,7 +67,8 @@ class ContinuumBody final : public Body<G> {
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
                           Tangent* stress) const override;
   int stresses() const override {
-    return static_cast<int>((cells_.cols() * shapes_[0].strains() + dim - 1) / dim);
+    return static_cast<int>(averaged_.size() +
+                            (cells_.cols() * shapes_[0].strains() + dim - 1) / dim);
   }
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
   double dissipation(const BodyState<G>& s) const override;
@@ -99,6 +104,7 @@ class ContinuumBody final : public Body<G> {
   void number_nodes(const SolidSpec& spec, const std::vector<G>& ports,
                     const Eigen::Matrix3d& turn);
   void make_cells(const SolidSpec& spec);
+  void make_averaged(const SolidSpec& spec, const Eigen::Matrix3d& turn);
   void make_mass();
   void set_constant_matrices();
 
@@ -129,10 +135,17 @@ class ContinuumBody final : public Body<G> {
                        const double* elastic = nullptr) const;
   void inertia_forces(const BodyState<G>& s, const Vector& gravity, Room& room, Points& f) const;
 
-  Eigen::SparseMatrix<double> assemble(const G* H, const std::vector<Share>& shares,
-                                       double dead) const;
+  /// Tangents of the averaged ports, one after the other.
+  using OfPorts = std::function<Eigen::MatrixXd(const AveragedPort<G>&, std::size_t)>;
+  Eigen::SparseMatrix<double> assemble(const G* H, const std::vector<Share>& shares, double dead,
+                                       const OfPorts& of_ports) const;
   void add_shares(const G* H, const std::vector<Share>& shares, double dead,
-                  SparseAssembly& assembly) const;
+                  const OfPorts& of_ports, SparseAssembly& assembly) const;
+  OfPorts masses_of_ports() const;
+  /// Where the stress of an averaged port is among those of `extrapolate_stress`.
+  Eigen::Index stress_of_port(std::size_t i) const {
+    return dim * (stresses() - static_cast<Eigen::Index>(averaged_.size() - i));
+  }
   Share inertia_share(Levers columns, bool held_only = false) const;
   Share damping_share(Room& room, Levers columns) const;
   template <class Local>
@@ -154,6 +167,7 @@ class ContinuumBody final : public Body<G> {
   Eigen::VectorXd node_mass_;               ///< its rows summed up, kg
   double dead_mass_ = 0, dead_ = 0;         ///< in place of the rotations of positions
   double stiffest_ = 0;
+  std::vector<AveragedPort<G>> averaged_;
   SparseAssembly pattern_{0};
 };
 

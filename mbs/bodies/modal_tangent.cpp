@@ -27,27 +27,41 @@ MatrixXd times(const BlockTridiagonal<N>& A, const MatrixXd& X) {
   return Y;
 }
 
+/// What changes velocities and accelerations of each node, blocks of both.
+template <FrameGroup G>
+using Change =
+    std::pair<const typename Body<G>::Matrices::Blocks&, const typename Body<G>::Matrices::Blocks&>;
+
+/// Forces on the nodes, G(v) by_v + M by_a over the elements, for each of the changes.
+template <FrameGroup G>
+std::vector<BlockTridiagonal<G::dim>> force_tangents(const Beam<G>& beam, const VectorXd& v,
+                                                     const std::vector<Change<G>>& changes) {
+  constexpr int dim = G::dim;
+  std::vector<BlockTridiagonal<dim>> chains(changes.size(), BlockTridiagonal<dim>(beam.nodes()));
+  Eigen::Matrix<double, 2 * dim, 2 * dim> forces;
+  for (int e = 0; e < beam.elements(); ++e) {
+    const auto& element = beam.element(e);
+    const auto gyroscopic =
+        element.gyroscopic_tangent(beam.reference[e], beam.reference[e + 1], v.data() + dim * e);
+    for (std::size_t c = 0; c < changes.size(); ++c) {
+      for (int i = 0; i < 2; ++i) {
+        const int at = dim * i;
+        forces.template middleCols<dim>(at).noalias() =
+            gyroscopic.template middleCols<dim>(at).lazyProduct(changes[c].first[e + i]) +
+            element.mass().template middleCols<dim>(at).lazyProduct(changes[c].second[e + i]);
+      }
+      chains[c].add_element(e, forces);
+    }
+  }
+  return chains;
+}
+
 }  // namespace
 
 template <FrameGroup G>
 auto ModalBody<G>::force_tangent(const VectorXd& v, const Blocks& by_v, const Blocks& by_a) const
     -> BlockTridiagonal<dim> {
-  using Element = Eigen::Matrix<double, 2 * dim, 2 * dim>;
-  BlockTridiagonal<dim> chain(this->nodes());
-  for (int e = 0; e < beam_->elements(); ++e) {
-    const auto& element = beam_->element(e);
-    const auto gyroscopic =
-        element.gyroscopic_tangent(this->reference[e], this->reference[e + 1], v.data() + dim * e);
-    Element forces;
-    for (int i = 0; i < 2; ++i) {
-      const int at = dim * i;
-      forces.template middleCols<dim>(at).noalias() =
-          gyroscopic.template middleCols<dim>(at).lazyProduct(by_v[e + i]) +
-          element.mass().template middleCols<dim>(at).lazyProduct(by_a[e + i]);
-    }
-    chain.add_element(e, forces);
-  }
-  return chain;
+  return std::move(force_tangents<G>(*beam_, v, {{by_v, by_a}})[0]);
 }
 
 template <FrameGroup G>
@@ -62,9 +76,10 @@ MatrixXd ModalBody<G>::on_coordinates(const VectorXd& u, const MatrixXd& forces,
         Matrix::Identity() - 0.5 * G::ad(Tangent(u.template segment<dim>(at))).transpose();
     add_block_product(half, forces, at, on_u, at);
     if (!turn.empty()) add_block_product(Matrix(0.5 * turn[k]), Psi_, at, on_u, at);
-    // I - ad = 2 (I - ad/2) - I, and so is what turns
-    add_block_product(Matrix(2 * A_[k].transpose()), on_u, at, on_frame, 0);
-    add_block_product(Matrix(-A_[k].transpose()), forces, at, on_frame, 0);
+    // I - ad = 2 (I - ad/2) - I
+    const Matrix carry = A_[k].transpose();
+    add_block_product(Matrix(carry * (2 * half - Matrix::Identity())), forces, at, on_frame, 0);
+    if (!turn.empty()) add_block_product(Matrix(carry * turn[k]), Psi_, at, on_frame, 0);
   }
   MatrixXd out(dim + Psi_.cols(), forces.cols());
   out << on_frame, linalg::transposed_product(Psi_, on_u);
@@ -136,9 +151,10 @@ MatrixXd ModalBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, con
     frame_v[k] = A_[k] - ad_u * A_[k];
     frame_a[k] = -G::ad(Tangent(field.du.template segment<dim>(at))) * A_[k];
   }
-  const BlockTridiagonal<dim> by_frame = force_tangent(v, frame_v, frame_a);
+  const auto tangents = force_tangents<G>(*beam_, v, {{by_v, by_a}, {frame_v, frame_a}});
+  const BlockTridiagonal<dim>& by_frame = tangents[1];
   MatrixXd forces = MatrixXd::Zero(this->size(), rates + dim);
-  forces.leftCols(rates) = times(force_tangent(v, by_v, by_a), Psi_.leftCols(rates));
+  forces.leftCols(rates) = times(tangents[0], Psi_.leftCols(rates));
   for (int k = 0; k < n; ++k) {
     auto on_node = forces.template block<dim, dim>(dim * k, rates);
     on_node += by_frame.D[k];

@@ -39,12 +39,9 @@ std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec) {
   if (!spec.outline.features.empty())
     return ContinuumProblem{"outline", "has an outline, which cuts cells",
                             "a mesh that is all material, or as = \"reduced\""};
-  for (const Interface& f : spec.interfaces())
-    if (f.tie != Tie::Rigid)
-      return ContinuumProblem{"interfaces." + f.name, "has the averaged interface '" + f.name + "'",
-                              "tie = \"rigid\", or as = \"reduced\""};
   std::set<int> held;
-  for (const Interface& f : spec.interfaces()) held.insert(f.nodes.begin(), f.nodes.end());
+  for (const Interface& f : spec.interfaces())
+    if (f.tie == Tie::Rigid) held.insert(f.nodes.begin(), f.nodes.end());
   if (static_cast<int>(held.size()) == spec.mesh().node_count())
     return ContinuumProblem{"interfaces", "has no free node: interfaces hold its whole mesh",
                             "nodes between the interfaces, or a rigid body"};

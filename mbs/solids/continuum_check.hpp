@@ -15,7 +15,7 @@ struct ContinuumProblem {
   std::string text, expected;
 };
 
-/// An outline, an averaged interface, an incompressible material, a mesh in pieces; the first that
+/// An outline, an incompressible material, a mesh in pieces; the first that
 /// is found.
 std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec);
 

@@ -1,0 +1,168 @@
+#include "mbs/bodies/averaged_port.hpp"
+
+#include <Eigen/QR>
+
+#include "liegroup/rotation.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+/// w x y = turn(y) w, so that y x f = turn(y)^T f.
+template <class G>
+auto turn(const Eigen::Matrix<double, G::space_dim, 1>& y) {
+  return (-RotationOf<G>::cross(y)).eval();
+}
+
+}  // namespace
+
+template <FrameGroup G>
+AveragedPort<G>::AveragedPort(int port, std::vector<int> nodes, Points places, double stiffness,
+                              double mass)
+    : port_(port),
+      nodes_(std::move(nodes)),
+      places_(std::move(places)),
+      stiffness_(stiffness),
+      mass_(mass) {
+  MatrixXd rigid(places_.size(), dim);
+  for (Eigen::Index i = 0; i < places_.cols(); ++i) {
+    rigid.block(sd * i, 0, sd, sd).setIdentity();
+    rigid.block(sd * i, sd, sd, rd) = turn<G>(places_.col(i));
+  }
+  Q_ = Eigen::HouseholderQR<MatrixXd>(rigid).householderQ() * MatrixXd::Identity(rigid.rows(), dim);
+  const Points about = places_.colwise() - places_.rowwise().mean().eval();
+  inertia_ = mass_ * about.squaredNorm() / static_cast<double>(places_.cols());
+}
+
+template <FrameGroup G>
+std::vector<int> AveragedPort<G>::unknowns() const {
+  std::vector<int> out;
+  for (int j = 0; j < dim; ++j) out.push_back(dim * port_ + j);
+  for (const int k : nodes_)
+    for (int j = 0; j < sd; ++j) out.push_back(dim * k + j);
+  return out;
+}
+
+template <FrameGroup G>
+auto AveragedPort<G>::local(const G* H) const -> Points {
+  Points y(sd, places_.cols());
+  const G& at = H[port_];
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    y.col(static_cast<Eigen::Index>(i)) = at.R.transpose() * (H[nodes_[i]].x - at.x);
+  return y;
+}
+
+/// dy_i = R^T R_k dx_k - u - w x y_i.
+template <FrameGroup G>
+MatrixXd AveragedPort<G>::by_unknowns(const G* H, const Points& y) const {
+  MatrixXd B = MatrixXd::Zero(y.size(), size());
+  for (Eigen::Index i = 0; i < y.cols(); ++i) {
+    B.block(sd * i, 0, sd, sd) = -MatrixXd::Identity(sd, sd);
+    B.block(sd * i, sd, sd, rd) = -turn<G>(y.col(i));
+    B.block(sd * i, dim + sd * i, sd, sd) =
+        H[port_].R.transpose() * H[nodes_[static_cast<std::size_t>(i)]].R;
+  }
+  return B;
+}
+
+template <FrameGroup G>
+VectorXd AveragedPort<G>::stress(const G* H, const double* delta) const {
+  const Points y = local(H), off = y - places_;
+  VectorXd moved = off.reshaped();
+  if (delta) {
+    const auto at = unknowns();
+    VectorXd by(size());
+    for (int i = 0; i < size(); ++i) by[i] = delta[at[static_cast<std::size_t>(i)]];
+    moved += by_unknowns(H, y) * by;
+  }
+  return stiffness_ * (Q_.transpose() * moved);
+}
+
+template <FrameGroup G>
+double AveragedPort<G>::elastic_energy(const G* H) const {
+  const Points off = local(H) - places_;
+  return 0.5 * stiffness_ * (Q_.transpose() * off.reshaped()).squaredNorm();
+}
+
+template <FrameGroup G>
+double AveragedPort<G>::kinetic_energy(const double* v) const {
+  const Eigen::Map<const Tangent> of(v + dim * port_);
+  return 0.5 * (mass_ * of.template head<sd>().squaredNorm() +
+                inertia_ * of.template tail<rd>().squaredNorm());
+}
+
+template <FrameGroup G>
+void AveragedPort<G>::add_internal(const G* H, double weight, double* r, ForceScale* scale) const {
+  const VectorXd spread = weight * (Q_ * stress(H)),
+                 forces = by_unknowns(H, local(H)).transpose() * spread;
+  const auto at = unknowns();
+  for (int i = 0; i < size(); ++i) r[at[static_cast<std::size_t>(i)]] += forces[i];
+  if (scale) scale->force += spread.squaredNorm();
+}
+
+template <FrameGroup G>
+void AveragedPort<G>::add_inertia(const BodyState<G>& s, double* r) const {
+  const Eigen::Map<const Tangent> v(s.v + dim * port_), a(s.vdot + dim * port_);
+  Eigen::Map<Tangent> out(r + dim * port_);
+  out.template head<sd>() +=
+      mass_ * (a.template head<sd>() + turn<G>(v.template head<sd>()) * v.template tail<rd>());
+  out.template tail<rd>() += inertia_ * a.template tail<rd>();
+}
+
+template <FrameGroup G>
+void AveragedPort<G>::add_momentum(const double* v, double weight, double* out) const {
+  const Eigen::Map<const Tangent> of(v + dim * port_);
+  Eigen::Map<Tangent> to(out + dim * port_);
+  to.template head<sd>() += weight * mass_ * of.template head<sd>();
+  to.template tail<rd>() += weight * inertia_ * of.template tail<rd>();
+}
+
+/// B^T k Q Q^T B, and B^T f at constant f: nodes R_k^T R (w x f_i), the port -dy_i x f_i.
+template <FrameGroup G>
+MatrixXd AveragedPort<G>::stiffness_at(const G* H, const VectorXd& stress) const {
+  const MatrixXd B = by_unknowns(H, local(H)), strain = Q_.transpose() * B;
+  MatrixXd K = stiffness_ * strain.transpose() * strain;
+  const VectorXd f = Q_ * stress;
+  for (Eigen::Index i = 0; i < places_.cols(); ++i) {
+    const auto turns = turn<G>(Eigen::Matrix<double, sd, 1>(f.segment(sd * i, sd)));
+    const Eigen::Index node = dim + sd * i;
+    const auto dy = B.middleRows(sd * i, sd);
+    K.middleRows(sd, rd) += turns.transpose() * dy;
+    K.block(node, sd, sd, rd) += dy.middleCols(node, sd).transpose() * turns;
+  }
+  return K;
+}
+
+/// d(w x u).
+template <FrameGroup G>
+MatrixXd AveragedPort<G>::damping_at(const double* v) const {
+  const Eigen::Map<const Tangent> of(v + dim * port_);
+  MatrixXd C = MatrixXd::Zero(size(), size());
+  for (int j = 0; j < sd; ++j)
+    C.block(0, j, sd, 1) =
+        mass_ * turn<G>(Eigen::Matrix<double, sd, 1>::Unit(j)) * of.template tail<rd>();
+  C.block(0, sd, sd, rd) = mass_ * turn<G>(of.template head<sd>());
+  return C;
+}
+
+template <FrameGroup G>
+MatrixXd AveragedPort<G>::mass() const {
+  MatrixXd M = MatrixXd::Zero(size(), size());
+  M.diagonal().head(sd).setConstant(mass_);
+  M.diagonal().segment(sd, rd).setConstant(inertia_);
+  return M;
+}
+
+template <FrameGroup G>
+void AveragedPort<G>::scale(double stiffness, double mass) {
+  stiffness_ *= stiffness;
+  mass_ *= mass;
+  inertia_ *= mass;
+}
+
+template class AveragedPort<SE2>;
+template class AveragedPort<SE3>;
+
+}  // namespace liesl
