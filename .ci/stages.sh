@@ -47,6 +47,10 @@ check_layers() {
     /usr/bin/python3 tests/architecture/check_links.py .
 }
 
+# Where what is asked is whether sources compile, install and link: without optimisation, and without
+# precompiled headers, so that every source includes what it uses.
+plain=(-DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
+
 # Builds and installs without Ipopt and NLopt.
 engine_alone() {
   cmake --preset engine "${plain[@]}" >/dev/null && cmake --build --preset engine -j "$jobs" &&
@@ -66,10 +70,6 @@ another_kernel() {
 wide_kernel() {
   if grep -qw avx512f /proc/cpuinfo; then echo SkylakeX; else echo Zen; fi
 }
-
-# Where what is asked is whether sources compile, install and link: without optimisation, and without
-# precompiled headers, so that every source includes what it uses.
-plain=(-DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 
 # Compiles what is another source without Ipopt and NLopt: those of the program.
 program_alone() {

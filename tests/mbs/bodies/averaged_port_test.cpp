@@ -11,7 +11,7 @@
 #include "reference/continuum.hpp"
 #include "reference/ties.hpp"
 
-namespace liesl::test {
+namespace liesl::test::averaged_port_test {
 namespace {
 
 using Eigen::VectorXd;
@@ -190,4 +190,4 @@ TEST(AveragedPorts, AreThoseOfReducedParts) {
 }
 
 }  // namespace
-}  // namespace liesl::test
+}  // namespace liesl::test::averaged_port_test
