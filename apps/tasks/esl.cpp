@@ -68,10 +68,17 @@ template <FrameGroup G>
 void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress, EslOutcome& out) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
   StepRecorder<G> steps(scene, scene.mechanism, model);
+  PartRanges<G> ranges(scene.mechanism, model);
+  const auto observe = [&](const State<G>& s, bool recorded) {
+    steps(s, recorded);
+    ranges.add(s);
+  };
   const Simulation<G> simulation =
-      run_simulation<G>(model, scene.simulation, progress, nullptr, std::ref(steps));
+      run_simulation<G>(model, scene.simulation, progress, nullptr, observe);
+  if (scene.simulation.type == SimulationType::Static) ranges.add(simulation.trajectory);
   out.run.status = simulation.report.status;
   describe(out.run.summary, simulation.report, simulation.start, scene.mechanism);
+  out.run.status = describe_ranges(out.run.summary, scene.simulation, ranges, out.run.status);
   out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
   describe_responses(out.run.summary, out.run.results);
   out.run.status = describe_energy(out.run.summary, out.run.results, out.run.status);

@@ -217,6 +217,9 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   describe_responses(out.summary, out.results);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
+  PartRanges<G> ranges(r.mechanism, *r.model);
+  ranges.add(r.simulation.trajectory);
+  for (const RangeNote& note : ranges.notes()) out.summary.warnings.push_back(note.text);
   if (r.status != CycleStatus::Interrupted)  // it may take longer than a cycle
     describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
                    scene.simulation.type == SimulationType::Dynamic);

@@ -4,9 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "mbs/bodies/modal.hpp"
 #include "mbs/linalg/dense.hpp"
+#include "mbs/model/beam_ends.hpp"
+#include "mbs/sections/section_law.hpp"
+#include "mbs/system/spatial_view.hpp"
 
 namespace liesl {
 namespace {
@@ -14,9 +17,12 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double kBend = 0.15;    // rad
-constexpr double kEuler = 0.1;    // its bending is about as much too stiff, or too soft in tension
-constexpr double kEndTurn = 1.6;  // of the first mode of a cantilever, over u/r
+constexpr double kBend = 0.15;     // rad
+constexpr double kEuler = 0.1;     // its bending is about as much too stiff, or too soft in tension
+constexpr double kFarBent = 1.5;   // rad
+constexpr double kBuckled = 1;     // what a linear body that is pressed, or spins, cannot carry
+constexpr double kFreeEnd = 0.25;  // of the Euler load between hinges: that of a free end
+constexpr double kEndTurn = 1.6;   // of the first mode of a cantilever, over u/r
 
 /// Euler load of a bar that is as soft across the line to its end: C = d(end)/dF, in the axes of
 /// `end`; 0 if there is none.
@@ -32,57 +38,14 @@ double euler_load(const G& start, const G& end, const MatrixXd& C) {
   return softest > 0 ? M_PI * M_PI * length / (3 * softest) : 0;
 }
 
-/// Largest |Omega x d|: what spins about d is not pulled along it.
+/// |Omega x d|: what spins about d is not pulled along it.
 template <FrameGroup G>
-double turn_across(const VectorXd& d, const MatrixXd& omega) {
+double turn_across(const VectorXd& d, const VectorXd& omega) {
   if constexpr (G::rotation_dim == 1)
-    return omega.cwiseAbs().maxCoeff();
+    return std::abs(omega[0]);
   else
-    return (omega - d * (d.transpose() * omega)).colwise().norm().maxCoeff();
+    return (omega - d * d.dot(omega)).norm();
 }
-
-/// Largest compression and tension over the Euler load.
-template <FrameGroup G>
-void measure_pull(const SolidBody<G>& body, const MatrixXd& e, const MatrixXd& omega,
-                  PartRange& range) {
-  constexpr int sd = G::space_dim, dim = G::dim;
-  const G &first = body.reference[0], &second = body.reference[1];
-  const MatrixXd K = body.reduced_stiffness().topLeftCorner(dim, dim);
-  const double euler = euler_load(first, second, K.inverse().topLeftCorner(sd, sd));
-  if (euler == 0) return;
-  const Eigen::Matrix<double, sd, 1> span = second.x - first.x;
-  const VectorXd d = first.R.transpose() * span.normalized();
-  const VectorXd pull = d.transpose() * (K * e.topRows(dim)).topRows(sd);
-  range.euler = std::max(0., -pull.minCoeff() / euler);
-  const double spin = turn_across<G>(d, omega),
-               centrifugal = body.total_mass() * spin * spin * span.norm() / 6;
-  range.pull = std::max(0., (pull.maxCoeff() + centrifugal) / euler);
-}
-
-/// Turn and spin of a part of one interface, whose coordinates are amplitudes alone.
-template <FrameGroup G>
-void measure_blade(const SolidBody<G>& body, const MatrixXd& e, const MatrixXd& omega,
-                   PartRange& range) {
-  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
-  const int n = body.modes();
-  if (n == 0) return;
-  const MatrixXd& M = body.mass().dense;
-  const MatrixXd J = M.block(sd, sd, rd, rd);
-  const double r2 = J.trace() / (rd == 1 ? 1 : 2),
-               most = linalg::symmetric_eigenvalues(J).maxCoeff();
-  const VectorXd spun = omega.cwiseProduct(J * omega).colwise().sum();
-  if (most > 0) range.spin = spun.maxCoeff() / most / body.omega2().minCoeff();
-  const MatrixXd u = e.topRows(n);
-  const VectorXd u2 = u.cwiseProduct(M.block(dim, dim, n, n) * u).colwise().sum();
-  if (r2 > 0) range.bend = kEndTurn * std::sqrt(std::max(0., u2.maxCoeff()) / r2);
-}
-
-template <FrameGroup G>
-struct MeasuredBeam {
-  int index;  ///< of the body
-  const ModalBody<G>* body;
-  double euler;
-};
 
 /// Euler load from the softness of the end, held at the start. @pre it has amplitudes
 template <FrameGroup G>
@@ -95,84 +58,38 @@ double euler_load(const ModalBody<G>& body) {
   return euler_load(body.reference[0], body.reference[last], C);
 }
 
-/// Widens the range by one record.
-template <FrameGroup G>
-void measure_beam(const MeasuredBeam<G>& beam, const BodyState<G>& state, PartRange& range) {
-  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
-  const VectorXd u = beam.body->displacements(state.H);
-  for (int k = 1; k < beam.body->nodes(); ++k)
-    range.bend = std::max(range.bend, u.segment(dim * k + sd, rd).norm());
-  for (int e = 0; beam.euler > 0 && e < beam.body->elements(); ++e) {
-    const double N = beam.body->section_force(state, e, ElementPlace::Middle)[0];
-    range.euler = std::max(range.euler, -N / beam.euler);
-    range.pull = std::max(range.pull, N / beam.euler);
-  }
-}
-
 /// What is beyond a bound, and what helps against bending and against axial forces.
-std::vector<std::string> passed(const std::string& who, const PartRange& r, const char* between,
-                                const char* bending, const char* axial) {
-  std::vector<std::string> said;
+std::vector<RangeNote> passed(const std::string& who, const PartRange& r, const char* between,
+                              const char* bending, const char* axial) {
+  std::vector<RangeNote> said;
   if (r.bend > kBend)
-    said.push_back(fmt::format("{} bends by up to {:.2g} rad{}, but its deformation is linear: {}",
-                               who, r.bend, between, bending));
-  const auto add = [&](const std::string& how) {
+    said.push_back({fmt::format("{} bends by up to {:.2g} rad{}, but its deformation is linear: {}",
+                                who, r.bend, between, bending),
+                    r.bend > kFarBent});
+  const auto add = [&](const std::string& how, bool beyond) {
     said.push_back(
-        fmt::format("{} {}, but axial forces do not change how it bends: {}", who, how, axial));
+        {fmt::format("{} {}, but axial forces do not change how it bends: {}", who, how, axial),
+         beyond});
   };
-  if (r.euler > kEuler) add(fmt::format("carries up to {:.2g} of its Euler load", r.euler));
-  if (r.pull > kEuler) add(fmt::format("is pulled by up to {:.2g} of its Euler load", r.pull));
+  if (r.euler > kEuler)
+    add(fmt::format("carries up to {:.2g} of its Euler load", r.euler), r.euler > kBuckled);
+  if (r.pull > kEuler)
+    add(fmt::format("is pulled by up to {:.2g} of its Euler load", r.pull), false);
   if (r.spin > kEuler)
-    add(fmt::format("turns at up to {:.2g} of its lowest frequency", std::sqrt(r.spin)));
+    add(fmt::format("turns at up to {:.2g} of its lowest frequency", std::sqrt(r.spin)),
+        r.spin > kBuckled);
   return said;
 }
 
-}  // namespace
-
-template <FrameGroup G>
-PartRange part_range(const SolidBody<G>& body, const MatrixXd& e, const MatrixXd& omega) {
-  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
-  PartRange range;
-  if (e.cols() == 0) return range;
-  for (int i = 0; i + 1 < body.points(); ++i)
-    range.bend = std::max(range.bend, e.middleRows(dim * i + sd, rd).colwise().norm().maxCoeff());
-  if (body.points() == 2) measure_pull(body, e, omega, range);
-  if (body.points() == 1) measure_blade(body, e, omega, range);
-  return range;
-}
-
-template <FrameGroup G>
-std::map<int, PartRange> beam_ranges(const Mechanism& mechanism, const Model<G>& model,
-                                     const Trajectory<G>& trajectory) {
-  std::map<int, PartRange> ranges;
-  std::vector<MeasuredBeam<G>> beams;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies[b].kind);
-    if (!beam || model_of(*beam, mechanism.formalism) != BeamModel::Modal) continue;
-    const auto* body = static_cast<const ModalBody<G>*>(model.bodies.at(b).get());
-    if (body->basis().cols() == body->padding()) continue;
-    beams.push_back({static_cast<int>(b), body, euler_load(*body)});
-  }
-  if (beams.empty()) return ranges;
-  State<G> s = model.initial_state();
-  for (int record = 0; record < trajectory.size(); ++record) {
-    trajectory.read(record, s);
-    model.complete(s);
-    for (const MeasuredBeam<G>& beam : beams)
-      measure_beam(beam, model.body_state(s, beam.index), ranges[beam.index]);
-  }
-  return ranges;
-}
-
-std::vector<std::string> range_warnings(const std::string& part, int interfaces,
-                                        const PartRange& range) {
+std::vector<RangeNote> part_notes(const std::string& part, int interfaces, const PartRange& range) {
   return passed("the part '" + part + "'", range, interfaces > 1 ? " between its interfaces" : "",
                 "divide it into several parts in a row",
                 "divide it into several parts in a row, or use a beam");
 }
 
-std::vector<std::string> beam_range_warnings(const BodySpec& body, Formalism formalism,
-                                             const PartRange& range) {
+/// @pre body is a beam that is simulated as modal
+std::vector<RangeNote> beam_notes(const BodySpec& body, Formalism formalism,
+                                  const PartRange& range) {
   BeamSpec plain = std::get<BeamSpec>(body.kind);
   std::string other;  // what makes it a beam that is not linear
   if (plain.as != BeamModel::AsFormalism)
@@ -186,11 +103,171 @@ std::vector<std::string> beam_range_warnings(const BodySpec& body, Formalism for
                 remedy.c_str());
 }
 
-template PartRange part_range(const SolidBody<SE2>&, const MatrixXd&, const MatrixXd&);
-template PartRange part_range(const SolidBody<SE3>&, const MatrixXd&, const MatrixXd&);
-template std::map<int, PartRange> beam_ranges(const Mechanism&, const Model<SE2>&,
-                                              const Trajectory<SE2>&);
-template std::map<int, PartRange> beam_ranges(const Mechanism&, const Model<SE3>&,
-                                              const Trajectory<SE3>&);
+}  // namespace
+
+template <FrameGroup G>
+PartRanges<G>::PartRanges(const Mechanism& mechanism, const Model<G>& model)
+    : mechanism_(mechanism), model_(model) {
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+    if (const auto* body = model.bodies[b]->meshed()) add_part(*body, static_cast<int>(b));
+  add_members();
+}
+
+template <FrameGroup G>
+void PartRanges<G>::add_part(const SolidBody<G>& body, int index) {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
+  Part part{&body, index, {}, {}, 0, 0, {}, 0, 0, 0, {}};
+  if (body.points() == 2) {
+    const G &first = body.reference[0], &second = body.reference[1];
+    const MatrixXd K = body.reduced_stiffness().topLeftCorner(dim, dim);
+    const Eigen::Matrix<double, sd, 1> span = second.x - first.x;
+    part.euler = euler_load(first, second, K.inverse().topLeftCorner(sd, sd));
+    part.d = first.R.transpose() * span.normalized();
+    part.pull = K.topRows(sd).transpose() * part.d;
+    part.centrifugal = body.total_mass() * span.norm() / 6;
+  }
+  if (body.points() == 1 && body.modes() > 0) {
+    part.J = body.mass().dense.block(sd, sd, rd, rd);
+    part.largest = linalg::symmetric_eigenvalues(part.J).maxCoeff();
+    part.r2 = part.J.trace() / (rd == 1 ? 1 : 2);
+    part.omega2 = body.omega2().minCoeff();
+  }
+  parts_.push_back(std::move(part));
+}
+
+template <FrameGroup G>
+void PartRanges<G>::add_members() {
+  const auto kind = [&](std::size_t b) {
+    const auto* beam = std::get_if<BeamSpec>(&mechanism_.bodies[b].kind);
+    return beam ? model_of(*beam, mechanism_.formalism) : BeamModel::Rigid;
+  };
+  bool untold = false;  // by PlaneStability
+  for (std::size_t b = 0; b < mechanism_.bodies.size(); ++b)
+    untold = untold || kind(b) == BeamModel::Modal || kind(b) == BeamModel::Segments;
+  for (std::size_t b = 0; untold && b < mechanism_.bodies.size(); ++b) {
+    if (kind(b) == BeamModel::Rigid) continue;
+    Member beam{model_.bodies[b].get(), nullptr, static_cast<int>(b), 0, 0, {}};
+    if (kind(b) == BeamModel::Modal) {
+      beam.modal = static_cast<const ModalBody<G>*>(beam.body);
+      if (beam.modal->basis().cols() == beam.modal->padding()) continue;
+      beam.euler = euler_load(*beam.modal);
+    }
+    if (G::space_dim == 2) beam.sideways = sideways_load(beam.index);
+    members_.push_back(beam);
+  }
+}
+
+/// pi^2 EI/L^2 about the axis in the plane that is across the beam.
+template <FrameGroup G>
+double PartRanges<G>::sideways_load(int body) const {
+  double EI = std::numeric_limits<double>::infinity(), length = 0;
+  if constexpr (G::space_dim == 2) {
+    const auto& beam = std::get<BeamSpec>(mechanism_.bodies[static_cast<std::size_t>(body)].kind);
+    const SpatialView<SE2> view(mechanism_, model_);
+    for (std::size_t e = 0; e + 1 < beam.nodes.size(); ++e) {
+      const Vec3 normal = view.local(SE2::Tangent(0, 0, 1), body, static_cast<int>(e)).tail<3>();
+      const Vec3 across = normal.cross(Vec3::UnitX());
+      for (const auto place : {ElementPlace::First, ElementPlace::Last}) {
+        const SectionLaw law = section_law(section_at(beam, e, place), beam.material);
+        EI = std::min(EI, across.dot(law.K.template block<3, 3>(3, 3) * across));
+      }
+      length += SE3::log(beam.nodes[e].inverse() * beam.nodes[e + 1]).template head<3>().norm();
+    }
+  }
+  return length > 0 ? M_PI * M_PI * EI / (length * length) : 0;
+}
+
+template <FrameGroup G>
+void PartRanges<G>::measure(Part& part, const State<G>& s) const {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
+  const SolidBody<G>& body = *part.body;
+  PartRange& range = part.range;
+  const int first = model_.first_node(part.index);
+  const VectorXd e =
+      body.coordinates({s.H.data() + first, nullptr, nullptr, s.w.data() + dim * first});
+  const VectorXd omega = s.v.segment(dim * first + sd, rd);
+  for (int i = 0; i + 1 < body.points(); ++i)
+    range.bend = std::max(range.bend, e.segment(dim * i + sd, rd).norm());
+  if (part.euler > 0) {
+    const double pull = part.pull.dot(e.head(dim)), spin = turn_across<G>(part.d, omega);
+    range.euler = std::max(range.euler, -pull / part.euler);
+    range.pull = std::max(range.pull, (pull + part.centrifugal * spin * spin) / part.euler);
+  }
+  if (part.J.size() == 0) return;
+  const int n = body.modes();
+  if (part.largest > 0)
+    range.spin = std::max(range.spin, omega.dot(part.J * omega) / part.largest / part.omega2);
+  const double u2 = e.head(n).dot(body.mass().dense.block(dim, dim, n, n) * e.head(n));
+  if (part.r2 > 0)
+    range.bend = std::max(range.bend, kEndTurn * std::sqrt(std::max(0., u2) / part.r2));
+}
+
+template <FrameGroup G>
+void PartRanges<G>::measure(Member& beam, const State<G>& s) const {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
+  const BodyState<G> state = model_.body_state(s, beam.index);
+  PartRange& range = beam.range;
+  if (beam.modal) {
+    const VectorXd u = beam.modal->displacements(state.H);
+    for (int k = 1; k < beam.modal->nodes(); ++k)
+      range.bend = std::max(range.bend, u.segment(dim * k + sd, rd).norm());
+  }
+  if (beam.euler == 0 && beam.sideways == 0) return;
+  for (int e = 0; e < beam.body->elements(); ++e) {
+    const double N = beam.body->section_force(state, e, ElementPlace::Middle)[0];
+    if (beam.euler > 0) {
+      range.euler = std::max(range.euler, -N / beam.euler);
+      range.pull = std::max(range.pull, N / beam.euler);
+    }
+    if (beam.sideways > 0) range.sideways = std::max(range.sideways, -N / beam.sideways);
+  }
+}
+
+template <FrameGroup G>
+void PartRanges<G>::add(const State<G>& s) {
+  for (Part& part : parts_) measure(part, s);
+  for (Member& beam : members_) measure(beam, s);
+}
+
+template <FrameGroup G>
+void PartRanges<G>::add(const Trajectory<G>& records) {
+  if (parts_.empty() && members_.empty()) return;
+  State<G> s = model_.initial_state();
+  for (int n = 0; n < records.size(); ++n) {
+    records.read(n, s);
+    model_.complete(s);
+    add(s);
+  }
+}
+
+template <FrameGroup G>
+std::vector<RangeNote> PartRanges<G>::notes() const {
+  std::vector<RangeNote> all;
+  const auto add = [&](const std::vector<RangeNote>& notes) {
+    all.insert(all.end(), notes.begin(), notes.end());
+  };
+  for (const Member& beam : members_)
+    if (beam.modal)
+      add(beam_notes(mechanism_.bodies[static_cast<std::size_t>(beam.index)], mechanism_.formalism,
+                     beam.range));
+  for (const Part& part : parts_) add(part_notes(part.body->name, part.body->points(), part.range));
+  return all;
+}
+
+template <FrameGroup G>
+std::vector<std::string> PartRanges<G>::leaving_plane() const {
+  const auto most = std::ranges::max_element(
+      members_, {}, [](const Member& beam) { return beam.range.sideways; });
+  if (most == members_.end() || most->range.sideways <= kFreeEnd) return {};
+  return {fmt::format(
+      "the motion may leave the plane: '{}' carries up to {:.2g} of its Euler load out of it, "
+      "between hinges (an end that is free buckles at 0.25, clamped ends at 4), and floating "
+      "frames and chains of segments do not tell; formalism \"se3\" does, simulation.space = "
+      "\"planar\" keeps the plane and this note away",
+      most->body->name, most->range.sideways)};
+}
+
+template class PartRanges<SE2>;
+template class PartRanges<SE3>;
 
 }  // namespace liesl

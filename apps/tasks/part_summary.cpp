@@ -6,7 +6,6 @@
 #include <functional>
 #include <ranges>
 
-#include "apps/tasks/part_range.hpp"
 #include "mbs/linalg/stop_request.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
@@ -108,16 +107,6 @@ void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const 
                : "the modes that were tried do not do, the mesh may be too coarse"));
 }
 
-/// Angular velocity of the frame of a body in its own axes, a column a record, rad/s.
-template <FrameGroup G>
-Eigen::MatrixXd turns(const Model<G>& model, const Trajectory<G>& trajectory, int body) {
-  const int at = G::dim * model.first_node(body) + G::space_dim;
-  Eigen::MatrixXd omega(G::rotation_dim, trajectory.size());
-  for (int n = 0; n < trajectory.size(); ++n)
-    omega.col(n) = trajectory.v(n).segment(at, G::rotation_dim);
-  return omega;
-}
-
 }  // namespace
 
 template <FrameGroup G>
@@ -125,17 +114,10 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
                     const Trajectory<G>& trajectory, bool motion) {
   std::vector<double> times;
   for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
-  const auto say = [&](const std::vector<std::string>& warnings) {
-    summary.warnings.insert(summary.warnings.end(), warnings.begin(), warnings.end());
-  };
-  for (const auto& [b, range] : beam_ranges(mechanism, model, trajectory))
-    say(beam_range_warnings(mechanism.bodies[size_t(b)], mechanism.formalism, range));
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto* body = model.bodies[b]->meshed();
     if (!body) continue;
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
-    const Eigen::MatrixXd omega = turns(model, trajectory, int(b));
-    say(range_warnings(body->name, body->points(), part_range(*body, e, omega)));
     try {
       describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),
                     motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0);

@@ -1,7 +1,6 @@
 #pragma once
 /// @file
-/// What a summary says of the meshed parts: are there enough modes for what drives them, and do
-/// they, and beams in floating frames, stay where linear deformation is right?
+/// What a summary says of the meshed parts: are there enough modes for what drives them?
 
 #include "apps/output/summary.hpp"
 #include "mbs/solvers/trajectory.hpp"
@@ -12,7 +11,7 @@ namespace liesl {
 /// The key `parts`: free-free frequencies with the unknowns of each part beside those of the full
 /// mesh; the highest harmonic of its equivalent static loads over the motion (`bandwidth`); the
 /// fewest modes with which all frequencies up to twice that are right to 1 %, and a warning if the
-/// part has fewer. Warnings of `part_range` and `beam_range`.
+/// part has fewer.
 /// @param motion  whether the records are instants of time; the loads of statics have no harmonics
 template <FrameGroup G>
 void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, const Model<G>& model,

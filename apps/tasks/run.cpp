@@ -68,6 +68,11 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   out.summary.more["frequencies_hz"] = modes.frequency;
   out.summary.more["eigenvalues"] = modes.eigenvalue;
   if (modes.report.status != SolveStatus::Converged) return;
+  PartRanges<G> ranges(scene.mechanism, model);
+  State<G> rest = modes.equilibrium;
+  model.complete(rest);
+  ranges.add(rest);
+  out.status = describe_ranges(out.summary, scene.simulation, ranges, out.status);
   describe_parts(out.summary, scene.mechanism, model, Trajectory<G>(), false);
   warn_beyond_parts(out.summary, modes.frequency.empty() ? 0 : modes.frequency.back());
   Trajectory<G> shapes;
@@ -106,10 +111,17 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, out);
   Model<G> model = Model<G>::build(scene.mechanism, space);
   StepRecorder<G> steps(scene, scene.mechanism, model);
+  PartRanges<G> ranges(scene.mechanism, model);
+  const auto observe = [&](const State<G>& s, bool recorded) {
+    steps(s, recorded);
+    ranges.add(s);
+  };
   const Simulation<G> simulation =
-      run_simulation<G>(model, scene.simulation, progress, nullptr, std::ref(steps));
+      run_simulation<G>(model, scene.simulation, progress, nullptr, observe);
+  if (scene.simulation.type == SimulationType::Static) ranges.add(simulation.trajectory);
   out.status = simulation.report.status;
   describe(out.summary, simulation.report, simulation.start, scene.mechanism);
+  out.status = describe_ranges(out.summary, scene.simulation, ranges, out.status);
   describe_parts(out.summary, scene.mechanism, model, simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);
   const Unstopped written;  // what the motion has

@@ -30,6 +30,14 @@ void describe(output::RunSummary& summary, const PenaltyReport& p, ConstraintFor
   if (!p.rigid) json["largest_deformation"] = p.deformation;
 }
 
+/// A converged run that cannot be relied on. @returns the status, that of the summary too
+SolveStatus doubt(output::RunSummary& summary, const std::string& why, SolveStatus status) {
+  if (status != SolveStatus::Converged) return status;
+  summary.status = status_word(SolveStatus::Inaccurate);
+  summary.reason = why;
+  return SolveStatus::Inaccurate;
+}
+
 }  // namespace
 
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
@@ -70,10 +78,24 @@ SolveStatus describe_energy(output::RunSummary& summary, const output::Results& 
       "energy: compare with a smaller simulation.step",
       e.lost > 0 ? "lost" : "made", std::abs(e.lost), 100 * share);
   summary.warnings.push_back(text);
-  if (share <= kTooMuch || status != SolveStatus::Converged) return status;
-  summary.status = status_word(SolveStatus::Inaccurate);
-  summary.reason = text;
-  return SolveStatus::Inaccurate;
+  return share > kTooMuch ? doubt(summary, text, status) : status;
 }
+
+template <FrameGroup G>
+SolveStatus describe_ranges(output::RunSummary& summary, const SimulationOptions& o,
+                            const PartRanges<G>& ranges, SolveStatus status) {
+  for (const RangeNote& note : ranges.notes()) {
+    summary.warnings.push_back(note.text);
+    if (note.beyond) status = doubt(summary, note.text, status);
+  }
+  if (o.type == SimulationType::Dynamic && o.space == SpaceChoice::Auto)
+    for (const std::string& note : ranges.leaving_plane()) summary.warnings.push_back(note);
+  return status;
+}
+
+template SolveStatus describe_ranges(output::RunSummary&, const SimulationOptions&,
+                                     const PartRanges<SE2>&, SolveStatus);
+template SolveStatus describe_ranges(output::RunSummary&, const SimulationOptions&,
+                                     const PartRanges<SE3>&, SolveStatus);
 
 }  // namespace liesl

@@ -5,6 +5,7 @@
 #include "apps/output/results.hpp"
 #include "apps/output/summary.hpp"
 #include "apps/scene/space.hpp"
+#include "apps/tasks/part_range.hpp"
 #include "mbs/solvers/simulation.hpp"
 
 namespace liesl {
@@ -19,7 +20,20 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
 SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
                             SolveStatus status);
 
+/// Notes on the ranges of parts and beams, and, of a motion in a plane that was found
+/// (`simulation.space = "auto"`), on beams that could leave it; beyond a range a converged run is
+/// Inaccurate.
+/// @returns the status, that of the summary too
+template <FrameGroup G>
+SolveStatus describe_ranges(output::RunSummary& summary, const SimulationOptions& o,
+                            const PartRanges<G>& ranges, SolveStatus status);
+
 /// "done" for a converged run, else the status.
 std::string status_word(SolveStatus status);
+
+extern template SolveStatus describe_ranges(output::RunSummary&, const SimulationOptions&,
+                                            const PartRanges<SE2>&, SolveStatus);
+extern template SolveStatus describe_ranges(output::RunSummary&, const SimulationOptions&,
+                                            const PartRanges<SE3>&, SolveStatus);
 
 }  // namespace liesl

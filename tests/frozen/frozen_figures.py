@@ -24,7 +24,7 @@ from pathlib import Path
 FIGURES = Path(__file__).with_name("figures.json")
 SIMULATED, OPTIMISED = 1e-9, 1e-6
 LEFT_OUT = {
-    "command", "reason", "space_reason", "stepping_s", "wall_s", "cpu_s", "peak_memory_mb", "versions",
+    "command", "reason", "space_reason", "stepping_s", "sensitivity_s", "wall_s", "cpu_s", "peak_memory_mb", "versions",
     "input_sha256", "warnings", "overrides", "newton_iterations", "factorizations", "tangent_refreshes",
     "history", "identity", "kkt", "load_change", "max_constraint_residual", "ratios", "cycles", "steps",
     "worst_constraint", "violation", "kkt_residual", "load_cases", "load_cases_kept", "at_time",

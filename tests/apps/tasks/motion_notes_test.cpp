@@ -95,6 +95,16 @@ TEST(LeavingPlane, IsSaidAboveTheEulerLoadOutOfIt) {
   EXPECT_NE(note(pressed(1.05), kLeaves), "");
 }
 
+/// Where no linearisation tells, under floating frames and chains of segments, the Euler load out
+/// of the plane does: that of a free end is a fourth of the one between hinges.
+TEST(LeavingPlane, IsSaidByTheEulerLoadWhereNoLinearisationTells) {
+  for (const char* formalism : {"formalism = \"floating\"", "formalism = \"segments\""}) {
+    EXPECT_EQ(note(pressed(0.9, formalism), kLeaves), "") << formalism;
+    EXPECT_NE(note(pressed(1.1, formalism), kLeaves), "") << formalism;
+    EXPECT_EQ(note(pressed(1.1, std::string("space = \"planar\"\n") + formalism), kLeaves), "");
+  }
+}
+
 /// Who asks for the plane, or for space, has decided.
 TEST(LeavingPlane, IsOfAutoOnly) {
   EXPECT_EQ(note(pressed(1.05, "space = \"planar\""), kLeaves), "");
