@@ -50,7 +50,8 @@ def draw_gradients(folder, pictures, _summary):
             panels.setdefault(f"{response}, {functional}", []).append((parameter, float(relative)))
     shown = {name: sorted(bars, key=lambda bar: -abs(bar[1]))[:MOST_BARS]
              for name, bars in panels.items()}
-    heights = [sum(1 + 0.6 * parameter.count("+") for parameter, _ in bars) for bars in shown.values()]
+    heights = [len(bars) * (1 + 0.3 * max(parameter.count("+") for parameter, _ in bars))
+               for bars in shown.values()]
     figure, axes = plt.subplots(len(shown), 1, squeeze=False, layout="constrained",
                                 height_ratios=heights,
                                 figsize=(8.2, 1.2 + 0.7 * len(shown) + 0.24 * sum(heights)))
