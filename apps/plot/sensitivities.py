@@ -50,18 +50,20 @@ def draw_gradients(folder, pictures, _summary):
             panels.setdefault(f"{response}, {functional}", []).append((parameter, float(relative)))
     shown = {name: sorted(bars, key=lambda bar: -abs(bar[1]))[:MOST_BARS]
              for name, bars in panels.items()}
-    heights = [len(bars) for bars in shown.values()]
+    heights = [len(bars) * (1 + 0.3 * max(parameter.count("+") for parameter, _ in bars))
+               for bars in shown.values()]
     figure, axes = plt.subplots(len(shown), 1, squeeze=False, layout="constrained",
                                 height_ratios=heights,
                                 figsize=(8.2, 1.2 + 0.7 * len(shown) + 0.24 * sum(heights)))
     for (ax,), (name, bars) in zip(axes, shown.items()):
         values = [value for _, value in bars]
         ax.barh(range(len(bars)), values, color=[BLUE if v < 0 else ORANGE for v in values])
-        ax.set_yticks(range(len(bars)), [parameter for parameter, _ in bars])
+        ax.set_yticks(range(len(bars)), [parameter.replace("+", "\n+ ") for parameter, _ in bars],
+                      fontsize="small")
         ax.invert_yaxis()
         ax.axvline(0, color="black", linewidth=0.8)
         more = len(panels[name]) - len(bars)
         ax.set_title(name.replace("_", " ") + (f" ({more} more parameters)" if more else ""),
                      loc="left")
-    axes[-1][0].set_xlabel("per cent, by 1 % of the parameter")
+    figure.supxlabel("per cent, by 1 % of the parameter", fontsize="medium")
     pictures.save(figure, "gradients", "relative gradients")

@@ -10,6 +10,8 @@ extensions = ["myst_parser"]
 html_theme = "furo"
 html_title = "liesl"
 html_show_copyright = False
+html_extra_path = ["index.html"]  # servers open it: leads to README.html
+highlight_language = "none"  # what a terminal shows is no Python
 
 root_doc = "README"
 source_suffix = {".md": "markdown"}

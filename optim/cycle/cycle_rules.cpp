@@ -47,8 +47,8 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
       change > o.objective_tolerance * now.objective)
     return {};
   return CycleEnd{CycleStatus::Converged,
-                  fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g}",
-                              *now.load_change, change / before.objective, now.worst)};
+                  fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g} %",
+                              *now.load_change, change / before.objective, 100 * now.worst)};
 }
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
@@ -75,8 +75,8 @@ std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
   if (change > kFixedPoint * o.tolerance) return {};
   return CycleEnd{CycleStatus::Converged,
                   fmt::format("the static optimum under the loads is the design itself within "
-                              "{:.2g}, worst limit at {:+.2g}",
-                              change, cycle.worst)};
+                              "{:.2g}, worst limit at {:+.2g} %",
+                              change, 100 * cycle.worst)};
 }
 
 std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {

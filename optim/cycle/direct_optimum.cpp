@@ -62,7 +62,7 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const DynamicOptimality& kkt = at.surrogate().optimality;
   const bool meets = a.worst <= options.feasibility;
   const std::string of =
-      fmt::format("KKT conditions: {}; worst limit at {:+.2g}; ", kkt.brief(), a.worst);
+      fmt::format("KKT conditions: {}; worst limit at {:+.2g} %; ", kkt.brief(), 100 * a.worst);
   if (meets && kkt.holds()) return {CycleStatus::Optimal, of + r.reason};
   const std::string beyond =
       fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,

@@ -45,7 +45,7 @@ export function timeChart(d, clock) {
 
 function peak(y) {
   let most = 0;
-  for (const v of y) most = Math.max(most, Math.abs(v));
+  for (const v of y) if (Number.isFinite(v)) most = Math.max(most, Math.abs(v));
   return most;
 }
 
@@ -61,13 +61,23 @@ function axes(d) {
     grid: { stroke: () => theme('line'), width: 1 } };
   const label = d.abscissa_unit && d.abscissa_unit !== '-' ? `${d.abscissa} [${d.abscissa_unit}]` : d.abscissa;
   return [
-    { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2 },
-    { ...style, size: 48, values: (_, v) => v.map((x) => tick(x, 3)) },
+    { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2, values: (_, v) => ticks(v) },
+    { ...style, size: 48, values: (_, v) => ticks(v) },
   ];
 }
 
+/** Labels of an axis, with as many digits as tell neighbours apart. */
+function ticks(values) {
+  const step = Math.min(...values.slice(1).map((x, i) => x - values[i]));
+  for (let digits = 3; digits < 8; ++digits) {
+    const texts = values.map((x) => tick(x, digits));
+    if (values.every((x) => Math.abs(Number(x.toPrecision(digits)) - x) < 0.05 * step)) return texts;
+  }
+  return values.map((x) => tick(x, 8));
+}
+
 function draw(holder, lines, d, scale) {
-  const tables = lines.map((l) => [l.x, l.y.map((y) => y / scale.factor)]);
+  const tables = lines.map((l) => [l.x, Array.from(l.y, (y) => (Number.isFinite(y) ? y / scale.factor : null))]);
   const data = tables.length > 1 ? uPlot.join(tables.map((t) => t.map((c) => Array.from(c)))) : tables[0];
   const plot = new uPlot({
     width: 400, height: d.height ?? 190, padding: [8, 16, 0, 0],

@@ -40,7 +40,8 @@ export function cycles(data, player) {
     ? cycleChart(s.objective?.quantity ?? 'objective', s.objective?.unit ?? '', numbers, history.map((h) => h.objective), choice)
     : cycleChart('mass', 'kg', numbers, history.map((h) => h.mass), choice);
   const second = cycleChart('worst limit, above it [%]', '', numbers, history.map((h) => 100 * h.worst_constraint), choice);
-  const forces = loads && numbers.every((n) => loads.known(n)) ? cycleChart('largest load', 'N', numbers, numbers.map((n) => loads.largest(n)), choice) : null;
+  const forces = loads && numbers.some((n) => loads.known(n))
+    ? cycleChart('largest load', 'N', numbers, numbers.map((n) => (loads.known(n) ? loads.largest(n) : NaN)), choice) : null;
   const node = card(choice.word === 'step' ? 'Steps' : 'Cycles',
     el('div', { class: 'controls two' }, slider, label),
     el('div', { class: 'split' }, el('div', {}, first, second, forces), el('div', {}, figures, loads?.node, ...pictures.map((p) => p.node), bars?.node)));

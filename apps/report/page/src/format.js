@@ -61,6 +61,12 @@ export function quantity(x, unit, digits = 4) {
   return number(x / factor, digits) + (name ? '\u00a0' + name : '');
 }
 
+/** Quantities of a list in one unit, that of the largest: "97.9 ms", "103.2 ms". */
+export function inOneUnit(xs, unit, digits = 4) {
+  const { factor, unit: name } = scaleOf(Math.max(0, ...xs.map(Math.abs)), unit);
+  return (x) => number(x / factor, digits) + (name ? '\u00a0' + name : '');
+}
+
 /** "(12.4, 0, \u22123.1) mm"; of one number "12.4 mm" */
 export function quantities(xs, unit, digits = 4) {
   if (xs.length === 1) return quantity(xs[0], unit, digits);

@@ -1,7 +1,7 @@
 // The instants whose loads a cycle keeps: buttons that go there, and what the loads are.
 
 import { el } from './dom.js';
-import { quantity } from './format.js';
+import { inOneUnit, quantity } from './format.js';
 import { LoadArrows, readLoads } from './loads.js';
 
 /** @returns {largest(cycle), show(cycle), node}; null where no loads are kept */
@@ -9,11 +9,12 @@ export function loadCases(data, player, abscissaUnit) {
   const loads = readLoads(data.loads);
   if (!loads.length) return null;
   const arrows = player?.view ? new LoadArrows(player.view, loads) : null;
-  const name = (at) => (abscissaUnit === '-' ? `load factor ${Number(at.toPrecision(4))}` : quantity(at, 's', 4));
+  const time = inOneUnit(loads.map((l) => l.at), 's');
+  const name = (at) => (abscissaUnit === '-' ? `load factor ${Number(at.toPrecision(4))}` : time(at));
   const buttons = el('div', { class: 'controls row' }), table = el('tbody', {});
   const node = el('div', { class: 'loads' }, el('h3', {}, 'Loads'), buttons,
     el('div', { class: 'scroll' }, el('table', { id: 'loads' }, el('thead', {}, el('tr', {},
-      ['part', 'at'].map((t) => el('th', {}, t)), ['largest force', 'largest moment'].map((t) => el('th', { class: 'n' }, t)))), table)),
+      el('th', {}, 'part'), ['at', 'largest force', 'largest moment'].map((t) => el('th', { class: 'n' }, t)))), table)),
     el('p', { class: 'note' }, 'The equivalent static loads of the cycle at the instants where they, or the limit that bounds the design most, are largest. The arrows are the forces on ' +
       'the nodes of beams and on the interfaces of meshed parts, drawn on the motion of the final design, all cycles to one scale.'));
   let shown = null, cycle = null;
@@ -49,7 +50,7 @@ export function loadCases(data, player, abscissaUnit) {
         title: 'show the loads of this instant', onclick: () => draw(shown && shown.at === i.at && shown.scenario === i.scenario ? null : i) },
       name(i.at) + (i.scenario ? ` (${i.scenario})` : ''))));
       table.replaceChildren(...loads.filter((l) => l.cycle === cycle).map((l) => el('tr', {},
-        el('td', {}, l.body), el('td', {}, name(l.at) + (l.scenario ? ` (${l.scenario})` : '')),
+        el('td', {}, l.body), el('td', { class: 'n' }, name(l.at) + (l.scenario ? ` (${l.scenario})` : '')),
         el('td', { class: 'n' }, quantity(l.largest, 'N')), el('td', { class: 'n' }, quantity(l.moment, 'N m')))));
       draw(at === undefined ? null : nearest(at));
     },

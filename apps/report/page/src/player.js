@@ -2,7 +2,7 @@
 
 import { el } from './dom.js';
 import { css } from './colors.js';
-import { quantity, number } from './format.js';
+import { inOneUnit, quantity, number } from './format.js';
 import { View } from './view.js';
 
 const kWholeMotion = 8;  // seconds that the whole motion takes to play
@@ -15,6 +15,7 @@ export class Player {
     Object.assign(this, { motion, clock, first, cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';
+    this.instantText = motion.unit === 's' ? inOneUnit([clock.last], 's') : (at) => (motion.unit === '-' ? number(at, 4) : quantity(at, motion.unit, 4));
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
     this.stage = el('div', { class: 'stage' }, this.canvas);
     this.bar = el('div', { class: 'colours' });
@@ -125,7 +126,7 @@ export class Player {
     this.view.set({ instant: this.shapes ? record : clock.record() });
     const share = (clock.at - clock.first) / (clock.last - clock.first || 1);
     this.slider.value = this.shapes ? record : share;
-    this.label.textContent = this.cases?.[record] ?? (this.motion.unit === '-' ? number(clock.at, 4) : quantity(clock.at, this.motion.unit, 4));
+    this.label.textContent = this.cases?.[record] ?? this.instantText(clock.at);
   }
 
   /** What the sliders say, as a line. */

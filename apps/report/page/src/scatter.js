@@ -136,7 +136,7 @@ function axisOf(values, log, from, to) {
   if (!values.length) [low, high] = [log ? 1 : 0, log ? 10 : 1];
   if (log) {
     const a = Math.log10(low), b = Math.log10(high), pad = 0.06 * (b - a || 1), ticks = [];
-    const wide = b - a > 1.2;
+    const wide = b - a > 2.2;
     for (let e = Math.floor(a - pad); e <= Math.ceil(b + pad); ++e)
       for (const m of wide ? [1] : [1, 2, 5]) if (Math.log10(m) + e >= a - pad && Math.log10(m) + e <= b + pad) ticks.push(m * 10 ** e);
     return { ticks, at: (x) => from + ((Math.log10(x) - a + pad) / (b - a + 2 * pad)) * (to - from) };

@@ -48,7 +48,7 @@ export function head(data) {
   if (s.frequencies_hz?.length) tiles.push(tile('lowest frequency', quantity(s.frequencies_hz[0], 'Hz', 4), `of ${s.frequencies_hz.length}`));
   else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
-  if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response));
+  if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
     el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(s))) : null),
@@ -124,7 +124,9 @@ export function gradients(s) {
   if (!rows.length) return null;
   return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', '', 'n', 'n']));
 }
-const per = (above, below) => (below && below !== '-' ? `${above && above !== '-' ? above : '1'}/${below.includes('/') ? `(${below})` : below}` : above === '-' ? '' : above);
+const kPowers = { '^2': '\u00b2', '^3': '\u00b3' };
+const per = (above, below) => quotient(above, below).replace(/\^[23]/g, (p) => kPowers[p]);
+const quotient = (above, below) => (below && below !== '-' ? `${above && above !== '-' ? above : '1'}/${below.includes('/') ? `(${below})` : below}` : above === '-' ? '' : above);
 
 export function references(s) {
   if (!s.references?.length) return null;
@@ -146,7 +148,8 @@ export function further(s) {
   if (parts.length)
     blocks.push(table(['part', 'cells', 'modes', 'mass', 'right up to'],
       parts.map(([name, p]) => [name, p.cells, p.modes, quantity(p.mass, 'kg'), quantity(p.right_up_to_hz, 'Hz', 3)]), ['', 'n', 'n', 'n', 'n']));
-  return blocks.length ? card('Modes, loads and parts', ...blocks) : null;
+  const title = [s.frequencies_hz?.length && 'modes', s.critical_loads?.length && 'critical loads', parts.length && 'meshed parts'].filter(Boolean).join(', ');
+  return blocks.length ? card(title[0].toUpperCase() + title.slice(1), ...blocks) : null;
 }
 
 export function provenance(data) {
