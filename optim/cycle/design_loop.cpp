@@ -122,8 +122,17 @@ void CycleRecord::evaluate_certificate() {
   }
   const DynamicOptimality& o = *result_.optimality;
   if (!o.residual) warn("the dynamic optimality conditions were not checked: " + o.reason);
-  if (!o.residual || o.holds() || options_.method != CycleMethod::Esl) return;
-  if (s == CycleStatus::Converged)
+  if (!o.residual || options_.method != CycleMethod::Esl) return;
+  const bool agree = s == CycleStatus::Converged;
+  if (o.holds()) {
+    if (!agree) return;
+    result_.status = CycleStatus::Optimal;
+    if (history().back().end == s) result_.history.back().end = CycleStatus::Optimal;
+    result_.reason =
+        "the optimality conditions of the motion hold (" + o.brief() + "); " + result_.reason;
+    return;
+  }
+  if (agree)
     result_.reason =
         "loads and design agree, but the dynamic optimality conditions do not hold: " + o.brief() +
         "; " + result_.reason;
