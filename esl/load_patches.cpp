@@ -21,7 +21,9 @@ std::map<int, std::vector<int>> grouped_nodes(const SolidModel& model) {
   };
   std::map<int, std::vector<int>> groups;
   for (int i = 0; i < mesh.node_count(); ++i) {
-    if (!model.coordinate(i, 0)) continue;
+    bool free = false;  // averaged interfaces take single components
+    for (int c = 0; c < mesh.dim; ++c) free = free || model.coordinate(i, c);
+    if (!free) continue;
     int cell = 0;
     for (int c = mesh.dim - 1; c >= 0; --c) {
       const auto [at, count] = number(mesh.nodes(c, i) - low[c], c);
