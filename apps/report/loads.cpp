@@ -6,21 +6,24 @@
 namespace liesl::report {
 
 Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
-  constexpr std::size_t kTime = 3, kNode = 4, kFirst = 5, kComponents = 6;
+  constexpr std::size_t kTime = 3, kNode = 4, kFirst = 5, kComponents = 6, kPlace = 11;
   const std::filesystem::path path = folder / "cycle_loads.csv";
   Json list = Json::array();
   if (!std::filesystem::exists(path)) return list;
   const Table table = read_table(path);
-  if (table.columns.size() != kFirst + kComponents)
+  if (table.columns.size() != kPlace + 3)
     throw output::IoError("report", path, "it has other columns; run it again");
   std::vector<std::vector<double>> values;
   for (const Table::Column& column : table.columns) values.push_back(numbers(column));
   const auto text = [&](std::size_t c, std::size_t row) { return table.columns[c].cells[row]; };
   for (std::size_t row = 0; row < table.rows();) {
     const std::size_t first = row;
-    std::vector<double> load;
-    for (; row < table.rows() && values[kNode][row] == static_cast<double>(row - first); ++row)
+    std::vector<double> load, places;
+    for (; row < table.rows() && values[kNode][row] == static_cast<double>(row - first); ++row) {
       for (std::size_t c = 0; c < kComponents; ++c) load.push_back(values[kFirst + c][row]);
+      for (std::size_t c = kPlace; c < kPlace + 3 && !text(kPlace, row).empty(); ++c)
+        places.push_back(values[c][row]);
+    }
     if (row == first)
       throw output::IoError("report", path, "nodes are missing in it; run it again");
     list.push_back({{"cycle", values[0][first]},
@@ -29,6 +32,7 @@ Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
                     {"at", values[kTime][first]},
                     {"nodes", row - first},
                     {"load", blob.f32(load)}});
+    if (!places.empty()) list.back()["places"] = blob.f32(places);
   }
   return list;
 }

@@ -9,7 +9,8 @@
 namespace liesl::report {
 
 /// Rows of cycle_loads.csv by cycle, part and instant: [{"cycle", "scenario", "body", "at",
-/// "nodes", "load": array [nodes, 6] of forces and moments}]; empty without that file.
+/// "nodes", "load": array [nodes, 6] of forces and moments, "places": array [nodes, 3] of a meshed
+/// part}]; empty without that file.
 /// @throws output::IoError for a table that is not whole
 Json cycle_loads(const std::filesystem::path& folder, Blob& blob);
 

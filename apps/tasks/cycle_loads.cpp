@@ -2,9 +2,27 @@
 
 #include "apps/tasks/cycle_loads.hpp"
 
+#include <variant>
+
 #include "apps/output/csv_writer.hpp"
+#include "esl/load_patches.hpp"
 
 namespace liesl {
+namespace {
+
+/// Interfaces, then patches; empty of a beam.
+Eigen::Matrix3Xd places_of(const BodySpec& body) {
+  const auto* spec = std::get_if<SolidSpec>(&body.kind);
+  if (!spec) return {3, 0};
+  const Eigen::Matrix3Xd patches = load_patches(*spec->model).places;
+  Eigen::Matrix3Xd places(3, spec->model->ports() + patches.cols());
+  for (int k = 0; k < spec->model->ports(); ++k)
+    places.col(k) = spec->model->interfaces()[static_cast<std::size_t>(k)].point;
+  places.rightCols(patches.cols()) = patches;
+  return places;
+}
+
+}  // namespace
 
 std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Study& study) {
   std::vector<LoadsOfCycle> out;
@@ -14,9 +32,10 @@ std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Stud
       ++number;
       for (const CycleLoads& part : cycle.loads) {
         const auto scenario = static_cast<std::size_t>(part.scenario);
-        out.push_back({number,
-                       study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)].name,
-                       study.spec.scenarios.empty() ? "" : study.spec.scenarios[scenario], part});
+        const auto& body = study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)];
+        out.push_back({number, body.name,
+                       study.spec.scenarios.empty() ? "" : study.spec.scenarios[scenario], part,
+                       places_of(body)});
       }
     }
   return out;
@@ -41,6 +60,7 @@ std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType t
       {"node", "", {}}};
   for (const char* name : {"Fx", "Fy", "Fz"}) columns.push_back({name, "N", {}});
   for (const char* name : {"Mx", "My", "Mz"}) columns.push_back({name, "N m", {}});
+  for (const char* name : {"x", "y", "z"}) columns.push_back({name, "m", {}});
   for (const LoadsOfCycle& part : loads)
     for (std::size_t n = 0; n < part.kept.times.size(); ++n)
       for (Eigen::Index k = 0; k < part.kept.loads[n].cols(); ++k) {
@@ -52,6 +72,9 @@ std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType t
         for (Eigen::Index c = 0; c < 6; ++c)
           columns[static_cast<std::size_t>(5 + c)].cells.push_back(
               output::cell(part.kept.loads[n](c, k)));
+        for (Eigen::Index c = 0; c < 3; ++c)
+          columns[static_cast<std::size_t>(11 + c)].cells.push_back(
+              k < part.places.cols() ? output::cell(part.places(c, k)) : "");
       }
   return output::columns_csv(columns);
 }

@@ -15,6 +15,7 @@ struct LoadsOfCycle {
   int cycle = 0;  ///< from 1, as in the summary
   std::string body, scenario;
   CycleLoads kept;
+  Eigen::Matrix3Xd places;  ///< of a meshed part, m, axes of its mesh; empty of a beam
 };
 
 /// Those of all rounds, cycles numbered through.
@@ -24,8 +25,9 @@ std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Stud
 std::vector<LoadsOfCycle> joined_loads(std::vector<LoadsOfCycle> before,
                                        std::vector<LoadsOfCycle> now, std::size_t cycles_before);
 
-/// `cycle,scenario,body,time [s],node,Fx [N],Fy,Fz,Mx [N m],My,Mz` (load_factor [-] in statics); a
-/// row a node of a beam, or an interface of a meshed part; axes: see CycleLoads.
+/// `cycle,scenario,body,time [s],node,Fx [N],Fy,Fz,Mx [N m],My,Mz,x [m],y,z` (load_factor [-] in
+/// statics); a row a node of a beam, or an interface, then a patch, of a meshed part, which have
+/// places; axes: see CycleLoads.
 std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType type);
 
 }  // namespace liesl

@@ -8,7 +8,7 @@
 namespace liesl {
 
 /// Of one part in one motion, in space. Of a beam the loads on its nodes, in the axes of those; of
-/// a meshed part those on its interfaces, in the axes of its mesh: what balances them acts inside.
+/// a meshed part those on its interfaces, then on its patches (LoadPatches), axes of its mesh.
 struct CycleLoads {
   using Load = Eigen::Matrix<double, 6, Eigen::Dynamic>;  ///< [force; moment] a point; N, N m
 

@@ -5,6 +5,7 @@
 #include <set>
 #include <variant>
 
+#include "esl/load_patches.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/system/spatial_view.hpp"
 #include "optim/cycle/treatment.hpp"
@@ -24,15 +25,17 @@ Load beam_load(const SpatialView<G>& view, const LoadSet& set, int n) {
   return load;
 }
 
-/// The loads on the interfaces of a meshed part at record n.
-Load part_load(const SolidModel& model, const SolidLoadSet& set, int n) {
+/// The loads on the interfaces of a meshed part at record n, then those on its patches.
+Load part_load(const SolidModel& model, const LoadPatches& patches, const SolidLoadSet& set,
+               int n) {
   const Eigen::VectorXd f = set.load(n);
   const int dim = model.mesh().dim, turns = model.rigid_count() - dim;
-  Load load = Load::Zero(6, model.ports());
+  Load load = Load::Zero(6, model.ports() + patches.places.cols());
   for (int k = 0; k < model.ports(); ++k) {
     load.col(k).head(dim) = f.segment(model.port(k), dim);
     load.col(k).tail(turns) = f.segment(model.port(k) + dim, turns);
   }
+  load.rightCols(patches.places.cols()) = patches.of(f);
   return load;
 }
 
@@ -51,13 +54,14 @@ std::vector<int> kept_records(const std::vector<double>& sizes, int worst) {
   return kept;
 }
 
+/// @param points how many, the first, tell the size: all of a beam, interfaces of a meshed part
 /// @param load_at record -> loads
 template <class LoadAt>
 void add_part(int body, int scenario, int worst, const std::vector<double>& times, double length,
-              const LoadAt& load_at, std::vector<CycleLoads>& out) {
+              Eigen::Index points, const LoadAt& load_at, std::vector<CycleLoads>& out) {
   std::vector<double> sizes;
   for (std::size_t n = 0; n < times.size(); ++n) {
-    const Load load = load_at(static_cast<int>(n));
+    const Load load = load_at(static_cast<int>(n)).leftCols(points);
     sizes.push_back(std::hypot(load.topRows<3>().norm(), load.bottomRows<3>().norm() / length));
   }
   CycleLoads part{body, scenario, {}, {}};
@@ -88,13 +92,14 @@ std::vector<CycleLoads> screened_loads(const DesignRun<G>& run, int scenario) {
   const int worst = worst_record(run);
   for (const LoadSet& set : run.loads)
     add_part(
-        set.body, scenario, worst, set.t, run.model->length,
+        set.body, scenario, worst, set.t, run.model->length, set.f.rows() / G::dim,
         [&](int n) { return beam_load<G>(view, set, n); }, out);
   for (const SolidLoadSet& set : run.solid_loads) {
     const auto& spec = std::get<SolidSpec>(run.mechanism.bodies[std::size_t(set.body)].kind);
+    const LoadPatches patches = load_patches(*spec.model);
     add_part(
-        set.body, scenario, worst, set.t, run.model->length,
-        [&](int n) { return part_load(*spec.model, set, n); }, out);
+        set.body, scenario, worst, set.t, run.model->length, spec.model->ports(),
+        [&](int n) { return part_load(*spec.model, patches, set, n); }, out);
   }
   return out;
 }

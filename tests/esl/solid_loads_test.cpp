@@ -4,8 +4,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <stdexcept>
 
+#include "esl/load_patches.hpp"
 #include "mbs/solids/solid_statics.hpp"
 #include "mbs/solvers/dynamics.hpp"
 #include "reference/meshed_rod.hpp"
@@ -72,6 +74,34 @@ TEST(SolidLoads, DeformTheSameWithoutASupport) {
 TEST(SolidLoads, OfOtherBodiesAreRefused) {
   EXPECT_THROW(extract_solid_loads(moved().model, moved().result.trajectory, 0),
                std::invalid_argument);
+}
+
+/// Forces and moments about the origin of interfaces and patches: that of a load in equilibrium,
+/// and those of the patches are those of all free nodes.
+TEST(SolidLoads, PatchesAndInterfacesBalance) {
+  const SolidModel& model = *moved().rod().model;
+  const LoadPatches patches = load_patches(model);
+  EXPECT_GT(patches.places.cols(), kLoadPatches / 2);
+  EXPECT_LT(patches.places.cols(), 2 * kLoadPatches);
+  for (const int n : {40, 125, 201}) {
+    const Eigen::VectorXd f = moved().loads.load(n);
+    const auto inside = patches.of(f);
+    Eigen::Vector3d force = inside.topRows<3>().rowwise().sum();
+    Eigen::Vector3d moment = inside.bottomRows<3>().rowwise().sum();
+    for (Eigen::Index p = 0; p < inside.cols(); ++p)
+      moment +=
+          Eigen::Vector3d(patches.places.col(p)).cross(Eigen::Vector3d(inside.col(p).head<3>()));
+    const double size = force.norm(), turn = moment.norm();
+    for (int k = 0; k < model.ports(); ++k) {
+      const Eigen::Vector3d at(f[model.port(k)], f[model.port(k) + 1], 0);
+      force += at;
+      moment += model.interfaces()[std::size_t(k)].point.cross(at) +
+                f[model.port(k) + 2] * Eigen::Vector3d::UnitZ();
+    }
+    EXPECT_GT(size, 1);
+    EXPECT_LT(force.norm(), 1e-8 * size);
+    EXPECT_LT(moment.norm(), 1e-8 * std::max(turn, size));
+  }
 }
 
 TEST(SolidLoads, OfAPartAtRestAreNone) {

@@ -16,7 +16,7 @@ export function loadCases(data, player, abscissaUnit) {
     el('div', { class: 'scroll' }, el('table', { id: 'loads' }, el('thead', {}, el('tr', {},
       el('th', {}, 'part'), ['at', 'largest force', 'largest moment'].map((t) => el('th', { class: 'n' }, t)))), table)),
     el('p', { class: 'note' }, 'The equivalent static loads of the cycle at the instants where they, or the limit that bounds the design most, are largest. The arrows are the forces on ' +
-      'the nodes of beams and on the interfaces of meshed parts, drawn on the motion of the final design, all cycles to one scale.'));
+      'the nodes of beams, on the interfaces of meshed parts and, as resultants of patches of the mesh, between them, drawn on the motion of the final design, all cycles to one scale.'));
   let shown = null, cycle = null;
 
   const instants = () => [...new Set(loads.filter((l) => l.cycle === cycle).map((l) => `${l.at}|${l.scenario}`))]

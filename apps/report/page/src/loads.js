@@ -11,7 +11,7 @@ const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = n
 /** Loads of the page's data: [{cycle, scenario, body, at, nodes, load, largest, moment}], N and N m. */
 export function readLoads(list) {
   return (list ?? []).map((d) => {
-    const load = array(d.load), part = { ...d, load, largest: 0, moment: 0 };
+    const load = array(d.load), part = { ...d, load, places: d.places && array(d.places), largest: 0, moment: 0 };
     for (let k = 0; k < d.nodes; ++k) {
       part.largest = Math.max(part.largest, Math.hypot(...load.slice(6 * k, 6 * k + 3)));
       part.moment = Math.max(part.moment, Math.hypot(...load.slice(6 * k + 3, 6 * k + 6)));
@@ -20,7 +20,7 @@ export function readLoads(list) {
   });
 }
 
-/** Forces on the nodes of beams and the interfaces of meshed parts; one scale for all cycles. */
+/** Forces on the nodes of beams, on the interfaces and patches of meshed parts; one scale for all cycles. */
 export class LoadArrows {
   constructor(view, loads) {
     this.view = view;
@@ -55,7 +55,10 @@ export class LoadArrows {
         if (length < kShortest * this.view.size) continue;
         this.view.turn(part.body, body.elements.length ? node : 0, kQ);  // of a meshed part the axes of its mesh
         kF.applyQuaternion(kQ).normalize();
-        this.view.place(part.body, node, [0, 0, 0], 0, kX);
+        const solid = part.places && this.view.viewOf.get(part.body);
+        if (solid?.place) solid.place(part.places, 3 * k, kX);
+        else if (node < body.nodes) this.view.place(part.body, node, [0, 0, 0], 0, kX);
+        else continue;
         this.put(count++, length);
       }
     }

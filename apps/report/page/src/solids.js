@@ -131,6 +131,19 @@ export class SolidView {
     return kP.length();
   }
 
+  /** Where a place of the part is drawn: it moves as the vertex next to it, on the front face. */
+  place(places, at, out) {
+    const { x0, vertices, mesh, planar, half } = this, position = mesh.geometry.attributes.position.array;
+    const [x, y, z] = [places[at], places[at + 1], places[at + 2]];
+    let best = 0, nearest = Infinity;
+    for (let v = 0; v < vertices; ++v) {
+      const away = (x0[0][v] - x) ** 2 + (x0[1][v] - y) ** 2 + (x0[2][v] - z) ** 2;
+      if (away < nearest) [best, nearest] = [v, away];
+    }
+    out.set(x + position[3 * best] - x0[0][best], y + position[3 * best + 1] - x0[1][best], planar ? half : z + position[3 * best + 2] - x0[2][best]);
+    return out.applyQuaternion(mesh.quaternion).add(mesh.position);
+  }
+
   copyFace(position, colours) {
     const V = 3 * this.vertices;
     for (let at = 0; at < V; at += 3) {
