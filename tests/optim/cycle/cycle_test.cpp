@@ -261,7 +261,7 @@ TEST(Optimality, AnEarlierDesignThatIsReturnedIsNamed) {
   ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
   EXPECT_NEAR(r.x[1], 0.0012, 1e-12);
   EXPECT_NE(r.reason.find("the design is that of cycle 1, the best that meets all limits (worst "
-                          "limit at -0.14)"),
+                          "limit at -14 %)"),
             std::string::npos)
       << r.reason;
 }
