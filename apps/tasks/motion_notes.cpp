@@ -21,12 +21,6 @@ constexpr double kStruck = 0.1;     // of the largest value
 constexpr double kOvershoot = 0.5;  // of the swing
 constexpr double kStatic = 1e-8;    // tolerance of the equilibrium
 
-bool has_planar_mesh(const Mechanism& mechanism) {
-  return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const BodySpec& body) {
-    return std::holds_alternative<SolidSpec>(body.kind);
-  });
-}
-
 /// Of deformation and internal forces: what a start can strike.
 bool is_struck(ResponseKind kind) {
   switch (kind) {
@@ -59,6 +53,12 @@ bool equilibrium(const Model<G>& model, SimulationOptions o, State<G>& s) {
 }
 
 }  // namespace
+
+bool has_planar_mesh(const Mechanism& mechanism) {
+  return std::any_of(mechanism.bodies.begin(), mechanism.bodies.end(), [](const BodySpec& body) {
+    return std::holds_alternative<SolidSpec>(body.kind);
+  });
+}
 
 template <>
 std::vector<std::string> leaving_plane(const Scene&, const Model<SE3>&, const Trajectory<SE3>&) {

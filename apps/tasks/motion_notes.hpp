@@ -11,6 +11,9 @@
 
 namespace liesl {
 
+/// Whether a part is meshed in the plane, which keeps a mechanism there.
+bool has_planar_mesh(const Mechanism& mechanism);
+
 /// Whether a motion in a plane that was found (`simulation.space = "auto"`) could leave it: a
 /// disturbance out of the plane grows by more than e while it lasts (PlaneStability, at up to 21
 /// records). None in space, or where the scene asks for the plane.

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "apps/tasks/motion_notes.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/section_law.hpp"
@@ -256,12 +257,14 @@ std::vector<RangeNote> PartRanges<G>::notes() const {
 
 template <FrameGroup G>
 std::vector<std::string> PartRanges<G>::leaving_plane() const {
+  if (has_planar_mesh(mechanism_)) return {};
   const auto most = std::ranges::max_element(
       members_, {}, [](const Member& beam) { return beam.range.sideways; });
   if (most == members_.end() || most->range.sideways <= kFreeEnd) return {};
   return {fmt::format(
       "the motion may leave the plane: '{}' carries up to {:.2g} of its Euler load out of it, "
-      "between hinges (an end that is free buckles at 0.25, clamped ends at 4), and floating "
+      "as a body by itself between hinges (an end that is free buckles at 0.25, clamped ends at 4; "
+      "several in a row sooner), and floating "
       "frames and chains of segments do not tell; formalism \"se3\" does, simulation.space = "
       "\"planar\" keeps the plane and this note away",
       most->body->name, most->range.sideways)};

@@ -1,6 +1,7 @@
 #include "mbs/bodies/continuum.hpp"
 
 #include <map>
+#include <set>
 #include <stdexcept>
 
 #include "liegroup/rotation.hpp"
@@ -123,22 +124,32 @@ void ContinuumBody<G>::make_cells(const SolidSpec& spec) {
 
 template <FrameGroup G>
 void ContinuumBody<G>::make_averaged(const SolidSpec& spec, const Eigen::Matrix3d& turn) {
-  const double size = sd == 2 ? spec.model->thickness() : std::cbrt(shapes_[0].volume());
+  const double node_mass = total_mass() / mesh_nodes();  // corners of quadratic cells may have none
   for (int p = 0; p < ports_; ++p) {
     const Interface& f = spec.interfaces()[static_cast<std::size_t>(p)];
     if (f.tie == Tie::Rigid) continue;
     Points places(sd, f.nodes.size());
     std::vector<int> nodes;
-    double mass = 0;
     for (const int i : f.nodes) {
       const Eigen::Vector3d s = turn * (spec.mesh().nodes.col(i) - f.point);
       places.col(static_cast<Eigen::Index>(nodes.size())) = s.head<sd>();
       nodes.push_back(node_of(i));
-      mass += node_mass_[i];
     }
+    const double size = sd == 2 ? spec.model->thickness() : std::cbrt(mean_volume_at(f.nodes)),
+                 mass = node_mass * static_cast<double>(nodes.size());
     averaged_.emplace_back(p, std::move(nodes), std::move(places),
                            kStiffPort * spec.model->material().E * size, kLightPort * mass);
   }
+}
+
+template <FrameGroup G>
+double ContinuumBody<G>::mean_volume_at(const std::vector<int>& nodes) const {
+  const std::set<int> any(nodes.begin(), nodes.end());
+  std::vector<double> volumes;
+  for (int e = 0; e < cells_.cols(); ++e)
+    if (cells_.col(e).unaryExpr([&any](int i) { return int(any.count(i)); }).any())
+      volumes.push_back(cell(e).volume());
+  return VectorXd::Map(volumes.data(), static_cast<Eigen::Index>(volumes.size())).mean();
 }
 
 template <FrameGroup G>

@@ -105,6 +105,7 @@ class ContinuumBody final : public Body<G> {
                     const Eigen::Matrix3d& turn);
   void make_cells(const SolidSpec& spec);
   void make_averaged(const SolidSpec& spec, const Eigen::Matrix3d& turn);
+  double mean_volume_at(const std::vector<int>& nodes) const;  ///< of cells that hold any of them
   void make_mass();
   void set_constant_matrices();
 

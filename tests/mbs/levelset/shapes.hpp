@@ -64,6 +64,8 @@ inline std::vector<NamedShape> all_shapes() {
       {"ellipse", [] { return turned(ellipse(0.7, 0.4)); }},
       {"ellipsoid", [] { return tilted(ellipsoid(0.7, 0.4, 0.5)); }},
       {"super-ellipse", [] { return turned(super_ellipse(0.7, 0.4, 3, 4)); }},
+      {"super-ellipse, roots", [] { return turned(super_ellipse(0.7, 0.4, 4, 4)); }},
+      {"super-ellipse, higher roots", [] { return turned(super_ellipse(0.7, 0.4, 8, 8)); }},
       {"superformula",
        [] {
          return turned(superformula({0.6, 1.1, 0.9, 6, 3, 2.5, 3.5}));
