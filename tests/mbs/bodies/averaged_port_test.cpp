@@ -6,6 +6,7 @@
 
 #include "mbs/bodies/continuum.hpp"
 #include "mbs/run.hpp"
+#include "mbs/solids/meshes.hpp"
 #include "mbs/static_cases.hpp"
 #include "mbs/step_tangent.hpp"
 #include "reference/continuum.hpp"
@@ -127,6 +128,53 @@ TYPED_TEST(AveragedPortTest, TangentsAreExact) {
   this->model.retract(at, h);
   at.lambda = 100 * random.vector(this->model.constraints());
   expect_exact_statics(this->model, at, {0, 1}, "statics");
+}
+
+/// A port that moves alone, its nodes at rest: V = n k d^2/2 of a displacement, T = m u^2/2.
+template <class G>
+std::pair<double, double> stiffness_and_mass(const SolidSpec& part, int port) {
+  const Mechanism m = clamped(part);
+  const auto model = Model<G>::build(m, space_of<G>(m));
+  State<G> s = model.initial_state();
+  const double d = 1e-4;
+  VectorXd h = VectorXd::Zero(model.size());
+  h[G::dim * port] = d;
+  model.retract(s, h);
+  s.v[G::dim * port] = 1;
+  const BodyEnergy e = model.bodies[0]->energy(model.body_state(s, 0),
+                                               G::Tangent::Zero().template head<G::space_dim>());
+  const double n =
+      static_cast<double>(part.interfaces()[static_cast<std::size_t>(port)].nodes.size());
+  return {2 * e.elastic / (n * d * d), 2 * e.kinetic};
+}
+
+/// Of the cells that touch the interface, whatever those elsewhere are like.
+TEST(AveragedPorts, AreAsStiffAsTheCellsAtThem) {
+  SolidSpec part = foam(4, 1, 1, Tie::Averaged);
+  SolidMesh mesh = part.mesh();
+  mesh.nodes.row(0) = mesh.nodes.row(0).array().square() / kLong;  // 25 to 175 mm long
+  part.model =
+      std::make_shared<const SolidModel>(mesh, kFoam, part.interfaces(), SolidModel::Options{});
+  for (const int port : {0, 1}) {
+    const double size = std::cbrt((port ? 7 : 1) * kLong / 16 * kHigh * kFoamThickness);
+    EXPECT_NEAR(stiffness_and_mass<SE3>(part, port).first / (kNodeStiffness * kFoam.E * size), 1,
+                1e-6);
+  }
+}
+
+/// Corners of quadratic cells have no mass of their own, or less than none: that of the part,
+/// spread.
+TEST(AveragedPorts, AtCornersOfQuadraticCellsHaveMass) {
+  for (const bool triangles : {false, true}) {
+    SolidSpec part = foam(3, 1, 0, Tie::Averaged);
+    SolidMesh mesh = of_order_two(triangles ? split(part.mesh()) : part.mesh());
+    part.model = std::make_shared<const SolidModel>(
+        mesh, kFoam, part.interfaces(), SolidModel::Options{kFoamThickness, part.model->law()});
+    const double all = kFoam.rho * kLong * kHigh * kFoamThickness,
+                 share = 2.0 / mesh.node_count();  // both nodes of the interface
+    EXPECT_NEAR(stiffness_and_mass<SE2>(part, 1).second / (1e-3 * share * all), 1, 1e-9)
+        << (triangles ? "triangles" : "quadrilaterals");
+  }
 }
 
 LoadSpec pull_of(const Vec3& force) {

@@ -5,7 +5,9 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "mbs/levelset/closed_curve.hpp"
@@ -106,6 +108,13 @@ inline std::vector<NamedShape> all_shapes() {
              0.1);
        }},
   };
+}
+
+/// Of `all_shapes`; throws where none has that name.
+inline NamedShape shape_named(std::string_view name) {
+  for (NamedShape& shape : all_shapes())
+    if (shape.name == name) return shape;
+  throw std::invalid_argument("no shape '" + std::string(name) + "'");
 }
 
 }  // namespace liesl::test

@@ -156,13 +156,13 @@ TEST(MeshStatics, OrderInSpace) { expect_second_order(true); }
 
 TEST(MeshStatics, DerivativesOfOtherObjectivesPassTheStepSweep) {
   for (const SolidResponse objective : {SolidResponse::Compliance, SolidResponse::Stress}) {
-    Block block(all_shapes()[9]);
+    Block block(shape_named("super-ellipse"));
     block.task.objective = objective;
     expect_right(block, "super-ellipse");
   }
 }
 
-NamedShape ellipse_hole() { return all_shapes()[7]; }
+NamedShape ellipse_hole() { return shape_named("ellipse"); }
 
 TEST(MeshStatics, ScreeningWithViolatorsAddedFindsTheOptimumOfAllCases) {
   const auto optimum = [](double screening, int min_cases, int& cases) {
@@ -215,7 +215,7 @@ TEST(MeshStatics, SaysWhichInterfaceIsCutAndGivesNoValue) {
 
 /// Each bound alone leaves a shape, both together fold the outline over itself.
 TEST(MeshStatics, SaysThatAnOutlineCrossesItselfAndGivesNoValue) {
-  Block block(all_shapes()[11]);
+  Block block(shape_named("polyline"));
   ShapeDesignSpec spec;
   spec.variables = {{"right", {{"hole.p0.x", 1}}, -0.3, 0.7, {}},
                     {"left", {{"hole.p3.x", 1}, {"hole.p4.x", 1}}, -0.7, 0.05, {}}};
