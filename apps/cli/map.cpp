@@ -105,6 +105,7 @@ int map_command(const CommandOptions& options) {
   MapOutcome out = map_task(study, choose_space(study.scene), request, hooks);
   line.clear();
   out.summary.overrides = options.set;
+  out.summary.input = options.file;
   out.summary.input_sha256 = output::sha256(study.input);
   out.summary.wall_s = clock.seconds();
   write(out, folder.path());

@@ -121,6 +121,7 @@ nlohmann::ordered_json to_json(const MapSummary& s, const DesignMap& map) {
   for (const auto& [name, value] : map.centre) json["centre"][name] = value;
   json["wall_s"] = s.wall_s;
   json["peak_memory_mb"] = peak_memory_mb();
+  json["input"] = s.input;
   add_tail(json, s.warnings, s.overrides, s.input_sha256);
   return json;
 }

@@ -44,6 +44,7 @@ struct MapSummary {
   int designs = 0, failed = 0;
   double wall_s = 0;
   std::vector<std::string> warnings, overrides;
+  std::string input;  ///< file, as it was named
   std::string input_sha256;
 };
 nlohmann::ordered_json to_json(const MapSummary& summary, const DesignMap& map);

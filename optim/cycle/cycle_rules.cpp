@@ -53,7 +53,7 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
   if (h.back().number <= o.max) return {};
-  std::string reason = fmt::format("{} cycles are used up", o.max);
+  std::string reason = fmt::format("{} cycle{} used up", o.max, o.max == 1 ? " is" : "s are");
   if (const auto change = h.back().load_change)
     reason += fmt::format("; loads still changed by {:.2g}", *change);
   return CycleEnd{CycleStatus::CycleLimit, reason};

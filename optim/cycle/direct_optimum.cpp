@@ -69,7 +69,8 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
                   a.worst_at.empty() ? "" : " at " + a.worst_at);
   if (analyses_used_up(record) || r.status == NlpStatus::IterationLimit)
     return {CycleStatus::CycleLimit,
-            fmt::format("{} cycles are used up; ", options.max) + of + (meets ? r.reason : beyond)};
+            fmt::format("{} cycle{} used up; ", options.max, options.max == 1 ? " is" : "s are") +
+                of + (meets ? r.reason : beyond)};
   if (meets) return {CycleStatus::Converged, of + r.reason};
   return {CycleStatus::Infeasible, beyond + ": " + r.reason};
 }
