@@ -9,6 +9,7 @@
 
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/run.hpp"
+#include "apps/tasks/sensitivity.hpp"
 
 namespace liesl::test::part_range_test {
 namespace {
@@ -162,6 +163,19 @@ TEST(PartRange, OfTheEquilibriumOfModes) {
       "[joints]\nclamp = { fixed = [\"ground\", \"bar.first\"] }\n[loads]\nf = { at = "
       "\"bar.second\", force = [-5e3, 0, 0] }\n[simulation]\ntype = \"modes\"\n";
   EXPECT_NEAR(said(bar(true, true, pressed), kCarries), 5e3 / kEuler, 0.01);
+}
+
+/// What sensitivities are of is no better than the motion.
+TEST(PartRange, OfSensitivitiesToo) {
+  const std::string scene =
+      bar(true, false, spun(120)) + "[responses]\nenergy = { response = \"energy\" }\n";
+  const SensitivityProblem problem =
+      scene_problem(SceneText{scene, "blade.toml", {}}, {"materials.steel.E"});
+  const SensitivityOutcome end =
+      sensitivity_task(problem, choose_space(problem.scene), {{FunctionalSpec{}}});
+  EXPECT_EQ(end.status, SolveStatus::Inaccurate) << end.summary.reason;
+  EXPECT_NE(end.summary.reason.find(kTurns), std::string::npos) << end.summary.reason;
+  EXPECT_FALSE(end.result.gradients.empty());
 }
 
 }  // namespace
