@@ -230,7 +230,7 @@ void EslProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
     }
   }
   const RowMatrix own = parts_->own_gradients();
-  dg.bottomRows(own.rows()) = own;
+  if (own.rows() > 0) dg.bottomRows(own.rows()) = own;
 }
 
 MatrixXd EslProblem::output_weights(int part, const VectorXd& lambda) const {
