@@ -174,7 +174,7 @@ TEST(PartRange, OfSensitivitiesToo) {
   const SensitivityOutcome end =
       sensitivity_task(problem, choose_space(problem.scene), {{FunctionalSpec{}}});
   EXPECT_EQ(end.status, SolveStatus::Inaccurate) << end.summary.reason;
-  EXPECT_NE(end.summary.reason.find(kTurns), std::string::npos) << end.summary.reason;
+  EXPECT_NE(end.summary.reason.find(kBends), std::string::npos) << end.summary.reason;
   EXPECT_FALSE(end.result.gradients.empty());
 }
 
