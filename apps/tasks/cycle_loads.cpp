@@ -2,6 +2,7 @@
 
 #include "apps/tasks/cycle_loads.hpp"
 
+#include <map>
 #include <variant>
 
 #include "apps/output/csv_writer.hpp"
@@ -26,6 +27,7 @@ Eigen::Matrix3Xd places_of(const BodySpec& body) {
 
 std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Study& study) {
   std::vector<LoadsOfCycle> out;
+  std::map<int, Eigen::Matrix3Xd> places;  // by body: of its mesh, the same in all cycles
   int number = 0;
   for (const auto& round : rounds)
     for (const Cycle& cycle : round) {
@@ -33,9 +35,10 @@ std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Stud
       for (const CycleLoads& part : cycle.loads) {
         const auto scenario = static_cast<std::size_t>(part.scenario);
         const auto& body = study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)];
+        if (places.count(part.body) == 0) places[part.body] = places_of(body);
         out.push_back({number, body.name,
                        study.spec.scenarios.empty() ? "" : study.spec.scenarios[scenario], part,
-                       places_of(body)});
+                       places[part.body]});
       }
     }
   return out;
