@@ -93,7 +93,7 @@ def sentences(run):
     def plain_ends():
         s = plain()
         mass, kkt = ([Fresh(one[key], relative=r) for one in s] for key, r in (("mass_final", MASS), ("kkt_residual", 0.1)))
-        # of four_bar_mixed rounding decides: 0.3100 to 0.3117 kg (data/studies/README.md)
+        # of four_bar_mixed rounding decides: 0.3100 or 0.3116 kg (data/studies/README.md)
         return [*mass[:3], *kkt[:3], Fresh(s[3]["mass_final"], relative=4e-3)]
 
     def uniform():
