@@ -19,6 +19,8 @@ endif()
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC collects garbage from 128 MB on, about a tenth of its time; a compiler takes 1.5 GB at most.
   add_compile_options(-fpch-preprocess --param=ggc-min-heapsize=1000000)
+else()
+  add_compile_options("SHELL:-Xclang -fno-pch-timestamp")
 endif()
 
 # Warnings are for our own sources only, hence a private list and not an interface.
@@ -29,6 +31,8 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   list(APPEND LIESL_WARNINGS -Wno-maybe-uninitialized -Wno-array-bounds -Wno-stringop-overflow
        -Wno-stringop-overread
        -Wno-restrict)
+else()
+  list(APPEND LIESL_WARNINGS -Wno-overlength-strings)  # the page of a report is one
 endif()
 if(LIESL_WERROR)
   list(APPEND LIESL_WARNINGS -Werror)

@@ -53,12 +53,12 @@ std::vector<output::FormalismRatio> formalism_ratios(const CaseList& runs, const
   for (std::size_t f = 1; f < formalisms.size(); ++f) {
     std::vector<double> error, time;
     bool compared = false;  // a model has meshes of its own
-    for (const auto& [others, row] : rows_of(runs, column, formalisms[f])) {
-      const auto same = first.find(others);
+    for (const auto& other : rows_of(runs, column, formalisms[f])) {
+      const auto same = first.find(other.first);
       if (same == first.end()) continue;
       compared = true;
       const auto ratio = [&](const char* figure, std::vector<double>& into) {
-        const auto a = table.figure(row, figure), b = table.figure(same->second, figure);
+        const auto a = table.figure(other.second, figure), b = table.figure(same->second, figure);
         if (a && b && *b > 0) into.push_back(*a / *b);
       };
       ratio("error", error);

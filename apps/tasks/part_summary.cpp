@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <functional>
-#include <ranges>
+#include <numeric>
 
 #include "mbs/linalg/stop_request.hpp"
 #include "mbs/solids/solid_model.hpp"
@@ -45,9 +45,11 @@ using ByModes = std::function<VectorXd(int)>;
 /// The fewest modes, up to `most`, that are right up to `wanted`; more never make them worse.
 std::optional<int> fewest_modes(const VectorXd& full, const ByModes& reduced, int most,
                                 double wanted) {
-  const auto numbers = std::views::iota(0, most + 1);
-  const auto found = std::ranges::partition_point(
-      numbers, [&](int kept) { return right_up_to(full, reduced(kept)) < wanted; });
+  std::vector<int> numbers(most + 1);
+  std::iota(numbers.begin(), numbers.end(), 0);
+  const auto found = std::partition_point(numbers.begin(), numbers.end(), [&](int kept) {
+    return right_up_to(full, reduced(kept)) < wanted;
+  });
   return found == numbers.end() ? std::nullopt : std::optional(*found);
 }
 

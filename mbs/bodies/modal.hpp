@@ -77,8 +77,8 @@ class ModalBody final : public FloatingBody<G> {
   using Blocks = typename Matrices::Blocks;  ///< one a node
   /// Forces on the nodes by nodal numbers that change velocities and accelerations of each node by
   /// these blocks: sum of G(v) by_v + M by_a over the elements.
-  BlockTridiagonal<dim> force_tangent(const Eigen::VectorXd& v, const Blocks& by_v,
-                                      const Blocks& by_a) const;
+  BlockTridiagonal<G::dim> force_tangent(const Eigen::VectorXd& v, const Blocks& by_v,
+                                         const Blocks& by_a) const;
   /// Forces on [v_0; edot] from those on the nodes, a column each: sum A_k^T (I - ad(u_k))^T f_k
   /// and Psi^T (I - ad(u_k)/2)^T f_k. @param turn of columns by e: what the arms turn with u, -D_u
   /// [ad(u)^T f], or none

@@ -59,8 +59,8 @@ std::vector<BlockTridiagonal<G::dim>> force_tangents(const Beam<G>& beam, const 
 }  // namespace
 
 template <FrameGroup G>
-auto ModalBody<G>::force_tangent(const VectorXd& v, const Blocks& by_v, const Blocks& by_a) const
-    -> BlockTridiagonal<dim> {
+BlockTridiagonal<G::dim> ModalBody<G>::force_tangent(const VectorXd& v, const Blocks& by_v,
+                                                     const Blocks& by_a) const {
   return std::move(force_tangents<G>(*beam_, v, {{by_v, by_a}})[0]);
 }
 

@@ -34,7 +34,8 @@ void undo_rescale(const Model<G>& model, const NodeCoordinates<G>& coordinates, 
   coordinates.place(s, Eigen::VectorXd::Zero(model.size()), u, s.a, local);
   for (const int k : model.frames()) {
     const auto at = G::dim * k + G::space_dim;
-    const auto before = old.w.template segment<rd>(at), psi = s.w.template segment<rd>(at);
+    const auto before = old.w.template segment<rd>(at);
+    const auto psi = s.w.template segment<rd>(at);
     const double angle = psi.norm();
     if (angle == 0) continue;
     const typename RotationOf<G>::Vector other = (1 - 2 * M_PI / angle) * psi;

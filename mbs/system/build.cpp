@@ -39,7 +39,7 @@ std::vector<std::vector<int>> held_nodes(const Mechanism& m) {
 
 /// A node that is a position holds what acts on the place alone.
 /// @throws std::invalid_argument
-template <class G>
+template <FrameGroup G>
 void require_held_by_place(const Model<G>& model) {
   for (const auto& c : model.couplings)
     for (const auto* port : {&c.a, &c.b}) {
@@ -61,7 +61,7 @@ void require_held_by_place(const Model<G>& model) {
 
 }  // namespace
 
-template <class G>
+template <FrameGroup G>
 Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   Model model;
   model.formalism = mechanism.formalism;
@@ -113,7 +113,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   return model;
 }
 
-template <class G>
+template <FrameGroup G>
 void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
   initial_velocity_.setZero(size());
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
@@ -144,7 +144,7 @@ void Model<G>::set_initial_velocity(const Mechanism& mechanism) {
 }
 
 /// As of one rigid piece with the first node.
-template <class G>
+template <FrameGroup G>
 void Model<G>::set_velocity_of_mesh(int body, int node) {
   const G &first = bodies[body]->reference[0], &H = bodies[body]->reference[node];
   const typename G::Tangent v =
@@ -156,7 +156,7 @@ void Model<G>::set_velocity_of_mesh(int body, int node) {
        RotationOf<G>::cross(arm) * v.template tail<G::rotation_dim>());
 }
 
-template <class G>
+template <FrameGroup G>
 void Model<G>::leave_out_redundant_rows() {
   RedundantRows found = redundant_rows(*this, initial_state());
   redundant = std::move(found.sentences);
@@ -172,7 +172,7 @@ void Model<G>::leave_out_redundant_rows() {
 }
 
 /// Numbers the rows, sorted by role within each coupling.
-template <class G>
+template <FrameGroup G>
 void Model<G>::finish() {
   coupled_nodes.assign(bodies.size(), {});
   rows_ = constraints_ = 0;
@@ -204,7 +204,7 @@ void Model<G>::finish() {
   }
 }
 
-template <class G>
+template <FrameGroup G>
 void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const {
   for (const int k : frames_) s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
   for (const int k : positions_)
@@ -213,7 +213,7 @@ void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) con
     s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
 }
 
-template <class G>
+template <FrameGroup G>
 void Model<G>::complete(State<G>& s) const {
   if (static_cast<int>(frames_.size()) == nodes_) return;
   for (size_t b = 0; b < bodies.size(); ++b) {
@@ -223,7 +223,7 @@ void Model<G>::complete(State<G>& s) const {
   }
 }
 
-template <class G>
+template <FrameGroup G>
 State<G> Model<G>::initial_state() const {
   State<G> s;
   for (const auto& body : bodies)

@@ -17,48 +17,49 @@ double reference_length(const BeamSpec& beam) {
   return length;
 }
 
+/// Whether `now` is worse than `before`, which has no row at first.
+template <class Place>
+bool more(const ResponseSpec& r, const Place& before, const Place& now) {
+  if (r.kind != ResponseKind::AxialStress) return now.value > before.value;
+  if (r.side == Side::Both) return std::abs(now.value) > std::abs(before.value);
+  if (before.row.isZero(0)) return true;
+  return r.side == Side::Up ? now.value > before.value : now.value < before.value;
+}
+
 }  // namespace
 
 template <FrameGroup G>
 auto ResponseValues<G>::largest_of_member(const ResponseSpec& r, const State<G>& s) const
     -> MemberAt {
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
-  const Body<G>& body = *model_.bodies[r.body];
   const SectionLaw none{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
-  MemberAt largest;
-  const auto offer = [&](const MemberAt& at) {
-    const bool first = largest.row.isZero(0);
-    const double now = at.value, before = largest.value;
-    const bool more = r.kind != ResponseKind::AxialStress ? now > before
-                      : r.side == Side::Both              ? std::abs(now) > std::abs(before)
-                      : r.side == Side::Up                ? first || now > before
-                                                          : first || now < before;
-    if (more) largest = at;
-  };
   const double length = reference_length(beam);
-  for (int e = 0; e < body.elements(); ++e)
+  const auto forces = end_force(r.body).all(*model_.bodies[r.body], model_.body_state(s, r.body));
+  MemberAt largest;
+  const auto offer = [&](MemberAt at) {
+    at.value = at.row.dot(at.n);
+    if (more(r, largest, at)) largest = at;
+  };
+  for (std::size_t e = 0; e < forces.size(); ++e)
     for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
-      const auto element = static_cast<std::size_t>(e);
-      const SectionLaw law = section_law(section_at(beam, element, end), beam.material);
-      const auto& points = points_of(r.body)[element];
+      const auto element = static_cast<int>(e);
+      const SE3::Tangent n = view_.local(forces[e][static_cast<std::size_t>(node_of(end))], r.body,
+                                         element + node_of(end));
+      const SectionLaw law = section_law(section_at(beam, e, end), beam.material);
+      const auto& points = points_of(r.body)[e];
       const std::size_t half = points.size() / 2;
       const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
       if (r.kind == ResponseKind::LocalBuckling) {
         const double sigma =
             wall_buckling_stress(law, none, beam.material.E, beam.material.nu, r.factor).value;
-        const SE3::Tangent n = section_force_of(body, s, r.body, e, end);
-        for (std::size_t i = first; i < first + half; ++i) {
-          const SE3::Tangent row = -points[i].S.row(0).transpose() / sigma;
-          offer({e, end, end, static_cast<int>(i), row, row.dot(n), n});
-        }
+        for (std::size_t i = first; i < first + half; ++i)
+          offer({element, end, static_cast<int>(i), -points[i].S.row(0).transpose() / sigma, n});
         continue;
       }
-      const SE3::Tangent n = section_force_of(body, s, r.body, e, ElementPlace::Middle);
       const double by_force = r.kind == ResponseKind::AxialStress
                                   ? points[first].S(0, 0)
                                   : -1 / euler_load(law, none, r.factor * length).value;
-      const SE3::Tangent row = by_force * SE3::Tangent::Unit(0);
-      offer({e, ElementPlace::Middle, end, static_cast<int>(first), row, row.dot(n), n});
+      offer({element, end, static_cast<int>(first), by_force * SE3::Tangent::Unit(0), n});
     }
   return largest;
 }
@@ -72,7 +73,7 @@ template <FrameGroup G>
 void ResponseValues<G>::add_member(const ResponseSpec& r, const At& at, Cotangent& out) const {
   const MemberAt largest = largest_of_member(r, at.s);
   if (largest.value == 0) return;
-  add_section_force_of(r.body, largest.element, largest.place, largest.row, at, out);
+  add_section_force_of(r.body, largest.element, largest.end, largest.row, at, out);
 }
 
 /// row . n' + row' . n, ' the explicit derivative by the law.
@@ -85,7 +86,7 @@ double ResponseValues<G>::member_by(const ResponseSpec& r, const State<G>& s,
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
   const auto e = static_cast<std::size_t>(at.element);
   const SectionLaw law = section_law(section_at(beam, e, at.end), beam.material);
-  double sum = at.row.dot(section_force_of(*body, s, r.body, at.element, at.place));
+  double sum = at.row.dot(section_force_of(*body, s, r.body, at.element, at.end));
   for (const auto& part : parameter.parameter().parts) {
     const auto* by = std::get_if<BeamDerivative>(&part);
     if (!by || by->body != r.body) continue;

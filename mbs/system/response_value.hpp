@@ -179,12 +179,11 @@ class ResponseValues {
   /// force; the row follows from the section at `end`.
   struct MemberAt {
     int element = 0;
-    ElementPlace place = ElementPlace::Middle;  ///< of the section force
     ElementPlace end = ElementPlace::First;
     int point = 0;  ///< stress point of the element
     SE3::Tangent row = SE3::Tangent::Zero();
-    double value = 0;
-    SE3::Tangent n = SE3::Tangent::Zero();
+    SE3::Tangent n = SE3::Tangent::Zero();  ///< at the end, by EndForce
+    double value = 0;                       ///< row . n
   };
   MemberAt largest_of_member(const ResponseSpec& r, const State<G>& s) const;
   /// Rotation vector of a port since the scene as given, in the axes that the response is in.

@@ -68,7 +68,8 @@ TEST_F(Sensitivity, TableIsThatOfTwoRuns) {
                                                  {"materials.steel.rho", "m/(kg/m^3)"},
                                                  {"bodies.slider.rigid.mass", "m/kg"},
                                                  {"joints.motor.drive.rate", "m/(rad/s or m/s)"}};
-  for (const auto& [key, at] : parameters) {
+  for (const auto& [name, at] : parameters) {
+    const std::string& key = name;
     const auto& [value, h] = at;
     const auto set = [&](double p) { return key + "=" + std::to_string(p); };
     const auto after = response(set(value + h), "bend.y [m]"),

@@ -290,7 +290,7 @@ TEST(ReportPage, TextsCannotEndTheScript) {
   const nlohmann::ordered_json data = {{"name", "</script><script>alert(1)</script><!--"}};
   const std::string page = report::page(data, "");
   EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
-  EXPECT_EQ(data_of(page)["name"], data["name"]);
+  EXPECT_EQ(data_of(page)["name"].get<std::string>(), data["name"].get<std::string>());
 }
 
 }  // namespace

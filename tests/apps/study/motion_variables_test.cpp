@@ -145,7 +145,8 @@ struct Robot {
 /// Torques, deflections and positions of the robot by walls, values of drives and the duration.
 TEST(MotionVariables, GradientsAreThoseOfDifferencesWithSlopeTwo) {
   const Robot robot({"simulation.tolerance=1e-11"});
-  const auto& [study, space, simulator] = robot;
+  const auto& study = robot.study;
+  const auto& simulator = robot.simulator;
   const VectorXd x = simulator.design().start();
   const auto run = simulator.run(x);
   ASSERT_TRUE(run.good());

@@ -161,6 +161,30 @@ TEST_P(NodeForces, RootOfAHangingBarCarriesItsWeight) {
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i];
 }
 
+/// So are mean stress and the share of the Euler load, up where it hangs and down where it stands;
+/// of both sides of a bar held at both ends, too.
+TEST_P(NodeForces, MembersCarryTheirWeightAtTheirEnds) {
+  const double area = std::numbers::pi * kDiameter * kDiameter / 4, q = 9.81 * kSteel.rho * area;
+  const double euler = std::pow(std::numbers::pi / (2 * kLength), 2) * kSteel.E *
+                       std::pow(kDiameter, 4) * std::numbers::pi / 64;
+  for (int n : {2, 4, 16})
+    for (const double weight : {9.81, -9.81}) {
+      Mechanism m = bar(n, GetParam());
+      m.gravity = {weight, 0, 0};
+      ResponseSpec r;
+      r.body = 0;
+      r.kind = ResponseKind::AxialStress;
+      const double sign = weight > 0 ? 1 : -1;
+      EXPECT_NEAR(value_of(m, r) / (q * kLength / area), sign, 1e-6) << n;
+      r.side = weight > 0 ? Side::Down : Side::Up;  // the free end
+      EXPECT_NEAR(value_of(m, r) / (q * kLength / area), 0, 1e-6) << n;
+      r.side = Side::Both;
+      r.kind = ResponseKind::Buckling;
+      r.factor = 2;
+      EXPECT_NEAR(value_of(m, r) / (q * kLength / euler), weight > 0 ? 0 : 1, 1e-6) << n;
+    }
+}
+
 /// A load at a node is no spread load: with a load in the middle of the bar, up or down, and one
 /// beside it, both sides have what hangs on them.
 TEST_P(NodeForces, LoadsAtNodesAreNotSpread) {

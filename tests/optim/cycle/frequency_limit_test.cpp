@@ -181,7 +181,8 @@ TEST(FrequencyLimit, ThatHasNoValueEndsTheStudyWithAReason) {
 
 /// A load up, then a quarter of it down: each side has its limit.
 TEST(SideLimit, HoldsItsSideAlone) {
-  auto [scene, given] = flat_cantilever();
+  auto problem = flat_cantilever();
+  auto& scene = problem.scene;
   scene.simulation.duration = 0.2;
   scene.simulation.step = 2e-3;
   scene.mechanism.loads[0].force = {0, 200, 0};
@@ -191,7 +192,7 @@ TEST(SideLimit, HoldsItsSideAlone) {
     StudySpec study;
     study.mass_of = {0};
     study.design = {{"height", {0}, {"width"}, 1, 0.004, 0.2, {}}};
-    ResponseSpec r = given.constraints[0].response;
+    ResponseSpec r = problem.spec.constraints[0].response;
     r.side = Side::Up;
     r.name = "up";
     study.constraints.push_back({r, up, false});
