@@ -29,6 +29,7 @@ verdict() {
 }
 
 jobs=${LIESL_JOBS:-$(nproc)}
+export CXX=clang++  # all but the program without Ipopt, which is GCC's part
 
 cpp_files() {
   find liegroup mbs esl optim apps python tests -name '*.cpp' -o -name '*.hpp' | sort
@@ -51,9 +52,9 @@ check_layers() {
 # precompiled headers, so that no group of sources leans on them.
 plain=(-DCMAKE_CXX_FLAGS_RELEASE="-O0 -DNDEBUG" -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON)
 
-# Builds and installs without Ipopt and NLopt.
+# Builds and installs without Ipopt and NLopt, by the other compiler.
 engine_alone() {
-  cmake --preset engine "${plain[@]}" >/dev/null && cmake --build --preset engine -j "$jobs" &&
+  CXX=g++ cmake --preset engine "${plain[@]}" >/dev/null && cmake --build --preset engine -j "$jobs" &&
     tests/install/run.sh "$PWD/build/engine" "$PWD"
 }
 
@@ -71,10 +72,10 @@ wide_kernel() {
   if grep -qw avx512f /proc/cpuinfo; then echo SkylakeX; else echo Zen; fi
 }
 
-# Compiles what is another source without Ipopt and NLopt: those of the program.
+# Compiles what is another source without Ipopt and NLopt: those of the program, by the other compiler.
 program_alone() {
   local objects
-  cmake --preset engine "${plain[@]}" >/dev/null || return 1
+  CXX=g++ cmake --preset engine "${plain[@]}" >/dev/null || return 1
   objects=$(ninja -C build/engine -t targets all |
     sed -n 's/^\(apps[^:]*liesl_\(apps\|output\|report\|program\)\.dir[^:]*\.o\):.*/\1/p')
   [[ $objects == *liesl_apps* && $objects == *liesl_program* ]] || { echo "no objects to compile"; return 1; }
@@ -91,7 +92,7 @@ groups_sanitized() {
 # The stages of .ci/run, with which .ci/full begins.
 gate() {
   stage "release build and the tests of the gate (./bootstrap test)" env LIESL_PRESET=ci \
-    LIESL_PACKAGES="slurmctld slurmd munge chromium chromium-driver python3-jsonschema python3-dev python3-numpy pybind11-dev python3-pytest python3-scipy calculix-ccx python3-sphinx python3-myst-parser furo" LIESL_CTEST_ARGS="-LE full|sanitize" ./bootstrap test
+    LIESL_PACKAGES="g++ slurmctld slurmd munge chromium chromium-driver python3-jsonschema python3-dev python3-numpy pybind11-dev python3-pytest python3-scipy calculix-ccx python3-sphinx python3-myst-parser furo" LIESL_CTEST_ARGS="-LE full|sanitize" ./bootstrap test
   stage "format (clang-format)" check_format
   stage "layers, sizes and links" check_layers
   stage "shapes with another kernel of OpenBLAS (Haswell)" another_kernel Haswell -LE full

@@ -178,7 +178,9 @@ double GeneralizedAlpha<G>::imbalance() const {
   double sum = 0;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b) {
     const double scale = std::max({equations_.scale(b), kMemory * scales_[b], least});
-    const double body = std::max(equations_.residual(b) - equations_.round_off(), 0.) / scale;
+    const double round_off =
+        equations_.round_off() * std::sqrt(model_.bodies[static_cast<std::size_t>(b)]->nodes());
+    const double body = std::max(equations_.residual(b) - round_off, 0.) / scale;
     sum += body * body;
   }
   return std::sqrt(sum / static_cast<double>(scales_.size()));
@@ -264,6 +266,13 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
     step_before_ = delta_;
     ++result.iterations;
     correct(s, w);
+  }
+  if (coordinates_.passes_full_turn(s, trial_)) {
+    result.failure =
+        "a rotation vector comes near 2 pi, where T(psi) is singular (simulation.rescale = true "
+        "keeps "
+        "it below pi),";
+    return result;
   }
   result.converged = true;
   accept(s, h, result);

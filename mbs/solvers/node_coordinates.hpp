@@ -54,6 +54,9 @@ class NodeCoordinates {
   /// Turns the axes of positions to where the bodies are, and what is in them: v, vdot and a of the
   /// state, and further vectors.
   void turn_positions(State<G>& s, std::initializer_list<Eigen::VectorXd*> further) const;
+  /// Where vectors are not rescaled: whether one comes near 2 pi or a multiple of it, |T^-1| > 30,
+  /// or passes it between two states.
+  bool passes_full_turn(const State<G>& old, const State<G>& s) const;
   /// Takes rounding out of the rotations; rescales. @returns true if coordinates were changed.
   bool finish(State<G>& s) const;
 

@@ -78,7 +78,7 @@ Eigen::MatrixXd given_derivatives(const Stack& s, const VectorXd& x) {
 
 /// Slope of log e over log h from the largest step down to where the error stops falling.
 std::optional<double> truncation_slope(const std::vector<double>& h, const std::vector<double>& e) {
-  constexpr double kClearOfRoundOff = 30;  // errors used are this many times the smallest
+  constexpr double kClearOfRoundOff = 100;  // errors used are this many times the smallest
   constexpr double kRoundOff = 1e-11;
   const double floor =
       std::max(*std::min_element(e.begin(), e.end()), kRoundOff / kClearOfRoundOff);

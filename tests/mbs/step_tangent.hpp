@@ -30,13 +30,14 @@ std::vector<int> unknowns(const Model<G>& model) {
 }
 
 /// Error of column j of A against differences of the residual, relative to the column (absolute if
-/// it is zero): the best of the steps 1e-1 ... 1e-10.
+/// it is zero, up to rounding of the matrix): the best of the steps 1e-1 ... 1e-10.
 template <class Residual>
 double column_error(const Eigen::SparseMatrix<double>& A, int j, const Residual& residual) {
   double best = 1;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(A.cols());
   const Eigen::VectorXd column = A.col(j);
-  const double size = column.norm() > 0 ? column.norm() : 1;
+  const double zero = 1e-15 * A.norm();
+  const double size = column.norm() > zero ? column.norm() : 1;
   for (double h = 0.1; h > 5e-11; h /= 10) {
     x[j] = h;
     const Eigen::VectorXd up = residual(x), down = residual(-x);
