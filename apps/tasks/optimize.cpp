@@ -207,6 +207,22 @@ void note_final_motion(const Study& study, const CycleResult<G>& r,
     warnings.insert(warnings.end(), notes.begin(), notes.end());
 }
 
+/// What `run` says of the final motion: ranges of parts, energy. A design of a motion that cannot
+/// be relied on is Inaccurate, whatever the cycle says.
+template <FrameGroup G>
+void doubt_final_motion(const Scene& scene, const CycleResult<G>& r, OptimizeOutcome& out) {
+  const std::string reason = out.summary.reason;
+  SolveStatus status = closed(out.status) ? SolveStatus::Converged : SolveStatus::NotConverged;
+  PartRanges<G> ranges(r.mechanism, *r.model);
+  ranges.add(r.simulation.trajectory);
+  status = describe_ranges(out.summary, scene.simulation, ranges, status);
+  status = describe_energy(out.summary, out.results, status);
+  if (status != SolveStatus::Inaccurate) return;
+  out.status = CycleStatus::Inaccurate;
+  out.summary.reason += "; of the motion as simulated the design is " +
+                        std::string(to_string(r.status)) + " (" + reason + ")";
+}
+
 /// All that a study of a motion leaves behind. `sizing` is that of the start.
 template <FrameGroup G>
 void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr<Design>& design,
@@ -217,9 +233,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
   describe_responses(out.summary, out.results);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
-  PartRanges<G> ranges(r.mechanism, *r.model);
-  ranges.add(r.simulation.trajectory);
-  for (const RangeNote& note : ranges.notes()) out.summary.warnings.push_back(note.text);
+  doubt_final_motion(scene, r, out);
   if (r.status != CycleStatus::Interrupted)  // it may take longer than a cycle
     describe_parts(out.summary, r.mechanism, *r.model, r.simulation.trajectory,
                    scene.simulation.type == SimulationType::Dynamic);
@@ -273,8 +287,8 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
     out.holes = holes_of(rounds, scene.mechanism, "kg");
     describe_holes(out.summary, *out.holes);
   }
-  if (end.model) collect_end(study, first.sizing(), design, end, out);
   out.status = end.status;
+  if (end.model) collect_end(study, first.sizing(), design, end, out);
 }
 
 }  // namespace

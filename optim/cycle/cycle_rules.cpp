@@ -28,6 +28,8 @@ const char* to_string(CycleStatus status) {
       return "infeasible";
     case CycleStatus::SimulationFailed:
       return "simulation failed";
+    case CycleStatus::Inaccurate:
+      return "inaccurate";
     case CycleStatus::Interrupted:
       return "interrupted";
   }

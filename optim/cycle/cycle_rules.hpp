@@ -22,6 +22,7 @@ enum class CycleStatus {
   Oscillating,       ///< the designs go to and fro; the best one is returned
   Infeasible,        ///< a limit cannot be met within the bounds; the reason says which
   SimulationFailed,  ///< no simulation of a design succeeded
+  Inaccurate,        ///< Optimal or Converged, but for a motion that cannot be relied on
   Interrupted        ///< the caller asked to stop
 };
 const char* to_string(CycleStatus status);

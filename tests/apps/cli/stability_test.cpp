@@ -434,6 +434,23 @@ TEST_F(Stability, ChainsOfSegmentsEndAsBeamsDo) {
   EXPECT_NE(column.err.find("has no torsion as a chain of segments"), std::string::npos);
 }
 
+/// A design is no better than its motion: what `run` says of the final one, `optimize` says, too.
+TEST_F(Stability, DesignOfAMotionThatLosesEnergyIsInaccurate) {
+  const Outcome o = run({"optimize", kData / "studies" / "slider_crank_rod.toml", "-o", results(),
+                         "--no-report", "--no-verify", "--method", "esl", "--set",
+                         "simulation.step=4e-3", "--set", "simulation.rho_inf=0.2"});
+  EXPECT_EQ(o.code, 1) << o.err;
+  summary_ = Json::parse(text_of(results() / "summary.json"));
+  EXPECT_EQ(summary_["status"], "inaccurate");
+  EXPECT_NE(reason().find("the time integration lost"), std::string::npos) << reason();
+  EXPECT_NE(reason().find("of the motion as simulated the design is "), std::string::npos);
+  EXPECT_TRUE(warns("of the largest kinetic and elastic energy"));
+  const Outcome final =
+      run({"run", results() / "design.toml", "-o", dir_ / "final", "--no-report", "--quiet"});
+  EXPECT_EQ(final.code, 1) << final.err;
+  EXPECT_EQ(Json::parse(text_of(dir_ / "final/summary.json"))["status"], "inaccurate");
+}
+
 // 13.
 TEST_F(Stability, SnapThroughStopsUnlessTheArcIsFollowed) {
   for (const auto& formalism : kStatic) {
