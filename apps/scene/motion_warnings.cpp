@@ -1,14 +1,17 @@
 /// @file
 /// What a motion cannot be computed with, or not well: drives that jump, functions of time that
-/// change within a step, damping and tolerances that decide the result.
+/// change within a step or are not finite, damping and tolerances that decide the result; statics
+/// before a ramp has begun.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "apps/scene/reader.hpp"
 #include "mbs/sections/section_law.hpp"
+#include "mbs/solids/solid_model.hpp"
 
 namespace liesl {
 
@@ -27,8 +30,9 @@ struct Sampled {
   double range = 0;         ///< largest less smallest value
   double off = 0;           ///< largest distance from the straight line over a step, of the range
   double from = 0, to = 0;  ///< that step, s
-  double jump = 0, jump_at = 0;  ///< within it in no time; s
-  double change = 0;             ///< from its start to its end
+  double jump = 0, jump_at = 0;       ///< within it in no time; s
+  double change = 0;                  ///< from its start to its end
+  std::optional<double> broken = {};  ///< where it is first not finite, s
 };
 
 /// Halves the interval to where the function changes most.
@@ -53,6 +57,10 @@ Sampled sample(const TimeFunction& f, const SimulationOptions& o) {
     for (int i = 0; i <= inside; ++i) {
       const double share = static_cast<double>(i) / inside;
       const double value = f(a + share * o.step);
+      if (!std::isfinite(value)) {
+        s.broken = a + share * o.step;
+        return s;
+      }
       low = std::min(low, value);
       high = std::max(high, value);
       const double off = std::abs(value - (1 - share) * fa - share * fb);
@@ -66,16 +74,26 @@ Sampled sample(const TimeFunction& f, const SimulationOptions& o) {
   return s;
 }
 
+/// Is the function finite between the steps, too? Says where it is not.
+bool check_finite(Reader& reader, const toml::node* at, const std::string& what, const Sampled& s) {
+  if (s.broken)
+    reader.problems.add(at ? *at : static_cast<const toml::node&>(reader.root),
+                        fmt::format("{} is not finite at t = {:.6g} s", what, *s.broken),
+                        "a finite number during the simulation");
+  return !s.broken;
+}
+
 void check_drives(Reader& reader) {
   const Mechanism& m = reader.scene.mechanism;
   for (const DriveSpec& drive : m.drives) {
     const std::string& joint = m.joints[static_cast<std::size_t>(drive.joint)].name;
     const Sampled s = sample(drive.motion, reader.scene.simulation);
+    const toml::node* at = reader.root["joints"][joint]["drive"].node();
+    if (!check_finite(reader, at, fmt::format("the drive of '{}'", joint), s)) continue;
     if (s.off <= kUnresolved) continue;
     if (std::abs(s.jump) > kJump * s.range) {
-      const auto at = reader.root["joints"][joint]["drive"];
       reader.problems.add(
-          at.node() ? *at.node() : static_cast<const toml::node&>(reader.root),
+          at ? *at : static_cast<const toml::node&>(reader.root),
           fmt::format("the drive of '{}' jumps by {:.4g} at t = {:.6g} s: a motion without a "
                       "velocity",
                       joint, s.jump, s.jump_at),
@@ -92,8 +110,10 @@ void check_drives(Reader& reader) {
 }
 
 /// A load may jump once: the step is then one of switching on or off.
-void check_load(Reader& reader, const std::string& what, const TimeFunction& f) {
+void check_load(Reader& reader, const toml::node* at, const std::string& what,
+                const TimeFunction& f) {
   const Sampled s = sample(f, reader.scene.simulation);
+  if (!check_finite(reader, at, what, s)) return;
   if (s.off <= kUnresolved) return;
   if (std::abs(s.jump) > kJump * s.range && std::abs(s.change) > 0.5 * std::abs(s.jump)) return;
   reader.scene.warnings.push_back(fmt::format(
@@ -116,32 +136,79 @@ double damping_ratio(const BeamSpec& beam) {
   return 0.5 * beam.damping * omega;
 }
 
+/// The same of a bar as long and as high as the mesh of a part; 0 without a mesh.
+double damping_ratio(const SolidSpec& part) {
+  if (!part.model) return 0;  // it is refused
+  const SolidMesh& mesh = part.mesh();
+  if (mesh.cell_count() == 0 || !(part.model->material().rho > 0)) return 0;
+  const Eigen::VectorXd extent =
+      (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).head(mesh.dim);
+  const double c = std::sqrt(part.model->material().E / part.model->material().rho);
+  const double omega =
+      std::pow(std::numbers::pi / extent.maxCoeff(), 2) * c * extent.minCoeff() / std::sqrt(12);
+  return 0.5 * part.damping * omega;
+}
+
 void check_damping(Reader& reader) {
-  for (const BodySpec& body : reader.scene.mechanism.bodies) {
-    const auto* beam = std::get_if<BeamSpec>(&body.kind);
-    if (!beam || beam->damping == 0) continue;
-    if (const double ratio = damping_ratio(*beam); ratio > 1)
+  const auto say = [&reader](const std::string& name, const char* kind, double damping,
+                             double ratio) {
+    if (ratio > 1)
       reader.scene.warnings.push_back(fmt::format(
-          "bodies.{}.beam.damping = {:g} s is {:.3g} of the critical damping of its first bending "
-          "mode: the beam creeps instead of vibrating; steel has about 1e-6 to 1e-4 s",
-          body.name, beam->damping, ratio));
+          "bodies.{0}.{1}.damping = {2:g} s is {4}{3:.3g} of the critical damping of its first "
+          "bending mode: the {5} creeps instead of vibrating; steel has about 1e-6 to 1e-4 s",
+          name, kind, damping, ratio, kind == std::string("beam") ? "" : "about ",
+          kind == std::string("beam") ? "beam" : "part"));
+  };
+  for (const BodySpec& body : reader.scene.mechanism.bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind); beam && beam->damping > 0)
+      say(body.name, "beam", beam->damping, damping_ratio(*beam));
+    if (const auto* part = std::get_if<SolidSpec>(&body.kind); part && part->damping > 0)
+      say(body.name, "solid", part->damping, damping_ratio(*part));
   }
+}
+
+/// Every function of time that pushes, with the key that it is written at.
+template <class See>
+void each_push(Reader& reader, const See& see) {
+  const Mechanism& m = reader.scene.mechanism;
+  const auto root = toml::node_view<toml::node>(reader.root);
+  if (m.gravity.norm() > 0)
+    see(root["gravity_scale"].node(), std::string("gravity_scale"), m.gravity_scale);
+  for (const ForceSpec& force : m.forces) {
+    const toml::node* at = root["forces"][force.name].node();
+    see(at ? at : root["joints"][force.name].node(), fmt::format("the force of '{}'", force.name),
+        force.force);
+  }
+  for (const LoadSpec& load : m.loads)
+    see(root["loads"][load.name]["scale"].node(), fmt::format("the scale of load '{}'", load.name),
+        load.scale);
+}
+
+/// Static problems and modes have one instant, at which a ramp may not have begun.
+void check_instant(Reader& reader) {
+  const double t = reader.scene.simulation.at;
+  each_push(reader, [&](const toml::node*, const std::string& what, const TimeFunction& f) {
+    if (f.is_constant() || f(t) != 0) return;
+    reader.scene.warnings.push_back(
+        fmt::format("{} is 0 at simulation.at = {:g} s, where statics and modes take it: it does "
+                    "nothing; simulation.at is the instant that is meant",
+                    what, t));
+  });
 }
 
 }  // namespace
 
 void check_motion(Reader& reader) {
   const SimulationOptions& o = reader.scene.simulation;
-  if (o.type != SimulationType::Dynamic || reader.fixed_loads) return;
+  if (reader.fixed_loads) return;
   for (const char* group : {"bodies", "joints", "forces", "loads", "simulation"})
     if (reader.broken.contains(group)) return;
   if (!o.errors().empty()) return;
+  if (o.type != SimulationType::Dynamic) return check_instant(reader);
   check_drives(reader);
-  check_load(reader, "gravity_scale", reader.scene.mechanism.gravity_scale);
-  for (const ForceSpec& force : reader.scene.mechanism.forces)
-    check_load(reader, fmt::format("the force of '{}'", force.name), force.force);
-  for (const LoadSpec& load : reader.scene.mechanism.loads)
-    check_load(reader, fmt::format("the scale of load '{}'", load.name), load.scale);
+  each_push(reader, [&](const toml::node* at, const std::string& what, const TimeFunction& f) {
+    check_load(reader, at, what, f);
+  });
   check_damping(reader);
   if (o.tolerance > kLooseTolerance)
     reader.scene.warnings.push_back(

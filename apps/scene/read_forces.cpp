@@ -48,6 +48,20 @@ bool read_points(Reader& reader, const toml::table& table, ForceSpec& force) {
   force.a = *a;
   force.b = *b;
   const Mechanism& mechanism = reader.scene.mechanism;
+  const bool ground = a->body < 0 && b->body < 0;
+  if (ground ||
+      (a->body == b->body && std::holds_alternative<RigidSpec>(
+                                 mechanism.bodies[static_cast<std::size_t>(a->body)].kind))) {
+    reader.problems.add(
+        pair,
+        fmt::format("force '{}' acts between two points of {}, which keep their distance",
+                    force.name,
+                    ground ? std::string("the ground")
+                           : fmt::format("the rigid body '{}'",
+                                         mechanism.bodies[static_cast<std::size_t>(a->body)].name)),
+        "ports of two bodies, or of a flexible one");
+    return false;
+  }
   const double distance = (mechanism.frame(*b).x - mechanism.frame(*a).x).norm();
   if (distance < 1e-12) {
     reader.problems.add(

@@ -19,7 +19,9 @@ TimeFunction finite(Reader& reader, const toml::node& node, TimeFunction functio
   for (int i = 0; i <= kSamples; ++i) {
     const double t = end * i / kSamples;
     if (std::isfinite(function(t))) continue;
-    reader.problems.add(node, fmt::format("the expression is {} at t = {:g}", function(t), t),
+    reader.problems.add(node,
+                        fmt::format("the expression is {} at t = {:g}",
+                                    std::isnan(function(t)) ? "not a number" : "infinite", t),
                         "a finite number during the simulation");
     return TimeFunction();
   }

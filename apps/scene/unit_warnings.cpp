@@ -7,6 +7,7 @@
 
 #include "apps/scene/reader.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
+#include "mbs/solids/solid_model.hpp"
 
 namespace liesl {
 
@@ -52,6 +53,18 @@ std::string breadth(const Section& section, double size) {
   return "";
 }
 
+/// Thickness of a planar part against the size of the whole mechanism.
+std::string thickness(const BodySpec& body, double size) {
+  const auto* part = std::get_if<SolidSpec>(&body.kind);
+  if (!part || !part->model || part->mesh().cell_count() == 0 || part->mesh().dim != 2) return "";
+  const double t = part->model->thickness();
+  if (t <= size) return "";
+  return fmt::format(
+      "bodies.{}.solid.thickness = {:g} m is larger than the whole mechanism ({:.3g} m): "
+      "{:g} mm is {:g} m",
+      body.name, t, size, t, 1e-3 * t);
+}
+
 /// A turn of a screw against the size of the whole mechanism, 1 m if it is a single point.
 std::string pitch(const JointSpec& joint, double size) {
   if (std::abs(joint.pitch) <= (size > 0 ? size : 1)) return "";
@@ -93,6 +106,8 @@ std::vector<std::string> unit_warnings(const Reader& reader) {
   const double size = reader.scene.mechanism.size();
   for (const auto& [name, section] : reader.sections)
     if (size > 0) add(breadth(section, size));
+  for (const BodySpec& body : reader.scene.mechanism.bodies)
+    if (size > 0 && !reader.fixed_loads) add(thickness(body, size));
   for (const JointSpec& joint : reader.scene.mechanism.joints) add(pitch(joint, size));
   for (const DriveSpec& drive : reader.scene.mechanism.drives)
     add(rate_of(reader.scene.mechanism, drive, reader.scene.simulation.duration));

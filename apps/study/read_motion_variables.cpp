@@ -129,7 +129,11 @@ void read_duration(StudyReader& reader, const Entry& entry, ConstantSpec c) {
 bool names_motion(const StudyReader& reader, const toml::table& table) {
   const std::string of = only(table, "of"), property = only(table, "property");
   if (of == "simulation" && property == "duration") return true;
-  return joint_named(reader.scene.scene.mechanism, of) >= 0 && property.starts_with(kRows);
+  const Mechanism& mechanism = reader.scene.scene.mechanism;
+  if (joint_named(mechanism, of) < 0) return false;
+  const bool elastic = std::any_of(mechanism.forces.begin(), mechanism.forces.end(),
+                                   [&of](const ForceSpec& force) { return force.name == of; });
+  return property.starts_with(kRows) || !elastic;
 }
 
 void read_motion_variable(StudyReader& reader, const Entry& entry) {

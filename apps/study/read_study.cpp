@@ -270,6 +270,28 @@ void read_motion_objective(StudyReader& reader, const toml::table& table) {
         "as in time = { of = \"simulation\", property = \"duration\", bounds = [0.2, 1] }");
 }
 
+namespace {
+
+/// Does a variable change the mass of this body?
+bool varies(const StudySpec& spec, int body) {
+  if (spec.shapes.contains(body)) return true;
+  for (const DesignSpec& design : spec.design)
+    if (std::count(design.bodies.begin(), design.bodies.end(), body)) return true;
+  for (const ConstantSpec& c : spec.constants)
+    if (c.body == body) return true;
+  return false;
+}
+
+/// Have all entries of [design] been understood?
+bool design_is_read(const StudyReader& reader) {
+  const toml::table* design = reader.root["design"].as_table();
+  std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
+  for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
+  return design && design->size() == entries_read;
+}
+
+}  // namespace
+
 void read_objective(StudyReader& reader) {
   const toml::table* table = reader.root["objective"].as_table();
   if (!table || reader.broken.contains("objective")) return;
@@ -284,10 +306,7 @@ void read_objective(StudyReader& reader) {
         break;
       }
       counted.push_back(body);
-      for (const DesignSpec& design : reader.spec.design)
-        varied = varied || std::count(design.bodies.begin(), design.bodies.end(), body);
-      varied = varied || reader.spec.shapes.contains(body);
-      for (const ConstantSpec& c : reader.spec.constants) varied = varied || c.body == body;
+      varied = varied || varies(reader.spec, body);
     }
   }
   read_motion_objective(reader, *table);
@@ -296,11 +315,7 @@ void read_objective(StudyReader& reader) {
                           : quantity == "stress"   ? SolidResponse::Stress
                                                    : SolidResponse::Mass;
 
-  const toml::table* design = reader.root["design"].as_table();
-  std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
-  for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
-  const bool read = design && design->size() == entries_read;
-  if (!varied && complete && read && reader.spec.motion_objective.only_mass())
+  if (!varied && complete && design_is_read(reader) && reader.spec.motion_objective.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
                               "a body of [design]");
 }
@@ -319,6 +334,12 @@ void read_mass_limit(StudyReader& reader, const Entry& entry) {
       }
       limit.bodies.push_back(body);
     }
+  const bool varied = std::any_of(limit.bodies.begin(), limit.bodies.end(),
+                                  [&](int body) { return varies(reader.spec, body); });
+  if (!limit.bodies.empty() && !varied && design_is_read(reader))
+    problems.add(*entry.table->get("mass"),
+                 fmt::format("no design variable changes the mass of limit '{}'", limit.name),
+                 "a body of [design]");
   for (const char* key : {"side", "treatment"})
     if (const toml::node* node = entry.table->get(key); node && written(*node))
       problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");

@@ -121,6 +121,11 @@ const BadScene kScenes[] = {
     {"ScrewWithoutPitch", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = @{ screw = [\"crank.end\", \"rod.start\"] }", {"screw joint 'pin' has no pitch", "a displacement a turn (m)"}},
     {"ScrewOfPitchZero", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { screw = [\"crank.end\", \"rod.start\"], pitch = @0 }", {"screw joint 'pin' has zero pitch", "revolute"}},
     {"PitchOfRevolute", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { revolute = [\"crank.end\", \"rod.start\"], pitch = @0.01 }", {"revolute joint 'pin' has no pitch", "screw"}},
+    {"DriveNotFinite", "drive = { rate = 10, ramp = 0.1 }", "drive = @{ expression = \"sqrt((t-0.001)*(t-0.003))\" }", {"the drive of 'motor' is not finite at t = 0.001", "finite number during"}},
+    {"ScaleNotFinite", "scale = { table = [[0, 0], [1, 4]] }", "scale = @{ expression = \"sqrt((t-0.001)*(t-0.003))\" }", {"the scale of load 'push' is not finite at t = 0.001"}},
+    {"NotANumberAtTheEnd", "force = \"sin(2*pi*t)\"", "force = @\"sqrt(0.4-t)\"", {"the expression is not a number at t = 0.4"}},
+    {"ForceWithinABody", "between = [\"ground\", \"slider.tip\"]", "between = @[\"slider.origin\", \"slider.tip\"]", {"between two points of the rigid body 'slider'", "keep their distance"}},
+    {"ForceWithinTheGround", "[forces]\nspring = { on = \"guide\", stiffness = 10, damping = 0.5, rest = 0.01 }", "[ground.points]\npost = [0, 1, 0]\n[forces]\nspring = { between = @[\"ground\", \"ground.post\"], stiffness = 10 }", {"between two points of the ground"}},
     {"NoDrives", "drive = { rate = 10, ramp = 0.1 }", "drive = @[]", {"'joints.motor.drive' is empty", "leave the key out"}},
     {"SecondAxisOfRevolute", "pin = { revolute = [\"crank.end\", \"rod.start\"] }", "pin = { revolute = [\"crank.end\", \"rod.start\"], axis2 = @[1, 0, 0] }", {"revolute joint 'pin' has no second axis", "universal"}},
     {"InterpolationOfRate", "drive = { rate = 10, ramp = 0.1 }", "drive = { rate = 10, interpolation = @\"cubic\" }", {"'interpolation' but no 'table'"}},
@@ -242,6 +247,50 @@ TEST(Units, LikelyMistakesAreNamed) {
   };
   for (const auto& [from, to, hint] : mistakes) {
     const auto warnings = read_scene(changed(kGoodScene, from, to), "scene.toml").warnings;
+    ASSERT_EQ(warnings.size(), 1u) << to;
+    EXPECT_NE(warnings[0].find(hint), std::string::npos) << warnings[0];
+  }
+}
+
+/// Statics and modes take loads at one instant, before which a ramp may not have begun.
+TEST(Instant, LoadsThatAreZeroThenAreNamed) {
+  const auto warnings_at = [](const std::string& keys) {
+    return read_scene(changed(kGoodScene, "step = 1e-3", keys), "scene.toml").warnings;
+  };
+  const auto told = warnings_at("type = \"static\"");
+  ASSERT_EQ(told.size(), 2u);
+  EXPECT_NE(told[0].find("the force of 'rope' is 0 at simulation.at = 0 s"), std::string::npos);
+  EXPECT_NE(told[1].find("the scale of load 'push' is 0 at simulation.at = 0 s"),
+            std::string::npos);
+  EXPECT_EQ(warnings_at("type = \"modes\"").size(), 2u);
+  EXPECT_TRUE(warnings_at("type = \"static\"\nat = 0.1").empty());
+  EXPECT_TRUE(warnings_at("step = 1e-3").empty());
+}
+
+TEST(Units, LikelyMistakesOfMeshedPartsAreNamed) {
+  const std::string plate = R"toml(
+[materials]
+steel = { E = 210e9, rho = 7850 }
+[bodies.plate.solid]
+mesh = { from = [0, 0], to = [0.4, 0.04], cells = [20, 4] }
+material = "steel"
+thickness = 0.005
+damping = 1e-6
+[bodies.plate.solid.interfaces]
+left = { set = "x_min" }
+right = { set = "x_max" }
+[joints]
+hinge = { revolute = ["ground", "plate.left"] }
+[simulation]
+duration = 0.1
+)toml";
+  EXPECT_TRUE(read_scene(plate, "scene.toml").warnings.empty());
+  const std::tuple<const char*, const char*, const char*> mistakes[] = {
+      {"thickness = 0.005", "thickness = 5", "5 mm is 0.005 m"},
+      {"damping = 1e-6", "damping = 2", "bodies.plate.solid.damping = 2 s is about"},
+  };
+  for (const auto& [from, to, hint] : mistakes) {
+    const auto warnings = read_scene(changed(plate, from, to), "scene.toml").warnings;
     ASSERT_EQ(warnings.size(), 1u) << to;
     EXPECT_NE(warnings[0].find(hint), std::string::npos) << warnings[0];
   }

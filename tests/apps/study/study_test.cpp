@@ -163,6 +163,8 @@ const BadStudy kStudies[] = {
     {"NothingToUse", "again = { use = \"bend\", ", "again = @{ ", {"missing key", "use, mass, response"}},
     {"NoNode", "at = \"mid\", limit", "at = @\"node12\", limit", {"no node 'node12'"}},
     {"ObjectiveUnvaried", "of = [\"rod\", \"crank\"]", "of = @[\"slider\"]", {"no design variable changes the objective"}},
+    {"MassUnvaried", "again = { use = \"bend\", limit = 2.0e-3 }", "again = { mass = @\"slider\", limit = 1 }", {"no design variable changes the mass of limit 'again'"}},
+    {"PropertyOfAJoint", "of = [\"crank\"], property = \"diameter\"", "of = [\"motor\"], property = @\"rate\"", {"joint 'motor' has no drive with a table"}},
     {"NoSupportNode", "[\"start:xyz,rx\", \"end:yz\"]", "[\"start:xyz,rx\", @\"ent:yz\"]", {"no node 'ent'", "'end'"}},
     {"NoDirection", "[\"start:xyz,rx\", \"end:yz\"]", "[\"start:xyz,rx\", @\"end:yw\"]", {"'end:yw' is no support"}},
     {"Indeterminate", "[\"start:xyz,rx\", \"end:yz\"]", "@[\"start\", \"end:yz\"]", {"hold 8 directions", "6"}},
