@@ -10,7 +10,9 @@
 
 #include <cerrno>
 
-#ifndef __SANITIZE_ADDRESS__  // which has an mmap of its own
+#include "mbs/linalg/sanitized.hpp"
+
+#ifndef LIESL_SANITIZED  // which has an mmap of its own
 
 /// As the system's, but the end of the program where anonymous memory is refused. The C library and
 /// `new` do not come through here: they have std::bad_alloc.

@@ -9,6 +9,7 @@
 #include "apps/batch/case_table.hpp"
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
+#include "mbs/linalg/sanitized.hpp"
 
 namespace liesl::test::batch_test {
 namespace {
@@ -302,7 +303,7 @@ TEST_F(BatchProgram, TimeOutIsOneFailedRow) {
   EXPECT_LT(std::stod(table().at("wall_s [s]")[0]), 5);
 }
 
-#ifndef __SANITIZE_ADDRESS__  // its shadow memory alone is more than any limit
+#ifndef LIESL_SANITIZED  // its shadow memory alone is more than any limit
 /// 500 000 steps of records need 4.6 GB.
 TEST_F(BatchProgram, OutOfMemoryIsOneFailedRow) {
   const Outcome o = batch(simulations("[limits]\nmemory = 700\n"),

@@ -4,11 +4,12 @@
 
 #include <cstdlib>
 
+#include "mbs/linalg/sanitized.hpp"
 #include "mbs/run.hpp"
 #include "mbs/system/parameter_residual.hpp"
 #include "reference/meshed_rod.hpp"
 
-#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+#if defined(__GLIBC__) && !defined(LIESL_SANITIZED)
 #define LIESL_COUNTS_MALLOC
 
 namespace {
