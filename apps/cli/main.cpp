@@ -289,9 +289,9 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
 /// To the end of the process: where the limit is lifted, TBB starts threads for the work that it
 /// has seen, and aborts if memory is short.
 void limit_threads(int threads) {
-  static const tbb::global_control* volatile kept;  // reachable, and so no leak
-  kept = new tbb::global_control(tbb::global_control::max_allowed_parallelism,
-                                 static_cast<std::size_t>(threads));
+  // Volatile: reachable, and so no leak.
+  [[maybe_unused]] static const tbb::global_control* volatile kept = new tbb::global_control(
+      tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads));
 }
 
 }  // namespace
