@@ -110,7 +110,8 @@ def sentences(run):
         def figures():
             t = holes()[i]
             loose = i > 0  # where the next hole goes depends on how the last round ended
-            x, y = (Fresh(MM * t["place"][c], within=80 if loose else 2) for c in (0, 1))
+            # The first hole is as good above the axis as below it.
+            x, y = (Fresh(MM * (t["place"][c] if loose else abs(t["place"][c])), within=80 if loose else 2) for c in (0, 1))
             gain = Fresh(t["gain"], relative=0.5 if loose else 0.02)
             masses = [Fresh(t[key], relative=5e-3 if loose else MASS) for key in (("objective_before", "objective") if i == 0 else ("objective",))]
             return [x, y, gain, *masses]

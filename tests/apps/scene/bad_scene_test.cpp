@@ -268,7 +268,7 @@ TEST(Instant, LoadsThatAreZeroThenAreNamed) {
 }
 
 TEST(Units, LikelyMistakesOfMeshedPartsAreNamed) {
-  const std::string plate = R"toml(
+  const std::string plate = R"toml(gravity = [0, -9.81, 0]
 [materials]
 steel = { E = 210e9, rho = 7850 }
 [bodies.plate.solid]
