@@ -207,8 +207,8 @@ void note_final_motion(const Study& study, const CycleResult<G>& r,
     warnings.insert(warnings.end(), notes.begin(), notes.end());
 }
 
-/// What `run` says of the final motion: ranges of parts, energy. A design of a motion that cannot
-/// be relied on is Inaccurate, whatever the cycle says.
+/// What `run` says of the final motion: ranges of parts, strains, energy. A design of a motion that
+/// cannot be relied on is Inaccurate, whatever the cycle says.
 template <FrameGroup G>
 void doubt_final_motion(const Scene& scene, const CycleResult<G>& r, OptimizeOutcome& out) {
   const std::string reason = out.summary.reason;
@@ -216,7 +216,7 @@ void doubt_final_motion(const Scene& scene, const CycleResult<G>& r, OptimizeOut
   PartRanges<G> ranges(r.mechanism, *r.model);
   ranges.add(r.simulation.trajectory);
   status = describe_ranges(out.summary, scene.simulation, ranges, status);
-  status = describe_energy(out.summary, out.results, status);
+  status = describe_doubts(out.summary, r.mechanism, out.results, status);
   if (status != SolveStatus::Inaccurate) return;
   out.status = CycleStatus::Inaccurate;
   out.summary.reason += "; of the motion as simulated the design is " +

@@ -143,7 +143,7 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   for (auto notes : {leaving_plane(scene, model, simulation.trajectory),
                      struck_start(scene, model, simulation.trajectory, out.results)})
     out.summary.warnings.insert(out.summary.warnings.end(), notes.begin(), notes.end());
-  out.status = describe_energy(out.summary, out.results, out.status);
+  out.status = describe_doubts(out.summary, scene.mechanism, out.results, out.status);
 }
 
 }  // namespace

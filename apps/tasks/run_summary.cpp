@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/output/file.hpp"
 
 namespace liesl {
@@ -38,6 +40,42 @@ SolveStatus doubt(output::RunSummary& summary, const std::string& why, SolveStat
   return SolveStatus::Inaccurate;
 }
 
+SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
+                            SolveStatus status) {
+  constexpr double kLost = 0.02, kTooMuch = 0.1;
+  constexpr double kNothing = 1e-16;   // J: at rest
+  constexpr double kRoundOff = 1e-12;  // of the potential: what does not move trembles by it
+  const output::Energies& e = results.energies;
+  if (e.dissipated.empty() || e.turned_over <= kNothing + kRoundOff * e.largest_potential)
+    return status;
+  const double share = std::abs(e.lost) / e.turned_over;
+  if (share <= kLost) return status;
+  const std::string text = fmt::format(
+      "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and elastic "
+      "energy: compare with a smaller simulation.step",
+      e.lost > 0 ? "lost" : "made", std::abs(e.lost), 100 * share);
+  summary.warnings.push_back(text);
+  return share > kTooMuch ? doubt(summary, text, status) : status;
+}
+
+SolveStatus describe_strains(output::RunSummary& summary, const Mechanism& mechanism,
+                             const output::Results& results, SolveStatus status) {
+  constexpr double kLinear = 0.05, kTorn = 0.5;
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
+    const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies[b].kind);
+    if (!beam || b >= results.bodies.size() || results.bodies[b].stresses.empty()) continue;
+    const double share = std::ranges::max(results.bodies[b].stresses) / beam->material.E;
+    if (!(share > kLinear)) continue;
+    const std::string text = fmt::format(
+        "the stress in the beam '{}' reaches {:.2g} of its modulus E, but its material is linear: "
+        "check the units of E, of its section and of its loads",
+        mechanism.bodies[b].name, share);
+    summary.warnings.push_back(text);
+    if (share > kTorn) status = doubt(summary, text, status);
+  }
+  return status;
+}
+
 }  // namespace
 
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
@@ -63,22 +101,9 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
     summary.responses.push_back(output::response_figure(r, results.times));
 }
 
-SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
-                            SolveStatus status) {
-  constexpr double kLost = 0.02, kTooMuch = 0.1;
-  constexpr double kNothing = 1e-16;   // J: at rest
-  constexpr double kRoundOff = 1e-12;  // of the potential: what does not move trembles by it
-  const output::Energies& e = results.energies;
-  if (e.dissipated.empty() || e.turned_over <= kNothing + kRoundOff * e.largest_potential)
-    return status;
-  const double share = std::abs(e.lost) / e.turned_over;
-  if (share <= kLost) return status;
-  const std::string text = fmt::format(
-      "the time integration {} {:.3g} J of energy, {:.1f} % of the largest kinetic and elastic "
-      "energy: compare with a smaller simulation.step",
-      e.lost > 0 ? "lost" : "made", std::abs(e.lost), 100 * share);
-  summary.warnings.push_back(text);
-  return share > kTooMuch ? doubt(summary, text, status) : status;
+SolveStatus describe_doubts(output::RunSummary& summary, const Mechanism& mechanism,
+                            const output::Results& results, SolveStatus status) {
+  return describe_energy(summary, results, describe_strains(summary, mechanism, results, status));
 }
 
 template <FrameGroup G>

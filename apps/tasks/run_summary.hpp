@@ -14,11 +14,13 @@ void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
               const Mechanism& mechanism);
 void describe_responses(output::RunSummary& summary, const output::Results& results);
-/// A warning if the integrator lost or made more than a few per cent of the largest kinetic and
-/// elastic energy, over all accepted steps; above a tenth a converged run is Inaccurate.
+/// A warning for each beam whose largest stress at the records is above a twentieth of its modulus,
+/// since materials are linear, and if the integrator lost or made more than a few per cent of the
+/// largest kinetic and elastic energy, over all accepted steps; above a half and a tenth a
+/// converged run is Inaccurate.
 /// @returns the status, that of the summary too
-SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
-                            SolveStatus status);
+SolveStatus describe_doubts(output::RunSummary& summary, const Mechanism& mechanism,
+                            const output::Results& results, SolveStatus status);
 
 /// Notes on the ranges of parts and beams, and, of a motion in a plane that was found
 /// (`simulation.space = "auto"`), on beams that could leave it; beyond a range a converged run is

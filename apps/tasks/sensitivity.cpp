@@ -95,15 +95,15 @@ void add_histories(const TapedMotion<G>& motion, const SensitivityProblem& probl
                                     motion.simulation.trajectory);
 }
 
-/// What `run` says of such a motion: ranges of parts and energy, at its records.
+/// What `run` says of such a motion: ranges of parts, strains and energy, at its records.
 template <FrameGroup G>
-void describe_doubts(const TapedMotion<G>& motion, const Scene& scene, SensitivityOutcome& out) {
+void doubt_motion(const TapedMotion<G>& motion, const Scene& scene, SensitivityOutcome& out) {
   const Trajectory<G>& records = motion.simulation.trajectory;
   PartRanges<G> ranges(motion.mechanism, motion.model);
   ranges.add(records);
   out.status = describe_ranges(out.summary, scene.simulation, ranges, out.status);
-  out.status = describe_energy(out.summary, collect(scene, motion.mechanism, motion.model, records),
-                               out.status);
+  out.status = describe_doubts(out.summary, motion.mechanism,
+                               collect(scene, motion.mechanism, motion.model, records), out.status);
 }
 
 template <FrameGroup G>
@@ -121,7 +121,7 @@ void run_on(const SensitivityProblem& problem, const Space<G>& space,
   add_histories(motion, problem, out.result);
   for (const auto& r : out.result.responses)
     out.summary.responses.push_back(output::response_figure(r, out.result.times));
-  describe_doubts(motion, problem.scene, out);
+  doubt_motion(motion, problem.scene, out);
   const auto begin = std::chrono::steady_clock::now();
   const SensitivityEnd end = differentiate(motion, problem, request, out.method, out.result);
   out.summary.more["sensitivity_s"] =

@@ -171,15 +171,15 @@ void GeneralizedAlpha<G>::extrapolate(Eigen::VectorXd& delta) const {
 }
 
 /// Residuals of the bodies, each relative to the forces on it, as a root mean square: a grain
-/// beside a ton has to be in balance, too.
+/// beside a ton has to be in balance, too. Beyond the round-off of one node, or of all nodes.
 template <FrameGroup G>
-double GeneralizedAlpha<G>::imbalance() const {
+double GeneralizedAlpha<G>::imbalance(bool of_all_nodes) const {
   const double least = std::max(kQuiet * equations_.scale(), 1e-300);
   double sum = 0;
   for (int b = 0; b < static_cast<int>(scales_.size()); ++b) {
     const double scale = std::max({equations_.scale(b), kMemory * scales_[b], least});
-    const double round_off =
-        equations_.round_off() * std::sqrt(model_.bodies[static_cast<std::size_t>(b)]->nodes());
+    const double nodes = of_all_nodes ? model_.bodies[static_cast<std::size_t>(b)]->nodes() : 1;
+    const double round_off = equations_.round_off() * std::sqrt(nodes);
     const double body = std::max(equations_.residual(b) - round_off, 0.) / scale;
     sum += body * body;
   }
@@ -224,7 +224,9 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   double before = 0;
   for (;;) {
     equations_.evaluate(trial_, s.rows, {trial_.t, 1});
-    const double residual = imbalance();
+    // An iteration that would be given up may have come as near as the round-off of all nodes.
+    const bool last = result.iterations == options_.max_iterations;
+    const double residual = imbalance(last);
     result.residual = residual;
     if (!std::isfinite(equations_.residual() + equations_.constraint_residual())) {
       result.failure = divergence(model_, trial_);
@@ -240,7 +242,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
         return result;
       }
     }
-    if (result.iterations == options_.max_iterations) {
+    if (last) {
       result.failure = "the iteration did not converge";
       return result;
     }
@@ -270,8 +272,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   if (coordinates_.passes_full_turn(s, trial_)) {
     result.failure =
         "a rotation vector comes near 2 pi, where T(psi) is singular (simulation.rescale = true "
-        "keeps "
-        "it below pi),";
+        "keeps it below pi),";
     return result;
   }
   result.converged = true;

@@ -96,7 +96,7 @@ class GeneralizedAlpha {
   bool augment(StepResult& result);
   bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
-  double imbalance() const;
+  double imbalance(bool of_all_nodes) const;
   void accept(State<G>& s, double h, StepResult& result);
 
   const Model<G>& model_;

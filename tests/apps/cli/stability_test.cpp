@@ -452,6 +452,30 @@ TEST_F(Stability, DesignOfAMotionThatLosesEnergyIsInaccurate) {
   EXPECT_EQ(Json::parse(text_of(dir_ / "final/summary.json"))["status"], "inaccurate");
 }
 
+/// A bar of linear material that is pulled by a tenth, and by two thirds, of its stiffness EA.
+TEST_F(Stability, StressesBeyondLinearMaterialsAreNamed) {
+  const double EA = 1e6 * M_PI / 4 * 1e-4;
+  for (const double share : {0.01, 0.1, 0.67}) {
+    const fs::path file = write("bar.toml", R"toml(
+[materials]
+rubber = { E = 1e6, nu = 0.3, rho = 1000 }
+[sections]
+round = { type = "circle", diameter = 0.01 }
+[bodies]
+bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "round", material = "rubber", elements = 2 } }
+[joints]
+clamp = { fixed = ["ground", "bar.start"] }
+[loads]
+pull = { at = "bar.end", force = [)toml" + std::to_string(share * EA) +
+                                                ", 0, 0] }\n[simulation]\ntype = \"static\"\n");
+    const Outcome o = run({"run", file, "-o", results(), "--force", "--no-report"});
+    summary_ = Json::parse(text_of(results() / "summary.json"));
+    EXPECT_EQ(o.code, share > 0.5 ? 1 : 0) << o.err;
+    EXPECT_EQ(summary_["status"], share > 0.5 ? "inaccurate" : "done");
+    EXPECT_EQ(warns("the stress in the beam 'bar' reaches"), share > 0.05) << share;
+  }
+}
+
 // 13.
 TEST_F(Stability, SnapThroughStopsUnlessTheArcIsFollowed) {
   for (const auto& formalism : kStatic) {
