@@ -224,9 +224,9 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
   double before = 0;
   for (;;) {
     equations_.evaluate(trial_, s.rows, {trial_.t, 1});
-    // An iteration that would be given up may have come as near as the round-off of all nodes.
-    const bool last = result.iterations == options_.max_iterations;
-    const double residual = imbalance(last);
+    // An iteration that is about to be given up may have come as near as the round-off of all
+    // nodes.
+    const double residual = imbalance(2 * result.iterations > options_.max_iterations);
     result.residual = residual;
     if (!std::isfinite(equations_.residual() + equations_.constraint_residual())) {
       result.failure = divergence(model_, trial_);
@@ -242,7 +242,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
         return result;
       }
     }
-    if (last) {
+    if (result.iterations == options_.max_iterations) {
       result.failure = "the iteration did not converge";
       return result;
     }

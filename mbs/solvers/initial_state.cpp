@@ -112,6 +112,7 @@ void constraint_rates(Equations<G>& eq, const Eigen::VectorXd& v, const Eigen::V
   eq.phi = -target;
   for (size_t i = 0; i < eq.couplings.size(); ++i) {
     const auto& c = eq.model.couplings[i];
+    if (c.constraints == 0) continue;
     auto rate = eq.phi.segment(c.first_constraint, c.constraints);
     const auto B = eq.couplings[i].B.topRows(c.constraints);
     if (c.a.body >= 0)
