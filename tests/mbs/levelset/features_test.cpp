@@ -46,7 +46,7 @@ TEST_P(EveryShape, GradientsPassTheStepSweep) {
     VectorXd dp(shape->size());
     shape->set(p0);
     const double phi = shape->evaluate(x, dx, dp.data());
-    EXPECT_NEAR(phi, shape->value(x), 1e-15);
+    EXPECT_NEAR(phi, shape->value(x), 1e-15);  // of coordinates of order 1: five units of round-off
     const auto of_x = [&](const VectorXd& y) {
       return VectorXd::Constant(1, shape->value(y)).eval();
     };

@@ -161,8 +161,7 @@ TEST_P(NodeForces, RootOfAHangingBarCarriesItsWeight) {
     EXPECT_GT(std::log2(errors[i - 1] / errors[i]), 1.7) << errors[i];
 }
 
-/// So are mean stress and the share of the Euler load, up where it hangs and down where it stands;
-/// of both sides of a bar held at both ends, too.
+/// So do mean stress and the share of the Euler load, of a bar that hangs and of one that stands.
 TEST_P(NodeForces, MembersCarryTheirWeightAtTheirEnds) {
   const double area = std::numbers::pi * kDiameter * kDiameter / 4, q = 9.81 * kSteel.rho * area;
   const double euler = std::pow(std::numbers::pi / (2 * kLength), 2) * kSteel.E *
