@@ -7,9 +7,9 @@
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/motion_notes.hpp"
+#include "apps/tasks/outline_kinks.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
-#include "apps/tasks/start_kinks.hpp"
 #include "apps/tasks/study_motions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/catalogue.hpp"
@@ -240,7 +240,12 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.initial = records(r.initial, scene.mechanism, study.spec);
   out.final = records(r.final, scene.mechanism, study.spec);
   if (sizing.size() > 0) out.design = design_rows(sizing, scene.mechanism, r.x);
-  for (int k = 0; k < design->parts(); ++k) out.parts.push_back(part_of(design, k, study, r));
+  for (int k = 0; k < design->parts(); ++k) {
+    out.parts.push_back(part_of(design, k, study, r));
+    if (r.status != CycleStatus::Converged || (r.optimality && r.optimality->holds())) continue;
+    for (auto& text : end_warnings(out.parts.back().name, design->part(k), design->of_part(k, r.x)))
+      out.summary.warnings.push_back(std::move(text));
+  }
 }
 
 template <FrameGroup G>

@@ -6,7 +6,7 @@
 
 #include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/optimize.hpp"
-#include "apps/tasks/start_kinks.hpp"
+#include "apps/tasks/outline_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
 #include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/mesh_statics.hpp"

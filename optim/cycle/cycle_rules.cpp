@@ -55,9 +55,7 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
   if (h.back().number <= o.max) return {};
-  std::string reason =
-      fmt::format("the {} of cycle.max {} used up",
-                  o.max == 1 ? "step" : fmt::format("{} steps", o.max), o.max == 1 ? "is" : "are");
+  std::string reason = fmt::format("cycle.max = {} is used up", o.max);
   if (const auto change = h.back().load_change)
     reason += fmt::format("; loads still changed by {:.2g}", *change);
   return CycleEnd{CycleStatus::CycleLimit, reason};

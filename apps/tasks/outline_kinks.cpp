@@ -1,6 +1,6 @@
 #ifdef LIESL_OPTIM
 
-#include "apps/tasks/start_kinks.hpp"
+#include "apps/tasks/outline_kinks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -9,18 +9,17 @@
 
 namespace liesl {
 
-std::vector<std::string> start_kinks(const PartShape& part) {
-  constexpr double kStep = 1e-6;  // of the range of a variable
-  constexpr double kJump = 0.1;   // of the derivative; a smooth one changes by about kStep
+std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::VectorXd& x,
+                                       double within) {
+  constexpr double kJump = 0.1;  // of the derivative; a smooth one changes by about `within`
   const auto& variables = part.design.variables();
   // Different shares, so that a position and a width do not leave an edge where it is.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0.5, 1.5);
-  const Eigen::VectorXd x = part.design.start();
   Eigen::VectorXd step(x.size());
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     const auto& v = variables[static_cast<std::size_t>(j)];
-    step[j] = kStep * share(random) * (v.upper - v.lower);
+    step[j] = within * share(random) * (v.upper - v.lower);
   }
   const Eigen::MatrixXd after = part.fraction_gradient(x + step),
                         before = part.fraction_gradient(x - step);
@@ -33,12 +32,24 @@ std::vector<std::string> start_kinks(const PartShape& part) {
 }
 
 std::vector<std::string> start_warnings(const std::string& name, const PartShape& part) {
-  const auto kinks = start_kinks(part);
+  const auto kinks = outline_kinks(part, part.design.start(), 1e-6);
   if (kinks.empty()) return {};
   return {fmt::format(
       "edges of the part '{}' that {} move{} lie on grid lines at the start, where the fractions "
       "of cells have a kink and gradients hold to one side only: shift the start or the grid by a "
       "part of a cell",
+      name, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "")};
+}
+
+std::vector<std::string> end_warnings(const std::string& name, const PartShape& part,
+                                      const Eigen::VectorXd& x) {
+  const auto kinks = outline_kinks(part, x, 1e-3);
+  if (kinks.empty()) return {};
+  return {fmt::format(
+      "edges of the part '{}' that {} move{} end on grid lines, where the fractions of cells have "
+      "a "
+      "kink: the optimum may lie there, and no gradient can say so; another grid has its kinks "
+      "elsewhere",
       name, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "")};
 }
 

@@ -1,0 +1,28 @@
+#pragma once
+/// @file
+/// Designs of outlines that no gradient describes: edges that lie on lines of the grid.
+
+#include <string>
+#include <vector>
+
+#include "optim/design/part_shape.hpp"
+
+namespace liesl {
+
+/// Variables whose fractions of cells have another derivative on one side of x than on the other.
+/// An edge on a grid line fills the cells of one side as it moves that way, those of the other side
+/// as it moves back.
+/// @param x of the part
+/// @param within share of the ranges of the variables that x may be beside the kink
+std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::VectorXd& x,
+                                       double within);
+
+/// A sentence that names those of the start; none if there are none.
+std::vector<std::string> start_warnings(const std::string& name, const PartShape& part);
+
+/// Of a design that is no optimum by its gradients: one that names those that it lies within 1e-3
+/// of, for which that may be the reason.
+std::vector<std::string> end_warnings(const std::string& name, const PartShape& part,
+                                      const Eigen::VectorXd& x);
+
+}  // namespace liesl
