@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <random>
 
 namespace liesl {
@@ -16,13 +17,15 @@ std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::Vecto
   // Different shares, so that a position and a width do not leave an edge where it is.
   std::mt19937 random(1);
   std::uniform_real_distribution<double> share(0.5, 1.5);
-  Eigen::VectorXd step(x.size());
+  Eigen::VectorXd above = x, below = x;  // within the bounds: beyond them a shape need not exist
   for (Eigen::Index j = 0; j < x.size(); ++j) {
     const auto& v = variables[static_cast<std::size_t>(j)];
-    step[j] = within * share(random) * (v.upper - v.lower);
+    const double step = within * share(random) * (v.upper - v.lower);
+    above[j] = std::min(x[j] + step, v.upper);
+    below[j] = std::max(x[j] - step, v.lower);
   }
-  const Eigen::MatrixXd after = part.fraction_gradient(x + step),
-                        before = part.fraction_gradient(x - step);
+  const Eigen::MatrixXd after = part.fraction_gradient(above),
+                        before = part.fraction_gradient(below);
   part.shape->set(part.design.parameters(x));
   std::vector<std::string> names;
   for (Eigen::Index j = 0; j < x.size(); ++j)
