@@ -36,7 +36,8 @@ TEST(SegmentsScene, IsRead) {
   const std::string one =
       changed(kGoodScene, "elements = 4 }",
               "elements = 4, as = \"segments\", potential = \"neo_hookean\", mass = \"lumped\" }");
-  const auto& beam = std::get<BeamSpec>(read_scene(one, "a").mechanism.bodies[0].kind);
+  const Mechanism lumped = read_scene(one, "a").mechanism;
+  const auto& beam = std::get<BeamSpec>(lumped.bodies[0].kind);
   EXPECT_EQ(beam.as, BeamModel::Segments);
   EXPECT_EQ(beam.segment.potential, AxialPotential::NeoHookean);
   EXPECT_TRUE(beam.segment.lumped);
