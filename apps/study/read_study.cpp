@@ -31,6 +31,13 @@ std::optional<ResponseSpec> response_of(StudyReader& reader, const Entry& entry)
   return {};  // broken, said before
 }
 
+/// Is a response a size, 0 or larger (docs/responses.md)?
+bool never_negative(const ResponseSpec& r) {
+  using enum ResponseKind;
+  return r.kind == Stress || r.kind == Compliance || r.kind == Buckling ||
+         r.kind == LocalBuckling || (r.kind == JointForce && !r.axis);
+}
+
 /// The side of a signed response that a limit holds; a vector has none.
 Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& response) {
   const std::string chosen = text(*entry.table, "side");
@@ -44,6 +51,15 @@ Side read_side(StudyReader& reader, const Entry& entry, const ResponseSpec& resp
         *entry.table->get("side"),
         fmt::format("constraint '{}' is of a vector, which has no sides", entry.name),
         "a response with one component", "'axis' takes one component");
+  if (chosen == "down" && never_negative(response)) {
+    reader.scene.problems.add(
+        *entry.table->get("side"),
+        fmt::format("constraint '{}' is of a size, which is never below zero: the limit would hold "
+                    "nothing",
+                    entry.name),
+        "\"both\" or \"up\"", "limits of one side are for signed responses");
+    return Side::Both;
+  }
   return chosen == "up" ? Side::Up : Side::Down;
 }
 

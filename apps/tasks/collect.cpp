@@ -250,16 +250,16 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
 }
 
 template <FrameGroup G>
-void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Neighbours& beside, double size,
+void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size,
                                   double t) const {
-  if (beside.next) out.peak->missed = above_the_middle(beside.before_peak, out.peak->size, size);
-  beside.next = false;
+  if (neighbours.next) out.peak->missed = above_the_middle(neighbours.before_peak, out.peak->size, size);
+  neighbours.next = false;
   if (!out.peak || size > out.peak->size) {
-    beside.next = dynamic_ && states_ > 0;
-    beside.before_peak = beside.last;
+    neighbours.next = dynamic_ && states_ > 0;
+    neighbours.before_peak = neighbours.last;
     out.peak = output::Peak{size, t};
   }
-  beside.last = size;
+  neighbours.last = size;
 }
 
 /// Of the weight as its factor changes.

@@ -93,9 +93,9 @@ class QuinticTable final : public TimeFunctionKind {
     const double* c;
   };
   bool outside(double t) const { return t <= t_.front() || t >= t_.back(); }
-  /// @pre inside the table
+  /// NaN, which an iteration that diverges asks for, gives NaN. @pre t is inside the table or NaN
   Place at(double t) const {
-    const auto next = std::upper_bound(t_.begin(), t_.end(), t);
+    const auto next = std::upper_bound(t_.begin(), t_.end() - 1, t);
     const auto i = static_cast<std::size_t>(next - t_.begin()) - 1;
     return {(t - t_[i]) / pieces_[i].h, pieces_[i].h, pieces_[i].c};
   }

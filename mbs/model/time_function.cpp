@@ -102,9 +102,10 @@ struct Table final : TimeFunctionKind {
   };
   bool outside(double t) const { return t < t_.front() || t >= t_.back(); }
 
-  /// The piece at t, from the right at a point of the table. @pre inside the table
+  /// The piece at t, from the right at a point of the table; of NaN, which an iteration that
+  /// diverges asks for, NaN. @pre t is inside the table or NaN
   Cubic cubic(double t) const {
-    const auto next = std::upper_bound(t_.begin(), t_.end(), t);
+    const auto next = std::upper_bound(t_.begin(), t_.end() - 1, t);
     const std::size_t i = std::size_t(next - t_.begin()) - 1;
     const double h = t_[i + 1] - t_[i], chord = (f_[i + 1] - f_[i]) / h;
     const double m0 = left_[i], m1 = right_[i];

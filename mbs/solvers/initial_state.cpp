@@ -9,7 +9,7 @@ namespace liesl {
 namespace {
 
 constexpr int kMaxAssembly = 50;
-constexpr double kAssembled = 1e-12;  // of the mechanism's reach
+constexpr double kAssembled = 1e-12;  // of the mechanism's extent
 constexpr double kGivenVelocity = 1e-6;
 constexpr double kDriven = 1e-9;    // rad or of the length: a drive that starts elsewhere
 constexpr double kPoseTime = 1;     // s: M/time^2 is small beside K, bodies are as good as rigid

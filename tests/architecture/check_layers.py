@@ -6,7 +6,7 @@
 - no file above 700 lines, no function above 80 (an exemption is a comment in the function or in
   the line above it: `// long function: <reason>`);
 - no folder that is a drawer (utils, common, ...);
-- tests of a library stand on it and those below it (TEST_REACH), in the folders of the sources and
+- tests of a library stand on it and those below it (TEST_FOLDERS), in the folders of the sources and
   in namespace liesl::test, or in one of the source's name within it (unity builds: one source sees
   what another calls the same);
 - bodies are cast in mbs/bodies only (BODY_CAST).
@@ -252,7 +252,7 @@ def check_modules(texts):
 # --- tests ---------------------------------------------------------------------------------------
 
 # Tests of a top folder include it and those before it.
-TEST_REACH = {"liegroup", "mbs", "esl", "optim", "apps"}
+TEST_FOLDERS = {"liegroup", "mbs", "esl", "optim", "apps"}
 
 
 def reached(path, tests, sources):
@@ -284,7 +284,7 @@ def check_tests(tests, sources):
             errors.append(f"{path}: namespace {name}: tests are in liesl::test")
         if stem.endswith("_test") and not names & own:
             errors.append(f"{path}: tests are in namespace liesl::test::{stem}")
-        if top not in TEST_REACH:
+        if top not in TEST_FOLDERS:
             continue
         limit = TOPS.index(top)
         for there, how in reached(path, tests, sources).items():

@@ -34,7 +34,7 @@ def commands(path):
     return [] if path.name.startswith(("compare_", "batch_")) else ["optimize"]
 
 
-def flaws_of_results(out):
+def problems_of_results(out):
     """What is wrong with a result that says that all is well."""
     path = out / "summary.json"
     if not path.is_file():
@@ -45,14 +45,14 @@ def flaws_of_results(out):
         return [f"summary.json is no JSON: {error}"]
     if summary.get("status") not in ("done", "converged", "optimal"):
         return []
-    flaws = []
+    problems = []
     for table in out.glob("*.csv"):
         if found := NOT_A_NUMBER.search(table.read_text()):
-            flaws.append(f"status {summary['status']} with {found.group()} in {table.name}")
-    return flaws
+            problems.append(f"status {summary['status']} with {found.group()} in {table.name}")
+    return problems
 
 
-def flaws_of_end(outcome):
+def problems_of_end(outcome):
     if outcome.hung:
         return [f"does not stop within {HANG} s"]
     if outcome.code not in (0, 1, 2, 3):
@@ -74,18 +74,18 @@ def try_mutation(program, data, number, seconds, place):
     out = place / "out"
     try:
         outcome = run([program, "check", path], HANG, MEMORY)
-        flaws, stage = flaws_of_end(outcome), "check"
+        problems, stage = problems_of_end(outcome), "check"
         choice = commands(path.relative_to(data.parent))
-        if not flaws and outcome.code == 0 and choice:
+        if not problems and outcome.code == 0 and choice:
             stage = dice.choice(choice)
             shutil.rmtree(out, ignore_errors=True)
             words = [program, stage, path, "-o", out, "--quiet", "--threads", "1"]
             outcome = run(words, HANG, MEMORY, ask_after=seconds)
-            flaws = flaws_of_end(outcome)
-            if not flaws and outcome.code in (0, 1):
-                flaws = flaws_of_results(out)
+            problems = problems_of_end(outcome)
+            if not problems and outcome.code in (0, 1):
+                problems = problems_of_results(out)
         text = path.read_text(errors="surrogateescape")
-        return [f"{number} ({path.relative_to(data)}, {stage}): {f}" for f in flaws], text, stage
+        return [f"{number} ({path.relative_to(data)}, {stage}): {f}" for f in problems], text, stage
     finally:
         path.write_text(original)
 
@@ -105,12 +105,12 @@ def main():
         shutil.copytree(options.data.resolve(), data)
         program = options.program.resolve()
         for number in range(options.first, options.first + options.count):
-            flaws, text, stage = try_mutation(program, data, number, options.seconds, Path(folder))
+            problems, text, stage = try_mutation(program, data, number, options.seconds, Path(folder))
             stages[stage] = stages.get(stage, 0) + 1
-            failures += flaws
-            for flaw in flaws:
-                print(flaw, flush=True)
-            if flaws and options.keep:
+            failures += problems
+            for problem in problems:
+                print(problem, flush=True)
+            if problems and options.keep:
                 options.keep.mkdir(parents=True, exist_ok=True)
                 (options.keep / f"{number}.toml").write_text(text, errors="surrogateescape")
     print("ended in", ", ".join(f"{name} {count}" for name, count in sorted(stages.items())))

@@ -160,10 +160,10 @@ def main():
             for number in range(options.count):
                 out = place / str(number) / "out"
                 out.parent.mkdir()
-                flaw, done = try_kill(job, dice, duration, reference, out)
+                problem, done = try_kill(job, dice, duration, reference, out)
                 count, kills = count + 1, kills + done
-                if flaw:
-                    failures.append(f"{kind.name} {number}: {flaw}")
+                if problem:
+                    failures.append(f"{kind.name} {number}: {problem}")
                 shutil.rmtree(out.parent)
     print(f"{kills} kills")
     return verdict("kill", failures, count)

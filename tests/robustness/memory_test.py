@@ -74,10 +74,10 @@ def main():
             for name, words, own in commands(data, out, limit):
                 outcome = run([program, *words], SECONDS, own)
                 count += 1
-                flaw = wrong(name, limit, outcome, out)
+                problem = wrong(name, limit, outcome, out)
                 print(f"{limit:5d} MB  {name:16s} exit {outcome.code:4d}  {outcome.last()[:70]}")
-                if flaw:
-                    failures.append(f"{name} under {limit} MB {flaw}")
+                if problem:
+                    failures.append(f"{name} under {limit} MB {problem}")
     return verdict("memory", failures, count)
 
 

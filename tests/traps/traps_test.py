@@ -85,7 +85,7 @@ def ending(program, root, trap, formalism, out):
     return outcome.code, status, said
 
 
-def flaw(code, status, said, wanted, words):
+def problem(code, status, said, wanted, words):
     if status != wanted:
         return f"is {status}, expected {wanted}: {said.strip()[-300:]}"
     right = {"done": 0, "refused": 2}.get(status, 1)
@@ -118,7 +118,7 @@ def main():
                 out = Path(folder) / f"{trap['name']}_{formalism}"
                 end = ending(options.program, options.root.resolve(), trap, formalism, out)
                 count += 1
-                wrong = flaw(*end, *expected(trap, formalism))
+                wrong = problem(*end, *expected(trap, formalism))
                 if wrong:
                     failures.append(f"{trap['name']} under {formalism} {wrong}")
                 if options.show:

@@ -69,7 +69,7 @@ TEST(Distance, ThinnedKeepsTheEnds) {
 
 // --- settings ------------------------------------------------------------------------------------
 
-TEST(LeanSetting, NotchKeepsThePlacesThatASceneNames) {
+TEST(LeanSetting, KeepsThePlacesThatASceneNames) {
   const Scene crank = load_scene(scene("slider_crank"));
   const Setting given = setting_of(crank);
   ASSERT_EQ(given.beams.size(), 2u);

@@ -138,7 +138,7 @@ TEST(ShippedMotionGradients, AreThoseOfDifferences) {
     double step;       ///< of a variable
     double tolerance;  ///< of the gradient's length
   };
-  // Modes of a meshed part are frozen, and its fractions have kinks.
+  // The fractions of a meshed part have kinks, which differences step over.
   for (const Case& c : {Case{"robot_arms", 2e-4, 1e-4},
                         {"slider_crank_both", 2e-4, 1e-4},
                         {"connecting_rod", 1e-3, 0.05}}) {

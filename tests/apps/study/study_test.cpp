@@ -147,6 +147,7 @@ const BadStudy kStudies[] = {
     {"NoGroups", "groups = 4", "groups = @0", {"out of range: 0"}},
     {"BoundsSwapped", "bounds = [0.004, 0.020]", "bounds = @[0.020, 0.004]", {"[0.02, 0.004]", "least < largest"}},
     {"BoundBelowZero", "bounds = [0.004, 0.020]", "bounds = [@-0.004, 0.020]", {"out of range", "> 0"}},
+    {"SideOfASize", "[constraints]", "[constraints]\nhigh = { response = \"stress\", of = \"rod\", limit = 1e8, side = @\"down\" }", {"never below zero", "\"up\""}},
     {"StartOutside", "start = 0.015", "start = @0.05", {"0.05 is outside the bounds"}},
     {"SceneOutside", "bounds = [0.004, 0.020]", "bounds = @[0.012, 0.020]", {"0.01", "in the scene", "start"}},
     {"StartCount", "start = 0.015", "start = @[0.015, 0.016]", {"2 values for 1 groups"}},

@@ -174,7 +174,7 @@ TEST(LevelSet, NurbsFollowsItsWeights) {
   EXPECT_GT(previous, -5e-3);
 }
 
-TEST(LevelSet, FlawsAreNamed) {
+TEST(LevelSet, ErrorsAreNamed) {
   EXPECT_NE(turned(circle(-0.1))->error().find("radius"), std::string::npos);
   EXPECT_NE(rectangle(1, 0.2, 0.15)->error().find("fillet"), std::string::npos);
   const LevelSetPtr eight = closed_curve(CurveKind::Polyline, {{0, 0}, {1, 1}, {1, 0}, {0, 1}});

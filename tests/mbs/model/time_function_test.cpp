@@ -31,6 +31,16 @@ void expect_derivatives(const TimeFunction& f, double t, double h, double round_
                             100 * round_off, "acceleration at " + std::to_string(t));
 }
 
+/// Iterations that diverge ask for it.
+TEST(TimeFunction, OfWhatIsNoNumberIsNone) {
+  for (const auto how : {Interpolation::Linear, Interpolation::Cubic, Interpolation::Quintic}) {
+    const auto f = TimeFunction::table({0, 1, 2}, {0, 1, 4}, how);
+    EXPECT_TRUE(std::isnan(f(NAN)));
+    EXPECT_TRUE(std::isnan(f.rate(NAN)));
+    EXPECT_TRUE(std::isnan(f.acceleration(NAN)));
+  }
+}
+
 TEST(TimeFunction, ConstantIsTheDefault) {
   EXPECT_EQ(TimeFunction()(3), 0);
   const auto f = TimeFunction::constant(2.5);

@@ -7,6 +7,7 @@
 
 #include "mbs/run.hpp"
 #include "reference/mechanisms.hpp"
+#include "reference/meshed_rod.hpp"
 
 namespace liesl::test::replay_test {
 namespace {
@@ -112,6 +113,27 @@ TEST(Replay, AdaptiveTangentOfTheDecoupledFormalism) {
   m.formalism = Formalism::R3SO3;
   const auto report = expect_replay<SE3>(m, {}, test::options(0.01, 2e-4), 6);
   EXPECT_GT(report.tangent_refreshes, 0);
+}
+
+TEST(Replay, MeshedPartsAndPenalties) {
+  const Mechanism meshed = test::slider_crank_with_mesh(30, 2, 3);
+  expect_replay<SE2>(meshed, *find_plane(meshed).plane, test::options(0.01, 1e-4));
+  Mechanism soft = test::slider_crank({.elements = 4});
+  soft.penalty.form = ConstraintForm::Penalty;
+  expect_replay<SE2>(soft, *find_plane(soft).plane, test::options(0.01, 1e-4));
+}
+
+/// Beyond 64 MB of states a tape keeps every sqrt(N)-th of its own accord.
+TEST(Replay, OfALongMotionFromEveryRootOfItsSteps) {
+  auto o = test::options(0.03, 5e-5);
+  const Mechanism m = test::pendulum(100);
+  const auto model = Model<SE3>::build(m, {});
+  Tape<SE3> tape;
+  const auto run = simulate(model, o, {}, &tape);
+  ASSERT_EQ(run.report.status, SolveStatus::Converged) << run.report.reason;
+  EXPECT_EQ(tape.every, 25);  // ceil(sqrt(600))
+  EXPECT_EQ(tape.checkpoints.size(), 1 + 600 / 25);
+  expect_replay<SE3>(m, {}, o, 0);
 }
 
 /// A short motion has all states on its tape, those that a replay gives.

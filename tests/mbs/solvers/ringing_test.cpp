@@ -28,7 +28,9 @@ TEST(Ringing, ShareIsThatOfTheAlternatingPart) {
   for (const double share : {0.02, 0.1, 0.5}) {  // of |(3, 4)| = 5
     const auto r = watch(200, 5 * share);
     EXPECT_TRUE(r.lasts()) << share;
-    EXPECT_NEAR(r.share(), share, 0.25 * share) << share;
+    // Of the force at either sign.
+    const double a = 5 * share, mean = a / std::hypot(3, 4 + a) / 2 + a / std::hypot(3, 4 - a) / 2;
+    EXPECT_NEAR(r.share(), mean, 0.005 * share) << share;
   }
 }
 

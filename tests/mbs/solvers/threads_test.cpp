@@ -9,6 +9,7 @@
 #include "mbs/run.hpp"
 #include "mbs/solvers/simulation.hpp"
 #include "reference/mechanisms.hpp"
+#include "reference/meshed_rod.hpp"
 
 namespace liesl::test::threads_test {
 namespace {
@@ -60,6 +61,12 @@ TEST(Threads, ModalBodies) {
   Mechanism m = test::slider_crank({.elements = 4});
   m.formalism = Formalism::Floating;
   expect_independent_runs<SE3>(m, {}, test::options(0.005, 1e-4));
+}
+
+/// A mesh reduced to modes, which are made when they are first asked for.
+TEST(Threads, MeshedParts) {
+  const Mechanism m = test::slider_crank_with_mesh(30, 2, 3);
+  expect_independent_runs<SE2>(m, *find_plane(m).plane, test::options(0.005, 1e-4));
 }
 
 /// A drive given as an expression of t has a pool of evaluators.
