@@ -252,7 +252,8 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
 template <FrameGroup G>
 void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size,
                                   double t) const {
-  if (neighbours.next) out.peak->missed = above_the_middle(neighbours.before_peak, out.peak->size, size);
+  if (neighbours.next)
+    out.peak->missed = above_the_middle(neighbours.before_peak, out.peak->size, size);
   neighbours.next = false;
   if (!out.peak || size > out.peak->size) {
     neighbours.next = dynamic_ && states_ > 0;

@@ -29,7 +29,8 @@ class StepRecorder {
     bool next = false;  ///< the step before is the peak so far
   };
   void add_responses(const State<G>& s, bool recorded);
-  void add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size, double t) const;
+  void add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size,
+                   double t) const;
   void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);
 
