@@ -145,7 +145,8 @@ TEST_F(Map, FixedLoadsHaveNoLocalModel) {
   const Columns c = columns(results() / "map.csv");
   EXPECT_EQ(c.size(), 2 + summary()["of"].size());
   EXPECT_NE(summary()["local"].get<std::string>().find("fixed loads"), std::string::npos);
-  for (const auto& [name, entry] : summary()["of"].items())
+  const auto of = summary()["of"];
+  for (const auto& [name, entry] : of.items())
     for (const double value : c.at(name)) EXPECT_GT(value, 0) << name;
 }
 

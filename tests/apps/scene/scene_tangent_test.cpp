@@ -7,9 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
-#include <optional>
 
-#include "apps/input/problem.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solvers/statics.hpp"
@@ -45,17 +43,6 @@ bool has_beam(const Mechanism& m) {
   return std::any_of(m.bodies.begin(), m.bodies.end(), [](const BodySpec& body) {
     return std::holds_alternative<BeamSpec>(body.kind);
   });
-}
-
-/// The scene with beams as chains of segments; none: its reader refuses that.
-std::optional<Scene> as_segments(const std::string& name) {
-  try {
-    Scene scene = load_scene(fs::path(test::kDataDir) / (name + ".toml"),
-                             {"simulation.formalism=\"segments\""});
-    if (has_beam(scene.mechanism)) return scene;
-  } catch (const InputError&) {
-  }
-  return {};
 }
 
 bool has_planar_mesh(const Mechanism& m) {
@@ -133,17 +120,6 @@ TEST_P(SceneTangent, IsTheDerivativeOfTheResidual) {
     if (found.plane) compare<SE2>(scene, *found.plane, formalism, most);
     if (in_space) compare<SE3>(scene, {}, formalism, found.plane ? kFewColumns : most);
   }
-  if (const auto chain = as_segments(GetParam());
-      chain && chain->mechanism.formalism != m.formalism)
-    compare<SE2>(*chain, *find_plane(chain->mechanism).plane, Formalism::Segments, kFewColumns);
-}
-
-/// Few scenes can be chains, but some can.
-TEST(SceneTangentOfSegments, IsCompared) {
-  const auto all = scenes();
-  EXPECT_GE(std::count_if(all.begin(), all.end(),
-                          [](const std::string& name) { return as_segments(name).has_value(); }),
-            5);
 }
 
 std::string test_name(const ::testing::TestParamInfo<std::string>& info) {
