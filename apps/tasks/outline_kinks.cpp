@@ -50,8 +50,7 @@ std::vector<std::string> end_warnings(const std::string& name, const PartShape& 
   if (kinks.empty()) return {};
   return {fmt::format(
       "edges of the part '{}' that {} move{} end on grid lines, where the fractions of cells have "
-      "a "
-      "kink: the optimum may lie there, and no gradient can say so; another grid has its kinks "
+      "a kink: the optimum may lie there, and no gradient can say so; another grid has its kinks "
       "elsewhere",
       name, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "")};
 }
