@@ -98,7 +98,8 @@ std::set<int> spread_cases(const Eigen::MatrixXd& loads, int count) {
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
   const Body<G>& body = *model.bodies[index];
-  const BeamChain<G>* classical = model.formalism == Formalism::Classical ? body.chain() : nullptr;
+  const BeamChain<G>* classical =
+      model.formalism == Formalism::Classical ? BeamChain<G>::of(body) : nullptr;
   if (body.elements() == 0)
     throw std::invalid_argument(
         fmt::format("'{}' is rigid: only a beam has internal forces", body.name));

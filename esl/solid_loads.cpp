@@ -13,7 +13,7 @@ SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& tra
   SolidLoadSet set;
   set.body = index;
   set.e = part_coordinates(model, trajectory, index);
-  const auto& body = *model.bodies[index]->meshed();
+  const auto& body = *SolidBody<G>::of(*model.bodies[index]);
   set.shapes = body.loads();
   set.basis = body.basis();
   for (int n = 0; n < trajectory.size(); ++n) set.t.push_back(trajectory.time(n));

@@ -13,7 +13,7 @@
 #include "apps/tasks/run.hpp"
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/system/plane.hpp"
-#include "optim/cycle/motion_gradients.hpp"
+#include "optim/problems/motion_gradients.hpp"
 
 namespace liesl {
 namespace {

@@ -13,10 +13,10 @@
 #include "mbs/solvers/simulation.hpp"
 
 #ifdef LIESL_OPTIM
-#include "optim/cycle/beam_statics.hpp"
-#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
+#include "optim/problems/beam_statics.hpp"
+#include "optim/problems/esl_problem.hpp"
 #endif
 
 namespace liesl {

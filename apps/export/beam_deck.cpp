@@ -8,7 +8,7 @@
 
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/system/response_value.hpp"
-#include "optim/cycle/treatment.hpp"
+#include "optim/problems/treatment.hpp"
 
 namespace liesl {
 namespace {

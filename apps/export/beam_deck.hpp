@@ -32,7 +32,7 @@ struct BeamDeck {
 /// at rest H_00 that is H_00 H_0^-1 H_k, whose displacement the deck shall give back. Its load f_k
 /// = g_int(H)_k, in the axes of the node, turns with it: R_00 R_0^T R_k f_k. DeckCases::Peaks: the
 /// records where the largest offset from the chord has a maximum over time above half of its
-/// largest (optim/cycle/treatment.hpp).
+/// largest (optim/problems/treatment.hpp).
 /// @throws std::invalid_argument for a part that is no beam, has sections without a shape, or loads
 /// that are none (rigid, or a simulation that did not converge)
 BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string& part,

@@ -9,7 +9,7 @@
 
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
-#include "optim/cycle/treatment.hpp"
+#include "optim/problems/treatment.hpp"
 
 namespace liesl {
 namespace {

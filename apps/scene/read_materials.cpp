@@ -130,7 +130,7 @@ void read_update(Reader& reader, const toml::table& table) {
   const std::string update = text(table, "update");
   Mechanism& mechanism = reader.scene.mechanism;
   if (update == "se3") mechanism.update = NodeUpdate::Screw;
-  if (update == "r3so3") mechanism.update = NodeUpdate::Decoupled;
+  if (update == "r3so3") mechanism.update = NodeUpdate::R3SO3;
   if (mechanism.update == NodeUpdate::AsFormalism) return;
   const Formalism f = mechanism.formalism;
   if (f == Formalism::Classical || f == Formalism::Floating || f == Formalism::Segments)

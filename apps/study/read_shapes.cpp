@@ -8,7 +8,7 @@
 
 #include "apps/study/study_reader.hpp"
 #ifdef LIESL_OPTIM
-#include "optim/cycle/solid_task.hpp"
+#include "optim/problems/solid_task.hpp"
 #endif
 
 namespace liesl {

@@ -138,11 +138,11 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
   const SolidMesh& mesh = std::get<SolidSpec>(spec.kind).mesh();
   const Body<G>& body = *model.bodies[static_cast<size_t>(b)];
   MeshMotion motion;
-  if (body.meshed()) motion = motion_of(*body.meshed(), model, trajectory, b);
+  if (const auto* solid = SolidBody<G>::of(body)) motion = motion_of(*solid, model, trajectory, b);
   output::MeshResult out = mesh_at_rest(spec, motion.phi);
-  if (body.continuum()) {
+  if (const auto* continuum = ContinuumBody<G>::of(body)) {
     const SE3 align = model.space.alignment(std::get<SolidSpec>(spec.kind).frame);
-    motion = motion_of(*body.continuum(), model, trajectory, b, align.R);
+    motion = motion_of(*continuum, model, trajectory, b, align.R);
     add_basis(mesh, motion.phi, out);
     for (Eigen::Index k = 0; k < motion.stress.cols(); ++k)
       append(out.stress_basis, motion.stress.col(k));

@@ -8,8 +8,8 @@
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/outline_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
-#include "optim/cycle/esl_problem.hpp"
-#include "optim/cycle/mesh_statics.hpp"
+#include "optim/problems/esl_problem.hpp"
+#include "optim/problems/mesh_statics.hpp"
 
 namespace liesl {
 

@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 
 #include "esl/solid_loads.hpp"
-#include "optim/cycle/mesh_statics.hpp"
+#include "optim/problems/mesh_statics.hpp"
 
 namespace liesl {
 namespace {

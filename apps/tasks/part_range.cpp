@@ -110,7 +110,7 @@ template <FrameGroup G>
 PartRanges<G>::PartRanges(const Mechanism& mechanism, const Model<G>& model)
     : mechanism_(mechanism), model_(model) {
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
-    if (const auto* body = model.bodies[b]->meshed()) add_part(*body, static_cast<int>(b));
+    if (const auto* body = SolidBody<G>::of(*model.bodies[b])) add_part(*body, static_cast<int>(b));
   add_members();
 }
 

@@ -117,7 +117,7 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
   std::vector<double> times;
   for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto* body = model.bodies[b]->meshed();
+    const auto* body = SolidBody<G>::of(*model.bodies[b]);
     if (!body) continue;
     const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
     try {

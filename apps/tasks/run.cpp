@@ -9,6 +9,7 @@
 #include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/linalg/stop_request.hpp"
 #include "mbs/solvers/modes.hpp"
@@ -31,10 +32,10 @@ double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     const int first = model.first_node(static_cast<int>(b));
     const Body<G>& moved = *model.bodies[b];
-    const int nodes = moved.continuum() ? moved.nodes() : moved.points();
+    const int nodes = ContinuumBody<G>::of(moved) ? moved.nodes() : moved.points();
     const auto frames = shape.segment(G::dim * first, G::dim * nodes);
     largest = std::max(largest, frames.cwiseAbs().maxCoeff());
-    const auto* body = model.bodies[b]->meshed();
+    const auto* body = SolidBody<G>::of(*model.bodies[b]);
     if (!body) continue;
     constexpr double kLittle = 1e-6;  // of the shape: its derivative at rest
     State<G> s = model.initial_state();

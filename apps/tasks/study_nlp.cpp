@@ -5,9 +5,9 @@
 #include <limits>
 
 #include "apps/tasks/study_motions.hpp"
-#include "optim/cycle/esl_problem.hpp"
-#include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/study_program.hpp"
+#include "optim/problems/esl_problem.hpp"
+#include "optim/problems/mesh_statics.hpp"
 #include "optim/study/study_errors.hpp"
 
 namespace liesl {

@@ -13,7 +13,7 @@
 #include "apps/tasks/final_scene.hpp"
 #include "apps/tasks/run.hpp"
 #include "mbs/linalg/stop_request.hpp"
-#include "optim/cycle/static_problem.hpp"
+#include "optim/problems/static_problem.hpp"
 
 namespace liesl {
 namespace {

@@ -19,7 +19,9 @@ class BeamChain : public Body<G> {
   using Matrix = typename G::Matrix;
   using PairMatrix = Eigen::Matrix<double, 2 * G::dim, 2 * G::dim>;
 
-  const BeamChain* chain() const final { return this; }
+  /// The body as a chain of beam elements, null if it is none.
+  static const BeamChain* of(const Body<G>& body) { return dynamic_cast<const BeamChain*>(&body); }
+  std::pair<int, int> nodes_of(int e) const final { return {e, 2}; }
   virtual const Tangent& d0(int e) const = 0;
   virtual double length(int e) const = 0;  ///< m
   /// Stiffness at rest, over [u_A; u_B].

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "liegroup/concepts.hpp"
@@ -14,13 +15,6 @@
 #include "mbs/model/element_place.hpp"
 
 namespace liesl {
-
-template <FrameGroup G>
-class BeamChain;
-template <FrameGroup G>
-class SolidBody;
-template <FrameGroup G>
-class ContinuumBody;
 
 /// What a body computes in, so that an evaluation allocates nothing and a body can be const: one of
 /// each body for each thread, from `Body::make_workspace`.
@@ -155,6 +149,8 @@ class Body {
   virtual int padding() const { return 0; }
 
   virtual int elements() const { return 0; }
+  /// Nodes that the forces of element e act on: the first, and how many; all unless said otherwise.
+  virtual std::pair<int, int> nodes_of(int /*e*/) const { return {0, nodes()}; }
   /// Strain of element e, and elastic section forces [N, N m] of a completed state: in the middle
   /// n = K eps, at its nodes those of the elastic force g = P^T n of the element, -g_A and g_B, in
   /// the axes of the node. With no load inside the element they are in equilibrium with what acts
@@ -173,12 +169,6 @@ class Body {
   /// as hold the stresses of all its cells, one after the other.
   virtual int stresses() const { return elements(); }
 
-  /// What the statics of a part that is cut free from its mechanism asks: the body as a chain of
-  /// beam elements or as a mesh in a floating frame; null if it is none.
-  virtual const BeamChain<G>* chain() const { return nullptr; }
-  virtual const SolidBody<G>* meshed() const { return nullptr; }
-  /// The body as a mesh whose nodes all move, null if it is none.
-  virtual const ContinuumBody<G>* continuum() const { return nullptr; }
   /// Stiffness of all points as a free linear structure at rest.
   virtual const Matrices& free_stiffness() const { return K_; }
   /// f += elastic forces on all points, from the frames of a completed state; without damping.

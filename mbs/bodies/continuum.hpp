@@ -46,7 +46,10 @@ class ContinuumBody final : public Body<G> {
     return node < ports_ ? NodeKind::Frame : NodeKind::Position;
   }
   int points() const override { return ports_; }
-  const ContinuumBody* continuum() const override { return this; }
+  /// The body as a mesh whose nodes all move, null if it is none.
+  static const ContinuumBody* of(const Body<G>& body) {
+    return dynamic_cast<const ContinuumBody*>(&body);
+  }
   double damping() const override { return damping_; }
   std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void turn_axes(G* H) const override;

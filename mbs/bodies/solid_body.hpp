@@ -35,8 +35,9 @@ class SolidBody final : public FloatingBody<G> {
   SolidBody(std::string body_name, const SolidSpec& spec, std::vector<G> ports,
             const Eigen::Matrix3d& turn);
 
+  /// The body as a mesh in a floating frame, null if it is none.
+  static const SolidBody* of(const Body<G>& body) { return dynamic_cast<const SolidBody*>(&body); }
   int points() const override { return ports_; }
-  const SolidBody* meshed() const override { return this; }
   /// The mesh, and how much of its cells is material.
   const SolidModel& model() const { return *model_; }
   const Eigen::VectorXd& fractions() const { return fractions_; }

@@ -85,7 +85,7 @@ BeamModel model_of(const BeamSpec& beam, Formalism formalism) {
 
 NodeUpdate update_of(NodeUpdate chosen, Formalism formalism) {
   if (chosen != NodeUpdate::AsFormalism) return chosen;
-  if (formalism == Formalism::R3SO3) return NodeUpdate::Decoupled;
+  if (formalism == Formalism::R3SO3) return NodeUpdate::R3SO3;
   return formalism == Formalism::Classical ? NodeUpdate::RotationVector : NodeUpdate::Screw;
 }
 

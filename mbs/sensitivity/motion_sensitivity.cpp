@@ -133,7 +133,7 @@ class Derivatives {
     rate_.setZero(model.constraints());
     for (const auto& p : parameters)
       if (p.nearby())
-        for (const auto& near : p.nearby()->models()) near->equations.damping = damping;
+        for (const auto& neighbour : p.nearby()->models()) neighbour->equations.damping = damping;
   }
   /// At the state after a step. @param previous coupling rows at the state before
   const ResidualDerivative& at(const State<G>& s, const VectorXd& previous,
@@ -218,7 +218,7 @@ bool drives_accelerate(const Model<G>& model, const State<G>& at_rest, double du
          kResting * std::min(1.0, model.length);
 }
 
-/// What the consistent start changes by with parameters that are known by mechanisms near by, a
+/// What the consistent start changes by with parameters that are known by nearby mechanisms, a
 /// column each, less the lift: differences of the starts of those. Zero for all others, and where
 /// the start is an equilibrium, whose equations say it.
 template <FrameGroup G>
@@ -230,23 +230,23 @@ StateSensitivity start_derivatives(const Model<G>& model, const Tape<G>& tape,
   for (size_t i = 0; i < parameters.size(); ++i) {
     if (!parameters[i].nearby()) continue;
     const auto column = static_cast<Eigen::Index>(i);
-    for (const auto& near : parameters[i].nearby()->models()) {
-      State<G> s = near->model.initial_state();
-      const InitialState start = make_consistent(near->model, tape.options, s);
+    for (const auto& neighbour : parameters[i].nearby()->models()) {
+      State<G> s = neighbour->model.initial_state();
+      const InitialState start = make_consistent(neighbour->model, tape.options, s);
       if (start.status != SolveStatus::Converged) throw std::invalid_argument(start.reason);
       if (start.moved > kMoved * model.length)
         throw std::invalid_argument(fmt::format(
             "parameter '{}' opens joints: bodies were moved by {:.3g} m to close them; expected "
             "geometry in which all bodies that meet at a joint change together",
             parameters[i].parameter().name, start.moved));
-      s = in_inertial_axes(near->model, s);
+      s = in_inertial_axes(neighbour->model, s);
       for (const auto* nodes : {&model.frames(), &model.positions()})
         for (const int k : *nodes)
           ds.eta.col(column).template segment<G::dim>(G::dim * k) +=
-              near->weight * G::log(first.H[k].inverse() * s.H[k]);
-      ds.v.col(column) += near->weight * s.v;
-      ds.w.col(column) += near->weight * s.vdot;
-      ds.lambda.col(column) += near->weight * s.lambda;
+              neighbour->weight * G::log(first.H[k].inverse() * s.H[k]);
+      ds.v.col(column) += neighbour->weight * s.v;
+      ds.w.col(column) += neighbour->weight * s.vdot;
+      ds.lambda.col(column) += neighbour->weight * s.lambda;
     }
   }
   ds.a = ds.w;

@@ -13,14 +13,14 @@ ResponseSensitivity<G>::ResponseSensitivity(const Model<G>& model, const Respons
   for (const auto& parameter : parameters) explicit_ = explicit_ || parameter.nearby();
 }
 
-/// Differences of what the models near by make of the state.
+/// Differences of what the nearby models make of the state.
 template <FrameGroup G>
 Eigen::VectorXd ResponseSensitivity<G>::by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
                                                   Index components) const {
   Eigen::VectorXd y_p = Eigen::VectorXd::Zero(components);
-  for (const auto& near : nearby.models())
-    y_p += near->weight * ResponseValues<G>(near->mechanism, near->model)(
-                              response_, NearbyModels<G>::seen_by(*near, s));
+  for (const auto& neighbour : nearby.models())
+    y_p += neighbour->weight * ResponseValues<G>(neighbour->mechanism, neighbour->model)(
+                                   response_, NearbyModels<G>::seen_by(*neighbour, s));
   return y_p;
 }
 

@@ -4,9 +4,9 @@
 /// of left-invariant velocities v and increments delta in local frames, whatever the unknowns; here
 /// is the map between the two. Per node, with H = (R, x), v = [u; w]:
 ///
-///   Lie        H_{n+1} = H_n exp(dq);                    rates v,  vdot
-///   Decoupled  x += dq_u, R_{n+1} = R_n exp(dq_w);        rates [R u; w],  [R (udot + w x u);
-///   wdot] Classical  x += dq_u, psi += dq_w, R = exp(psi);      rates [R u; psidot],
+///   Screw      H_{n+1} = H_n exp(dq);                 rates v,  vdot
+///   R3SO3      x += dq_u, R_{n+1} = R_n exp(dq_w);    rates [R u; w],  [R (udot + w x u); wdot]
+///   RotationVector  x += dq_u, psi += dq_w, R = exp(psi);  rates [R u; psidot],
 ///              w = T(psi) psidot, wdot = T psiddot + D_psi[T psidot] psidot
 ///              (Geradin, Cardona 2001; thesis section 2.2.1)
 ///

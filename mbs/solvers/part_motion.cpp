@@ -34,7 +34,7 @@ MatrixXd at_equal_steps(const std::vector<double>& t, const MatrixXd& signals) {
 
 template <FrameGroup G>
 MatrixXd part_coordinates(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
-  const auto* body = model.bodies.at(index)->meshed();
+  const auto* body = SolidBody<G>::of(*model.bodies.at(index));
   if (!body)
     throw std::invalid_argument(
         fmt::format("'{}' is no flexible meshed part", model.bodies[index]->name));

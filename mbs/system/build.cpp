@@ -86,7 +86,7 @@ Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   if ((model.update == NodeUpdate::RotationVector) != (model.formalism == Formalism::Classical))
     throw std::invalid_argument(
         "rotation vectors are the update of the classical formalism, and of no other");
-  if (mechanism.update == NodeUpdate::Decoupled && model.formalism != Formalism::R3SO3 &&
+  if (mechanism.update == NodeUpdate::R3SO3 && model.formalism != Formalism::R3SO3 &&
       !(model.positions_.empty() && model.amplitudes_.empty()))
     throw std::invalid_argument(
         "simulation.update = \"r3so3\" moves nodes that are frames; chains of segments and bodies "

@@ -31,13 +31,14 @@ bool has_carriers(const Model<G>& model) {
   return true;
 }
 
-/// From the frame at rest of a node to that of a model near by.
+/// From the frame at rest of a node to that of a nearby model.
 template <class G>
-G way_of(const Body<G>& body, const Body<G>& near, int node) {
+G way_of(const Body<G>& body, const Body<G>& neighbour, int node) {
   const auto k = static_cast<std::size_t>(node);
-  if (body.kind(node) != NodeKind::Position) return body.reference[k].inverse() * near.reference[k];
+  if (body.kind(node) != NodeKind::Position)
+    return body.reference[k].inverse() * neighbour.reference[k];
   G way;
-  way.x = body.reference[0].R.transpose() * (near.reference[k].x - body.reference[k].x);
+  way.x = body.reference[0].R.transpose() * (neighbour.reference[k].x - body.reference[k].x);
   return way;
 }
 
@@ -55,8 +56,8 @@ bool same_roles(const Model<G>& a, const Model<G>& b) {
 }  // namespace
 
 template <FrameGroup G>
-NearbyModels<G>::Near::Near(double of_p, const Mechanism& near, const Model<G>& of)
-    : weight(of_p), mechanism(near), model(built(near, of)), equations(model) {}
+NearbyModels<G>::Neighbour::Neighbour(double of_p, const Mechanism& neighbour, const Model<G>& of)
+    : weight(of_p), mechanism(neighbour), model(built(neighbour, of)), equations(model) {}
 
 template <FrameGroup G>
 NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model) {
@@ -65,10 +66,11 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
         "by geometry there are no derivatives of bodies in floating frames, whose modes change "
         "with it: expected beams of another formalism, no reduced meshed parts");
   for (std::size_t i = 0; i < mechanisms.at->size(); ++i) {
-    models_.push_back(std::make_unique<Near>(mechanisms.weight(i), (*mechanisms.at)[i], model));
-    const Model<G>& near = models_.back()->model;
-    if (near.size() != model.size() || near.constraints() != model.constraints() ||
-        near.rows() != model.rows() || !same_roles(near, model))
+    models_.push_back(
+        std::make_unique<Neighbour>(mechanisms.weight(i), (*mechanisms.at)[i], model));
+    const Model<G>& neighbour = models_.back()->model;
+    if (neighbour.size() != model.size() || neighbour.constraints() != model.constraints() ||
+        neighbour.rows() != model.rows() || !same_roles(neighbour, model))
       throw std::invalid_argument(
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");
@@ -84,10 +86,10 @@ void NearbyModels<G>::set_lift(const Model<G>& model) {
     const int first = model.first_node(static_cast<int>(b));
     for (int k = 0; k < body.nodes(); ++k) {
       carriers_.push_back(body.kind(k) == NodeKind::Position ? first : first + k);
-      for (const auto& near : models_) {
-        near->moved.push_back(way_of(body, *near->model.bodies[b], k));
+      for (const auto& neighbour : models_) {
+        neighbour->moved.push_back(way_of(body, *neighbour->model.bodies[b], k));
         lift.template segment<G::dim>(G::dim * (first + k)) +=
-            near->weight * G::log(near->moved.back());
+            neighbour->weight * G::log(neighbour->moved.back());
       }
     }
   }
@@ -98,10 +100,10 @@ template <FrameGroup G>
 void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                           const LoadLevel& level, Eigen::VectorXd& r_p,
                           Eigen::VectorXd& phi_p) const {
-  for (const auto& near : models_) {
-    near->equations.evaluate(s, previous, level);
-    r_p += near->weight * near->equations.r;
-    phi_p += near->weight * near->equations.phi;
+  for (const auto& neighbour : models_) {
+    neighbour->equations.evaluate(s, previous, level);
+    r_p += neighbour->weight * neighbour->equations.r;
+    phi_p += neighbour->weight * neighbour->equations.phi;
   }
 }
 
@@ -111,12 +113,12 @@ void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previ
                                  Eigen::VectorXd& phi_p) const {
   State<G> lifted = s;
   constexpr int sd = G::space_dim;
-  for (const auto& near : models_) {
+  for (const auto& neighbour : models_) {
     for (std::size_t k = 0; k < s.H.size(); ++k) {
       const auto at = G::dim * static_cast<Eigen::Index>(k);
       if (carriers_[k] != static_cast<int>(k)) {
         const auto from = G::dim * carriers_[k];
-        const auto& xi = near->moved[k].x;
+        const auto& xi = neighbour->moved[k].x;
         const CarriedRates<G> rates(s.v.template segment<G::dim>(from),
                                     s.vdot.template segment<G::dim>(from), xi);
         const auto& R_0 = s.H[static_cast<std::size_t>(carriers_[k])].R;
@@ -127,22 +129,22 @@ void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previ
             s.vdot.template segment<sd>(at) + to_node * rates.vdot;
         continue;
       }
-      const auto Ad = near->moved[k].AdInv();
-      lifted.H[k] = s.H[k] * near->moved[k];
+      const auto Ad = neighbour->moved[k].AdInv();
+      lifted.H[k] = s.H[k] * neighbour->moved[k];
       lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);
       lifted.vdot.template segment<G::dim>(at) = Ad * s.vdot.template segment<G::dim>(at);
     }
-    near->equations.evaluate(lifted, previous, level);
-    r_p += near->weight * near->equations.r;
-    phi_p += near->weight * near->equations.phi;
+    neighbour->equations.evaluate(lifted, previous, level);
+    r_p += neighbour->weight * neighbour->equations.r;
+    phi_p += neighbour->weight * neighbour->equations.phi;
   }
 }
 
 template <FrameGroup G>
-State<G> NearbyModels<G>::seen_by(const Near& near, const State<G>& s) {
+State<G> NearbyModels<G>::seen_by(const Neighbour& neighbour, const State<G>& s) {
   State<G> out = s;
-  near.equations.observe(s, s.rows, out.rows);
-  near.model.complete(out);
+  neighbour.equations.observe(s, s.rows, out.rows);
+  neighbour.model.complete(out);
   return out;
 }
 

@@ -10,11 +10,11 @@
 
 namespace liesl {
 
-/// Derivatives by p at constant state, as sums of weights times what the models near by have.
+/// Derivatives by p at constant state, as sums of weights times what the nearby models have.
 template <FrameGroup G>
 class NearbyModels {
  public:
-  struct Near {
+  struct Neighbour {
     double weight;  ///< 1 per unit of p
     const Mechanism& mechanism;
     Model<G> model;
@@ -22,14 +22,14 @@ class NearbyModels {
     /// By node, from the frame at rest of the model to that of this one; of positions the way
     /// alone, in the axes of the first frame of their body.
     std::vector<G> moved;
-    Near(double weight, const Mechanism& mechanism, const Model<G>& model);
+    Neighbour(double weight, const Mechanism& mechanism, const Model<G>& model);
   };
 
   /// @throws std::invalid_argument if they have other unknowns or rows than the model, or bodies in
   /// floating frames, whose modes change with p
   NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model);
 
-  const std::vector<std::unique_ptr<Near>>& models() const { return models_; }
+  const std::vector<std::unique_ptr<Neighbour>>& models() const { return models_; }
   /// r_p += dr/dp, phi_p += dPhi/dp, as `ParameterResidual::add`.
   void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
@@ -46,13 +46,13 @@ class NearbyModels {
   /// body times xi, not xi. @pre lift() is not empty
   void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                   Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
-  /// A state as a model near by sees it: its rows, and the frames that follow.
-  static State<G> seen_by(const Near& near, const State<G>& s);
+  /// A state as a nearby model sees it: its rows, and the frames that follow.
+  static State<G> seen_by(const Neighbour& neighbour, const State<G>& s);
 
  private:
   void set_lift(const Model<G>& model);
 
-  std::vector<std::unique_ptr<Near>> models_;
+  std::vector<std::unique_ptr<Neighbour>> models_;
   Eigen::VectorXd lift_;
   std::vector<int> carriers_;
 };

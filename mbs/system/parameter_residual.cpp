@@ -89,13 +89,11 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Bea
            " elements of beam '" + mechanism.bodies[part.body].name + "', got " +
            std::to_string(part.laws.size());
   const Body<G>& body = *model_.bodies[part.body];
-  // Forces of an element act on its two nodes; in a floating frame on the frame, too.
-  const bool chain = body.chain() != nullptr;
-  if (!chain) add_nodes_of(part.body);
-  for (int e = 0; chain && e < body.elements(); ++e)
-    if (const SectionLaw& law = part.laws[static_cast<size_t>(e)];
-        !law.K.isZero(0) || !law.M.isZero(0))
-      add_nodes(model_.first_node(part.body) + e, 2);
+  for (std::size_t e = 0; e < part.laws.size(); ++e) {
+    if (part.laws[e].K.isZero(0) && part.laws[e].M.isZero(0)) continue;
+    const auto [first, count] = body.nodes_of(static_cast<int>(e));
+    add_nodes(model_.first_node(part.body) + first, count);
+  }
   return set_body(part.body, reduce_laws(*beam, part.laws, model_.space));
 }
 
@@ -195,7 +193,7 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const Loa
 
 template <FrameGroup G>
 std::string ParameterResidual<G>::add_part(const Mechanism&, const NearbyMechanisms& part) {
-  if (parameter_.parts.size() > 1) return "expected mechanisms near by alone";
+  if (parameter_.parts.size() > 1) return "expected nearby mechanisms alone";
   nearby_ = std::make_unique<NearbyModels<G>>(part, model_);
   add_nodes(0, model_.nodes());
   return "";

@@ -15,7 +15,7 @@ namespace liesl {
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
 /// df/dq_0 = -k, -F(t) for its factor, -dF/dp. A load gives the load itself for its factor, or that
-/// of its components; a drive -target(t), or -d(target)/dp. Mechanisms near by give differences of
+/// of its components; a drive -target(t), or -d(target)/dp. Nearby mechanisms give differences of
 /// the whole residual.
 template <FrameGroup G>
 class ParameterResidual {
@@ -45,7 +45,7 @@ class ParameterResidual {
                           const LoadLevel& level) const;
   /// dh/dp / h, see StepDerivative.
   double step() const { return step_; }
-  /// Where the parameter is known by mechanisms near by, else null.
+  /// Where the parameter is known by nearby mechanisms, else null.
   const NearbyModels<G>* nearby() const { return nearby_.get(); }
   /// Nodes of the model that dr/dp acts on, growing; zero at all others.
   const std::vector<int>& nodes() const { return nodes_; }

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-#include "optim/cycle/cycle_loads.hpp"
-#include "optim/cycle/simulation_effort.hpp"
 #include "optim/nlp/problem.hpp"
 #include "optim/nlp/result.hpp"
+#include "optim/problems/cycle_loads.hpp"
+#include "optim/problems/simulation_effort.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {

@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "optim/cycle/equilibrium_limits.hpp"
-#include "optim/cycle/motion_problem.hpp"
 #include "optim/nlp/check_derivatives.hpp"
+#include "optim/problems/equilibrium_limits.hpp"
+#include "optim/problems/motion_problem.hpp"
 
 namespace liesl {
 

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "mbs/solvers/report.hpp"
-#include "optim/cycle/corrected_problem.hpp"
-#include "optim/cycle/cycle_loads.hpp"
 #include "optim/cycle/dynamic_optimality.hpp"
-#include "optim/cycle/simulation_effort.hpp"
+#include "optim/problems/corrected_problem.hpp"
+#include "optim/problems/cycle_loads.hpp"
+#include "optim/problems/simulation_effort.hpp"
 
 namespace liesl {
 

@@ -8,8 +8,8 @@
 #include <optional>
 #include <string>
 
-#include "optim/cycle/motion_gradients.hpp"
 #include "optim/nlp/kkt.hpp"
+#include "optim/problems/motion_gradients.hpp"
 
 namespace liesl {
 

@@ -8,9 +8,9 @@
 #include <limits>
 #include <mutex>
 
-#include "optim/cycle/motion_rows.hpp"
-#include "optim/cycle/screened_loads.hpp"
-#include "optim/cycle/treatment.hpp"
+#include "optim/problems/motion_rows.hpp"
+#include "optim/problems/screened_loads.hpp"
+#include "optim/problems/treatment.hpp"
 #include "optim/study/study_errors.hpp"
 
 namespace liesl {

@@ -3,9 +3,9 @@
 /// A study of one or several motions of one design.
 
 #include "optim/cycle/design_loop.hpp"
-#include "optim/cycle/esl_problem.hpp"
-#include "optim/cycle/motion_problem.hpp"
-#include "optim/cycle/objective_problem.hpp"
+#include "optim/problems/esl_problem.hpp"
+#include "optim/problems/motion_problem.hpp"
+#include "optim/problems/objective_problem.hpp"
 
 namespace liesl {
 

@@ -8,9 +8,9 @@
 
 #include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/mesh_surface.hpp"
-#include "optim/cycle/esl_problem.hpp"
-#include "optim/cycle/mesh_statics.hpp"
 #include "optim/nlp/kkt.hpp"
+#include "optim/problems/esl_problem.hpp"
+#include "optim/problems/mesh_statics.hpp"
 
 namespace liesl {
 namespace {

@@ -8,7 +8,7 @@
 /// shape optimization of structures", Structural Optimization 8, 42-51; the derivative:
 /// mbs/solids/topological_derivative.hpp.
 
-#include "optim/cycle/solid_task.hpp"
+#include "optim/problems/solid_task.hpp"
 
 namespace liesl {
 

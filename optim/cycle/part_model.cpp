@@ -1,8 +1,8 @@
 #include "optim/cycle/part_model.hpp"
 
 #include "mbs/linalg/stop_request.hpp"
-#include "optim/cycle/mesh_statics.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
+#include "optim/problems/mesh_statics.hpp"
 
 namespace liesl {
 

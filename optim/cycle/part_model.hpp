@@ -3,9 +3,9 @@
 /// Studies of one meshed part under fixed loads.
 
 #include "optim/cycle/design_loop.hpp"
-#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/nucleation.hpp"
-#include "optim/cycle/solid_task.hpp"
+#include "optim/problems/esl_problem.hpp"
+#include "optim/problems/solid_task.hpp"
 
 namespace liesl {
 

@@ -36,6 +36,7 @@ LAYERS = [
     ("optim/nlp",),
     ("optim/study",),
     ("optim/design",),
+    ("optim/problems",),
     ("optim/cycle",),
     ("apps/input", "apps/output"),
     ("apps/report",),

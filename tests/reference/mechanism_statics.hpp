@@ -12,8 +12,8 @@
 #include "mbs/bodies/assemble_body.hpp"
 #include "mbs/solvers/iteration_matrix.hpp"
 #include "mbs/system/response_value.hpp"
-#include "optim/cycle/design_run.hpp"
-#include "optim/cycle/motion_rows.hpp"
+#include "optim/problems/design_run.hpp"
+#include "optim/problems/motion_rows.hpp"
 
 namespace liesl::test {
 

@@ -1,7 +1,7 @@
 /// @file
 /// The static problem of a cycle: its derivatives, its values at the analysed design, its
 /// screening.
-#include "optim/cycle/beam_statics.hpp"
+#include "optim/problems/beam_statics.hpp"
 
 #include <gtest/gtest.h>
 
@@ -11,9 +11,9 @@
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/derivative_check.hpp"
-#include "optim/cycle/esl_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
+#include "optim/problems/esl_problem.hpp"
 #include "reference/places.hpp"
 #include "reference/shipped.hpp"
 #include "reference/svanberg_beam.hpp"

@@ -6,7 +6,7 @@
 
 #include "mbs/solids/solid_model.hpp"
 #include "optim/cycle/part_model.hpp"
-#include "optim/cycle/solid_task.hpp"
+#include "optim/problems/solid_task.hpp"
 #include "reference/bilinear_plate.hpp"
 #include "reference/shipped.hpp"
 

@@ -5,8 +5,8 @@
 #include <algorithm>
 
 #include "optim/cycle/derivative_check.hpp"
-#include "optim/cycle/mass_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
+#include "optim/problems/mass_problem.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl::test::mixed_study_test {

@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "optim/cycle/motion_cycle.hpp"
-#include "optim/cycle/motion_problem.hpp"
+#include "optim/problems/motion_problem.hpp"
 #include "optim/study/study_errors.hpp"
 #include "reference/shipped.hpp"
 #include "reference/studies.hpp"

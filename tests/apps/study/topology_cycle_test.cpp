@@ -12,9 +12,9 @@
 #include "apps/study/load_study.hpp"
 #include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/solid_model.hpp"
-#include "optim/cycle/mesh_statics.hpp"
-#include "optim/cycle/solid_task.hpp"
 #include "optim/nlp/check_derivatives.hpp"
+#include "optim/problems/mesh_statics.hpp"
+#include "optim/problems/solid_task.hpp"
 #include "reference/places.hpp"
 
 namespace liesl::test::topology_cycle_test {

@@ -233,7 +233,7 @@ TEST(MechanismDerivative, OfMeshedPartsByMaterialAndThickness) {
   }
 }
 
-/// Of a continuum what else changes is by mechanisms near by; the modes of a reduced part have no
+/// Of a continuum what else changes is by nearby mechanisms; the modes of a reduced part have no
 /// derivative by it.
 TEST(MechanismDerivative, OfMeshesAndPoissonsRatioOfAContinuumAlone) {
   const Change stretched =

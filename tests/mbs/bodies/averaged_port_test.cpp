@@ -202,7 +202,7 @@ Loaded loaded(const SolidSpec& part, const Vec3& force) {
   const auto& t = result.trajectory;
   const SE2* H = t.frames(t.size() - 1);
   Loaded out{{H[1].x.x() - kLong, H[1].x.y(), 0}, 0};
-  if (const auto* body = model.bodies[0]->continuum()) {
+  if (const auto* body = ContinuumBody<SE2>::of(*model.bodies[0])) {
     ContinuumBody<SE2>::Points x;
     body->positions(H, x);
     const auto& nodes = part.interfaces()[1].nodes;

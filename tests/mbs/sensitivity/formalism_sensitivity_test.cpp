@@ -20,7 +20,7 @@ const std::vector<Case> kCases{{"r3so3", Formalism::R3SO3},
                                {"classical", Formalism::Classical},
                                {"floating", Formalism::Floating},
                                {"rigid", Formalism::Rigid},
-                               {"se3_by_r3so3", Formalism::SE3, NodeUpdate::Decoupled},
+                               {"se3_by_r3so3", Formalism::SE3, NodeUpdate::R3SO3},
                                {"r3so3_by_screws", Formalism::R3SO3, NodeUpdate::Screw, 0.08}};
 
 Mechanism under(Mechanism m, const Case& c) {

@@ -113,7 +113,7 @@ TEST(GeometrySensitivities, InSpaceBothFormsAreThatOfDifferences) {
   expect_differences<SE3>(m, lengths(m), {.node = kNode, .largest = 0.08});
 }
 
-/// By the derivatives of the laws and by mechanisms near by the same.
+/// By the derivatives of the laws and by nearby mechanisms the same.
 TEST(GeometrySensitivities, OfSectionsAreThoseOfTheirLaws) {
   const Mechanism m = sensitive_machine();
   const auto diameter = [](Mechanism& c, double p) {

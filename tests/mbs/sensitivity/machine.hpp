@@ -108,7 +108,7 @@ inline std::vector<Quantity> quantities(const Mechanism& m) {
   };
 }
 
-/// A quantity that is known by mechanisms near by alone.
+/// A quantity that is known by nearby mechanisms alone.
 inline Quantity by_nearby(const std::string& name, const Mechanism& m, double nominal,
                           const std::function<void(Mechanism&, double)>& set) {
   const double step = std::abs(nominal) / 1024;

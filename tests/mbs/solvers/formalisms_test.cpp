@@ -26,7 +26,7 @@ TEST(Formalisms, HeavyTopIsOfSecondOrderInAll) {
   }
 }
 
-TEST(Formalisms, DecoupledTopHasTheSmallerConstant) {
+TEST(Formalisms, TopByR3SO3HasTheSmallerConstant) {
   const double ratio = top_error(Formalism::SE3, 1.25e-4) / top_error(Formalism::R3SO3, 1.25e-4);
   EXPECT_GT(ratio, 8);
   EXPECT_LT(ratio, 18);
@@ -49,7 +49,7 @@ TEST(Formalisms, PendulumConvergesToTheSameMotion) {
   }
 }
 
-TEST(Formalisms, ClassicalIsDecoupledInAPlane) {
+TEST(Formalisms, ClassicalIsR3SO3InAPlane) {
   const auto a = pendulum_tip(Formalism::R3SO3, 8, 1e-3);
   const auto b = pendulum_tip(Formalism::Classical, 8, 1e-3);
   EXPECT_LT((a - b).norm(), 1e-5);

@@ -108,7 +108,7 @@ TEST(Replay, RescaledRotationVectors) {
   expect_replay<SE3>(m, {}, test::options(0.04, 2e-4));
 }
 
-TEST(Replay, AdaptiveTangentOfTheDecoupledFormalism) {
+TEST(Replay, AdaptiveTangentOfR3SO3) {
   Mechanism m = test::slider_crank(slender());
   m.formalism = Formalism::R3SO3;
   const auto report = expect_replay<SE3>(m, {}, test::options(0.01, 2e-4), 6);

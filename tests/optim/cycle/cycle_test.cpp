@@ -8,7 +8,7 @@
 
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/motion_cycle.hpp"
-#include "optim/cycle/motion_problem.hpp"
+#include "optim/problems/motion_problem.hpp"
 #include "reference/studies.hpp"
 #include "reference/svanberg_beam.hpp"
 

@@ -4,8 +4,8 @@
 
 #include <cmath>
 
-#include "optim/cycle/frequency_problem.hpp"
 #include "optim/cycle/motion_cycle.hpp"
+#include "optim/problems/frequency_problem.hpp"
 #include "reference/studies.hpp"
 
 namespace liesl::test::frequency_limit_test {

@@ -6,7 +6,7 @@
 
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/run.hpp"
-#include "optim/cycle/design_run.hpp"
+#include "optim/problems/design_run.hpp"
 #include "reference/meshed_rod.hpp"
 
 namespace liesl::test::part_shape_test {
@@ -55,7 +55,7 @@ TEST(PartShape, NoEvaluationOfADesignBuildsTheMesh) {
     const auto run = simulator.run(Eigen::VectorXd::Constant(1, radius));
     ASSERT_TRUE(run.good()) << run.reason();
     EXPECT_EQ(std::get<SolidSpec>(run.mechanism.bodies[1].kind).model.get(), built);
-    const SolidBody<SE2>& body = *run.model->bodies[1]->meshed();
+    const SolidBody<SE2>& body = *SolidBody<SE2>::of(*run.model->bodies[1]);
     EXPECT_EQ(&body.model(), built);
     EXPECT_NEAR(body.total_mass(), built->total_mass(body.fractions()), 1e-14);
     EXPECT_NEAR(run.mass, body.total_mass(), 1e-12);

@@ -7,7 +7,7 @@
 #include <stdexcept>
 
 #include "mbs/run.hpp"
-#include "optim/cycle/design_run.hpp"
+#include "optim/problems/design_run.hpp"
 #include "reference/studies.hpp"
 
 namespace liesl::test::study_errors_test {

@@ -1,0 +1,143 @@
+#include "optim/problems/corrected_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace liesl {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+// Of inner cases that the correction may lift above their limit.
+constexpr double kLift = 0.02;
+constexpr double kRoundOff = 1e-12;  // of the objective
+
+/// e^p, beyond p = 1 its Taylor polynomial of second order there: a long step overflows no row.
+struct Growth {
+  double value, first, second;
+
+  Growth(double p, bool linear) : value(std::exp(std::min(p, 1.0))), first(value), second(value) {
+    if (linear) {
+      value = 1 + p;
+      first = 1;
+      second = 0;
+    }
+    if (linear || p <= 1) return;
+    const double q = p - 1;
+    value = second * (1 + q + 0.5 * q * q);
+    first = second * (1 + q);
+  }
+};
+
+}  // namespace
+
+CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
+                                   const VectorXd& x_k, double objective,
+                                   Approximation approximation)
+    : inner_(std::move(inner)),
+      motion_(std::move(gradients)),
+      x_k_(x_k),
+      linear_(approximation == Approximation::Linear),
+      variables_(inner_->variables()) {
+  const double lacking = objective - correct_rows();
+  if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
+}
+
+void CorrectedProblem::narrow(double share) {
+  const auto& widest = inner_->variables();
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const double x = x_k_[static_cast<int>(i)];
+    variables_[i].lower = x - share * (x - widest[i].lower);
+    variables_[i].upper = x + share * (widest[i].upper - x);
+  }
+}
+
+auto CorrectedProblem::steps(const VectorXd& x) const -> Steps {
+  const auto n = x.size();
+  Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
+  for (int i = 0; i < n; ++i) {
+    if (linear_ || variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
+    t.s[i] = x_k_[i] * std::log(x[i] / x_k_[i]);
+    t.first[i] = x_k_[i] / x[i];
+    t.second[i] = -t.first[i] / x[i];
+  }
+  return t;
+}
+
+/// @pre `inner` has just been made, or has taken cases
+/// @returns the objective of `inner` at x_k
+double CorrectedProblem::correct_rows() {
+  const auto m = static_cast<int>(constraints().size()), n = static_cast<int>(x_k_.size());
+  c_.setZero(m, n);
+  g_.resize(m);
+  dg_.resize(m, n);
+  double f = 0;
+  VectorXd df(n);
+  inner_->values(x_k_, f, g_);
+  if (!g_.allFinite()) return f;
+  inner_->gradients(x_k_, df, dg_);
+  const std::vector<RowImage> image = images();
+  for (int i = 0; i < m; ++i) {
+    const int response = image[static_cast<std::size_t>(i)].response;
+    const int record = image[static_cast<std::size_t>(i)].record;
+    const double v_s = g_[i] + 1;  // of the limit
+    if (response < 0 || v_s <= 0) continue;
+    int at = 0;
+    const VectorXd* dv = motion_.nearest_gradient(response, record, &at);
+    if (!dv) continue;
+    c_.row(i) = dv->transpose() / motion_.value(response, at) - dg_.row(i) / v_s;
+  }
+  return f;
+}
+
+int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
+  const int added = inner_->add_violated(x, (1 + tolerance) * (1 - kLift) - 1);
+  if (added > 0) correct_rows();
+  return added;
+}
+
+void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
+  inner_->values(x, f, g);
+  f += rest_;
+  g_ = g;
+  const VectorXd power = c_ * steps(x).s;
+  for (int i = 0; i < g.size(); ++i)
+    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], linear_).value - 1;
+}
+
+void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
+  inner_->gradients(x, df, dg);
+  dg_ = dg;
+  const Steps t = steps(x);
+  const VectorXd power = c_ * t.s;
+  for (int i = 0; i < dg.rows(); ++i) {
+    const VectorXd q = c_.row(i).transpose().cwiseProduct(t.first);
+    const Growth e(power[i], linear_);
+    dg.row(i) = e.value * dg_.row(i) + e.first * (g_[i] + 1) * q.transpose();
+  }
+}
+
+/// Of v^ = v_s e(p), dp = q = c s':
+///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T.
+void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
+                               MatrixXd& h) {
+  const Steps t = steps(x);
+  const VectorXd power = c_ * t.s;
+  VectorXd weight = lambda;
+  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], linear_).value;
+  inner_->hessian(x, sigma, weight, h);
+  for (int i = 0; i < lambda.size(); ++i) {
+    if (lambda[i] == 0) continue;
+    const Growth e(power[i], linear_);
+    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.first), dv = dg_.row(i);
+    const double v = g_[i] + 1;
+    MatrixXd add = e.first * dv * q.transpose();
+    add += e.first * q * dv.transpose() + e.second * v * q * q.transpose();
+    add.diagonal() += e.first * v * c.cwiseProduct(t.second);
+    h.triangularView<Eigen::Lower>() += lambda[i] * add;
+  }
+}
+
+}  // namespace liesl

@@ -1,0 +1,64 @@
+#pragma once
+/// @file
+/// A static problem that agrees with the motion to first order at the analysed design.
+
+#include <memory>
+
+#include "optim/problems/motion_gradients.hpp"
+
+namespace liesl {
+
+/// The static problem sees how sections carry constant loads, not how the loads follow the design.
+/// Each row v_s(x) that is the image of a response v of the motion is corrected by
+///   v^(x) = v_s(x) prod_i exp(c_i s_i(x)),   c = dv/dx / v - dv_s/dx / v_s  at x_k,
+///   s_i = x_ki ln(x_i/x_ki) where the variable is positive, else x_i - x_ki,
+/// so that value and gradient at x_k are those of the motion (AMMO: Alexandrov, Lewis 2001,
+/// "First-order model management", Optim. Eng. 2), and exact where loads are powers of the
+/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k). A row without size has no correction.
+class CorrectedProblem final : public StaticProblem {
+ public:
+  /// @param inner at x_k; its rows are re-corrected when it takes more cases
+  /// @param gradients of the motion at x_k, of inner.responses(); none needed if it has no images
+  /// @param objective at x_k: `inner` may lack the mass of what no variable changes
+  CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
+                   const Eigen::VectorXd& x_k, double objective,
+                   Approximation approximation = Approximation::Power);
+
+  /// Narrows the bounds to this share, in (0, 1], of those of `inner` about x_k.
+  void narrow(double share);
+
+  int add_violated(const Eigen::VectorXd& x, double tolerance) override;
+  int load_cases() const override { return inner_->load_cases(); }
+  std::vector<LimitedResponse> responses() const override { return inner_->responses(); }
+  std::vector<RowImage> images() const override { return inner_->images(); }
+  std::vector<ObjectiveTerm> objective_terms() const override { return inner_->objective_terms(); }
+  std::string undefined_reason() const override { return inner_->undefined_reason(); }
+
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  const std::vector<NlpConstraint>& constraints() const override { return inner_->constraints(); }
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
+  HessianShape hessian_shape() const override { return inner_->hessian_shape(); }
+  void hessian(const Eigen::VectorXd& x, double sigma, const Eigen::VectorXd& lambda,
+               Eigen::MatrixXd& h) override;
+
+ private:
+  /// s, s' and s'' by variable.
+  struct Steps {
+    Eigen::VectorXd s, first, second;
+  };
+  Steps steps(const Eigen::VectorXd& x) const;
+  double correct_rows();
+
+  std::unique_ptr<StaticProblem> inner_;
+  const MotionGradients motion_;
+  const Eigen::VectorXd x_k_;
+  const bool linear_;
+  std::vector<NlpVariable> variables_;
+  double rest_ = 0;    ///< of the objective, which `inner` lacks
+  RowMatrix c_;        ///< rows x variables
+  Eigen::VectorXd g_;  ///< of `inner`, at the latest x
+  RowMatrix dg_;       ///< of `inner`, at the latest x
+};
+
+}  // namespace liesl

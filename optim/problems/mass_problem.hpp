@@ -1,0 +1,28 @@
+#pragma once
+/// @file
+/// Limits on the mass of bodies in studies of motions.
+
+#include "optim/design/design.hpp"
+#include "optim/problems/static_problem.hpp"
+
+namespace liesl {
+
+/// Rows mass/limit - 1 <= 0, exact at every x (without second derivatives). The objective is 0.
+class MassProblem final : public CaselessProblem {
+ public:
+  MassProblem(const Mechanism& mechanism, const Design& design,
+              const std::vector<MassLimitSpec>& limits, const Eigen::VectorXd& x);
+
+  std::vector<RowImage> images() const override;
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
+
+ private:
+  double mass(int body, const Eigen::VectorXd& x) const;
+
+  const Design& design_;
+  const std::vector<MassLimitSpec> limits_;
+  Mechanism designed_;  ///< sections and constants at the latest x; meshed parts are the design's
+};
+
+}  // namespace liesl

@@ -1,0 +1,100 @@
+#include "optim/problems/motion_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mbs/model/beam_ends.hpp"
+#include "optim/problems/part_outputs.hpp"
+#include "optim/problems/treatment.hpp"
+
+namespace liesl {
+namespace {
+
+using Eigen::VectorXd;
+
+/// The records that become rows of a limit. An optimiser that is given the motion itself has the
+/// same rows at every design.
+std::set<int> records_of(const ConstraintSpec& limit, CycleMethod method, bool many,
+                         const std::vector<int>& screened, const std::vector<double>& v) {
+  if (method == CycleMethod::Direct && limit.treatment == Treatment::Auto) {
+    std::set<int> every;
+    for (std::size_t n = 0; n < v.size(); ++n) every.insert(every.end(), static_cast<int>(n));
+    return every;
+  }
+  if (limit.treatment != Treatment::Auto) return treated_records(limit.treatment, v);
+  if (many) return {screened.begin(), screened.end()};
+  return treated_records(Treatment::Maxima, v);
+}
+
+}  // namespace
+
+MotionRows::MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
+                       const std::vector<NlpVariable>& variables)
+    : CaselessProblem(variables) {
+  std::vector<ScreenedLimit> limits;
+  ValuesByLimit values;
+  std::vector<int> of_constraint(study.constraints.size(), 0);
+  for (int r = first; r < first + count; ++r) ++of_constraint[motion.response(r).constraint];
+  for (int r = first; r < first + count; ++r) {
+    const int c = motion.response(r).constraint;
+    responses_.push_back(motion.response(r));
+    limits.push_back({c, 0, of_constraint[c] > 1, study.constraints[c].limit});
+    auto& v = values.emplace_back();
+    for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
+  }
+  const CasesByLimit screened = near_largest(values, limits, study.cycle);
+  std::vector<double> g;
+  for (int l = 0; l < count; ++l) {
+    const ConstraintSpec& limit = study.constraints[limits[l].constraint];
+    for (const int n :
+         records_of(limit, study.cycle.method, limits[l].many, screened[l], values[l])) {
+      const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
+      constraints_.push_back(
+          {id,
+           fmt::format("{} at t = {:.6g} s", study.constraints[limits[l].constraint].response.name,
+                       motion.time(first + l, n)),
+           1});
+      images_.push_back({l, n});
+      terms_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
+      g.push_back(values[l][n] / limits[l].limit - 1);
+    }
+  }
+  if (std::all_of(terms_.begin(), terms_.end(),
+                  [](const ObjectiveTerm& o) { return o.number < 0; }))
+    terms_.clear();
+  g_ = Eigen::Map<const VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
+}
+
+void MotionRows::values(const VectorXd&, double& f, VectorXd& g) {
+  f = 0;
+  g = g_;
+}
+
+void MotionRows::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {
+  df.setZero();
+  dg.setZero();
+}
+
+std::vector<ResponseSpec> at_every_point(const ResponseSpec& response, const Mechanism& mechanism) {
+  std::vector<ResponseSpec> out;
+  const auto* beam =
+      response.body < 0 ? nullptr
+                        : std::get_if<BeamSpec>(&mechanism.bodies[std::size_t(response.body)].kind);
+  if (!beam) return {response};
+  const int elements = static_cast<int>(beam->sections.size());
+  Limit at;
+  if (response.kind == ResponseKind::Deflection && response.everywhere)
+    for (at.node = 1; at.node < elements; ++at.node)
+      out.push_back(response_of(at, response, elements));
+  if (response.kind == ResponseKind::Stress && response.point < 0)
+    for (at.element = 0; at.element < elements; ++at.element) {
+      const auto points = element_stress_points(*beam, std::size_t(at.element));
+      for (at.point = 0; at.point < static_cast<int>(points.size()); ++at.point)
+        out.push_back(response_of(at, response, elements));
+    }
+  return out.empty() ? std::vector<ResponseSpec>{response} : out;
+}
+
+}  // namespace liesl

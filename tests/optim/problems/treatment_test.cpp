@@ -1,0 +1,127 @@
+/// @file
+/// Treatments of limits over time: what they are, their derivatives, and where they lead.
+#include "optim/problems/treatment.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "optim/cycle/motion_cycle.hpp"
+#include "reference/studies.hpp"
+
+namespace liesl::test::treatment_test {
+namespace {
+
+constexpr Treatment kAggregating[] = {Treatment::Functional, Treatment::PNorm, Treatment::Ks};
+
+ConstraintSpec limited(Treatment treatment, double limit = 1, double p = 2) {
+  ConstraintSpec out;
+  out.limit = limit;
+  out.treatment = treatment;
+  out.p = p;
+  return out;
+}
+
+/// |sin| over whole periods, on steps of two sizes.
+struct Wave {
+  std::vector<double> t, v;
+  explicit Wave(int steps) {
+    for (int n = 0; n <= steps; ++n) {
+      const double s = static_cast<double>(n) / steps;
+      t.push_back(s < 0.5 ? s * s * 2 : s);
+      v.push_back(std::abs(std::sin(4 * std::numbers::pi * t.back())));
+    }
+  }
+};
+
+TEST(Treatment, PNormOfASineIsItsMeanInClosedFormWithOrderTwo) {
+  double error[2];
+  for (const int k : {0, 1}) {
+    const Wave w(k == 0 ? 401 : 802);
+    error[k] = std::abs(treated_value(limited(Treatment::PNorm), w.t, w.v) - std::sqrt(0.5));
+  }
+  EXPECT_LT(error[0], 1e-3);
+  EXPECT_LT(error[1], error[0] / 3);
+  const Wave w(2000);
+  EXPECT_NEAR(treated_value(limited(Treatment::PNorm, 1, 1), w.t, w.v), 2 / std::numbers::pi, 1e-4);
+  for (const double p : {4., 8., 100.})  // mean of |sin|^p
+    EXPECT_NEAR(
+        treated_value(limited(Treatment::PNorm, 1, p), w.t, w.v),
+        std::pow(std::tgamma((p + 1) / 2) / (std::sqrt(std::numbers::pi) * std::tgamma(p / 2 + 1)),
+                 1 / p),
+        1e-4)
+        << p;
+}
+
+TEST(Treatment, FunctionalIsTheMeanExcessAndZeroWhereTheLimitHolds) {
+  const Wave w(4000);
+  const double c = 0.5;  // mean of <sin - 1/2>: (2 cos(pi/6) - (pi - 2 pi/6)/2) / pi
+  const double mean =
+      (2 * std::cos(std::numbers::pi / 6) - std::numbers::pi / 3) / std::numbers::pi;
+  EXPECT_NEAR(treated_value(limited(Treatment::Functional, c), w.t, w.v), c + mean, 1e-5);
+  const auto held = aggregates_of(limited(Treatment::Functional, 1.1), w.t, w.v);
+  EXPECT_EQ(held[0].value, 1.1);
+  EXPECT_TRUE(held[0].weight.empty());
+}
+
+TEST(Treatment, KsWeightsAboutEachMaximumSumToOne) {
+  const Wave w(400);
+  const auto all = aggregates_of(limited(Treatment::Ks), w.t, w.v);
+  EXPECT_EQ(all.size(), 4u);
+  for (const auto& a : all) {
+    double sum = 0;
+    for (const auto& [record, weight] : a.weight) sum += weight;
+    EXPECT_NEAR(sum, 1, 1e-12);
+    EXPECT_EQ(a.value, w.v[static_cast<std::size_t>(a.record)]);
+    EXPECT_LE(a.weight.size(), 7u);
+  }
+}
+
+/// d(value)/dv of one record by differences; a maximum that keeps its place for KS.
+TEST(Treatment, DerivativesAreThoseOfDifferences) {
+  const Wave w(60);
+  for (const Treatment t : {Treatment::Functional, Treatment::PNorm}) {
+    const ConstraintSpec limit = limited(t, 0.5, 6);
+    const auto at = aggregates_of(limit, w.t, w.v).front();
+    for (std::size_t n = 3; n < w.v.size(); n += 7) {
+      const double h = 1e-6;
+      auto up = w.v, down = w.v;
+      up[n] += h;
+      down[n] -= h;
+      const double d = (treated_value(limit, w.t, up) - treated_value(limit, w.t, down)) / (2 * h);
+      const auto found = at.weight.find(static_cast<int>(n));
+      EXPECT_NEAR(found == at.weight.end() ? 0 : found->second, d, 1e-8) << int(t) << " " << n;
+    }
+  }
+}
+
+TEST(Treatment, RecordsOfEachKind) {
+  const std::vector<double> v{0, 1, 3, 2, 1, 0, 0, 1, 2, 1, 0, 0, 0, 1.4, 0};
+  using Set = std::set<int>;
+  EXPECT_EQ(treated_records(Treatment::Worst, v), Set{2});
+  EXPECT_EQ(treated_records(Treatment::Maxima, v), (Set{2, 8})) << "below half does not count";
+  EXPECT_EQ(treated_records(Treatment::All, v), (Set{2, 3, 8}));
+  EXPECT_EQ(treated_records(Treatment::Neighbours, v), (Set{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
+  for (const Treatment t : kAggregating) EXPECT_EQ(treated_records(t, v).size(), v.size());
+}
+
+/// Whatever becomes of the limit, the lightest rod that meets it is one.
+TEST(Treatment, AllOfTheLargestValueEndAtOneDesign) {
+  double mass = 0;
+  for (const Treatment treatment :
+       {Treatment::Auto, Treatment::All, Treatment::Maxima, Treatment::Neighbours, Treatment::Ks}) {
+    SCOPED_TRACE(static_cast<int>(treatment));
+    StudyCase study = slider_crank_rod();
+    study.spec.constraints[0].treatment = treatment;
+    const auto r = run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
+                                  study.scene.simulation, study.spec);
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+    EXPECT_LE(r.worst, 1e-3);
+    if (mass == 0) mass = r.mass;
+    EXPECT_NEAR(r.mass, mass, 2e-4 * mass);
+  }
+}
+
+}  // namespace
+}  // namespace liesl::test::treatment_test
