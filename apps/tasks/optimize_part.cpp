@@ -124,11 +124,13 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
   describe_catalogue(out.summary, rounds.catalogue);
   const PartShape start(study.scene.mechanism, body, study.spec.shapes.begin()->second);
   const std::string& name = study.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
-  if (rounds.catalogue)  // the bounds of the study, not those of the last box
+  if (rounds.catalogue) {  // the bounds of the study, not those of the last box
+    const PartShape whole(rounds.last.mechanism, body, rounds.last.study.shapes.at(body));
     for (std::size_t j = 0; j < out.summary.design.size(); ++j) {
-      out.summary.design[j].lower = start.design.variables()[j].lower;
-      out.summary.design[j].upper = start.design.variables()[j].upper;
+      out.summary.design[j].lower = whole.design.variables()[j].lower;
+      out.summary.design[j].upper = whole.design.variables()[j].upper;
     }
+  }
   for (auto& text : start_warnings(name, start)) out.summary.warnings.push_back(std::move(text));
   describe_holes(out.summary, *out.holes);
   if (!end.best) return out;

@@ -27,6 +27,31 @@ std::vector<CatalogueVariable> catalogue_variables(const StudySpec& study,
   return out;
 }
 
+StudySpec without_catalogues(StudySpec study) {
+  for (DesignSpec& d : study.design) d.values.clear();
+  for (auto& [body, shape] : study.shapes)
+    for (ShapeVariableSpec& v : shape.variables) v.values.clear();
+  for (ConstantSpec& c : study.constants) c.values.clear();
+  return study;
+}
+
+StudySpec with_catalogues(StudySpec study, const StudySpec& of) {
+  const auto copy = [](auto& to, const auto& from) {
+    for (std::size_t i = 0; i < from.size(); ++i) to.at(i).values = from[i].values;
+  };
+  copy(study.design, of.design);
+  for (auto& [body, shape] : study.shapes) copy(shape.variables, of.shapes.at(body).variables);
+  copy(study.constants, of.constants);
+  return study;
+}
+
+SimulationEffort effort_of(const History& round) {
+  SimulationEffort sum;
+  for (std::size_t c = 0; c < round.size(); ++c)
+    if (c + 1 == round.size() || round[c + 1].start != round[c].start) sum += round[c].effort;
+  return sum;
+}
+
 DesignBox all_designs(const std::vector<NlpVariable>& variables) {
   const auto n = static_cast<Eigen::Index>(variables.size());
   DesignBox all{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n), ""};

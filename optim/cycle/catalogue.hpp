@@ -1,7 +1,8 @@
 #pragma once
 /// @file
-/// Studies whose sizes are of catalogues: the continuous optimum, then branch and bound, each box
-/// an optimisation of the study itself, each design checked by its motion.
+/// Studies whose sizes are of catalogues: the continuous optimum, with new holes if these are asked
+/// for, then branch and bound, each box an optimisation of the study itself, each design checked by
+/// its motion.
 
 #include <algorithm>
 
@@ -25,6 +26,14 @@ StudySpec within_box(StudySpec study, const DesignBox& box);
 /// 1e-6 at most. The continuous optimum that bounds a design meets the limits, too, and a design
 /// that exceeds them by more could be below it.
 double allowed_in(const DesignBox& box, const CycleOptions& options);
+
+/// The study with any sizes within the bounds, and with the catalogues of `of` for the variables
+/// that it has in common with it: those before the variables of new holes.
+StudySpec without_catalogues(StudySpec study);
+StudySpec with_catalogues(StudySpec study, const StudySpec& of);
+
+/// What the cycles of a round cost, those of each start.
+SimulationEffort effort_of(const History& round);
 
 /// Fills in what a search has found: numbers, status and a sentence.
 /// @param continuous how the continuous study ended  @param stopped why it ended early; empty: it
@@ -130,7 +139,7 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
   out.first.history = root->history;
   out.first.first = root->first;
   out.last.end = std::move(*root);
-  out.reason = "no holes are tried where sizes are of catalogues";
+  out.reason = "holes are tried before the catalogues are searched: --nucleate N";
   if (!closed(out.last.end.status)) {
     out.last.end.reason =
         "the catalogues were not searched, since the continuous study comes first: " +
@@ -167,9 +176,7 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
   out.catalogue->boxes = static_cast<int>(rounds.histories().size());
   for (std::size_t r = 0; r < rounds.histories().size(); ++r) {
     const History& history = rounds.histories()[r];
-    for (std::size_t c = 0; c < history.size(); ++c)
-      if (c + 1 == history.size() || history[c + 1].start != history[c].start)
-        out.catalogue->effort += history[c].effort;  // of one start
+    out.catalogue->effort += effort_of(history);
     if (r != best) out.before.insert(out.before.end(), history.begin(), history.end());
   }
   out.catalogue->designs = designs;
@@ -179,11 +186,45 @@ Topology<End> search_catalogue(const StudySpec& study, const Mechanism& mechanis
   return out;
 }
 
-/// By catalogues if the study has any, else in rounds with new holes, `most` of them.
+/// In rounds with `most` new holes, as if sizes were free, then by the catalogues of the study with
+/// the holes that were kept.
+template <class End>
+Topology<End> search_with_holes(const StudySpec& study, const Mechanism& mechanism, int most,
+                                const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
+                                const RoundHistory& resume) {
+  Topology<End> holes =
+      optimise_in_rounds<End>(without_catalogues(study), mechanism, most, optimise, hooks, resume);
+  if (!closed(holes.last.end.status)) return holes;
+  TopologyHooks search = hooks;
+  if (hooks.on_round_cycle)
+    search.on_round_cycle = [&](const RoundHistory& boxes) {
+      RoundHistory all = holes.rounds;
+      all.insert(all.end(), boxes.begin(), boxes.end());
+      hooks.on_round_cycle(all);
+    };
+  const auto known = resume.begin() + std::min(std::ssize(resume), std::ssize(holes.rounds));
+  const StudySpec found = with_catalogues(starting_at(holes.last.study, holes.last.end.x), study);
+  Topology<End> out = search_catalogue<End>(found, holes.last.end.mechanism, optimise, search,
+                                            RoundHistory(known, resume.end()));
+  const History& kept = holes.last.end.history;
+  holes.before.insert(holes.before.end(), kept.begin(), kept.end());
+  out.before.insert(out.before.begin(), holes.before.begin(), holes.before.end());
+  if (out.catalogue)
+    for (const History& round : holes.rounds) out.catalogue->effort += effort_of(round);
+  out.first = std::move(holes.first);
+  out.holes = std::move(holes.holes);
+  out.reason = std::move(holes.reason);
+  return out;
+}
+
+/// By catalogues if the study has any, else in rounds with new holes, `most` of them; with both if
+/// both are asked for.
 template <class End>
 Topology<End> optimise_study(const StudySpec& study, const Mechanism& mechanism, int most,
                              const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
                              const RoundHistory& resume = {}) {
+  if (has_catalogue(study) && most > 0)
+    return search_with_holes<End>(study, mechanism, most, optimise, hooks, resume);
   if (has_catalogue(study)) return search_catalogue<End>(study, mechanism, optimise, hooks, resume);
   return optimise_in_rounds<End>(study, mechanism, most, optimise, hooks, resume);
 }

@@ -8,6 +8,8 @@
 #include <limits>
 #include <mutex>
 
+#include "optim/problems/mesh_statics.hpp"
+#include "optim/problems/motion_problem.hpp"
 #include "optim/problems/motion_rows.hpp"
 #include "optim/problems/screened_loads.hpp"
 #include "optim/problems/treatment.hpp"

@@ -31,6 +31,18 @@ std::optional<PartProposal> best_proposal(const LoopResult& end,
   return best;
 }
 
+std::size_t variable_count(const StudySpec& study) {
+  std::size_t count = study.constants.size();
+  for (const DesignSpec& d : study.design) count += static_cast<std::size_t>(d.groups);
+  for (const auto& [body, shape] : study.shapes) count += shape.variables.size();
+  return count;
+}
+
+bool is_of(const std::vector<Cycle>& history, const StudySpec& study) {
+  return history.empty() ||
+         static_cast<std::size_t>(history.front().x.size()) == variable_count(study);
+}
+
 HoleRound insert_into(const LoopResult& end, const PartProposal& proposal,
                       const Mechanism& designed, StudySpec& study, Mechanism& mechanism) {
   const int body = proposal.body;

@@ -63,12 +63,19 @@ struct Topology {
   std::optional<PartProposal> next;  ///< the hole that would reduce the objective most
   std::string reason;                ///< why there is none
   std::optional<CatalogueReport> catalogue = {};  ///< of a study whose sizes are of catalogues
+  RoundHistory rounds = {};  ///< of all rounds, those of a hole that was not kept among them
 };
+
+/// How many variables a study has.
+std::size_t variable_count(const StudySpec& study);
 
 /// The hole with the largest gain of all proposals; the reason if there is none.
 std::optional<PartProposal> best_proposal(const LoopResult& end,
                                           const std::vector<PartProposal>& proposals,
                                           std::string& reason);
+
+/// May these cycles be of the study? What follows the rounds with holes has other variables.
+bool is_of(const std::vector<Cycle>& history, const StudySpec& study);
 
 /// Inserts a hole into study and mechanism, whose variables then start where `end` ended.
 /// @param designed the mechanism with the final design
@@ -91,20 +98,22 @@ template <class End>
 Topology<End> optimise_in_rounds(const StudySpec& study, const Mechanism& mechanism, int most,
                                  const OptimiseRound<End>& optimise, const TopologyHooks& hooks,
                                  const RoundHistory& resume = {}) {
-  RoundHistory rounds;
+  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}};
+  RoundHistory& rounds = out.rounds;
   const auto run = [&](Round<End>& round) {
+    const std::size_t n = rounds.size();
     rounds.emplace_back();
     CycleHooks cycle = hooks;
-    if (rounds.size() > 1) cycle.of = " of round " + std::to_string(rounds.size());
+    if (n > 0) cycle.of = " of round " + std::to_string(n + 1);
     cycle.on_cycle = [&](const std::vector<Cycle>& history) {
       rounds.back() = history;
       if (hooks.on_round_cycle) hooks.on_round_cycle(rounds);
     };
-    const bool known = rounds.size() <= resume.size();
-    round.end = optimise(round.study, round.mechanism, cycle,
-                         known ? resume[rounds.size() - 1] : std::vector<Cycle>());
+    const bool known = n < resume.size() && is_of(resume[n], round.study);
+    round.end =
+        optimise(round.study, round.mechanism, cycle, known ? resume[n] : std::vector<Cycle>());
+    rounds.back() = round.end.history;
   };
-  Topology<End> out{{study, mechanism, {}}, {}, {}, {}, {}, {}, {}};
   run(out.last);
   out.first.history = out.last.end.history;
   out.first.first = out.last.end.first;
