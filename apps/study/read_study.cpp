@@ -356,7 +356,7 @@ void read_mass_limit(StudyReader& reader, const Entry& entry) {
     problems.add(*entry.table->get("mass"),
                  fmt::format("no design variable changes the mass of limit '{}'", limit.name),
                  "a body of [design]");
-  for (const char* key : {"side", "treatment"})
+  for (const char* key : {"side", "treatment", "surrogate"})
     if (const toml::node* node = entry.table->get(key); node && written(*node))
       problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");
   if (reader.root.contains("loads"))
@@ -391,6 +391,7 @@ void read_constraint(StudyReader& reader, const Entry& entry) {
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
   limit.treatment = read_treatment(text(*entry.table, "treatment"));
   if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
+  if (text(*entry.table, "surrogate") == "mechanism") limit.surrogate = SurrogateKind::Mechanism;
   reader.spec.constraints.push_back(std::move(limit));
 }
 
@@ -582,6 +583,29 @@ void check_direct(StudyReader& reader) {
              "\"auto\", \"all\", \"worst\", \"functional\" or \"p_norm\"");
 }
 
+/// Static problems of the whole mechanism, of motions whose variables are sections.
+void check_surrogates(StudyReader& reader) {
+  const CycleMethod method = reader.spec.cycle.method;
+  for (const ConstraintSpec& c : reader.spec.constraints) {
+    if (c.surrogate != SurrogateKind::Mechanism) continue;
+    const toml::node& at = *constraint_table(reader, c.response.name).get("surrogate");
+    const auto refuse = [&](const char* what, const char* expected) {
+      reader.scene.problems.add(at, fmt::format("constraint '{}': {}", c.response.name, what),
+                                expected, "surrogate = \"auto\" takes all of them");
+    };
+    if (reader.root.contains("loads"))
+      refuse("fixed loads have no mechanism", "a study of a motion");
+    if (method != CycleMethod::Auto && method != CycleMethod::Esl1)
+      refuse("this cycle.method takes no static problem of the mechanism",
+             "cycle.method = \"esl1\"");
+    if (c.treatment != Treatment::Auto)
+      refuse("its treatment has the motion's own gradients", "treatment = \"auto\"");
+    if (!reader.spec.shapes.empty() || !reader.spec.constants.empty())
+      refuse("outlines or constants of the mechanism change with the design",
+             "sizes of sections as the only variables");
+  }
+}
+
 /// Other speeds, of a motion that has them.
 void check_continuation(StudyReader& reader) {
   if (reader.spec.cycle.continuation == 0) return;
@@ -598,6 +622,7 @@ void check_continuation(StudyReader& reader) {
 void check_images(StudyReader& reader) {
   check_statics(reader);
   check_direct(reader);
+  check_surrogates(reader);
   check_continuation(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;
