@@ -8,6 +8,7 @@
 #include "apps/study/study_reader.hpp"
 #include "mbs/system/plane.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/cycle/mechanism_statics.hpp"
 
 namespace liesl {
 
@@ -585,24 +586,15 @@ void check_direct(StudyReader& reader) {
 
 /// Static problems of the whole mechanism, of motions whose variables are sections.
 void check_surrogates(StudyReader& reader) {
-  const CycleMethod method = reader.spec.cycle.method;
   for (const ConstraintSpec& c : reader.spec.constraints) {
     if (c.surrogate != SurrogateKind::Mechanism) continue;
-    const toml::node& at = *constraint_table(reader, c.response.name).get("surrogate");
-    const auto refuse = [&](const char* what, const char* expected) {
-      reader.scene.problems.add(at, fmt::format("constraint '{}': {}", c.response.name, what),
-                                expected, "surrogate = \"auto\" takes all of them");
-    };
+    auto none = without_mechanism_statics(reader.spec, c, reader.scene.scene.mechanism);
     if (reader.root.contains("loads"))
-      refuse("fixed loads have no mechanism", "a study of a motion");
-    if (method != CycleMethod::Auto && method != CycleMethod::Esl1)
-      refuse("this cycle.method takes no static problem of the mechanism",
-             "cycle.method = \"esl1\"");
-    if (c.treatment != Treatment::Auto)
-      refuse("its treatment has the motion's own gradients", "treatment = \"auto\"");
-    if (!reader.spec.shapes.empty() || !reader.spec.constants.empty())
-      refuse("outlines or constants of the mechanism change with the design",
-             "sizes of sections as the only variables");
+      none = {"fixed loads have no mechanism", "a study of a motion"};
+    if (none)
+      reader.scene.problems.add(*constraint_table(reader, c.response.name).get("surrogate"),
+                                fmt::format("constraint '{}': {}", c.response.name, none->why),
+                                none->expected, "surrogate = \"auto\" takes all of them");
   }
 }
 

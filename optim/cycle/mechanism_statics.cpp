@@ -13,6 +13,37 @@ namespace liesl {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+std::optional<NoMechanismStatics> without_mechanism_statics(const StudySpec& study,
+                                                            const ConstraintSpec& limit,
+                                                            const Mechanism& mechanism) {
+  using enum ResponseKind;
+  const CycleMethod method = study.cycle.method;
+  if (method != CycleMethod::Auto && method != CycleMethod::Esl1)
+    return NoMechanismStatics{"this cycle.method takes no static problem of the mechanism",
+                              "cycle.method = \"esl1\""};
+  if (limit.treatment != Treatment::Auto)
+    return NoMechanismStatics{"its treatment has the motion's own gradients",
+                              "treatment = \"auto\""};
+  if (!study.shapes.empty() || !study.constants.empty())
+    return NoMechanismStatics{"outlines or constants of the mechanism change with the design",
+                              "sizes of sections as the only variables"};
+  const ResponseKind kind = limit.response.kind;
+  if (kind == Velocity || kind == AngularVelocity || kind == JointForce || kind == DriveForce ||
+      kind == Energy)
+    return NoMechanismStatics{
+        "statics has no velocities, and the loads give the forces in joints, whatever bends",
+        "a limit on positions, deformation, section forces or stress"};
+  for (const DesignSpec& design : study.design)
+    for (const int body : design.bodies) {
+      const auto* beam =
+          std::get_if<BeamSpec>(&mechanism.bodies.at(static_cast<std::size_t>(body)).kind);
+      if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Modal)
+        return NoMechanismStatics{"the modes of a beam in a floating frame change with its section",
+                                  "beams of another formalism"};
+    }
+  return {};
+}
+
 template <FrameGroup G>
 MechanismStatics<G>::MechanismStatics(const DesignSimulator<G>& simulator, const DesignRun<G>& run,
                                       const std::vector<int>& records)
@@ -31,7 +62,7 @@ double MechanismStatics<G>::value(const ResponseSpec& response, int record, cons
   const Record& n = records_.at(record);
   const Solved& now = solution(record, x);
   const ResponseValues<G> values(run_.mechanism, *run_.model);
-  const MatrixXd C = by_frames(values, response, n.state);
+  const MatrixXd C = by_increments(values, response, n.state);
   const VectorXd y = values(response, n.state) + C.transpose() * (now.u - n.u_k);
   const double v = y.norm();
   if (slope && v == 0) slope->setZero(x.size());
@@ -48,11 +79,13 @@ auto MechanismStatics<G>::loaded(int record) const -> Record {
   const Model<G>& model = *run_.model;
   Record out{model.initial_state(), VectorXd::Zero(model.size() + model.constraints()), {}};
   run_.simulation.trajectory.read(record, out.state);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const int first = model.first_node(static_cast<int>(b));
-    model.bodies[b]->add_elastic_force(out.state.H.data() + first, out.f.data() + G::dim * first);
-  }
+  out.state.v.setZero();
+  out.state.vdot.setZero();
   out.state.lambda.setZero();
+  ForceScale scale;
+  for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b)
+    model.bodies[b]->add_internal(model.body_state(out.state, b),
+                                  out.f.data() + G::dim * model.first_node(b), scale);
   return out;
 }
 
@@ -96,8 +129,8 @@ auto MechanismStatics<G>::solution(int record, const VectorXd& x) -> const Solve
 }
 
 template <FrameGroup G>
-MatrixXd MechanismStatics<G>::by_frames(const ResponseValues<G>& values,
-                                        const ResponseSpec& response, const State<G>& s) const {
+MatrixXd MechanismStatics<G>::by_increments(const ResponseValues<G>& values,
+                                            const ResponseSpec& response, const State<G>& s) const {
   const auto gradients = values.gradient(response, s);
   const Model<G>& model = *run_.model;
   MatrixXd C = MatrixXd::Zero(model.size() + model.constraints(),

@@ -33,20 +33,12 @@ void check_direct(ConstraintSpec& c) {
         "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
 }
 
-/// The static problem of the whole mechanism has sections as variables, and no row is an aggregate.
-void check_mechanism(const StudySpec& study, const ConstraintSpec& c) {
-  const auto refuse = [&](const char* why, const char* expected) {
+/// @throws std::invalid_argument if the limit has no static problem of the whole mechanism
+void check_mechanism(const StudySpec& study, const ConstraintSpec& c, const Mechanism& mechanism) {
+  if (const auto none = without_mechanism_statics(study, c, mechanism))
     throw std::invalid_argument(
         fmt::format("limit '{}' with surrogate = \"mechanism\": {}; expected {}", c.response.name,
-                    why, expected));
-  };
-  if (study.cycle.method != CycleMethod::Esl1)
-    refuse("the method takes no such static problem", "cycle.method = \"esl1\"");
-  if (c.treatment != Treatment::Auto)
-    refuse("its treatment has the motion's own gradients", "treatment = \"auto\"");
-  if (!study.shapes.empty() || !study.constants.empty())
-    refuse("outlines or constants of the mechanism change with the design",
-           "sizes of sections as the only variables");
+                    none->why, none->expected));
 }
 
 /// The study with what its method takes from static problems.
@@ -56,7 +48,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
     if (c.surrogate == SurrogateKind::Mechanism) {
-      check_mechanism(study, c);
+      check_mechanism(study, c, mechanism);
       c.has_image = false;
     }
     if (c.treatment != Treatment::Auto) c.has_image = false;

@@ -102,9 +102,10 @@ void record(const std::string& name, double figure) {
   testing::Test::RecordProperty(name, std::to_string(figure));
 }
 
-/// d|y|/dx is that of differences, under every formalism of frames and with beams of order 4.
+/// d|y|/dx is that of differences, on groups and with beams of order 4; |y| at x_k that of the
+/// motion.
 TEST(MechanismStatics, HaveTheSlopesOfDifferences) {
-  for (const Formalism formalism : {Formalism::SE3, Formalism::R3SO3, Formalism::Floating})
+  for (const Formalism formalism : {Formalism::SE3, Formalism::R3SO3})
     for (const int order : {2, 4}) {
       if (formalism != Formalism::SE3 && order == 4) continue;
       Simulated s = tip_of_arms(3e-3);
@@ -124,7 +125,9 @@ TEST(MechanismStatics, HaveTheSlopesOfDifferences) {
           peak = n;
       MechanismStatics<SE2> statics(model.simulator(0), run, {peak});
       VectorXd slope;
-      statics.value(tip, peak, x, &slope);
+      const double largest = run.limits[0].values[std::size_t(peak)];
+      EXPECT_GT(largest, 0);
+      EXPECT_NEAR(statics.value(tip, peak, x, &slope), largest, 1e-12 * largest);
       for (int i = 0; i < x.size(); ++i) {
         const VectorXd h = 1e-4 * x[i] * VectorXd::Unit(x.size(), i);
         const double d =
@@ -139,7 +142,9 @@ TEST(MechanismStatics, HaveTheSlopesOfDifferences) {
 TEST(MechanismStatics, AreRefusedOfAMechanismThatMoves) {
   Simulated s = tip_of_arms(3e-3);
   s.motion[0].mechanism.drives.clear();
-  s.study.spec.constraints[0].surrogate = SurrogateKind::Mechanism;
+  ConstraintSpec& limit = s.study.spec.constraints[0];
+  limit.response.side = Side::Both;
+  limit.surrogate = SurrogateKind::Mechanism;
   s.study.spec.cycle.method = CycleMethod::Esl1;
   const StudySpec& spec = s.study.spec;
   try {
@@ -165,6 +170,19 @@ TEST(MechanismStatics, WhatHasNoneIsRefusedAtItsPlace) {
     } catch (const InputError& error) {
       EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
     }
+}
+
+/// What the scene or the response rules out.
+TEST(MechanismStatics, AreNotOfModesNorOfForcesInJoints) {
+  const Study study = shipped_study("slider_crank_rod");
+  const ConstraintSpec& bending = study.spec.constraints[0];
+  Mechanism m = study.scene.mechanism;
+  EXPECT_FALSE(without_mechanism_statics(study.spec, bending, m));
+  ConstraintSpec force = bending;
+  force.response.kind = ResponseKind::JointForce;
+  EXPECT_TRUE(without_mechanism_statics(study.spec, force, m));
+  m.formalism = Formalism::Floating;
+  EXPECT_TRUE(without_mechanism_statics(study.spec, bending, m));
 }
 
 /// A crank that is thicker bends the rod less in motion, by its inertia; that is not static: drives
