@@ -590,7 +590,7 @@ void check_surrogates(StudyReader& reader) {
     if (c.surrogate != SurrogateKind::Mechanism) continue;
     auto none = without_mechanism_statics(reader.spec, c, reader.scene.scene.mechanism);
     if (reader.root.contains("loads"))
-      none = {"fixed loads have no mechanism", "a study of a motion"};
+      none = NoMechanismStatics{"fixed loads have no mechanism", "a study of a motion"};
     if (none)
       reader.scene.problems.add(*constraint_table(reader, c.response.name).get("surrogate"),
                                 fmt::format("constraint '{}': {}", c.response.name, none->why),
