@@ -1,5 +1,6 @@
 #include "apps/output/csv_writer.hpp"
 
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -24,16 +25,18 @@ class Table {
     columns_.push_back({&block, c, C});
   }
   std::string text() const {
-    std::string out = header_ + "\n";
+    fmt::memory_buffer out;
+    out.append(header_ + "\n");
     for (std::size_t i = 0; i < n_; ++i) {
-      const char* separator = "";
-      for (const auto& [block, c, C] : columns_) {
-        fmt::format_to(std::back_inserter(out), "{}{}", separator, (*block)[i * C + c]);
-        separator = ",";
+      char end = ',';
+      for (std::size_t k = 0; k < columns_.size(); ++k) {
+        const auto& [block, c, C] = columns_[k];
+        if (k + 1 == columns_.size()) end = '\n';
+        fmt::format_to(fmt::appender(out), FMT_COMPILE("{}"), (*block)[i * C + c]);
+        out.push_back(end);
       }
-      out += "\n";
     }
-    return out;
+    return fmt::to_string(out);
   }
 
  private:

@@ -40,17 +40,20 @@ class Tree {
 /// Section forces at the nodes [n, N, 6], from those at both ends of the elements: the mean where
 /// two elements meet.
 Block at_nodes(const BodyResult& body, std::size_t n) {
-  const std::size_t N = static_cast<std::size_t>(body.nodes), E = body.elements.size();
+  const std::size_t N = static_cast<std::size_t>(body.nodes);
   if (body.section_forces.empty()) return {};
   std::vector<int> ends(N, 0);
   for (const auto& element : body.elements)
     for (const int node : element) ++ends[static_cast<std::size_t>(node)];
   Block out(n * N * 6, 0.0);
-  for (std::size_t i = 0; i < n * E * 12; ++i) {
-    const std::size_t record = i / (12 * E), element = i / 12 % E, end = i / 6 % 2;
-    const auto node = static_cast<std::size_t>(body.elements[element][end]);
-    out[6 * (N * record + node) + i % 6] += body.section_forces[i] / ends[node];
-  }
+  const double* force = body.section_forces.data();
+  for (std::size_t record = 0; record < n; ++record)
+    for (const auto& element : body.elements)
+      for (const int end : element) {
+        const auto node = static_cast<std::size_t>(end);
+        double* const at = out.data() + 6 * (N * record + node);
+        for (int i = 0; i < 6; ++i) at[i] += *force++ / ends[node];
+      }
   return out;
 }
 

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <openssl/crypto.h>
 #include <openssl/evp.h>
 #include <signal.h>
 #include <unistd.h>
@@ -86,6 +87,8 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit) {
 }
 
 std::string sha256(std::string_view bytes) {
+  // The system's configuration of the library, which it would read first, has nothing to say here.
+  OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr);
   std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
   unsigned int size = 0;
   EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);

@@ -58,14 +58,14 @@ std::string Blob::base64() const { return report::base64(bytes_.data(), bytes_.s
 std::string base64(const unsigned char* data, std::size_t size) {
   static constexpr char kDigits[] =
       "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((size + 2) / 3 * 4);
-  for (std::size_t i = 0; i < size; i += 3) {
+  std::string text((size + 2) / 3 * 4, '=');
+  char* out = text.data();
+  for (std::size_t i = 0; i < size; i += 3, out += 4) {
     const std::size_t left = std::min<std::size_t>(3, size - i);
-    std::uint32_t bits = 0;
-    for (std::size_t k = 0; k < 3; ++k) bits = bits << 8 | (k < left ? data[i + k] : 0u);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += k <= left ? kDigits[bits >> (18 - 6 * k) & 63u] : '=';
+    std::uint32_t bits = static_cast<std::uint32_t>(data[i]) << 16;
+    if (left > 1) bits |= static_cast<std::uint32_t>(data[i + 1]) << 8;
+    if (left > 2) bits |= data[i + 2];
+    for (std::size_t k = 0; k <= left; ++k) out[k] = kDigits[bits >> (18 - 6 * k) & 63u];
   }
   return text;
 }

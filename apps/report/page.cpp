@@ -22,14 +22,22 @@ std::string inside_script(const nlohmann::ordered_json& data) {
   const std::string text =
       data.dump(-1, ' ', true, nlohmann::ordered_json::error_handler_t::replace);
   std::string out;
-  for (const char c : text) c == '<' ? out += "\\u003c" : out += c;
-  return out;
+  out.reserve(text.size() + text.size() / 16);
+  std::size_t from = 0;
+  for (std::size_t at; (at = text.find('<', from)) != std::string::npos; from = at + 1)
+    out.append(text, from, at - from).append("\\u003c");
+  return out.append(text, from);
 }
 
 }  // namespace
 
 std::string page(const nlohmann::ordered_json& data, const std::string& blob) {
-  std::string out = "<!doctype html>\n<!--\n";
+  const std::string texts = inside_script(data);
+  constexpr std::size_t kRest = 2000;  // of the page
+  std::string out;
+  out.reserve(kNotices.size() + kScript.size() + kStyle.size() + texts.size() + blob.size() +
+              kRest);
+  out += "<!doctype html>\n<!--\n";
   out += kNotices;
   out += "-->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   out += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
@@ -39,8 +47,11 @@ std::string page(const nlohmann::ordered_json& data, const std::string& blob) {
   out += "<meta name=\"color-scheme\" content=\"light dark\">\n<title>liesl</title>\n<style>";
   out += kStyle;
   out += "</style>\n</head>\n<body>\n<noscript>This page needs JavaScript.</noscript>\n";
-  out += "<script type=\"application/json\" id=\"data\">" + inside_script(data) + "</script>\n";
-  out += "<script type=\"text/plain\" id=\"blob\">" + blob + "</script>\n<script>";
+  out += "<script type=\"application/json\" id=\"data\">";
+  out += texts;
+  out += "</script>\n<script type=\"text/plain\" id=\"blob\">";
+  out += blob;
+  out += "</script>\n<script>";
   out += kScript;
   out += "</script>\n</body>\n</html>\n";
   return out;

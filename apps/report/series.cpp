@@ -104,6 +104,7 @@ std::string owner(const std::string& column, const Json& responses) {
 
 Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
   const Table table = read_table(file);
+  const std::vector<double> x = numbers(table.columns.at(0));
   const Json responses = summary.value("responses", Json::object());
   Json list = Json::array();
   for (std::size_t c = 1; c < table.columns.size(); ++c) {
@@ -113,19 +114,18 @@ Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
       list.push_back(chart(title, column.unit, table.columns[0]));
       if (responses.contains(title)) add_error(responses[title], list.back());
     }
-    list.back()["lines"].push_back(
-        line(column.name, numbers(table.columns[0]), numbers(column), blob));
+    list.back()["lines"].push_back(line(column.name, x, numbers(column), blob));
   }
   return list;
 }
 
 Json energy_chart(const fs::path& file, Blob& blob) {
   const Table table = read_table(file);
-  Json one = chart("energies", "J", table.columns.at(0));
+  const std::vector<double> x = numbers(table.columns.at(0));
+  Json one = chart("energies", "J", table.columns[0]);
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     if (table.columns[c].unit == "J")
-      one["lines"].push_back(
-          line(table.columns[c].name, numbers(table.columns[0]), numbers(table.columns[c]), blob));
+      one["lines"].push_back(line(table.columns[c].name, x, numbers(table.columns[c]), blob));
   return one;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
+#include <utility>
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -17,6 +18,14 @@ std::vector<std::string> line(const std::string& text, std::size_t& at) {
   bool quoted = false;
   for (; at < text.size(); ++at) {
     const char c = text[at];
+    if (!quoted && cells.back().empty() && c != '"') {  // most cells: nothing is quoted
+      const std::size_t end = std::min(text.find_first_of(",\n\r\"", at), text.size());
+      cells.back().assign(text, at, end - at);
+      if (end > at) {
+        at = end - 1;
+        continue;
+      }
+    }
     if (quoted && c == '"' && at + 1 < text.size() && text[at + 1] == '"') {
       cells.back() += text[++at];
     } else if (c == '"') {
@@ -56,12 +65,13 @@ Table read_table(const std::filesystem::path& path) {
   std::size_t at = 0;
   for (const std::string& cell : line(text, at)) table.columns.push_back(heading(cell));
   for (std::size_t row = 2; at < text.size(); ++row) {
-    const auto cells = line(text, at);
+    auto cells = line(text, at);
     if (cells.size() != table.columns.size())
       throw output::IoError("read", path,
                             "line " + std::to_string(row) + " has " + std::to_string(cells.size()) +
                                 " cells, the heading " + std::to_string(table.columns.size()));
-    for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].cells.push_back(cells[c]);
+    for (std::size_t c = 0; c < cells.size(); ++c)
+      table.columns[c].cells.push_back(std::move(cells[c]));
   }
   return table;
 }

@@ -8,6 +8,7 @@
 #include "apps/study/study_reader.hpp"
 #include "mbs/system/plane.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/problems/mechanism_statics.hpp"
 
 namespace liesl {
 
@@ -356,7 +357,7 @@ void read_mass_limit(StudyReader& reader, const Entry& entry) {
     problems.add(*entry.table->get("mass"),
                  fmt::format("no design variable changes the mass of limit '{}'", limit.name),
                  "a body of [design]");
-  for (const char* key : {"side", "treatment"})
+  for (const char* key : {"side", "treatment", "surrogate"})
     if (const toml::node* node = entry.table->get(key); node && written(*node))
       problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");
   if (reader.root.contains("loads"))
@@ -391,6 +392,7 @@ void read_constraint(StudyReader& reader, const Entry& entry) {
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
   limit.treatment = read_treatment(text(*entry.table, "treatment"));
   if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
+  if (text(*entry.table, "surrogate") == "mechanism") limit.surrogate = SurrogateKind::Mechanism;
   reader.spec.constraints.push_back(std::move(limit));
 }
 
@@ -582,6 +584,20 @@ void check_direct(StudyReader& reader) {
              "\"auto\", \"all\", \"worst\", \"functional\" or \"p_norm\"");
 }
 
+/// Static problems of the whole mechanism, of motions whose variables are sections.
+void check_surrogates(StudyReader& reader) {
+  for (const ConstraintSpec& c : reader.spec.constraints) {
+    if (c.surrogate != SurrogateKind::Mechanism) continue;
+    auto none = without_mechanism_statics(reader.spec, c, reader.scene.scene.mechanism);
+    if (reader.root.contains("loads"))
+      none = NoMechanismStatics{"fixed loads have no mechanism", "a study of a motion"};
+    if (none)
+      reader.scene.problems.add(*constraint_table(reader, c.response.name).get("surrogate"),
+                                fmt::format("constraint '{}': {}", c.response.name, none->why),
+                                none->expected, "surrogate = \"auto\" takes all of them");
+  }
+}
+
 /// Other speeds, of a motion that has them.
 void check_continuation(StudyReader& reader) {
   if (reader.spec.cycle.continuation == 0) return;
@@ -598,6 +614,7 @@ void check_continuation(StudyReader& reader) {
 void check_images(StudyReader& reader) {
   check_statics(reader);
   check_direct(reader);
+  check_surrogates(reader);
   check_continuation(reader);
   const std::string why = without_sensitivities(reader);
   if (why.empty()) return;

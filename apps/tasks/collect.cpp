@@ -42,17 +42,29 @@ output::JointResult empty_joint(const JointSpec& spec) {
   return joint;
 }
 
+/// Room for `records` times what add_body adds.
+void reserve(output::BodyResult& body, std::size_t records, bool stresses) {
+  const auto nodes = records * static_cast<std::size_t>(body.nodes);
+  const std::size_t elements = records * body.elements.size();
+  body.positions.reserve(3 * nodes);
+  body.rotations.reserve(9 * nodes);
+  body.velocities.reserve(6 * nodes);
+  body.strains.reserve(6 * elements);
+  body.section_forces.reserve(12 * elements);
+  if (stresses) body.stresses.reserve(2 * elements);
+}
+
 template <FrameGroup G>
 void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const State<G>& s,
-              const SectionStress& stress, output::BodyResult& out) {
+              const EndForce<G>& at_ends, const SectionStress& stress, output::BodyResult& out) {
   for (int k = 0; k < out.nodes; ++k) {
     const SE3 H = view.node(s.H.data(), b, k);
     append(out.positions, H.x);
-    for (int i = 0; i < 3; ++i) append(out.rotations, H.R.row(i).transpose());
+    for (int i = 0; i < 3; ++i) append(out.rotations, H.R.row(i));
     append(out.velocities, view.velocity(s.v.data(), {b, k, SE3::identity()}));
   }
   const BodyState<G> state = model.body_state(s, b);
-  auto forces = EndForce<G>(model, b).all(*model.bodies[b], state);
+  auto forces = at_ends.all(*model.bodies[b], state);
   const typename G::Tangent none = G::Tangent::Zero();
   forces.resize(out.elements.size(), {none, none});  // as of a rigid body
   for (size_t e = 0; e < out.elements.size(); ++e) {
@@ -336,14 +348,20 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   model.complete(s);
   add_reference(mechanism, model, s, r);
   std::vector<SectionStress> stresses;
-  for (const auto& body : mechanism.bodies) stresses.emplace_back(body);
+  std::vector<EndForce<G>> forces;
+  r.times.reserve(static_cast<size_t>(trajectory.size()));
+  for (size_t b = 0; b < r.bodies.size(); ++b) {
+    stresses.emplace_back(mechanism.bodies[b]);
+    forces.emplace_back(model, static_cast<int>(b));
+    reserve(r.bodies[b], static_cast<size_t>(trajectory.size()), !stresses[b].empty());
+  }
   StepRecorder<G> of_records(scene, mechanism, model);
   const bool all_steps = seen && !seen->empty();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
     for (size_t b = 0; b < r.bodies.size(); ++b)
-      add_body(model, view, static_cast<int>(b), s, stresses[b], r.bodies[b]);
+      add_body(model, view, static_cast<int>(b), s, forces[b], stresses[b], r.bodies[b]);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
       append(r.joints[j].coordinates,

@@ -7,9 +7,14 @@
 
 namespace liesl {
 
-/// The numbers of v after those of `out`.
-inline void append(std::vector<double>& out, const Eigen::Ref<const Eigen::VectorXd>& v) {
-  out.insert(out.end(), v.data(), v.data() + v.size());
+/// The numbers of the column or row v after those of `out`.
+template <class Vector>
+void append(std::vector<double>& out, const Eigen::MatrixBase<Vector>& v) {
+  EIGEN_STATIC_ASSERT_VECTOR_ONLY(Vector)
+  const std::size_t size = out.size();
+  out.resize(size + static_cast<std::size_t>(v.size()));
+  const auto last = static_cast<Eigen::Index>(out.size()), first = static_cast<Eigen::Index>(size);
+  for (Eigen::Index i = first; i < last; ++i) out[static_cast<std::size_t>(i)] = v[i - first];
 }
 
 /// Largest von Mises stress of a section under [N, V_y, V_z, M_x, M_y, M_z], at its stress points;

@@ -63,13 +63,21 @@ double penalty_dissipation(const Model<G>& model, const Equations<G>& eq, const 
   return penalty.damping * penalty.weight.dot(rate.cwiseAbs2());
 }
 
+/// Do the gradients or rates of couplings enter the power?
+template <FrameGroup G>
+bool needs_couplings(const Model<G>& model) {
+  return model.penalty.form != ConstraintForm::Multipliers ||
+         std::any_of(model.couplings.begin(), model.couplings.end(),
+                     [](const Coupling<G>& c) { return c.acting > c.constraints; });
+}
+
 template <FrameGroup G>
 double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
   double p = 0;
   for (const auto& c : model.couplings)
     for (int i = 0; i < c.constraints; ++i)
       p -= s.lambda[c.first_constraint + i] * c.rows[i].target.rate(s.t);
-  eq.evaluate(s, s.rows, {s.t, 1});
+  if (needs_couplings(model)) eq.evaluate(s, s.rows, {s.t, 1});
   p -= penalty_dissipation(model, eq, s);
   for (std::size_t k = 0; k < model.couplings.size(); ++k) {
     const auto& c = model.couplings[k];

@@ -95,8 +95,11 @@ CycleResult<G> run_once(const std::vector<Scenario<G>>& scenarios, const StudySp
   try {
     return run_with(scenarios, study, CycleMethod::Esl1, hooks, resume);
   } catch (const NoSensitivities& error) {
-    if (!study.constants.empty() || !study.motion_objective.only_mass())
-      throw;  // the plain cycle has neither
+    const bool mechanism = std::any_of(
+        study.constraints.begin(), study.constraints.end(),
+        [](const ConstraintSpec& c) { return c.surrogate == SurrogateKind::Mechanism; });
+    if (!study.constants.empty() || !study.motion_objective.only_mass() || mechanism)
+      throw;  // the plain cycle has none of these
     CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
     result.warnings.push_back(
         "the plain ESL cycle ran, because this motion has no sensitivities: " +

@@ -8,9 +8,8 @@
 #include <limits>
 #include <mutex>
 
+#include "optim/problems/mechanism_rows.hpp"
 #include "optim/problems/mesh_statics.hpp"
-#include "optim/problems/motion_problem.hpp"
-#include "optim/problems/motion_rows.hpp"
 #include "optim/problems/screened_loads.hpp"
 #include "optim/problems/treatment.hpp"
 #include "optim/study/study_errors.hpp"
@@ -35,12 +34,24 @@ void check_direct(ConstraintSpec& c) {
         "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
 }
 
+/// @throws std::invalid_argument if the limit has no static problem of the whole mechanism
+void check_mechanism(const StudySpec& study, const ConstraintSpec& c, const Mechanism& mechanism) {
+  if (const auto none = without_mechanism_statics(study, c, mechanism))
+    throw std::invalid_argument(
+        fmt::format("limit '{}' with surrogate = \"mechanism\": {}; expected {}", c.response.name,
+                    none->why, none->expected));
+}
+
 /// The study with what its method takes from static problems.
 template <FrameGroup G>
 StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
   checked(study, mechanism);
   std::string without;
   for (ConstraintSpec& c : study.constraints) {
+    if (c.surrogate == SurrogateKind::Mechanism) {
+      check_mechanism(study, c, mechanism);
+      c.has_image = false;
+    }
     if (c.treatment != Treatment::Auto) c.has_image = false;
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
@@ -247,8 +258,10 @@ template <FrameGroup G>
 bool MotionModel<G>::drop_images() {
   bool dropped = false;
   for (ConstraintSpec& c : study_.constraints) {
-    if (!may_drop_images_ || !study_.shapes.empty() || !c.has_image) continue;
+    const bool any = c.has_image || c.surrogate == SurrogateKind::Mechanism;
+    if (!may_drop_images_ || !study_.shapes.empty() || !any) continue;
     c.has_image = false;
+    c.surrogate = SurrogateKind::Auto;
     c.treatment = Treatment::Maxima;
     dropped = true;
   }
@@ -291,7 +304,8 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
   struct Part {
     Members members;
     MotionGradients gradients;
-    int imaged = 0;  ///< responses of the static problems
+    int imaged = 0;     ///< responses of the static problems of parts
+    int mechanism = 0;  ///< of those of the whole mechanism, which follow
     MotionGradients effort;
   };
   std::vector<Part> parts(simulators_.size());
@@ -310,12 +324,17 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
         responses.push_back(std::move(r));
       }
     p.imaged = static_cast<int>(responses.size());
-    for (std::size_t c = 0; c < study_.constraints.size(); ++c)
-      if (!study_.constraints[c].has_image)
-        for (auto& r : rows_of(study_, study_.constraints[c], run.mechanism))
+    for (const auto kind : {SurrogateKind::Mechanism, SurrogateKind::Auto}) {
+      for (std::size_t c = 0; c < study_.constraints.size(); ++c) {
+        const ConstraintSpec& limit = study_.constraints[c];
+        if (limit.has_image || limit.surrogate != kind) continue;
+        for (auto& r : rows_of(study_, limit, run.mechanism))
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
-                               every_record(study_, study_.constraints[c]) ? 0 : 0.5,
-                               study_.constraints[c].treatment});
+                               every_record(study_, limit) ? 0 : 0.5, limit.treatment});
+      }
+      if (kind == SurrogateKind::Mechanism)
+        p.mechanism = static_cast<int>(responses.size()) - p.imaged;
+    }
     const auto limited = static_cast<int>(responses.size());
     if (s == 0)
       for (const ResponseSpec& r : study_.motion_objective.responses)
@@ -330,11 +349,19 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     members.push_back({std::make_unique<ObjectiveProblem>(objective_model(at, parts.front().effort),
                                                           x, variables()),
                        1, 0});
-  for (Part& p : parts) {
+  for (std::size_t s = 0; s < parts.size(); ++s) {
+    Part& p = parts[s];
     for (auto& member : p.members) members.push_back(std::move(member));
-    if (const int rows = p.gradients.responses() - p.imaged; rows > 0)
-      members.push_back(
-          {std::make_unique<MotionRows>(p.gradients, p.imaged, rows, study, variables()), 0, 0});
+    const auto rows = [&](int first, int count) {
+      return std::make_unique<MotionRows>(p.gradients, first, count, study, variables());
+    };
+    if (p.mechanism > 0)
+      members.push_back({std::make_unique<MechanismRows<G>>(rows(p.imaged, p.mechanism),
+                                                            *simulators_[s], at.runs[s], study),
+                         0, 0});
+    const int first = p.imaged + p.mechanism;
+    if (const int count = p.gradients.responses() - first; count > 0)
+      members.push_back({rows(first, count), 0, 0});
     gradients.append(std::move(p.gradients));
   }
   return combined(std::move(members));

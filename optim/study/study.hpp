@@ -96,6 +96,12 @@ enum class Treatment {
 /// One number, or one a maximum, instead of many records.
 inline bool aggregates(Treatment t) { return t >= Treatment::Functional; }
 
+/// What tells how a limit follows the design within a step of the cycle.
+enum class SurrogateKind {
+  Auto,      ///< the static problem of the part it is on, if one tells it; else powers
+  Mechanism  ///< the static problem of the whole mechanism, drives held (thesis section 5.2)
+};
+
 struct ConstraintSpec {
   ResponseSpec response;  ///< its name is the constraint's name
   double limit = 0;       ///< |response| <= limit at every time step
@@ -103,6 +109,7 @@ struct ConstraintSpec {
   bool has_image = true;
   Treatment treatment = Treatment::Auto;
   double p = 2;  ///< exponent of Treatment::PNorm
+  SurrogateKind surrogate = SurrogateKind::Auto;
   /// Above 0: no limit, but this times the largest value over all motions in the objective; `limit`
   /// is then a size of it, has_image false in studies of motions.
   double weight = 0;

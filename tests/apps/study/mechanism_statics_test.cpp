@@ -1,70 +1,21 @@
 /// @file
-/// What static problems of the whole mechanism (thesis section 5.2) would add to those of single
-/// parts: the figures of docs/methods.md.
-#include "reference/mechanism_statics.hpp"
-
+/// What static problems of the whole mechanism (thesis section 5.2) add to those of single parts:
+/// the figures of docs/methods.md.
 #include <gtest/gtest.h>
 
 #include <cmath>
 
+#include "apps/input/problem.hpp"
+#include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_model.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
+#include "optim/problems/mechanism_rows.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl::test::mechanism_statics_test {
 namespace {
 
 using Eigen::VectorXd;
-
-/// A motion whose limits have static problems of the whole mechanism as images.
-class WholeMechanism final : public DesignModel {
- public:
-  WholeMechanism(const std::vector<Scenario<SE2>>& motion, const StudySpec& study)
-      : motion_(motion, study) {}
-
-  const std::vector<NlpVariable>& variables() const override { return motion_.variables(); }
-  VectorXd unit(const VectorXd& x) const override { return motion_.unit(x); }
-  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x, const Progress& progress) override {
-    return motion_.analyse(x, progress);
-  }
-  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at, const VectorXd& x,
-                                                double move) const override {
-    return motion_.static_problem(at, x, move);
-  }
-  DynamicOptimality optimality(const DesignAnalysis& at, const VectorXd& x,
-                               const Progress& progress) const override {
-    return motion_.optimality(at, x, progress);
-  }
-  std::optional<double> load_change(const DesignAnalysis& now,
-                                    const DesignAnalysis& before) const override {
-    return motion_.load_change(now, before);
-  }
-  /// With other rows in place of those that only continue the motion.
-  Surrogate surrogate(const DesignAnalysis& at, const VectorXd& x, double move,
-                      double active) const override {
-    Surrogate out = motion_.surrogate(at, x, move, active);
-    const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(at).runs.front();
-    const StudySpec& study = motion_.study();
-    std::vector<LimitedResponse> responses;
-    for (std::size_t c = 0; c < study.constraints.size(); ++c)
-      responses.push_back({static_cast<int>(c), study.constraints[c].response});
-    MotionGradients gradients(motion_.design(), run, x, responses);
-    auto members =
-        static_parts(study, motion_.simulator(0), run, x, move, std::vector<FrequencyLimitSpec>{});
-    auto rows =
-        std::make_unique<MotionRows>(gradients, 0, gradients.responses(), study, variables());
-    members.push_back(
-        {std::make_unique<MechanismRows<SE2>>(
-             std::move(rows), MechanismStatics<SE2>(motion_.simulator(0), run), study),
-         0, 0});
-    out.problem = std::make_unique<CorrectedProblem>(combined(std::move(members)),
-                                                     std::move(gradients), x, at.objective);
-    return out;
-  }
-
- private:
-  MotionModel<SE2> motion_;
-};
 
 /// A study of a planar motion.
 struct Simulated {
@@ -73,11 +24,11 @@ struct Simulated {
     motion = {
         {study.scene.mechanism, space_of<SE2>(study.scene.mechanism), study.scene.simulation}};
   }
-  template <class Model>
-  LoopResult optimise(CycleMethod method) const {
+  LoopResult optimise(CycleMethod method, SurrogateKind surrogate = SurrogateKind::Auto) const {
     StudySpec spec = study.spec;
     spec.cycle.method = method;
-    Model model(motion, spec);
+    for (ConstraintSpec& c : spec.constraints) c.surrogate = surrogate;
+    MotionModel<SE2> model(motion, spec);
     TrustRegionRule rule(spec.cycle);
     return run_loop(model, rule, spec.cycle, {}, {});
   }
@@ -140,7 +91,7 @@ Slopes relative_slopes(const Simulated& s, int constraint) {
     if (motion.value(0, n) > motion.value(0, peak)) peak = n;
   Slopes out;
   const double v =
-      MechanismStatics<SE2>(model.simulator(0), run).value(response, peak, x, &out.statics);
+      MechanismStatics<SE2>(model.simulator(0), run, {peak}).value(response, peak, x, &out.statics);
   EXPECT_NEAR(v, motion.value(0, peak), 1e-12 * v);
   out.statics = out.statics.cwiseProduct(x) / v;
   out.motion = motion.gradient(0, peak)->cwiseProduct(x) / v;
@@ -151,28 +102,87 @@ void record(const std::string& name, double figure) {
   testing::Test::RecordProperty(name, std::to_string(figure));
 }
 
-/// The slope of the reference itself, by differences.
+/// d|y|/dx is that of differences, on groups and with beams of order 4; |y| at x_k that of the
+/// motion.
 TEST(MechanismStatics, HaveTheSlopesOfDifferences) {
-  const Simulated s = tip_of_arms(3e-3);
-  MotionModel<SE2> model(s.motion, s.study.spec);
-  const VectorXd x = model.start();
-  const auto at = model.analyse(x, {});
-  const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(*at).runs.front();
-  const ResponseSpec& tip = s.study.spec.constraints[0].response;
-  MechanismStatics<SE2> statics(model.simulator(0), run);
-  const int last = static_cast<int>(run.times().size()) - 1;
-  int peak = last;
-  for (int n = 0; n < last; ++n)
-    if (run.limits[0].values[std::size_t(n)] > run.limits[0].values[std::size_t(peak)]) peak = n;
-  VectorXd slope;
-  statics.value(tip, peak, x, &slope);
-  for (int i = 0; i < x.size(); ++i) {
-    const VectorXd h = 1e-4 * x[i] * VectorXd::Unit(x.size(), i);
-    const double d =
-        (statics.value(tip, peak, x + h, nullptr) - statics.value(tip, peak, x - h, nullptr)) /
-        (2 * h[i]);
-    EXPECT_NEAR(d, slope[i], 1e-6 * slope.norm()) << i;
+  for (const Formalism formalism : {Formalism::SE3, Formalism::R3SO3})
+    for (const int order : {2, 4}) {
+      if (formalism != Formalism::SE3 && order == 4) continue;
+      Simulated s = tip_of_arms(3e-3);
+      for (BodySpec& body : s.motion[0].mechanism.bodies)
+        if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->order = order;
+      s.motion[0].mechanism.formalism = formalism;
+      MotionModel<SE2> model(s.motion, s.study.spec);
+      const VectorXd x = model.start();
+      const auto at = model.analyse(x, {});
+      ASSERT_TRUE(at->good()) << at->reason;
+      const auto& run = dynamic_cast<const MotionAnalysis<SE2>&>(*at).runs.front();
+      const ResponseSpec& tip = s.study.spec.constraints[0].response;
+      const int last = static_cast<int>(run.times().size()) - 1;
+      int peak = last;
+      for (int n = 0; n < last; ++n)
+        if (run.limits[0].values[std::size_t(n)] > run.limits[0].values[std::size_t(peak)])
+          peak = n;
+      MechanismStatics<SE2> statics(model.simulator(0), run, {peak});
+      VectorXd slope;
+      const double largest = run.limits[0].values[std::size_t(peak)];
+      EXPECT_GT(largest, 0);
+      EXPECT_NEAR(statics.value(tip, peak, x, &slope), largest, 1e-12 * largest);
+      for (int i = 0; i < x.size(); ++i) {
+        const VectorXd h = 1e-4 * x[i] * VectorXd::Unit(x.size(), i);
+        const double d =
+            (statics.value(tip, peak, x + h, nullptr) - statics.value(tip, peak, x - h, nullptr)) /
+            (2 * h[i]);
+        EXPECT_NEAR(d, slope[i], 1e-6 * slope.norm()) << i << ", order " << order;
+      }
+    }
+}
+
+/// A pendulum swings with nothing held: it has no static problem.
+TEST(MechanismStatics, AreRefusedOfAMechanismThatMoves) {
+  Simulated s = tip_of_arms(3e-3);
+  s.motion[0].mechanism.drives.clear();
+  ConstraintSpec& limit = s.study.spec.constraints[0];
+  limit.response.side = Side::Both;
+  limit.surrogate = SurrogateKind::Mechanism;
+  s.study.spec.cycle.method = CycleMethod::Esl1;
+  const StudySpec& spec = s.study.spec;
+  try {
+    run_cycle<SE2>(s.motion, spec, {}, {});
+    FAIL() << "not refused";
+  } catch (const NoSensitivities& error) {
+    EXPECT_NE(std::string(error.what()).find("can move at t = "), std::string::npos)
+        << error.what();
   }
+}
+
+/// In a study file: what has no such static problem is refused at its key.
+TEST(MechanismStatics, WhatHasNoneIsRefusedAtItsPlace) {
+  const std::string surrogate = "constraints.bending.surrogate=\"mechanism\"";
+  EXPECT_EQ(shipped_study("slider_crank_rod", {surrogate}).spec.constraints[0].surrogate,
+            SurrogateKind::Mechanism);
+  for (const auto& [change, words] :
+       {std::pair{"cycle.method=\"full\"", "takes no static problem of the mechanism"},
+        std::pair{"constraints.bending.treatment=\"ks\"", "motion's own gradients"}})
+    try {
+      shipped_study("slider_crank_rod", {surrogate, change});
+      FAIL() << change;
+    } catch (const InputError& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+}
+
+/// What the scene or the response rules out.
+TEST(MechanismStatics, AreNotOfModesNorOfForcesInJoints) {
+  const Study study = shipped_study("slider_crank_rod");
+  const ConstraintSpec& bending = study.spec.constraints[0];
+  Mechanism m = study.scene.mechanism;
+  EXPECT_FALSE(without_mechanism_statics(study.spec, bending, m));
+  ConstraintSpec force = bending;
+  force.response.kind = ResponseKind::JointForce;
+  EXPECT_TRUE(without_mechanism_statics(study.spec, force, m));
+  m.formalism = Formalism::Floating;
+  EXPECT_TRUE(without_mechanism_statics(study.spec, bending, m));
 }
 
 /// A crank that is thicker bends the rod less in motion, by its inertia; that is not static: drives
@@ -198,11 +208,11 @@ Cycles cycles_of(const std::string& name, const Simulated& s, bool parts) {
     record(name + "_" + rows + "_kg", run.best->mass);
     return static_cast<int>(run.history.size());
   };
-  const LoopResult powers = s.optimise<MotionModel<SE2>>(CycleMethod::Full),
-                   mechanism = s.optimise<WholeMechanism>(CycleMethod::Full);
+  const LoopResult powers = s.optimise(CycleMethod::Full),
+                   mechanism = s.optimise(CycleMethod::Esl1, SurrogateKind::Mechanism);
   EXPECT_NEAR(mechanism.best->mass, powers.best->mass, 1e-3 * powers.best->mass) << name;
   Cycles out{count("powers", powers), 0, count("mechanism", mechanism)};
-  if (parts) out.parts = count("parts", s.optimise<MotionModel<SE2>>(CycleMethod::Esl1));
+  if (parts) out.parts = count("parts", s.optimise(CycleMethod::Esl1));
   return out;
 }
 
