@@ -71,6 +71,15 @@ CaseList read_case_list(const Document& document, Problems& problems) {
   return {};
 }
 
+/// Path of a change of a study, of its scene or of a scene: "scene.KEY" is the KEY of the scene.
+std::string path_of(const Batch& batch, std::string change) {
+  change.erase(std::min(change.find('='), change.size()));
+  std::erase(change, ' ');
+  if (!batch.optimize) return change;
+  const SplitOverrides parts = split_overrides({change});
+  return parts.scene.empty() ? "study." + change : "scene." + parts.scene.front();
+}
+
 /// Are the columns keys, with names that the results do not use otherwise?
 void check_columns(const Batch& batch, Problems& problems) {
   std::set<std::string> keys;
@@ -84,7 +93,7 @@ void check_columns(const Batch& batch, Problems& problems) {
       add(column.place, fmt::format("'{}' is the name of a column of the results", column.name),
           "another name", "");
     for (const std::string& key : column.keys) {
-      if (!keys.insert(key).second)
+      if (!keys.insert(path_of(batch, key)).second)
         add(column.place, fmt::format("key '{}' is there twice", key), "every key once", "");
       if (key.empty() || key.find('=') != std::string::npos)
         add(column.place, fmt::format("'{}' is not a key", key), "a key of the study or scene",
@@ -93,23 +102,6 @@ void check_columns(const Batch& batch, Problems& problems) {
         add(column.place, wrong->what, wrong->expected, wrong->hint);
     }
   }
-}
-
-/// A key that an axis or a column sets in every case cannot be changed for all of them.
-void check_changes(const Batch& batch, Problems& problems) {
-  const auto is_in = [](const std::string& key, const std::string& other) {
-    return key == other || key.starts_with(other + ".");
-  };
-  for (const std::string& change : batch.set)
-    for (const CaseColumn& column : batch.cases.columns)
-      for (const std::string& key : column.keys) {
-        const std::string path = change.substr(0, change.find('='));
-        if (!is_in(key, path) && !is_in(path, key)) continue;
-        problems.add({"--set " + change, 0, 0,
-                      fmt::format("'{}' sets '{}' in every case", column.name, key),
-                      "a key that no axis and no column sets",
-                      fmt::format("change its values, or leave '{}' out", column.name)});
-      }
 }
 
 /// Where the value of a change "--set key=text" stands.
@@ -156,6 +148,33 @@ std::vector<std::string> Batch::changes(std::size_t row) const {
   return all;
 }
 
+std::optional<RowKey> set_by_rows(const Batch& batch, const std::string& path) {
+  const std::string wanted = path_of(batch, path);
+  const auto meets = [&](const std::string& change) {
+    const std::string key = path_of(batch, change);
+    return key == wanted || key.starts_with(wanted + ".") || wanted.starts_with(key + ".");
+  };
+  const auto& columns = batch.cases.columns;
+  for (const CaseColumn& column : columns)
+    for (const std::string& key : column.keys)
+      if (meets(key)) return RowKey{column.name, key};
+  for (const CaseList::Row& row : batch.cases.rows)
+    for (const CaseValue& value : row.values)
+      for (const std::string& change : value.instead.value_or(std::vector<std::string>()))
+        if (meets(change)) return RowKey{value.text, change.substr(0, change.find('='))};
+  return std::nullopt;
+}
+
+void refuse_changes_of_rows(const Batch& batch, const std::vector<std::string>& changes,
+                            Problems& problems) {
+  for (const std::string& change : changes)
+    if (const auto own = set_by_rows(batch, change))
+      problems.add({"--set " + change, 0, 0,
+                    fmt::format("'{}' sets '{}' in each of its cases", own->by, own->key),
+                    "a key that no axis and no column sets",
+                    fmt::format("change its values, or leave '{}' out", own->by)});
+}
+
 void check_cases(Batch& batch, Problems& problems) {
   check_columns(batch, problems);
   problems.throw_if_any();
@@ -188,7 +207,7 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   batch.time = root["limits"]["time"].value<double>();
   batch.memory = root["limits"]["memory"].value<double>();
   batch.cases = read_case_list(document, problems);
-  check_changes(batch, problems);
+  refuse_changes_of_rows(batch, batch.set, problems);
   problems.throw_if_any();
   check_cases(batch, problems);
   return batch;

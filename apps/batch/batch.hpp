@@ -37,6 +37,20 @@ Batch load_batch(const std::filesystem::path& path, const std::vector<std::strin
 /// @throws InputError for columns that are no keys and cases that are refused, at their places
 void check_cases(Batch& batch, Problems& problems);
 
+/// A key that rows set themselves, each to its own value.
+struct RowKey {
+  std::string by;  ///< the column or, for a value that makes other changes, that value
+  std::string key;
+};
+/// What rows set of a key path: it, a key below it, or a table that holds it. "scene.KEY" of a
+/// study is KEY.
+std::optional<RowKey> set_by_rows(const Batch& batch, const std::string& path);
+
+/// Changes of all rows by "--set" that rows make themselves, and that would have no effect.
+/// @param changes each "key.path=value"
+void refuse_changes_of_rows(const Batch& batch, const std::vector<std::string>& changes,
+                            Problems& problems);
+
 /// One of n shares of the cases, as jobs of a cluster take them: every n-th case.
 struct Shard {
   int number = 1, of = 1;  ///< 1 <= number <= of

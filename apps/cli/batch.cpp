@@ -52,7 +52,11 @@ void make_folder(const fs::path& folder) {
                     (fs::is_directory(folder, error) && fs::is_empty(folder, error));
   // Another pool may have made it, and its lock, in between.
   if (!ours && !fs::exists(folder / FolderLock::kName, error))
-    throw output::IoError("write to", folder, "it holds something else; choose another");
+    throw output::IoError("write to", folder,
+                          (fs::is_directory(folder, error)
+                               ? "it holds " + output::content_of(folder) + ", but no batch"
+                               : std::string("it is a file")) +
+                              "; choose another");
   fs::create_directories(folder, error);
   if (error) throw output::IoError("write to", folder, error.message());
 }

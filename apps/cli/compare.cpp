@@ -63,7 +63,9 @@ void prepare(const fs::path& folder, const std::string& hash, bool force) {
   fs::create_directories(folder);
   if (fs::is_empty(folder)) return;
   if (!output::is_result(folder))
-    throw output::IoError("write to", folder, "it holds something else; choose another");
+    throw output::IoError(
+        "write to", folder,
+        "it holds " + output::content_of(folder) + " and is not a result of liesl; choose another");
   const Json earlier = Json::parse(output::read_file(folder / "summary.json"), nullptr, false);
   if (force) {
     output::check_own(folder);

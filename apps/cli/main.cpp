@@ -1,6 +1,7 @@
 /// @file
 /// liesl: simulate flexible mechanisms on SE(3), size their parts under the loads of the motion.
 
+#include <sys/resource.h>
 #include <tbb/global_control.h>
 
 #include <CLI/CLI.hpp>
@@ -10,6 +11,8 @@
 #include <iomanip>
 #include <iostream>
 #include <new>
+#include <string_view>
+#include <system_error>
 
 #include "apps/cli/command.hpp"
 #include "apps/cli/completion.hpp"
@@ -261,6 +264,18 @@ void print_overview(const CLI::App& app) {
   std::cout << "\nliesl COMMAND --help lists the options of a command.\n";
 }
 
+/// Could a thread not begin because the address space is limited? Its stack takes some.
+bool lacks_memory(const std::exception& error) {
+  rlimit space{};
+  if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur == RLIM_INFINITY) return false;
+  const std::string_view what = error.what();
+  return dynamic_cast<const std::system_error*>(&error) ||
+         what.find("pthread_create") != what.npos || what.find("annot allocate") != what.npos;
+}
+
+constexpr const char* kOutOfMemory =
+    "liesl: out of memory; use fewer elements, a larger step or output_every\n";
+
 int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOptions& o) {
   try {
     return run(o);
@@ -279,9 +294,12 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
   } catch (const std::filesystem::filesystem_error& e) {
     std::cerr << "liesl: cannot use '" << e.path1().string() << "': " << e.code().message() << "\n";
   } catch (const std::bad_alloc&) {
-    std::cerr << "liesl: out of memory; use fewer elements, a larger step or output_every\n";
+    std::cerr << kOutOfMemory;
   } catch (const std::exception& e) {
-    std::cerr << "liesl: internal error: " << e.what() << "\n";
+    if (lacks_memory(e))
+      std::cerr << kOutOfMemory;
+    else
+      std::cerr << "liesl: internal error: " << e.what() << "\n";
   }
   return kFailed;
 }

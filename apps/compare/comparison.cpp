@@ -210,6 +210,17 @@ void read_changes(const toml::table& root, Comparison& comparison) {
       comparison.rows.set.push_back(fmt::format("{}={}", name.str(), toml_text(node)));
 }
 
+void check_changes(const toml::table& root, const Batch& rows, Problems& problems) {
+  const toml::table* set = root["set"].as_table();
+  const auto of_file = static_cast<std::ptrdiff_t>(set ? set->size() : 0);
+  refuse_changes_of_rows(rows, {rows.set.begin(), rows.set.end() - of_file}, problems);
+  if (!set || root.contains("models")) return;  // which may leave the grid's keys alone
+  for (const auto& [key, node] : *set)
+    if (const auto own = set_by_rows(rows, std::string(key.str())); own && own->key == key.str())
+      problems.add(node, fmt::format("'{}' sets '{}' in each of its cases", own->by, own->key),
+                   "a key that no axis sets", fmt::format("leave '{}' out of 'set'", own->key));
+}
+
 std::vector<std::string> Comparison::physics(std::size_t row) const {
   std::vector<std::string> changes;
   const CaseList& cases = rows.cases;
@@ -300,6 +311,8 @@ Comparison load_comparison(const fs::path& path, const std::vector<std::string>&
     add_models(*models, axes, rows.cases, problems);
     problems.throw_if_any();
   }
+  check_changes(root, rows, problems);
+  problems.throw_if_any();
   check_cases(rows, problems);
   check_references(comparison, problems);
   problems.throw_if_any();

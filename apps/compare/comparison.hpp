@@ -58,6 +58,10 @@ std::vector<Axis> axes_of(const toml::table& root,
 /// `set` as changes of every row.
 void read_changes(const toml::table& root, Comparison& comparison);
 
+/// Refuses changes of every row that rows make themselves: by "--set", or by `set` where it can
+/// have no effect. @pre rows.cases and rows.set are known, those of the file last
+void check_changes(const toml::table& root, const Batch& rows, Problems& problems);
+
 /// Reads a comparison, its scene and every row. Overrides change keys of the comparison, else keys
 /// of the scene in all runs.
 /// @throws InputError with the problems of all files; of a row at the place of its value

@@ -106,6 +106,8 @@ void read_methods(const toml::table& root, const std::filesystem::path& path,
   problems.throw_if_any();
   rows.cases = expand(axes);
   leave_out_treatments(rows.cases);
+  check_changes(root, rows, problems);
+  problems.throw_if_any();
   check_cases(rows, problems);
 }
 

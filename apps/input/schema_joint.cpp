@@ -32,7 +32,7 @@ std::vector<Key> joint_keys() {
     {"joints.*.axis", Type::Vector, "-", "[0, 0, 1]", kAny, fmt::format("Inertial, at the start; normalised. Unused by {} joints.", without_axis()), 3},
     {"joints.*.axis2", Type::Vector, "-", "[1, 0, 0]", kAny, "Universal joints and bushings: second axis, normal to the first; normalised.", 3},
     {"joints.*.pitch", Type::Number, "m", kOptional, kAny, "Screw joints, required there, not 0: displacement of the second port along `axis` in one positive turn. Negative: left-handed."},
-    {"joints.*.stiffness", Type::NumberOrList, "N/m, N m/rad", kOptional, kNotNegative, "Bushings: of the six coordinates. Cylinders: one number.", 6},
+    {"joints.*.stiffness", Type::NumberOrList, "N/m, N m/rad", kOptional, kNotNegative, "Bushings: of the six coordinates, each by itself (a diagonal: no coupling of two of them). Cylinders: one number.", 6},
     {"joints.*.damping", Type::NumberOrList, "N s/m, N m s/rad", kOptional, kNotNegative, "The same of the damping.", 6},
     {"joints.*.force", Type::Function, "N", kOptional, kAny, "Cylinders: pushes the ports apart."},
     {"joints.*.drive", Type::TableOrList, "", kOptional, kAny, "Prescribes a joint coordinate: exactly one of `rate`, `table`, `expression`."},

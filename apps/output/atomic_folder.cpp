@@ -41,8 +41,9 @@ void check_replaceable(const fs::path& target, bool overwrite) {
   if (!fs::is_directory(status)) throw IoError("write to", target, "is a file, not a folder");
   if (fs::is_empty(target, error) && !error) return;
   if (!is_result(target)) {
-    throw IoError("write to", target,
-                  "the folder is not empty and not a result of liesl; choose another");
+    throw IoError(
+        "write to", target,
+        "it holds " + content_of(target) + " and is not a result of liesl; choose another");
   }
   if (!overwrite) {
     throw IoError("write to", target, "holds an earlier result; --force replaces it");

@@ -64,7 +64,7 @@ void remove_parts(const std::filesystem::path& folder) {
   for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
     const int writer = writer_of_part(entry.path().filename().string());
     if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH)
-      std::filesystem::remove(entry.path(), error);
+      std::filesystem::remove_all(entry.path(), error);
   }
 }
 

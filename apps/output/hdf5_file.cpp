@@ -1,5 +1,6 @@
 #include "apps/output/hdf5_file.hpp"
 
+#include <new>
 #include <string>
 
 #include "apps/output/io_error.hpp"
@@ -7,9 +8,17 @@
 namespace liesl::output {
 namespace {
 
-/// Innermost message of the library's error stack: there the system's reason stands.
-herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* text) {
-  if (error->desc) *static_cast<std::string*>(text) = error->desc;
+/// Innermost entry of the library's error stack: there the system's reason stands.
+struct Innermost {
+  std::string text = "HDF5 gives no reason";
+  bool memory = false;  ///< it was refused memory: that comes without a reason of the system
+};
+
+herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* kept) {
+  Innermost& innermost = *static_cast<Innermost*>(kept);
+  if (error->desc) innermost.text = error->desc;
+  innermost.memory = error->maj_num == H5E_RESOURCE &&
+                     (error->min_num == H5E_NOSPACE || error->min_num == H5E_CANTALLOC);
   return 0;
 }
 
@@ -25,9 +34,10 @@ Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path), file_(creat
 }
 
 void Hdf5File::fail() const {
-  std::string reason = "HDF5 gives no reason";
+  Innermost reason;
   H5Ewalk2(H5E_DEFAULT, H5E_WALK_DOWNWARD, keep_innermost, &reason);
-  throw IoError("write", path_, reason);
+  if (reason.memory) throw std::bad_alloc();
+  throw IoError("write", path_, reason.text);
 }
 
 void Hdf5File::group(const std::string& name) const {

@@ -62,9 +62,13 @@ bool documented(const fs::path& folder, const std::string& name) {
          (std::regex_match(name, part, of_part) && fs::exists(folder / (part.str(1) + ".vtu")));
 }
 
-/// A file that a process replaces, or was replacing when it was killed.
-bool unfinished(const std::string& name) {
-  return writer_of_part(fs::path(name).filename().string()) > 0;
+/// A file that a process replaces, or was replacing when it was killed; so is what is in a folder
+/// of such a name, and the folder of pictures before the first one.
+bool unfinished(const fs::path& folder, const fs::path& name) {
+  std::error_code error;
+  return writer_of_part(name.filename().string()) > 0 ||
+         writer_of_part(name.begin()->string()) > 0 ||
+         (name == kPictures && fs::is_directory(fs::symlink_status(folder / name, error)));
 }
 
 /// "cases/<name>/rest" or "cases/.<name>.what" -> <name>; empty if it is neither.
@@ -89,7 +93,8 @@ std::vector<std::string> foreign(const fs::path& folder, bool is_case) {
   std::vector<std::string> names;
   Names known;  // cases that have been looked into
   for (const std::string& name : leaves(folder)) {
-    if (own.count(name) || unfinished(name) || (by_name && documented(folder, name))) continue;
+    if (own.count(name) || (by_name && documented(folder, name))) continue;
+    if (unfinished(folder, name)) continue;
     const std::string of = case_of(name, cases), place = "cases/" + of;
     if (of.empty()) {
       names.push_back(name);
@@ -99,6 +104,12 @@ std::vector<std::string> foreign(const fs::path& folder, bool is_case) {
     }
   }
   return names;
+}
+
+/// "'a.txt' (and 2 more)"
+std::string first_of(const std::vector<std::string>& names) {
+  return fmt::format("'{}'{}", names.front(),
+                     names.size() > 1 ? fmt::format(" (and {} more)", names.size() - 1) : "");
 }
 
 void write_mark(const fs::path& folder, Names names) {
@@ -138,12 +149,18 @@ void mark_all(const fs::path& folder) {
 void check_own(const fs::path& folder) {
   const auto names = foreign_files(folder);
   if (names.empty()) return;
-  const std::string more =
-      names.size() > 1 ? fmt::format(" (and {} more)", names.size() - 1) : std::string();
   throw IoError("replace", folder,
-                fmt::format("it holds '{}'{}, which liesl did not write; move it elsewhere, or "
-                            "choose another folder",
-                            names.front(), more));
+                fmt::format("it holds {}, which liesl did not write; move it elsewhere, or choose "
+                            "another folder",
+                            first_of(names)));
+}
+
+std::string content_of(const fs::path& folder) {
+  std::vector<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    names.push_back(entry.path().filename().string());
+  std::sort(names.begin(), names.end());
+  return names.empty() ? "nothing" : first_of(names);
 }
 
 void remove_own(const fs::path& folder, const std::string& but) {

@@ -10,6 +10,8 @@ namespace liesl::output {
 
 /// The mark of a results folder: a text file with a line for each file that liesl wrote in it.
 inline constexpr const char* kMark = ".liesl";
+/// The subfolder of pictures.
+inline constexpr const char* kPictures = "plots";
 
 /// True if the folder holds a result of liesl: it has its mark or, if it is older than marks, a
 /// summary.json that names the version of liesl.
@@ -25,6 +27,9 @@ void mark_all(const std::filesystem::path& folder);
 /// What liesl did not write: files and empty folders, relative and sorted. In a result without mark
 /// files of the names in docs/outputs.md are liesl's. Cases of a batch are results of their own.
 std::vector<std::string> foreign_files(const std::filesystem::path& folder);
+
+/// What a folder that is no result holds: "'a.txt' (and 2 more)", its first entry by name.
+std::string content_of(const std::filesystem::path& folder);
 
 /// @throws IoError that names the first of `foreign_files`, if there are any
 void check_own(const std::filesystem::path& folder);

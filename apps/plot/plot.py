@@ -12,6 +12,7 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True  # it may be installed where its user may not write
 
+import memory  # noqa: E402, F401  before numpy
 import matplotlib.pyplot as plt  # noqa: E402
 
 from batches import draw_batch, draw_pair  # noqa: E402

@@ -75,9 +75,21 @@ std::string pitch(const JointSpec& joint, double size) {
                      joint.pitch, 1e-3 * joint.pitch);
 }
 
-/// Rates of drives: faster than 10,000 turns a minute, as rpm mistaken for rad/s are.
+constexpr double kFast = 1000;  // rad/s: some 10,000 turns a minute, as rpm mistaken for rad/s are
+
+std::string in_rpm(double rate) {
+  return fmt::format("turns at {0:g} rad/s, that is {1:.4g} rpm: {0:g} rpm is {2:.4g} rad/s", rate,
+                     rate * 30 / M_PI, rate * M_PI / 30);
+}
+
+/// Of a body at the start.
+std::string rate_of(const BodySpec& body) {
+  const double rate = body.angular_velocity.norm();
+  return rate < kFast ? "" : fmt::format("bodies.{}.angular_velocity {}", body.name, in_rpm(rate));
+}
+
+/// Of a drive, the largest.
 std::string rate_of(const Mechanism& mechanism, const DriveSpec& drive, double duration) {
-  constexpr double kFast = 1000;  // rad/s
   const JointSpec& joint = mechanism.joints[static_cast<std::size_t>(drive.joint)];
   const JointKind& kind = kind_of(joint.type);
   const bool there = drive.coordinate < kind.coordinate_count();  // or it is refused
@@ -87,9 +99,7 @@ std::string rate_of(const Mechanism& mechanism, const DriveSpec& drive, double d
   for (int k = 0; k <= kSamples; ++k)
     rate = std::max(rate, std::abs(drive.motion.rate(duration * k / kSamples)));
   if (rate < kFast) return "";
-  return fmt::format(
-      "joints.{}.drive turns at {:g} rad/s, that is {:.4g} rpm: {:g} rpm is {:.4g} rad/s",
-      joint.name, rate, rate * 30 / M_PI, rate, rate * M_PI / 30);
+  return fmt::format("joints.{}.drive {}", joint.name, in_rpm(rate));
 }
 
 }  // namespace
@@ -108,6 +118,7 @@ std::vector<std::string> unit_warnings(const Reader& reader) {
     if (size > 0) add(breadth(section, size));
   for (const BodySpec& body : reader.scene.mechanism.bodies)
     if (size > 0 && !reader.fixed_loads) add(thickness(body, size));
+  for (const BodySpec& body : reader.scene.mechanism.bodies) add(rate_of(body));
   for (const JointSpec& joint : reader.scene.mechanism.joints) add(pitch(joint, size));
   for (const DriveSpec& drive : reader.scene.mechanism.drives)
     add(rate_of(reader.scene.mechanism, drive, reader.scene.simulation.duration));

@@ -83,7 +83,12 @@ void read_limits(StudyReader& reader) {
     const std::string quantity = text(*entry.table, "quantity");
     PartLimitSpec limit{entry.name, *body, SolidResponse::Mass, number(*entry.table, "limit"), 1};
     if (quantity == "compliance") limit.quantity = SolidResponse::Compliance;
-    if (quantity == "stress") limit.quantity = SolidResponse::Stress;
+    if (quantity == "stress") {
+      limit.quantity = SolidResponse::Stress;
+      if (const SolidSpec* solid = solid_of(reader, *body); solid && solid->model)
+        note_stress_limit(reader, "part_limits." + entry.name, limit.limit,
+                          solid->model->material().E);
+    }
     if (quantity == "frequency") {
       limit.quantity = SolidResponse::Frequency;
       limit.count = integer(*entry.table, "count");
@@ -214,6 +219,16 @@ void read_shape_variable(StudyReader& reader, const Entry& entry) {
   if (const toml::node* node = table.get("start")) v.start = numbers(*node)[0];
   v.values = read_values(reader, entry, v.lower, v.upper);
   reader.spec.shapes[*body].variables.push_back(std::move(v));
+}
+
+void note_stress_limit(StudyReader& reader, const std::string& key, double limit, double E) {
+  constexpr double kLeastStrain = 5e-8;  // bars of plastics at 100 Pa; steel at 10 kPa
+  if (!(limit < kLeastStrain * E)) return;
+  const std::string text = fmt::format(
+      "{0}.limit = {1:g} Pa is far below what materials bear, {2:.2g} of E: {1:g} MPa is {3:g} Pa",
+      key, limit, limit / E, 1e6 * limit);
+  auto& warnings = reader.scene.scene.warnings;
+  if (warnings.empty() || warnings.back() != text) warnings.push_back(text);  // once for a truss
 }
 
 void read_parts_of_study(StudyReader& reader) {

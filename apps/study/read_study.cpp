@@ -383,6 +383,18 @@ std::vector<Entry> for_each_bar(StudyReader& reader, const Entry& entry,
   return out;
 }
 
+/// A limit on the stress of a beam. @param name of the entry, for a bar of a truss with its bar
+void check_stress_limit(StudyReader& reader, const std::string& name, const ConstraintSpec& limit) {
+  const ResponseSpec& r = limit.response;
+  if (r.body < 0 || (r.kind != ResponseKind::Stress && r.kind != ResponseKind::AxialStress)) return;
+  const auto& bodies = reader.scene.scene.mechanism.bodies;
+  const auto* beam = std::get_if<BeamSpec>(&bodies[static_cast<std::size_t>(r.body)].kind);
+  const bool whole = reader.root["constraints"].as_table()->contains(name);
+  if (beam)
+    note_stress_limit(reader, "constraints." + (whole ? name : name.substr(0, name.rfind(' '))),
+                      limit.limit, beam->material.E);
+}
+
 void read_constraint(StudyReader& reader, const Entry& entry) {
   auto response = response_of(reader, entry);
   if (!response) return;
@@ -393,6 +405,7 @@ void read_constraint(StudyReader& reader, const Entry& entry) {
   limit.treatment = read_treatment(text(*entry.table, "treatment"));
   if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
   if (text(*entry.table, "surrogate") == "mechanism") limit.surrogate = SurrogateKind::Mechanism;
+  check_stress_limit(reader, entry.name, limit);
   reader.spec.constraints.push_back(std::move(limit));
 }
 

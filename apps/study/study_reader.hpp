@@ -31,6 +31,9 @@ bool names_motion(const StudyReader& reader, const toml::table& table);
 void read_motion_variable(StudyReader& reader, const Entry& entry);
 /// Drives and loads that a variable duration cannot stretch; scenarios.
 void check_motion_variables(StudyReader& reader);
+/// Adds a note if a limit on a stress stretches its material so little that MPa may be meant.
+/// @param key that is limited @param limit Pa @param E of the material, Pa; 0: it has none
+void note_stress_limit(StudyReader& reader, const std::string& key, double limit, double E);
 /// Walls, limits, fixed loads and stress norm of meshed parts.
 void read_parts_of_study(StudyReader& reader);
 /// What only shows when the parts are made: bounds that leave no shape, unknown features.

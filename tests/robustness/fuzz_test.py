@@ -9,6 +9,7 @@ Mutation n is the same on every machine. Seconds are those of the processor (pro
 
 import argparse
 import json
+import math
 import random
 import re
 import shutil
@@ -22,6 +23,9 @@ from program import run, verdict
 HANG = 20  # s
 MEMORY = 3000  # MB
 PLACE = re.compile(r":\d+:\d+: |^--\w+|: 'simulation\.|\.toml: |\.csv|\.msh", re.M)
+NULLS = {  # numbers that docs/outputs.md allows to be missing; any other null is one that is not finite
+    "at_time", "gain", "kkt_residual", "largest_deformation", "limit", "load_change", "modes", "modes_needed"
+}  # fmt: skip
 NOT_A_NUMBER = re.compile(r"(?<![\w])[-+]?(nan|inf)(?![\w])", re.I)
 
 
@@ -32,6 +36,28 @@ def commands(path):
     if path.name.startswith("sensitivity_"):
         return ["sensitivity"]
     return [] if path.name.startswith(("compare_", "batch_")) else ["optimize"]
+
+
+def not_finite(value, path="", key=""):
+    """Places in a summary of what is no number where one should stand, and of words that say so."""
+    if isinstance(value, dict):
+        return [p for k, v in value.items() for p in not_finite(v, f"{path}.{k}", k)]
+    if isinstance(value, list):
+        return [p for i, v in enumerate(value) for p in not_finite(v, f"{path}[{i}]", key)]
+    if isinstance(value, str):  # names of files and texts of the input may hold anything
+        told = key in ("reason", "warnings") and NOT_A_NUMBER.search(value)
+        return [f"{path}: {value}"] if told else []
+    bad = (value is None and key not in NULLS) or (isinstance(value, float) and not math.isfinite(value))
+    return [f"{path}: {value}"] if bad else []
+
+
+def check_not_finite():
+    """It finds what it looks for."""
+    fine = {"load_change": None, "mass": 1.5, "name": "nan", "history": [{"mass": 2, "modes": None}]}
+    assert not_finite(fine) == []
+    for worse in ({"mass": None}, {"mass": math.nan}, {"reason": "the worst is -nan"}):
+        assert len(not_finite(fine | worse)) == 1, worse
+    assert not_finite(fine | {"history": [{"mass": math.inf}]}) == [".history[0].mass: inf"]
 
 
 def problems_of_results(out):
@@ -45,7 +71,7 @@ def problems_of_results(out):
         return [f"summary.json is no JSON: {error}"]
     if summary.get("status") not in ("done", "converged", "optimal"):
         return []
-    problems = []
+    problems = [f"status {summary['status']} with {place} in summary.json" for place in not_finite(summary)]
     for table in out.glob("*.csv"):
         if found := NOT_A_NUMBER.search(table.read_text()):
             problems.append(f"status {summary['status']} with {found.group()} in {table.name}")
@@ -99,6 +125,7 @@ def main():
     parser.add_argument("--seconds", type=float, default=5)
     parser.add_argument("--keep", type=Path)
     options = parser.parse_args()
+    check_not_finite()
     failures, stages = [], {}
     with tempfile.TemporaryDirectory(prefix="liesl_fuzz_") as folder:
         data = Path(folder) / "data"

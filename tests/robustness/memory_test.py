@@ -2,7 +2,7 @@
 """Commands under limits of the address space: memory_test.py PROGRAM DATA [MB ...]
 
 Each command must end by itself within 60 s, with a result or with "out of memory" (exit code 3).
-Default: 64, 80, 104, 128, 256, 512 MB.
+Default: 64, 80, 90, 104, 128, 160, 256, 512 MB.
 """
 
 import sys
@@ -12,6 +12,15 @@ from pathlib import Path
 from program import run, verdict
 
 SECONDS = 60
+
+
+def result_to_draw(program, data, place):
+    """A results folder for `plot`, made without a limit."""
+    drawn = place / "drawn"
+    short = ["--quiet", "--no-report", "--set", "simulation.duration=0.01"]
+    outcome = run([program, "run", data / "scenes/slider_crank.toml", "-o", drawn, *short], SECONDS)
+    assert outcome.code == 0, outcome.text
+    return drawn
 
 
 def commands(data, out, limit):
@@ -44,6 +53,13 @@ def commands(data, out, limit):
             limit,
         ),
         ("meshed optimize", ["optimize", study / "cantilever.toml", *force], limit),
+        (
+            "sensitivity",
+            ["sensitivity", scene / "slider_crank.toml", *force, "--by", "sections.rod.diameter"]
+            + ["--set", "simulation.duration=0.01"],
+            limit,
+        ),
+        ("plot", ["plot", out.parent / "drawn"], limit),
         ("batch", ["batch", batch, "-o", out.parent / f"batch_{limit}", "-j", "1"], None),
     ]
 
@@ -66,10 +82,11 @@ def wrong(name, limit, outcome, out):
 
 def main():
     program, data = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
-    limits = [int(w) for w in sys.argv[3:]] or [64, 80, 104, 128, 256, 512]
+    limits = [int(w) for w in sys.argv[3:]] or [64, 80, 90, 104, 128, 160, 256, 512]
     failures, count = [], 0
     with tempfile.TemporaryDirectory(prefix="liesl_memory_") as folder:
         out = Path(folder) / "out"
+        result_to_draw(program, data, out.parent)
         for limit in limits:
             for name, words, own in commands(data, out, limit):
                 outcome = run([program, *words], SECONDS, own)

@@ -29,6 +29,22 @@ code 2) and words of a warning, the reason or the refusal. Each trap runs under 
 and [data/stability](../data/stability/README.md), with the keys named changed. The whole table is a test,
 `python3 tests/traps/traps_test.py build/release/bin/liesl . --all`.
 
+Traps that are no scene with a status, but a figure, a file, a study or a process, are tests of their own:
+
+| traps | tests |
+|---|---|
+| modes and critical loads out of the plane, peaks between records, axes of a displacement, steps under damping, edges on grid lines | `TrapFigures` (`tests/apps/cli/traps_test.cpp`) |
+| motions that leave their plane | `PlaneStability` (`tests/mbs/solvers/plane_stability_test.cpp`) |
+| section forces and stress at nodes, not in the middle | `NodeForce`, `NodeForces` (`tests/mbs/system/node_force_test.cpp`) |
+| weight that strikes at the start | `StruckStart` (`tests/apps/tasks/motion_notes_test.cpp`) |
+| parts beyond what is linear | `PartRange` (`tests/apps/tasks/part_range_test.cpp`) |
+| statuses that speak of another design | `Optimality` (`tests/optim/cycle/cycle_test.cpp`) |
+| gradients at kinks | `CheckDerivatives` (`tests/optim/nlp/check_derivatives_test.cpp`) |
+| what is refused or told, with its words | `Refusals` (`tests/apps/cli/refusals_test.cpp`) |
+| foreign files, two runs into one folder, killed drawings | `OwnFiles`, `AtomicFolder` (`tests/apps/output`) |
+| batches on a full disk, resumed runs | `BatchProgram` (`tests/apps/batch/batch_test.cpp`), `Resume` (`tests/optim/cycle/resume_test.cpp`) |
+| short memory, kills, mutated input | `memory_test.py`, `kill_test.py`, `fuzz_test.py` (`tests/robustness`) |
+
 """
 
 

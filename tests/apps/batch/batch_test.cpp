@@ -156,6 +156,8 @@ TEST_F(BatchProgram, FinishedCasesAreNotRunAgain) {
 }
 
 TEST_F(BatchProgram, FoldersOfOthersAreRefused) {
+  fs::create_directory(dir_ / "photos");
+  for (const char* name : {"photos/b.jpg", "photos/a.jpg"}) write(name, "picture");
   const fs::path file = simulations();
   ASSERT_EQ(batch(file, {"--set", "simulation.duration=0.01"}).code, 0);
   EXPECT_EQ(batch(file, {"--set", "grid.step.values=[1e-3, 6e-4]"}).code, 2);
@@ -165,7 +167,10 @@ TEST_F(BatchProgram, FoldersOfOthersAreRefused) {
   EXPECT_EQ(batch(file, {"--shard", "1/2", "--force"}).code, 2);
   EXPECT_EQ(batch(file, {"--force", "--set", "simulation.duration=0.02"}).code, 0);
   EXPECT_EQ(batch(file, {"--shard", "7/6"}).code, 2);
-  EXPECT_EQ(run({"batch", file, "-o", dir_}).code, 3) << "a folder that holds something else";
+  const Outcome of_others = run({"batch", file, "-o", dir_ / "photos"});
+  EXPECT_EQ(of_others.code, 3) << "a folder that holds something else";
+  EXPECT_NE(of_others.err.find("it holds 'a.jpg' (and 1 more), but no batch"), std::string::npos)
+      << of_others.err;
 }
 
 TEST_F(BatchProgram, FilesOfTheUserStay) {

@@ -4,6 +4,7 @@
 #include <sys/resource.h>
 
 #include "apps/program.hpp"
+#include "mbs/linalg/sanitized.hpp"
 
 namespace liesl::test::refusals_test {
 namespace {
@@ -31,11 +32,36 @@ const Refusal kRefusals[] = {
     {"GriddedKeyForAllCases",
      {"batch", "BATCH", "-o", "DIR/b", "--set", "joints.motor.drive.rate=3"},
      2,
-     "'rate' sets 'joints.motor.drive.rate' in every case"},
+     "'rate' sets 'joints.motor.drive.rate' in each of its cases"},
     {"TableOfAGriddedKeyForAllCases",
      {"batch", "BATCH", "-o", "DIR/b", "--set", "joints.motor.drive={rate=3}"},
      2,
-     "'rate' sets 'joints.motor.drive.rate' in every case"},
+     "'rate' sets 'joints.motor.drive.rate' in each of its cases"},
+    {"GriddedKeyOfTheSceneForAllCases",
+     {"batch", "STUDY_BATCH", "-o", "DIR/b", "--set", "scene.joints.motor.drive.rate=3"},
+     2,
+     "--set scene.joints.motor.drive.rate=3: 'rate' sets 'joints.motor.drive.rate' in each of its "
+     "cases; expected a key that no axis and no column sets; hint: change its values, or leave "
+     "'rate' out"},
+    {"GriddedKeyTwice", {"check", "TWICE_BATCH"}, 2, "is there twice"},
+    {"GriddedKeyForAllRows",
+     {"check", study("compare_heavy_top"), "--set", "simulation.step=2e-3"},
+     2,
+     "--set simulation.step=2e-3: 'step' sets 'simulation.step' in each of its cases; expected a "
+     "key that no axis and no column sets"},
+    {"KeyOfAModelForAllRows",
+     {"check", study("compare_pendulum"), "--set", "simulation.constraints=\"penalty\""},
+     2,
+     "'penalty' sets 'simulation.constraints' in each of its cases"},
+    {"GriddedMethodForAllRows",
+     {"check", study("compare_methods_rod"), "--set", "cycle.method=full"},
+     2,
+     "'method' sets 'cycle.method' in each of its cases"},
+    {"GriddedKeyInTheFileOfAComparison",
+     {"check", "COMPARISON"},
+     2,
+     "comparison.toml:7:21: 'step' sets 'simulation.step' in each of its cases; expected a key "
+     "that no axis sets; hint: leave 'simulation.step' out of 'set'"},
     {"StudyOfABatchThatIsNotThere",
      {"batch", "BATCH", "-o", "DIR/b", "--set", "scene=nowhere.toml"},
      2,
@@ -59,6 +85,23 @@ const Refusal kRefusals[] = {
      "at most 2 pi; hint: 90 degrees are 1.5708 rad"},
     {"RateInRpm", scene_with("joints.j2.drive={rate=3000}"), 0,
      "joints.j2.drive turns at 3000 rad/s, that is 2.865e+04 rpm: 3000 rpm is 314.2 rad/s"},
+    {"StartInRpm", scene_with("bodies.r.angular_velocity=[0,0,3000]"), 0,
+     "note: bodies.r.angular_velocity turns at 3000 rad/s, that is 2.865e+04 rpm: 3000 rpm is "
+     "314.2 rad/s"},
+    {"StressOfABeamInMPa",
+     {"check", study("slider_crank_both"), "--set", "constraints.rod_stress.limit=200"},
+     0,
+     "note: constraints.rod_stress.limit = 200 Pa is far below what materials bear, 9.5e-10 of E: "
+     "200 MPa is 2e+08 Pa"},
+    {"StressOfATrussInMPa",
+     {"check", study("truss_10"), "--set", "constraints.stress.limit=172"},
+     0,
+     "note: constraints.stress.limit = 172 Pa is far below what materials bear"},
+    {"StressOfAPartInMPa",
+     {"check", study("cantilever"), "--set",
+      "part_limits.peak={of=\"plate\",quantity=\"stress\",limit=100}"},
+     0,
+     "note: part_limits.peak.limit = 100 Pa is far below what materials bear"},
     {"CasesWithoutEnd",
      {"check", study("slider_crank_rod"), "--set", "cycle.min_cases=1e18"},
      2,
@@ -124,6 +167,20 @@ duration = 0.01
       {"BATCH", write("batch.toml", "scene = \"" + scene("slider_crank") +
                                         "\"\n[grid]\nrate = { key = \"joints.motor.drive.rate\", "
                                         "values = [50, 60] }\n")},
+      {"STUDY_BATCH",
+       write("study_batch.toml", "study = \"" + study("slider_crank_rod") +
+                                     "\"\n[grid]\nrate = { key = \"joints.motor.drive.rate\", "
+                                     "values = [100, 150] }\n")},
+      {"TWICE_BATCH",
+       write("twice_batch.toml", "study = \"" + study("slider_crank_rod") +
+                                     "\"\n[grid]\nrate = { key = \"joints.motor.drive.rate\", "
+                                     "values = [100, 150] }\nagain = { key = "
+                                     "\"scene.joints.motor.drive.rate\", values = [1] }\n")},
+      {"COMPARISON",
+       write("comparison.toml",
+             "scene = \"" + scene("heavy_top") +
+                 "\"\nquantity = { response = \"centre\", norm = \"final\" }\n[grid]\n"
+                 "formalism = [\"se3\"]\nstep = [1e-3]\n[set]\n\"simulation.step\" = 2e-3\n")},
       {"EMPTY_BATCH",
        write("of_empty.toml", "study = \"" + write("empty.toml", "").string() +
                                   "\"\n[grid]\na = { key = \"b\", values = [1] }\n")},
@@ -165,6 +222,84 @@ TEST_F(FileLimit, EndsWithTheNameOfTheFile) {
     EXPECT_NE(out.err.find("': File too large"), std::string::npos) << out.err;
   }
 }
+
+class Drawing : public Program {
+ protected:
+  void SetUp() override {
+    Program::SetUp();
+    ASSERT_EQ(run(short_run()).code, 0);
+  }
+  void TearDown() override {
+    unsetenv("LIESL_PYTHON");
+    Program::TearDown();
+  }
+  Words short_run(const Words& more = {}) const {
+    Words words = {"run",     scene("slider_crank"), "-q",    "-o",
+                   results(), "--no-report",         "--set", "simulation.duration=0.005"};
+    words.insert(words.end(), more.begin(), more.end());
+    return words;
+  }
+  /// `plot` with a script in the place of Python: $4 is the folder for its pictures.
+  Outcome plot_by(const std::string& script) const {
+    const fs::path python = write("python", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(python, fs::perms::owner_all);
+    setenv("LIESL_PYTHON", python.c_str(), 1);
+    return run({"plot", results()});
+  }
+};
+
+/// A drawing that is killed among its pictures leaves nothing that keeps --force from its folder.
+TEST_F(Drawing, KilledIsReplaced) {
+  const Outcome killed = plot_by("mkdir -p \"$4\"; echo half > \"$4/motion.png\"; kill -9 $PPID");
+  EXPECT_EQ(killed.code, -SIGKILL);
+  const Outcome again = run(short_run({"--force"}));
+  EXPECT_EQ(again.code, 0) << again.err;
+  fs::create_directory(results() / "plots");  // as earlier versions left it
+  const Outcome once_more = run(short_run({"--force"}));
+  EXPECT_EQ(once_more.code, 0) << once_more.err;
+}
+
+/// Half a drawing leaves no pictures, a whole one is known as liesl's.
+TEST_F(Drawing, IsWholeOrNotThere) {
+  const std::string picture =
+      "mkdir -p \"$4\"; echo whole > \"$4/motion.png\"; echo \"$4/motion.png\"";
+  const Outcome failed = plot_by(picture + "; echo 'plot: no room' >&2; exit 1");
+  EXPECT_EQ(failed.code, 3);
+  EXPECT_NE(failed.err.find("cannot draw '" + results().string() + "': plot: no room"),
+            std::string::npos)
+      << failed.err;
+  EXPECT_FALSE(fs::exists(results() / "plots"));
+  const Outcome whole = plot_by(picture);
+  EXPECT_EQ(whole.code, 0) << whole.err;
+  EXPECT_EQ(whole.out, (results() / "plots/motion.png").string() + "\n");
+  EXPECT_EQ(text_of(results() / "plots/motion.png"), "whole\n");
+  for (const auto& entry : fs::directory_iterator(results()))
+    EXPECT_EQ(entry.path().filename().string().find(".plots"), std::string::npos) << entry.path();
+  const Outcome again = run(short_run({"--force"}));
+  EXPECT_EQ(again.code, 0) << again.err;
+}
+
+#ifndef LIESL_SANITIZED  // its shadow memory alone is more than any limit
+/// Under a limit of the address space, what a library without memory says, or a timer ends because
+/// it asks for ever, is told as that.
+TEST_F(Drawing, WithoutMemoryIsToldAsThat) {
+  const char* scripts[] = {"kill -PROF $$",
+                           "echo 'ImportError: _image.so: failed to map segment'; exit 1",
+                           "echo MemoryError; exit 1"};
+  EXPECT_NE(plot_by(scripts[0]).err.find("it was ended by signal"), std::string::npos);
+  rlimit before;
+  getrlimit(RLIMIT_AS, &before);
+  rlimit much = before;
+  much.rlim_cur = rlim_t{1} << 38;
+  setrlimit(RLIMIT_AS, &much);
+  for (const char* script : scripts) {
+    const Outcome out = plot_by(script);
+    EXPECT_EQ(out.code, 3) << script;
+    EXPECT_NE(out.err.find("': out of memory"), std::string::npos) << out.err;
+  }
+  setrlimit(RLIMIT_AS, &before);
+}
+#endif
 
 using LeanEnd = Program;
 

@@ -305,6 +305,19 @@ TEST_F(Compare, GoesOnWhereItStopped) {
   EXPECT_NE(rows()[0].at("cpu_s"), marker);
 }
 
+TEST_F(Compare, FoldersOfOthersAreRefusedByName) {
+  fs::create_directory(results());
+  for (const char* name : {"results/notes.txt", "results/b.txt"}) write(name, "mine");
+  for (const Words& more : {Words{}, Words{"--force"}}) {
+    const Outcome o = compare(head("heavy_top", "centre") + kTopGrid, more);
+    EXPECT_EQ(o.code, 3);
+    EXPECT_NE(o.err.find("it holds 'b.txt' (and 1 more) and is not a result of liesl"),
+              std::string::npos)
+        << o.err;
+  }
+  EXPECT_EQ(text_of(results() / "notes.txt"), "mine");
+}
+
 TEST_F(Compare, RunsThatStopAreRows) {
   const Outcome o = compare(head("slider_crank", "bend") +
                             "[grid]\nstep = [1e-3, 5e-4]\n[vary]\n"

@@ -156,7 +156,8 @@ TEST(AtomicFolder, RefusesWhatIsNotOurs) {
   const TemporaryFolder place;
   fs::create_directory(place / "photos");
   write_file(place / "photos/a.jpg", "picture");
-  EXPECT_NE(refusal(place / "photos", true).find("not a result of liesl"), std::string::npos);
+  EXPECT_NE(refusal(place / "photos", true).find("it holds 'a.jpg' and is not a result of liesl"),
+            std::string::npos);
   write_file(place / "photos/summary.json", "{}");
   EXPECT_NE(refusal(place / "photos", true).find("not a result of liesl"), std::string::npos);
   EXPECT_EQ(read_file(place / "photos/a.jpg"), "picture");

@@ -65,6 +65,23 @@ TEST(OwnFiles, PartsOfKilledProcessesGo) {
   EXPECT_TRUE(fs::exists(place / ".notes.part-two")) << "no name of ours";
 }
 
+/// A drawing that was killed: before its first picture (an empty folder), or among its pictures.
+TEST(OwnFiles, PicturesOfKilledDrawingsAreReplaced) {
+  const TemporaryFolder place;
+  write_result(place / "out", "1");
+  fs::create_directory(place / "out/plots");
+  put(place / "out/.plots.part-12345/design.png");
+  EXPECT_EQ(foreign_files(place / "out"), Names());
+  write_result(place / "out", "2", true);
+  EXPECT_FALSE(fs::exists(place / "out/plots"));
+  EXPECT_FALSE(fs::exists(place / "out/.plots.part-12345"));
+  put(place / "out/plots/mine.png");
+  EXPECT_EQ(foreign_files(place / "out"), Names{"plots/mine.png"});
+  fs::remove_all(place / "out/plots");
+  put(place / "out/plots");  // a file
+  EXPECT_EQ(foreign_files(place / "out"), Names{"plots"});
+}
+
 TEST(OwnFiles, AreThoseOfTheMark) {
   const TemporaryFolder place;
   write_result(place / "out", "1");
