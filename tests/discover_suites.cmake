@@ -1,8 +1,8 @@
 # One ctest for each suite of a GoogleTest program, so that what a suite computes once (a static,
 # SetUpTestSuite) is computed once. Runs after the program is linked:
-#   cmake -D PROGRAM=... -D FOLDER=... -D FULL=... -D LONG=... -D SHAPE=... -D OUTPUT=F -P discover_suites.cmake
+#   cmake -D PROGRAM=... -D FOLDER=... -D FULL=... -D LONG=... -D SHAPE=... -D SOLVED=... -D OUTPUT=F -P discover_suites.cmake
 # The suites are those that the program lists, hence none is lost. FULL, LONG and SHAPE are
-# regular expressions of names, see CMakeLists.txt.
+# regular expressions of names, SOLVED the studies that suites read, see CMakeLists.txt.
 execute_process(COMMAND ${PROGRAM} --gtest_list_tests OUTPUT_VARIABLE listed RESULT_VARIABLE failed)
 if(failed)
   message(FATAL_ERROR "${PROGRAM} --gtest_list_tests: ${failed}")
@@ -18,6 +18,7 @@ foreach(line IN LISTS lines)
   endif()
 endforeach()
 list(REMOVE_DUPLICATES suites)
+string(REPLACE "|" ";" SOLVED "${SOLVED}")
 set(text "")
 foreach(suite IN LISTS suites)
   set(labels ${FOLDER})
@@ -35,9 +36,15 @@ foreach(suite IN LISTS suites)
   if(suite MATCHES "^(${SHAPE})$")
     list(APPEND labels shape)
   endif()
+  set(fixtures)
+  foreach(pair IN LISTS SOLVED)
+    if(pair MATCHES "^${suite}:(.+)$")
+      list(APPEND fixtures study.${CMAKE_MATCH_1})
+    endif()
+  endforeach()
   list(JOIN "filter of ${suite}" ":" filter)
   string(APPEND text "add_test([=[${FOLDER}.${suite}]=] [=[${PROGRAM}]=] [=[--gtest_filter=${filter}]=]"
          " --gtest_brief=1)\nset_tests_properties([=[${FOLDER}.${suite}]=] PROPERTIES"
-         " LABELS [=[${labels}]=] TIMEOUT ${timeout} COST ${cost})\n")
+         " LABELS [=[${labels}]=] TIMEOUT ${timeout} COST ${cost} FIXTURES_REQUIRED [=[${fixtures}]=])\n")
 endforeach()
 file(WRITE ${OUTPUT} "${text}")

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""report_test.py PROGRAM DATA: pages of `liesl report` in a real browser.
+"""report_test.py PROGRAM DATA SOLVED: pages of `liesl report` in a real browser.
 
 Every page: ready in time, nothing on the console, one request. Then what each kind is for: the picture
 follows its sliders and is coloured, charts follow the instant, light and dark, phone width, tables and
@@ -20,7 +20,7 @@ from pathlib import Path
 sys.dont_write_bytecode = True
 from driver import Browser, programs  # noqa: E402
 
-PROGRAM, DATA = Path(sys.argv[1]).resolve(), Path(sys.argv[2]).resolve()
+PROGRAM, DATA, SOLVED = (Path(word).resolve() for word in sys.argv[1:4])
 WORK = tempfile.TemporaryDirectory(prefix="liesl-browser-")
 FOLDER = Path(WORK.name)
 MARGIN = 10  # times what a quiet machine takes: times are printed, only a wrong order fails
@@ -77,7 +77,8 @@ def folder_of(name, *words):
 
 
 def rod():
-    return folder_of("rod", "optimize", str(DATA / "studies/slider_crank_rod.toml"))
+    """The shipped study, solved by the ctest study.slider_crank_rod."""
+    return SOLVED / "slider_crank_rod"
 
 
 class Pages(unittest.TestCase):
@@ -403,4 +404,4 @@ if __name__ == "__main__":
     if programs() is None:
         print("skipped: no chromium with its driver; apt-get install chromium chromium-driver", file=sys.stderr)
         sys.exit(77)
-    unittest.main(argv=[sys.argv[0], *sys.argv[3:]], verbosity=1)
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]], verbosity=1)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 import liesl
+from conftest import DATA
 
 
 def test_what_it_varies(rod):
@@ -225,17 +226,24 @@ def check_gradients(nlp, columns, h, tolerance):
         assert abs(jacobian[:, j] - dg).max() <= tolerance * abs(dg).max()
 
 
-def test_program_of_an_outline_under_fixed_loads(data):
-    study = liesl.Study.load(data / "studies/cantilever.toml")
+@pytest.fixture(scope="module")
+def cantilever():
+    """The study and its optimum, found by the package."""
+    study = liesl.Study.load(DATA / "studies/cantilever.toml")
+    return study, study.optimize().check()
+
+
+def test_program_of_an_outline_under_fixed_loads(cantilever):
+    study, optimum = cantilever
     nlp = study.nlp()
     assert len(nlp.rows) == 1 and "sag" in nlp.rows[0]
     check_gradients(nlp, [0], 1e-6, 1e-4)
     best = liesl.minimize(nlp, tolerance=1e-5).check()
-    assert best.f == pytest.approx(study.optimize().check().summary["mass_final"], rel=1e-4)
+    assert best.f == pytest.approx(optimum.summary["mass_final"], rel=1e-4)
 
 
-def test_load_cases_of_an_outline_are_records(data):
-    best = liesl.Study.load(data / "studies/cantilever.toml").optimize().check()
+def test_load_cases_of_an_outline_are_records(cantilever):
+    best = cantilever[1]
     part = best.meshes["plate"]
     assert best.time.tolist() == [1] and part["amplitude"].tolist() == [[1]]
     x, u = part["position"][0], part["displacement"][0]
