@@ -234,5 +234,51 @@ TEST(PartOfCatalogue, IsTheBestOfAllDesigns) {
   EXPECT_EQ(found.catalogue->gap, 0);
 }
 
+/// A hole is inserted as if the height were free; then the height is of the catalogue, and the hole
+/// has moved with it. The same after an interruption before, in and after the search.
+TEST(PartOfCatalogueSlow, HolesComeBeforeCatalogues) {
+  const std::vector<double> values = {0.07, 0.074, 0.078, 0.082, 0.086, 0.09};
+  Study study = load_study(std::string(kDataDir) + "/studies/cantilever.toml",
+                           {"bodies.plate.solid.mesh.cells=[60,30]"});
+  const int body = study.spec.shapes.begin()->first;
+  auto& variables = study.spec.shapes.at(body).variables;
+  ASSERT_EQ(variables.size(), 1u);
+  variables[0].values = values;
+  variables[0].lower = values.front();
+  variables[0].upper = values.back();
+  int solved = 0;
+  const OptimiseRound<PartEnd> optimise = [&](const StudySpec& spec, const Mechanism& m,
+                                              const CycleHooks& cycle,
+                                              const std::vector<Cycle>& cycles) {
+    if (cycles.empty()) ++solved;
+    return optimise_outline(spec, m, body, cycle, cycles);
+  };
+  RoundHistory rounds;
+  TopologyHooks hooks;
+  hooks.on_round_cycle = [&](const RoundHistory& so_far) { rounds = so_far; };
+  const Mechanism& mechanism = study.scene.mechanism;
+  const auto whole = optimise_study<PartEnd>(study.spec, mechanism, 1, optimise, hooks);
+  ASSERT_TRUE(closed(whole.last.end.status)) << whole.last.end.reason;
+  ASSERT_EQ(whole.holes.size(), 1u);
+  EXPECT_TRUE(whole.holes[0].kept);
+  ASSERT_TRUE(whole.catalogue);
+  ASSERT_EQ(whole.last.end.x.size(), 5) << "height, and of the hole two places and two half-axes";
+  EXPECT_EQ(std::count(values.begin(), values.end(), whole.last.end.x[0]), 1);
+  EXPECT_EQ(whole.first.history.front().x.size(), 1);
+  EXPECT_GE(whole.last.end.best->objective, whole.holes[0].after * (1 - 1e-6))
+      << "no better than with any height";
+  const int all = solved;
+  ASSERT_EQ(rounds.size(), static_cast<std::size_t>(all));
+  for (const std::size_t known : {std::size_t{1}, std::size_t{2}, rounds.size() - 1}) {
+    solved = 0;
+    const RoundHistory before(rounds.begin(), rounds.begin() + static_cast<long>(known));
+    const auto resumed = optimise_study<PartEnd>(study.spec, mechanism, 1, optimise, {}, before);
+    EXPECT_EQ(resumed.last.end.x, whole.last.end.x) << known;
+    EXPECT_EQ(resumed.catalogue->designs, whole.catalogue->designs) << known;
+    EXPECT_EQ(resumed.holes.size(), 1u) << known;
+    EXPECT_EQ(solved, all - static_cast<int>(known));
+  }
+}
+
 }  // namespace
 }  // namespace liesl::test::catalogue_test
