@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
@@ -69,7 +70,7 @@ double MechanismStatics<G>::value(const ResponseSpec& response, int record, cons
   if (slope && v > 0) {
     VectorXd mu = C * y / v;
     now.S->lu().solve_transposed(mu);
-    *slope = slopes(n.state, now.u, mu);
+    *slope = slopes(n, now.u, mu);
   }
   return v;
 }
@@ -100,14 +101,23 @@ auto MechanismStatics<G>::designed(const VectorXd& x) const -> Designed {
 }
 
 template <FrameGroup G>
-auto MechanismStatics<G>::solved(const Model<G>& model, const Record& n) -> Solved {
+auto MechanismStatics<G>::assembled(const Model<G>& model, const Record& n)
+    -> std::unique_ptr<IterationMatrix<G>> {
   State<G> s = n.state;
   const LoadLevel unloaded{s.t, 0};
   Equations<G> equations(model);
   equations.evaluate(s, s.rows, unloaded);
-  Solved out{std::make_unique<IterationMatrix<G>>(model), n.f};
-  out.S->assemble(equations, s, unloaded);
-  if (!out.S->factor())
+  auto S = std::make_unique<IterationMatrix<G>>(model);
+  S->assemble(equations, s, unloaded);
+  return S;
+}
+
+template <FrameGroup G>
+auto MechanismStatics<G>::solved(const Model<G>& model, const Record& n) -> Solved {
+  constexpr double kSingular = 1e-14;  // reciprocal condition: round-off
+  const State<G>& s = n.state;
+  Solved out{assembled(model, n), n.f};
+  if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular)
     throw std::invalid_argument(fmt::format(
         "the mechanism can move at t = {:.6g} s with its drives held, and has no static problem; "
         "expected drives or springs on all that moves, or limits with surrogate = \"auto\"",
@@ -142,10 +152,36 @@ MatrixXd MechanismStatics<G>::by_increments(const ResponseValues<G>& values,
 }
 
 template <FrameGroup G>
-VectorXd MechanismStatics<G>::slopes(const State<G>& s, const VectorXd& u,
-                                     const VectorXd& mu) const {
+bool MechanismStatics<G>::has_fourth_order() const {
+  const auto& bodies = at_.mechanism.bodies;
+  return std::any_of(bodies.begin(), bodies.end(), [](const BodySpec& body) {
+    const auto* beam = std::get_if<BeamSpec>(&body.kind);
+    return beam && beam->order == 4;
+  });
+}
+
+template <FrameGroup G>
+double MechanismStatics<G>::difference(Eigen::Index i, const Record& n, const VectorXd& u,
+                                       const VectorXd& mu) const {
+  constexpr double kStep = 1e-4;  // of the variable: the error is of its square
+  const double h = kStep * x_[i];
+  double sum = 0;
+  for (const double side : {1.0, -1.0}) {
+    const Designed moved = designed(x_ + side * h * VectorXd::Unit(x_.size(), i));
+    sum += side * mu.dot(assembled(*moved.model, n)->matrix() * u);
+  }
+  return -sum / (2 * h);
+}
+
+template <FrameGroup G>
+VectorXd MechanismStatics<G>::slopes(const Record& n, const VectorXd& u, const VectorXd& mu) const {
   VectorXd out = VectorXd::Zero(x_.size());
+  if (has_fourth_order()) {
+    for (Eigen::Index i = 0; i < x_.size(); ++i) out[i] = difference(i, n, u, mu);
+    return out;
+  }
   const Model<G>& model = *run_.model;
+  const State<G>& s = n.state;
   for (std::size_t i = 0; i < at_.by.size(); ++i)
     for (int b = 0; b < static_cast<int>(model.bodies.size()); ++b) {
       const Body<G>* change = at_.by[i]->body(b);

@@ -64,6 +64,7 @@ class MechanismStatics {
 
   Record loaded(int record) const;
   Designed designed(const VectorXd& x) const;
+  static std::unique_ptr<IterationMatrix<G>> assembled(const Model<G>& model, const Record& n);
   /// @throws std::invalid_argument if it is singular
   static Solved solved(const Model<G>& model, const Record& n);
   const Solved& solution(int record, const VectorXd& x);
@@ -71,7 +72,11 @@ class MechanismStatics {
   Eigen::MatrixXd by_increments(const ResponseValues<G>& values, const ResponseSpec& response,
                                 const State<G>& s) const;
   /// -mu^T dK/dx_i u
-  VectorXd slopes(const State<G>& s, const VectorXd& u, const VectorXd& mu) const;
+  VectorXd slopes(const Record& n, const VectorXd& u, const VectorXd& mu) const;
+  /// The same of one variable by central differences: of elements of order 4, whose stiffness is
+  /// not linear in that of their section.
+  double difference(Eigen::Index i, const Record& n, const VectorXd& u, const VectorXd& mu) const;
+  bool has_fourth_order() const;
 
   const DesignSimulator<G>& simulator_;
   const DesignRun<G>& run_;
