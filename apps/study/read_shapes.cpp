@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "apps/study/study_reader.hpp"
+#include "mbs/solids/solid_model.hpp"
 #ifdef LIESL_OPTIM
 #include "optim/problems/solid_task.hpp"
 #endif
