@@ -22,6 +22,7 @@ int esl_command(const CommandOptions& options) {
 #include "apps/output/hdf5_file.hpp"
 #include "apps/output/write_results.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/tasks/describe_identity.hpp"
 #include "apps/tasks/esl.hpp"
 
 namespace liesl {
@@ -65,9 +66,9 @@ void write(output::Hdf5File& file, const SolidLoads& solid) {
 void print(const EslOutcome& out) {
   constexpr double kLinear = 0.02;  // more shows in a deflection
   for (const BeamLoads& beam : out.beams) {
-    fmt::print(
-        "  {:<16} {} load cases; static = dynamic deformation: nonlinear {:.1e}, linear {:.1e}\n",
-        beam.name, beam.set.t.size(), beam.identity.nonlinear, beam.identity.linear);
+    fmt::print("  {:<16} {} load cases; static = dynamic deformation: nonlinear {}, linear {}\n",
+               beam.name, beam.set.t.size(), difference_text(beam.identity.nonlinear),
+               difference_text(beam.identity.linear));
     if (beam.identity.linear > kLinear)
       fmt::print(
           "  {:<16} linear static problems miss {:.0f} % of its largest strain: a slender part "
@@ -75,8 +76,9 @@ void print(const EslOutcome& out) {
           "", 100 * beam.identity.linear);
   }
   for (const SolidLoads& solid : out.solids)
-    fmt::print("  {:<16} {} load cases of {} shapes; static = dynamic deformation: {:.1e}\n",
-               solid.name, solid.set.t.size(), solid.set.e.rows(), solid.identity.linear);
+    fmt::print("  {:<16} {} load cases of {} shapes; static = dynamic deformation: {}\n",
+               solid.name, solid.set.t.size(), solid.set.e.rows(),
+               difference_text(solid.identity.linear));
 }
 
 }  // namespace

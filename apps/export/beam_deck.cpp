@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "apps/tasks/describe_identity.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/problems/treatment.hpp"
@@ -168,14 +169,16 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
       "  N has, linearly, an error of N L^2/(pi^2 EI) of its bending: linear decks miss 10 % "
       "and more.\n"
       "- **What they shall give back**: `displacements.csv`, the displacements of the motion. "
-      "liesl itself\n"
-      "  solves the part under these loads to {6:.1e} of the largest strain (linear: {7:.1e}).\n"
+      "The strains\n"
+      "  that liesl finds under these loads differ from those of the motion, over the largest: {6} "
+      "(linear: {7}).\n"
       "- Gravity and inertia are in the loads; the deck has none of its own.\n\n"
       "| case | time [s] | largest deflection [m] |\n|---|---|---|\n",
       deck.part, deck.scene, program, deck.cases.size(),
       calculix ? "node k of the beam is node 2k + 1, the middle of element e node 2e + 2"
                : "node k of the beam is grid k + 1",
-      calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", deck.identity.nonlinear, deck.identity.linear);
+      calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),
+      difference_text(deck.identity.linear));
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += fmt::format("| {} | {:.6g} | {:.6g} |\n", n + 1, deck.cases[n].time,
                         deck.cases[n].deflection);

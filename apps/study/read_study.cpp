@@ -8,7 +8,7 @@
 #include "apps/study/study_reader.hpp"
 #include "mbs/system/plane.hpp"
 #include "mbs/system/response_value.hpp"
-#include "optim/problems/mechanism_statics.hpp"
+#include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
 

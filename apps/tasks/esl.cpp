@@ -6,6 +6,7 @@
 
 #include "apps/input/problem.hpp"
 #include "apps/tasks/collect.hpp"
+#include "apps/tasks/describe_identity.hpp"
 #include "apps/tasks/run_summary.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
@@ -29,10 +30,6 @@ std::vector<double> in_space(const Mechanism& mechanism, const Model<G>& model,
   return values;
 }
 
-nlohmann::ordered_json to_json(const Identity& id) {
-  return {{"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
-}
-
 template <FrameGroup G>
 void beam_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>& trajectory,
                 EslOutcome& out) {
@@ -45,7 +42,8 @@ void beam_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>& 
                     {}};
     loads.values = in_space(scene.mechanism, model, loads.set);
     loads.identity = check_identity(model, trajectory, loads.set);
-    out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
+    out.run.summary.more["identity"][loads.name] =
+        describe_identity(loads.identity, loads.name, out.run.summary.warnings);
     out.beams.push_back(std::move(loads));
   }
 }
@@ -59,7 +57,8 @@ void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>&
     SolidLoads loads{
         model.bodies[b]->name, extract_solid_loads(model, trajectory, static_cast<int>(b)), {}};
     loads.identity = check_identity(*solid->model, solid_fractions(*solid).value, loads.set);
-    out.run.summary.more["identity"][loads.name] = to_json(loads.identity);
+    out.run.summary.more["identity"][loads.name] =
+        describe_identity(loads.identity, loads.name, out.run.summary.warnings);
     out.solids.push_back(std::move(loads));
   }
 }

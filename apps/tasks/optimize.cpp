@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "apps/tasks/collect.hpp"
+#include "apps/tasks/describe_identity.hpp"
 #include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/outline_kinks.hpp"
 #include "apps/tasks/part_summary.hpp"
@@ -163,8 +164,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   describe_part_limits(summary, study, r);
   auto& identity = summary.more["identity"] = nlohmann::ordered_json::object();
   for (const auto& [body, id] : r.identity)
-    identity[bodies[body].name] = {
-        {"nonlinear", id.nonlinear}, {"linear", id.linear}, {"cases", id.cases}};
+    identity[bodies[body].name] = describe_identity(id, bodies[body].name, summary.warnings);
   describe_optimality(summary, r.optimality);
   summary.warnings.insert(summary.warnings.end(), r.warnings.begin(), r.warnings.end());
 }

@@ -13,6 +13,7 @@
 #include "optim/problems/screened_loads.hpp"
 #include "optim/problems/treatment.hpp"
 #include "optim/study/study_errors.hpp"
+#include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
 namespace {

@@ -5,24 +5,14 @@
 
 #include <map>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "mbs/solvers/iteration_matrix.hpp"
 #include "mbs/system/parameter_residual.hpp"
 #include "optim/problems/design_run.hpp"
+#include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
-
-/// Why there is none, and what is expected instead.
-struct NoMechanismStatics {
-  const char* why;
-  const char* expected;
-};
-/// Of a limit with SurrogateKind::Mechanism; none if the study has nothing against it.
-std::optional<NoMechanismStatics> without_mechanism_statics(const StudySpec& study,
-                                                            const ConstraintSpec& limit,
-                                                            const Mechanism& mechanism);
 
 /// At record n of the motion of the design x_k, positions H_n, drives held, no prestress:
 ///   [K(x)  B^T] [u ]   [f_n]

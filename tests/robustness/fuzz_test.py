@@ -24,7 +24,8 @@ HANG = 20  # s
 MEMORY = 3000  # MB
 PLACE = re.compile(r":\d+:\d+: |^--\w+|: 'simulation\.|\.toml: |\.csv|\.msh", re.M)
 NULLS = {  # numbers that docs/outputs.md allows to be missing; any other null is one that is not finite
-    "at_time", "gain", "kkt_residual", "largest_deformation", "limit", "load_change", "modes", "modes_needed"
+    "at_time", "gain", "kkt_residual", "largest_deformation", "limit", "linear", "load_change", "modes", "modes_needed",
+    "next", "nonlinear",
 }  # fmt: skip
 NOT_A_NUMBER = re.compile(r"(?<![\w])[-+]?(nan|inf)(?![\w])", re.I)
 
