@@ -1,12 +1,14 @@
 /// @file
 /// The iteration matrix of every shipped scene against differences of its residual, in every
-/// formalism, in the plane and in space: of a step and of statics, at a state of a running motion
-/// or on a path of equilibria; its solutions against its transposed solutions.
+/// formalism, in the plane and (but for chains of segments) in space: of a step and of statics, at
+/// a state of a running motion or on a path of equilibria; its solutions against its transposed
+/// solutions.
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <set>
 
 #include "apps/scene/load_scene.hpp"
 #include "mbs/solids/solid_model.hpp"
@@ -19,15 +21,20 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr Formalism kFormalisms[] = {Formalism::SE3, Formalism::R3SO3, Formalism::Classical,
-                                     Formalism::Floating, Formalism::Rigid};
+constexpr Formalism kFormalisms[] = {Formalism::SE3,      Formalism::R3SO3, Formalism::Classical,
+                                     Formalism::Floating, Formalism::Rigid, Formalism::Segments};
 constexpr int kFewColumns = 30;  // of the formalisms that a scene does not ask for
 
 /// Variants without a state to compare at, and why.
 const std::map<std::string, std::string> kLeftOut = {
     {"stability/parallelogram, se3, plane", "a dead point"},  // refused at the start
     {"stability/parallelogram, se3, space", "a dead point"},
+    {"scenes/crane_boom, segments, plane", "turns a node between the ends"},
 };
+
+/// Solutions are refined once: entries grow by the threshold that pivots of KLU are chosen with
+/// (0.001), so that the factor alone is not backward stable.
+const std::set<std::string> kRefined = {"stability/esl_non_optimal, segments, plane"};
 
 std::vector<std::string> scenes() {
   std::vector<std::string> list;
@@ -63,7 +70,7 @@ void compare_motion(const Model<G>& model, const SimulationOptions& o, int most,
   test::StepTangent<G> step(model, o, steps_of(o));
   ASSERT_GT(step.state().v.norm(), 0) << what;
   step.expect_exact(what, most);
-  step.expect_transposed(what);
+  step.expect_transposed(what, kRefined.contains(what));
   test::expect_exact_statics(model, step.state(), {step.state().t, 1}, what, most);
 }
 
@@ -89,14 +96,14 @@ class SceneTangent : public ::testing::TestWithParam<std::string> {
     const auto left_out = kLeftOut.find(what);
     Mechanism m = scene.mechanism;
     m.formalism = formalism;
-    const auto model = Model<G>::build(m, space);
     try {
+      const auto model = Model<G>::build(m, space);
       if (scene.simulation.type == SimulationType::Dynamic)
         compare_motion(model, scene.simulation, most, what);
       else
         compare_statics(model, scene.simulation, most, what);
       EXPECT_EQ(left_out, kLeftOut.end()) << what << " has a state to compare at";
-    } catch (const std::runtime_error& error) {
+    } catch (const std::exception& error) {
       ASSERT_NE(left_out, kLeftOut.end()) << what << ": " << error.what();
       EXPECT_NE(std::string(error.what()).find(left_out->second), std::string::npos)
           << what << ": " << error.what();
@@ -118,7 +125,8 @@ TEST_P(SceneTangent, IsTheDerivativeOfTheResidual) {
       continue;  // of motions only
     const int most = given ? test::kAllColumns : kFewColumns;
     if (found.plane) compare<SE2>(scene, *found.plane, formalism, most);
-    if (in_space) compare<SE3>(scene, {}, formalism, found.plane ? kFewColumns : most);
+    const bool chains = formalism == Formalism::Segments;  // of the plane only
+    if (in_space && !chains) compare<SE3>(scene, {}, formalism, found.plane ? kFewColumns : most);
   }
 }
 
