@@ -158,6 +158,8 @@ VerifiedOptimum optimum_of(const Study& study, const CommandOptions& options,
   const ModelHistory resume = models.all;
   try {
     return optimize_verified(study, space, summary, hooks, how, resume);
+  } catch (const NoStaticsOfMechanism& error) {
+    throw InputError({{study.file, 0, 0, error.what(), "", ""}});
   } catch (const NoSensitivities& error) {
     throw InputError({{study.file, 0, 0,
                        "cycle.method needs sensitivities, which this motion has not: " +

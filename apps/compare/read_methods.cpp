@@ -61,6 +61,8 @@ bool has_treatment(const std::string& method, const std::string& treatment) {
   return method != "esl";
 }
 
+/// A treated limit has no static problem of a part, so "esl1" takes the steps of "full": where both
+/// are rows, those of "full" stand for both.
 void leave_out_treatments(CaseList& cases) {
   const auto column = [&](const char* name) {
     return std::find_if(cases.columns.begin(), cases.columns.end(),
@@ -70,9 +72,14 @@ void leave_out_treatments(CaseList& cases) {
   const auto method = column("method"), treatment = column("treatment"),
              end = static_cast<std::ptrdiff_t>(cases.columns.size());
   if (method == end || treatment == end) return;
+  const auto value = [](const CaseList::Row& row, std::ptrdiff_t of) {
+    return plain(row.values[static_cast<std::size_t>(of)].text);
+  };
+  const bool full = std::any_of(cases.rows.begin(), cases.rows.end(),
+                                [&](const auto& row) { return value(row, method) == "full"; });
   std::erase_if(cases.rows, [&](const CaseList::Row& row) {
-    return !has_treatment(plain(row.values[static_cast<std::size_t>(method)].text),
-                          plain(row.values[static_cast<std::size_t>(treatment)].text));
+    const std::string of = value(row, method), treated = value(row, treatment);
+    return !has_treatment(of, treated) || (full && of == "esl1" && treated != "auto");
   });
 }
 

@@ -52,8 +52,20 @@ Json head(const RunSummary& s) {
           {"responses", responses_json(s.responses)}};
 }
 
+/// Keys that have another name now keep the old one beside it: {new, old} at the top, and of each
+/// hole that was tried. Only where the old name has no other meaning in the same object.
+void keep_old_keys(Json& json) {
+  const auto keep = [](Json& object, const char* now, const char* old) {
+    if (object.contains(now)) object[old] = object[now];
+  };
+  keep(json, "terms", "goals");
+  if (json.contains("nucleation"))
+    for (Json& hole : json["nucleation"]["tried"]) keep(hole, "cycles", "steps");
+}
+
 void add_tail(Json& json, const RunSummary& s) {
   if (s.more.is_object()) json.update(s.more);
+  keep_old_keys(json);
   output::add_tail(json, s.warnings, s.overrides, s.input_sha256);
 }
 

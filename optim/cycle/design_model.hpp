@@ -90,4 +90,10 @@ struct NoSensitivities : std::invalid_argument {
   using std::invalid_argument::invalid_argument;
 };
 
+/// It can, but limits with `surrogate = "mechanism"` have no static problem: the mechanism moves
+/// with its drives held.
+struct NoStaticsOfMechanism : NoSensitivities {
+  using NoSensitivities::NoSensitivities;
+};
+
 }  // namespace liesl

@@ -366,6 +366,8 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     gradients.append(std::move(p.gradients));
   }
   return combined(std::move(members));
+} catch (const MechanismMoves& error) {
+  throw NoStaticsOfMechanism(error.what());
 } catch (const std::invalid_argument& error) {
   throw NoSensitivities(error.what());
 }

@@ -87,7 +87,7 @@ auto MechanismStatics<G>::solved(const Model<G>& model, const Record& n) -> Solv
   const State<G>& s = n.state;
   Solved out{assembled(model, n), n.f};
   if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular)
-    throw std::invalid_argument(fmt::format(
+    throw MechanismMoves(fmt::format(
         "the mechanism can move at t = {:.6g} s with its drives held, and has no static problem; "
         "expected drives or springs on all that moves, or limits with surrogate = \"auto\"",
         s.t));

@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include "mbs/solvers/iteration_matrix.hpp"
@@ -13,6 +14,11 @@
 #include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
+
+/// The mechanism can move with its drives held, so it has no static problem.
+struct MechanismMoves : std::invalid_argument {
+  using std::invalid_argument::invalid_argument;
+};
 
 /// At record n of the motion of the design x_k, positions H_n, drives held, no prestress:
 ///   [K(x)  B^T] [u ]   [f_n]
@@ -29,7 +35,7 @@ class MechanismStatics {
   /// @pre all outlive this; x_k is the design of `run`, whose variables are sizes of sections of
   /// beams that are not in modes
   /// @param records that are asked for
-  /// @throws std::invalid_argument if the mechanism can move at one of them with its drives held
+  /// @throws MechanismMoves if it can at one of them
   MechanismStatics(const DesignSimulator<G>& simulator, const DesignRun<G>& run,
                    const std::vector<int>& records);
 
@@ -55,7 +61,7 @@ class MechanismStatics {
   Record loaded(int record) const;
   Designed designed(const VectorXd& x) const;
   static std::unique_ptr<IterationMatrix<G>> assembled(const Model<G>& model, const Record& n);
-  /// @throws std::invalid_argument if it is singular
+  /// @throws MechanismMoves if it is singular
   static Solved solved(const Model<G>& model, const Record& n);
   const Solved& solution(int record, const VectorXd& x);
   /// C, a column a component.

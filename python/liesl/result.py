@@ -7,8 +7,9 @@ import io
 import json
 import os
 import tempfile
+import warnings
 from pathlib import Path
-from typing import Any, Iterator, Mapping, Sequence
+from typing import Any, Iterable, Iterator, Mapping, Sequence
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -272,6 +273,31 @@ class _Folder:
                       folder)
 
 
+def _renamed(name: str, known: Iterable[str]) -> str | None:
+    """The column that is now what `name` was: of version 0.1, where a deflection in a plane had no
+    letter, "bend [m]" is "bend.y [m]" or "bend.z [m]"; and the other way round in its tables. None
+    if there is none, or more than one."""
+    base, _, unit = name.partition(" [")
+    unit = f" [{unit}" if unit else ""
+    if base.endswith((".y", ".z")):
+        wanted = [base[:-2] + unit]
+    else:
+        wanted = [f"{base}.y{unit}", f"{base}.z{unit}"]
+    found = [n for n in wanted if n in known]
+    return found[0] if len(found) == 1 else None
+
+
+class Table(dict[str, np.ndarray]):
+    """Columns by name. A name of version 0.1 is accepted with a warning (FutureWarning)."""
+
+    def __missing__(self, name: str) -> np.ndarray:
+        now = _renamed(name, self) if isinstance(name, str) else None
+        if now is None:
+            raise KeyError(f"there is no column '{name}'; known: {', '.join(self)}")
+        warnings.warn(f"the column '{name}' is called '{now}' here", FutureWarning, stacklevel=2)
+        return self[now]
+
+
 class FolderResult(Result):
     """What `liesl.open` gives: data sets of all HDF5 files of the folder, and its tables."""
 
@@ -280,7 +306,7 @@ class FolderResult(Result):
         self.folder = folder  #: where it is
 
     @property
-    def tables(self) -> dict[str, dict[str, np.ndarray]]:
+    def tables(self) -> dict[str, Table]:
         """CSV tables by name, each with its columns: "design", "responses_final", of a batch
         "results". Columns are numbers where all their entries are, else texts."""
         return {f.stem: _table(f) for f in sorted(self.folder.glob("*.csv"))}
@@ -290,7 +316,7 @@ class FolderResult(Result):
         _liesl.write_file(os.path.abspath(path), page)
 
 
-def _table(path: Path) -> dict[str, np.ndarray]:
+def _table(path: Path) -> Table:
     try:
         text = path.read_text(encoding="utf-8")
         rows = list(csv.reader(io.StringIO(text, newline="")))
@@ -301,7 +327,7 @@ def _table(path: Path) -> dict[str, np.ndarray]:
     names, rows = (rows[0], rows[1:]) if rows else ([], [])
     if any(len(row) != len(names) for row in rows):
         raise IoError(f"cannot read '{path}': its rows have different lengths", str(path))
-    return {name: _column([row[i] for row in rows]) for i, name in enumerate(names)}
+    return Table((name, _column([row[i] for row in rows])) for i, name in enumerate(names))
 
 
 def _column(texts: list[str]) -> np.ndarray:

@@ -43,6 +43,23 @@ def test_a_folder_holds_the_same(pendulum, tmp_path):
     assert (tmp_path / "out/report.html").exists()
 
 
+def test_columns_of_version_0_1_are_found(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out", report=False)
+    table = liesl.open(tmp_path / "out").tables["responses"]
+    now = next(n for n in table if n.startswith("bend."))
+    letter, unit = now[len("bend.")], now[len("bend.y"):]
+    with pytest.warns(FutureWarning, match="bend"):
+        assert np.array_equal(table["bend" + unit], table[now])
+    with pytest.raises(KeyError, match="known: .*bend"):
+        table["bent" + unit]
+    # A table of version 0.1, asked for by the name of today.
+    path = tmp_path / "out/responses.csv"
+    path.write_text(path.read_text().replace("bend." + letter, "bend", 1))
+    old = liesl.open(tmp_path / "out").tables["responses"]
+    with pytest.warns(FutureWarning):
+        assert np.array_equal(old[now], old["bend" + unit])
+
+
 def test_names(pendulum):
     result = liesl.Scene(pendulum).run()
     assert set(result.responses) == {"bend", "tip"}

@@ -283,6 +283,29 @@ TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
             2);
 }
 
+/// Arms without drives have sensitivities, so nothing is said of them, but no static problem.
+TEST_F(Cli, StaticsOfAMechanismThatMovesAreRefused) {
+  std::string arms = text_of(scene("two_link_robot"));
+  for (auto at = arms.find("\ndrive = "); at != std::string::npos; at = arms.find("\ndrive = "))
+    arms.erase(at, arms.find('\n', at + 1) - at);
+  write("scene.toml", arms);
+  const Outcome o = run({"optimize", write("study.toml", R"toml(
+scene = "scene.toml"
+[design]
+walls = { of = "arm1", property = "thickness", bounds = [0.0005, 0.005] }
+[objective]
+minimize = "mass"
+of = ["arm1"]
+[constraints]
+tip = { use = "arm1_tip", limit = 2e-3, surrogate = "mechanism" }
+)toml"),
+                         "-o", results()});
+  EXPECT_EQ(o.code, 2) << o.err;
+  EXPECT_NE(o.err.find("study.toml: the mechanism can move at t = "), std::string::npos) << o.err;
+  EXPECT_NE(o.err.find("surrogate = \"auto\""), std::string::npos) << o.err;
+  EXPECT_EQ(o.err.find("sensitivities"), std::string::npos) << o.err;
+}
+
 Words rod_study(const fs::path& out) {
   return {"optimize", study("slider_crank_rod"),          "-o",    out,
           "--set",    "design.rod_diameters.start=0.006", "--set", "simulation.step=5e-5"};

@@ -38,6 +38,8 @@ TEST_F(Nucleation, InsertsAHoleAndWritesTheOutlineForTheNextScene) {
   const Json s = summary(), tried = s["nucleation"]["tried"];
   ASSERT_EQ(tried.size(), 1u);
   EXPECT_EQ(tried[0]["feature"], "new_hole1");
+  EXPECT_GT(tried[0]["cycles"], 0);
+  EXPECT_EQ(tried[0]["steps"], tried[0]["cycles"]) << "its name of before";
   EXPECT_TRUE(tried[0]["kept"]);
   EXPECT_EQ(tried[0]["objective"], s["mass_final"]);
   EXPECT_LT(s["mass_final"].get<double>(), tried[0]["objective_before"].get<double>());

@@ -62,6 +62,16 @@ TEST(Summary, RunHasItsKeys) {
   EXPECT_GT(json["peak_memory_mb"], 1.0);
 }
 
+TEST(Summary, KeysOfBeforeStandBesideTheNewOnes) {
+  RunSummary s = sample_run();
+  EXPECT_FALSE(to_json(s).contains("goals"));
+  s.more = {{"terms", {{"mass", {{"weight", 2.0}}}}},
+            {"nucleation", {{"tried", {{{"feature", "hole1"}, {"cycles", 7}}}}}}};
+  const auto json = to_json(s);
+  EXPECT_EQ(json["goals"], json["terms"]);
+  EXPECT_EQ(json["nucleation"]["tried"][0]["steps"], 7);
+}
+
 TEST(Summary, OptimizeHasItsKeysBesides) {
   OptimizeSummary s;
   static_cast<RunSummary&>(s) = sample_run();

@@ -150,7 +150,7 @@ TEST(MechanismStatics, AreRefusedOfAMechanismThatMoves) {
   try {
     run_cycle<SE2>(s.motion, spec, {}, {});
     FAIL() << "not refused";
-  } catch (const NoSensitivities& error) {
+  } catch (const NoStaticsOfMechanism& error) {
     EXPECT_NE(std::string(error.what()).find("can move at t = "), std::string::npos)
         << error.what();
   }
