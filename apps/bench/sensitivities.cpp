@@ -25,13 +25,14 @@ constexpr int kElements = 400, kSteps = 100;
 constexpr double kPerturbation = 1e-7;  // of a height, semi-analytic form
 
 /// That of data/scenes/pendulum.toml.
-Mechanism pendulum() {
+Mechanism pendulum(Formalism formalism = Formalism::SE3) {
   BeamSpec beam;
   beam.nodes = straight({0, 0, 0}, {1, 0, 0}, kElements);
   beam.material = {"soft", 5e8, 0.3, 7800};
   Section section{"square", Rectangle{0.01, 0.01}, {5. / 6, 5. / 6}, 0.1406e-8};
   beam.sections.assign(kElements, section);
   Mechanism m;
+  m.formalism = formalism;
   m.gravity = {0, -9.81, 0};
   m.bodies = {{"beam", beam}};
   m.joints = {{"hinge", JointType::Revolute, {}, {0, 0}}};
@@ -51,12 +52,13 @@ template <FrameGroup G>
 struct Pendulum {
   Space<G> space;
   SimulationOptions options = simulation();
-  Mechanism mechanism = pendulum();
+  Mechanism mechanism;
   Model<G> model;
   Tape<G> tape;
   double forward = 0;  ///< s, of a plain run
 
-  explicit Pendulum(const Space<G>& in) : space(in), model(Model<G>::build(mechanism, space)) {
+  Pendulum(const Space<G>& in, Formalism formalism)
+      : space(in), mechanism(pendulum(formalism)), model(Model<G>::build(mechanism, space)) {
     std::vector<double> times;
     for (int i = 0; i < 5; ++i) times.push_back(seconds([&] { simulate(model, options); }));
     forward = median(times);
@@ -147,8 +149,8 @@ class Tip {
 template <FrameGroup G>
 class Bench {
  public:
-  Bench(const char* name, const Space<G>& space, std::vector<Figure>& rows)
-      : name_(name), pendulum_(space), tip_(pendulum_), rows_(rows) {}
+  Bench(const char* name, const Space<G>& space, Formalism formalism, std::vector<Figure>& rows)
+      : name_(name), pendulum_(space, formalism), tip_(pendulum_), rows_(rows) {}
 
   void run(int groups) {
     const Parameters<G> parameters = pendulum_.parameters(groups);
@@ -224,9 +226,10 @@ class Bench {
 };
 
 template <FrameGroup G>
-void run_all(const char* name, const Space<G>& space, std::vector<Figure>& rows) {
-  Bench<G> bench(name, space, rows);
-  for (const int groups : {4, 40, 400}) bench.run(groups);
+void run_all(const char* name, const Space<G>& space, std::vector<Figure>& rows,
+             Formalism formalism = Formalism::SE3, std::initializer_list<int> of = {4, 40, 400}) {
+  Bench<G> bench(name, space, formalism, rows);
+  for (const int groups : of) bench.run(groups);
 }
 
 }  // namespace
@@ -234,7 +237,9 @@ void run_all(const char* name, const Space<G>& space, std::vector<Figure>& rows)
 
 int main(int argc, char** argv) {
   std::vector<liesl::Figure> rows;
-  liesl::run_all<liesl::SE2>("planar", *liesl::find_plane(liesl::pendulum()).plane, rows);
+  const auto plane = *liesl::find_plane(liesl::pendulum()).plane;
+  liesl::run_all<liesl::SE2>("planar", plane, rows);
+  liesl::run_all<liesl::SE2>("segments", plane, rows, liesl::Formalism::Segments, {4, 40});
   liesl::run_all<liesl::SE3>("spatial", {}, rows);
   if (argc < 2) return 0;
   std::ofstream out(argv[1]);

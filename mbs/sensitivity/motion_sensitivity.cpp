@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "mbs/sensitivity/inertial_axes.hpp"
 #include "mbs/solvers/initial_state.hpp"
 #include "mbs/system/penalty.hpp"
 
@@ -194,20 +195,6 @@ class Derivatives {
   ResidualDerivative by_p_;
   VectorXd r_p_, phi_p_, rate_;
 };
-
-/// The state with all positions in inertial axes: those of a node turn from step to step, its
-/// sensitivities do not.
-template <FrameGroup G>
-State<G> in_inertial_axes(const Model<G>& model, const State<G>& s) {
-  State<G> out = s;
-  for (const int k : model.positions()) {
-    for (auto* x : {&out.v, &out.vdot, &out.a})
-      x->template segment<G::space_dim>(G::dim * k) =
-          s.H[k].R * x->template segment<G::space_dim>(G::dim * k).eval();
-    out.H[k].R.setIdentity();
-  }
-  return out;
-}
 
 /// Do drives that stand still begin to accelerate? Nodes of an equilibrium do, by its round-off.
 template <FrameGroup G>

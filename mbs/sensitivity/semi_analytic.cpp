@@ -4,6 +4,7 @@
 
 #include <stdexcept>
 
+#include "mbs/sensitivity/inertial_axes.hpp"
 #include "mbs/system/penalty.hpp"
 
 namespace liesl {
@@ -46,7 +47,11 @@ class Residuals {
     return {(-b.topRows(at_.r.size())).eval().sparseView(),
             MatrixXd::Zero(at_.phi.size(), b.cols())};
   }
-  Equations<G>& equations() { return at_; }
+  /// At the state, positions in the axes of their nodes.
+  Equations<G>& equations(const State<G>& s, const VectorXd& previous) {
+    at_.evaluate(s, previous, {s.t, 1});
+    return at_;
+  }
 
  private:
   const std::vector<PerturbedModel<G>>& perturbed_;
@@ -54,13 +59,14 @@ class Residuals {
   std::vector<Equations<G>> changed_;
 };
 
-/// x <- S^-1 x by corrections with the integrator's constant factor. @pre eq evaluated at the state
+/// x <- S^-1 x by corrections with the integrator's constant factor, positions in inertial axes.
 template <FrameGroup G>
 class FrozenFactor {
  public:
-  explicit FrozenFactor(const Model<G>& model) : system_(model) {}
-  bool solve(const IterationMatrix<G>& S, TangentWeights w, int corrections, Equations<G>& eq,
-             MatrixXd& x) {
+  explicit FrozenFactor(const Model<G>& model) : model_(model), system_(model) {}
+  /// @param s the state, in the axes of the factor: those of its nodes  @pre eq evaluated there
+  bool solve(const IterationMatrix<G>& S, TangentWeights w, int corrections, const State<G>& s,
+             Equations<G>& eq, MatrixXd& x) {
     if (w.mass != mass_ && !system_.factor(w)) return false;
     mass_ = w.mass;
     const auto n = eq.r.size(), m = eq.phi.size();
@@ -68,11 +74,13 @@ class FrozenFactor {
     const MatrixXd b = x;
     x.setZero();
     for (int k = 0; k < corrections; ++k) {
-      const MatrixXd rest = b - S.matrix() * x;
+      MatrixXd rest = b - S.matrix() * x;
+      turn_positions(model_, s, false, rest);
       for (Index i = 0; i < x.cols(); ++i) {
         eq.r = -rest.col(i).head(n);
         eq.phi = -rest.col(i).tail(m);
         if (!system_.solve(eq, delta, dlambda)) return false;
+        turn_positions(model_, s, true, delta);
         x.col(i).head(n) += delta;
         x.col(i).tail(m) += dlambda;
       }
@@ -81,6 +89,7 @@ class FrozenFactor {
   }
 
  private:
+  const Model<G>& model_;
   JointSystem<G> system_;
   double mass_ = 0;
 };
@@ -101,16 +110,14 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
   const auto fail = [&end](double t) {
     end.reason = fmt::format("the equations of the step to t = {:.6g} s are singular", t);
   };
-  if (!model.positions().empty())
-    throw std::invalid_argument(
-        "there are no semi-analytic sensitivities of chains of segments: take the direct form");
-  const State<G>& first = tape.checkpoints.at(0).s;
+  const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   long step = 0;
   if (!sensitivity.start(first)) return fail(first.t), end;
   sensitivity.forward(residuals.at_start(first), ds);
   at(step++, first, ds);
-  const auto advance = [&](const State<G>& before, const State<G>& after, double h) {
+  const auto advance = [&](const State<G>& from, const State<G>& to, double h) {
     if (!end.complete()) return;
+    const State<G> before = in_inertial_axes(model, from), after = in_inertial_axes(model, to);
     if (!sensitivity.step(before, after, h, !factor.frozen)) return fail(after.t);
     const TangentWeights w = sensitivity.weights();
     const auto k = sensitivity.known(ds);
@@ -118,7 +125,8 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
     MatrixXd x = residuals.right_side(after, before.rows, change.v, change.vdot);
     if (!factor.frozen)
       sensitivity.solve(x);
-    else if (!frozen.solve(sensitivity.matrix(), w, factor.corrections, residuals.equations(), x))
+    else if (!frozen.solve(sensitivity.matrix(), w, factor.corrections, to,
+                           residuals.equations(to, from.rows), x))
       return fail(after.t);
     sensitivity.finish(k, x, ds);
     at(step++, after, ds);
