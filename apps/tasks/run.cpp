@@ -69,6 +69,7 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   out.summary.more["frequencies_hz"] = modes.frequency;
   out.summary.more["eigenvalues"] = modes.eigenvalue;
   if (modes.report.status != SolveStatus::Converged) return;
+  out.summary.reason = fmt::format("{} modes found", modes.frequency.size());
   PartRanges<G> ranges(scene.mechanism, model);
   State<G> rest = modes.equilibrium;
   model.complete(rest);

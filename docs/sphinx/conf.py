@@ -4,6 +4,9 @@ The sources are the Markdown files of the repository as they are; this file only
 which order. Links that lead nowhere are errors (-W).
 """
 
+import shutil
+from pathlib import Path
+
 project = "liesl"
 author = "the liesl authors"
 extensions = ["myst_parser"]
@@ -42,5 +45,24 @@ def add_contents(app, name, source):
         source[0] += f"\n\n```{{toctree}}\n:caption: {caption}\n:hidden:\n\n" + "\n".join(pages) + "\n```\n"
 
 
+MODULE = 'import Gumshoe from "./gumshoe-patched.js";'
+SERVED, NORMALIZE = "/javascript/normalize.css/normalize.css", Path("/usr/share/javascript/normalize.css/normalize.css")
+
+
+def stand_alone(app, error):
+    """Debian's furo loads a module as a plain script, and a style from a folder of the web server: without
+    both, pages have margins about the page and no switch between light and dark."""
+    static = Path(app.outdir) / "_static"
+    script, style = static / "scripts/furo.js", static / "styles/furo.css"
+    if error or not script.exists():
+        return
+    if MODULE in (text := script.read_text()):
+        script.write_text((script.parent / "gumshoe-patched.js").read_text() + "\n" + text.replace(MODULE, ""))
+    if SERVED in (text := style.read_text()) and NORMALIZE.exists():
+        shutil.copy(NORMALIZE, style.parent)
+        style.write_text(text.replace(SERVED, NORMALIZE.name))
+
+
 def setup(app):
     app.connect("source-read", add_contents)
+    app.connect("build-finished", stand_alone)

@@ -330,6 +330,36 @@ class Pages(unittest.TestCase):
         name = self.browser.run("return document.getElementById('instant').textContent")
         self.slide("time", 1)
         self.assertNotEqual(self.browser.run("return document.getElementById('instant').textContent"), name)
+        self.assertTrue(name.startswith("1: "), name)
+        self.browser.run("document.querySelectorAll('tr.opens')[2].click()")
+        self.browser.frames()
+        self.assertTrue(self.browser.run("return document.getElementById('instant').textContent").startswith("3: "))
+        self.assertEqual(self.browser.run("return document.querySelector('tr[aria-current=true] td').textContent"), "3")
+        self.assertRegex(self.browser.run("return document.querySelector('.reason').textContent"), r"^\d+ modes found")
+
+    def test_charts_tell_units_and_what_stays_zero(self):
+        self.show(rod(), name="rod_charts")
+        legend = "return document.querySelector(`[data-chart=\"${arguments[0]}\"] .legend`).textContent"
+        bending = self.browser.run(legend, "bending")
+        self.assertRegex(bending, r"limit 1\smm")
+        self.assertRegex(bending, r"error of the peak by mesh and step ± [\d.]+\smm")
+        self.assertNotRegex(self.browser.run("return document.querySelector('header').textContent"), r"\s-\d|\+-|\de-")
+        self.assertEqual(self.browser.run("return document.querySelectorAll('[data-chart=energies] .swatch.dashed').length"), 1,
+                         "the total lets the kinetic energy show")
+        self.show(folder_of("swing", "run", str(DATA / "scenes/pendulum.toml"), "--set", "simulation.duration=0.05"))
+        tip = self.browser.run(legend, "tip")
+        self.assertIn("tip.z: 0 throughout", tip)
+        self.assertEqual(self.browser.run("return document.querySelectorAll('[data-chart=tip] .swatch').length"), 2)
+
+    def test_tables_of_a_phone_show_where_they_go_on(self):
+        self.browser.devtools("Emulation.setDeviceMetricsOverride", width=390, height=844, deviceScaleFactor=1, mobile=True)
+        self.show(rod(), name="rod_phone_tables")
+        bar = self.browser.run("""const b = document.querySelector('.bounds').getBoundingClientRect();
+            return [b.right, document.querySelector('.bounds').closest('.scroll').getBoundingClientRect().right];""")
+        shade = self.browser.run("return getComputedStyle(document.querySelector('.scroll')).backgroundAttachment")
+        self.browser.devtools("Emulation.clearDeviceMetricsOverride")
+        self.assertLessEqual(bar[0], bar[1], "the bounds are in sight")
+        self.assertEqual(shade, "local, local, scroll, scroll")
 
     def test_batch_filters_sorts_and_opens(self):
         file = FOLDER / "batch.toml"

@@ -12,15 +12,18 @@ const kPrinted = 318;  // pixels of a chart on a sheet, two beside each other
 addEventListener('beforeprint', () => kPlots.forEach((p) => p.setSize({ width: kPrinted, height: p.height })));
 addEventListener('afterprint', () => kPlots.forEach((p) => p.setSize({ width: p.root.parentElement.clientWidth, height: p.height })));
 
-const kDashed = { initial: [5, 4] };
+const kDashed = { initial: [5, 4], total: [5, 4] };  // so that what lies beneath is seen
 const colourOf = (label, i) => (label === 'initial' ? kSeries[1] : label === 'final' ? kSeries[0] : kSeries[i % kSeries.length]);
 
 /** A chart of the page's data as a card; the clock may be null. */
 export function timeChart(d, clock) {
-  const lines = d.lines.map((l) => ({ label: l.label, x: array(l.x), y: array(l.y) }));
+  const all = d.lines.map((l) => ({ label: l.label, x: array(l.x), y: array(l.y) }));
+  const moving = all.filter((l) => peak(l.y) > 0), lines = moving.length ? moving : all;
+  const still = all.filter((l) => !lines.includes(l)).map((l) => l.label);
   let size = d.limit ?? 0;
   for (const l of lines) for (const y of l.y) size = Math.max(size, Math.abs(y));
   const scale = scaleOf(size, d.unit);
+  const unit = scale.unit && scale.unit !== '-' ? `\u00a0${scale.unit}` : '';
   const legend = el('div', { class: 'legend' });
   const holder = el('div', { class: 'plot' });
   const over = lines.map((l) => peak(l.y) / d.limit - 1);
@@ -29,16 +32,18 @@ export function timeChart(d, clock) {
   const values = lines.map((line, i) => {
     const value = el('b', {});
     const note = d.limit ? el('i', { class: over[i] > 1e-3 ? 'bad' : '' }, ` peak ${percent(over[i])}`) : null;
-    legend.append(el('span', {}, swatch(colourOf(line.label, i)), line.label, ' ', value, note));
+    legend.append(el('span', {}, swatch(colourOf(line.label, i), !!kDashed[line.label]), line.label, ' ', value, note));
     return value;
   });
   if (d.limit)
-    legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, tick(d.limit / scale.factor))));
+    legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, tick(d.limit / scale.factor) + unit)));
   if (d.error)
-    legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, number(d.error / scale.factor, 2))));
+    legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, number(d.error / scale.factor, 2) + unit)));
+  if (still.length)
+    legend.append(el('span', { class: 'still' }, `${still.join(', ')}: 0 throughout`));
   const plot = draw(holder, lines, d, scale);
   if (clock) follow(plot, clock, (t) => lines.forEach((l, i) => {
-    values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4);
+    values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4) + unit;
   }));
   return box;
 }
@@ -61,7 +66,7 @@ function axes(d) {
     grid: { stroke: () => theme('line'), width: 1 } };
   const label = d.abscissa_unit && d.abscissa_unit !== '-' ? `${d.abscissa} [${d.abscissa_unit}]` : d.abscissa;
   return [
-    { ...style, size: 34, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 16, labelFont: '11px system-ui, sans-serif', labelGap: -2, values: (_, v) => ticks(v) },
+    { ...style, size: 22, incrs: d.points ? [1, 2, 5, 10, 20, 50, 100] : undefined, label: label.replace('_', ' '), labelSize: 15, labelFont: '11px system-ui, sans-serif', labelGap: -2, values: (_, v) => ticks(v) },
     { ...style, size: 48, values: (_, v) => ticks(v) },
   ];
 }

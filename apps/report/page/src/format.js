@@ -54,6 +54,12 @@ function superscript(exponent) {
   return sign + [...String(Math.abs(exponent))].map((d) => digits[Number(d)]).join('');
 }
 
+/** A sentence of the program with the signs of print: "\u22120.4", "\u00b1 1", "6.5\u00d710\u207b\u2075". */
+export function prose(text) {
+  return text.replace(/\+-/g, '\u00b1').replace(/(\d)e([+-]\d+)\b/g, (_, digit, exponent) => digit + kTimes + '10' + superscript(Number(exponent)))
+    .replace(/(^|[\s(])-(?=\d)/g, `$1${kMinus}`);
+}
+
 /** "12.4 mm" */
 export function quantity(x, unit, digits = 4) {
   if (x === null || x === undefined || Number.isNaN(x)) return '\u2013';

@@ -24,8 +24,9 @@ function page() {
   const timed = player && !player.shapes ? clock : null;
   if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
   const wide = [maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
-  add(left, tables.limits(s), tables.design(s));
-  add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s), tables.gradients(s));
+  add(left, tables.limits(s));
+  add(beside() && right.offsetHeight < left.offsetHeight ? right : left, tables.design(s));
+  add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s));
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
   const origin = tables.provenance(data);
   origin.classList.add('wide');
@@ -41,6 +42,11 @@ function page() {
     if (player?.key(event)) event.preventDefault();
   });
   requestAnimationFrame(() => (document.documentElement.dataset.ready = Math.round(performance.now())));
+}
+
+/** Are the columns beside each other, as style.css has it? */
+function beside() {
+  return matchMedia('(min-width: 981px)').matches;
 }
 
 /** When the limit is reached that is violated most, or has least to spare. */

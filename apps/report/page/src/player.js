@@ -126,7 +126,7 @@ export class Player {
     this.view.set({ instant: this.shapes ? record : clock.record() });
     const share = (clock.at - clock.first) / (clock.last - clock.first || 1);
     this.slider.value = this.shapes ? record : share;
-    this.label.textContent = this.cases?.[record] ?? this.instantText(clock.at);
+    this.label.textContent = this.cases?.[record] ?? (this.modes ? `${record + 1}: ` : '') + this.instantText(clock.at);
   }
 
   /** What the sliders say, as a line. */

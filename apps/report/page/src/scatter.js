@@ -52,10 +52,14 @@ export class Scatter {
     ctx.fillStyle = theme('soft');
     ctx.textAlign = 'center';
     ctx.beginPath();
+    let free = -Infinity;  // where the next label may begin
     for (const t of ax.ticks) {
       ctx.moveTo(ax.at(t), kTop);
       ctx.lineTo(ax.at(t), h - kBottom);
+      const half = 0.5 * ctx.measureText(tick(t, 3)).width;
+      if (ax.at(t) - half < free) continue;
       ctx.fillText(tick(t, 3), ax.at(t), h - kBottom + 15);
+      free = ax.at(t) + half + 8;
     }
     ctx.textAlign = 'right';
     for (const t of ay.ticks) {

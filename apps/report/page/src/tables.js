@@ -1,7 +1,7 @@
 // Figures of a summary as tables: head, limits, design, provenance.
 
 import { card, el } from './dom.js';
-import { number, percent, quantities, quantity, tick } from './format.js';
+import { number, percent, prose, quantities, quantity, tick } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
 const kMiddling = ['recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
@@ -24,7 +24,9 @@ const kMeaning = {
 };
 
 function sentence(text) {
-  return text && !/[.!?]$/.test(text) ? `${text}.` : text;
+  if (!text) return text;
+  const printed = prose(text);
+  return /[.!?]$/.test(printed) ? printed : `${printed}.`;
 }
 
 function tile(label, value, note, kind) {
@@ -52,8 +54,8 @@ export function head(data) {
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
     el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(s))) : null),
-    s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, w))) : null,
-    el('div', { class: 'tiles' }, tiles));
+    s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
+    tiles.length ? el('div', { class: 'tiles' }, tiles) : null);
 }
 
 function table(heading, rows, kinds = []) {
@@ -79,7 +81,7 @@ export function limits(s) {
       rows.push([of, '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', quantity(p / 100, unit, 3)]);
   return card('Limits',
     table(['limit', 'allowed', 'before', 'after', 'above it', 'at', '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
-    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(s)}: ${s.kkt}.`) : null);
+    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(s)}: ${prose(s.kkt)}.`) : null);
 }
 
 /** Bounds as a line, the start as a tick, the end as a dot. */
@@ -137,11 +139,27 @@ export function references(s) {
     ratios.length ? table(['formalism', 'against', 'pairs', 'error', 'time'], ratios, ['', '', 'n', 'n', 'n']) : null);
 }
 
-/** Frequencies, parts, critical loads: what a run says besides. */
-export function further(s) {
+/** Modes with their frequencies; a row shows its mode in the picture. */
+function modes(s, clock) {
+  const node = table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['', 'n']);
+  if (clock?.t.length !== s.frequencies_hz.length) return node;
+  const rows = [...node.querySelectorAll('tbody tr')];
+  for (const [i, row] of rows.entries()) {
+    const show = () => clock.set(clock.t[i]);
+    row.className = 'opens';
+    row.tabIndex = 0;
+    row.addEventListener('click', show);
+    row.addEventListener('keydown', (event) => event.key === 'Enter' && show());
+  }
+  clock.listen(() => rows.forEach((row, i) => row.setAttribute('aria-current', i === Math.round(clock.record()))));
+  return node;
+}
+
+/** Frequencies, parts, critical loads: what a run says besides. @param clock of modes; else null */
+export function further(s, clock) {
   const blocks = [];
   if (s.frequencies_hz?.length)
-    blocks.push(table(['mode', 'frequency'], s.frequencies_hz.map((f, i) => [i + 1, quantity(f, 'Hz', 5)]), ['', 'n']));
+    blocks.push(modes(s, clock));
   if (s.critical_loads?.length)
     blocks.push(table(['critical load', 'kind'], s.critical_loads.map((c) => [number(c.load, 5), c.limit_point ? 'limit point' : 'bifurcation']), ['', '']));
   const parts = Object.entries(s.parts ?? {});
