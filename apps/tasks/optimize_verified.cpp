@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "apps/input/problem.hpp"
 #include "optim/cycle/restarts.hpp"
 
@@ -48,9 +50,21 @@ void join_summary(const output::OptimizeSummary& first, output::OptimizeSummary&
       if (name == body) count += before;
 }
 
+/// Designs of a part, a cycle each: those of the models before come first.
+void join_designs(const OptimizeOutcome& first, OptimizeOutcome& last) {
+  const std::size_t cycles = first.summary.history.size();
+  for (PartOutcome& part : last.parts)
+    for (const PartOutcome& was : first.parts) {
+      if (was.name != part.name) continue;
+      const auto count = static_cast<std::ptrdiff_t>(std::min(cycles, was.history.size()));
+      part.history.insert(part.history.begin(), was.history.begin(), was.history.begin() + count);
+    }
+}
+
 /// The same of all that an optimisation leaves behind.
 void join_outcome(const OptimizeOutcome& first, OptimizeOutcome& last) {
   join_summary(first.summary, last.summary);
+  join_designs(first, last);
   if (!first.initial.empty()) last.initial = first.initial;
   last.loads = joined_loads(first.loads, last.loads, first.summary.history.size());
   for (auto& row : last.design)

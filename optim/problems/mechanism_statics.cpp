@@ -7,12 +7,24 @@
 #include <utility>
 
 #include "mbs/bodies/assemble_body.hpp"
+#include "mbs/solvers/free_motion.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+
+namespace {
+
+MechanismMoves moves(double t, const std::string& how) {
+  return MechanismMoves(fmt::format(
+      "the mechanism can move at t = {:.6g} s with its drives held, and has no static problem{}; "
+      "expected drives or springs on all that moves, or limits with surrogate = \"auto\"",
+      t, how));
+}
+
+}  // namespace
 
 template <FrameGroup G>
 MechanismStatics<G>::MechanismStatics(const DesignSimulator<G>& simulator, const DesignRun<G>& run,
@@ -21,9 +33,20 @@ MechanismStatics<G>::MechanismStatics(const DesignSimulator<G>& simulator, const
   for (const int n : records) {
     if (records_.contains(n)) continue;
     Record record = loaded(n);
+    if (records_.empty()) refuse_free_motions(record);
     record.u_k = solved(*run.model, record).u;
     records_.emplace(n, std::move(record));
   }
+}
+
+/// What is free is so at every instant but dead points, which `solved` refuses. The factor alone
+/// does not tell: of a beam that swings, rounding leaves a pivot.
+template <FrameGroup G>
+void MechanismStatics<G>::refuse_free_motions(const Record& n) const {
+  const Model<G>& model = *run_.model;
+  const MatrixXd motions = free_motions(model, assembled(model, n)->matrix());
+  if (motions.cols() > 0)
+    throw moves(n.state.t, ": " + describe_free_motion(model, n.state, motions));
 }
 
 template <FrameGroup G>
@@ -86,11 +109,7 @@ auto MechanismStatics<G>::solved(const Model<G>& model, const Record& n) -> Solv
   constexpr double kSingular = 1e-14;  // reciprocal condition: round-off
   const State<G>& s = n.state;
   Solved out{assembled(model, n), n.f};
-  if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular)
-    throw MechanismMoves(fmt::format(
-        "the mechanism can move at t = {:.6g} s with its drives held, and has no static problem; "
-        "expected drives or springs on all that moves, or limits with surrogate = \"auto\"",
-        s.t));
+  if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular) throw moves(s.t, "");
   out.S->lu().solve(out.u);
   return out;
 }

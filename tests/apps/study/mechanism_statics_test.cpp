@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "apps/input/problem.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "optim/cycle/motion_cycle.hpp"
 #include "optim/cycle/motion_model.hpp"
 #include "optim/cycle/trust_region_rule.hpp"
 #include "optim/problems/mechanism_rows.hpp"
+#include "reference/places.hpp"
 #include "reference/shipped.hpp"
 
 namespace liesl::test::mechanism_statics_test {
@@ -152,6 +154,24 @@ TEST(MechanismStatics, AreRefusedOfAMechanismThatMoves) {
     FAIL() << "not refused";
   } catch (const NoStaticsOfMechanism& error) {
     EXPECT_NE(std::string(error.what()).find("can move at t = "), std::string::npos)
+        << error.what();
+  }
+}
+
+/// So does one whose factor does not look singular.
+TEST(MechanismStatics, AreRefusedOfABeamThatSwings) {
+  Study study = shipped_study("slider_crank_rod");
+  study.scene = load_scene(std::filesystem::path(kDataDir) / "scenes" / "pendulum.toml");
+  study.scene.simulation.duration = 0.1;
+  const StudySpec spec;
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation, spec);
+  const DesignRun<SE2> run = simulator.run(VectorXd());
+  try {
+    const MechanismStatics<SE2> statics(simulator, run, {50});
+    FAIL() << "not refused";
+  } catch (const MechanismMoves& error) {
+    EXPECT_NE(std::string(error.what()).find("body 'beam' can rotate"), std::string::npos)
         << error.what();
   }
 }

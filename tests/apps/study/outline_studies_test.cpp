@@ -3,6 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <set>
+#include <string>
 
 #include "apps/tasks/outline_kinks.hpp"
 #include "optim/cycle/motion_cycle.hpp"
@@ -73,6 +76,20 @@ TEST(ConnectingRodSlow, InSpaceWithPocketsIsAQuarterLighterThanTheSolidRod) {
   const auto said = end_warnings("rod", design.part(0), design.of_part(0, r.x));
   ASSERT_EQ(said.size(), 1u) << r.reason;
   EXPECT_NE(said[0].find("pocket_height"), std::string::npos) << said[0];
+}
+
+/// The study goes on with finer models: the first outline is that of its start, whatever model the
+/// last cycles are simulated with.
+TEST(RobotArmLatticeSlow, HasAnOutlineForEachCycle) {
+  const nlohmann::json solved = solved_summary("robot_arm_lattice");
+  ASSERT_TRUE(solved.contains("refinement"));
+  std::ifstream table(solved_folder("robot_arm_lattice") / "arm_outlines.csv");
+  std::set<std::string> steps;
+  std::string row;
+  std::getline(table, row);
+  while (std::getline(table, row)) steps.insert(row.substr(0, row.find(',')));
+  EXPECT_GE(steps.size(), solved.at("cycles").get<std::size_t>());
+  EXPECT_LE(steps.size(), solved.at("cycles").get<std::size_t>() + 1) << "the final design";
 }
 
 TEST(RobotArmLatticeSlow, IsAQuarterLighterThanTheFullArm) {
