@@ -8,7 +8,6 @@
 
 #include "mbs/bodies/assemble_body.hpp"
 #include "mbs/solvers/free_motion.hpp"
-#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 

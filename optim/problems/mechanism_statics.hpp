@@ -10,6 +10,7 @@
 
 #include "mbs/solvers/iteration_matrix.hpp"
 #include "mbs/system/parameter_residual.hpp"
+#include "mbs/system/response_value.hpp"
 #include "optim/problems/design_run.hpp"
 #include "optim/study/without_mechanism_statics.hpp"
 
