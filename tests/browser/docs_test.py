@@ -10,20 +10,12 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from driver import Browser, programs  # noqa: E402
+from driver import BrowserTest, programs  # noqa: E402
 
 DOCS = Path(sys.argv[1]).resolve()
 
 
-class Docs(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser(*programs())
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-
+class Docs(BrowserTest):
     def open(self, page):
         self.browser.log("browser")
         self.browser.call("POST", "/url", {"url": DOCS.as_uri() + "/" + page})

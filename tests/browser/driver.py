@@ -6,6 +6,7 @@ import shutil
 import socket
 import subprocess
 import time
+import unittest
 import urllib.request
 
 FLAGS = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
@@ -17,6 +18,18 @@ def programs():
     browser = shutil.which("chromium")
     driver = shutil.which("chromedriver") or shutil.which("chromedriver", path="/usr/lib/chromium")
     return (browser, driver) if browser and driver else None
+
+
+class BrowserTest(unittest.TestCase):
+    """Tests that share one browser."""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.browser = Browser(*programs())
+
+    @classmethod
+    def tearDownClass(cls):
+        cls.browser.__exit__()
 
 
 class Browser:

@@ -18,7 +18,7 @@ import unittest
 from pathlib import Path
 
 sys.dont_write_bytecode = True
-from driver import Browser, programs  # noqa: E402
+from driver import BrowserTest, programs  # noqa: E402
 
 PROGRAM, DATA, SOLVED = (Path(word).resolve() for word in sys.argv[1:4])
 WORK = tempfile.TemporaryDirectory(prefix="liesl-browser-")
@@ -81,15 +81,7 @@ def rod():
     return SOLVED / "slider_crank_rod"
 
 
-class Pages(unittest.TestCase):
-    @classmethod
-    def setUpClass(cls):
-        cls.browser = Browser(*programs())
-
-    @classmethod
-    def tearDownClass(cls):
-        cls.browser.__exit__()
-
+class Pages(BrowserTest):
     def show(self, folder, seconds=2.0, name=None):
         """Opens a page and checks what holds for every page."""
         browser = self.browser
