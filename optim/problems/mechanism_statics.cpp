@@ -16,11 +16,13 @@ using Eigen::VectorXd;
 
 namespace {
 
-MechanismMoves moves(double t, const std::string& how) {
+/// @param motions of `free_motions` at the state s
+template <FrameGroup G>
+MechanismMoves moves(const Model<G>& model, const State<G>& s, const Eigen::MatrixXd& motions) {
   return MechanismMoves(fmt::format(
       "the mechanism can move at t = {:.6g} s with its drives held, and has no static problem{}; "
       "expected drives or springs on all that moves, or limits with surrogate = \"auto\"",
-      t, how));
+      s.t, motions.cols() > 0 ? ": " + describe_free_motion(model, s, motions) : ""));
 }
 
 }  // namespace
@@ -32,20 +34,14 @@ MechanismStatics<G>::MechanismStatics(const DesignSimulator<G>& simulator, const
   for (const int n : records) {
     if (records_.contains(n)) continue;
     Record record = loaded(n);
-    if (records_.empty()) refuse_free_motions(record);
-    record.u_k = solved(*run.model, record).u;
+    const Solved now = solved(*run.model, record);
+    // What is free is so at every instant but dead points, which `solved` refuses.
+    if (records_.empty())
+      if (const MatrixXd motions = free_motions(*run.model, now.S->matrix()); motions.cols() > 0)
+        throw moves(*run.model, record.state, motions);
+    record.u_k = now.u;
     records_.emplace(n, std::move(record));
   }
-}
-
-/// What is free is so at every instant but dead points, which `solved` refuses. The factor alone
-/// does not tell: of a beam that swings, rounding leaves a pivot.
-template <FrameGroup G>
-void MechanismStatics<G>::refuse_free_motions(const Record& n) const {
-  const Model<G>& model = *run_.model;
-  const MatrixXd motions = free_motions(model, assembled(model, n)->matrix());
-  if (motions.cols() > 0)
-    throw moves(n.state.t, ": " + describe_free_motion(model, n.state, motions));
 }
 
 template <FrameGroup G>
@@ -108,7 +104,8 @@ auto MechanismStatics<G>::solved(const Model<G>& model, const Record& n) -> Solv
   constexpr double kSingular = 1e-14;  // reciprocal condition: round-off
   const State<G>& s = n.state;
   Solved out{assembled(model, n), n.f};
-  if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular) throw moves(s.t, "");
+  if (!out.S->factor() || out.S->lu().reciprocal_condition() < kSingular)
+    throw moves(model, s, free_motions(model, out.S->matrix()));
   out.S->lu().solve(out.u);
   return out;
 }

@@ -62,8 +62,6 @@ class MechanismStatics {
   Record loaded(int record) const;
   Designed designed(const VectorXd& x) const;
   static std::unique_ptr<IterationMatrix<G>> assembled(const Model<G>& model, const Record& n);
-  /// @throws MechanismMoves naming the body that moves
-  void refuse_free_motions(const Record& n) const;
   /// @throws MechanismMoves if it is singular
   static Solved solved(const Model<G>& model, const Record& n);
   const Solved& solution(int record, const VectorXd& x);
