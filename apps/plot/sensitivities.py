@@ -23,9 +23,11 @@ def draw_sensitivities(folder, pictures, summary):
         change = scaled(series.numbers(name), 0.01 * parameters[parameter]["value"])
         panels.setdefault(response, []).append((parameter, change))
     figure, axes = stacked(len(panels), 2.6)
+    colours = {}  # of a parameter, the same in all panels
     for ax, (response, lines) in zip(axes, panels.items()):
         lines.sort(key=lambda line: -max(map(abs, line[1]), default=0))
-        for colour, (parameter, change) in zip(COLOURS, lines[:MOST_LINES]):
+        for parameter, change in lines[:MOST_LINES]:
+            colour = colours.setdefault(parameter, COLOURS[len(colours) % len(COLOURS)])
             ax.plot(time, change, color=colour, label=parameter)
         unit = units.get(response, units.get(response[:-2], ""))
         ax.set_ylabel(label(f"{response}\nby 1 %", unit))

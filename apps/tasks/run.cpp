@@ -69,7 +69,8 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   out.summary.more["frequencies_hz"] = modes.frequency;
   out.summary.more["eigenvalues"] = modes.eigenvalue;
   if (modes.report.status != SolveStatus::Converged) return;
-  out.summary.reason = fmt::format("{} modes found", modes.frequency.size());
+  out.summary.reason = fmt::format("{} mode{} found", modes.frequency.size(),
+                                   modes.frequency.size() == 1 ? "" : "s");
   PartRanges<G> ranges(scene.mechanism, model);
   State<G> rest = modes.equilibrium;
   model.complete(rest);
