@@ -52,6 +52,8 @@ class ValueCheck {
         return value.is_array() ? numbers(key, value, path, {key.size}) : number(key, value, path);
       case Type::Rows:
         return rows(key, value, path);
+      case Type::NumberOrMatrix:
+        return value.is_array() ? matrix(key, value, path) : number(key, value, path);
       case Type::Matrix:
         return matrix(key, value, path);
       case Type::Texts:
@@ -132,7 +134,9 @@ class ValueCheck {
       problems_.add(value, fmt::format("'{}' has {} rows", path, list->size()), expectation(key));
       return;
     }
-    rows(key, value, path);
+    Key entries = key;
+    if (key.type == Type::NumberOrMatrix) entries.range = Range{};  // beside the diagonal
+    rows(entries, value, path);
   }
 
   void list(const Key& key, const toml::node& value, const std::string& path) {

@@ -117,6 +117,8 @@ std::string kind_of_value(const Key& key) {
                    : "a number or a list of numbers";
     case Type::Rows:
       return fmt::format("a list of two or more rows of {} numbers", n);
+    case Type::NumberOrMatrix:
+      return fmt::format("a number, {0} numbers (diagonal) or {0} rows of {0}", n);
     case Type::Matrix:
       return n == 3 ? "3 numbers (diagonal), 6 numbers [xx, yy, zz, xy, xz, yz] or 3 rows of 3"
                     : fmt::format("{0} numbers (diagonal) or {0} rows of {0}", n);

@@ -18,19 +18,20 @@ enum class Type {
   Boolean,
   Integer,
   Number,
-  Vector,        ///< list of `size` numbers
-  NumberOrList,  ///< number, or list of `size` numbers (0 = one or more)
-  Rows,          ///< two or more rows of `size` numbers
-  Matrix,        ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
-  Texts,         ///< string or list of strings
-  Pair,          ///< list of two strings
-  Function,      ///< number, string (expression of t) or table (keys: `(function).*`)
-  Table,         ///< table with the keys of the schema
-  TableOrList,   ///< table or list of tables
-  Named,         ///< table whose keys are names that the user chooses
-  List,          ///< list of one or more values, of whatever the keys it is for ask for
-  Any,           ///< whatever the key named by the user asks for
-  Point          ///< list of 2 or 3 numbers: in the plane or in space
+  Vector,          ///< list of `size` numbers
+  NumberOrList,    ///< number, or list of `size` numbers (0 = one or more)
+  Rows,            ///< two or more rows of `size` numbers
+  NumberOrMatrix,  ///< number, or the same without the 6 numbers of an inertia
+  Matrix,          ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
+  Texts,           ///< string or list of strings
+  Pair,            ///< list of two strings
+  Function,        ///< number, string (expression of t) or table (keys: `(function).*`)
+  Table,           ///< table with the keys of the schema
+  TableOrList,     ///< table or list of tables
+  Named,           ///< table whose keys are names that the user chooses
+  List,            ///< list of one or more values, of whatever the keys it is for ask for
+  Any,             ///< whatever the key named by the user asks for
+  Point            ///< list of 2 or 3 numbers: in the plane or in space
 };
 
 /// Interval of allowed numbers; an open end excludes its bound.

@@ -113,6 +113,10 @@ class SchemaWriter {
         return {{"anyOf", {number, n > 0 ? list_of(number, n, n) : list_of(number, 1)}}};
       case Type::Rows:
         return list_of(list_of(number, n, n), 2);
+      case Type::NumberOrMatrix:
+        return {
+            {"anyOf",
+             {number, list_of(number, n, n), list_of(list_of({{"type", "number"}}, n, n), n, n)}}};
       case Type::Matrix:
         return list_of({{"anyOf", {number, list_of(number, n, n)}}}, n, n == 3 ? 6 : n);
       case Type::Texts:

@@ -198,7 +198,7 @@ std::vector<Key> response_keys(std::string_view parent) {
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them; of a meshed part an interface between its first and its last one.", 0, "", "response=deflection"},
     {".of", Type::Text, "", kRequired, kAny, "Beam; of a deflection also a meshed part.", 0, "", "response=deflection section_force stress compliance axial_stress buckling local_buckling"},
     {".factor", Type::Number, "-", "1", {0, 100, true}, "Factor K of the buckling length K L: 1 hinged at both ends, 0.5 clamped at both, 2 clamped at one.", 0, "", "response=buckling"},
-    {".factor", Type::Number, "-", "1", {0, 1, true}, "Share of the classical stress at which the wall of a real tube buckles.", 0, "", "response=local_buckling"},
+    {".factor", Type::Number, "-", "1", {0, 1, true}, "Share of the classical stress at which a real wall buckles.", 0, "", "response=local_buckling"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force drive_force"},

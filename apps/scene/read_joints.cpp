@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 #include "apps/scene/read_functions.hpp"
 #include "apps/scene/reader.hpp"
+#include "mbs/model/coupled_springs.hpp"
 
 namespace liesl {
 
@@ -124,21 +126,57 @@ void check_distance(Reader& reader, const toml::array& pair, const JointSpec& jo
                       "ports that are apart", "its direction is that from one to the other");
 }
 
-/// Stiffness, damping or force of the coordinates of a joint, one number each.
-std::vector<double> values_of(Reader& reader, const toml::table& table, const char* key,
-                              int coordinates) {
-  std::vector<double> values(static_cast<std::size_t>(coordinates), 0.0);
+/// Stiffness or damping of the coordinates of a joint as a matrix; empty if it is none.
+Eigen::MatrixXd matrix_of(Reader& reader, const toml::table& table, const char* key,
+                          int coordinates) {
   const toml::node* node = table.get(key);
-  if (!node) return values;
-  const auto given = numbers(*node);
-  if (given.size() == values.size()) return given;
-  reader.problems.add(
-      *node, fmt::format("'{}' has {} numbers for {} coordinates", key, given.size(), coordinates),
-      coordinates == 1 ? "one number" : fmt::format("{} numbers", coordinates));
-  return values;
+  if (!node) return {};
+  const toml::array* list = node->as_array();
+  const bool square = list && (*list)[0].is_array();
+  const std::size_t given = square ? list->size() : numbers(*node).size();
+  if (static_cast<int>(given) != coordinates) {
+    reader.problems.add(
+        *node,
+        fmt::format("'{}' has {} {} for {} coordinate{}", key, given, square ? "rows" : "numbers",
+                    coordinates, coordinates == 1 ? "" : "s"),
+        coordinates == 1 ? "one number"
+                         : fmt::format("{0} numbers or {0} rows of {0}", coordinates));
+    return {};
+  }
+  if (!list) return Eigen::MatrixXd::Constant(1, 1, number(table, key));
+  return matrix(*node, coordinates);
 }
 
-/// Springs, dampers and force of a cylinder or bushing, as forces on its coordinates.
+/// The matrix as springs; none if it is not there or cannot be.
+std::vector<CoupledSpring> springs_of(Reader& reader, const toml::table& table, const char* key,
+                                      int coordinates) {
+  const Eigen::MatrixXd K = matrix_of(reader, table, key, coordinates);
+  if (K.size() == 0) return {};
+  const auto refuse = [&](const std::string& why) {
+    reader.problems.add(*table.get(key), fmt::format("'{}' {}", key, why),
+                        "a symmetric matrix without negative eigenvalues",
+                        "rows and columns in the order of the coordinates: 3 displacements (m), 3 "
+                        "angles (rad)");
+    return std::vector<CoupledSpring>();
+  };
+  if ((K - K.transpose()).cwiseAbs().maxCoeff() > 1e-9 * K.cwiseAbs().maxCoeff())
+    return refuse("is not symmetric");
+  try {
+    return coupled_springs(K);
+  } catch (const std::invalid_argument&) {
+    return refuse("has a negative eigenvalue: it would push by itself");
+  }
+}
+
+/// The spring of a coordinate, none if there is none.
+CoupledSpring take(const std::vector<CoupledSpring>& springs, int coordinate) {
+  for (const CoupledSpring& spring : springs)
+    if (spring.coordinate == coordinate) return spring;
+  return {coordinate, 0, {}};
+}
+
+/// Springs, dampers and force of a cylinder or bushing, as forces on its coordinates: a spring and
+/// a damper of one coordinate are one force.
 void read_elastic(Reader& reader, const toml::table& table, const JointSpec& joint, int index) {
   const JointKind& kind = kind_of(joint.type);
   const toml::node* push = table.get("force");
@@ -156,22 +194,31 @@ void read_elastic(Reader& reader, const toml::table& table, const JointSpec& joi
     reader.problems.add(*push, fmt::format("bushing '{}' has no 'force'", joint.name),
                         "'force' of a cylinder",
                         fmt::format("an entry of [forces] with on = \"{}.2\"", joint.name));
-  const auto stiffness = values_of(reader, table, "stiffness", count),
-             damping = values_of(reader, table, "damping", count);
   if (count > 1 && !table.contains("stiffness") && !table.contains("damping"))
     reader.problems.add(table, fmt::format("bushing '{}' has no force law", joint.name),
-                        "'stiffness' or 'damping': 6 numbers");
+                        "'stiffness' or 'damping': 6 numbers, or 6 rows of 6");
+  const auto springs = springs_of(reader, table, "stiffness", count),
+             dampers = springs_of(reader, table, "damping", count);
+  auto& forces = reader.scene.mechanism.forces;
   for (int i = 0; i < count; ++i) {
-    const auto k = static_cast<std::size_t>(i);
+    const CoupledSpring spring = take(springs, i), damper = take(dampers, i);
     ForceSpec force;
     force.name = count == 1 ? joint.name : fmt::format("{}.{}", joint.name, i);
     force.joint = index;
     force.coordinate = i;
-    force.stiffness = stiffness[k];
-    force.damping = damping[k];
     if (push && count == 1) force.force = read_function(reader, *push);
-    const bool nothing = force.stiffness == 0 && force.damping == 0 && !(push && count == 1);
-    if (!nothing) reader.scene.mechanism.forces.push_back(std::move(force));
+    ForceSpec slow = force;
+    force.stiffness = spring.stiffness;
+    force.shares = spring.shares;
+    const bool together = spring.shares.empty() && damper.shares.empty();
+    if (together) force.damping = damper.stiffness;
+    if (force.stiffness != 0 || force.damping != 0 || (push && count == 1))
+      forces.push_back(std::move(force));
+    if (together || damper.stiffness == 0) continue;
+    slow.name += ".damping";
+    slow.damping = damper.stiffness;
+    slow.shares = damper.shares;
+    forces.push_back(std::move(slow));
   }
 }
 

@@ -49,6 +49,11 @@ double Row<G>::unscaled_value(const Motion& r, double previous) const {
       return continued(angle(r), previous);
     case RowKind::Distance:
       return r.p.norm() - rest_;
+    case RowKind::Sum: {
+      double sum = 0;
+      for (const Row& part : parts_) sum += part.value(r, 0);
+      return sum;
+    }
     case RowKind::Screw:
       break;
   }
@@ -67,6 +72,14 @@ typename Row<G>::Gradient Row<G>::unscaled_gradient(const Motion& r) const {
       return angle_gradient(r);
     case RowKind::Distance:
       return distance_gradient(r);
+    case RowKind::Sum: {
+      Gradient sum = Gradient::Zero(), g;
+      for (const Row& part : parts_) {
+        part.gradient(r, g);
+        sum += g;
+      }
+      return sum;
+    }
     case RowKind::Screw:
       break;
   }
@@ -92,6 +105,11 @@ typename Row<G>::Hessian Row<G>::unscaled_hessian(const Motion& r) const {
       return angle_hessian(r);
     case RowKind::Distance:
       return distance_hessian(r);
+    case RowKind::Sum: {
+      Hessian sum = Hessian::Zero();
+      for (const Row& part : parts_) sum += part.hessian(r);
+      return sum;
+    }
     case RowKind::Screw:
       break;
   }

@@ -7,6 +7,7 @@
 /// with respect to left-invariant increments of the two ports, [u_a; w_a; u_b; w_b].
 
 #include <Eigen/Core>
+#include <vector>
 
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
@@ -29,7 +30,8 @@ enum class RowKind {
   Perpendicular,  ///< m . R n (dot-1): cosine between m of a and n of b (zero: they are normal)
   Angle,          ///< atan2(m . R n, m2 . R n2), continued beyond pi
   Distance,       ///< |p| - its value at rest
-  Screw           ///< m . p - lead Angle: displacement along m less `lead` for each radian
+  Screw,          ///< m . p - lead Angle: displacement along m less `lead` for each radian
+  Sum             ///< of other rows
 };
 
 template <FrameGroup G>
@@ -62,6 +64,13 @@ class Row {
     const Vector zero = Vector::Zero();
     Row row(RowKind::Distance, zero, zero, zero, zero);
     row.rest_ = rest;
+    return row;
+  }
+  /// The sum of rows, `scaled` as they are; angles among them are not continued beyond pi.
+  static Row sum(std::vector<Row> parts) {
+    const Vector zero = Vector::Zero();
+    Row row(RowKind::Sum, zero, zero, zero, zero);
+    row.parts_ = std::move(parts);
     return row;
   }
   /// This row times a constant factor, not zero.
@@ -109,6 +118,7 @@ class Row {
   double lead_ = 0;                     ///< of a screw, m/rad
   double rest_ = 0;                     ///< of a distance, m
   double factor_ = 1;
+  std::vector<Row> parts_;  ///< of a sum
 };
 
 extern template class Row<SE2>;

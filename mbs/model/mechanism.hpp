@@ -114,12 +114,19 @@ struct GearSpec {
   double ratio = 1;  ///< not 0; rad/rad, m/rad, rad/m or m/m
 };
 
-/// Force law on a joint coordinate q, or on the distance q of two ports:
+/// A share of a joint coordinate in a sum of them.
+struct CoordinateShare {
+  int coordinate = 0;
+  double weight = 0;  ///< unit of the sum over that of the coordinate
+};
+
+/// Force law on a joint coordinate q (or a sum of some), or on the distance q of two ports:
 /// f = stiffness (q - rest) + curve(q - rest) + damping dq/dt - force(t), acting against q.
 struct ForceSpec {
   std::string name;
   int joint = -1;  ///< on joint coordinate `coordinate` if >= 0, else between ports a and b
   int coordinate = 0;
+  std::vector<CoordinateShare> shares = {};  ///< q = `coordinate` + these
   Port a, b;
   double stiffness = 0;                  ///< N/m or N m/rad
   double damping = 0;                    ///< N s/m or N m s/rad

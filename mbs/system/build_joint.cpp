@@ -104,6 +104,17 @@ void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports
   c.b = ports.at(j.b, at_b);
 }
 
+/// The row of a force on a joint: its coordinate, or the sum with its shares.
+template <FrameGroup G>
+Row<G> row_of(Coupling<G>& c, const CouplingRow<G>& coordinate, const ForceSpec& force) {
+  if (force.shares.empty()) return coordinate.row;
+  std::vector<Row<G>> parts{coordinate.row};
+  for (const CoordinateShare& share : force.shares)
+    if (const CouplingRow<G>* other = find_coordinate(c, share.coordinate))
+      parts.push_back(other->row.scaled(share.weight));
+  return Row<G>::sum(std::move(parts));
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -142,6 +153,7 @@ Coupling<G> build_joint(const Mechanism& mechanism, int index, const Space<G>& s
     if (const ForceSpec& f = mechanism.forces[i]; f.joint == index)
       if (const CouplingRow<G>* e = find_coordinate(c, f.coordinate)) {
         CouplingRow<G> force = *e;
+        force.row = row_of(c, *e, f);
         set_force(force, f, static_cast<int>(i));
         force.drive = -1;
         force.coordinate = -1;

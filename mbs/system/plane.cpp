@@ -216,10 +216,18 @@ class Search {
     for (const auto& d : m_.drives)
       if (!planar_coordinate(d.joint, d.coordinate))
         return fail(fmt::format("joint '{}' is driven out of the plane", m_.joints[d.joint].name));
-    for (const auto& f : m_.forces)
-      if (f.joint >= 0 && !planar_coordinate(f.joint, f.coordinate) && !idle_in_plane(f))
-        return fail(fmt::format("force '{}' acts out of the plane", f.name));
-    return true;
+    return std::all_of(m_.forces.begin(), m_.forces.end(),
+                       [this](const ForceSpec& f) { return f.joint < 0 || force_on_joint(f); });
+  }
+
+  bool force_on_joint(const ForceSpec& f) {
+    const bool planar = planar_coordinate(f.joint, f.coordinate);
+    for (const CoordinateShare& share : f.shares)
+      if (planar_coordinate(f.joint, share.coordinate) != planar)
+        return fail(
+            fmt::format("force '{}' couples a coordinate in the plane with one out of it", f.name));
+    return planar || idle_in_plane(f) ||
+           fail(fmt::format("force '{}' acts out of the plane", f.name));
   }
 
   bool loads() {

@@ -49,6 +49,29 @@ TEST(ForceElementsScene, BushingHasSixLaws) {
   EXPECT_EQ(m.forces[5].damping, 7);
 }
 
+/// [[2, -1], [-1, 3]] on the first displacement and the last angle: 2 (q0 - q5/2)^2 + 2.5 q5^2, and
+/// a damper that is not the same sum.
+TEST(ForceElementsScene, BushingTakesAMatrix) {
+  const Mechanism m = mechanism(
+      "wrist = { revolute = [\"rod.end\", \"slider.origin\"] }",
+      "wrist = { bushing = [\"rod.end\", \"slider.origin\"], stiffness = [[2, 0, 0, 0, 0, -1], "
+      "[0, 7, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], [0, 0, 0, 0, 0, 0], "
+      "[-1, 0, 0, 0, 0, 3]], damping = [1, 0, 0, 0, 0, 0] }");
+  ASSERT_EQ(m.forces.size(), 6u);
+  EXPECT_EQ(m.forces[0].name, "wrist.0");
+  EXPECT_EQ(m.forces[0].stiffness, 2);
+  EXPECT_EQ(m.forces[0].damping, 0);
+  ASSERT_EQ(m.forces[0].shares.size(), 1u);
+  EXPECT_EQ(m.forces[0].shares[0].coordinate, 5);
+  EXPECT_EQ(m.forces[0].shares[0].weight, -0.5);
+  EXPECT_EQ(m.forces[1].name, "wrist.0.damping");
+  EXPECT_EQ(m.forces[1].damping, 1);
+  EXPECT_TRUE(m.forces[1].shares.empty());
+  EXPECT_EQ(m.forces[2].stiffness, 7);
+  EXPECT_EQ(m.forces[3].coordinate, 5);
+  EXPECT_EQ(m.forces[3].stiffness, 2.5);
+}
+
 TEST(ForceElementsScene, GearsCoupleCoordinates) {
   const Mechanism m = mechanism(
       "[forces]", "[gears]\nmesh = { of = [\"motor\", \"guide\"], ratio = -0.5 }\n[forces]");

@@ -2,6 +2,9 @@
 /// Rods, cylinders, bushings, springs with tables, ports at an offset, gravity over time: closed
 /// forms.
 
+#include <Eigen/Eigenvalues>
+
+#include "mbs/model/coupled_springs.hpp"
 #include "mbs/run.hpp"
 #include "mbs/solvers/modes.hpp"
 #include "mbs/static_cases.hpp"
@@ -159,6 +162,118 @@ TEST(Bushing, HasSixFrequencies) {
   for (int i = 0; i < 6; ++i) expected.push_back(std::sqrt(kStiffness[i] / (i < 3 ? 4 : 0.05)));
   std::sort(expected.begin(), expected.end());
   for (std::size_t i = 0; i < 6; ++i) EXPECT_NEAR(modes.omega[i] / expected[i], 1, 1e-9);
+}
+
+/// A symmetric matrix that couples all coordinates, of the size of kStiffness.
+Eigen::MatrixXd coupled() {
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(6, 6);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      K(i, j) = (i == j ? 1 : 0.3 / (1 + i + j) * (i % 2 == j % 2 ? 1 : -1)) *
+                std::sqrt(kStiffness[i] * kStiffness[j]);
+  return K;
+}
+
+/// The block in a bushing of a matrix, with a damper of the same shape.
+Mechanism mounted_on(const Eigen::MatrixXd& K, double damping = 0) {
+  Mechanism m = mounted();
+  m.forces.clear();
+  for (const CoupledSpring& spring : coupled_springs(K)) {
+    ForceSpec f;
+    f.name = "mount." + std::to_string(spring.coordinate);
+    f.joint = 0;
+    f.coordinate = spring.coordinate;
+    f.stiffness = spring.stiffness;
+    f.damping = damping * spring.stiffness;
+    f.shares = spring.shares;
+    m.forces.push_back(f);
+  }
+  return m;
+}
+
+/// K^-1 f, of a small load: angles are right for small ones.
+TEST(Bushing, OfAMatrixGivesByItsInverse) {
+  const Eigen::MatrixXd K = coupled();
+  SimulationOptions o = tight();
+  o.tolerance = 1e-9;  // springs on sums pull against each other
+  for (int i = 0; i < 6; ++i) {
+    Mechanism m = mounted_on(K);
+    const double load = 1e-4 * kStiffness[i];
+    LoadSpec l;
+    l.port = {0, 0};
+    (i < 3 ? l.force : l.moment)[i % 3] = load;
+    m.loads = {l};
+    const auto solved = solve(m, o);
+    ASSERT_EQ(solved.result.report.status, SolveStatus::Converged) << solved.result.report.reason;
+    SE3::Tangent moved;
+    moved << solved.frame(0).x - Vec3(0.1, 0.2, 0.3), SO3::log(solved.frame(0).R);
+    const Eigen::VectorXd expected = K.inverse().col(i) * load;
+    EXPECT_LT((moved - expected).norm(), 1e-3 * expected.norm()) << i;
+  }
+}
+
+TEST(Bushing, OfAMatrixHasItsFrequencies) {
+  SimulationOptions o = tight();
+  o.type = SimulationType::Modes;
+  o.modes = 6;
+  const Eigen::MatrixXd K = coupled();
+  const auto model = Model<SE3>::build(mounted_on(K), {});
+  const auto modes = solve_modes(model, o);
+  ASSERT_EQ(modes.omega.size(), 6u) << modes.report.reason;
+  Eigen::VectorXd scale(6);
+  scale << 2, 2, 2, std::sqrt(0.05), std::sqrt(0.05), std::sqrt(0.05);
+  const Eigen::MatrixXd scaled =
+      scale.cwiseInverse().asDiagonal() * K * scale.cwiseInverse().asDiagonal();
+  const Eigen::VectorXd squares =
+      Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(scaled).eigenvalues();
+  for (int i = 0; i < 6; ++i)
+    EXPECT_NEAR(modes.omega[std::size_t(i)] / std::sqrt(squares[i]), 1, 1e-8) << i;
+}
+
+/// A singular matrix has fewer springs; one with a negative eigenvalue is none.
+TEST(Bushing, MatrixIsMadeOfItsPivots) {
+  Eigen::Matrix3d K;
+  K << 4, 2, 0, 2, 1, 0, 0, 0, 5;
+  const auto springs = coupled_springs(K);
+  ASSERT_EQ(springs.size(), 2u);
+  EXPECT_EQ(springs[0].stiffness, 4);
+  ASSERT_EQ(springs[0].shares.size(), 1u);
+  EXPECT_EQ(springs[0].shares[0].weight, 0.5);
+  EXPECT_EQ(springs[1].coordinate, 2);
+  K(1, 1) = 0.9;
+  EXPECT_THROW(coupled_springs(K), std::invalid_argument);
+}
+
+/// What couples the plane with what is out of it leaves the plane; blocks by themselves do not.
+TEST(Bushing, MatrixKeepsThePlaneIfItsBlocksDo) {
+  Eigen::MatrixXd K = coupled();
+  const auto in_plane = [](int i) { return i < 2 || i == 5; };
+  EXPECT_FALSE(find_plane(mounted_on(K)).plane);
+  for (int i = 0; i < 6; ++i)
+    for (int j = 0; j < 6; ++j)
+      if (in_plane(i) != in_plane(j)) K(i, j) = 0;
+  Mechanism m = mounted_on(K);
+  m.bodies[0].kind = block({0.1, 0.2, 0}, 4, 0.05);
+  m.gravity = {3, -kGravity, 0};
+  m.bodies[0].angular_velocity = {0, 0, 4};
+  m.bodies.push_back({"other", block({0.6, -0.1, 0}, 1, 1)});
+  m.joints.push_back({"axle", JointType::Revolute, {}, {1, 0}});
+  const auto plane = run_planar(m, options(0.1, 1e-3, 0.8, 1e-10));
+  const auto space = run_spatial(m, options(0.1, 1e-3, 0.8, 1e-10));
+  ASSERT_EQ(plane.report().status, SolveStatus::Converged) << plane.report().reason;
+  const auto a =
+      plane.model->space.embed(*plane.trajectory().frames(plane.last()), SE3::identity());
+  const auto& b = *space.trajectory().frames(space.last());
+  EXPECT_LT((a.x - b.x).norm() + (a.R - b.R).norm(), 1e-8);
+}
+
+TEST(Bushing, IterationMatrixOfAMatrixIsExact) {
+  Mechanism m = mounted_on(coupled(), 0.01);
+  m.gravity = {0, -kGravity, 2};
+  m.bodies[0].angular_velocity = {3, 1, 2};
+  const auto model = Model<SE3>::build(m, {});
+  StepTangent<SE3> step(model, options(1, 2e-3, 0.8, 1e-10), 20);
+  step.expect_exact("coupled bushing", kAllColumns);
 }
 
 /// Decays as exp(-c t / 2m) cos: a damped oscillator, second order in the step.
