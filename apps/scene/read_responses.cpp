@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "apps/scene/reader.hpp"
+#include "mbs/sections/buckling.hpp"
 
 namespace liesl {
 
@@ -191,12 +192,12 @@ bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& 
   if (response.kind == ResponseKind::LocalBuckling) {
     response.factor = number(table, "factor");
     for (const Section& s : spec.sections)
-      if (!std::holds_alternative<Tube>(s.shape)) {
+      if (!has_walls(s.shape)) {
         reader.problems.add(*table.get("of"),
                             fmt::format("section '{}' has no wall whose buckling is known in "
                                         "closed form",
                                         s.name),
-                            "a beam whose sections are tubes");
+                            "a beam whose sections are tubes, boxes or I");
         return false;
       }
   }

@@ -41,7 +41,7 @@ enum class ResponseKind {
   Compliance,     ///< twice the elastic energy of a beam: load times displacement, J
   AxialStress,    ///< N/A of a beam, tension positive, of the element where it is largest, Pa
   Buckling,       ///< compressive force of a beam over its Euler load, the largest; 0 in tension
-  LocalBuckling,  ///< largest compressive stress of a tube over that of its wall
+  LocalBuckling,  ///< largest compressive stress of a section over that of its wall
   Translation     ///< of port `at` since the scene as given, inertial, m; along `axis`
 };
 

@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mbs/sections/dual2.hpp"
+
 namespace liesl {
 
 namespace {
@@ -17,6 +19,52 @@ WithDerivative weak_bending(const SectionLaw& law, const SectionLaw& by) {
   return {0.5 * (a + b) - root, sum - (half * half_by + c * by.K(4, 5)) / root};
 }
 
+/// Dimensions of a section and their derivatives, from its law and its stress rows.
+struct Lines {
+  const WalledSection& s;
+  double E;
+
+  Dual2 A() const { return over_E(0); }
+  Dual2 Iy() const { return over_E(4); }
+  /// |y| and |z| of a stress point, from -y/I_z and z/I_y.
+  Dual2 y(std::size_t point) const { return magnitude(entry(point, 5) * over_E(5)); }
+  Dual2 z(std::size_t point) const { return magnitude(entry(point, 4) * over_E(4)); }
+
+ private:
+  Dual2 over_E(int i) const { return {s.law.K(i, i) / E, s.by.K(i, i) / E}; }
+  Dual2 entry(std::size_t point, int column) const {
+    return {s.points[point].S(0, column), s.by_points.empty() ? 0 : s.by_points[point](0, column)};
+  }
+  static Dual2 magnitude(Dual2 a) { return a.v < 0 ? -a : a; }
+};
+
+/// m = A^2/(4 pi I): t/R = 2 (1 - sqrt(1 - m^2))/m.
+Dual2 tube(const Lines& lines, double E, double nu) {
+  const Dual2 A = lines.A(), m = A * A / (4 * std::numbers::pi * lines.Iy());
+  return E / std::sqrt(3 * (1 - nu * nu)) * (2 * m / (1 + sqrt(1 - m * m)));
+}
+
+Dual2 plate(double k, Dual2 t, Dual2 b, double E, double nu) {
+  const double pi = std::numbers::pi;
+  return k * pi * pi * E / (12 * (1 - nu * nu)) * power(t / b, 2);
+}
+
+/// Corners of the walls along y (even points) and along z (odd); A = 2 t (W + H) - 4 t^2.
+Dual2 box(const Lines& lines, std::size_t point, double E, double nu) {
+  const Dual2 W = 2 * lines.y(point), H = 2 * lines.z(point), sum = W + H;
+  const Dual2 t = lines.A() / (sum + sqrt(sum * sum - 4 * lines.A()));
+  return plate(4, t, (point % 2 == 0 ? W : H) - t, E, nu);
+}
+
+/// By three: outer and inner face of a flange's tip, end of the web.
+Dual2 i_section(const Lines& lines, std::size_t point, double E, double nu) {
+  const std::size_t tip = point - point % 3;
+  const Dual2 half = lines.z(tip), inner = lines.z(tip + 1), t_f = half - inner;
+  if (point % 3 == 2) return plate(4, 2 * lines.y(point), half + inner, E, nu);
+  const double pi = std::numbers::pi;
+  return plate(6 * (1 - nu) / (pi * pi), t_f, lines.y(tip), E, nu);
+}
+
 }  // namespace
 
 WithDerivative euler_load(const SectionLaw& law, const SectionLaw& by, double length) {
@@ -25,15 +73,20 @@ WithDerivative euler_load(const SectionLaw& law, const SectionLaw& by, double le
   return {factor * EI.value, factor * EI.derivative};
 }
 
-WithDerivative wall_buckling_stress(const SectionLaw& law, const SectionLaw& by, double E,
-                                    double nu, double knock_down) {
-  const double EA = law.K(0, 0), EI = law.K(4, 4);
-  const double m = EA * EA / (4 * std::numbers::pi * E * EI), root = std::sqrt(1 - m * m);
-  const double dm = m * (2 * by.K(0, 0) / EA - by.K(4, 4) / EI);
-  const double q = 2 * m / (1 + root);  // t/R
-  const double dq = 2 / (1 + root) + 2 * m * m / (root * (1 + root) * (1 + root));
-  const double factor = knock_down * E / std::sqrt(3 * (1 - nu * nu));
-  return {factor * q, factor * dq * dm};
+bool has_walls(const Shape& shape) {
+  return std::holds_alternative<Tube>(shape) || std::holds_alternative<Box>(shape) ||
+         std::holds_alternative<ISection>(shape);
+}
+
+WithDerivative wall_buckling_stress(const WalledSection& s, std::size_t point,
+                                    const Material& material, double knock_down) {
+  const double E = material.E, nu = material.nu;
+  const Lines lines{s, E};
+  const Dual2 stress = std::holds_alternative<Tube>(s.section.shape) ? tube(lines, E, nu)
+                       : std::holds_alternative<Box>(s.section.shape)
+                           ? box(lines, point, E, nu)
+                           : i_section(lines, point, E, nu);
+  return {knock_down * stress.v, knock_down * stress.d};
 }
 
 }  // namespace liesl

@@ -39,6 +39,11 @@ inline Dual2 exp(Dual2 a) {
   return {e, e * a.d, e * (a.dd + a.d * a.d)};
 }
 
+inline Dual2 sqrt(Dual2 a) {
+  const double s = std::sqrt(a.v), s1 = a.d / (2 * s);
+  return {s, s1, (a.dd - 2 * s1 * s1) / (2 * s)};
+}
+
 /// a^n for n >= 0.
 constexpr Dual2 power(Dual2 a, int n) {
   Dual2 p = 1;

@@ -2,6 +2,8 @@
 /// Responses of a beam as a member of a frame or truss: mean stress, Euler load, wall buckling.
 /// Each is a row, that follows from the section, times the section force.
 
+#include <span>
+
 #include "mbs/model/beam_ends.hpp"
 #include "mbs/sections/buckling.hpp"
 #include "mbs/system/response_value.hpp"
@@ -50,10 +52,13 @@ auto ResponseValues<G>::largest_of_member(const ResponseSpec& r, const State<G>&
       const std::size_t half = points.size() / 2;
       const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
       if (r.kind == ResponseKind::LocalBuckling) {
-        const double sigma =
-            wall_buckling_stress(law, none, beam.material.E, beam.material.nu, r.factor).value;
-        for (std::size_t i = first; i < first + half; ++i)
+        const Section& section = section_at(beam, e, end);
+        const WalledSection walled{section, law, none, std::span(points).subspan(first, half), {}};
+        for (std::size_t i = first; i < first + half; ++i) {
+          const double sigma =
+              wall_buckling_stress(walled, i - first, beam.material, r.factor).value;
           offer({element, end, static_cast<int>(i), -points[i].S.row(0).transpose() / sigma, n});
+        }
         continue;
       }
       const double by_force = r.kind == ResponseKind::AxialStress
@@ -85,7 +90,8 @@ double ResponseValues<G>::member_by(const ResponseSpec& r, const State<G>& s,
   if (!body || at.value == 0) return 0;
   const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
   const auto e = static_cast<std::size_t>(at.element);
-  const SectionLaw law = section_law(section_at(beam, e, at.end), beam.material);
+  const Section& section = section_at(beam, e, at.end);
+  const SectionLaw law = section_law(section, beam.material);
   double sum = at.row.dot(section_force_of(*body, s, r.body, at.element, at.end));
   for (const auto& part : parameter.parameter().parts) {
     const auto* by = std::get_if<BeamDerivative>(&part);
@@ -98,7 +104,13 @@ double ResponseValues<G>::member_by(const ResponseSpec& r, const State<G>& s,
       const auto load = euler_load(law, by_law, r.factor * reference_length(beam));
       sum += load.derivative / (load.value * load.value) * at.n[0];
     } else {
-      auto wall = wall_buckling_stress(law, by_law, beam.material.E, beam.material.nu, r.factor);
+      const auto& points = points_of(r.body)[e];
+      const std::size_t half = points.size() / 2, first = half * std::size_t(node_of(at.end));
+      const auto by_points = shape ? std::span(by->stress[e]).subspan(first, half)
+                                   : std::span<const Eigen::Matrix<double, 3, 6>>();
+      auto wall = wall_buckling_stress(
+          {section, law, by_law, std::span(points).subspan(first, half), by_points},
+          std::size_t(at.point) - first, beam.material, r.factor);
       if (!shape) wall.derivative = wall.value * by_law.K(0, 0) / law.K(0, 0);
       sum -= wall.derivative / wall.value * at.value;
       if (shape) sum -= by->stress[e][std::size_t(at.point)].row(0).dot(at.n) / wall.value;
