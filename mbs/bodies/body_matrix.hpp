@@ -8,7 +8,7 @@
 
 #include "mbs/linalg/block_tridiagonal.hpp"
 #include "mbs/linalg/dense.hpp"
-#include "mbs/linalg/sparse_lu.hpp"
+#include "mbs/linalg/sparse_factors.hpp"
 
 namespace liesl {
 
@@ -127,14 +127,14 @@ struct BodyMatrix : BlockTridiagonal<N> {
   }
 };
 
-/// LU factors of any form; a solution is zero at the nodes that follow.
+/// Factors of any form; a solution is zero at the nodes that follow.
 template <int N>
 class BodyLU {
  public:
   /// @returns false if the matrix is singular; the factors are then unusable.
   bool factor(const BodyMatrix<N>& A) {
     sparse_ = A.is_sparse();
-    if (sparse_) return sparse_lu_.factor(A.sparse);
+    if (sparse_) return sparse_factors_.factor(A.sparse);
     dense_ = A.is_dense();
     if (!dense_) return chain_.factor(A);
     nodes_ = A.nodes;
@@ -146,7 +146,7 @@ class BodyLU {
   }
   /// x <- A^-1 x for the `size` numbers of the body, in place. Allocates nothing.
   void solve(double* x, int size) {
-    if (sparse_) return sparse_lu_.solve(Eigen::Map<Eigen::MatrixXd>(x, size, 1));
+    if (sparse_) return sparse_factors_.solve(Eigen::Map<Eigen::MatrixXd>(x, size, 1));
     if (!dense_) return chain_.solve(x);
     Eigen::Map<Eigen::VectorXd> all(x, size);
     for (size_t i = 0; i < nodes_.size(); ++i)
@@ -159,7 +159,7 @@ class BodyLU {
 
  private:
   bool dense_ = false, sparse_ = false;
-  SparseLu sparse_lu_;
+  SparseFactors sparse_factors_;
   BlockTridiagonalLU<N> chain_;
   std::vector<int> nodes_;
   linalg::LU lu_;
