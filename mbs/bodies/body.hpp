@@ -129,6 +129,13 @@ class Body {
   /// geometric term.
   virtual void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                              const Tangent* stress, Matrices& A) const = 0;
+  /// K, C and M of it one by one, for bodies where they share what they are made of.
+  virtual void exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent* stress,
+                              Matrices& K, Matrices& C, Matrices& M) const {
+    exact_tangent(s, gravity, {0, 0, 1}, stress, K);
+    exact_tangent(s, gravity, {0, 1, 0}, stress, C);
+    exact_tangent(s, gravity, {1, 0, 0}, stress, M);
+  }
 
   /// Shares of a load per length: f = W [l_0; ...; l_n]; zero for bodies without length.
   virtual Matrices load_distribution() const { return Matrices(nodes()); }

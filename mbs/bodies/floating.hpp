@@ -43,6 +43,8 @@ class FloatingBody : public Body<G> {
   /// nearly a motion of the modes, and the mass at reference nearly singular.
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
+  void exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent* stress,
+                      Matrices& K, Matrices& C, Matrices& M) const override;
 
  protected:
   /// Coordinates of the reduced body and their rates at one state.
@@ -116,6 +118,17 @@ class FloatingBody : public Body<G> {
   };
   /// @param forces whether all of them, or only acceleration_by_v
   Kinematics kinematics(const BodyState<G>& s, const Motion& m, bool forces) const;
+  /// What the exact tangents of one state are made of, as far as their weights ask for it: the
+  /// columns of the mass and of `inertia_by_rates` that count.
+  struct Linearisation {
+    Motion motion;
+    Tangent v_0, a_0;
+    Eigen::MatrixXd M, R;
+    Kinematics by_frames;
+  };
+  Linearisation linearise(const BodyState<G>& s, const Vector& gravity, TangentWeights w) const;
+  void set_exact(const BodyState<G>& s, const Vector& gravity, const Linearisation& at,
+                 TangentWeights w, Matrices& A) const;
   /// A += weight times the derivative of the shares of forces q on frames and interfaces at
   /// constant q.
   void add_turning(const Motion& m, const Eigen::VectorXd& q, double weight, Matrices& A) const;

@@ -116,44 +116,57 @@ void FloatingBody<G>::add_turning(const Motion& m, const Eigen::VectorXd& q, dou
   }
 }
 
+template <FrameGroup G>
+auto FloatingBody<G>::linearise(const BodyState<G>& s, const Vector& gravity,
+                                TangentWeights w) const -> Linearisation {
+  const int n = reduced_size(), ni = interface_size();
+  const bool forces = w.stiffness != 0, rates = w.damping != 0;
+  Linearisation at{at_reference(),
+                   Eigen::Map<const Tangent>(s.v),
+                   apparent_acceleration<G>(s, 0, gravity),
+                   {},
+                   {},
+                   {}};
+  measure(s, true, at.motion);
+  at.M = inertia_matrix(at.motion, w.mass != 0 ? dim + n : dim + ni);
+  if (!forces && !rates) return at;
+  at.by_frames = kinematics(s, at.motion, forces);
+  at.R = inertia_by_rates(at.motion, at.v_0, at.a_0, rates ? n : ni);
+  return at;
+}
+
 /// r = [f_0; 0] + E^T q with the forces [f_0; q] of inertia, and K_e (e + c edot) in q. Of these
 /// d = by_e E + by_frames: what goes by the frames without e reaches those of the body alone.
 template <FrameGroup G>
-void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
-                                    const Tangent*, Matrices& A) const {
+void FloatingBody<G>::set_exact(const BodyState<G>& s, const Vector& gravity,
+                                const Linearisation& at, TangentWeights w, Matrices& A) const {
   using Eigen::MatrixXd;
   using linalg::product;
-  Motion m = at_reference();
-  measure(s, true, m);
+  const Motion& m = at.motion;
+  const MatrixXd &M = at.M, &R = at.R;
+  const Kinematics& k = at.by_frames;
   const int n = reduced_size(), ni = interface_size();
   const bool forces = w.stiffness != 0, rates = w.damping != 0;
   const double c = this->damping();
-  const MatrixXd M = inertia_matrix(m, w.mass != 0 ? dim + n : dim + ni);
   MatrixXd by_e = MatrixXd::Zero(dim + n, n), by_frames = MatrixXd::Zero(dim + n, dim + ni);
   if (w.mass != 0) {
     by_e = w.mass * M.rightCols(n);
     by_frames.leftCols(dim) = w.mass * M.leftCols(dim);
   }
-  const Tangent v0 = Eigen::Map<const Tangent>(s.v), a0 = apparent_acceleration<G>(s, 0, gravity);
-  if (forces || rates) {
-    const Kinematics k = kinematics(s, m, forces);
-    const int columns = rates ? n : ni;
-    const MatrixXd R = inertia_by_rates(m, v0, a0, columns);
-    const auto M_i = M.middleCols(dim, ni);
-    if (rates) {
-      by_e += w.damping * R.leftCols(n);
-      by_frames += w.damping * product(M_i, k.acceleration_by_v);
-      by_frames.leftCols(dim) += w.damping * R.rightCols(dim);
-    }
-    if (forces) {
-      by_e += w.stiffness * inertia_by_e(m, v0, a0);
-      by_frames += w.stiffness * (product(R.leftCols(ni), k.rate) + product(M_i, k.acceleration));
-      by_frames.leftCols(dim) += w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity);
-      by_frames.bottomRows(n) += product(K_e_.leftCols(ni), w.stiffness * c * k.rate);
-    }
-    if (const double stiff = w.stiffness + w.damping * c; stiff != 0)
-      by_e.bottomRows(n) += stiff * K_e_;
+  const auto M_i = M.middleCols(dim, ni);
+  if (rates) {
+    by_e += w.damping * R.leftCols(n);
+    by_frames += w.damping * product(M_i, k.acceleration_by_v);
+    by_frames.leftCols(dim) += w.damping * R.rightCols(dim);
   }
+  if (forces) {
+    by_e += w.stiffness * inertia_by_e(m, at.v_0, at.a_0);
+    by_frames += w.stiffness * (product(R.leftCols(ni), k.rate) + product(M_i, k.acceleration));
+    by_frames.leftCols(dim) += w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity);
+    by_frames.bottomRows(n) += product(K_e_.leftCols(ni), w.stiffness * c * k.rate);
+  }
+  if (const double stiff = w.stiffness + w.damping * c; stiff != 0)
+    by_e.bottomRows(n) += stiff * K_e_;
   MatrixXd d = times_increments(m, by_e);
   d.leftCols(dim + ni) += by_frames;
   A.dense = increments_transposed_times(m, d.bottomRows(n));
@@ -163,11 +176,26 @@ void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity
       Tangent f0 = Tangent::Zero();
       ForceScale scale;
       work.q.setZero();
-      inertia_force(m, v0, a0, f0, work.q, scale, work);
+      inertia_force(m, at.v_0, at.a_0, f0, work.q, scale, work);
       add_turning(m, work.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
     });
   const int size = dim + n;
   for (int j = size - unused_; j < size; ++j) A.dense(j, j) = w.mass + w.stiffness;
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                                    const Tangent*, Matrices& A) const {
+  set_exact(s, gravity, linearise(s, gravity, w), w, A);
+}
+
+template <FrameGroup G>
+void FloatingBody<G>::exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent*,
+                                     Matrices& K, Matrices& C, Matrices& M) const {
+  const Linearisation at = linearise(s, gravity, {1, 1, 1});
+  set_exact(s, gravity, at, {0, 0, 1}, K);
+  set_exact(s, gravity, at, {0, 1, 0}, C);
+  set_exact(s, gravity, at, {1, 0, 0}, M);
 }
 
 template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&, bool) const
@@ -178,9 +206,23 @@ template void FloatingBody<SE2>::add_turning(const Motion&, const Eigen::VectorX
                                              Matrices&) const;
 template void FloatingBody<SE3>::add_turning(const Motion&, const Eigen::VectorXd&, double,
                                              Matrices&) const;
+template auto FloatingBody<SE2>::linearise(const BodyState<SE2>&, const Vector&,
+                                           TangentWeights) const -> Linearisation;
+template auto FloatingBody<SE3>::linearise(const BodyState<SE3>&, const Vector&,
+                                           TangentWeights) const -> Linearisation;
+template void FloatingBody<SE2>::set_exact(const BodyState<SE2>&, const Vector&,
+                                           const Linearisation&, TangentWeights, Matrices&) const;
+template void FloatingBody<SE3>::set_exact(const BodyState<SE3>&, const Vector&,
+                                           const Linearisation&, TangentWeights, Matrices&) const;
 template void FloatingBody<SE2>::exact_tangent(const BodyState<SE2>&, const Vector&, TangentWeights,
                                                const Tangent*, Matrices&) const;
 template void FloatingBody<SE3>::exact_tangent(const BodyState<SE3>&, const Vector&, TangentWeights,
                                                const Tangent*, Matrices&) const;
+template void FloatingBody<SE2>::exact_tangents(const BodyState<SE2>&, const Vector&,
+                                                const Tangent*, Matrices&, Matrices&,
+                                                Matrices&) const;
+template void FloatingBody<SE3>::exact_tangents(const BodyState<SE3>&, const Vector&,
+                                                const Tangent*, Matrices&, Matrices&,
+                                                Matrices&) const;
 
 }  // namespace liesl

@@ -102,10 +102,11 @@ void IterationMatrix<G>::linearise_bodies(const State<G>& s, const LoadLevel& le
     const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
     const int first = model_.first_node(static_cast<int>(b));
     const auto* stress = prestress_.section[b].data();
-    body.exact_tangent(state, gravity, {}, stress, A_[b]);
-    if (!rates) continue;
-    body.exact_tangent(state, gravity, {0, 1, 0}, stress, C_[b]);
-    body.exact_tangent(state, gravity, {1, 0, 0}, stress, M_[b]);
+    if (!rates) {
+      body.exact_tangent(state, gravity, {}, stress, A_[b]);
+      continue;
+    }
+    body.exact_tangents(state, gravity, stress, A_[b], C_[b], M_[b]);
     A_[b].add_scaled_columns(C_[b], rates->v.data() + first);
     A_[b].add_scaled_columns(M_[b], rates->vdot.data() + first);
   }
