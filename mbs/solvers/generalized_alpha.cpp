@@ -7,7 +7,7 @@
 namespace liesl {
 namespace {
 
-constexpr double kSlow = 0.5;         // contraction that asks for a new tangent
+constexpr double kSlow = 0.51;        // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
