@@ -163,9 +163,14 @@ bool Sequence::conservative() {
 }
 
 bool Sequence::step() {
+  bool has_value = true;
   for (int repeat = 0; repeat <= s_.max_repeats; ++repeat) {
-    if (!solve_model()) return false;
-    if (!e_.values(trial_)) {
+    if (!solve_model()) {
+      if (!has_value) reason_ = e_.failure();  // what the model was made hard to solve by
+      return false;
+    }
+    has_value = e_.values(trial_);
+    if (!has_value) {
       if (e_.broken()) return false;
       at_.f_rho *= 10;  // no value there: a shorter step
       at_.g_rho *= 10;
