@@ -130,6 +130,15 @@ bool is_result(const fs::path& folder) {
 
 std::vector<std::string> foreign_files(const fs::path& folder) { return foreign(folder, false); }
 
+std::vector<std::string> missing_files(const fs::path& folder) {
+  const Names names = marked(folder);
+  if (names.empty()) return {kMark};
+  std::vector<std::string> missing;
+  for (const std::string& name : names)
+    if (name.find('/') == std::string::npos && !fs::exists(folder / name)) missing.push_back(name);
+  return missing;
+}
+
 void mark_files(const fs::path& folder, const std::vector<std::string>& files) {
   Names names = marked(folder);
   if (names.empty() && !fs::is_empty(folder)) {  // older than marks

@@ -28,6 +28,9 @@ void mark_all(const std::filesystem::path& folder);
 /// files of the names in docs/outputs.md are liesl's. Cases of a batch are results of their own.
 std::vector<std::string> foreign_files(const std::filesystem::path& folder);
 
+/// Files of its mark, in the folder itself, that are not there; without a mark the mark.
+std::vector<std::string> missing_files(const std::filesystem::path& folder);
+
 /// What a folder that is no result holds: "'a.txt' (and 2 more)", its first entry by name.
 std::string content_of(const std::filesystem::path& folder);
 

@@ -1,7 +1,6 @@
 #include "apps/report/report.hpp"
 
 #include <algorithm>
-#include <fstream>
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -17,13 +16,17 @@ namespace fs = std::filesystem;
 namespace liesl::report {
 namespace {
 
-/// A result that lacks a file which liesl wrote in it is half a result.
+/// A result that lacks numbers which liesl wrote in it is half a result. (That of a batch has
+/// results.h5 when all cases have ended.)
 void check_whole(const fs::path& folder, const Json& summary) {
-  if (summary.value("command", "") == "batch" || fs::exists(folder / "results.h5")) return;
-  std::ifstream mark(folder / output::kMark);
-  for (std::string name; std::getline(mark, name);)
-    if (name == "results.h5")
-      throw output::IoError("report", folder, "its results.h5 is not there; run it again");
+  const bool is_batch = summary.value("command", "") == "batch";
+  for (const fs::path name : output::missing_files(folder)) {
+    const bool numbers = name.extension() == ".csv" || (name.extension() == ".h5" && !is_batch);
+    if (numbers || name == output::kMark)
+      throw output::IoError(
+          "report", folder,
+          "its " + name.string() + " is not there; copy the whole folder, or run it again");
+  }
 }
 
 /// Cases of a batch that have a page of their own.
@@ -40,7 +43,6 @@ Json reported_cases(const fs::path& folder) {
 std::string page_of(const fs::path& folder, const std::string& name) {
   Blob blob;
   const Json summary = output::read_summary(folder, "report");
-  check_whole(folder, summary);
   Json data = {{"folder", name}, {"summary", summary}};
   try {
     if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
@@ -63,6 +65,11 @@ std::string page_of(const fs::path& folder, const std::string& name) {
   return page(data, blob.base64());
 }
 
+std::string page_of_whole(const fs::path& folder, const std::string& name) {
+  check_whole(folder, output::read_summary(folder, "report"));
+  return page_of(folder, name);
+}
+
 fs::path write_report(const fs::path& folder) {
   if (fs::exists(folder / kReport)) {
     const auto foreign = output::foreign_files(folder);
@@ -72,7 +79,7 @@ fs::path write_report(const fs::path& folder) {
   }
   std::error_code none;
   const fs::path named = fs::weakly_canonical(folder, none);
-  const std::string text = page_of(folder, named.filename().string());
+  const std::string text = page_of_whole(folder, named.filename().string());
   output::replace_file(folder / kReport, text);
   output::mark_files(folder, {kReport});
   return folder / kReport;

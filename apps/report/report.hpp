@@ -15,6 +15,8 @@ inline constexpr const char* kReport = "report.html";
 /// @throws output::IoError for a folder that is no result, or whose files are not what liesl
 /// writes
 std::string page_of(const std::filesystem::path& folder, const std::string& name);
+/// The same of a folder that is finished: one with its mark and all numbers in it.
+std::string page_of_whole(const std::filesystem::path& folder, const std::string& name);
 
 /// Writes report.html into a results folder and marks it as liesl's. @returns its path
 /// @throws output::IoError, also if a report.html is there that liesl did not write

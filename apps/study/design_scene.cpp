@@ -128,6 +128,16 @@ void write_outline(toml::table& scene, const std::string& part,
   scene["bodies"][part]["solid"].as_table()->insert_or_assign("outline", table);
 }
 
+/// A run of the design resolves what its limits were met to: responses differ by a few times the
+/// tolerance of Newton's method.
+void write_tolerance(toml::table& scene, const Study& study) {
+  constexpr double kApart = 0.1, kResolved = 0.01;  // of the feasibility
+  const double feasibility = study.spec.cycle.feasibility;
+  if (study.scene.simulation.tolerance <= kApart * feasibility) return;
+  if (toml::table* simulation = scene["simulation"].as_table())
+    simulation->insert_or_assign("tolerance", kResolved * feasibility);
+}
+
 }  // namespace
 
 std::string design_scene(const Study& study, const Mechanism& final,
@@ -146,6 +156,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
     if (c.quantity < ConstantQuantity::DriveValue) write_constant(document.root, c, final);
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
+  write_tolerance(document.root, study);
   return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
                      ordered_text(document.root));
 }

@@ -56,7 +56,7 @@ void DifferentiableMotion::simulate(const Space<G>& space, const SimulationOptio
                                                  problem_.scene.responses, progress);
   const Simulation<G>& simulation = motion->simulation;
   outcome_.status = simulation.report.status;
-  describe(outcome_.summary, simulation.report, simulation.start, motion->mechanism);
+  describe(outcome_.summary, simulation.report, simulation.start, motion->mechanism, options.type);
   outcome_.summary.more["tolerance"] = options.tolerance;
   outcome_.results =
       collect(problem_.scene, motion->mechanism, motion->model, simulation.trajectory);

@@ -76,7 +76,8 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
       run_simulation<G>(model, scene.simulation, progress, nullptr, observe);
   if (scene.simulation.type == SimulationType::Static) ranges.add(simulation.trajectory);
   out.run.status = simulation.report.status;
-  describe(out.run.summary, simulation.report, simulation.start, scene.mechanism);
+  describe(out.run.summary, simulation.report, simulation.start, scene.mechanism,
+           scene.simulation.type);
   out.run.status = describe_ranges(out.run.summary, scene.simulation, ranges, out.run.status);
   out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
   describe_responses(out.run.summary, out.run.results);

@@ -378,10 +378,12 @@ void describe_optimality(output::OptimizeSummary& summary,
   const KktResidual* kkt = optimality && optimality->residual ? &*optimality->residual : nullptr;
   summary.more["kkt_residual"] = kkt ? nlohmann::json(kkt->stationarity) : nlohmann::json(nullptr);
   auto& prices = summary.more["prices"] = nlohmann::ordered_json::object();
-  if (optimality)
+  const bool exceeds = optimality && optimality->violation;  // what it saves is no design's
+  if (optimality && !exceeds)
     for (const LimitPrice& p : optimality->prices) prices[p.name] = p.price;
   summary.more["kkt"] = optimality ? optimality->brief() : "not checked";
-  if (!optimality || !optimality->violation) return;
+  if (!exceeds) return;
+  summary.more["kkt"] = optimality->brief() + ", but limits are exceeded";
   const ViolationCertificate& v = *optimality->violation;
   auto limits = nlohmann::ordered_json::object();
   for (const LimitPrice& p : v.held_by) limits[p.name] = p.price;

@@ -65,7 +65,7 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
   const ModesResult<G> modes = solve_modes(model, scene.simulation);
   out.status = modes.report.status;
-  describe(out.summary, modes.report, modes.start, scene.mechanism);
+  describe(out.summary, modes.report, modes.start, scene.mechanism, scene.simulation.type);
   out.summary.more["frequencies_hz"] = modes.frequency;
   out.summary.more["eigenvalues"] = modes.eigenvalue;
   if (modes.report.status != SolveStatus::Converged) return;
@@ -123,7 +123,8 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
       run_simulation<G>(model, scene.simulation, progress, nullptr, observe);
   if (scene.simulation.type == SimulationType::Static) ranges.add(simulation.trajectory);
   out.status = simulation.report.status;
-  describe(out.summary, simulation.report, simulation.start, scene.mechanism);
+  describe(out.summary, simulation.report, simulation.start, scene.mechanism,
+           scene.simulation.type);
   out.status = describe_ranges(out.summary, scene.simulation, ranges, out.status);
   describe_parts(out.summary, scene.mechanism, model, simulation.trajectory,
                  scene.simulation.type == SimulationType::Dynamic);

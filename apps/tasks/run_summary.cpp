@@ -79,9 +79,12 @@ SolveStatus describe_strains(output::RunSummary& summary, const Mechanism& mecha
 }  // namespace
 
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
-              const Mechanism& mechanism) {
+              const Mechanism& mechanism, SimulationType type) {
   summary.status = status_word(report.status);
-  summary.reason = report.reason.empty() ? "the simulation reached its end" : report.reason;
+  summary.reason = report.reason;
+  if (report.reason.empty())
+    summary.reason = type == SimulationType::Static ? "in equilibrium under the whole load"
+                                                    : "the simulation reached its end";
   summary.steps = static_cast<int>(report.steps);
   summary.newton_iterations = report.newton_iterations;
   for (size_t b = 0; b < report.factorizations.size(); ++b)

@@ -12,7 +12,7 @@ namespace liesl {
 
 void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace& space);
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
-              const Mechanism& mechanism);
+              const Mechanism& mechanism, SimulationType type);
 void describe_responses(output::RunSummary& summary, const output::Results& results);
 /// A warning for each beam whose largest stress at the records is above a twentieth of its modulus,
 /// since materials are linear, and if the integrator lost or made more than a few per cent of the

@@ -114,7 +114,8 @@ void run_on(const SensitivityProblem& problem, const Space<G>& space,
   const TapedMotion<G> motion(problem.scene.mechanism, space, options, problem.scene.responses,
                               progress);
   out.status = motion.simulation.report.status;
-  describe(out.summary, motion.simulation.report, motion.simulation.start, motion.mechanism);
+  describe(out.summary, motion.simulation.report, motion.simulation.start, motion.mechanism,
+           options.type);
   out.summary.more["tolerance"] = options.tolerance;
   if (!motion.good()) return;
   out.result.parameters = problem.names;

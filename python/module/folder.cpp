@@ -75,7 +75,7 @@ void bind_folders(py::module_& module) {
   module.def("write_file", [](const std::filesystem::path& path, const std::string& text) {
     output::replace_file(path, text);
   });
-  module.def("page_of", &report::page_of);
+  module.def("page_of", &report::page_of_whole);
 }
 
 }  // namespace liesl::python

@@ -270,8 +270,15 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
   refused((dir_ / "half").string(), "not whole");
   output::write_file(dir_ / "half/summary.json", "{\"versions\": {\"liesl\": \"0.0.9\"}}");
   refused((dir_ / "half").string(), "it is of liesl \"0.0.9\"");
-  fs::remove(results() / "results.h5");
-  refused(results().string(), "its results.h5 is not there");
+  for (const char* name : {"results.h5", "responses.csv", ".liesl"}) {
+    const fs::path part = dir_ / (std::string("without_") + name);
+    fs::copy(results(), part, fs::copy_options::recursive);
+    fs::remove(part / name);
+    refused(part.string(), std::string("its ") + name + " is not there");
+  }
+  fs::create_directories(dir_ / "summary");
+  fs::copy(results() / "summary.json", dir_ / "summary");
+  refused((dir_ / "summary").string(), "its .liesl is not there");
 }
 
 TEST_F(ReportProgram, APageOfTheUserStays) {
