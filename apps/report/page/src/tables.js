@@ -170,10 +170,18 @@ export function further(s, clock) {
   return blocks.length ? card(title[0].toUpperCase() + title.slice(1), ...blocks) : null;
 }
 
+/** What a map was asked for beside the keys that were set. */
+function mapped(s) {
+  if (s.command !== 'map') return '';
+  const axes = Object.entries(s.over);
+  const over = axes.map(([name, a]) => `${name}=${Number(a.from.toPrecision(8))}:${Number(a.to.toPrecision(8))}`);
+  return ` --over '${over.join(',')}' --points ${axes.map(([, a]) => a.points).join(',')}`;
+}
+
 export function provenance(data) {
   const s = data.summary, list = el('dl', {});
   const add = (name, value) => value && list.append(el('dt', {}, name), el('dd', {}, value));
-  add('command', `liesl ${s.command}${s.input ? ' ' + s.input : ''}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
+  add('command', `liesl ${s.command}${s.input ? ' ' + s.input : ''}${mapped(s)}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
   add('folder', data.folder);
   add('input (SHA-256)', s.input_sha256);
   if (s.space) add('computed', `${s.space}: ${s.space_reason}`);
