@@ -118,7 +118,8 @@ std::string kind_of_value(const Key& key) {
     case Type::Rows:
       return fmt::format("a list of two or more rows of {} numbers", n);
     case Type::NumberOrMatrix:
-      return fmt::format("a number, {0} numbers (diagonal) or {0} rows of {0}", n);
+      return fmt::format("a number{1}, {0} numbers{1} (diagonal) or {0} rows of {0}", n,
+                         key.range.text().empty() ? "" : " " + key.range.text());
     case Type::Matrix:
       return n == 3 ? "3 numbers (diagonal), 6 numbers [xx, yy, zz, xy, xz, yz] or 3 rows of 3"
                     : fmt::format("{0} numbers (diagonal) or {0} rows of {0}", n);
@@ -148,7 +149,8 @@ std::string kind_of_value(const Key& key) {
 
 std::string expectation(const Key& key) {
   std::string text = kind_of_value(key);
-  if (const std::string range = key.range.text(); !range.empty()) text += " " + range;
+  const std::string range = key.range.text();
+  if (!range.empty() && key.type != Type::NumberOrMatrix) text += " " + range;
   if (!key.unit.empty()) text += fmt::format(" ({})", key.unit);
   return text;
 }

@@ -16,13 +16,19 @@ namespace fs = std::filesystem;
 namespace liesl::report {
 namespace {
 
-/// A result that lacks numbers which liesl wrote in it is half a result. (That of a batch has
-/// results.h5 when all cases have ended.)
+/// Is a file of numbers one that the page needs? Batches and comparisons name files before they are
+/// written; they have their tables from the beginning.
+bool is_needed(const fs::path& name, const std::string& command) {
+  if (command == "batch") return name == "results.csv";
+  if (command == "compare") return name == "rows.csv";
+  return name.extension() == ".csv" || name.extension() == ".h5";
+}
+
+/// A result that lacks numbers which liesl wrote in it is half a result.
 void check_whole(const fs::path& folder, const Json& summary) {
-  const bool is_batch = summary.value("command", "") == "batch";
+  const std::string command = summary.value("command", "");
   for (const fs::path name : output::missing_files(folder)) {
-    const bool numbers = name.extension() == ".csv" || (name.extension() == ".h5" && !is_batch);
-    if (numbers || name == output::kMark)
+    if (name == output::kMark || is_needed(name, command))
       throw output::IoError(
           "report", folder,
           "its " + name.string() + " is not there; copy the whole folder, or run it again");

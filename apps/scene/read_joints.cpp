@@ -159,12 +159,14 @@ std::vector<CoupledSpring> springs_of(Reader& reader, const toml::table& table, 
                         "angles (rad)");
     return std::vector<CoupledSpring>();
   };
-  if ((K - K.transpose()).cwiseAbs().maxCoeff() > 1e-9 * K.cwiseAbs().maxCoeff())
-    return refuse("is not symmetric");
+  const Eigen::VectorXd size = K.diagonal().cwiseAbs().cwiseSqrt();
+  const Eigen::MatrixXd allowed = 1e-9 * size * size.transpose();
+  if (((K - K.transpose()).cwiseAbs() - allowed).maxCoeff() > 0) return refuse("is not symmetric");
   try {
     return coupled_springs(K);
-  } catch (const std::invalid_argument&) {
-    return refuse("has a negative eigenvalue: it would push by itself");
+  } catch (const std::invalid_argument& error) {
+    return refuse(
+        fmt::format("has a negative eigenvalue ({}): it would push by itself", error.what()));
   }
 }
 

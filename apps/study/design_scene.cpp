@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <sstream>
 
 #include "apps/input/document.hpp"
@@ -130,12 +131,13 @@ void write_outline(toml::table& scene, const std::string& part,
 
 /// A run of the design resolves what its limits were met to: responses differ by a few times the
 /// tolerance of Newton's method.
-void write_tolerance(toml::table& scene, const Study& study) {
+void write_tolerance(toml::table& scene, double feasibility) {
   constexpr double kApart = 0.1, kResolved = 0.01;  // of the feasibility
-  const double feasibility = study.spec.cycle.feasibility;
-  if (study.scene.simulation.tolerance <= kApart * feasibility) return;
-  if (toml::table* simulation = scene["simulation"].as_table())
-    simulation->insert_or_assign("tolerance", kResolved * feasibility);
+  constexpr double kFinest = 1e-8;  // to which an optimisation converges its motions
+  const double given = scene["simulation"]["tolerance"].value_or(SimulationOptions().tolerance);
+  if (given <= kApart * feasibility || given <= kFinest) return;
+  toml::table& simulation = *scene.insert("simulation", toml::table{}).first->second.as_table();
+  simulation.insert_or_assign("tolerance", std::max(kResolved * feasibility, kFinest));
 }
 
 }  // namespace
@@ -156,7 +158,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
     if (c.quantity < ConstantQuantity::DriveValue) write_constant(document.root, c, final);
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
-  write_tolerance(document.root, study);
+  write_tolerance(document.root, study.spec.cycle.feasibility);
   return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
                      ordered_text(document.root));
 }

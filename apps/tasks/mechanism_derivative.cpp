@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
@@ -306,7 +307,11 @@ class Differences {
   void add_force(std::size_t i, Parameter& p) {
     differs_unless([&](const Mechanism& m) {
       const ForceSpec &a = m.forces[i], &b = at_.forces[i];
-      return same(a.a, b.a) && same(a.b, b.b) && a.curve == b.curve;
+      return same(a.a, b.a) && same(a.b, b.b) && a.curve == b.curve && a.joint == b.joint &&
+             a.coordinate == b.coordinate &&
+             std::ranges::equal(a.shares, b.shares, [](const auto& x, const auto& y) {
+               return x.coordinate == y.coordinate && x.weight == y.weight;
+             });
     });
     ForceDerivative by_p;
     by_p.force = static_cast<int>(i);

@@ -144,7 +144,8 @@ class BodyLU {
     const double smallest = lu_.smallest_pivot();
     return std::isfinite(smallest) && smallest > 0;
   }
-  /// x <- A^-1 x for the `size` numbers of the body, in place. Allocates nothing.
+  /// x <- A^-1 x for the `size` numbers of the body, in place. Allocates nothing after its first
+  /// call.
   void solve(double* x, int size) {
     if (sparse_) return sparse_factors_.solve(Eigen::Map<Eigen::MatrixXd>(x, size, 1));
     if (!dense_) return chain_.solve(x);

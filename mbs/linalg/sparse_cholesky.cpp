@@ -78,7 +78,8 @@ struct SparseCholesky::Factors {
   Factors& operator=(const Factors&) = delete;
 };
 
-SparseCholesky::SparseCholesky() : f_(std::make_unique<Factors>()) {}
+SparseCholesky::SparseCholesky(bool looks_for_stop)
+    : f_(std::make_unique<Factors>()), looks_for_stop_(looks_for_stop) {}
 SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
@@ -86,7 +87,7 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factor(const Matrix& A) {
   Factors& f = *f_;
   f.valid = false;
-  look_for_stop();
+  if (looks_for_stop_) look_for_stop();
   one_blas_thread();
   if (!A.coeffs().allFinite()) return false;
   cholmod_sparse view{};
@@ -103,7 +104,7 @@ bool SparseCholesky::factor(const Matrix& A) {
   view.sorted = view.packed = 1;
   if (!f.L) f.L = cholmod_analyze(&view, &f.common);
   if (!f.L) throw std::bad_alloc();
-  look_for_stop();
+  if (looks_for_stop_) look_for_stop();
   cholmod_factorize(&view, f.L, &f.common);
   if (f.common.status < CHOLMOD_OK) throw std::bad_alloc();
   f.valid = f.common.status == CHOLMOD_OK && f.L->minor == f.L->n;
@@ -117,7 +118,7 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
   f.x.resize(b.rows(), b.cols());
   std::atomic<bool> solved = true;
   const auto solve_block = [&](Eigen::Index k) {
-    look_for_stop();
+    if (looks_for_stop_) look_for_stop();
     const Eigen::Index first = k * kBlock, count = std::min(kBlock, b.cols() - first);
     if (!f.lanes.local().solve(f.L, b.middleCols(first, count), f.x.middleCols(first, count)))
       solved = false;

@@ -13,7 +13,8 @@ class SparseCholesky {
  public:
   using Matrix = Eigen::SparseMatrix<double>;
 
-  SparseCholesky();
+  /// @param looks_for_stop false: within a loop that looks for stops itself (`look_for_stop`)
+  explicit SparseCholesky(bool looks_for_stop = true);
   ~SparseCholesky();
   SparseCholesky(SparseCholesky&&) noexcept;
   SparseCholesky& operator=(SparseCholesky&&) noexcept;
@@ -35,6 +36,7 @@ class SparseCholesky {
  private:
   struct Factors;
   std::unique_ptr<Factors> f_;
+  bool looks_for_stop_;
 };
 
 }  // namespace liesl

@@ -82,7 +82,8 @@ struct SparseCholesky::Factors {
   }
 };
 
-SparseCholesky::SparseCholesky() : f_(std::make_unique<Factors>()) {}
+SparseCholesky::SparseCholesky(bool looks_for_stop)
+    : f_(std::make_unique<Factors>()), looks_for_stop_(looks_for_stop) {}
 SparseCholesky::~SparseCholesky() = default;
 SparseCholesky::SparseCholesky(SparseCholesky&&) noexcept = default;
 SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
@@ -90,14 +91,14 @@ SparseCholesky& SparseCholesky::operator=(SparseCholesky&&) noexcept = default;
 bool SparseCholesky::factor(const Matrix& A) {
   Factors& f = *f_;
   f.valid = false;
-  look_for_stop();
+  if (looks_for_stop_) look_for_stop();
   one_blas_thread();
   if (!A.coeffs().allFinite()) return false;
   if (!f.analysed) f.read_pattern(A);
   f.read_values(A);
   if (!f.analysed && f.run(kAnalyse) < 0) throw std::bad_alloc();
   f.analysed = true;
-  look_for_stop();
+  if (looks_for_stop_) look_for_stop();
   int end = f.run(kFactor);
   while (end == kOutOfSpace && f.icntl(14) < kMostSpace) {
     f.icntl(14) *= 2;
@@ -115,7 +116,7 @@ Eigen::Map<const Eigen::MatrixXd> SparseCholesky::solve(
   one_blas_thread();
   f.x = b;
   for (Eigen::Index first = 0; first < b.cols(); first += kMumpsBlock) {
-    look_for_stop();
+    if (looks_for_stop_) look_for_stop();
     f.mumps.rhs = f.x.col(first).data();
     f.mumps.nrhs = static_cast<int>(std::min(kMumpsBlock, b.cols() - first));
     f.mumps.lrhs = static_cast<int>(b.rows());

@@ -21,7 +21,7 @@ class SparseFactors {
   bool symmetric() const { return symmetric_; }
 
  private:
-  SparseCholesky cholesky_;
+  SparseCholesky cholesky_{false};  // the steps of a solver look for stops
   SparseLu lu_;
   bool symmetric_ = false;
 };

@@ -7,6 +7,7 @@
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
+#include "apps/output/versions.hpp"
 #include "apps/program.hpp"
 #include "apps/report/blob.hpp"
 #include "apps/report/page.hpp"
@@ -279,6 +280,22 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
   fs::create_directories(dir_ / "summary");
   fs::copy(results() / "summary.json", dir_ / "summary");
   refused((dir_ / "summary").string(), "its .liesl is not there");
+}
+
+/// Comparisons and batches name files before they are there.
+TEST_F(ReportProgram, WhatIsInterruptedHasAPage) {
+  fs::create_directories(dir_ / "rows");
+  output::write_file(dir_ / "rows/summary.json",
+                     "{\"command\": \"compare\", \"name\": \"c\", \"status\": \"interrupted\", "
+                     "\"versions\": {\"liesl\": " +
+                         nlohmann::json(output::versions().front().second).dump() + "}}");
+  output::write_file(dir_ / "rows/rows.csv", "run,status\n1,done\n");
+  output::mark_files(dir_ / "rows", {"rows.csv", "reference_1.csv", "summary.json"});
+  EXPECT_EQ(run({"report", (dir_ / "rows").string()}).code, 0);
+  fs::remove(dir_ / "rows/rows.csv");
+  const Outcome o = run({"report", (dir_ / "rows").string()});
+  EXPECT_EQ(o.code, 3);
+  EXPECT_NE(o.err.find("its rows.csv is not there"), std::string::npos) << o.err;
 }
 
 TEST_F(ReportProgram, APageOfTheUserStays) {

@@ -188,6 +188,14 @@ TEST(MechanismDerivative, OfAllElseIsByMechanismsNearBy) {
   }
 }
 
+/// An entry of the matrix of a bushing changes what its springs act on.
+TEST(MechanismDerivative, OfSharesIsByMechanismsNearBy) {
+  only<NearbyMechanisms>(parameter([](Mechanism& c, double p) {
+    c.forces[0].stiffness += 2 * p;
+    c.forces[0].shares = {{1, 0.5 + p}};
+  }));
+}
+
 TEST(MechanismDerivative, WhatHasNoneIsRefusedByName) {
   EXPECT_NE(refusal([](Mechanism&, double) {}).find("'p' changes nothing"), std::string::npos);
 }

@@ -4,6 +4,8 @@
 
 #include <limits>
 
+#include "mbs/linalg/stop_request.hpp"
+
 namespace liesl::test::sparse_factors_test {
 namespace {
 
@@ -46,6 +48,22 @@ TEST(SparseFactors, SingularOrNotFiniteIsSaidSo) {
   EXPECT_FALSE(factors.factor(chain(3, 0, 0, 0)));
   EXPECT_FALSE(factors.factor(chain(3, 2, -1, std::numeric_limits<double>::quiet_NaN())));
   EXPECT_TRUE(factors.factor(chain(3, 2, -1, -1)));
+}
+
+/// The steps of a motion look for stops and keep what they have: its factors must not end it.
+TEST(SparseFactors, LeaveStopsToWhoStepsInTime) {
+  ask_for_stop([] { return true; });
+  SparseFactors factors;
+  const Sparse A = chain(5, 3, -1, -1);
+  MatrixXd b = MatrixXd::Ones(5, 1);
+  EXPECT_NO_THROW({
+    EXPECT_TRUE(factors.factor(A));
+    factors.solve(b);
+  });
+  EXPECT_TRUE(factors.symmetric());
+  SparseCholesky cholesky;
+  EXPECT_THROW(cholesky.factor(A), Stopped);
+  ask_for_stop(nullptr);
 }
 
 }  // namespace

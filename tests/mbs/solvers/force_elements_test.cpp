@@ -240,6 +240,8 @@ TEST(Bushing, MatrixIsMadeOfItsPivots) {
   ASSERT_EQ(springs[0].shares.size(), 1u);
   EXPECT_EQ(springs[0].shares[0].weight, 0.5);
   EXPECT_EQ(springs[1].coordinate, 2);
+  K(1, 1) = 1 - 1e-10;  // a number of ten digits
+  EXPECT_EQ(coupled_springs(K).size(), 2u);
   K(1, 1) = 0.9;
   EXPECT_THROW(coupled_springs(K), std::invalid_argument);
 }
