@@ -94,6 +94,15 @@ BeamDerivative scaled(BeamDerivative part, const std::array<double, 3>& factors)
   return part;
 }
 
+/// Do both act on the same, along the same curve?
+bool acts_alike(const ForceSpec& a, const ForceSpec& b) {
+  const auto alike = [](const CoordinateShare& x, const CoordinateShare& y) {
+    return x.coordinate == y.coordinate && x.weight == y.weight;
+  };
+  return same(a.a, b.a) && same(a.b, b.b) && a.curve == b.curve && a.joint == b.joint &&
+         a.coordinate == b.coordinate && std::ranges::equal(a.shares, b.shares, alike);
+}
+
 class Differences {
  public:
   Differences(const Mechanism& at, const std::function<Mechanism(double)>& changed, double step,
@@ -305,14 +314,7 @@ class Differences {
   }
 
   void add_force(std::size_t i, Parameter& p) {
-    differs_unless([&](const Mechanism& m) {
-      const ForceSpec &a = m.forces[i], &b = at_.forces[i];
-      return same(a.a, b.a) && same(a.b, b.b) && a.curve == b.curve && a.joint == b.joint &&
-             a.coordinate == b.coordinate &&
-             std::ranges::equal(a.shares, b.shares, [](const auto& x, const auto& y) {
-               return x.coordinate == y.coordinate && x.weight == y.weight;
-             });
-    });
+    differs_unless([&](const Mechanism& m) { return acts_alike(m.forces[i], at_.forces[i]); });
     ForceDerivative by_p;
     by_p.force = static_cast<int>(i);
     by_p.stiffness = difference([i](const Mechanism& m) { return m.forces[i].stiffness; });
