@@ -3,6 +3,7 @@
 import csv
 import json
 import math
+import os
 import subprocess
 from pathlib import Path
 
@@ -48,14 +49,15 @@ class Runner:
         self.program, self.data, self.work, self.solved = program, Path(data), Path(work), solved
         self.known = {}
 
-    def __call__(self, command, file, *changes, words=()):
-        """@param file "scenes/pendulum"  @param changes keys, "simulation.step=1e-4"  @param words further options"""
-        key = (command, file, changes, tuple(words))
+    def __call__(self, command, file, *changes, words=(), kernel=None):
+        """@param file "scenes/pendulum"  @param changes keys, "simulation.step=1e-4"  @param words further options
+        @param kernel of OpenBLAS, for figures of a path that rounding decides; else that of the processor"""
+        key = (command, file, changes, tuple(words), kernel)
         if key not in self.known:
-            self.known[key] = Result(self.folder(command, file, changes, words))
+            self.known[key] = Result(self.folder(command, file, changes, words, kernel))
         return self.known[key]
 
-    def folder(self, command, file, changes, words):
+    def folder(self, command, file, changes, words, kernel):
         shipped = self.solved and Path(self.solved) / Path(file).name
         if command == "optimize" and not changes and not words and shipped and (shipped / "summary.json").exists():
             return shipped
@@ -63,7 +65,8 @@ class Runner:
         line = [self.program, command, f"{self.data / file}.toml", "-o", folder, "--quiet", "--force", "--no-report", *words]
         for change in changes:
             line += ["--set", change]
-        done = subprocess.run(line, capture_output=True, text=True, check=False)
+        environment = {**os.environ, "OPENBLAS_CORETYPE": kernel} if kernel else None
+        done = subprocess.run(line, capture_output=True, text=True, check=False, env=environment)
         if not (folder / "summary.json").exists():
             raise LookupError(f"liesl {command} {file} {' '.join(changes)}: {done.stderr.strip()[-300:]}")
         return folder

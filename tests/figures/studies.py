@@ -84,8 +84,8 @@ def row(run, study):
 
 
 def sentences(run):
-    def study(name, *changes, words=()):
-        return run("optimize", f"studies/{name}", *changes, words=words)
+    def study(name, *changes, words=(), kernel=None):
+        return run("optimize", f"studies/{name}", *changes, words=words, kernel=kernel)
 
     def plain():
         return [study(name, "cycle.method=esl").summary for name in ("slider_crank_rod", "slider_crank_both", "robot_arms", "four_bar_mixed")]
@@ -103,19 +103,16 @@ def sentences(run):
                 Fresh(100 * (1 - s["mass_final"] / s["mass_initial"]), within=2)]
 
     def holes():
-        tried = study("cantilever", words=("--nucleate",)).summary["nucleation"]["tried"]
+        tried = study("cantilever", words=("--nucleate",), kernel="Haswell").summary["nucleation"]["tried"]
         return [t for t in tried if t["kept"]]
 
     def hole(i):
         def figures():
             t = holes()[i]
-            # Where the next hole goes depends on how the last round ended, which rounding decides;
-            # with all of them the mass is the same.
-            loose, between = i > 0, 0 < i < 5
-            # The first hole is as good above the axis as below it.
-            x, y = (Fresh(MM * (t["place"][c] if loose else abs(t["place"][c])), within=110 if loose else 2) for c in (0, 1))
+            loose = i > 0  # where the next hole goes depends on how the last round ended
+            x, y = (Fresh(MM * t["place"][c], within=80 if loose else 2) for c in (0, 1))
             gain = Fresh(t["gain"], relative=0.5 if loose else 0.02)
-            masses = [Fresh(t[key], relative=0.05 if between else 5e-3 if loose else MASS) for key in (("objective_before", "objective") if i == 0 else ("objective",))]
+            masses = [Fresh(t[key], relative=5e-3 if loose else MASS) for key in (("objective_before", "objective") if i == 0 else ("objective",))]
             return [x, y, gain, *masses]
 
         return Sentence(f"| {i + 1} | {{:.0f}}, {{:.0f}} | {{:.0f}} | " + ("{:.5f} → {:.5f} |" if i == 0 else "→ {:.5f} |"), figures)

@@ -125,12 +125,13 @@ TEST(ContinuumSensitivity, ByItsOwnParametersAreThoseOfDifferences) {
     expect_differences<SE2>(machine_with_continuum(law), of_the_rod(law), options);
 }
 
-/// States go with the mesh, as of beams on the group. Round-off leaves 0.9e-10 to 1.2e-10 after 100
-/// steps, by the factors of the motion (LU or Cholesky) and the kernel of OpenBLAS.
+/// States go with the mesh, as of beams on the group. 100 steps of 0.4 ms: with 0.2 ms round-off of
+/// the accelerations, which goes as 1/(beta h^2), is 0.9e-10 to 1.2e-10 by itself, by the factors
+/// of the motion (LU or Cholesky) and the kernel of OpenBLAS.
 TEST(ContinuumSensitivity, ByLengthsBothFormsAgree) {
   const Mechanism m = machine_with_continuum(SolidLaw::NeoHookean);
   expect_direct_equals_adjoint<SE2>(20, m, lengths(m), 2e-4, 1, 1);
-  expect_direct_equals_adjoint<SE2>(100, m, lengths(m), 2e-4, 1, 1e-6, 2e-10);
+  expect_direct_equals_adjoint<SE2>(100, m, lengths(m), 4e-4);
   const Mechanism in_space = machine_with_continuum(SolidLaw::StVenantKirchhoff, 1);
   expect_direct_equals_adjoint<SE3>(50, in_space, lengths(in_space), 2e-4, 1, 1);
 }
