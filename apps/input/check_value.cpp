@@ -135,7 +135,7 @@ class ValueCheck {
       return;
     }
     Key entries = key;
-    if (key.type == Type::NumberOrMatrix) entries.range = Range{};  // beside the diagonal
+    entries.range = Range{};  // that of the key is of a diagonal alone
     rows(entries, value, path);
   }
 

@@ -21,8 +21,8 @@ enum class Type {
   Vector,          ///< list of `size` numbers
   NumberOrList,    ///< number, or list of `size` numbers (0 = one or more)
   Rows,            ///< two or more rows of `size` numbers
-  NumberOrMatrix,  ///< number, or the same without the 6 numbers of an inertia
   Matrix,          ///< `size` numbers (diagonal) or `size` rows of `size`; inertia also 6 numbers
+  NumberOrMatrix,  ///< number, or `size` numbers, or `size` rows of `size`; the range is of numbers
   Texts,           ///< string or list of strings
   Pair,            ///< list of two strings
   Function,        ///< number, string (expression of t) or table (keys: `(function).*`)

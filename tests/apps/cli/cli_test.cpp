@@ -5,6 +5,7 @@
 #include <set>
 
 #include "apps/program.hpp"
+#include "apps/scene/load_scene.hpp"
 #include "reference/solved.hpp"
 
 namespace liesl::test::cli_test {
@@ -224,6 +225,8 @@ TEST_F(Cli, OptimizeSaysHowItEnded) {
   EXPECT_EQ(optimize({"constraints.bending.limit=1e-5", "simulation.duration=0.03"}).code, 1);
   EXPECT_EQ(summary()["status"], "infeasible");
   EXPECT_NE(summary()["reason"].get<std::string>().find("'bending'"), std::string::npos);
+  EXPECT_TRUE(summary()["prices"].empty()) << "what a limit saves is said of designs that meet it";
+  EXPECT_NE(summary()["kkt"].get<std::string>().find("limits are exceeded"), std::string::npos);
   const Outcome failed = optimize({"joints.motor.drive.rate=1e7"});
   EXPECT_EQ(failed.code, 1);
   EXPECT_EQ(summary()["status"], "simulation failed");
@@ -405,6 +408,20 @@ TEST_F(Cli, ResumesWithMoreCyclesAndOtherTolerances) {
   }
 }
 
+/// A design asks for a tolerance that resolves what its limits were met to, as fine as motions of
+/// an optimisation are converged at most.
+TEST_F(Cli, FinalDesignResolvesItsLimits) {
+  const auto tolerance = [&](const std::string& feasibility) {
+    run({"optimize", study("slider_crank_rod"), "-o", results(), "--force", "--no-verify",
+         "--no-report", "--set", "cycle.max=1", "--set", "simulation.duration=0.02", "--set",
+         "cycle.feasibility=" + feasibility});
+    return read_scene(text_of(results() / "design.toml"), "design.toml").simulation.tolerance;
+  };
+  EXPECT_EQ(tolerance("1e-3"), SimulationOptions().tolerance);
+  EXPECT_DOUBLE_EQ(tolerance("5e-6"), 5e-8);
+  EXPECT_DOUBLE_EQ(tolerance("1e-9"), 1e-8);
+}
+
 /// The final design is a scene that runs at once, with the figures of the optimisation, as far as
 /// simulation.tolerance, 1e-6, lets two simulations agree.
 TEST_F(Cli, FinalDesignIsAScene) {
@@ -479,6 +496,8 @@ TEST_F(Cli, RunsEveryShippedScene) {
     const Outcome o = run({"run", file, "-o", results(), "-f", "-q"});
     EXPECT_EQ(o.code, 0) << file << "\n" << o.err;
     EXPECT_EQ(summary()["status"], "done") << file << ": " << summary()["reason"];
+    if (file.stem() == "bend45")
+      EXPECT_EQ(summary()["reason"], "in equilibrium under the whole load");
   }
 }
 
