@@ -86,7 +86,7 @@ std::string step_text(const BeamDeck::Case& load_case, std::size_t number) {
 std::string calculix_text(const BeamDeck& deck) {
   std::string text = fmt::format(
       "** '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
-      "** See README.md beside this file.\n",
+      "** See README.md in this folder.\n",
       deck.part, deck.scene);
   text += mesh_text(deck) + sections_text(deck) + "*BOUNDARY\n1, 1, 6\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n) text += step_text(deck.cases[n], n + 1);

@@ -105,7 +105,7 @@ std::string nastran_text(const BeamDeck& deck) {
   const std::vector<std::string> loads = loads_text(deck);
   return title("$ '" + deck.part + "' of '" + deck.scene + "'") +
          "$ under the equivalent static loads of its motion. SI units.\n"
-         "$ See README.md beside this file.\n" +
+         "$ See README.md in this folder.\n" +
          control_text(deck, loads) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
          fmt::format("{}", fmt::join(loads, "")) + "ENDDATA\n";
 }

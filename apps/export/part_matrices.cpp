@@ -23,7 +23,7 @@ std::string list(const Eigen::Vector3d& x, int dim) {
 std::string scene_part(const std::string& name, const SolidSpec& solid) {
   const int dim = solid.mesh().dim;
   std::string text = fmt::format(
-      "# Takes the place of bodies.{0} in a scene beside these files. SI units.\n"
+      "# Takes the place of bodies.{0} in a scene in the folder of these files. SI units.\n"
       "[bodies.{0}.solid]\nat = {1}\norientation = {2}\nmodes = {3}\ndamping = {4}\n"
       "matrices = {{ stiffness = \"{0}_stiffness.mtx\", mass = \"{0}_mass.mtx\", nodes = "
       "\"{0}_nodes.mtx\" }}\n",

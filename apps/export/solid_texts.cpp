@@ -50,9 +50,9 @@ std::string solid_mesh_text(const SolidDeck& deck) {
     text += "*NSET, NSET=" + name + "\n";
     for (const int node : members) text += fmt::format("{},\n", node);
   };
-  std::vector<int> near_face;
-  for (int i = 0; i < deck.node_count(); ++i) near_face.push_back(i + 1);
-  put_set("NODES", near_face);
+  std::vector<int> first_layer;
+  for (int i = 0; i < deck.node_count(); ++i) first_layer.push_back(i + 1);
+  put_set("NODES", first_layer);
   for (const auto& [name, nodes] : deck.sets) {
     std::vector<int> all;
     for (int layer = 0; layer < layers.count; ++layer)
@@ -115,7 +115,7 @@ std::string calculix_element(const SolidDeck& deck) {
 std::string calculix_text(const SolidDeck& deck) {
   std::string text = fmt::format(
       "** '{}' of '{}' under the equivalent static loads of its motion, as unit cases. SI units.\n"
-      "** See README.md beside this file.\n",
+      "** See README.md in this folder.\n",
       deck.part, deck.scene);
   text += solid_mesh_text(deck) + solid_materials_text(deck);
   for (std::size_t k = 0; k < deck.units.size(); ++k) text += unit_step_text(deck, k);

@@ -85,7 +85,7 @@ std::vector<Key> body_keys() {
     {"bodies.*.beam.modes", Type::Integer, "", kOptional, kWhole0, "Internal modes that are kept where the beam is simulated with modes. Default: all."},
     {"bodies.*.beam.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional: section forces get damping K d(strain)/dt."},
     {"bodies.*.beam.points", Type::Named, "", kOptional, kAny, "Further ports by name, rigidly tied to a node: lugs, ends of an offset."},
-    {"bodies.*.beam.points.*", Type::Table, "", kOptional, kAny, "A point beside the axis."},
+    {"bodies.*.beam.points.*", Type::Table, "", kOptional, kAny, "A point off the axis."},
     {"bodies.*.beam.points.*.on", Type::Text, "", kRequired, kAny, "Node that carries it: start, mid, end, nodeK."},
     {"bodies.*.beam.points.*.at", Type::Vector, "m", kRequired, kAny, "Position at the start, inertial axes.", 3},
 

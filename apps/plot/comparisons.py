@@ -230,16 +230,16 @@ def draw_stability(comparison, pictures, arguments):
 METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN, "direct": PURPLE}
 
 
-def near_optimum(rows, share=0.03):
+def masses_about_optimum(rows, share=0.03):
     """Range of masses about the lightest optimal one that shows its neighbours apart; None: all fit."""
     masses = [float(row["mass"]) for row in rows if is_number(row["mass"])]
     optimal = [float(row["mass"]) for row in rows
                if row["status"] == "optimal" and is_number(row["mass"])]
-    near = [m for m in masses if optimal and abs(m / min(optimal) - 1) <= share]
-    if len(near) in (0, len(masses)):
+    close = [m for m in masses if optimal and abs(m / min(optimal) - 1) <= share]
+    if len(close) in (0, len(masses)):
         return None
-    room = max(0.15 * (max(near) - min(near)), 1e-3 * min(near))
-    return min(near) - room, max(near) + room
+    room = max(0.15 * (max(close) - min(close)), 1e-3 * min(close))
+    return min(close) - room, max(close) + room
 
 
 def mark_outside(ax, rows, limits):
@@ -268,7 +268,7 @@ def draw_methods(series, pictures):
     kinds = list(dict.fromkeys(row[markers] for row in rows)) if markers else [""]
     looks = dict(zip(kinds, "osD^vPX*<>" * len(kinds)))
     figure, panels = stacked(2, 3.2)
-    limits = near_optimum(rows)
+    limits = masses_about_optimum(rows)
     for ax, column, unit in ((panels[0], "mass", "kg"), (panels[1], "kkt", "")):
         for row in rows:
             if not (is_number(row[column]) and is_number(row["cpu_s"])):

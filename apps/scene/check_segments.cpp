@@ -105,7 +105,7 @@ class SegmentCheck {
   void check_lug(const char* group, const std::string& name, const Port& port) {
     if (!inner(port) || port.offset.x.norm() == 0) return;
     refuse(group, name,
-           fmt::format("'{}' holds on to a point beside '{}' at a node that has no rotation as a "
+           fmt::format("'{}' is attached at an offset from '{}', a node that has no rotation as a "
                        "chain of segments",
                        name, name_of(port)),
            "a point of a node at an end, or the node itself");

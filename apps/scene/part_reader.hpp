@@ -45,7 +45,7 @@ struct NamedFile {
   std::string path, text;
 };
 /// @throws InputError if it cannot be read
-NamedFile load_beside(PartReader& part, const toml::node& name, const std::string& expected);
+NamedFile load_named_file(PartReader& part, const toml::node& name, const std::string& expected);
 /// Problems of a file, at their lines, or at the key that names it.
 void add_problems(PartReader& part, const InputError& error, const toml::node& name);
 

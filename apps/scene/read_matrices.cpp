@@ -16,7 +16,7 @@ auto read_market(PartReader& part, const char* key, Read read)
     -> std::optional<decltype(read(std::string(), std::string_view()))> {
   const toml::node& name = *part.table_of("matrices").get(key);
   try {
-    const NamedFile file = load_beside(part, name, "a MatrixMarket file");
+    const NamedFile file = load_named_file(part, name, "a MatrixMarket file");
     return read(file.path, file.text);
   } catch (const InputError& error) {
     add_problems(part, error, name);
@@ -29,14 +29,14 @@ void refuse_keys_of_meshes(PartReader& part) {
   for (const char* key : {"material", "thickness", "outline", "ersatz"})
     if (part.table.contains(key) && written(*part.table.get(key)))
       part.refuse(key_of(part.table, key),
-                  fmt::format("has '{}' beside the matrices that it is given by", key),
+                  fmt::format("has '{}', although it is given by matrices", key),
                   fmt::format("no '{}'", key));
 }
 
 /// From one HDF5 file.
 std::optional<PartMatrices> read_one_file(PartReader& part, const toml::node& name) {
   try {
-    return read_matrix_file(load_beside(part, name, "an HDF5 file of a part").path);
+    return read_matrix_file(load_named_file(part, name, "an HDF5 file of a part").path);
   } catch (const InputError& error) {
     add_problems(part, error, name);
     return {};

@@ -19,7 +19,7 @@ constexpr double kMostCells = 1e6;
 
 void read_file(PartReader& part, const toml::node& node) {
   try {
-    const NamedFile file = load_beside(part, node, "a mesh");
+    const NamedFile file = load_named_file(part, node, "a mesh");
     const std::string end = fs::path(file.path).extension();
     const auto read = end == ".inp" || end == ".INP" ? read_abaqus : read_gmsh;
     part.mesh = read(file.path, file.text);
@@ -37,7 +37,7 @@ void read_file(PartReader& part, const toml::node& node) {
 
 }  // namespace
 
-NamedFile load_beside(PartReader& part, const toml::node& name, const std::string& expected) {
+NamedFile load_named_file(PartReader& part, const toml::node& name, const std::string& expected) {
   const fs::path given(name.value_or(std::string()));
   const fs::path path =
       given.is_absolute() ? given : fs::path(part.reader.scene.file).parent_path() / given;

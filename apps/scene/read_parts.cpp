@@ -55,7 +55,7 @@ void read_gravity(Reader& reader) {
   else
     mechanism.gravity *= factor(o.at);
   if (written(*scale) && vec3(reader.root, "gravity").norm() == 0)
-    reader.problems.add(*scale, "'gravity_scale' without gravity", "'gravity' beside it",
+    reader.problems.add(*scale, "'gravity_scale' without gravity", "'gravity' as well",
                         "gravity = [0, -9.81, 0]");
 }
 

@@ -19,7 +19,7 @@ namespace {
 
 using Eigen::VectorXd;
 
-constexpr double kNear = 2e-3;     // limits that count as active where the local model is made
+constexpr double kActive = 2e-3;   // limits that count as active where the local model is made
 constexpr int kMostPoints = 1000;  // along an axis
 
 /// What was asked for, checked against the study.
@@ -198,7 +198,7 @@ LocalProblem local_problem(const Study& study, DesignModel& model, const VectorX
   if (study.spec.cycle.method != CycleMethod::Esl &&
       study.scene.simulation.type == SimulationType::Dynamic)
     try {
-      Surrogate surrogate = model.surrogate(*at, x, move, kNear);
+      Surrogate surrogate = model.surrogate(*at, x, move, kActive);
       what = study.spec.cycle.method == CycleMethod::Full ||
                      study.spec.cycle.method == CycleMethod::Direct
                  ? "the responses of the motion to first order (cycle.method \"full\")"

@@ -111,7 +111,7 @@ class Differences {
         mechanisms_{std::make_shared<const std::array<Mechanism, 4>>(std::array{
                         changed(-2 * step), changed(-step), changed(step), changed(2 * step)}),
                     step},
-        near_(*mechanisms_.at),
+        perturbed_(*mechanisms_.at),
         step_(step),
         simulation_(simulation) {}
 
@@ -162,12 +162,14 @@ class Differences {
   template <class Get>
   auto difference(Get get) const {
     auto by_p = get(at_);
-    by_p = ((get(near_[2]) - get(near_[1])) * 8 - (get(near_[3]) - get(near_[0]))) / (12 * step_);
+    by_p = ((get(perturbed_[2]) - get(perturbed_[1])) * 8 -
+            (get(perturbed_[3]) - get(perturbed_[0]))) /
+           (12 * step_);
     return by_p;
   }
   template <class Equal>
   void require(const std::string& what, Equal equal) const {
-    for (const Mechanism& m : near_)
+    for (const Mechanism& m : perturbed_)
       if (!equal(m))
         throw std::invalid_argument(what +
                                     " changes, of which there is no derivative: parameters are "
@@ -176,15 +178,15 @@ class Differences {
   }
   template <class Equal>
   void differs_unless(Equal equal) {
-    for (const Mechanism& m : near_) beyond_data_ = beyond_data_ || !equal(m);
+    for (const Mechanism& m : perturbed_) beyond_data_ = beyond_data_ || !equal(m);
   }
 
   /// d/dp of a function of time; none if it does not change at any step of the simulation.
   template <class Get>
   FunctionDerivative function(Get get) const {
     FunctionDerivative by_p;
-    for (std::size_t i = 0; i < near_.size(); ++i)
-      by_p.push_back({mechanisms_.weight(i), get(near_[i])});
+    for (std::size_t i = 0; i < perturbed_.size(); ++i)
+      by_p.push_back({mechanisms_.weight(i), get(perturbed_[i])});
     const long steps = std::lround(std::ceil(simulation_.duration / simulation_.step));
     for (long n = 0; n <= steps; ++n) {
       const double t = static_cast<double>(n) * simulation_.step;
@@ -342,7 +344,7 @@ class Differences {
 
   const Mechanism& at_;
   const NearbyMechanisms mechanisms_;
-  const std::array<Mechanism, 4>& near_;
+  const std::array<Mechanism, 4>& perturbed_;
   const double step_;
   const SimulationOptions& simulation_;
   bool beyond_data_ = false;

@@ -187,7 +187,7 @@ struct Slab {
 };
 
 template <class S>
-concept HasFlaw = requires(const double* p) {
+concept HasError = requires(const double* p) {
   S::error(p);
 };
 
@@ -215,7 +215,7 @@ class Feature final : public LevelSet {
     for (int i = 0; i < K; ++i)
       if (!(p_[i] > parameters_[i].above))
         return parameters_[i].name + " is " + std::to_string(p_[i]) + ", too small";
-    if constexpr (HasFlaw<S>)
+    if constexpr (HasError<S>)
       return S::error(p_.data());
     else
       return {};

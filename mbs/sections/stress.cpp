@@ -35,10 +35,10 @@ Points rim(Dual2 diameter, Dual2 J) {
 /// Torsion stress on the long side (length a, distance b/2 from the axis) at x = fraction a/2, per
 /// G theta' b: 1 - 8/pi^2 sum_{n odd} cosh(n pi x/b)/(n^2 cosh(n pi a/(2b))).
 Dual2 long_side(Dual2 a, Dual2 b, double fraction) {
-  const Dual2 near = -pi * a / b * (1 - fraction) / 2, far = -pi * a / b * (1 + fraction) / 2;
+  const Dual2 rising = -pi * a / b * (1 - fraction) / 2, falling = -pi * a / b * (1 + fraction) / 2;
   Dual2 sum = 0;
-  for (int n = 1; n * near.v > -40; n += 2) {
-    const Dual2 ratio = (exp(n * near) + exp(n * far)) / (1 + exp(-n * pi * a / b));
+  for (int n = 1; n * rising.v > -40; n += 2) {
+    const Dual2 ratio = (exp(n * rising) + exp(n * falling)) / (1 + exp(-n * pi * a / b));
     sum = sum + ratio / (n * n);
   }
   return 1 - 8 / (pi * pi) * sum;

@@ -18,7 +18,7 @@ namespace {
 using Eigen::Vector3d;
 using levelset::Dual;
 
-constexpr double kReach = 2;  // half diagonals that phi may be wrong by
+constexpr double kDistanceFactor = 2;  // half diagonals that phi may be wrong by
 
 /// One simplex of the sub-grid of the reference cell.
 struct Piece {
@@ -76,7 +76,7 @@ class Mapping {
     Vector3d slope;
     const double phi = shape_.evaluate(centre, slope, nullptr);
     const double half = std::sqrt((x.colwise() - centre).colwise().squaredNorm().maxCoeff());
-    bool agree = std::abs(phi) > kReach * half * slope.norm();
+    bool agree = std::abs(phi) > kDistanceFactor * half * slope.norm();
     for (int c = 0; agree && c < mesh_.corners(); ++c)
       agree = (at_node_[mesh_.cells(c, cell)] >= 0) == (phi >= 0);
     if (agree) return {phi >= 0 ? 1.0 : 0.0, {}};

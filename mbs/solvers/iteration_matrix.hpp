@@ -5,11 +5,10 @@
 ///       [B              -C_p],       [dlambda]    [phi],
 /// K, C, M: exact derivatives of the residual, of bodies, loads, force laws and joints (that of
 /// B^T lambda among them), by left-invariant nodal increments, by v and by vdot. V and W give how v
-/// and vdot follow an increment within a step (`RateTangents`; Lie: gamma' and beta' T^-1(dq)). In
-/// statics they are zero. C_p: compliance of penalties, else 0; damped ones have tau (D(B v) + B V)
-/// beside B.
-/// What the geometric terms of K act with, section forces and forces of springs, is kept apart from
-/// the state: `Prestress`.
+/// and vdot follow an increment within a step (`RateTangents`; Screw: gamma' T^-1(dq) and
+/// beta' T^-1(dq)). In statics they are zero. C_p: compliance of penalties, else 0; damped ones
+/// have tau (D(B v) + B V) added to B. What the geometric terms of K act with, section forces and
+/// forces of springs, is kept apart from the state: `Prestress`.
 
 #include "mbs/linalg/sparse_assembly.hpp"
 #include "mbs/linalg/sparse_lu.hpp"

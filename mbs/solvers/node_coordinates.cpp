@@ -204,12 +204,12 @@ void NodeCoordinates<G>::turn_positions(State<G>& s,
 
 template <FrameGroup G>
 bool NodeCoordinates<G>::passes_full_turn(const State<G>& old, const State<G>& s) const {
-  constexpr double kNear = 30;  // |T^-1|, across the vector
+  constexpr double kInverseBound = 30;  // |T^-1|, across the vector
   if (model_.update != NodeUpdate::RotationVector || rescale_ || rd == 1) return false;
   for (const int k : model_.frames()) {
     const double before = psi(old, k).norm() / 2, now = psi(s, k).norm() / 2;
     if (std::floor(before / M_PI) != std::floor(now / M_PI)) return true;
-    if (now > M_PI / 2 && now > kNear * std::abs(std::sin(now))) return true;
+    if (now > M_PI / 2 && now > kInverseBound * std::abs(std::sin(now))) return true;
   }
   return false;
 }

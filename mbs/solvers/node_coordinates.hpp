@@ -45,7 +45,7 @@ class NodeCoordinates {
   void increment(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& delta,
                  Eigen::VectorXd& e) const;
   /// Derivatives of v and vdot by delta at the state `s` of a step, where dq, u and udot change by
-  /// e, w.damping e and w.mass e. Lie: gamma' T^-1(dq) and beta' T^-1(dq).
+  /// e, w.damping e and w.mass e. Screw: gamma' T^-1(dq) and beta' T^-1(dq).
   void rate_tangents(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& u,
                      const Eigen::VectorXd& udot, TangentWeights w, RateTangents<G>& out) const;
   /// dq between two states, so that place(old, dq, ...) gives the frames of s. @pre `s` was not

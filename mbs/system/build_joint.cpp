@@ -12,7 +12,7 @@
 namespace liesl {
 namespace {
 
-constexpr double kNear = 1e-3;
+constexpr double kGapTolerance = 1e-3;  // of the size of the mechanism
 
 /// Three unit axes, the first one given, the second one as given or any; in a plane each of them
 /// is in it or normal to it.
@@ -82,13 +82,13 @@ CouplingRow<G>* find_coordinate(Coupling<G>& c, int coordinate) {
 
 /// Places the ports: a gap that is a motion of the joint is no displacement, coordinates are zero
 /// in the scene as given. The ground is where the other port is, unless its offset is a point there
-/// (to kNear of the mechanism's size, which the assembly closes).
+/// (to kGapTolerance of the mechanism's size, which the assembly closes).
 template <FrameGroup G>
 void place(const Mechanism& mechanism, const JointSpec& j, const Ports<G>& ports, Coupling<G>& c) {
   Vec3 at_a = mechanism.frame(j.a).x, at_b = mechanism.frame(j.b).x;
   const JointKind& kind = kind_of(j.type);
   const Vec3 gap = at_b - at_a, free = kind.free_part(j.axis, gap);
-  const bool closed = (gap - free).norm() <= kNear * mechanism.size();
+  const bool closed = (gap - free).norm() <= kGapTolerance * mechanism.size();
   const auto anywhere = [&](const Port& p) {
     return p.body < 0 && (!closed || p.offset.x.isZero(0));
   };

@@ -190,20 +190,20 @@ void CatalogueTree::add(const Node& node, int variable, double lower, double upp
 }
 
 void CatalogueTree::add_around(const Node& node, const VectorXd& x, double bound) {
-  Node up = node, near = node;
-  up.bound = near.bound = bound;
+  Node up = node, nearest = node;
+  up.bound = nearest.bound = bound;
   up.box.branch = "the next sizes above";
-  near.box.branch = "the nearest sizes";
+  nearest.box.branch = "the nearest sizes";
   for (std::size_t i = 0; i < variables_.size(); ++i) {
     if (variables_[i].values.empty()) continue;
     const auto j = static_cast<Eigen::Index>(i);
     const auto inside = within(variables_[i].values, node.box.lower[j], node.box.upper[j]);
     const Neighbours at(inside, x[j]);
     up.box.lower[j] = up.box.upper[j] = inside[at.above];
-    near.box.lower[j] = near.box.upper[j] = inside[at.nearest()];
+    nearest.box.lower[j] = nearest.box.upper[j] = inside[at.nearest()];
   }
-  for (Node* n : {&near, &up}) n->box.start = x.cwiseMax(n->box.lower).cwiseMin(n->box.upper);
-  first_ = {near, up};
+  for (Node* n : {&nearest, &up}) n->box.start = x.cwiseMax(n->box.lower).cwiseMin(n->box.upper);
+  first_ = {nearest, up};
 }
 
 double CatalogueTree::bound() const {

@@ -251,9 +251,9 @@ ViolationCertificate stationary_violation(const std::vector<Peak>& exceeded,
   const auto limits = columns.size();
   for (Eigen::Index j = 0; j < n; ++j) {
     const NlpVariable& v = variables[static_cast<std::size_t>(j)];
-    const double near = kActiveBound * range[j];
-    if (x[j] - v.lower <= near) columns.push_back(-VectorXd::Unit(n, j));
-    if (v.upper - x[j] <= near) columns.push_back(VectorXd::Unit(n, j));
+    const double margin = kActiveBound * range[j];
+    if (x[j] - v.lower <= margin) columns.push_back(-VectorXd::Unit(n, j));
+    if (v.upper - x[j] <= margin) columns.push_back(VectorXd::Unit(n, j));
   }
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(n + 1, static_cast<Eigen::Index>(columns.size()));
   for (std::size_t k = 0; k < columns.size(); ++k)

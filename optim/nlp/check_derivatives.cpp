@@ -330,7 +330,7 @@ std::string DerivativeReport::text(int rows) const {
                      "{} of them have a kink at this point, as a peak that another one passes or "
                      "an edge on a grid line: no difference tells\n",
                      unjudged);
-  out += "at the given point functions have kinks, so they were checked at a point beside it:\n";
+  out += "at the given point functions have kinks, so they were checked at a nearby point:\n";
   for (const DerivativeKink& k : kinks) {
     out += fmt::format("  along {}: {} functions", k.direction, k.functions);
     out += k.jump > 0 ? fmt::format(", left and right derivative differ by up to {:.2g}\n", k.jump)

@@ -65,7 +65,7 @@ struct DerivativeReport {
 
 /// At x, moved inside so that all steps stay within the bounds. Fixed variables are left alone.
 /// Where functions have a kink at x, as fractions of cells have when an edge lies on a grid line,
-/// no difference tells whether a derivative is right: they are checked at a point beside it
+/// no difference tells whether a derivative is right: they are checked at a nearby point
 /// (`kinks`), or not judged if the options say so. The Hessian is checked with sigma = 1 and random
 /// lambda in [0.5, 1.5] over the scales of g.
 /// @throws std::invalid_argument for invalid input, std::runtime_error without finite values at x

@@ -167,8 +167,8 @@ class Study:
         `method`: the key `cycle.method`; `nucleate`: new holes at most; `on_cycle` is called after
         each cycle with the summary so far. Ctrl-C stops. How it ended is `status`.
 
-        `objective` and `limits` are functions of one's own, as `nlp` takes them, beside the limits
-        of the study. No static problem has them: Ipopt is given the motion itself (the method
+        `objective` and `limits` are functions of one's own, as `nlp` takes them; the limits of
+        the study hold, too. No static problem has them: Ipopt is given the motion itself (the method
         "direct", the only one for them), a cycle is a design that it asks derivatives of, `cycle.max`
         of them at most. Raises InputError for functions that return no numbers, another method, and
         as `nlp` does.

@@ -34,10 +34,10 @@ class Result:
         out = []
         for axis in axes:
             times, values = self.column(f"{response}.{axis}")
-            near = min(range(len(times)), key=lambda i: abs(times[i] - time))
-            if not math.isclose(times[near], time, rel_tol=1e-9):
+            nearest = min(range(len(times)), key=lambda i: abs(times[i] - time))
+            if not math.isclose(times[nearest], time, rel_tol=1e-9):
                 raise LookupError(f"{self.folder.name}: nothing is recorded at {time} s")
-            out.append(values[near])
+            out.append(values[nearest])
         return out
 
 

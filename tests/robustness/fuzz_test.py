@@ -92,7 +92,7 @@ def problems_of_end(outcome):
 
 
 def try_mutation(program, data, number, seconds, place):
-    """Flaws of one mutation, and how far it went."""
+    """Defects of one mutation, and how far it went."""
     dice = random.Random(number)
     files = sorted(p for p in data.rglob("*.toml"))
     path = files[number % len(files)]

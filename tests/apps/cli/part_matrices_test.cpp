@@ -135,7 +135,8 @@ TEST_F(PartMatrices, FaultsOfTheFilesAreNamedAtTheirPlaces) {
   refused(back(kThree, "file = \"bar_mass.mtx\""), "it is no HDF5 file");
   ASSERT_EQ(run({"run", dir_ / "mesh.toml", "-o", dir_ / "matrices/r", "--quiet"}).code, 0);
   refused(back(kThree, "file = \"r/results.h5\""), "it has no data set 'nodes'");
-  refused(back("modes", "thickness = 0.1\nmodes"), "has 'thickness' beside the matrices");
+  refused(back("modes", "thickness = 0.1\nmodes"),
+          "has 'thickness', although it is given by matrices");
   refused(back("nodes = [", "nodes = [156, "), "has no node 156");
   refused(back("nodes = [", "nodes = [1.5, "), "has no node 1.5");
 }

@@ -144,7 +144,7 @@ const Refusal kRefusals[] = {
     {"EmptyDrive", scene_with("joints.j2.drive=[]"), 2, "'joints.j2.drive' is empty"},
     {"SecondAxisOfARevolute", scene_with("joints.j2.axis2=[1,0,0]"), 2,
      "revolute joint 'j2' has no second axis"},
-    {"InterpolationBesideARate", scene_with("joints.j2.drive.interpolation=\"linear\""), 2,
+    {"InterpolationWithARate", scene_with("joints.j2.drive.interpolation=\"linear\""), 2,
      "a drive with 'interpolation' but no 'table'"},
 };
 

@@ -207,12 +207,12 @@ f = { at = "plate.tip", force = [0, 1000, 0] }
     return words;
   };
   const Words check{"optimize", study, "--check-derivatives"};
-  const Outcome on_line = run(check), beside = run(with(check, shifted));
+  const Outcome on_line = run(check), off_line = run(with(check, shifted));
   EXPECT_EQ(on_line.code, 0) << on_line.out << on_line.err;
   EXPECT_NE(on_line.out.find("along height:"), std::string::npos) << on_line.out;
   EXPECT_NE(on_line.out.find("checked, 0 wrong"), std::string::npos) << on_line.out;
-  EXPECT_EQ(beside.code, 0) << beside.out << beside.err;
-  EXPECT_EQ(beside.out.find("kink"), std::string::npos) << beside.out;
+  EXPECT_EQ(off_line.code, 0) << off_line.out << off_line.err;
+  EXPECT_EQ(off_line.out.find("kink"), std::string::npos) << off_line.out;
   const Words optimize{"optimize", study, "-o", results(), "--force"};
   const char* words = "edges of the part 'plate' that height moves lie on grid lines at the start";
   run(optimize);

@@ -62,7 +62,7 @@ TEST(Summary, RunHasItsKeys) {
   EXPECT_GT(json["peak_memory_mb"], 1.0);
 }
 
-TEST(Summary, KeysOfBeforeStandBesideTheNewOnes) {
+TEST(Summary, FormerKeysAreKeptWithTheNewOnes) {
   RunSummary s = sample_run();
   EXPECT_FALSE(to_json(s).contains("goals"));
   s.more = {{"terms", {{"mass", {{"weight", 2.0}}}}},

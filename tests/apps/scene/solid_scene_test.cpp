@@ -117,7 +117,7 @@ TEST(SolidScene, HasTheMassOfItsOutline) {
   EXPECT_NEAR(rod.model->total_mass(solid_fractions(rod).value) / (7850 * 0.02 * area), 1, 1e-3);
 }
 
-TEST(SolidScene, TakesMeshesFromFilesBesideIt) {
+TEST(SolidScene, TakesMeshesFromFilesInItsFolder) {
   const auto folder = std::filesystem::temp_directory_path() / "liesl_solid_scene_test";
   std::filesystem::create_directories(folder);
   std::ofstream(folder / "two.msh")

@@ -67,12 +67,12 @@ Simulated bent_arms(double limit) {
   std::get<RigidSpec>(m.bodies[std::size_t(payload)].kind).frame.x = Vec3(0.6, 0.6, 0);
   m.joints[2].type = JointType::Fixed;
   m.drives.resize(1);
-  ResponseSpec reach;
-  reach.name = "reach";
-  reach.kind = ResponseKind::Elongation;
-  reach.at = *m.port("arm1.start");
-  reach.to = *m.port("payload.origin");
-  return arms_with(std::move(study), reach, limit);
+  ResponseSpec extension;
+  extension.name = "reach";
+  extension.kind = ResponseKind::Elongation;
+  extension.at = *m.port("arm1.start");
+  extension.to = *m.port("payload.origin");
+  return arms_with(std::move(study), extension, limit);
 }
 
 /// d ln v / d ln x_i of a limit where it is largest, in the motion and by the whole mechanism.

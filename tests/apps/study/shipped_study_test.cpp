@@ -105,7 +105,7 @@ TEST(ShippedStudy, RefusesTreatmentsThatItsMethodOrRangeHasNot) {
                InputError);
 }
 
-TEST(ShippedStudy, HasConstantsBesideSections) {
+TEST(ShippedStudy, HasConstantsAndSections) {
   const auto design = [](const std::string& text) {
     return shipped_study("slider_crank_rod",
                          {"design.payload={" + text + "}", "objective.of=[\"rod\", \"slider\"]"});

@@ -179,7 +179,7 @@ TEST(TopologyCycle, SaysWhyThereIsNoProposal) {
   EXPECT_NE(infeasible.reason.find("no optimum to start from"), std::string::npos);
 }
 
-TEST(TopologyCycle, AHoleThatDoesNotPayIsTakenOutAgain) {
+TEST(TopologyCycle, AHoleThatDoesNotReduceTheObjectiveIsRemoved) {
   Study study = cantilever();
   study.spec.cycle.objective_tolerance = 0.9;  // asks for a tenth of the mass
   const Result without = optimised(study, 0), tried = optimised(study, 3);

@@ -106,13 +106,13 @@ TEST(MechanismDerivative, OfTapers) {
   Mechanism m = machine();
   root(m, 0);
   const auto by_root = only<BeamDerivative>(parameter(root, 1e-4, m));
-  Mechanism near[] = {m, m};
+  Mechanism perturbed[] = {m, m};
   const double h = 1e-7;
-  root(near[0], -h);
-  root(near[1], h);
+  root(perturbed[0], -h);
+  root(perturbed[1], h);
   for (std::size_t e = 0; e < 4; ++e) {
-    const auto before = element_stress_points(rod(near[0]), e);
-    const auto after = element_stress_points(rod(near[1]), e);
+    const auto before = element_stress_points(rod(perturbed[0]), e);
+    const auto after = element_stress_points(rod(perturbed[1]), e);
     for (std::size_t k = 0; k < after.size(); ++k) {
       const auto difference = ((after[k].S - before[k].S) / (2 * h)).eval();
       EXPECT_LE((by_root.stress[e][k] - difference).norm(), 1e-7 * difference.norm()) << e << k;
@@ -121,7 +121,7 @@ TEST(MechanismDerivative, OfTapers) {
       const auto K = [&](Mechanism& c) {
         return section_law(section_at(rod(c), e, place), rod(c).material).K;
       };
-      const auto difference = ((K(near[1]) - K(near[0])) / (2 * h)).eval();
+      const auto difference = ((K(perturbed[1]) - K(perturbed[0])) / (2 * h)).eval();
       EXPECT_LE((by_root.law_at(e, place).K - difference).norm(), 1e-7 * difference.norm()) << e;
     }
   }
@@ -180,11 +180,11 @@ TEST(MechanismDerivative, OfAllElseIsByMechanismsNearBy) {
                                        [](Mechanism& c, double p) { rod(c).damping += p * p; },
                                        [](Mechanism& c, double p) { c.joints[0].axis.x() += p; }};
   for (const Change& change : changes) {
-    const auto near = only<NearbyMechanisms>(parameter(change));
-    ASSERT_TRUE(near.at);
+    const auto mechanisms = only<NearbyMechanisms>(parameter(change));
+    ASSERT_TRUE(mechanisms.at);
     double constant = 0;
-    for (std::size_t i = 0; i < near.at->size(); ++i) constant += near.weight(i);
-    EXPECT_NEAR(constant, 0, 1e-12 * std::abs(near.weight(0)));
+    for (std::size_t i = 0; i < mechanisms.at->size(); ++i) constant += mechanisms.weight(i);
+    EXPECT_NEAR(constant, 0, 1e-12 * std::abs(mechanisms.weight(0)));
   }
 }
 

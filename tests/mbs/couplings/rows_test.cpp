@@ -55,12 +55,12 @@ TYPED_TEST(RowsTest, GradientIsTheDerivativeOfTheValue) {
   for (const auto& row : this->rows()) {
     Gradient g;
     row.gradient(this->motion(Gradient::Zero()), g);
-    const double near = row.value(this->motion(Gradient::Zero()), 0);
+    const double value = row.value(this->motion(Gradient::Zero()), 0);
     const test::VectorOf difference = [&](double h) -> Eigen::VectorXd {
       Eigen::VectorXd d(g.size());
       for (int j = 0; j < g.size(); ++j) {
         const Gradient e = h * Gradient::Unit(j);
-        d[j] = (row.value(this->motion(e), near) - row.value(this->motion(-e), near)) / (2 * h);
+        d[j] = (row.value(this->motion(e), value) - row.value(this->motion(-e), value)) / (2 * h);
       }
       return d;
     };

@@ -18,14 +18,14 @@ std::vector<Vector3d> smooth_points(const LevelSet& shape, int count) {
   std::vector<Vector3d> points;
   for (int tries = 0; tries < 4000 && static_cast<int>(points.size()) < count; ++tries) {
     const Vector3d x(u(random), u(random), 0.6 * u(random));
-    Vector3d g, near;
+    Vector3d g, neighbour;
     const double phi = shape.evaluate(x, g, nullptr);
     if (std::abs(phi) > 0.25) continue;  // what counts is the neighbourhood of the outline
     bool smooth = true;
     for (int i = 0; i < 6 && smooth; ++i) {
       const Vector3d d = (i % 2 ? 0.11 : -0.11) * Vector3d::Unit(i / 2);
-      shape.evaluate(x + d, near, nullptr);
-      smooth = (near - g).norm() < 0.6;
+      shape.evaluate(x + d, neighbour, nullptr);
+      smooth = (neighbour - g).norm() < 0.6;
     }
     if (smooth) points.push_back(x);
   }

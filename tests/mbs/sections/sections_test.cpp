@@ -94,15 +94,15 @@ TEST(ShearFactor, CowperTable) {
 /// k = I^2/(A int (Q/t)^2 dA) of a thin-walled section: Cowper's value at nu = 0. `web` counts the
 /// webs of thickness tw; the flanges carry shear from their free ends (I) or middles (box).
 double energy_shear_factor(double b, double h, double tf, double tw, int webs) {
-  const double reach = b / 2, A = webs * h * tw + 2 * b * tf;
+  const double width = b / 2, A = webs * h * tw + 2 * b * tf;
   const double I = webs * tw * h * h * h / 12 + 2 * b * tf * h * h / 4;
   double sum = 0;
   const int n = 4000;
   for (int i = 0; i < n; ++i) {
-    const double s = (i + 0.5) / n * reach;  // four half flanges
-    sum += 4 * tf * std::pow(h / 2 * s, 2) * reach / n;
+    const double s = (i + 0.5) / n * width;  // four half flanges
+    sum += 4 * tf * std::pow(h / 2 * s, 2) * width / n;
     const double z = ((i + 0.5) / n - 0.5) * h;
-    const double Q = 2 * reach * tf * h / 2 / webs + tw * (h * h / 4 - z * z) / 2;
+    const double Q = 2 * width * tf * h / 2 / webs + tw * (h * h / 4 - z * z) / 2;
     sum += webs * tw * std::pow(Q / tw, 2) * h / n;
   }
   return I * I / (A * sum);

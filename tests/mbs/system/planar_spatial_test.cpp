@@ -110,11 +110,11 @@ TEST(FrameInvariance, TurnedScenesMoveTheSame) {
 }
 
 TEST(FrameInvariance, ScenesFarFromTheOriginRun) {
-  const auto near = test::slider_crank();
+  const auto at_origin = test::slider_crank();
   const SE3 H(Mat3::Identity(), {1000, -2000, 500});
   const auto o = test::options(0.06, 1e-4);
-  const auto a = test::run_planar(near, o), b = test::run_planar(moved(near, H), o);
-  const auto c = test::run_spatial(moved(near, H), o);
+  const auto a = test::run_planar(at_origin, o), b = test::run_planar(moved(at_origin, H), o);
+  const auto c = test::run_spatial(moved(at_origin, H), o);
   ASSERT_EQ(b.report().status, SolveStatus::Converged) << b.report().reason;
   ASSERT_EQ(c.report().status, SolveStatus::Converged) << c.report().reason;
   EXPECT_EQ(b.report().rejected_steps, 0);

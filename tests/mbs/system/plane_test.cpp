@@ -163,7 +163,7 @@ TEST(FindPlane, OtherScenes) {
 }
 
 /// It turns the body out of the plane, along which it acts; a moment is the same everywhere.
-TEST(FindPlane, AForceBesideThePlaneLeavesIt) {
+TEST(FindPlane, AForceOffThePlaneLeavesIt) {
   auto m = test::pendulum(4);
   LoadSpec load;
   load.port = {0, 4, SE3(Mat3::Identity(), {0, 0, 0.1})};

@@ -43,7 +43,7 @@ TEST(ShapeDesign, RefusesBoundsThatTurnAFeatureInsideOut) {
             std::string::npos)
       << text;
   EXPECT_EQ(refusal({{radius(0.001, 0.02)}, {}}), "");
-  // through a link, and through a flaw of the shape
+  // through a link, and through an error of the shape
   EXPECT_NE(refusal({{{"h", {{"one.a", 1}, {"one.b", 2}}, 0.01, 0.04, {}}}, {}})
                 .find("'one.b' becomes -0.027"),
             std::string::npos);
@@ -137,11 +137,11 @@ TEST(ShapeDesign, ReachIsInCells) {
                              {"turn", {{"two.angle", 1}}, -1, 1, {}}},
                             {}},
                            *plate.shape, plate.model);
-  const VectorXd reach = design.step_bounds(plate.fractions().derivative, 3);
+  const VectorXd bounds = design.step_bounds(plate.fractions().derivative, 3);
   const double h = std::sqrt(0.2 / 27 * 0.06 / 9);
-  EXPECT_NEAR(reach[0], 3 * h, 1e-9);
-  EXPECT_NEAR(reach[1], 3 * h / 2, 0.02 * h);
-  EXPECT_GT(reach[2], 1e6);
+  EXPECT_NEAR(bounds[0], 3 * h, 1e-9);
+  EXPECT_NEAR(bounds[1], 3 * h / 2, 0.02 * h);
+  EXPECT_GT(bounds[2], 1e6);
 }
 
 TEST(ShapeDesign, WallsToAnInterfaceHaveARowANode) {

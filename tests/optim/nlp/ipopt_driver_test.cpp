@@ -171,7 +171,7 @@ TEST(Ipopt, ManyConstraintsInReasonableTime) {
 TEST(Ipopt, StartFarFromFeasibleStillFindsTheOptimum) {
   // 1000 times too soft at the start: first the least violation, then the optimum.
   SvanbergBeam beam;
-  const NlpResult near = solve_ipopt(beam);
+  const NlpResult reference = solve_ipopt(beam);
   struct Far final : SvanbergBeam {
     const std::vector<NlpVariable>& variables() const override { return variables_; }
     const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
@@ -187,8 +187,8 @@ TEST(Ipopt, StartFarFromFeasibleStillFindsTheOptimum) {
   ASSERT_GT(g[0], 100);
   const NlpResult r = solve_ipopt(far);
   ASSERT_EQ(r.status, NlpStatus::Converged) << r.brief();
-  EXPECT_NEAR(r.f, near.f, 1e-7 * near.f);
-  EXPECT_LT((r.x - near.x).norm(), 1e-5 * near.x.norm());
+  EXPECT_NEAR(r.f, reference.f, 1e-7 * reference.f);
+  EXPECT_LT((r.x - reference.x).norm(), 1e-5 * reference.x.norm());
 }
 
 }  // namespace

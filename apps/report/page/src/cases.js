@@ -116,8 +116,8 @@ function pairs(table) {
   const columns = table.numeric().filter((c) => c !== table.columns[0]);
   if (columns.length < 2) return card('', el('p', { class: 'note' }, 'No two columns of numbers to compare.'));
   const inputs = columns.filter((c) => new Set(c.cells).size > 1);
-  const first = inputs[0] ?? columns[0], goal = table.column('mass_final') ?? inputs[inputs.length - 1] ?? columns[1];
-  const third = inputs.find((c) => c !== first && c !== goal) ?? first;
+  const first = inputs[0] ?? columns[0], objective = table.column('mass_final') ?? inputs[inputs.length - 1] ?? columns[1];
+  const third = inputs.find((c) => c !== first && c !== objective) ?? first;
   const scatter = new Scatter({
     describe: (row) => table.describe(row, [x.value, y.value, shade.value, 'status', ...table.columns.slice(1, 5).map((c) => c.name)]),
     open: (row) => table.open(row),
@@ -129,7 +129,7 @@ function pairs(table) {
     scatter.set(table.rows.map((row) => ({ x: cx.cells[row] ?? NaN, y: cy.cells[row] ?? NaN, row, shade: (cs.cells[row] - low) / (high - low || 1) })),
       { xlabel: table.label(cx), ylabel: table.label(cy), shade: true });
   };
-  const x = choose('scatter-x', columns, first.name, update), y = choose('scatter-y', columns, goal.name, update),
+  const x = choose('scatter-x', columns, first.name, update), y = choose('scatter-y', columns, objective.name, update),
     shade = choose('scatter-c', columns, third.name, update), key = el('span', { class: 'colours inline' });
   table.listeners.push(update);
   const node = card('Any two columns', el('div', { class: 'controls row' },

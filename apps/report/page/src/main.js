@@ -25,7 +25,7 @@ function page() {
   if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
   const wide = [maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
   add(left, tables.limits(s));
-  add(beside() && right.offsetHeight < left.offsetHeight ? right : left, tables.design(s));
+  add(twoColumns() && right.offsetHeight < left.offsetHeight ? right : left, tables.design(s));
   add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s));
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
   const origin = tables.provenance(data);
@@ -44,8 +44,8 @@ function page() {
   requestAnimationFrame(() => (document.documentElement.dataset.ready = Math.round(performance.now())));
 }
 
-/** Are the columns beside each other, as style.css has it? */
-function beside() {
+/** Are the two columns side by side, as in style.css? */
+function twoColumns() {
   return matchMedia('(min-width: 981px)').matches;
 }
 

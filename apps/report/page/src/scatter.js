@@ -4,7 +4,7 @@ import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
 import { tick } from './format.js';
 
-const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kNear = 9;
+const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
 
 export class Scatter {
   /** @param describe row -> lines of text for the tip */
@@ -113,7 +113,7 @@ export class Scatter {
   }
 
   hover(event) {
-    let best = null, nearest = kNear;
+    let best = null, nearest = kHoverRadius;
     if (event && this.ax)
       for (const p of this.points) {
         const away = Math.hypot(this.ax.at(p.x) - event.offsetX, this.ay.at(p.y) - event.offsetY);
