@@ -2,13 +2,13 @@
 
 #include "apps/batch/batch.hpp"
 #include "apps/cli/command.hpp"
+#include "apps/cli/load_sensitivity.hpp"
 #include "apps/compare/comparison.hpp"
 #include "apps/input/document.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/plot_program.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/study/load_study.hpp"
-#include "apps/tasks/load_sensitivity.hpp"
 #include "apps/tasks/sensitivity.hpp"
 
 namespace liesl {

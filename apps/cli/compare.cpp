@@ -10,6 +10,8 @@
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
+#include "apps/scene/load_scene.hpp"
+#include "apps/study/load_study.hpp"
 
 namespace liesl {
 
@@ -22,8 +24,9 @@ using Json = nlohmann::ordered_json;
 /// files.
 class References {
  public:
-  References(const Comparison& comparison, fs::path folder, output::CompareSummary& summary)
-      : comparison_(comparison), folder_(std::move(folder)), summary_(summary) {}
+  References(const Comparison& comparison, const ReadScene& read, fs::path folder,
+             output::CompareSummary& summary)
+      : comparison_(comparison), read_(read), folder_(std::move(folder)), summary_(summary) {}
 
   /// Null if the comparison has none.
   const Reference* of(std::size_t row) {
@@ -35,7 +38,8 @@ class References {
     const fs::path path = folder_ / fmt::format("reference_{}.csv", known_.size());
     output::mark_files(folder_, {path.filename().string()});
     if (!fs::exists(path))
-      write_series(path, reference_side(comparison_, row, 0), reference_side(comparison_, row, 1));
+      write_series(path, reference_side(comparison_, row, 0, read_),
+                   reference_side(comparison_, row, 1, read_));
     const auto [a, b] = output::read_series(path);
     reference = reference_of(a, b, comparison_.norm);
     summary_.references.push_back({physics, comparison_.reference->formalisms, reference.floor,
@@ -53,6 +57,7 @@ class References {
   static constexpr double kTrusted = 1e-2;  ///< a difference of the sides that goes without saying
 
   const Comparison& comparison_;
+  const ReadScene& read_;
   fs::path folder_;
   output::CompareSummary& summary_;
   std::map<std::string, Reference> known_;
@@ -84,12 +89,12 @@ class Run {
       : comparison_(comparison),
         options_(options),
         folder_(fs::absolute(options.out).lexically_normal()),
-        table_(comparison.rows, response_unit(comparison)),
-        references_(comparison, folder_, summary_) {
+        table_(comparison.rows, response_unit(comparison, read_)),
+        references_(comparison, read_, folder_, summary_) {
     const auto& rows = comparison.rows;
     summary_.name = rows.name;
     summary_.response = comparison.response;
-    summary_.unit = response_unit(comparison);
+    summary_.unit = response_unit(comparison, read_);
     summary_.norm = rows.optimize ? "" : name_of(comparison.norm);
     summary_.rows = static_cast<int>(rows.cases.rows.size());
     summary_.overrides = options.set;
@@ -122,13 +127,16 @@ class Run {
       const CaseList::Row& run = cases.rows[row];
       line.update(static_cast<double>(table_.size()), "row " + run.name);
       if (comparison_.rows.optimize) {
-        if (!table_.has(run.name)) table_.add(run, cells_of(measure_method(comparison_, row)));
+        if (!table_.has(run.name)) {
+          const Study study = load_study(comparison_.rows.of, comparison_.rows.changes(row));
+          table_.add(run, cells_of(measure_method(comparison_, study)));
+        }
         save("running");
         continue;
       }
       const Reference* reference = references_.of(row);
       if (table_.has(run.name)) continue;
-      const Measured m = measure_row(comparison_, row);
+      const Measured m = measure_row(comparison_, read_(comparison_.rows.changes(row)));
       std::optional<double> error, floor;
       if (reference) floor = reference->floor;
       if (reference && m.ending != Ending::Stopped)
@@ -178,6 +186,9 @@ class Run {
 
   const Stopwatch clock_;
   const Comparison& comparison_;
+  const ReadScene read_ = [this](const std::vector<std::string>& changes) {
+    return load_scene(comparison_.rows.of, changes);
+  };
   const CommandOptions& options_;
   fs::path folder_;
   output::CompareSummary summary_;

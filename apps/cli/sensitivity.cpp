@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "apps/cli/load_sensitivity.hpp"
 #include "apps/cli/terminal.hpp"
 #include "apps/input/document.hpp"
 #include "apps/output/atomic_folder.hpp"
@@ -12,7 +13,7 @@
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/plot_program.hpp"
-#include "apps/tasks/load_sensitivity.hpp"
+#include "apps/study/load_study.hpp"
 
 namespace liesl {
 namespace {
@@ -38,9 +39,10 @@ Task task_of(const CommandOptions& options) {
     if (!by.empty())
       throw InputError({{options.file, 0, 0, "--by: a study is differentiated by its variables",
                          "a scene", "liesl sensitivity SCENE --by KEY, or leave --by out"}});
-    task.problem = study_problem(options.file, options.set);
+    task.problem = study_problem(load_study(options.file, options.set));
   } else {
-    task.problem = scene_problem(options.file, options.set, by);
+    task.problem =
+        scene_problem({load_text(options.file, "a scene in TOML"), options.file, options.set}, by);
   }
   if (!options.functionals.empty() || task.request.functionals.empty())
     task.request.functionals = functionals_of(options.functionals, "--functionals");

@@ -5,7 +5,6 @@
 
 #include <limits>
 
-#include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -19,9 +18,8 @@ ResponseSpec response_named(const Scene& scene, const std::string& name) {
   throw std::logic_error("no response " + name);  // load_comparison has looked
 }
 
-Measured measure_scene(const Comparison& comparison, const std::vector<std::string>& changes,
-                       int repeats, double time_limit) {
-  const Scene scene = load_scene(comparison.rows.of, changes);
+Measured measure_scene(const Comparison& comparison, const Scene& scene, int repeats,
+                       double time_limit) {
   const MeasureOptions options{response_named(scene, comparison.response), repeats, time_limit};
   return std::visit([&](const auto& space) { return measure(scene, space, options); },
                     choose_space(scene).space);
@@ -42,22 +40,23 @@ Measured measure_scene(const Comparison& comparison, const std::vector<std::stri
 
 }  // namespace
 
-std::string response_unit(const Comparison& comparison) {
+std::string response_unit(const Comparison& comparison, const ReadScene& read) {
   if (comparison.rows.optimize) return "kg";
-  const Scene scene = load_scene(comparison.rows.of, comparison.rows.changes(0));
+  const Scene scene = read(comparison.rows.changes(0));
   return unit(response_named(scene, comparison.response), scene.mechanism);
 }
 
-Measured measure_row(const Comparison& comparison, std::size_t row) {
-  return measure_scene(comparison, comparison.rows.changes(row), comparison.repeats,
-                       comparison.time_limit);
+Measured measure_row(const Comparison& comparison, const Scene& scene) {
+  return measure_scene(comparison, scene, comparison.repeats, comparison.time_limit);
 }
 
-output::Series reference_side(const Comparison& comparison, std::size_t row, int side) {
+output::Series reference_side(const Comparison& comparison, std::size_t row, int side,
+                              const ReadScene& read) {
   std::vector<double> weights;
   std::vector<output::Series> series;
   for (const ReferenceRun& run : comparison.reference_runs(row, side)) {
-    Measured m = measure_scene(comparison, run.changes, 0, std::numeric_limits<double>::infinity());
+    Measured m =
+        measure_scene(comparison, read(run.changes), 0, std::numeric_limits<double>::infinity());
     if (m.ending == Ending::Stopped) refuse(comparison, row, side, m.reason);
     weights.push_back(run.weight);
     series.push_back(std::move(m.series));

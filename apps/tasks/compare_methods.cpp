@@ -10,7 +10,7 @@
 
 namespace liesl {
 
-MeasuredMethod measure_method(const Comparison& comparison, std::size_t) {
+MeasuredMethod measure_method(const Comparison& comparison, const Study&) {
   throw output::without_optimisation("optimise", comparison.rows.of);
 }
 
@@ -19,7 +19,6 @@ MeasuredMethod measure_method(const Comparison& comparison, std::size_t) {
 #else
 
 #include "apps/output/interrupt.hpp"
-#include "apps/study/load_study.hpp"
 #include "apps/tasks/optimize.hpp"
 
 namespace liesl {
@@ -40,8 +39,7 @@ int differentiated(const Study& study, const RoundHistory& rounds, const Optimiz
 
 }  // namespace
 
-MeasuredMethod measure_method(const Comparison& comparison, std::size_t row) {
-  const Study study = load_study(comparison.rows.of, comparison.rows.changes(row));
+MeasuredMethod measure_method(const Comparison& comparison, const Study& study) {
   const std::clock_t begin = std::clock();
   const auto seconds = [begin] {
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;

@@ -5,7 +5,6 @@
 #include <map>
 #include <variant>
 
-#include "apps/output/csv_writer.hpp"
 #include "esl/load_patches.hpp"
 
 namespace liesl {
@@ -51,35 +50,6 @@ std::vector<LoadsOfCycle> joined_loads(std::vector<LoadsOfCycle> before,
     before.push_back(std::move(part));
   }
   return before;
-}
-
-std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType type) {
-  const bool dynamic = type == SimulationType::Dynamic;
-  std::vector<output::TextColumn> columns = {
-      {"cycle", "", {}},
-      {"scenario", "", {}},
-      {"body", "", {}},
-      {dynamic ? "time" : "load_factor", dynamic ? "s" : "-", {}},
-      {"node", "", {}}};
-  for (const char* name : {"Fx", "Fy", "Fz"}) columns.push_back({name, "N", {}});
-  for (const char* name : {"Mx", "My", "Mz"}) columns.push_back({name, "N m", {}});
-  for (const char* name : {"x", "y", "z"}) columns.push_back({name, "m", {}});
-  for (const LoadsOfCycle& part : loads)
-    for (std::size_t n = 0; n < part.kept.times.size(); ++n)
-      for (Eigen::Index k = 0; k < part.kept.loads[n].cols(); ++k) {
-        columns[0].cells.push_back(std::to_string(part.cycle));
-        columns[1].cells.push_back(part.scenario);
-        columns[2].cells.push_back(part.body);
-        columns[3].cells.push_back(output::cell(part.kept.times[n]));
-        columns[4].cells.push_back(std::to_string(k));
-        for (Eigen::Index c = 0; c < 6; ++c)
-          columns[static_cast<std::size_t>(5 + c)].cells.push_back(
-              output::cell(part.kept.loads[n](c, k)));
-        for (Eigen::Index c = 0; c < 3; ++c)
-          columns[static_cast<std::size_t>(11 + c)].cells.push_back(
-              k < part.places.cols() ? output::cell(part.places(c, k)) : "");
-      }
-  return output::columns_csv(columns);
 }
 
 }  // namespace liesl

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// The loads of every cycle of an optimisation, as a table.
+/// The loads of every cycle of an optimisation.
 
 #include <string>
 #include <vector>
@@ -24,10 +24,5 @@ std::vector<LoadsOfCycle> loads_of_cycles(const RoundHistory& rounds, const Stud
 /// Those of the models before, which had so many cycles, then those of the present one.
 std::vector<LoadsOfCycle> joined_loads(std::vector<LoadsOfCycle> before,
                                        std::vector<LoadsOfCycle> now, std::size_t cycles_before);
-
-/// `cycle,scenario,body,time [s],node,Fx [N],Fy,Fz,Mx [N m],My,Mz,x [m],y,z` (load_factor [-] in
-/// statics); a row a node of a beam, or an interface, then a patch, of a meshed part, which have
-/// places; axes: see CycleLoads.
-std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType type);
 
 }  // namespace liesl

@@ -7,15 +7,14 @@
 #include <map>
 #include <sstream>
 
-#include "apps/input/document.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/study/study.hpp"
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/mechanism_derivative.hpp"
 #include "apps/tasks/motion_gradient.hpp"
 #include "apps/tasks/run_summary.hpp"
 
 #ifdef LIESL_OPTIM
-#include "apps/study/load_study.hpp"
 #include "optim/design/design.hpp"
 #endif
 
@@ -141,11 +140,6 @@ VectorXd SensitivityProblem::values() const {
   return p;
 }
 
-SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
-                                 const std::vector<std::string>& keys) {
-  return scene_problem({load_text(file, "a scene in TOML"), file, changes}, keys);
-}
-
 SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::string>& keys) {
   const std::string& file = text.file;
   SensitivityProblem problem;
@@ -223,16 +217,15 @@ SensitivityProblem study_problem(const Study& study, const Scene& scene,
   return problem;
 }
 
-SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes) {
-  const Study study = load_study(file, changes);
+SensitivityProblem study_problem(const Study& study) {
   const auto design = std::make_shared<const Design>(study.spec, study.scene.mechanism);
   return study_problem(study, study.scene, design, design->start());
 }
 
 #else
 
-SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>&) {
-  refuse(file, "this build reads no studies", "a scene with --by",
+SensitivityProblem study_problem(const Study& study) {
+  refuse(study.file, "this build differentiates no studies", "a scene with --by",
          "configure with -DLIESL_OPTIM=ON");
 }
 

@@ -17,14 +17,10 @@ class Design;
 struct Study;
 
 /// Of a scene by keys as `--set` has them, "sections.rod.diameter".
-/// @param changes "key=value" that the scene was read with
 /// @throws InputError for keys without a number, or without a derivative
-SensitivityProblem scene_problem(const std::string& file, const std::vector<std::string>& changes,
-                                 const std::vector<std::string>& keys);
-/// The same of a text.
 SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::string>& keys);
 /// Of a study by its variables at their start; its limits are responses, too.
-SensitivityProblem study_problem(const std::string& file, const std::vector<std::string>& changes);
+SensitivityProblem study_problem(const Study& study);
 #ifdef LIESL_OPTIM
 /// The same of a motion of a study, at the design x.
 /// @param scene of one of its scenarios

@@ -1,4 +1,4 @@
-#include "apps/tasks/load_sensitivity.hpp"
+#include "apps/cli/load_sensitivity.hpp"
 
 #include <fmt/format.h>
 
