@@ -1,6 +1,7 @@
 #include "esl/solid_loads.hpp"
 
 #include <limits>
+#include <stdexcept>
 
 #include "mbs/solids/solid_statics.hpp"
 #include "mbs/solvers/part_motion.hpp"
@@ -12,10 +13,12 @@ SolidLoadSet extract_solid_loads(const Model<G>& model, const Trajectory<G>& tra
                                  int index) {
   SolidLoadSet set;
   set.body = index;
-  set.e = part_coordinates(model, trajectory, index);
-  const auto& body = *SolidBody<G>::of(*model.bodies[index]);
-  set.shapes = body.loads();
-  set.basis = body.basis();
+  const auto* body = SolidBody<G>::of(*model.bodies.at(index));
+  if (!body)
+    throw std::invalid_argument("'" + model.bodies[index]->name + "' is no flexible meshed part");
+  set.e = part_coordinates(*body, model.first_node(index), trajectory);
+  set.shapes = body->loads();
+  set.basis = body->basis();
   for (int n = 0; n < trajectory.size(); ++n) set.t.push_back(trajectory.time(n));
   return set;
 }

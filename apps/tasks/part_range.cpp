@@ -149,7 +149,7 @@ void PartRanges<G>::add_members() {
     if (kind(b) == BeamModel::Rigid) continue;
     Member beam{model_.bodies[b].get(), nullptr, static_cast<int>(b), 0, 0, {}};
     if (kind(b) == BeamModel::Modal) {
-      beam.modal = static_cast<const ModalBody<G>*>(beam.body);
+      beam.modal = ModalBody<G>::of(*beam.body);
       if (beam.modal->basis().cols() == beam.modal->padding()) continue;
       beam.euler = euler_load(*beam.modal);
     }

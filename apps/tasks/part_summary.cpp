@@ -119,7 +119,7 @@ void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, con
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto* body = SolidBody<G>::of(*model.bodies[b]);
     if (!body) continue;
-    const Eigen::MatrixXd e = part_coordinates(model, trajectory, int(b));
+    const Eigen::MatrixXd e = part_coordinates(*body, model.first_node(int(b)), trajectory);
     try {
       describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),
                     motion ? bandwidth(times, energy_signals(*body, e), kLeftOut) : 0);

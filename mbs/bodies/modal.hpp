@@ -22,6 +22,9 @@ class ModalBody final : public FloatingBody<G> {
   /// hold on to  @param modes internal modes kept, lowest first; < 0 = all
   ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& interfaces, int modes);
 
+  /// The body as a beam in a floating frame, null if it is none.
+  static const ModalBody* of(const Body<G>& body) { return dynamic_cast<const ModalBody*>(&body); }
+
   std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void complete(G* H, double* v, double* vdot, const double* w) const override;
   int elements() const override { return beam_->elements(); }

@@ -1,10 +1,7 @@
 #include "mbs/solvers/part_motion.hpp"
 
-#include <fmt/format.h>
-
 #include <bit>
 #include <numbers>
-#include <stdexcept>
 #include <unsupported/Eigen/FFT>
 
 #include "mbs/linalg/dense.hpp"
@@ -33,17 +30,13 @@ MatrixXd at_equal_steps(const std::vector<double>& t, const MatrixXd& signals) {
 }  // namespace
 
 template <FrameGroup G>
-MatrixXd part_coordinates(const Model<G>& model, const Trajectory<G>& trajectory, int index) {
-  const auto* body = SolidBody<G>::of(*model.bodies.at(index));
-  if (!body)
-    throw std::invalid_argument(
-        fmt::format("'{}' is no flexible meshed part", model.bodies[index]->name));
-  MatrixXd e(body->basis().cols(), trajectory.size());
-  const int first = model.first_node(index);
+MatrixXd part_coordinates(const SolidBody<G>& body, int first_node,
+                          const Trajectory<G>& trajectory) {
+  MatrixXd e(body.basis().cols(), trajectory.size());
   for (int n = 0; n < trajectory.size(); ++n) {
     const VectorXd w = trajectory.w(n);
-    e.col(n) = body->coordinates(
-        {trajectory.frames(n) + first, nullptr, nullptr, w.data() + G::dim * first});
+    e.col(n) = body.coordinates(
+        {trajectory.frames(n) + first_node, nullptr, nullptr, w.data() + G::dim * first_node});
   }
   return e;
 }
@@ -78,8 +71,8 @@ double bandwidth(const std::vector<double>& t, const MatrixXd& signals, double s
   return rate * static_cast<double>(line) / static_cast<double>(size);
 }
 
-template MatrixXd part_coordinates(const Model<SE2>&, const Trajectory<SE2>&, int);
-template MatrixXd part_coordinates(const Model<SE3>&, const Trajectory<SE3>&, int);
+template MatrixXd part_coordinates(const SolidBody<SE2>&, int, const Trajectory<SE2>&);
+template MatrixXd part_coordinates(const SolidBody<SE3>&, int, const Trajectory<SE3>&);
 template MatrixXd energy_signals(const SolidBody<SE2>&, const MatrixXd&);
 template MatrixXd energy_signals(const SolidBody<SE3>&, const MatrixXd&);
 

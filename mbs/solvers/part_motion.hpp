@@ -6,14 +6,14 @@
 
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solvers/trajectory.hpp"
-#include "mbs/system/model.hpp"
 
 namespace liesl {
 
-/// e of `SolidBody` at every record, a column each: motions of the further ports, amplitudes.
-/// @throws std::invalid_argument if the body is no flexible meshed part
+/// e of a meshed part at every record, a column each: motions of the further ports, amplitudes.
+/// @param first_node of the body in the model
 template <FrameGroup G>
-Eigen::MatrixXd part_coordinates(const Model<G>& model, const Trajectory<G>& trajectory, int body);
+Eigen::MatrixXd part_coordinates(const SolidBody<G>& body, int first_node,
+                                 const Trajectory<G>& trajectory);
 
 /// S e with S^T S = K_e: signals [sqrt(J)] whose squares add up to twice the elastic energy,
 /// whatever the units of e. They are the equivalent static loads of the part, f = K Psi e, in the
@@ -31,8 +31,10 @@ Eigen::MatrixXd energy_signals(const SolidBody<G>& body, const Eigen::MatrixXd& 
 /// @returns 0 for less than three records and for signals that are zero
 double bandwidth(const std::vector<double>& t, const Eigen::MatrixXd& signals, double share);
 
-extern template Eigen::MatrixXd part_coordinates(const Model<SE2>&, const Trajectory<SE2>&, int);
-extern template Eigen::MatrixXd part_coordinates(const Model<SE3>&, const Trajectory<SE3>&, int);
+extern template Eigen::MatrixXd part_coordinates(const SolidBody<SE2>&, int,
+                                                 const Trajectory<SE2>&);
+extern template Eigen::MatrixXd part_coordinates(const SolidBody<SE3>&, int,
+                                                 const Trajectory<SE3>&);
 extern template Eigen::MatrixXd energy_signals(const SolidBody<SE2>&, const Eigen::MatrixXd&);
 extern template Eigen::MatrixXd energy_signals(const SolidBody<SE3>&, const Eigen::MatrixXd&);
 

@@ -97,8 +97,19 @@ class CheckLayers(unittest.TestCase):
         cast = "const auto* b = dynamic_cast<const SolidBody<G>*>(&body);\n"
         self.refuses({"mbs/solvers/a.cpp": cast}, "mbs/solvers/a.cpp: dynamic_cast<const SolidBody<G>*")
         self.refuses({"esl/a.cpp": "dynamic_cast<const BeamChain<G>&>(body);\n"}, "esl/a.cpp: dynamic_cast")
+        fixed = "beam.modal = static_cast<const ModalBody<G>*>(beam.body);\n"
+        self.refuses({"apps/tasks/a.cpp": fixed}, "apps/tasks/a.cpp: static_cast<const ModalBody<G>*")
         other = "dynamic_cast<const MotionAnalysis<G>&>(given);\n"
         self.assertEqual(errors_of({"mbs/bodies/a.cpp": cast, "optim/cycle/a.cpp": other}), [])
+
+    def test_kind_of_a_body_asked_by_a_solver(self):
+        asked = "const auto* body = SolidBody<G>::of(*model.bodies.at(index));\n"
+        for path in ("mbs/solvers/a.cpp", "mbs/system/energy.cpp", "mbs/sensitivity/a.hpp"):
+            self.refuses({path: asked}, f"{path}: SolidBody<G>::of(: ask a virtual function")
+        self.refuses({"mbs/solvers/a.cpp": "BeamChain<SE2>::of(body);\n"}, "BeamChain<SE2>::of(")
+        other = "const auto m = BodyMatrix<6>::of(b);\n// SolidBody<G>::of(body)\n"
+        good = {"mbs/system/build_body.cpp": asked, "esl/a.cpp": asked, "apps/tasks/a.cpp": asked}
+        self.assertEqual(errors_of({**good, "mbs/solvers/a.cpp": other}), [])
 
     def test_unknown_folder(self):
         self.refuses({"mbs/stuff/a.hpp": ""}, "'mbs/stuff' is not in LAYERS")
