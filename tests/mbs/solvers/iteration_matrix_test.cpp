@@ -189,6 +189,73 @@ TYPED_TEST(IterationMatrixTest, IsTheDerivativeForFloatingFrames) {
   step.expect_exact("floating");
 }
 
+/// A driven beam with a block at its end, by a joint of the kind, with a spring of a table and a
+/// damper on each of its coordinates.
+Mechanism jointed(const JointKind& kind, const Vec3& axis, const Vec3& axis2) {
+  Mechanism m;
+  m.gravity = {1, -9, 0.5};
+  const Section s = test::section((SE3::Tangent() << 90, 40, 50, 7, 8, 9).finished());
+  m.bodies = {{"beam", test::beam(straight({0, 0, 0}, {2, 0, 0}, 2), s)},
+              {"block", test::block({2.5, 0.8, 0}, 2, 0.7)}};
+  const auto off = [](double x, double y) { return SE3(Mat3::Identity(), Vec3(x, y, 0)); };
+  JointSpec root, joint;
+  root.name = "root";
+  root.type = JointType::Revolute;
+  root.b = {0, 0};
+  joint.name = kind.name;
+  joint.type = kind.type;
+  joint.axis = axis;
+  joint.axis2 = axis2;
+  joint.pitch = kind.pitch ? 0.7 : 0;
+  joint.a = {0, 2, off(0, 0.3)};
+  joint.b = {1, 0, kind.acts_on_distance() ? off(0.2, 0.1) : off(-0.5, -0.5)};
+  m.joints = {root, joint};
+  for (int i = 0; i < kind.coordinate_count(); ++i) {
+    ForceSpec f;
+    f.name = joint.name + std::to_string(i);
+    f.joint = 1;
+    f.coordinate = i;
+    f.damping = 0.7;
+    f.curve.emplace(std::vector<double>{-3, -1, 1, 3}, std::vector<double>{-90, -20, 20, 90},
+                    TimeFunction::Interpolation::Cubic);
+    m.forces.push_back(f);
+  }
+  DriveSpec drive;
+  drive.motion = TimeFunction::rate(2, 0.1);
+  m.drives.push_back(drive);
+  return m;
+}
+
+/// Of a step and of statics, in every formalism.
+template <FrameGroup G>
+void expect_exact_joint(const JointKind& kind, const Vec3& axis, const Vec3& axis2) {
+  for (const Formalism formalism : kFormalisms) {
+    Mechanism m = jointed(kind, axis, axis2);
+    m.formalism = formalism;
+    const std::string what = std::string(kind.name) + ", " + to_string(formalism);
+    const auto model = Model<G>::build(m, Space<G>());
+    test::StepTangent<G> step(model, test::options(1, 0.02, 0.8, 1e-9), 12);
+    ASSERT_GT(step.state().v.norm(), 0.1) << what;
+    step.expect_exact(what);
+    test::expect_exact_statics(model, step.state(), {step.state().t, 1}, what);
+  }
+}
+
+/// Every row of the table of joints, about axes that are none of the scene's.
+TEST(EveryJoint, IterationMatrixIsTheDerivativeInSpace) {
+  for (const JointKind& kind : joint_kinds())
+    expect_exact_joint<SE3>(kind, Vec3(1, 2, 2) / 3, Vec3(2, 1, -2) / 3);
+}
+
+/// The axis normal to the plane, and in it; a screw leaves the plane.
+TEST(EveryJoint, IterationMatrixIsTheDerivativeInThePlane) {
+  for (const JointKind& kind : joint_kinds()) {
+    if (kind.pitch) continue;
+    expect_exact_joint<SE2>(kind, Vec3::UnitZ(), Vec3(0.6, 0.8, 0));
+    expect_exact_joint<SE2>(kind, Vec3(0.6, 0.8, 0), Vec3::UnitZ());
+  }
+}
+
 /// Componentwise backward error of A x = b: max_i |A x - b|_i / (|A| |x| + |b|)_i (Oettli, Prager
 /// 1964). S has entries from 1 (constraints) to beta' M + K, so that a norm says little.
 double backward_error(const Eigen::MatrixXd& A, const Eigen::MatrixXd& x,
