@@ -184,7 +184,7 @@ Key response_choice(std::string_view parent, std::string_view preset) {
       0,
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
       "joint_force drive_force section_force stress energy compliance axial_stress buckling "
-      "local_buckling translation"};
+      "local_buckling translation acceleration angular_acceleration"};
 }
 
 }  // namespace
@@ -194,7 +194,7 @@ std::vector<Key> response_keys(std::string_view parent) {
   const bool scene = parent == "responses.*";
   std::vector<Key> keys{
     response_choice(parent, scene ? kRequired : kOneOf),
-    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` and `translation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement translation"},
+    {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` and `translation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement translation acceleration angular_acceleration"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them; of a meshed part an interface between its first and its last one.", 0, "", "response=deflection"},
     {".of", Type::Text, "", kRequired, kAny, "Beam; of a deflection also a meshed part.", 0, "", "response=deflection section_force stress compliance axial_stress buckling local_buckling"},
     {".factor", Type::Number, "-", "1", {0, 100, true}, "Factor K of the buckling length K L: 1 hinged at both ends, 0.5 clamped at both, 2 clamped at one.", 0, "", "response=buckling"},
@@ -202,10 +202,10 @@ std::vector<Key> response_keys(std::string_view parent) {
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},
     {".between", Type::Pair, "", kOptional, kAny, "Two ports: change of their distance.", 0, "", "response=elongation"},
     {".of", Type::Text, "", kRequired, kAny, "Joint.", 0, "", "response=coordinate joint_force drive_force"},
-    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement translation"},
+    {".axis", Type::Vector, "-", kOptional, kAny, "Component along this direction; normalised. Without it the whole vector.", 3, "", "response=position velocity angular_velocity rotation displacement translation acceleration angular_acceleration"},
     {".axis", Type::Vector, "-", kOptional, kAny, "Component of the force on the second port along this direction; normalised. Without it the norm.", 3, "", "response=joint_force"},
-    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (joint_force: the second of the joint).", 0, "inertial body", "response=velocity rotation joint_force"},
-    {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement"},
+    {".in", Type::Choice, "", "\"inertial\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (joint_force: the second of the joint).", 0, "inertial body", "response=velocity rotation joint_force acceleration"},
+    {".in", Type::Choice, "", "\"body\"", kAny, "Axes of the components and of `axis`: inertial, or those of the port (displacement: of node 0 of the body).", 0, "inertial body", "response=angular_velocity displacement angular_acceleration"},
     {".coordinate", Type::Integer, "", "0", {0, max_coordinates() - 1.0}, "Which coordinate of the joint.", 0, "", "response=coordinate drive_force"},
     {".element", Type::Integer, "", "0", kWhole0, "Element of the beam, from 0.", 0, "", "response=section_force"},
     {".at", Type::Choice, "", "\"start\"", kAny, "Where on the element: at its first node, in its middle, at its last node.", 0, "start mid end", "response=section_force"},

@@ -118,7 +118,7 @@ std::vector<Key> part_and_cycle_keys() {
     {"cycle.optimizer", Type::Choice, "", "\"ipopt\"", kAny, "Optimiser of the static problem.", 0, "ipopt mma ccsaq slsqp"},
     {"cycle.model", Type::Choice, "", "\"exact\"", kAny, "Static problem with its exact Hessian, or convex separable models of it.", 0, "exact separable"},
     {"cycle.method", Type::Choice, "", "\"auto\"", kAny, "How a cycle finds the next design: \"esl\", loads of the last motion as constants; \"esl1\", a static problem that agrees with the motion in value and gradient, within a trust region: ends at the optimum of the motion; \"full\", the fully coupled method: no static problem, the responses themselves to first order, within a trust region; \"direct\": no approximation at all, the optimiser is given the motion and its sensitivities at every point, every step a constraint (treatments \"auto\", \"worst\", \"functional\", \"p_norm\"). \"auto\": esl1 where the motion has sensitivities, else esl.", 0, "auto esl esl1 full direct"},
-    {"cycle.approximation", Type::Choice, "", "\"power\"", kAny, "How \"esl1\" and \"full\" continue a response from the analysed design: as a power of the variables, or linearly.", 0, "power linear"},
+    {"cycle.approximation", Type::Choice, "", "\"power\"", kAny, "How \"esl1\" and \"full\" continue a response from the analysed design: as a power of the variables, linearly, or by reciprocals between moving asymptotes.", 0, "power linear mma"},
     {"cycle.optimality", Type::Choice, "", "\"auto\"", kAny, "Evaluate the KKT conditions of the dynamic problem at the end. By sensitivities; for a motion that has none by two simulations a variable, with \"auto\" for up to 12 variables.", 0, "auto always never"},
   };
 }

@@ -98,6 +98,14 @@ void warn_of_rigid(Reader& reader, int body, const ResponseSpec& response) {
 
 bool is_rigid(const BodySpec& body) { return std::holds_alternative<RigidSpec>(body.kind); }
 
+/// A node between the ends of a chain of segments has a position alone.
+bool is_point(const Reader& reader, const Port& port) {
+  const Mechanism& m = reader.scene.mechanism;
+  const auto* beam = std::get_if<BeamSpec>(&m.bodies[static_cast<std::size_t>(port.body)].kind);
+  return beam && model_of(*beam, m.formalism) == BeamModel::Segments && port.node > 0 &&
+         port.node + 1 < static_cast<int>(beam->nodes.size());
+}
+
 bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const toml::node& at = *table.get("at");
   const auto port = reader.port(at);
@@ -112,6 +120,16 @@ bool read_port_response(Reader& reader, const toml::table& table, ResponseSpec& 
   if (response.kind == ResponseKind::Position || response.kind == ResponseKind::Translation)
     return true;
   response.in = text(table, "in") == "body" ? Axes::Body : Axes::Inertial;
+  const bool accelerates = response.kind == ResponseKind::Acceleration ||
+                           response.kind == ResponseKind::AngularAcceleration;
+  if (accelerates && is_point(reader, *port)) {
+    reader.problems.add(at,
+                        fmt::format("response '{}' is of a node of a chain of segments that is a "
+                                    "point without axes",
+                                    response.name),
+                        "a node at an end, or formalism \"se3\"");
+    return false;
+  }
   if (response.kind != ResponseKind::Displacement) return true;
   const auto& bodies = reader.scene.mechanism.bodies;
   const BodySpec& body = bodies[static_cast<std::size_t>(port->body)];
@@ -290,7 +308,7 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
   static const auto kinds = words(
       "position velocity angular_velocity rotation displacement deflection elongation coordinate "
       "joint_force drive_force section_force stress energy compliance axial_stress buckling "
-      "local_buckling translation");
+      "local_buckling translation acceleration angular_acceleration");
   ResponseSpec response;
   response.name = name;
   const auto found = std::find(kinds.begin(), kinds.end(), text(table, "response"));
@@ -303,6 +321,8 @@ std::optional<ResponseSpec> read_response(Reader& reader, const std::string& nam
     case ResponseKind::Rotation:
     case ResponseKind::Displacement:
     case ResponseKind::Translation:
+    case ResponseKind::Acceleration:
+    case ResponseKind::AngularAcceleration:
       ok = read_port_response(reader, table, response);
       break;
     case ResponseKind::Elongation:

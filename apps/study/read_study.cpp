@@ -540,8 +540,10 @@ void read_cycle(StudyReader& reader) {
              : method == "full"   ? CycleMethod::Full
              : method == "direct" ? CycleMethod::Direct
                                   : CycleMethod::Auto;
-  o.approximation =
-      text(*table, "approximation") == "linear" ? Approximation::Linear : Approximation::Power;
+  const std::string approximation = text(*table, "approximation");
+  o.approximation = approximation == "linear" ? Approximation::Linear
+                    : approximation == "mma"  ? Approximation::Mma
+                                              : Approximation::Power;
   const std::string check = text(*table, "optimality");
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never

@@ -60,7 +60,7 @@ def beam(ax, rest=True):
 
 
 def position(ax):
-    panel(ax, "position, velocity", "of a port: inertial axes (or its own)")
+    panel(ax, "position, velocity, acceleration", "of a port: inertial axes (or its own)")
     points, _ = beam(ax)
     origin, tip = np.array([-0.2, -0.18]), points[-1]
     frame(ax, origin, 0)
@@ -71,7 +71,7 @@ def position(ax):
 
 
 def rotation(ax):
-    panel(ax, "rotation, angular_velocity", "of a port, since the scene as given; right-hand rule")
+    panel(ax, "rotation, angular_velocity, angular_acceleration", "of a port, since the scene as given; right-hand rule")
     points, angle = beam(ax)
     tip = points[-1]
     arrow(ax, tip, tip + 0.35 * np.array([1, 0]), REST)

@@ -93,6 +93,10 @@ class FloatingBody : public Body<G> {
   /// Gradient c_e, c_rate with respect to e and edot added to that with respect to the unknowns.
   void add_unknowns(const Motion& m, const BodyState<G>& s, const Eigen::VectorXd& c_e,
                     const Eigen::VectorXd& c_rate, double* h, double* v) const;
+  /// The same of a gradient with respect to d^2 e/dt^2.
+  void add_unknowns_of_acceleration(const Motion& m, const BodyState<G>& s,
+                                    const Eigen::VectorXd& c, double* h, double* v,
+                                    double* vdot) const;
   int interface_size() const { return dim * static_cast<int>(interfaces_.size()); }
   int reduced_size() const { return static_cast<int>(K_e_.cols()); }  ///< n of e, with padding
 

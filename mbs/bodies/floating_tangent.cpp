@@ -96,6 +96,28 @@ auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m, bool fo
   return k;
 }
 
+template <FrameGroup G>
+void FloatingBody<G>::add_unknowns_of_acceleration(const Motion& m, const BodyState<G>& s,
+                                                   const Eigen::VectorXd& c, double* h, double* v,
+                                                   double* vdot) const {
+  using Node = Eigen::Map<Tangent>;
+  const Kinematics k = kinematics(s, m, true);
+  const int ni = interface_size();
+  const Eigen::VectorXd on_h = k.acceleration.transpose() * c.head(ni),
+                        on_v = k.acceleration_by_v.transpose() * c.head(ni),
+                        on_rates = increments(m).transpose() * c;
+  const auto add = [](double* x, int node, const Eigen::VectorXd& share, int at) {
+    Node(x + dim * node) += share.template segment<dim>(at);
+  };
+  for (const auto& [x, share] : {std::pair{h, &on_h}, {v, &on_v}, {vdot, &on_rates}}) {
+    add(x, 0, *share, 0);
+    for (size_t i = 0; i < interfaces_.size(); ++i)
+      add(x, interfaces_[i], *share, dim + dim * static_cast<int>(i));
+  }
+  for (size_t i = 0; i < slots_.size(); ++i)
+    add(vdot, slots_[i], on_rates, dim + ni + dim * static_cast<int>(i));
+}
+
 /// Of f = T^-T(u) q on node i and -Ad(Y^-1)^T f on the frame: df = D_u[T^-T(u) q] T^-1(u) g,
 /// d(Ad(Y^-1)^T f) = -Ad(Y^-1)^T ad(g)^T f + ...
 template <FrameGroup G>
@@ -202,6 +224,12 @@ template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&
     -> Kinematics;
 template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&, bool) const
     -> Kinematics;
+template void FloatingBody<SE2>::add_unknowns_of_acceleration(const Motion&, const BodyState<SE2>&,
+                                                              const Eigen::VectorXd&, double*,
+                                                              double*, double*) const;
+template void FloatingBody<SE3>::add_unknowns_of_acceleration(const Motion&, const BodyState<SE3>&,
+                                                              const Eigen::VectorXd&, double*,
+                                                              double*, double*) const;
 template void FloatingBody<SE2>::add_turning(const Motion&, const Eigen::VectorXd&, double,
                                              Matrices&) const;
 template void FloatingBody<SE3>::add_turning(const Motion&, const Eigen::VectorXd&, double,

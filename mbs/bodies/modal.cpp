@@ -41,7 +41,11 @@ ModalBody<G>::ModalBody(std::unique_ptr<Beam<G>> beam, const std::vector<int>& i
 
 template <FrameGroup G>
 ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
-    : FloatingBody<G>(body), beam_(std::move(beam)), A_(body.A_), Psi_(body.Psi_) {
+    : FloatingBody<G>(body),
+      beam_(std::move(beam)),
+      A_(body.A_),
+      Psi_(body.Psi_),
+      Psi_t_(body.Psi_t_) {
   this->become_derivative(
       linalg::transposed_product(Psi_, linalg::product(dense<dim>(beam_->stiffness()), Psi_)));
   this->set_constant_matrices();
@@ -88,6 +92,7 @@ void ModalBody<G>::reduce(std::vector<NodeKind> kind, int modes) {
       for (int i = 0; i < most; ++i) Psi_.row(inner[i]).segment(ni, kept) = found.phi.row(i);
     }
   }
+  Psi_t_ = Psi_.transpose();
   const Eigen::MatrixXd K_e = linalg::transposed_product(Psi_, linalg::product(K, Psi_));
   this->reduce_to(std::move(kind), K_e.topLeftCorner(ni + kept, ni + kept), std::move(omega2));
 }
@@ -306,6 +311,37 @@ void ModalBody<G>::to_unknowns(const BodyState<G>& s, double* h, double* v) cons
     c_rate += psi.transpose() * (p - 0.5 * turned);
   }
   this->add_unknowns(m, s, c_e, c_rate, h, v);
+}
+
+/// vdot_k as in `acceleration`; its share of du is -ad(du) c = ad(c) du.
+template <FrameGroup G>
+void ModalBody<G>::rates_to_unknowns(const BodyState<G>& s, double* h, double* v,
+                                     double* vdot) const {
+  using Node = Eigen::Map<Tangent>;
+  Motion m = this->at_reference();
+  this->measure(s, true, m);
+  Field field;
+  spread(m, field);
+  const Tangent v_0 = Eigen::Map<const Tangent>(s.v), a_0 = Eigen::Map<const Tangent>(s.vdot);
+  Eigen::VectorXd c_e = Eigen::VectorXd::Zero(Psi_.cols()), c_rate = c_e, c_acceleration = c_e;
+  for (int k = 1; k < this->nodes(); ++k) {
+    const Tangent p = Node(vdot + dim * k);
+    if (this->kind(k) == NodeKind::Frame || p.isZero(0)) continue;
+    Node(vdot + dim * k).setZero();
+    const Tangent u = field.u.template segment<dim>(dim * k),
+                  du = field.du.template segment<dim>(dim * k),
+                  ddu = field.ddu.template segment<dim>(dim * k), c = A_[k] * v_0,
+                  arm = A_[k] * a_0 + 0.5 * ddu, turned = G::ad(u).transpose() * p;
+    Node{vdot} += A_[k].transpose() * (p - turned);
+    Node{v} -= A_[k].transpose() * (G::ad(du).transpose() * p);
+    const auto psi = Psi_.template middleRows<dim>(dim * k);
+    c_e += psi.transpose() * (G::ad(arm).transpose() * p);
+    c_rate += psi.transpose() * (G::ad(c).transpose() * p);
+    c_acceleration += psi.transpose() * (p - 0.5 * turned);
+  }
+  if (c_acceleration.isZero(0)) return;
+  this->add_unknowns(m, s, c_e, c_rate, h, v);
+  this->add_unknowns_of_acceleration(m, s, c_acceleration, h, v, vdot);
 }
 
 template <FrameGroup G>

@@ -50,6 +50,7 @@ class ModalBody final : public FloatingBody<G> {
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;
   void to_unknowns(const BodyState<G>& s, double* h, double* v) const override;
+  void rates_to_unknowns(const BodyState<G>& s, double* h, double* v, double* vdot) const override;
   /// Psi: displacements of all nodes from e, [u_k; w_k] in their own axes.
   const Eigen::MatrixXd& basis() const { return Psi_; }
 
@@ -78,15 +79,8 @@ class ModalBody final : public FloatingBody<G> {
   };
   void spread(const Motion& m, Field& field) const;
   using Blocks = typename Matrices::Blocks;  ///< one a node
-  /// Forces on the nodes by nodal numbers that change velocities and accelerations of each node by
-  /// these blocks: sum of G(v) by_v + M by_a over the elements.
-  BlockTridiagonal<G::dim> force_tangent(const Eigen::VectorXd& v, const Blocks& by_v,
-                                         const Blocks& by_a) const;
-  /// Forces on [v_0; edot] from those on the nodes, a column each: sum A_k^T (I - ad(u_k))^T f_k
-  /// and Psi^T (I - ad(u_k)/2)^T f_k. @param turn of columns by e: what the arms turn with u, -D_u
-  /// [ad(u)^T f], or none
-  Eigen::MatrixXd on_coordinates(const Eigen::VectorXd& u, const Eigen::MatrixXd& forces,
-                                 const Blocks& turn = {}) const;
+  /// Pi^T, velocities of all nodes = Pi [v_0; edot] at displacements u.
+  Eigen::MatrixXd velocity_map(const Eigen::VectorXd& u) const;
   /// Velocities and accelerations of all nodes.
   void nodal_rates(const Field& field, const Tangent& v0, const Tangent& a0, Eigen::VectorXd& v,
                    Eigen::VectorXd& a) const;
@@ -96,7 +90,8 @@ class ModalBody final : public FloatingBody<G> {
 
   std::unique_ptr<Beam<G>> beam_;
   std::vector<typename G::Matrix, Eigen::aligned_allocator<typename G::Matrix>> A_;  ///< Ad(X^-1)
-  Eigen::MatrixXd Psi_;  ///< size x [interfaces, amplitudes]
+  Eigen::MatrixXd Psi_;    ///< size x [interfaces, amplitudes]
+  Eigen::MatrixXd Psi_t_;  ///< Psi^T: blocks of nodes act on its columns
 };
 
 extern template class ModalBody<SE2>;

@@ -1,11 +1,11 @@
 /// @file
-/// Derivatives of the inertia of beams in a floating frame. Nodes move with
-///   v_k = (I - ad(u_k)) A_k v_0 + (I - ad(u_k)/2) du_k, u = Psi e, A_k = Ad(X_k^-1),
-/// forces on them reach [v_0; edot] by the transposed of that; what lies between is
-/// block-tridiagonal, so that one dense product with Psi^T is left.
+/// Derivatives of the inertia of beams in a floating frame. Nodes move with v = Pi [v_0; du],
+///   v_k = (I - ad(u_k)) A_k v_0 + (I - ad(u_k)/2) Psi_k de, u = Psi e, A_k = Ad(X_k^-1),
+/// forces on them reach [v_0; edot] by Pi^T; what lies between is block-tridiagonal, so that one
+/// dense product with Pi^T is left. All but that is done transposed: blocks then act on whole
+/// columns.
 
 #include "mbs/bodies/modal.hpp"
-#include "mbs/linalg/block_product.hpp"
 #include "mbs/linalg/dense.hpp"
 
 namespace liesl {
@@ -14,17 +14,19 @@ namespace {
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-/// A X
+/// (A X)^T from X^T
 template <int N>
-MatrixXd times(const BlockTridiagonal<N>& A, const MatrixXd& X) {
-  MatrixXd Y = MatrixXd::Zero(X.rows(), X.cols());
+MatrixXd transposed_times(const BlockTridiagonal<N>& A, const MatrixXd& Xt) {
+  MatrixXd Yt(Xt.rows(), Xt.cols());
   const int n = A.blocks();
   for (int k = 0; k < n; ++k) {
-    add_block_product(A.D[k], X, N * k, Y, N * k);
-    if (k > 0) add_block_product(A.L[k - 1], X, N * (k - 1), Y, N * k);
-    if (k + 1 < n) add_block_product(A.U[k], X, N * (k + 1), Y, N * k);
+    const auto block = [&Xt](int j) { return Xt.template middleCols<N>(N * j); };
+    auto y = Yt.template middleCols<N>(N * k);
+    y.noalias() = block(k).lazyProduct(A.D[k].transpose());
+    if (k > 0) y.noalias() += block(k - 1).lazyProduct(A.L[k - 1].transpose());
+    if (k + 1 < n) y.noalias() += block(k + 1).lazyProduct(A.U[k].transpose());
   }
-  return Y;
+  return Yt;
 }
 
 /// What changes velocities and accelerations of each node, blocks of both.
@@ -32,7 +34,8 @@ template <FrameGroup G>
 using Change =
     std::pair<const typename Body<G>::Matrices::Blocks&, const typename Body<G>::Matrices::Blocks&>;
 
-/// Forces on the nodes, G(v) by_v + M by_a over the elements, for each of the changes.
+/// Forces on the nodes by nodal numbers that change velocities and accelerations of each node by
+/// these blocks, G(v) by_v + M by_a over the elements, for each of the changes.
 template <FrameGroup G>
 std::vector<BlockTridiagonal<G::dim>> force_tangents(const Beam<G>& beam, const VectorXd& v,
                                                      const std::vector<Change<G>>& changes) {
@@ -59,51 +62,29 @@ std::vector<BlockTridiagonal<G::dim>> force_tangents(const Beam<G>& beam, const 
 }  // namespace
 
 template <FrameGroup G>
-BlockTridiagonal<G::dim> ModalBody<G>::force_tangent(const VectorXd& v, const Blocks& by_v,
-                                                     const Blocks& by_a) const {
-  return std::move(force_tangents<G>(*beam_, v, {{by_v, by_a}})[0]);
-}
-
-template <FrameGroup G>
-MatrixXd ModalBody<G>::on_coordinates(const VectorXd& u, const MatrixXd& forces,
-                                      const Blocks& turn) const {
-  using Matrix = typename G::Matrix;
-  MatrixXd on_u = MatrixXd::Zero(forces.rows(), forces.cols());
-  MatrixXd on_frame = MatrixXd::Zero(dim, forces.cols());
+MatrixXd ModalBody<G>::velocity_map(const VectorXd& u) const {
+  MatrixXd Pi_t(dim + Psi_t_.rows(), this->size());
   for (int k = 0; k < this->nodes(); ++k) {
     const int at = dim * k;
-    const Matrix half =
-        Matrix::Identity() - 0.5 * G::ad(Tangent(u.template segment<dim>(at))).transpose();
-    add_block_product(half, forces, at, on_u, at);
-    if (!turn.empty()) add_block_product(Matrix(0.5 * turn[k]), Psi_, at, on_u, at);
-    // I - ad = 2 (I - ad/2) - I
-    const Matrix carry = A_[k].transpose();
-    add_block_product(Matrix(carry * (2 * half - Matrix::Identity())), forces, at, on_frame, 0);
-    if (!turn.empty()) add_block_product(Matrix(carry * turn[k]), Psi_, at, on_frame, 0);
+    const typename G::Matrix turns = -G::ad(Tangent(u.template segment<dim>(at))).transpose();
+    auto node = Pi_t.template middleCols<dim>(at);
+    node.template topRows<dim>() = A_[k].transpose() + A_[k].transpose() * turns;
+    const auto Psi_k = Psi_t_.template middleCols<dim>(at);
+    node.bottomRows(Psi_t_.rows()).noalias() = Psi_k + 0.5 * Psi_k.lazyProduct(turns);
   }
-  MatrixXd out(dim + Psi_.cols(), forces.cols());
-  out << on_frame, linalg::transposed_product(Psi_, on_u);
-  return out;
+  return Pi_t;
 }
 
-/// Pi^T M Pi, velocities of all nodes = Pi [v_0; edot].
+/// Pi^T M Pi
 template <FrameGroup G>
 MatrixXd ModalBody<G>::inertia_matrix(const Motion& m, int columns) const {
-  using Matrix = typename G::Matrix;
-  const VectorXd u = Psi_ * m.e;
-  const MatrixXd Psi = Psi_.leftCols(columns - dim);
-  MatrixXd Pi = MatrixXd::Zero(this->size(), columns);
-  for (int k = 0; k < this->nodes(); ++k) {
-    const int at = dim * k;
-    const Matrix ad_u = G::ad(Tangent(u.template segment<dim>(at)));
-    Pi.template block<dim, dim>(at, 0) = A_[k] - ad_u * A_[k];
-    auto rates = Pi.rightCols(columns - dim);
-    add_block_product(Matrix(Matrix::Identity() - 0.5 * ad_u), Psi, at, rates, at);
-  }
-  return on_coordinates(u, times(beam_->mass(), Pi));
+  const MatrixXd Pi_t = velocity_map(Psi_ * m.e);
+  return linalg::product_transposed(
+      Pi_t, transposed_times<dim>(beam_->mass(), Pi_t.topRows(columns)));
 }
 
-/// By u: dv_k = ad(A_k v_0 + du_k/2), da_k = ad(A_k a_0 + ddu_k/2), and the arms turn.
+/// By u: dv_k = ad(A_k v_0 + du_k/2), da_k = ad(A_k a_0 + ddu_k/2), and forces f_k reach the frame
+/// and e by other arms, A_k^T D_k and Psi_k^T D_k/2 with D_k = -D_u [ad(u_k)^T f_k].
 template <FrameGroup G>
 MatrixXd ModalBody<G>::inertia_by_e(const Motion& m, const Tangent& v_0, const Tangent& a_0) const {
   using Pair = typename Beam<G>::Pair;
@@ -118,17 +99,25 @@ MatrixXd ModalBody<G>::inertia_by_e(const Motion& m, const Tangent& v_0, const T
                                     a.template segment<2 * dim>(dim * e), g);
     force.template segment<2 * dim>(dim * e) += g;
   }
-  Blocks by_v(n), by_a(n), turn(n);
+  Blocks by_v(n), by_a(n);
+  MatrixXd arms_t(dim + Psi_t_.rows(), this->size()), turned_t(Psi_t_.rows(), this->size());
+  arms_t.bottomRows(Psi_t_.rows()) = 0.5 * Psi_t_;
   for (int k = 0; k < n; ++k) {
     const int at = dim * k;
     const Tangent du = field.du.template segment<dim>(at),
-                  ddu = field.ddu.template segment<dim>(at);
+                  ddu = field.ddu.template segment<dim>(at), f = force.template segment<dim>(at);
     by_v[k] = G::ad(Tangent(A_[k] * v_0 + 0.5 * du));
     by_a[k] = G::ad(Tangent(A_[k] * a_0 + 0.5 * ddu));
-    for (int j = 0; j < dim; ++j)
-      turn[k].col(j) = -(G::ad(Tangent::Unit(j)).transpose() * force.template segment<dim>(at));
+    typename G::Matrix D;
+    for (int j = 0; j < dim; ++j) D.col(j) = -(G::ad(Tangent::Unit(j)).transpose() * f);
+    arms_t.template block<dim, dim>(0, at) = A_[k].transpose();
+    turned_t.template middleCols<dim>(at).noalias() =
+        Psi_t_.template middleCols<dim>(at).lazyProduct(D.transpose());
   }
-  return on_coordinates(field.u, times(force_tangent(v, by_v, by_a), Psi_), turn);
+  const auto tangents = force_tangents<G>(*beam_, v, {{by_v, by_a}});
+  return linalg::product_transposed(velocity_map(field.u),
+                                    transposed_times(tangents[0], Psi_t_)) +
+         linalg::product_transposed(arms_t, turned_t);
 }
 
 /// By du: dv_k = I - ad(u_k)/2, da_k = ad(A_k v_0); by v_0: dv_k = (I - ad(u_k)) A_k,
@@ -153,29 +142,23 @@ MatrixXd ModalBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, con
   }
   const auto tangents = force_tangents<G>(*beam_, v, {{by_v, by_a}, {frame_v, frame_a}});
   const BlockTridiagonal<dim>& by_frame = tangents[1];
-  MatrixXd forces = MatrixXd::Zero(this->size(), rates + dim);
-  forces.leftCols(rates) = times(tangents[0], Psi_.leftCols(rates));
+  MatrixXd forces_t(rates + dim, this->size());
+  forces_t.topRows(rates) = transposed_times<dim>(tangents[0], Psi_t_.topRows(rates));
   for (int k = 0; k < n; ++k) {
-    auto on_node = forces.template block<dim, dim>(dim * k, rates);
-    on_node += by_frame.D[k];
+    Matrix on_node = by_frame.D[k];
     if (k > 0) on_node += by_frame.L[k - 1];
     if (k + 1 < n) on_node += by_frame.U[k];
+    forces_t.template block<dim, dim>(rates, dim * k) = on_node.transpose();
   }
-  return on_coordinates(field.u, forces);
+  return linalg::product_transposed(velocity_map(field.u), forces_t);
 }
 
-template auto ModalBody<SE2>::force_tangent(const VectorXd&, const Blocks&, const Blocks&) const
-    -> BlockTridiagonal<dim>;
-template MatrixXd ModalBody<SE2>::on_coordinates(const VectorXd&, const MatrixXd&,
-                                                 const Blocks&) const;
+template MatrixXd ModalBody<SE2>::velocity_map(const VectorXd&) const;
 template MatrixXd ModalBody<SE2>::inertia_matrix(const Motion&, int) const;
 template MatrixXd ModalBody<SE2>::inertia_by_e(const Motion&, const Tangent&, const Tangent&) const;
 template MatrixXd ModalBody<SE2>::inertia_by_rates(const Motion&, const Tangent&, const Tangent&,
                                                    int) const;
-template auto ModalBody<SE3>::force_tangent(const VectorXd&, const Blocks&, const Blocks&) const
-    -> BlockTridiagonal<dim>;
-template MatrixXd ModalBody<SE3>::on_coordinates(const VectorXd&, const MatrixXd&,
-                                                 const Blocks&) const;
+template MatrixXd ModalBody<SE3>::velocity_map(const VectorXd&) const;
 template MatrixXd ModalBody<SE3>::inertia_matrix(const Motion&, int) const;
 template MatrixXd ModalBody<SE3>::inertia_by_e(const Motion&, const Tangent&, const Tangent&) const;
 template MatrixXd ModalBody<SE3>::inertia_by_rates(const Motion&, const Tangent&, const Tangent&,

@@ -126,15 +126,25 @@ void Rigid<G>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
       weight.potential * (RotationOf<G>::cross(first_moment_).transpose() * g);
 }
 
-/// h_k = Ad(X_k^-1) h_0, and so the velocities.
+/// h_k = Ad(X_k^-1) h_0, and so the velocities and their rates.
+template <FrameGroup G>
+void Rigid<G>::to_first(double* x) const {
+  using Node = Eigen::Map<Tangent>;
+  for (int k = 1; k < this->nodes(); ++k) {
+    Node(x + 0) += X_[k].AdInv().transpose() * Node(x + dim * k);
+    Node(x + dim * k).setZero();
+  }
+}
+
 template <FrameGroup G>
 void Rigid<G>::to_unknowns(const BodyState<G>&, double* h, double* v) const {
-  using Node = Eigen::Map<Tangent>;
-  for (int k = 1; k < this->nodes(); ++k)
-    for (double* x : {h, v}) {
-      Node(x + 0) += X_[k].AdInv().transpose() * Node(x + dim * k);
-      Node(x + dim * k).setZero();
-    }
+  to_first(h);
+  to_first(v);
+}
+
+template <FrameGroup G>
+void Rigid<G>::rates_to_unknowns(const BodyState<G>&, double*, double*, double* vdot) const {
+  to_first(vdot);
 }
 
 template <FrameGroup G>

@@ -45,10 +45,13 @@ class Rigid final : public Body<G> {
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;
   void to_unknowns(const BodyState<G>& s, double* h, double* v) const override;
+  void rates_to_unknowns(const BodyState<G>& s, double* h, double* v, double* vdot) const override;
 
  private:
   using Matrix = typename G::Matrix;
   void set_matrices();
+  /// Takes cotangents of all nodes to the first one.
+  void to_first(double* x) const;
 
   Matrix inertia_;                                 ///< about node 0
   Vector first_moment_ = Vector::Zero();           ///< int rho x from node 0, kg m, in its axes

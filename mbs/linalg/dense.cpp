@@ -13,6 +13,8 @@ MatrixXd product(const Dense& A, const Dense& B) { return A * B; }
 
 MatrixXd transposed_product(const Dense& A, const Dense& B) { return A.transpose() * B; }
 
+MatrixXd product_transposed(const Dense& A, const Dense& B) { return A * B.transpose(); }
+
 void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<MatrixXd> C) {
   C.noalias() -= A.transpose() * B;
 }

@@ -42,13 +42,15 @@ enum class ResponseKind {
   AxialStress,    ///< N/A of a beam, tension positive, of the element where it is largest, Pa
   Buckling,       ///< compressive force of a beam over its Euler load, the largest; 0 in tension
   LocalBuckling,  ///< largest compressive stress of a section over that of its wall
-  Translation     ///< of port `at` since the scene as given, inertial, m; along `axis`
+  Translation,    ///< of port `at` since the scene as given, inertial, m; along `axis`
+  Acceleration,   ///< of port `at`, m/s^2, in `in`; along `axis`
+  AngularAcceleration  ///< of port `at`, rad/s^2, in `in`; along `axis`
 };
 
 struct ResponseSpec {
   std::string name;
   ResponseKind kind = ResponseKind::Position;
-  Port at;        ///< Position, Velocity, AngularVelocity, Rotation, Displacement, Elongation
+  Port at;        ///< of the kinds of a port, Displacement and Elongation
   Port to;        ///< Elongation
   int body = -1;  ///< Deflection and from SectionForce on but Energy; Elongation: of both ports, -1
                   ///< if they are of two bodies
@@ -64,7 +66,7 @@ struct ResponseSpec {
   int joint = -1;            ///< Coordinate, JointForce, DriveForce
   int coordinate = 0;        ///< Coordinate, DriveForce
   std::optional<Vec3> axis;  ///< unit
-  Axes in = Axes::Body;      ///< Velocity, AngularVelocity, Rotation, Displacement
+  Axes in = Axes::Body;      ///< of vectors but Position and Translation; JointForce
   Side side = Side::Both;    ///< of responses with one component
 };
 

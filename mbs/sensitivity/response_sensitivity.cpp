@@ -46,7 +46,8 @@ MatrixXd ResponseSensitivity<G>::operator()(const State<G>& s, const StateSensit
     auto row = dy.row(static_cast<Index>(c));
     for (const auto& node : gradient[c].nodes)
       row += node.h.transpose() * ds.eta.template middleRows<G::dim>(G::dim * node.node) +
-             node.v.transpose() * ds.v.template middleRows<G::dim>(G::dim * node.node);
+             node.v.transpose() * ds.v.template middleRows<G::dim>(G::dim * node.node) +
+             node.vdot.transpose() * ds.w.template middleRows<G::dim>(G::dim * node.node);
     for (const auto& multiplier : gradient[c].lambda)
       row += multiplier.value * ds.lambda.row(multiplier.row);
   }
@@ -64,6 +65,7 @@ void ResponseSensitivity<G>::add_cotangents(const State<G>& s, const MatrixXd& w
       const auto first = G::dim * node.node;
       bars.eta.block(first, column, G::dim, k) += node.h * factors;
       bars.v.block(first, column, G::dim, k) += node.v * factors;
+      bars.w.block(first, column, G::dim, k) += node.vdot * factors;
     }
     for (const auto& multiplier : y_h[c].lambda)
       bars.lambda.row(multiplier.row).segment(column, k) += multiplier.value * factors;

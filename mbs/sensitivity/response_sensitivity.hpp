@@ -1,7 +1,7 @@
 #pragma once
 /// @file
 /// Sensitivity of a named response from that of the state, component by component:
-///   dy/dp = y_h eta + y_v v' + y_lambda lambda' + y_p.
+///   dy/dp = y_h eta + y_v v' + y_vdot w' + y_lambda lambda' + y_p.
 
 #include "mbs/sensitivity/motion_sensitivity.hpp"
 #include "mbs/system/response_value.hpp"

@@ -115,6 +115,34 @@ void ResponseValues<G>::add_angular_velocity(const ResponseSpec& r, const At& at
   add_port(out.v, r.at, wrench(Vec3::Zero(), local));
 }
 
+/// d . R b, b = u' + w x u: b x R^T d on the rotation, and with l = R^T d (l = d in the port's own
+/// axes) l on u', l x w on u, u x l on w.
+template <FrameGroup G>
+void ResponseValues<G>::add_acceleration(const ResponseSpec& r, const At& at,
+                                         Cotangent& out) const {
+  const SE3::Tangent v = view_.velocity(at.s.v.data(), r.at);
+  const Vec3 u = v.template head<3>(), w = v.template tail<3>();
+  Vec3 l = direction(r, at.component);
+  if (r.in == Axes::Inertial) {
+    l = view_.frame(at.s.H.data(), r.at).R.transpose() * l;
+    const Vec3 b = port_rate(r, at.s).template head<3>() + w.cross(u);
+    add_port(out.h, r.at, wrench(Vec3::Zero(), b.cross(l)));
+  }
+  add_port(out.v, r.at, wrench(l.cross(w), u.cross(l)));
+  add_port(out.vdot, r.at, force(l));
+}
+
+template <FrameGroup G>
+void ResponseValues<G>::add_angular_acceleration(const ResponseSpec& r, const At& at,
+                                                 Cotangent& out) const {
+  Vec3 l = direction(r, at.component);
+  if (r.in == Axes::Inertial) {
+    l = view_.frame(at.s.H.data(), r.at).R.transpose() * l;
+    add_port(out.h, r.at, wrench(Vec3::Zero(), port_rate(r, at.s).template tail<3>().cross(l)));
+  }
+  add_port(out.vdot, r.at, wrench(Vec3::Zero(), l));
+}
+
 /// p = R_0^T (x - x_0): dp = R_0^T R u - u_0 - w_0 x p. In inertial axes R_0 (p - p*), p* of the
 /// undeformed body: along d as p along R_0^T d, but that p* turns with R_0 instead of p.
 template <FrameGroup G>

@@ -2,6 +2,7 @@
 /// Values of the kinds of responses.
 
 #include <cmath>
+#include <stdexcept>
 
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
@@ -64,6 +65,33 @@ Eigen::VectorXd ResponseValues<G>::angular_velocity(const ResponseSpec& r,
                                                     const State<G>& s) const {
   const Vec3 w = view_.velocity(s.v.data(), r.at).template tail<3>();
   return along(r, r.in == Axes::Body ? w : Vec3(view_.frame(s.H.data(), r.at).R * w));
+}
+
+/// A node between the ends of a chain of segments is a position: its axes are no unknowns.
+template <FrameGroup G>
+SE3::Tangent ResponseValues<G>::port_rate(const ResponseSpec& r, const State<G>& s) const {
+  const Body<G>& body = *model_.bodies[r.at.body];
+  if (body.kind(r.at.node) == NodeKind::Position)
+    throw std::invalid_argument("response '" + r.name + "': node " + std::to_string(r.at.node) +
+                                " of '" + body.name +
+                                "' is a point without axes; expected a node at an end");
+  return view_.velocity(s.vdot.data(), r.at);
+}
+
+/// R (u' + w x u)
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::acceleration(const ResponseSpec& r, const State<G>& s) const {
+  const SE3::Tangent v = view_.velocity(s.v.data(), r.at);
+  const Vec3 a = port_rate(r, s).template head<3>() +
+                 v.template tail<3>().cross(v.template head<3>().eval());
+  return along(r, r.in == Axes::Body ? a : Vec3(view_.frame(s.H.data(), r.at).R * a));
+}
+
+template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::angular_acceleration(const ResponseSpec& r,
+                                                        const State<G>& s) const {
+  const Vec3 a = port_rate(r, s).template tail<3>();
+  return along(r, r.in == Axes::Body ? a : Vec3(view_.frame(s.H.data(), r.at).R * a));
 }
 
 template <FrameGroup G>

@@ -14,6 +14,8 @@ int offset(const ResponseSpec& r, bool planar) { return planar || r.everywhere ?
 const char* metres(const ResponseSpec&, const Mechanism&) { return "m"; }
 const char* metres_a_second(const ResponseSpec&, const Mechanism&) { return "m/s"; }
 const char* radians_a_second(const ResponseSpec&, const Mechanism&) { return "rad/s"; }
+const char* metres_a_square_second(const ResponseSpec&, const Mechanism&) { return "m/s^2"; }
+const char* radians_a_square_second(const ResponseSpec&, const Mechanism&) { return "rad/s^2"; }
 const char* radians(const ResponseSpec&, const Mechanism&) { return "rad"; }
 const char* newtons(const ResponseSpec&, const Mechanism&) { return "N"; }
 const char* pascals(const ResponseSpec&, const Mechanism&) { return "Pa"; }
@@ -38,7 +40,7 @@ template <FrameGroup G>
 auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
   using R = ResponseValues;
   using K = ResponseKind;
-  static const std::array<Kind, 18> rows{{
+  static const std::array<Kind, 20> rows{{
       {K::Position, {"position", vector, metres}, &R::position, &R::add_position, nullptr},
       {K::Velocity, {"velocity", vector, metres_a_second}, &R::velocity, &R::add_velocity, nullptr},
       {K::AngularVelocity,
@@ -97,6 +99,16 @@ auto ResponseValues<G>::row(ResponseKind kind) -> const Kind& {
       {K::Buckling, {"buckling", one, share}, &R::member, &R::add_member, &R::member_by},
       {K::LocalBuckling, {"local_buckling", one, share}, &R::member, &R::add_member, &R::member_by},
       {K::Translation, {"translation", vector, metres}, &R::translation, &R::add_position, nullptr},
+      {K::Acceleration,
+       {"acceleration", vector, metres_a_square_second},
+       &R::acceleration,
+       &R::add_acceleration,
+       nullptr},
+      {K::AngularAcceleration,
+       {"angular_acceleration", vector, radians_a_square_second},
+       &R::angular_acceleration,
+       &R::add_angular_acceleration,
+       nullptr},
   }};
   return rows[static_cast<size_t>(kind)];
 }
@@ -152,21 +164,24 @@ std::vector<ResponseGradient<G>> ResponseValues<G>::gradient(const ResponseSpec&
   const Eigen::VectorXd side = side_of(r, (this->*row(r.kind).value)(r, completed));
   for (size_t i = 0; i < all.size(); ++i) {
     if (side[static_cast<Eigen::Index>(i)] == 0) continue;
-    for (auto* x : {&c.h, &c.v, &c.unknown_h, &c.unknown_v}) x->setZero(model_.size());
+    for (auto* x : {&c.h, &c.v, &c.vdot, &c.unknown_h, &c.unknown_v}) x->setZero(model_.size());
     c.lambda.setZero(model_.constraints());
     (this->*row(r.kind).add_gradient)(r, {s, completed, static_cast<int>(i)}, c);
     for (size_t b = 0; b < model_.bodies.size(); ++b) {
       const int at = dim * model_.first_node(static_cast<int>(b));
-      model_.bodies[b]->to_unknowns(model_.body_state(s, static_cast<int>(b)), c.h.data() + at,
-                                    c.v.data() + at);
+      const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
+      double *h = c.h.data() + at, *v = c.v.data() + at;
+      model_.bodies[b]->to_unknowns(state, h, v);
+      model_.bodies[b]->rates_to_unknowns(state, h, v, c.vdot.data() + at);
     }
     c.h += c.unknown_h;
     c.v += c.unknown_v;
     if (r.side == Side::Down)
-      for (auto* x : {&c.h, &c.v, &c.lambda}) *x = -*x;
+      for (auto* x : {&c.h, &c.v, &c.vdot, &c.lambda}) *x = -*x;
     for (int k = 0; k < model_.nodes(); ++k) {
-      const auto h = c.h.template segment<dim>(dim * k), v = c.v.template segment<dim>(dim * k);
-      if (!h.isZero(0) || !v.isZero(0)) all[i].nodes.push_back({k, h, v});
+      const auto h = c.h.template segment<dim>(dim * k), v = c.v.template segment<dim>(dim * k),
+                 vdot = c.vdot.template segment<dim>(dim * k);
+      if (!h.isZero(0) || !v.isZero(0) || !vdot.isZero(0)) all[i].nodes.push_back({k, h, v, vdot});
     }
     for (int k = 0; k < c.lambda.size(); ++k)
       if (c.lambda[k] != 0) all[i].lambda.push_back({k, c.lambda[k]});

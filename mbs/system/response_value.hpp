@@ -27,15 +27,16 @@ bool has_static_image(const ResponseSpec& response, const Mechanism& mechanism);
 Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s);
 
 /// dy of one component of a response,
-///   dy = sum over nodes of h . delta_h + v . delta_v + sum lambda . delta_lambda,
+///   dy = sum over nodes of h . delta_h + v . delta_v + vdot . delta_vdot + sum lambda .
+///   delta_lambda,
 /// delta_h the left-invariant increment of a frame, or that of the amplitudes of a node that holds
-/// amplitudes; delta_v that of its velocity. Nodes that follow others do not appear, nor what is
-/// zero; no response depends on accelerations.
+/// amplitudes; delta_v and delta_vdot those of its velocity and of the rate of that. Nodes that
+/// follow others do not appear, nor what is zero.
 template <FrameGroup G>
 struct ResponseGradient {
   struct Node {
     int node;  ///< of the model
-    typename G::Tangent h, v;
+    typename G::Tangent h, v, vdot;
   };
   struct Multiplier {
     int row;  ///< in State::lambda
@@ -63,7 +64,7 @@ class ResponseValues {
  public:
   ResponseValues(const Mechanism& mechanism, const Model<G>& model);
 
-  /// Value of a response, `components` numbers. Only H, v, lambda and q of the state are used.
+  /// Value of a response, `components` numbers.
   /// Not for several threads at once: what depends on the sections alone is kept.
   /// @param s completed (Model::complete)
   Eigen::VectorXd operator()(const ResponseSpec& response, const State<G>& s) const;
@@ -90,10 +91,10 @@ class ResponseValues {
 
  private:
   using Tangent = typename G::Tangent;
-  /// What is added to a gradient: on the frames and velocities of all nodes, followers among them,
-  /// and on the unknowns.
+  /// What is added to a gradient: on the frames, velocities and their rates of all nodes, followers
+  /// among them, and on the unknowns.
   struct Cotangent {
-    Eigen::VectorXd h, v, unknown_h, unknown_v, lambda;
+    Eigen::VectorXd h, v, vdot, unknown_h, unknown_v, lambda;
   };
   /// The state as the solvers have it, completed, and which component.
   struct At {
@@ -126,6 +127,8 @@ class ResponseValues {
   Eigen::VectorXd position(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd velocity(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd angular_velocity(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd acceleration(const ResponseSpec& r, const State<G>& s) const;
+  Eigen::VectorXd angular_acceleration(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd rotation(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd displacement(const ResponseSpec& r, const State<G>& s) const;
   Eigen::VectorXd deflection(const ResponseSpec& r, const State<G>& s) const;
@@ -148,6 +151,8 @@ class ResponseValues {
   void add_position(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_angular_velocity(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_acceleration(const ResponseSpec& r, const At& at, Cotangent& out) const;
+  void add_angular_acceleration(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_rotation(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_displacement(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_deflection(const ResponseSpec& r, const At& at, Cotangent& out) const;
@@ -186,6 +191,9 @@ class ResponseValues {
     double value = 0;                       ///< row . n
   };
   MemberAt largest_of_member(const ResponseSpec& r, const State<G>& s) const;
+  /// [u'; w'] of the port of an acceleration, in its own axes.
+  /// @throws std::invalid_argument for a node that is a point without axes
+  SE3::Tangent port_rate(const ResponseSpec& r, const State<G>& s) const;
   /// Rotation vector of a port since the scene as given, in the axes that the response is in.
   Vec3 rotation_of(const ResponseSpec& r, const State<G>& s) const;
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.

@@ -13,18 +13,18 @@ namespace {
 // Of inner cases that the correction may lift above their limit.
 constexpr double kLift = 0.02;
 constexpr double kRoundOff = 1e-12;  // of the objective
+constexpr double kAsymptote = 2;     // of the distance of the farther bound
+constexpr double kHeld = 1e-6;       // of a variable: it has no room
 
-/// e^p, beyond p = 1 its Taylor polynomial of second order there: a long step overflows no row.
+/// 1 + p, of powers e^p; beyond p = 1 its Taylor polynomial of second order there: a long step
+/// overflows no row.
 struct Growth {
-  double value, first, second;
+  double value, first = 1, second = 0;
 
-  Growth(double p, bool linear) : value(std::exp(std::min(p, 1.0))), first(value), second(value) {
-    if (linear) {
-      value = 1 + p;
-      first = 1;
-      second = 0;
-    }
-    if (linear || p <= 1) return;
+  Growth(double p, Approximation approximation) : value(1 + p) {
+    if (approximation != Approximation::Power) return;
+    value = first = second = std::exp(std::min(p, 1.0));
+    if (p <= 1) return;
     const double q = p - 1;
     value = second * (1 + q + 0.5 * q * q);
     first = second * (1 + q);
@@ -39,7 +39,7 @@ CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionG
     : inner_(std::move(inner)),
       motion_(std::move(gradients)),
       x_k_(x_k),
-      linear_(approximation == Approximation::Linear),
+      approximation_(approximation),
       variables_(inner_->variables()) {
   const double lacking = objective - correct_rows();
   if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
@@ -54,16 +54,50 @@ void CorrectedProblem::narrow(double share) {
   }
 }
 
-auto CorrectedProblem::steps(const VectorXd& x) const -> Steps {
+auto CorrectedProblem::continuations(const VectorXd& x) const -> Steps {
   const auto n = x.size();
   Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
-  for (int i = 0; i < n; ++i) {
-    if (linear_ || variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
+  for (int i = 0; i < n && approximation_ == Approximation::Power; ++i) {
+    if (variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
     t.s[i] = x_k_[i] * std::log(x[i] / x_k_[i]);
     t.first[i] = x_k_[i] / x[i];
     t.second[i] = -t.first[i] / x[i];
   }
   return t;
+}
+
+/// With d = |asymptote - x_k| and q = d/(d -+ (x - x_k)): s = +- d (q - 1), s' = q^2, s'' = +- 2
+/// q^3/d.
+auto CorrectedProblem::reciprocals(const VectorXd& x, double side) const -> Steps {
+  const auto n = x.size();
+  Steps t{VectorXd(n), VectorXd(n), VectorXd(n)};
+  for (int i = 0; i < n; ++i) {
+    const auto& bounds = variables_[static_cast<std::size_t>(i)];
+    const double room = std::max(bounds.upper - x_k_[i], x_k_[i] - bounds.lower),
+                 d = kAsymptote * std::max(room, kHeld * std::max(std::abs(x_k_[i]), 1e-300)),
+                 q = d / (d - side * (x[i] - x_k_[i]));
+    t.s[i] = side * d * (q - 1);
+    t.first[i] = q * q;
+    t.second[i] = side * 2 * q * q * q / d;
+  }
+  return t;
+}
+
+auto CorrectedProblem::steps(const VectorXd& x) const -> BothSteps {
+  if (approximation_ == Approximation::Mma) return {reciprocals(x, 1), reciprocals(x, -1)};
+  const Steps same = continuations(x);
+  return {same, same};
+}
+
+auto CorrectedProblem::BothSteps::of(const VectorXd& c) const -> Steps {
+  const auto rises = c.array() > 0;
+  return {rises.select(rising.s, falling.s), rises.select(rising.first, falling.first),
+          rises.select(rising.second, falling.second)};
+}
+
+VectorXd CorrectedProblem::exponents(const BothSteps& t) const {
+  if (approximation_ != Approximation::Mma) return c_ * t.rising.s;
+  return c_.cwiseMax(0) * t.rising.s + c_.cwiseMin(0) * t.falling.s;
 }
 
 /// @pre `inner` has just been made, or has taken cases
@@ -102,19 +136,19 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   inner_->values(x, f, g);
   f += rest_;
   g_ = g;
-  const VectorXd power = c_ * steps(x).s;
+  const VectorXd power = exponents(steps(x));
   for (int i = 0; i < g.size(); ++i)
-    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], linear_).value - 1;
+    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
 }
 
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   inner_->gradients(x, df, dg);
   dg_ = dg;
-  const Steps t = steps(x);
-  const VectorXd power = c_ * t.s;
+  const BothSteps t = steps(x);
+  const VectorXd power = exponents(t);
   for (int i = 0; i < dg.rows(); ++i) {
-    const VectorXd q = c_.row(i).transpose().cwiseProduct(t.first);
-    const Growth e(power[i], linear_);
+    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.of(c).first);
+    const Growth e(power[i], approximation_);
     dg.row(i) = e.value * dg_.row(i) + e.first * (g_[i] + 1) * q.transpose();
   }
 }
@@ -123,19 +157,21 @@ void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg)
 ///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T.
 void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
                                MatrixXd& h) {
-  const Steps t = steps(x);
-  const VectorXd power = c_ * t.s;
+  const BothSteps t = steps(x);
+  const VectorXd power = exponents(t);
   VectorXd weight = lambda;
-  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], linear_).value;
+  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], approximation_).value;
   inner_->hessian(x, sigma, weight, h);
   for (int i = 0; i < lambda.size(); ++i) {
     if (lambda[i] == 0) continue;
-    const Growth e(power[i], linear_);
-    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.first), dv = dg_.row(i);
+    const Growth e(power[i], approximation_);
+    const VectorXd c = c_.row(i), dv = dg_.row(i);
+    const Steps of_row = t.of(c);
+    const VectorXd q = c.cwiseProduct(of_row.first);
     const double v = g_[i] + 1;
     MatrixXd add = e.first * dv * q.transpose();
     add += e.first * q * dv.transpose() + e.second * v * q * q.transpose();
-    add.diagonal() += e.first * v * c.cwiseProduct(t.second);
+    add.diagonal() += e.first * v * c.cwiseProduct(of_row.second);
     h.triangularView<Eigen::Lower>() += lambda[i] * add;
   }
 }

@@ -14,7 +14,12 @@ namespace liesl {
 ///   s_i = x_ki ln(x_i/x_ki) where the variable is positive, else x_i - x_ki,
 /// so that value and gradient at x_k are those of the motion (AMMO: Alexandrov, Lewis 2001,
 /// "First-order model management", Optim. Eng. 2), and exact where loads are powers of the
-/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k). A row without size has no correction.
+/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k); or, as in the method of moving asymptotes
+/// (K. Svanberg 1987, Int. J. Numer. Methods Eng. 24), by 1 + c . s, convex where v_s is constant, of
+///   s_i = (U_i - x_ki)^2 [1/(U_i - x_i) - 1/(U_i - x_ki)]   if c_i > 0,
+///   s_i = (x_ki - L_i)^2 [1/(x_ki - L_i) - 1/(x_i - L_i)]   else,
+/// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region.
+/// A row without size has no correction.
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
@@ -47,13 +52,23 @@ class CorrectedProblem final : public StaticProblem {
   struct Steps {
     Eigen::VectorXd s, first, second;
   };
-  Steps steps(const Eigen::VectorXd& x) const;
+  /// What each row goes by: steps where its c is positive, and where not.
+  struct BothSteps {
+    Steps rising, falling;
+    /// Of a row: each entry by the sign of its c.
+    Steps of(const Eigen::VectorXd& c) const;
+  };
+  BothSteps steps(const Eigen::VectorXd& x) const;
+  Steps continuations(const Eigen::VectorXd& x) const;
+  /// @param side 1: between x and U, -1: between L and x
+  Steps reciprocals(const Eigen::VectorXd& x, double side) const;
+  Eigen::VectorXd exponents(const BothSteps& t) const;
   double correct_rows();
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
   const Eigen::VectorXd x_k_;
-  const bool linear_;
+  const Approximation approximation_;
   std::vector<NlpVariable> variables_;
   double rest_ = 0;    ///< of the objective, which `inner` lacks
   RowMatrix c_;        ///< rows x variables

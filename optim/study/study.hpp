@@ -215,8 +215,9 @@ enum class CycleMethod {
 
 /// The factor that makes rows of a trust region agree with the motion to first order at x_k.
 enum class Approximation {
-  Power,  ///< prod (x_i/x_ki)^c_i: linear between logarithms
-  Linear  ///< 1 + c . (x - x_k)
+  Power,   ///< prod (x_i/x_ki)^c_i: linear between logarithms
+  Linear,  ///< 1 + c . (x - x_k)
+  Mma      ///< 1 + c . s with steps s of reciprocals between moving asymptotes: convex
 };
 
 /// Whether the end of a cycle is checked against the optimality conditions of the motion itself.

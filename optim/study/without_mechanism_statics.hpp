@@ -33,8 +33,8 @@ inline std::optional<NoMechanismStatics> without_mechanism_statics(const StudySp
     return NoMechanismStatics{"outlines or constants of the mechanism change with the design",
                               "sizes of sections as the only variables"};
   const ResponseKind kind = limit.response.kind;
-  if (kind == Velocity || kind == AngularVelocity || kind == JointForce || kind == DriveForce ||
-      kind == Energy)
+  if (kind == Velocity || kind == AngularVelocity || kind == Acceleration ||
+      kind == AngularAcceleration || kind == JointForce || kind == DriveForce || kind == Energy)
     return NoMechanismStatics{
         "statics has no velocities, and the loads give the forces in joints, whatever bends",
         "a limit on positions, deformation, section forces or stress"};

@@ -26,6 +26,8 @@ std::vector<ResponseSpec> responses() {
   const auto plain = [](ResponseSpec&) {};
   return {of(ResponseKind::Position, plain),
           of(ResponseKind::Velocity, plain),
+          of(ResponseKind::Acceleration, plain),
+          of(ResponseKind::AngularAcceleration, plain),
           of(ResponseKind::Deflection, plain),
           of(ResponseKind::Coordinate, [](ResponseSpec& r) { r.joint = 1; }),
           of(ResponseKind::JointForce, [](ResponseSpec& r) { r.joint = 1; }),

@@ -61,7 +61,8 @@ std::vector<ResponseSpec> responses(bool planar) {
   const auto plain = [](ResponseSpec&) {};
   for (const auto kind :
        {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::AngularVelocity,
-        ResponseKind::Rotation, ResponseKind::Displacement}) {
+        ResponseKind::Rotation, ResponseKind::Displacement, ResponseKind::Acceleration,
+        ResponseKind::AngularAcceleration}) {
     for (const auto in : {Axes::Body, Axes::Inertial}) {
       add(kind, [in](ResponseSpec& r) { r.in = in; });
       add(kind, [in](ResponseSpec& r) { r.in = in, r.axis = Vec3(0.6, -0.8, 0); });
@@ -101,10 +102,11 @@ std::vector<ResponseSpec> responses(bool planar) {
 /// A random change of all unknowns of a model, and the state it leads to.
 template <class G>
 struct Direction {
-  VectorXd h, v, lambda;
+  VectorXd h, v, vdot, lambda;
   Direction(const Model<G>& model, test::Random& random)
       : h(random.vector(model.size())),
         v(random.vector(model.size())),
+        vdot(random.vector(model.size())),
         lambda(random.vector(model.constraints())) {
     for (const int k : model.amplitudes()) h.template segment<G::dim>(G::dim * k) *= 1e-3;
   }
@@ -124,8 +126,11 @@ struct Direction {
       moved.v.template segment<sd>(G::dim * k) += p * v.template segment<sd>(G::dim * k);
     }
     for (const auto* nodes : {&model.frames(), &model.amplitudes()})
-      for (const int k : *nodes)
-        moved.v.template segment<G::dim>(G::dim * k) += p * v.template segment<G::dim>(G::dim * k);
+      for (const int k : *nodes) {
+        constexpr int dim = G::dim;
+        moved.v.template segment<dim>(dim * k) += p * v.template segment<dim>(dim * k);
+        moved.vdot.template segment<dim>(dim * k) += p * vdot.template segment<dim>(dim * k);
+      }
     moved.lambda += p * lambda;
     model.complete(moved);
     Equations<G>(model).observe(moved, s.rows, moved.rows);
@@ -135,7 +140,8 @@ struct Direction {
     double sum = 0;
     for (const auto& node : g.nodes)
       sum += node.h.dot(h.template segment<G::dim>(G::dim * node.node)) +
-             node.v.dot(v.template segment<G::dim>(G::dim * node.node));
+             node.v.dot(v.template segment<G::dim>(G::dim * node.node)) +
+             node.vdot.dot(vdot.template segment<G::dim>(G::dim * node.node));
     for (const auto& row : g.lambda) sum += row.value * lambda[row.row];
     return sum;
   }
@@ -203,12 +209,61 @@ TEST_P(Responses, HaveTheirGradientsInThePlane) {
   expect_gradients(m, *run.model, in_motion(run), responses(true));
 }
 
-/// Axes of its nodes follow their neighbours.
+bool accelerates(const ResponseSpec& r) {
+  return r.kind == ResponseKind::Acceleration || r.kind == ResponseKind::AngularAcceleration;
+}
+
+/// Axes of its nodes follow their neighbours; those with accelerations are at its ends.
 TEST(Responses, OfAChainOfSegmentsHaveTheirGradients) {
   const Mechanism m = machine(Formalism::Segments);
   const auto run = test::run_planar(m, options(0.03, 5e-4));
   ASSERT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
-  expect_gradients(m, *run.model, in_motion(run), responses(true));
+  const State<SE2> s = in_motion(run);
+  auto all = responses(true);
+  for (ResponseSpec& r : all) {
+    if (!accelerates(r)) continue;
+    EXPECT_THROW(ResponseValues<SE2>(m, *run.model)(r, s), std::invalid_argument) << r.name;
+    r.at.node = 4;
+  }
+  expect_gradients(m, *run.model, s, all);
+}
+
+/// Largest distance of accelerations from the central differences of velocities over the second half
+/// of a motion, of their largest value.
+double gap_of_accelerations(const Mechanism& m, double step, ResponseKind rate,
+                            ResponseKind acceleration) {
+  const auto run = test::run_spatial(m, options(0.03, step));
+  EXPECT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
+  const ResponseValues<SE3> values(m, *run.model);
+  ResponseSpec v, a;
+  v.kind = rate;
+  a.kind = acceleration;
+  v.in = a.in = Axes::Inertial;
+  v.at = a.at = {1, 2, SE3(Mat3::Identity(), {0.01, -0.02, 0})};
+  State<SE3> s = run.model->initial_state();
+  const auto at = [&](const ResponseSpec& r, int n) -> Vec3 {
+    run.trajectory().read(n, s);
+    return values(r, s);
+  };
+  double gap = 0, size = 0;
+  for (int n = run.last() / 2; n < run.last(); ++n) {
+    const Vec3 difference = (at(v, n + 1) - at(v, n - 1)) / (2 * step), exact = at(a, n);
+    gap = std::max(gap, (difference - exact).norm());
+    size = std::max(size, exact.norm());
+  }
+  return gap / size;
+}
+
+TEST_P(Responses, AccelerationsAreTheRatesOfVelocitiesToSecondOrder) {
+  const Mechanism m = machine(GetParam());
+  for (const auto& [rate, acceleration] :
+       {std::pair{ResponseKind::Velocity, ResponseKind::Acceleration},
+        {ResponseKind::AngularVelocity, ResponseKind::AngularAcceleration}}) {
+    const double coarse = gap_of_accelerations(m, 1e-4, rate, acceleration),
+                 fine = gap_of_accelerations(m, 5e-5, rate, acceleration);
+    EXPECT_LT(fine, 0.02) << name_of(acceleration);
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << name_of(acceleration) << " " << coarse;
+  }
 }
 
 TEST_P(Responses, HaveTheirGradientsInSpace) {
@@ -261,8 +316,8 @@ void expect_gradients_of_a_part() {
   const State<G> s = Direction<G>(*run.model, random).from(*run.model, in_motion(run), 0.05);
   std::vector<ResponseSpec> all;
   for (const auto kind :
-       {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::Displacement,
-        ResponseKind::Deflection, ResponseKind::Elongation, ResponseKind::Energy,
+       {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::Acceleration,
+        ResponseKind::Displacement, ResponseKind::Deflection, ResponseKind::Elongation, ResponseKind::Energy,
         ResponseKind::Compliance}) {
     ResponseSpec r;
     r.name = name_of(kind);

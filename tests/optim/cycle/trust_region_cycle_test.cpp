@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "optim/cycle/motion_cycle.hpp"
+#include "optim/cycle/motion_model.hpp"
 #include "optim/nlp/check_derivatives.hpp"
 #include "optim/problems/corrected_problem.hpp"
 #include "optim/problems/motion_problem.hpp"
@@ -66,16 +67,15 @@ double lightest_by_search(const Simulated& s, VectorXd x) {
   return 7850 * M_PI / 4 * 0.3 / static_cast<double>(x.size()) * best;
 }
 
-TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
-  Simulated s(rod());
-  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+/// At x the value and gradient of the motion, and its own derivatives away from it.
+void expect_agreement(const Simulated& s, const VectorXd& x, Approximation approximation) {
   const auto run = s.simulator->run(x);
   ASSERT_TRUE(run.good());
   auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
   const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
   ASSERT_TRUE(motion.reason().empty()) << motion.reason();
   const auto images = inner->images();
-  CorrectedProblem problem(std::move(inner), motion, x, run.mass);
+  CorrectedProblem problem(std::move(inner), motion, x, run.mass, approximation);
   const auto m = static_cast<int>(problem.constraints().size());
   ASSERT_GT(m, 0);
   double f = 0;
@@ -97,6 +97,50 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   const VectorXd away = x.cwiseProduct((VectorXd(4) << 1.05, 0.97, 1.02, 1.04).finished());
   const DerivativeReport report = check_derivatives(problem, away, options);
   EXPECT_TRUE(report.right) << report.text();
+}
+
+TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
+  const Simulated s(rod());
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  for (const auto approximation :
+       {Approximation::Power, Approximation::Linear, Approximation::Mma}) {
+    SCOPED_TRACE(static_cast<int>(approximation));
+    expect_agreement(s, x, approximation);
+  }
+}
+
+/// Rows without a static image, by reciprocals: convex, above their tangent, and finite up to the
+/// bounds, however far these are.
+TEST(CorrectedProblem, MovingAsymptotesAreConvexWithinTheTrustRegion) {
+  Simulated s(rod());
+  s.study.spec.cycle.method = CycleMethod::Full;
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  const auto run = s.simulator->run(x);
+  const std::vector<Scenario<SE2>> motion{
+      {s.study.scene.mechanism, s.space, s.study.scene.simulation}};
+  s.study.spec.cycle.approximation = Approximation::Mma;
+  MotionModel<SE2> model(motion, s.study.spec);
+  const auto surrogate = model.surrogate(*model.analyse(x, {}), x, 0.5, 1e-2);
+  CorrectedProblem& problem = *surrogate.problem;
+  const auto m = static_cast<int>(problem.constraints().size());
+  ASSERT_GT(m, 0);
+  double f = 0;
+  VectorXd g(m), at_x(m), df(4), bound(4);
+  RowMatrix dg(m, 4);
+  problem.values(x, f, at_x);
+  problem.gradients(x, df, dg);
+  for (const bool upper : {false, true}) {
+    for (int i = 0; i < 4; ++i) {
+      const NlpVariable& v = problem.variables()[static_cast<std::size_t>(i)];
+      bound[i] = upper ? v.upper : v.lower;
+    }
+    problem.values(bound, f, g);
+    const VectorXd tangent = at_x + dg * (bound - x);
+    for (int k = 0; k < m; ++k) {
+      EXPECT_TRUE(std::isfinite(g[k]));
+      EXPECT_GT(g[k], tangent[k] + 1e-3 * std::abs(tangent[k] - at_x[k])) << k;
+    }
+  }
 }
 
 /// Corrections belong to rows: looking for violated cases where there is none changes nothing.
@@ -149,7 +193,7 @@ TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
 TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
   Simulated image(rod());
   const auto r = image.optimise();
-  for (const Approximation approximation : {Approximation::Power, Approximation::Linear}) {
+  for (const Approximation approximation : {Approximation::Power, Approximation::Linear, Approximation::Mma}) {
     SCOPED_TRACE(static_cast<int>(approximation));
     StudyCase study = rod();
     study.spec.cycle.approximation = approximation;
