@@ -53,10 +53,9 @@ struct Outputs {
 /// counts against the sum of |weight dy_i/dp|, and against the largest |dy_i/dp|; of an output that
 /// is smaller than `least` of the largest of its kind against that.
 template <class G>
-void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
-                                  const std::vector<Quantity>& quantities, double h = 2e-4,
+void expect_direct_equals_adjoint(const Taped<G>& run, const std::vector<Quantity>& quantities,
                                   int node = 1, double least = 1e-6, double tolerance = 1e-10) {
-  const Taped<G> run(machine, tight(steps * h, h));
+  const long steps = run.tape.steps();
   const auto parameters = run.parameters(quantities);
   const Outputs<G> outputs(run.model, 1, node);
   const int n = outputs.size(), n_p = int(parameters.size());
@@ -76,7 +75,7 @@ void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
       [&](long step, const State<G>& s, StateSensitivity& bars, MatrixXd&) {
         for (int i = 0; i < n; ++i) {
           outputs.add_cotangents(s, i, weight(step), i, bars);
-          if (step == run.tape.steps()) outputs.add_cotangents(s, i, 1, n + i, bars);
+          if (step == steps) outputs.add_cotangents(s, i, 1, n + i, bars);
         }
       },
       gradient);
@@ -96,6 +95,15 @@ void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
   ::testing::Test::RecordProperty("worst_" + std::to_string(steps), std::to_string(1e12 * worst));
 }
 
+/// The same of a machine that takes as many steps of the size h.
+template <class G>
+void expect_direct_equals_adjoint(int steps, const Mechanism& machine,
+                                  const std::vector<Quantity>& quantities, double h = 2e-4,
+                                  int node = 1, double least = 1e-6, double tolerance = 1e-10) {
+  expect_direct_equals_adjoint<G>(Taped<G>(machine, tight(steps * h, h)), quantities, node, least,
+                                  tolerance);
+}
+
 /// How differences are taken.
 struct DifferenceOptions {
   SimulationOptions simulation = tight(0.02, 4e-4);
@@ -106,29 +114,56 @@ struct DifferenceOptions {
   int samples = 0;        ///< of a fit beside the extrapolations; 0: none
 };
 
-/// Outputs [size x records] of the motion with a quantity changed by a share of its nominal value.
-template <class G>
-MatrixXd changed_motion(const Mechanism& machine, const Quantity& quantity, double change,
-                        const SimulationOptions& o, const Outputs<G>& outputs, long records) {
-  Mechanism changed = machine;
-  quantity.set(changed, quantity.nominal * (1 + change));
-  const Taped<G> at(changed, o);
+/// Outputs [size x steps + 1] at all records of a motion, none of whose steps was halved.
+template <FrameGroup G>
+MatrixXd recorded(const Taped<G>& at, const Outputs<G>& outputs) {
   EXPECT_EQ(at.run.report.rejected_steps, 0);
   State<G> s = at.model.initial_state();
-  MatrixXd y(outputs.size(), records);
-  for (int n = 0; n < int(records); ++n) {
+  MatrixXd y(outputs.size(), at.run.trajectory.size());
+  for (int n = 0; n < at.run.trajectory.size(); ++n) {
     at.run.trajectory.read(n, s);
     y.col(n) = outputs.values(s);
   }
   return y;
 }
 
+/// The same with a quantity changed by a share of its nominal value.
+template <class G>
+MatrixXd changed_motion(const Mechanism& machine, const Quantity& quantity, double change,
+                        const SimulationOptions& o, const Outputs<G>& outputs) {
+  Mechanism changed = machine;
+  quantity.set(changed, quantity.nominal * (1 + change));
+  return recorded(Taped<G>(changed, o), outputs);
+}
+
+/// Differences of a motion come to p dy/dp [outputs x steps], relative to the size of each output,
+/// at first with the square of their step. @param number of the quantity, by which the error is
+/// recorded
+inline void expect_limit(const std::function<MatrixXd(double change)>& motion,
+                         const MatrixXd& exact, const VectorXd& size,
+                         const DifferenceOptions& options, const std::string& name,
+                         std::size_t number) {
+  const auto error = [&](const MatrixXd& y) {
+    return (y - exact).cwiseAbs().rowwise().maxCoeff().cwiseQuotient(size).maxCoeff();
+  };
+  Differences differences(motion, options.largest, 6);
+  if (options.samples > 0) differences.fit(motion, 0.7 * options.largest, options.samples);
+  const double best = differences.least(error);
+  EXPECT_LT(best, options.error) << name;
+  ::testing::Test::RecordProperty("best_" + std::to_string(number), std::to_string(1e9 * best));
+  const double coarse = error(differences.central[3]), fine = error(differences.central[4]);
+  if (coarse > 1e-5) {  // else linear in p
+    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << name;
+  }
+}
+
+/// Outputs [size x steps + 1] with quantity p changed by a share of its nominal value.
+using ChangedMotion = std::function<MatrixXd(std::size_t p, double change)>;
+
 /// At every step of the motion, relative to the largest value over it.
 template <class G>
-void expect_differences(const Mechanism& machine, const std::vector<Quantity>& all,
-                        const DifferenceOptions& options = {}) {
-  const SimulationOptions& o = options.simulation;
-  const Taped<G> run(machine, o);
+void expect_differences(const Taped<G>& run, const std::vector<Quantity>& all,
+                        const DifferenceOptions& options, const ChangedMotion& changed) {
   const auto parameters = run.parameters(all);
   const Outputs<G> outputs(run.model, 1, options.node);
   const long records = run.tape.steps() + 1;
@@ -141,24 +176,22 @@ void expect_differences(const Mechanism& machine, const std::vector<Quantity>& a
                                          });
   ASSERT_TRUE(end.complete()) << end.reason;
   for (std::size_t p = 0; p < all.size(); ++p) {
-    const auto motion = [&](double change) {
-      return changed_motion<G>(machine, all[p], change, o, outputs, records);
-    };
     const VectorXd size =
         sizes(exact[p].cwiseAbs().rowwise().maxCoeff(), outputs.groups, options.of_kind ? 1 : 1e-6);
-    const auto error = [&](const MatrixXd& y) {
-      return (y - exact[p]).cwiseAbs().rowwise().maxCoeff().cwiseQuotient(size).maxCoeff();
-    };
-    Differences differences(motion, options.largest, 6);
-    if (options.samples > 0) differences.fit(motion, 0.7 * options.largest, options.samples);
-    const double best = differences.least(error);
-    EXPECT_LT(best, options.error) << all[p].parameter.name;
-    ::testing::Test::RecordProperty("best_" + std::to_string(p), std::to_string(1e9 * best));
-    const double coarse = error(differences.central[3]), fine = error(differences.central[4]);
-    if (coarse > 1e-5) {  // else linear in p
-      EXPECT_NEAR(std::log2(coarse / fine), 2, 0.1) << all[p].parameter.name;
-    }
+    expect_limit([&](double change) { return changed(p, change); }, exact[p], size, options,
+                 all[p].parameter.name, p);
   }
+}
+
+/// Of simulations with each quantity changed in the machine.
+template <class G>
+void expect_differences(const Mechanism& machine, const std::vector<Quantity>& all,
+                        const DifferenceOptions& options = {}) {
+  const Taped<G> run(machine, options.simulation);
+  const Outputs<G> outputs(run.model, 1, options.node);
+  expect_differences<G>(run, all, options, [&](std::size_t p, double change) {
+    return changed_motion<G>(machine, all[p], change, options.simulation, outputs);
+  });
 }
 
 }  // namespace liesl::test

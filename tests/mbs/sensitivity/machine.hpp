@@ -137,8 +137,10 @@ struct Taped {
   Tape<G> tape;
   DynamicResult<G> run;
 
-  Taped(const Mechanism& m, const SimulationOptions& o)
+  /// @param every accepted steps between two checkpoints, see Tape
+  Taped(const Mechanism& m, const SimulationOptions& o, int every = 0)
       : mechanism(m), model(Model<G>::build(m, space_of<G>(m))) {
+    tape.every = every;
     run = simulate(model, o, {}, &tape);
     EXPECT_EQ(run.report.status, SolveStatus::Converged) << run.report.reason;
   }

@@ -91,7 +91,7 @@ TYPED_TEST(MotionSensitivity, FromEquilibrium) {
     const VectorXd gap = exact[p].rowwise().sum() - gradient.row(long(p)).transpose();
     EXPECT_LT(gap.cwiseAbs().cwiseQuotient(sum_size).maxCoeff(), 1e-10) << all[p].parameter.name;
     const auto motion = [&](double change) {
-      return changed_motion<G>(machine, all[p], change, o, outputs, steps + 1);
+      return changed_motion<G>(machine, all[p], change, o, outputs);
     };
     const test::Differences differences(motion, 0.16, 6);
     const double best = differences.least([&](const MatrixXd& y) {
@@ -122,8 +122,7 @@ TYPED_TEST(MotionSensitivity, FromEquilibriumWithADriveByAnExpression) {
                                          });
   ASSERT_TRUE(end.complete()) << end.reason;
   const test::Differences differences(
-      [&](double change) { return changed_motion<G>(machine, of, change, o, outputs, steps + 1); },
-      0.16, 6);
+      [&](double change) { return changed_motion<G>(machine, of, change, o, outputs); }, 0.16, 6);
   const VectorXd size = test::sizes(exact.cwiseAbs().rowwise().maxCoeff(), outputs.groups);
   const double best = differences.least([&](const MatrixXd& y) {
     const MatrixXd error = (y / of.nominal - exact).cwiseAbs();
