@@ -27,4 +27,10 @@ inline MeshModel of_material(const SolidModel& m, const Material& material) {
                                             SolidModel::Options{m.thickness(), m.law()});
 }
 
+/// The same planar mesh of another thickness.
+inline MeshModel of_thickness(const SolidModel& m, double thickness) {
+  return std::make_shared<const SolidModel>(m.mesh(), m.material(), m.interfaces(),
+                                            SolidModel::Options{thickness, m.law()});
+}
+
 }  // namespace liesl::test

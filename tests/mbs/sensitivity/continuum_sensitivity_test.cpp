@@ -4,6 +4,7 @@
 /// of beams.
 
 #include "mbs/sensitivity/forms.hpp"
+#include "mbs/sensitivity/meshed_quantities.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
 #include "reference/continuum.hpp"
 #include "reference/meshed_rod.hpp"
@@ -40,30 +41,6 @@ Mechanism machine_with_stout_rod(SolidLaw law) {
       slider_crank_with(rod_of(law, 0, kRodLength, kRodThickness, kSoftRod, kStoutHeight), 1);
   m.gravity = {0, -9.81, 0};
   return m;
-}
-
-SolidSpec& part(Mechanism& m) { return std::get<SolidSpec>(m.bodies[1].kind); }
-
-/// Sets E, rho or nu of the rod.
-auto material_of_rod(double Material::*constant) {
-  return [constant](Mechanism& m, double p) {
-    Material material = part(m).model->material();
-    material.*constant = p;
-    part(m).model = of_material(*part(m).model, material);
-  };
-}
-
-/// Its material, and in the plane its thickness.
-std::vector<Quantity> of_the_rod(SolidLaw law, int nz = 0) {
-  std::vector<Quantity> all = {
-      {1e9, material_of_rod(&Material::E), {"E", {SolidScale{1, 1e-9, 0}}}},
-      {1200, material_of_rod(&Material::rho), {"rho", {SolidScale{1, 0, 1 / 1200.}}}}};
-  if (nz == 0)
-    all.push_back(
-        {kRodThickness,
-         [law](Mechanism& m, double p) { part(m) = rod_of(law, 0, kRodLength, p, kPlastic); },
-         {"thickness", {SolidScale{1, 1 / kRodThickness, 1 / kRodThickness}}}});
-  return all;
 }
 
 /// Lengths along an axis times a factor.
@@ -112,9 +89,10 @@ TEST(ContinuumSensitivity, AreThoseOfDifferences) {
 
 TEST(ContinuumSensitivity, ByItsOwnParametersDirectEqualsAdjoint) {
   for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean})
-    expect_direct_equals_adjoint<SE2>(20, machine_with_continuum(law), of_the_rod(law));
-  const auto law = SolidLaw::StVenantKirchhoff;
-  expect_direct_equals_adjoint<SE3>(5, machine_with_continuum(law, 1), of_the_rod(law, 1));
+    expect_direct_equals_adjoint<SE2>(20, machine_with_continuum(law),
+                                      scales_of_the_part(machine_with_continuum(law)));
+  const Mechanism in_space = machine_with_continuum(SolidLaw::StVenantKirchhoff, 1);
+  expect_direct_equals_adjoint<SE3>(5, in_space, scales_of_the_part(in_space));
 }
 
 TEST(ContinuumSensitivity, ByItsOwnParametersAreThoseOfDifferences) {
@@ -122,7 +100,8 @@ TEST(ContinuumSensitivity, ByItsOwnParametersAreThoseOfDifferences) {
   options.of_kind = true;
   options.largest = 0.3;
   for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean})
-    expect_differences<SE2>(machine_with_continuum(law), of_the_rod(law), options);
+    expect_differences<SE2>(machine_with_continuum(law),
+                            scales_of_the_part(machine_with_continuum(law)), options);
 }
 
 /// States go with the mesh, as of beams on the group. 100 steps of 0.4 ms: with 0.2 ms round-off of
@@ -153,9 +132,8 @@ TEST(ContinuumSensitivity, OfAveragedInterfacesAreThoseOfDifferences) {
   const auto law = SolidLaw::NeoHookean;
   Mechanism m = machine_with_stout_rod(law);
   part(m).model = with_ties(*part(m).model, Tie::Averaged);
-  auto all = of_the_rod(law);
-  all.pop_back();  // the thickness, of a rod that is made anew
-  all[0] = {1e8, material_of_rod(&Material::E), {"E", {SolidScale{1, 1e-8, 0}}}};
+  auto all = scales_of_the_part(m);
+  all.pop_back();  // the thickness
   all.push_back(lengths(m, kStoutHeight)[0]);
   expect_direct_equals_adjoint<SE2>(20, m, all, 2e-4, 1, 1);
   DifferenceOptions options;
@@ -171,7 +149,7 @@ TEST(ContinuumSensitivity, OfTheEnergyIsThatOfDifferences) {
   const auto o = tight(0.02, 4e-4);
   ResponseSpec energy;
   energy.kind = ResponseKind::Energy;
-  const auto all = of_the_rod(law);
+  const auto all = scales_of_the_part(m);
   const Taped<SE2> run(m, o);
   const auto parameters = run.parameters(all);
   const ResponseValues<SE2> values(run.mechanism, run.model);
