@@ -276,6 +276,16 @@ TEST(TrustRegionCycle, EndsAtTheOptimumOfTheMotionFromEveryStart) {
   }
 }
 
+TEST(TrustRegionCycle, EightDiametersEndOptimalWithinTenCycles) {
+  Simulated s(rod({start(0.008), groups(8)}));
+  const auto r = s.optimise();
+  ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_EQ(r.x.size(), 8);
+  EXPECT_LE(r.history.size(), 10u);
+  EXPECT_LE(r.worst, 1e-4);
+  EXPECT_LE(r.optimality->residual->stationarity, 1e-2);
+}
+
 TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
   Simulated s(rod());
   const auto r = s.optimise();
