@@ -147,6 +147,7 @@ const BadScene kScenes[] = {
     {"NoLoad", "push = { at = \"slider.tip\", force = [1, 0, 0], ", "push = @{ at = \"slider.tip\", ", {"load 'push' is zero"}},
     // Simulation.
     {"StepAboveDuration", "step = 1e-3", "step = @0.6", {"longer than the duration", "0.5 s"}},
+    {"ZeroDuration", "duration = 0.5", "duration = @0", {"out of range: 0", "> 0 (s)"}},
     {"ZeroStep", "step = 1e-3", "step = @0", {"out of range: 0", "> 0 (s)"}},
     {"RhoAboveOne", "step = 1e-3", "rho_inf = @1.5", {"in [0, 1]"}},
     {"UnknownResponse", "\"position\"", "@\"postion\"", {"did you mean 'position'"}},
