@@ -25,11 +25,11 @@ std::vector<Key> part_keys() {
     {"bodies.*.solid.thickness", Type::Number, "m", kOptional, kPositive, "Of a planar mesh, which needs it; half to each side."},
     {"bodies.*.solid.at", Type::Vector, "m", "[0, 0, 0]", kAny, "Position of the origin of the mesh.", 3},
     {"bodies.*.solid.orientation", Type::Vector, "rad", "[0, 0, 0]", kAny, "Rotation vector of the axes of the mesh.", 3},
-    {"bodies.*.solid.as", Type::Choice, "", "\"reduced\"", kAny, "Interfaces and modes in a floating frame, linear in it; or all nodes of the mesh, with any displacement and rotation inside the part (no outline).", 0, "reduced continuum"},
+    {"bodies.*.solid.as", Type::Choice, "", "\"reduced\"", kAny, "Interfaces and modes in a floating frame, linear in it; or all nodes of the mesh, with any displacement and rotation inside the part.", 0, "reduced continuum"},
     {"bodies.*.solid.law", Type::Choice, "", "\"st_venant_kirchhoff\"", kAny, "Of a continuum: St. Venant-Kirchhoff, for small strains in any motion, or compressible neo-Hookean, which resists being pushed flat.", 0, "st_venant_kirchhoff neo_hookean"},
     {"bodies.*.solid.modes", Type::Integer, "", "8", {0, 200}, "Internal modes that are kept, lowest first; not of a continuum."},
     {"bodies.*.solid.damping", Type::Number, "s", "0", kNotNegative, "Stiffness-proportional."},
-    {"bodies.*.solid.ersatz", Type::Table, "", kOptional, kAny, "Stiffness of a cell filled to the fraction v: ratio + (1 - ratio) v^exponent."},
+    {"bodies.*.solid.ersatz", Type::Table, "", kOptional, kAny, "Stiffness of a cell filled to the fraction v: ratio + (1 - ratio) v^exponent; mass: v, of a continuum ratio + (1 - ratio) v."},
     {"bodies.*.solid.ersatz.exponent", Type::Number, "-", "1.4", {1, 10}, "Above 1: partly filled cells are softer than their share."},
     {"bodies.*.solid.ersatz.ratio", Type::Number, "-", "1e-6", {1e-12, 0.1}, "Of an empty cell."},
 

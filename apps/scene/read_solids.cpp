@@ -79,6 +79,7 @@ void build_model(PartReader& part) {
                   fmt::format("keeps {} modes, its mesh has {} free displacements",
                               part.solid.modes, inner),
                   fmt::format("at most {}", std::max(0, inner - 1)));
+    if (part.solid.as == SolidMotion::Continuum) return;  // judged above
     if (const auto cut = cut_interface(model, solid_fractions(part.solid).value))
       part.refuse(key_of(part.table_of("interfaces"), cut->interface),
                   "is not connected: " + cut->text, "material between all interfaces",

@@ -2,19 +2,11 @@
 
 #include <Eigen/QR>
 
-#include "liegroup/rotation.hpp"
-
 namespace liesl {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-/// w x y = turn(y) w, so that y x f = turn(y)^T f.
-template <class G>
-auto turn(const Eigen::Matrix<double, G::space_dim, 1>& y) {
-  return (-RotationOf<G>::cross(y)).eval();
-}
 
 }  // namespace
 

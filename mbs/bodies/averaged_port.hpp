@@ -13,11 +13,18 @@
 #include <Eigen/StdVector>
 #include <vector>
 
+#include "liegroup/rotation.hpp"
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
 #include "mbs/bodies/body.hpp"
 
 namespace liesl {
+
+/// w x y = turn(y) w, so that y x f = turn(y)^T f.
+template <class G>
+auto turn(const Eigen::Matrix<double, G::space_dim, 1>& y) {
+  return (-RotationOf<G>::cross(y)).eval();
+}
 
 template <FrameGroup G>
 class AveragedPort {

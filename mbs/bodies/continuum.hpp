@@ -12,6 +12,10 @@
 /// (NodeKind::Position). Their axes are turned by the polar rotation of the material about them: in
 /// these axes stiffness and mass are those at rest, however far the part has turned, and factors
 /// hold for as long as strains are small.
+///
+/// An outline scales each cell: energy, stress and damping by the ersatz law of its fraction, mass
+/// by the fraction, of which empty cells keep the ratio of that law. Forces are linear in these
+/// factors, so a derivative by them is a body with others.
 
 #include <functional>
 
@@ -37,8 +41,8 @@ class ContinuumBody final : public Body<G> {
 
   /// @param ports frames of the interfaces  @param turn components in their axes from components
   /// in the axes of the mesh
-  /// @throws std::invalid_argument for an outline, a material that is incompressible, a mesh in
-  /// several pieces
+  /// @throws std::invalid_argument for a material that is incompressible, a mesh in several pieces,
+  /// an outline that cuts the part into pieces
   ContinuumBody(std::string body_name, const SolidSpec& spec, const std::vector<G>& ports,
                 const Eigen::Matrix3d& turn);
 
@@ -83,8 +87,9 @@ class ContinuumBody final : public Body<G> {
 
   /// Where all nodes of the mesh are, m, inertial.
   void positions(const G* H, Points& x) const;
-  /// Cauchy stresses at the centres of the cells, a column each, in the axes in which the positions
-  /// of the nodes of the mesh are given, Pa; zero in an inverted cell.
+  /// Cauchy stresses of the material at the centres of the cells, a column each, in the axes in
+  /// which the positions of the nodes of the mesh are given, Pa; zero in a cell that is inverted or
+  /// void.
   Eigen::MatrixXd stresses_at(const Points& x) const;
   int mesh_nodes() const { return static_cast<int>(node_of_.size()); }
   /// Node of the body that a node of the mesh moves with: an interface, or its own.
@@ -99,8 +104,10 @@ class ContinuumBody final : public Body<G> {
   struct Room;
   struct Share;
 
-  /// The derivative of a body by a scale of its law.
-  ContinuumBody(const ContinuumBody& body, const ScaleDerivative& law);
+  /// The derivative of a body by factors of its cells. @param ports that of the stiffness of its
+  /// averaged ports
+  ContinuumBody(const ContinuumBody& body, Eigen::VectorXd stiff, Eigen::VectorXd heavy,
+                double ports);
 
   static std::vector<G> nodes_at_rest(const SolidSpec& spec, const std::vector<G>& ports,
                                       const Eigen::Matrix3d& turn);
@@ -124,9 +131,13 @@ class ContinuumBody final : public Body<G> {
   const Cell& cell(int e) const {
     return shapes_[static_cast<std::size_t>(shape_of_[static_cast<std::size_t>(e)])];
   }
-  const Eigen::MatrixXd& mass_of(int e) const {
-    return cell_mass_[static_cast<std::size_t>(shape_of_[static_cast<std::size_t>(e)])];
+  /// Of one component between corners of a cell.
+  double mass_of(int e, int i, int j) const {
+    const auto shape = static_cast<std::size_t>(shape_of_[static_cast<std::size_t>(e)]);
+    return heavy_[e] * cell_mass_[shape](i, j);
   }
+  /// Has material enough to be judged by what its law and its shape become.
+  bool solid(int e) const;
   /// Values at the corners of a cell.
   void gather(int e, const Points& all, typename Cell::Positions& at) const;
   Vector local_velocity(const BodyState<G>& s, int i) const;
@@ -134,6 +145,7 @@ class ContinuumBody final : public Body<G> {
   void velocities(const BodyState<G>& s, Points& v) const;
   /// Forces on the nodes of the mesh to those of the body.
   void add_to_nodes(const G* H, const Points& f, double* r) const;
+  void respond(int e, Room& room, bool tangent) const;
   void stress_of(int e, Room& room, bool tangent, const double* elastic = nullptr) const;
   void internal_forces(const BodyState<G>& s, Room& room, Points& f, ForceScale* scale,
                        const double* elastic = nullptr) const;
@@ -150,6 +162,7 @@ class ContinuumBody final : public Body<G> {
   Eigen::Index stress_of_port(std::size_t i) const {
     return dim * (stresses() - static_cast<Eigen::Index>(averaged_.size() - i));
   }
+  double viscosity(int e) const { return damping_ * stiff_[e]; }  ///< of the law at rest, s
   Share inertia_share(Levers columns, bool held_only = false) const;
   Share damping_share(Room& room, Levers columns) const;
   template <class Local>
@@ -164,6 +177,8 @@ class ContinuumBody final : public Body<G> {
   Points arm_;                ///< by node of the mesh: in the axes of the port it is held by, m
   Points rest_;               ///< inertial, m
   Eigen::MatrixXi cells_;     ///< corners x cells
+  Eigen::VectorXd fraction_;  ///< by cell: share of material
+  Eigen::VectorXd stiff_, heavy_;  ///< by cell: factors of energy and mass
   std::vector<int> shape_of_;
   std::vector<Cell> shapes_;                ///< cells of equal shape share them
   std::vector<Eigen::MatrixXd> cell_mass_;  ///< by shape, of one component
@@ -172,7 +187,25 @@ class ContinuumBody final : public Body<G> {
   double dead_mass_ = 0, dead_ = 0;         ///< in place of the rotations of positions
   double stiffest_ = 0;
   std::vector<AveragedPort<G>> averaged_;
-  SparseAssembly pattern_{0};
+  SparseAssembly pattern_;
+};
+
+/// What an evaluation computes in.
+template <FrameGroup G>
+struct ContinuumBody<G>::Room final : BodyWorkspace {
+  Points x, v, a, f;
+  typename Cell::Positions at, rates, forces;
+  Eigen::VectorXd E, rate, stress;
+  typename Cell::Response response;
+};
+
+/// A share of a tangent: matrices of the cells in inertial axes, D n x D n, and for each node of
+/// the mesh what its increment or rate moves it by.
+template <FrameGroup G>
+struct ContinuumBody<G>::Share {
+  std::function<void(int, Eigen::MatrixXd&)> cell;
+  Levers columns;
+  bool held_only = false;  ///< the columns of nodes that are positions are zero
 };
 
 extern template class ContinuumBody<SE2>;

@@ -35,7 +35,7 @@ struct ScaleDerivative {
 /// d/dp of what a body is made of, by its kind:
 /// - a beam, whatever it moves as: d(K, M_s)/dp of each element;
 /// - a rigid body: d(inertia)/dp, the generalized inertia about its frame, conjugate to [u; w];
-/// - a meshed part: d(fractions)/dp, not of a continuum; or the scale of its matrices.
+/// - a meshed part: d(fractions)/dp of its cells; or the scale of its matrices.
 template <FrameGroup G>
 using LawDerivative = std::variant<std::vector<ElementSection<G>>, typename G::Matrix,
                                    FractionDerivative, ScaleDerivative>;

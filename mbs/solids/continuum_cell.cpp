@@ -85,12 +85,6 @@ ContinuumCell<D>::ContinuumCell(const Positions& nodes, const Material& material
 }
 
 template <int D>
-void ContinuumCell<D>::scale(double factor) {
-  factor_ *= factor;
-  linear_ *= factor;
-}
-
-template <int D>
 void ContinuumCell<D>::strain(const Positions& x, VectorXd& E) const {
   E.resize(strains());
   for (int g = 0; g < points(); ++g) {
@@ -113,12 +107,17 @@ void ContinuumCell<D>::strain_rate(const Positions& x, const Positions& v, Vecto
 }
 
 template <int D>
-void ContinuumCell<D>::respond(const VectorXd& E, bool tangent, Response& out) const {
+void ContinuumCell<D>::respond(const VectorXd& E, bool tangent, Response& out,
+                               double factor) const {
   out.converged = true;
   if (law_ == SolidLaw::StVenantKirchhoff)
     respond_linearly(E, tangent, out);
   else
     respond_iterated(E, tangent, out);
+  if (factor == 1) return;
+  out.energy *= factor;
+  out.stress *= factor;
+  if (tangent) out.tangent *= factor;
 }
 
 template <int D>
@@ -169,12 +168,9 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
     out.energy = std::numeric_limits<double>::quiet_NaN();
     out.stress.setConstant(out.energy);
   }
-  out.energy *= factor_;
-  out.stress *= factor_;
   if (!tangent) return;
   out.tangent = weighted;
   if (enhanced) out.tangent -= coupled * factor.solve(coupled.transpose());
-  out.tangent *= factor_;
 }
 
 template <int D>
@@ -241,7 +237,7 @@ auto ContinuumCell<D>::central_stress(const Positions& x) const
   const Square sigma = F * as_tensor<D>(at.stress) * F.transpose() / J;
   out.template head<D>() = sigma.diagonal();
   for (int s = D; s < kStrains; ++s) out[s] = sigma(s - D, (s - D + 1) % D);
-  return factor_ * out;
+  return out;
 }
 
 template class ContinuumCell<2>;

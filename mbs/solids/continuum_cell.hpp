@@ -43,14 +43,13 @@ class ContinuumCell {
   int points() const { return static_cast<int>(weight_.size()); }
   int strains() const { return kStrains * points(); }
   double volume() const { return volume_; }  ///< m^3
-  /// Energies, stresses and stiffnesses times a factor, those of the derivative by E among them.
-  void scale(double factor);
 
   /// Green-Lagrange strains of the positions, without the enhancement, of all points.
   void strain(const Positions& x, Eigen::VectorXd& E) const;
   /// Their rate sym(F^T Fdot).
   void strain_rate(const Positions& x, const Positions& v, Eigen::VectorXd& rate) const;
-  void respond(const Eigen::VectorXd& E, bool tangent, Response& out) const;
+  /// @param factor that all of the response is multiplied by
+  void respond(const Eigen::VectorXd& E, bool tangent, Response& out, double factor = 1) const;
   /// Linear law about the undeformed cell, condensed: d(stress)/d(strain) at rest.
   const Eigen::MatrixXd& stiffness() const { return linear_; }
 
@@ -80,7 +79,7 @@ class ContinuumCell {
   std::vector<Positions> gradient_;  ///< grad N by point, 1/m
   Positions central_;                ///< that at the centre
   Eigen::VectorXd weight_;           ///< m^3
-  double volume_ = 0, factor_ = 1;
+  double volume_ = 0;
   Eigen::MatrixXd enhanced_;  ///< M: strains() x modes
   Eigen::MatrixXd linear_;
   Eigen::MatrixXd to_alpha_;  ///< alpha = to_alpha E of the linear law

@@ -15,7 +15,7 @@ struct ContinuumProblem {
   std::string text, expected;
 };
 
-/// An outline, an incompressible material, a mesh in pieces; the first that
+/// An incompressible material, a mesh in pieces, an outline that leaves pieces; the first that
 /// is found.
 std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec);
 

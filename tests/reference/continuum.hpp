@@ -2,6 +2,9 @@
 /// @file
 /// Meshed parts whose nodes all move.
 
+#include <stdexcept>
+
+#include "mbs/solids/volume_fraction.hpp"
 #include "reference/mechanisms.hpp"
 #include "reference/meshed_part.hpp"
 
@@ -19,6 +22,44 @@ inline SolidSpec continuum_block(const Vec3& size, int nx, int ny, int nz, const
   s.as = SolidMotion::Continuum;
   s.law = law;
   return s;
+}
+
+/// Cuts a round hole along z into a part, in the axes of its mesh.
+inline void cut_hole(SolidSpec& part, double x, double y, double radius) {
+  using levelset::FeatureKind;
+  const bool flat = part.mesh().dim == 2;
+  const auto placed = [flat](double at_x, double at_y) {
+    std::vector<double> values = {at_x, at_y, 0};
+    if (!flat) values.resize(6, 0.0);
+    return values;
+  };
+  std::vector<double> circle = placed(x, y);
+  circle.push_back(radius);
+  part.outline = {part.mesh().dim,
+                  {{"plate", FeatureKind::HalfSpace, placed(1e3, 0), {}},
+                   {"hole", FeatureKind::Circle, circle, {}},
+                   {"all", FeatureKind::Difference, {}, {"plate", "hole"}}}};
+}
+
+/// Values of the outline in the order of its parameters, and the number of one of them.
+inline Eigen::VectorXd outline_values(const SolidSpec& part) {
+  return levelset::make_shape(part.outline)->start();
+}
+inline int outline_number(const SolidSpec& part, const std::string& name) {
+  const auto shape = levelset::make_shape(part.outline);
+  for (int i = 0; i < shape->size(); ++i)
+    if (shape->parameters()[static_cast<std::size_t>(i)].name == name) return i;
+  throw std::invalid_argument("the outline has no '" + name + "'");
+}
+
+/// Sets a number of the outline; d(fractions of the cells)/d(that number).
+inline void set_outline(SolidSpec& part, const std::string& name, double value) {
+  Eigen::VectorXd p = outline_values(part);
+  p[outline_number(part, name)] = value;
+  levelset::set_values(part.outline, p);
+}
+inline Eigen::VectorXd fractions_by(const SolidSpec& part, const std::string& name) {
+  return Eigen::MatrixXd(solid_fractions(part).derivative).col(outline_number(part, name));
 }
 
 /// It, clamped at its first end.

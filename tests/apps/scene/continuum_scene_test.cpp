@@ -3,6 +3,7 @@
 /// what their results show.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "apps/good_scene.hpp"
@@ -81,11 +82,20 @@ INSTANTIATE_TEST_SUITE_P(
                      "nu = 0.49995, rho = 1000 }\n\n[bodies.flap.solid]\nas = \"continuum\"\n"
                      "mesh = { from = [0, 0], to = [0.3, 0.03], cells = [12, 2] }\nmaterial = @",
                      {"is incompressible", "nu < 0.4999"}},
-        BadContinuum{"Outline",
-                     "[bodies.flap.solid.interfaces]",
-                     "outline = @{ hole = { type = \"half_space\", x = 1 } }\n\n"
-                     "[bodies.flap.solid.interfaces]",
-                     {"has an outline", "as = \"reduced\""}},
+        BadContinuum{"OutlineThatCutsItsTipOff",
+                     "[bodies.flap.solid.interfaces]\nroot = { set = \"x_min\" }\ntip = ",
+                     "outline = { most = { type = \"half_space\", x = 0.2 } }\n\n"
+                     "[bodies.flap.solid.interfaces]\nroot = { set = \"x_min\" }\ntip = @",
+                     {"no material is left at interface 'tip'", "material between all"}},
+        BadContinuum{"OutlineUnderAnAveragedInterface",
+                     "[bodies.flap.solid.interfaces]\nroot = { set = \"x_min\" }\n"
+                     "tip = { set = \"x_max\"",
+                     "outline = { most = { type = \"half_space\", x = 1 }, corner = { type = "
+                     "\"circle\", x = 0.3, y = 0.03, radius = 0.0295 }, flap = { type = "
+                     "\"difference\", of = [\"most\", \"corner\"] } }\n\n"
+                     "[bodies.flap.solid.interfaces]\nroot = { set = \"x_min\" }\n"
+                     "tip = @{ set = \"x_max\", tie = \"averaged\"",
+                     {"interface 'tip' over nodes in the void", "tie = \"rigid\""}},
         BadContinuum{"LawOfAReducedPart",
                      "as = \"continuum\"",
                      "law = @\"neo_hookean\"",
@@ -120,6 +130,26 @@ TEST(ContinuumScene, ResultsShowItsMeshWhereItIs) {
   for (std::size_t j = 0; j < k; ++j)
     y += mesh.amplitudes[(records - 1) * k + j] * mesh.basis[3 * nodes * j + 3 * middle + 1];
   EXPECT_NEAR(y, tip[3 * (records - 1) + 1] - 0.015, 1e-6);
+}
+
+/// With a hole, a cell is partly filled, its stress is that of the material, and the outline is
+/// drawn by its level.
+TEST(ContinuumScene, ResultsShowItsOutline) {
+  const std::string holed =
+      changed(kFlap, "[bodies.flap.solid.interfaces]",
+              "outline = { most = { type = \"half_space\", x = 1 }, hole = { type = \"circle\", "
+              "x = 0.15, y = 0.0225, radius = 0.006 }, flap = { type = \"difference\", "
+              "of = [\"most\", \"hole\"] } }\n\n[bodies.flap.solid.interfaces]");
+  const Scene scene = read_scene(holed, "a");
+  const RunOutcome out = run_task(scene, choose_space(scene));
+  ASSERT_EQ(out.status, SolveStatus::Converged);
+  const auto& mesh = out.results.meshes[0];
+  ASSERT_EQ(mesh.fractions.size(), 24u);
+  EXPECT_LT(*std::min_element(mesh.fractions.begin(), mesh.fractions.end()), 0.9);
+  EXPECT_EQ(mesh.level.size(), 13u * 3u);
+  const Scene whole = read_scene(kFlap, "a");
+  const RunOutcome plain = run_task(whole, choose_space(whole));
+  EXPECT_GT(out.results.responses[0].values.end()[-2], plain.results.responses[0].values.end()[-2]);
 }
 
 /// An averaged tip bends as a rigid one but for what that stiffens its end.

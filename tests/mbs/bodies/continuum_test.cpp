@@ -3,66 +3,37 @@
 
 #include "mbs/bodies/continuum.hpp"
 
-#include "mbs/run.hpp"
+#include "mbs/bodies/driven_block.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/step_tangent.hpp"
-#include "reference/continuum.hpp"
+#include "reference/ties.hpp"
 
 namespace liesl::test::continuum_test {
 namespace {
 
 using Eigen::VectorXd;
 
-const Material kSoft = {"soft", 2e6, 0.3, 1000};
-
-/// A short block with both ends held, driven at one, with a spring at the other.
+/// A short block.
 template <class G>
-Mechanism driven(double damping, SolidLaw law) {
-  Mechanism m;
-  SolidSpec block = G::space_dim == 2 ? continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoft, law)
-                                      : continuum_block({0.4, 0.1, 0.05}, 3, 1, 1, kSoft, law);
+SolidSpec block_of(double damping, SolidLaw law) {
+  SolidSpec block = G::space_dim == 2 ? continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoftBlock, law)
+                                      : continuum_block({0.4, 0.1, 0.05}, 3, 1, 1, kSoftBlock, law);
   block.damping = damping;
-  block.frame = SE3(SO3::exp({0, 0, 0.4}).R, {0.1, 0.2, 0});
-  m.bodies = {{"block", block}};
-  m.joints = {{"motor", JointType::Revolute, {}, {0, 0}}};
-  m.drives = {{0, 0, TimeFunction::rate(30, 0.02)}};
-  m.gravity = {1, -9.81, G::space_dim == 3 ? 2.0 : 0.0};
-  LoadSpec push;
-  push.name = "push";
-  push.port = {0, 1};
-  push.force = {40, -60, G::space_dim == 3 ? 25.0 : 0.0};
-  m.loads = {push};
-  ForceSpec spring;
-  spring.name = "spring";
-  spring.a = {-1, 0, SE3(Mat3::Identity(), {0.6, 0.8, 0})};
-  spring.b = {0, 1};
-  spring.stiffness = 200;
-  spring.rest = 0.3;
-  m.forces = {spring};
-  return m;
+  return block;
 }
 
 template <class G>
 class ContinuumTest : public ::testing::Test {
  protected:
-  static constexpr int kDim = G::dim;
   using Tangent = typename G::Tangent;
 
   explicit ContinuumTest(double damping = 0)
       : model(Model<G>::build(mechanism(damping), space_of<G>(mechanism(damping)))),
         body(*model.bodies[0]) {
-    Random random(5);
-    s = model.initial_state();
-    VectorXd h = 0.02 * random.vector(model.size());
-    s.v = random.vector(model.size());
-    s.vdot = random.vector(model.size());
-    for (const int k : model.positions())
-      for (auto* x : {&h, &s.v, &s.vdot})
-        x->template segment<G::rotation_dim>(kDim * k + G::space_dim).setZero();
-    model.retract(s, h);
+    s = disturbed(model, 0.02);
   }
   static Mechanism mechanism(double damping) {
-    return driven<G>(damping, SolidLaw::StVenantKirchhoff);
+    return driven<G>(block_of<G>(damping, SolidLaw::StVenantKirchhoff));
   }
   BodyState<G> state() const { return model.body_state(s, 0); }
   VectorXd internal(const State<G>& at) const {
@@ -165,7 +136,7 @@ TYPED_TEST(ContinuumTest, WeighsWhatItsMeshDoes) {
 TYPED_TEST(ContinuumTest, TangentsAreExact) {
   constexpr int dim = TypeParam::dim, sd = TypeParam::space_dim;
   for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
-    const Mechanism m = driven<TypeParam>(1e-4, law);
+    const Mechanism m = driven<TypeParam>(block_of<TypeParam>(1e-4, law));
     const auto damped = Model<TypeParam>::build(m, space_of<TypeParam>(m));
     StepTangent<TypeParam> tangent(damped, options(0.02, 5e-4, 0.8, 1e-9), 30);
     tangent.expect_exact("motion");
@@ -191,7 +162,7 @@ TYPED_TEST(ContinuumTest, NamesACellThatIsInverted) {
 
 /// Of a cell whose law has no stress, here at a point, there are no forces; it is named.
 TYPED_TEST(ContinuumTest, NamesACellWithoutStress) {
-  const Mechanism m = driven<TypeParam>(0, SolidLaw::NeoHookean);
+  const Mechanism m = driven<TypeParam>(block_of<TypeParam>(0, SolidLaw::NeoHookean));
   const auto neo = Model<TypeParam>::build(m, space_of<TypeParam>(m));
   State<TypeParam> at = neo.initial_state();
   EXPECT_EQ(neo.bodies[0]->no_forces(at.H.data()), "");
@@ -200,28 +171,45 @@ TYPED_TEST(ContinuumTest, NamesACellWithoutStress) {
             std::string::npos);
 }
 
+std::string refusal(const SolidSpec& part) {
+  const Mechanism m = clamped(part);
+  try {
+    Model<SE2>::build(m, space_of<SE2>(m));
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+  return "none";
+}
+
 /// What cannot be a continuum is refused with what would do.
 TEST(Continuum, RefusesWhatItCannotBe) {
-  const auto refusal = [](const SolidSpec& part) -> std::string {
-    const Mechanism m = clamped(part);
-    try {
-      Model<SE2>::build(m, space_of<SE2>(m));
-    } catch (const std::invalid_argument& error) {
-      return error.what();
-    }
-    return "none";
-  };
-  SolidSpec part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoft);
+  SolidSpec part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, kSoftBlock);
   EXPECT_EQ(refusal(part), "none");
-  part.outline = {2, {{"bar", levelset::FeatureKind::HalfSpace, {2, 0, 0}, {}}}};
-  EXPECT_NE(refusal(part).find("has an outline, which cuts cells"), std::string::npos);
   part = continuum_block({0.4, 0.1, 0.05}, 4, 2, 0, {"water", 1e6, 0.5, 1000});
   EXPECT_NE(refusal(part).find("is incompressible"), std::string::npos);
   SolidMesh apart = quad_grid({0, 0}, {1, 1}, 3, 1);
   apart.cells.col(1) = apart.cells.col(0);
-  part.outline = {};
-  part.model = mesh_with_ends(apart, kSoft, {0, 0.5, 0}, {1, 0.5, 0});
+  part.model = mesh_with_ends(apart, kSoftBlock, {0, 0.5, 0}, {1, 0.5, 0});
   EXPECT_NE(refusal(part).find("has a mesh of 2 pieces"), std::string::npos) << refusal(part);
+}
+
+/// Outlines that leave an interface bare, an island, or nothing under a force.
+TEST(Continuum, RefusesOutlinesThatLeavePieces) {
+  using levelset::FeatureKind;
+  SolidSpec part = continuum_block({0.4, 0.1, 0.05}, 32, 8, 0, kSoftBlock);
+  cut_hole(part, 0.2, 0, 0.04);
+  EXPECT_EQ(refusal(part), "none");
+  part.outline.features[0].values[0] = 0.3;
+  EXPECT_NE(refusal(part).find("no material is left at interface 'b'"), std::string::npos);
+  cut_hole(part, 0.2, 0, 0.04);
+  part.outline.features.back().operands = {"plate", "gap"};
+  part.outline.features.push_back({"island", FeatureKind::Circle, {0.2, 0, 0, 0.01}, {}});
+  part.outline.features.push_back({"gap", FeatureKind::Difference, {}, {"hole", "island"}});
+  EXPECT_NE(refusal(part).find("is cut into 2 pieces by its outline"), std::string::npos);
+  cut_hole(part, 0.4, 0.05, 0.03);
+  EXPECT_EQ(refusal(part), "none");
+  part.model = with_ties(*part.model, Tie::Averaged);
+  EXPECT_NE(refusal(part).find("averaged interface 'b' over nodes in the void"), std::string::npos);
 }
 
 }  // namespace
