@@ -25,12 +25,27 @@ bool same_frames(const std::vector<SE3>& a, const std::vector<SE3>& b) {
   return equal;
 }
 
-/// The same cells, interfaces of the same nodes, the same law.
+/// The same features, whatever their numbers.
+bool same_features(const levelset::ShapeSpec& a, const levelset::ShapeSpec& b) {
+  return std::ranges::equal(a.features, b.features, [](const auto& x, const auto& y) {
+    return x.name == y.name && x.kind == y.kind && x.operands == y.operands &&
+           x.values.size() == y.values.size();
+  });
+}
+
+/// Numbers of the outline, as the derivatives of its fractions are ordered.
+Eigen::VectorXd outline_values(const SolidSpec& solid) {
+  if (solid.outline.features.empty()) return {};
+  return levelset::make_shape(solid.outline)->start();
+}
+
+/// The same cells, interfaces of the same nodes, the same law, an outline of the same features.
 bool same_mesh(const SolidSpec& a, const SolidSpec& b) {
   const auto &x = a.mesh().cells, &y = b.mesh().cells;
   bool equal = a.as == b.as && a.law == b.law && a.modes == b.modes &&
                a.mesh().node_count() == b.mesh().node_count() && x.rows() == y.rows() &&
-               x.cols() == y.cols() && x == y && a.interfaces().size() == b.interfaces().size();
+               x.cols() == y.cols() && x == y && a.interfaces().size() == b.interfaces().size() &&
+               same_features(a.outline, b.outline);
   for (std::size_t i = 0; equal && i < a.interfaces().size(); ++i)
     equal = a.interfaces()[i].nodes == b.interfaces()[i].nodes &&
             a.interfaces()[i].tie == b.interfaces()[i].tie;
@@ -48,11 +63,9 @@ bool same_nu(const SolidSpec& a, const SolidSpec& b) {
   return a.model->material().nu == b.model->material().nu;
 }
 
-/// Of all that modes depend on but the outline.
-bool same_modes(const SolidSpec& a, const SolidSpec& b) {
+bool same_ersatz(const SolidSpec& a, const SolidSpec& b) {
   const ErsatzLaw &x = a.model->law(), &y = b.model->law();
-  return same_nu(a, b) && a.mesh().nodes == b.mesh().nodes && x.exponent == y.exponent &&
-         x.ratio == y.ratio;
+  return x.exponent == y.exponent && x.ratio == y.ratio;
 }
 
 bool same_kind(const BodySpec& a, const BodySpec& b) {
@@ -272,23 +285,23 @@ class Differences {
       p.parts.push_back(by_p);
   }
 
-  /// E, rho and the thickness scale the matrices; the modes of a reduced part, and no more, follow
-  /// what else changes.
+  /// E, rho and the thickness scale the matrices, numbers of the outline change the fractions of
+  /// cells, which the modes of a reduced part follow; they follow nothing else.
   void add_solid(int b, Parameter& p) {
     const auto of = [b](const Mechanism& m) -> const SolidSpec& {
       return std::get<SolidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
     };
     const SolidSpec& solid = of(at_);
-    if (solid.as == SolidMotion::Reduced) {
-      const Eigen::VectorXd fractions = solid_fractions(solid).value;
-      require("Poisson's ratio, mesh, ersatz law or outline of the meshed body '" +
+    if (solid.as == SolidMotion::Reduced)
+      require("Poisson's ratio, mesh or ersatz law of the meshed body '" +
                   at_.bodies[static_cast<std::size_t>(b)].name + "'",
               [&](const Mechanism& m) {
-                return same_modes(of(m), solid) && solid_fractions(of(m)).value == fractions;
+                return same_nu(of(m), solid) && of(m).mesh().nodes == solid.mesh().nodes &&
+                       same_ersatz(of(m), solid);
               });
-    }
     differs_unless([&](const Mechanism& m) {
-      return same_nu(of(m), solid) && same_places(of(m), solid) && of(m).damping == solid.damping;
+      return same_nu(of(m), solid) && same_places(of(m), solid) && same_ersatz(of(m), solid) &&
+             of(m).damping == solid.damping;
     });
     const auto relative = [&](auto get) {
       const double by_p = difference([&](const Mechanism& m) { return get(*of(m).model); });
@@ -298,6 +311,10 @@ class Differences {
     const SolidScale by_p{b, t + relative([](const SolidModel& m) { return m.material().E; }),
                           t + relative([](const SolidModel& m) { return m.material().rho; })};
     if (by_p.stiffness != 0 || by_p.mass != 0) p.parts.push_back(by_p);
+    const Eigen::VectorXd by_values =
+        difference([&](const Mechanism& m) { return outline_values(of(m)); });
+    if (!by_values.isZero(0))
+      p.parts.push_back(SolidDerivative{b, solid_fractions(solid).derivative * by_values});
   }
 
   void compare_joints() {

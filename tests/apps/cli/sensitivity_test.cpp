@@ -221,6 +221,49 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({study("batch_rod")}, "this is a batch");
 }
 
+/// A flap with a hole by the radius and the place of that, as a continuum and reduced.
+TEST_F(Sensitivity, OfAnOutlineByItsKeysIsThatOfDifferences) {
+  for (const std::string as : {"continuum", "reduced"}) {
+    const fs::path flap = write("flap.toml", R"(name = "flap"
+[materials]
+rubber = { E = 1e6, nu = 0.3, rho = 1000 }
+
+[bodies.flap.solid]
+as = ")" + as + R"("
+mesh = { from = [0, 0], to = [0.3, 0.03], cells = [40, 4] }
+material = "rubber"
+thickness = 0.02
+damping = 1e-3
+
+[bodies.flap.solid.outline]
+plate = { type = "half_space", x = 1 }
+hole = { type = "circle", x = 0.101, y = 0.0145, radius = 0.0092 }
+all = { type = "difference", of = ["plate", "hole"] }
+
+[bodies.flap.solid.interfaces]
+root = { set = "x_min" }
+tip = { set = "x_max" }
+
+[joints]
+clamp = { fixed = ["ground", "flap.root"] }
+
+[loads]
+push = { at = "flap.tip", force = [0, 0.1, 0] }
+
+[simulation]
+duration = 0.04
+step = 1e-3
+
+[responses]
+tip = { response = "position", at = "flap.tip" }
+)");
+    const std::string hole = "bodies.flap.solid.outline.hole.";
+    const Outcome o = run({"sensitivity", flap, "--by", hole + "radius", "--by", hole + "x",
+                           "--functionals", "rms", "--check"});
+    EXPECT_EQ(o.code, 0) << o.out << o.err;
+  }
+}
+
 /// Two modes of a meshed part follow its outline: with modes that are kept, "tilt" is off by 4e-2
 /// and the elongation by 8e-3.
 TEST_F(Sensitivity, OfAnOutlineIsThatOfDifferencesWithFewModes) {

@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "mbs/model/beam_ends.hpp"
+#include "reference/continuum.hpp"
 #include "reference/meshed_rod.hpp"
 
 namespace liesl::test::mechanism_derivative_test {
@@ -238,6 +239,27 @@ TEST(MechanismDerivative, OfMeshedPartsByMaterialAndThickness) {
         scale([](auto&, auto&, SolidModel::Options& of, double p) { of.thickness *= 1 + p; });
     EXPECT_NEAR(by_thickness.stiffness, 1, 1e-12);
     EXPECT_NEAR(by_thickness.mass, 1, 1e-12);
+  }
+}
+
+/// Numbers of an outline change the fractions of cells, to first order by the numbers alone.
+TEST(MechanismDerivative, OfOutlinesIsOfTheFractionsOfTheirCells) {
+  for (const SolidMotion as : {SolidMotion::Reduced, SolidMotion::Continuum}) {
+    Mechanism m = with_mesh(as);
+    auto& holed_rod = std::get<SolidSpec>(m.bodies[1].kind);
+    cut_hole(holed_rod, 0.1, 0.001, 0.004);
+    const auto by = only<SolidDerivative>(parameter(
+        [](Mechanism& c, double p) {
+          auto& holed = std::get<SolidSpec>(c.bodies[1].kind);
+          set_outline(holed, "hole.radius", 0.004 + 2 * p);
+          set_outline(holed, "hole.x", 0.1 - p);
+        },
+        1e-4, m));
+    const Eigen::VectorXd exact =
+        2 * fractions_by(holed_rod, "hole.radius") - fractions_by(holed_rod, "hole.x");
+    EXPECT_EQ(by.body, 1);
+    ASSERT_GT(exact.norm(), 0);
+    EXPECT_LT((by.fractions - exact).norm(), 1e-10 * exact.norm());
   }
 }
 
