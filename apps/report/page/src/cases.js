@@ -5,6 +5,7 @@ import { badge } from './tables.js';
 import { quantity, tick } from './format.js';
 import { kSeries } from './colors.js';
 import { swatch } from './charts.js';
+import { paperTables } from './paper.js';
 import { Scatter } from './scatter.js';
 
 const kMostRows = 400;  // shown at once
@@ -16,7 +17,8 @@ export function cases(data) {
 }
 
 class CaseTable {
-  constructor(columns, data, compare) {
+  constructor(all, data, compare) {
+    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== ''));
     Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
     this.count = columns.length ? columns[0].cells.length : 0;
     this.rows = [...Array(this.count).keys()];
@@ -36,7 +38,11 @@ class CaseTable {
     this.body = el('tbody', {});
     this.note = el('p', { class: 'note', 'aria-live': 'polite' });
     this.said = el('p', { class: 'note', id: 'said', 'aria-live': 'polite' });
-    const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said,
+    const paper = el('div', { class: 'printed paper' });
+    addEventListener('beforeprint', () =>
+      paper.replaceChildren(...paperTables(this.columns, this.rows.slice(0, kMostRows), (c) => c.name, (c, row) => this.cell(c, row))));
+    addEventListener('afterprint', () => paper.replaceChildren());
+    const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said, paper,
       el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
     node.classList.add('wide');
     this.update();
@@ -143,22 +149,28 @@ function shadeKey(column, low, high) {
   return el('span', {}, tick(low, 3), ' ', strip, ' ', tick(high, 3), column.unit ? ` ${column.unit}` : '');
 }
 
-/** A comparison: error against time, the fewer of both the better. */
+const kMeasured = new Set(['run', 'error', 'cpu_s', 'cpu_spread', 'steps', 'newton_iterations', 'tangent_refreshes', 'rejected_steps',
+  'factorizations', 'energy_drift', 'momentum_drift', 'angular_momentum_drift', 'constraint_residual', 'floor', 'reason',
+  'simulations', 'sensitivities', 'mass', 'violation', 'kkt']);
+
+/** A comparison: error, or what was optimised, against time, the fewer of both the better. */
 function precision(table) {
   const error = table.column('error'), time = table.column('cpu_s');
-  if (!error || !time) return null;
-  const group = table.column('formalism') ?? table.columns[1];
+  const value = error ?? table.column(table.data.summary.response) ?? table.column('mass') ?? table.column('mass_final');
+  if (!value?.number || !time?.number) return null;
+  const varied = table.columns.filter((c) => !kMeasured.has(c.name) && c !== value);
+  const group = table.column('formalism') ?? table.column('method') ?? varied.find((c) => !c.number && new Set(c.cells).size > 1) ?? table.columns[1];
   const groups = [...new Set(group.cells.map(String))];
-  const known = new Set(['run', 'error', 'cpu_s', 'cpu_spread', 'steps', 'newton_iterations', 'tangent_refreshes', 'rejected_steps',
-    'factorizations', 'energy_drift', 'momentum_drift', 'angular_momentum_drift', 'constraint_residual', 'floor', 'reason']);
-  const varied = table.columns.filter((c) => !known.has(c.name)).map((c) => c.name);
-  const scatter = new Scatter({ describe: (row) => table.describe(row, [...varied, 'error', 'cpu_s', 'steps']) });
+  const scatter = new Scatter({ describe: (row) => table.describe(row, [...varied.map((c) => c.name), value.name, 'cpu_s', 'steps', 'violation', 'kkt']) });
+  const violated = (row) => table.column('violation')?.cells[row] > 1e-3;
   table.listeners.push(() => scatter.set(
-    table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: error.cells[row] ?? NaN, row, group: String(group.cells[row]) })),
-    { xlabel: table.label(time), ylabel: table.label(error), logx: true, logy: true, groups, lines: true }));
+    table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: value.cells[row] ?? NaN, row, group: String(group.cells[row]), hollow: violated(row) })),
+    { xlabel: table.label(time), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
   const legend = el('div', { class: 'legend' }, groups.map((g, i) => el('span', {}, swatch(kSeries[i % kSeries.length]), g)));
-  const node = card('Error against time', legend, scatter.node,
-    el('p', { class: 'note' }, 'Each point is a row of the table; lines join those that no other of the same kind beats in both.'));
+  const title = value.name.replace('_', ' ');
+  const node = card(`${title[0].toUpperCase()}${title.slice(1)} against time`, legend, scatter.node,
+    el('p', { class: 'note' }, 'Each point is a row of the table; lines join those that no other of the same kind beats in both.',
+      table.rows.some(violated) ? ' Hollow: limits are not met.' : ''));
   node.classList.add('wide');
   return node;
 }

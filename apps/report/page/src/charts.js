@@ -12,11 +12,27 @@ const kPrinted = 318;  // pixels of a chart on a sheet, two beside each other
 addEventListener('beforeprint', () => kPlots.forEach((p) => p.setSize({ width: kPrinted, height: p.height })));
 addEventListener('afterprint', () => kPlots.forEach((p) => p.setSize({ width: p.root.parentElement.clientWidth, height: p.height })));
 
+const kHeight = 190;  // pixels
 const kDashed = { initial: [5, 4], total: [5, 4] };  // so that what lies beneath is seen
 const colourOf = (label, i) => (label === 'initial' ? kSeries[1] : label === 'final' ? kSeries[0] : kSeries[i % kSeries.length]);
 
+const kMostCharts = 8;  // at once: more are folded
+
+/** Charts of what has more than two records, as cards; of many those nearest to their limit, and the rest folded. */
+export function timeCharts(list, clock) {
+  const charts = list.filter((d) => d.lines.some((l) => l.x.n > 2));
+  if (charts.length <= kMostCharts) return charts.map((d) => timeChart(d, clock));
+  const used = new Map(charts.map((d) => [d, d.limit ? peak(array(d.lines[d.lines.length - 1].y)) / d.limit : 0]));
+  charts.sort((a, b) => used.get(b) - used.get(a));
+  const shown = charts.slice(0, kMostCharts), rest = charts.slice(kMostCharts), body = el('div', { class: 'column' });
+  const open = () => body.childNodes.length || body.append(...rest.map((d) => timeChart(d, clock)));
+  const which = used.get(charts[0]) > 0 ? `, further from their limits` : '';
+  return [...shown.map((d) => timeChart(d, clock)),
+    el('details', { class: 'card folded', ontoggle: open }, el('summary', {}, `${rest.length} more charts${which}`), body)];
+}
+
 /** A chart of the page's data as a card; the clock may be null. */
-export function timeChart(d, clock) {
+function timeChart(d, clock) {
   const all = d.lines.map((l) => ({ label: l.label, x: array(l.x), y: array(l.y) }));
   const moving = all.filter((l) => peak(l.y) > 0), lines = moving.length ? moving : all;
   const still = all.filter((l) => !lines.includes(l)).map((l) => l.label);
@@ -26,6 +42,7 @@ export function timeChart(d, clock) {
   const unit = scale.unit && scale.unit !== '-' ? `\u00a0${scale.unit}` : '';
   const legend = el('div', { class: 'legend' });
   const holder = el('div', { class: 'plot' });
+  holder.style.minHeight = `${d.height ?? kHeight}px`;  // it is drawn later than the columns are measured
   const over = lines.map((l) => peak(l.y) / d.limit - 1);
   const head = el('h2', {}, d.title, el('span', { class: 'unit' }, scale.unit ? ` [${scale.unit}]` : ''));
   const box = el('section', { class: 'card chart', 'data-chart': d.title }, head, legend, holder);
@@ -85,7 +102,7 @@ function draw(holder, lines, d, scale) {
   const tables = lines.map((l) => [l.x, Array.from(l.y, (y) => (Number.isFinite(y) ? y / scale.factor : null))]);
   const data = tables.length > 1 ? uPlot.join(tables.map((t) => t.map((c) => Array.from(c)))) : tables[0];
   const plot = new uPlot({
-    width: 400, height: d.height ?? 190, padding: [8, 16, 0, 0],
+    width: 400, height: d.height ?? kHeight, padding: [8, 16, 0, 0],
     legend: { show: false },
     cursor: { points: { size: 6 }, drag: { x: true, y: false }, y: false },
     scales: { x: { time: false }, y: { range: (_, low, high) => range(low, high, d.limit ? d.limit / scale.factor : null) } },
@@ -99,7 +116,7 @@ function draw(holder, lines, d, scale) {
     }] },
   }, data, holder);
   new ResizeObserver(() => {
-    if (holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: d.height ?? 190 });
+    if (holder.clientWidth) plot.setSize({ width: holder.clientWidth, height: d.height ?? kHeight });
   }).observe(holder);
   kPlots.push(plot);
   return plot;

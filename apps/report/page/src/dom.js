@@ -19,7 +19,7 @@ function fill(node, attributes, children) {
     else node.setAttribute(key, value === true ? '' : value);
   }
   for (const child of children.flat()) {
-    if (child === undefined || child === null) continue;
+    if (child === undefined || child === null || child === false) continue;
     node.append(child instanceof Node ? child : document.createTextNode(String(child)));
   }
 }

@@ -1,11 +1,12 @@
 // The page: reads its data, puts the cards together.
 
 import { cases } from './cases.js';
-import { timeChart } from './charts.js';
+import { timeCharts } from './charts.js';
 import { Clock } from './clock.js';
 import { cycles } from './cycles.js';
 import { array, load } from './data.js';
 import { el, isDark, setTheme } from './dom.js';
+import { lean } from './lean.js';
 import { maps } from './map.js';
 import { Player } from './player.js';
 import * as tables from './tables.js';
@@ -22,11 +23,14 @@ function page() {
   if (player) add(left, player.node);
   player?.start();
   const timed = player && !player.shapes ? clock : null;
-  if (!player || timed) add(right, ...data.charts.map((d) => timeChart(d, timed)));
-  const wide = [maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
-  add(left, tables.limits(s));
-  add(twoColumns() && right.offsetHeight < left.offsetHeight ? right : left, tables.design(s));
-  add(right, data.motion?.abscissa === 'frequency' || !tables.limits(s) ? tables.responses(s, data.charts[0]) : null, tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s));
+  if (!player || timed) add(right, ...timeCharts(data.charts, timed));
+  const wide = [...lean(s), maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
+  const limits = tables.limits(data);
+  const shorter = (otherwise) => (!twoColumns() ? otherwise : right.offsetHeight < left.offsetHeight ? right : left);
+  for (const node of [limits, tables.design(s)]) add(shorter(left), node);
+  for (const node of [data.motion?.abscissa === 'frequency' || !limits ? tables.responses(s, data.charts[0]) : null,
+    tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s)])
+    add(shorter(right), node);
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
   const origin = tables.provenance(data);
   origin.classList.add('wide');
@@ -34,6 +38,7 @@ function page() {
   if (!left.childNodes.length) left.remove();
   if (!right.childNodes.length) right.remove();
   main.classList.toggle('single', !(left.isConnected && right.isConnected));
+  for (const column of [left, right]) keepInSight(column);
   addEventListener('keydown', (event) => {
     const typing = event.target.matches?.('input:not([type=range]), select, textarea');
     const sliding = event.target.matches?.('input[type=range]') && event.key.startsWith('Arrow');
@@ -47,6 +52,13 @@ function page() {
 /** Are the two columns side by side, as in style.css? */
 function twoColumns() {
   return matchMedia('(min-width: 981px)').matches;
+}
+
+/** The shorter column stays in sight while the longer one is read: from its top, or its end if it is higher than the window. */
+function keepInSight(column) {
+  const place = () => (column.style.top = `${Math.min(14, innerHeight - column.offsetHeight - 14)}px`);
+  new ResizeObserver(place).observe(column);
+  addEventListener('resize', place);
 }
 
 /** When the limit is reached that is violated most, or has least to spare. */

@@ -21,7 +21,7 @@ export class Scatter {
     addEventListener('beforeprint', () => this.draw());
   }
 
-  /** @param points [{x, y, row, group}]  @param o {xlabel, ylabel, logx, logy, groups, lines, shade} */
+  /** @param points [{x, y, row, group, hollow}]  @param o {xlabel, ylabel, logx, logy, groups, lines, shade} */
   set(points, o) {
     this.o = o;
     this.points = points.filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y) && (!o.logx || p.x > 0) && (!o.logy || p.y > 0));
@@ -86,18 +86,18 @@ export class Scatter {
   drawPoint(ctx, p, r) {
     ctx.beginPath();
     ctx.arc(this.ax.at(p.x), this.ay.at(p.y), r, 0, 2 * Math.PI);
-    ctx.fillStyle = this.colour(p);
+    ctx.fillStyle = p.hollow ? theme('card') : this.colour(p);
     ctx.globalAlpha = p === this.hovered ? 1 : 0.82;
     ctx.fill();
     ctx.globalAlpha = 1;
-    ctx.strokeStyle = theme('card');
+    ctx.strokeStyle = p.hollow ? this.colour(p) : theme('card');
     ctx.stroke();
   }
 
   /** The lower left border of each group: no point of it is better in both. */
   drawLines(ctx) {
     for (const group of this.o.groups) {
-      const all = this.points.filter((p) => p.group === group).sort((a, b) => a.x - b.x || a.y - b.y);
+      const all = this.points.filter((p) => p.group === group && !p.hollow).sort((a, b) => a.x - b.x || a.y - b.y);
       const border = [];
       for (const p of all) if (!border.length || p.y < border[border.length - 1].y) border.push(p);
       if (border.length < 2) continue;

@@ -1,6 +1,7 @@
 // Figures of a summary as tables: head, limits, design, provenance.
 
 import { card, el } from './dom.js';
+import { leanTiles } from './lean.js';
 import { number, percent, prose, quantities, quantity, tick } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
@@ -11,8 +12,8 @@ export function badge(status) {
   return el('span', { class: `badge ${kind}` }, status);
 }
 
-/** What is optimised: a motion, or a part under fixed loads. */
-const subject = (s) => (s.load_cases ? 'study' : 'motion');
+/** What is optimised: a motion, or a part under fixed or growing loads. */
+const subject = ({ motion, summary }) => (summary.load_cases || (motion && motion.abscissa !== 'time') ? 'study' : 'motion');
 
 const kMeaning = {
   optimal: 'The optimality conditions of the motion hold, and all limits are met.',
@@ -29,14 +30,14 @@ function sentence(text) {
   return /[.!?]$/.test(printed) ? printed : `${printed}.`;
 }
 
-function tile(label, value, note, kind) {
+export function tile(label, value, note, kind) {
   return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
 }
 
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
   const s = data.summary;
-  const tiles = [];
+  const tiles = leanTiles(s);
   if (s.mass_initial !== undefined)
     tiles.push(tile('mass', `${quantity(s.mass_initial, 'kg')} \u2192 ${quantity(s.mass_final, 'kg')}`, percent(s.mass_final / s.mass_initial - 1)));
   if (s.objective && s.objective.quantity !== 'mass')
@@ -46,42 +47,54 @@ export function head(data) {
     tiles.push(tile('worst limit', percent(s.worst_constraint), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
   if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
   if (s.kkt_residual !== undefined)
-    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(s)}` : `not optimal for the ${subject(s)}`));
+    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(data)}` : `not optimal for the ${subject(data)}`));
   if (s.frequencies_hz?.length) tiles.push(tile('lowest frequency', quantity(s.frequencies_hz[0], 'Hz', 4), `of ${s.frequencies_hz.length}`));
   else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
-    el('p', { class: 'reason' }, sentence(s.reason), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(s))) : null),
+    el('p', { class: 'reason' }, sentence(s.reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(data))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
     tiles.length ? el('div', { class: 'tiles' }, tiles) : null);
 }
 
-function table(heading, rows, kinds = []) {
-  const cell = (tag, x, i) => el(tag, { class: kinds[i] ?? '' }, x);
+/** Columns in which no row says anything are left out. */
+export function table(heading, rows, kinds = []) {
+  const said = heading.map((_, i) => i === 0 || rows.some((row) => row[i] !== '\u2013'));
+  const cell = (tag, x, i) => said[i] && el(tag, { class: kinds[i] ?? '' }, x);
   return el('div', { class: 'scroll' }, el('table', {},
     el('thead', {}, el('tr', {}, heading.map((h, i) => cell('th', h, i)))),
     el('tbody', {}, rows.map((row) => el('tr', {}, row.map((x, i) => cell('td', x, i)))))));
 }
 
-export function limits(s) {
+/** Name and unit of what a motion runs over: time, or a load factor. */
+function abscissaOf(data) {
+  const { abscissa = 'time', unit = 's' } = data.motion ?? { abscissa: data.charts[0]?.abscissa, unit: data.charts[0]?.abscissa_unit };
+  return { name: abscissa.replace('_', ' '), unit };
+}
+
+const kMostUnsorted = 12;  // limits: of more, the nearest first
+
+export function limits(data) {
+  const s = data.summary, over = abscissaOf(data);
   const entries = Object.entries(s.constraints ?? {});
   if (entries.length === 0) return null;
+  if (entries.length > kMostUnsorted) entries.sort(([, a], [, b]) => b.violation - a.violation);
   const unit = s.objective?.unit ?? 'kg', prices = Object.entries(s.prices ?? {});
   const price = (name) => prices.filter(([of]) => of === name || of.startsWith(`${name} at `)).reduce((sum, [, p]) => sum + p, 0);
   const rows = entries.map(([name, c]) => [
     name, quantity(c.limit, c.unit), quantity(c.max_abs_initial, c.unit), quantity(c.max_abs_final, c.unit),
     el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, percent(c.violation)),
-    c.at_time ? quantity(c.at_time, 's', 3) : '\u2013',
+    c.at_time ? quantity(c.at_time, over.unit, 3) : '\u2013',
     price(name) ? quantity(price(name) / 100, unit, 3) : '\u2013',
   ]);
   for (const [of, p] of prices)  // walls, limits of a part
     if (!entries.some(([name]) => of === name || of.startsWith(`${name} at `)))
       rows.push([of, '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', quantity(p / 100, unit, 3)]);
   return card('Limits',
-    table(['limit', 'allowed', 'before', 'after', 'above it', 'at', '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
-    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(s)}: ${prose(s.kkt)}.`) : null);
+    table(['limit', 'allowed', 'before', 'after', 'above it', over.unit === 's' ? 'at' : `at ${over.name}`, '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
+    s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(data)}: ${prose(s.kkt)}.`) : null);
 }
 
 /** Bounds as a line, the start as a tick, the end as a dot. */
@@ -178,10 +191,14 @@ function mapped(s) {
   return ` --over '${over.join(',')}' --points ${axes.map(([, a]) => a.points).join(',')}`;
 }
 
+/** A word of a command line, as a shell takes it. */
+const quoted = (word) => (/^[\w@%+=:,./-]+$/.test(word) ? word : `'${word.replace(/'/g, `'\\''`)}'`);
+
 export function provenance(data) {
   const s = data.summary, list = el('dl', {});
   const add = (name, value) => value && list.append(el('dt', {}, name), el('dd', {}, value));
-  add('command', `liesl ${s.command}${s.input ? ' ' + s.input : ''}${mapped(s)}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
+  add('command', s.arguments?.length ? `liesl ${s.arguments.map(quoted).join(' ')}`
+    : `liesl ${s.command}${s.input ? ' ' + s.input : ''}${mapped(s)}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
   add('folder', data.folder);
   add('input (SHA-256)', s.input_sha256);
   if (s.space) add('computed', `${s.space}: ${s.space_reason}`);
