@@ -18,7 +18,8 @@ export function cases(data) {
 
 class CaseTable {
   constructor(all, data, compare) {
-    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== ''));
+    const units = data.summary.input_units ?? {};
+    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: c.unit || units[c.name] }));
     Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
     this.count = columns.length ? columns[0].cells.length : 0;
     this.rows = [...Array(this.count).keys()];

@@ -89,7 +89,7 @@ function axes(d) {
 }
 
 /** Labels of an axis, with as many digits as tell neighbours apart. */
-function ticks(values) {
+export function ticks(values) {
   const step = Math.min(...values.slice(1).map((x, i) => x - values[i]));
   for (let digits = 3; digits < 8; ++digits) {
     const texts = values.map((x) => tick(x, digits));

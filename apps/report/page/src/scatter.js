@@ -2,7 +2,7 @@
 
 import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
-import { tick } from './format.js';
+import { ticks } from './charts.js';
 
 const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
 
@@ -53,19 +53,20 @@ export class Scatter {
     ctx.textAlign = 'center';
     ctx.beginPath();
     let free = -Infinity;  // where the next label may begin
-    for (const t of ax.ticks) {
+    const across = ticks(ax.ticks), upwards = ticks(ay.ticks);
+    for (const [i, t] of ax.ticks.entries()) {
       ctx.moveTo(ax.at(t), kTop);
       ctx.lineTo(ax.at(t), h - kBottom);
-      const half = 0.5 * ctx.measureText(tick(t, 3)).width;
+      const half = 0.5 * ctx.measureText(across[i]).width;
       if (ax.at(t) - half < free) continue;
-      ctx.fillText(tick(t, 3), ax.at(t), h - kBottom + 15);
+      ctx.fillText(across[i], ax.at(t), h - kBottom + 15);
       free = ax.at(t) + half + 8;
     }
     ctx.textAlign = 'right';
-    for (const t of ay.ticks) {
+    for (const [i, t] of ay.ticks.entries()) {
       ctx.moveTo(kLeft, ay.at(t));
       ctx.lineTo(w - kRight, ay.at(t));
-      ctx.fillText(tick(t, 3), kLeft - 7, ay.at(t) + 4);
+      ctx.fillText(upwards[i], kLeft - 7, ay.at(t) + 4);
     }
     ctx.stroke();
     ctx.textAlign = 'center';
@@ -140,9 +141,9 @@ function axisOf(values, log, from, to) {
   if (!values.length) [low, high] = [log ? 1 : 0, log ? 10 : 1];
   if (log) {
     const a = Math.log10(low), b = Math.log10(high), pad = 0.06 * (b - a || 1), ticks = [];
-    const wide = b - a > 2.2;
+    const of = b - a > 2.2 ? [1] : b - a > 0.8 ? [1, 2, 5] : [1, 1.5, 2, 3, 4, 5, 6, 7, 8, 9];
     for (let e = Math.floor(a - pad); e <= Math.ceil(b + pad); ++e)
-      for (const m of wide ? [1] : [1, 2, 5]) if (Math.log10(m) + e >= a - pad && Math.log10(m) + e <= b + pad) ticks.push(m * 10 ** e);
+      for (const m of of) if (Math.log10(m) + e >= a - pad && Math.log10(m) + e <= b + pad) ticks.push(m * 10 ** e);
     return { ticks, at: (x) => from + ((Math.log10(x) - a + pad) / (b - a + 2 * pad)) * (to - from) };
   }
   const pad = 0.06 * (high - low || Math.abs(high) || 1), a = low - pad, b = high + pad;
