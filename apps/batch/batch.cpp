@@ -8,6 +8,7 @@
 #include "apps/batch/case_table.hpp"
 #include "apps/batch/grid.hpp"
 #include "apps/input/document.hpp"
+#include "apps/input/schema.hpp"
 #include "apps/input/validate.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -146,6 +147,19 @@ std::vector<std::string> Batch::changes(std::size_t row) const {
   std::vector<std::string> all = set;
   for (std::string& change : overrides(cases, row)) all.push_back(std::move(change));
   return all;
+}
+
+std::string unit_of(const Batch& batch, const CaseColumn& column) {
+  if (column.keys.empty()) return "";
+  const std::string& key = column.keys.front();
+  FileKind kind = batch.optimize ? FileKind::Study : FileKind::Scene;
+  std::string path = key;
+  if (const SplitOverrides parts = split_overrides({key}); batch.optimize && !parts.scene.empty()) {
+    kind = FileKind::Scene;
+    path = parts.scene.front();
+  }
+  const std::string unit(unit_at(kind, path));
+  return unit.find(" or ") == std::string::npos ? unit : "";  // "rad/s or m/s"
 }
 
 std::optional<RowKey> set_by_rows(const Batch& batch, const std::string& path) {

@@ -126,7 +126,7 @@ void write_column(const output::Hdf5File& file, const std::string& group,
 BatchTable collect_cases(const Batch& batch, const fs::path& folder) {
   BatchTable table;
   for (const CaseColumn& column : batch.cases.columns)
-    table.inputs.push_back({column.name, "", {}});
+    table.inputs.push_back({column.name, unit_of(batch, column), {}});
   Figures figures(table);
   for (const CaseList::Row& row : batch.cases.rows) {
     const CaseFolder place(folder, row.name);
@@ -151,7 +151,7 @@ BatchTable collect_cases(const Batch& batch, const fs::path& folder) {
 
 void write_batch_csv(const fs::path& folder, const BatchTable& table) {
   std::vector<output::TextColumn> columns{table.cases};
-  columns.insert(columns.end(), table.inputs.begin(), table.inputs.end());
+  for (const auto& input : table.inputs) columns.push_back({input.name, "", input.cells});
   columns.insert(columns.end(), {table.status, table.reason});
   columns.insert(columns.end(), table.figures.begin(), table.figures.end());
   output::replace_file(folder / "results.csv", output::columns_csv(columns));

@@ -182,6 +182,9 @@ int batch_command(const CommandOptions& options) {
   summary.input_sha256 = output::sha256(batch.input);
   summary.jobs = pool.jobs;
   summary.shard = options.shard;
+  for (const CaseColumn& column : batch.cases.columns)
+    if (std::string unit = unit_of(batch, column); !unit.empty())
+      summary.input_units.emplace_back(column.name, std::move(unit));
   prepare(folder, batch, summary.input_sha256, options.force);
   const PoolReport report = run_cases(batch, folder, pool);
   summary = write_batch(folder, batch, report, summary, clock);

@@ -7,6 +7,7 @@
 #include "apps/input/document.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/plot_program.hpp"
+#include "apps/output/result_summary.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/study/load_study.hpp"
 #include "apps/tasks/sensitivity.hpp"
@@ -53,6 +54,7 @@ int check_command(const CommandOptions& options) {
 }
 
 int plot_command(const CommandOptions& options) {
+  output::read_summary(options.file, "plot");
   for (const auto& picture : output::draw(options.file, options.x, options.y))
     if (!options.quiet) fmt::print("{}\n", picture.string());
   return 0;

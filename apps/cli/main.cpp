@@ -20,6 +20,7 @@
 #include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/summary.hpp"
 #include "apps/output/versions.hpp"
 #include "mbs/linalg/stop_request.hpp"
 
@@ -340,6 +341,7 @@ int main(int argc, char** argv) {
   if (!run) return print_completion(app, shell);
   if (options.out.empty() && writes_folder(run))
     options.out = std::filesystem::path(options.file).stem().string();
+  liesl::output::set_arguments({argv + 1, argv + argc});
   liesl::output::catch_interrupts();
   liesl::ask_for_stop([] { return liesl::output::interrupted() != 0; });
   if (options.threads > 0) limit_threads(options.threads);

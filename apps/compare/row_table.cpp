@@ -8,7 +8,6 @@
 #include <span>
 
 #include "apps/batch/case_table.hpp"
-#include "apps/input/schema.hpp"
 #include "apps/output/csv_writer.hpp"
 #include "apps/output/file.hpp"
 
@@ -124,10 +123,9 @@ void RowTable::read(const std::filesystem::path& path) {
 }
 
 void RowTable::write(const std::filesystem::path& path) const {
-  const FileKind kind = runs_.optimize ? FileKind::Study : FileKind::Scene;
   std::vector<output::TextColumn> columns{{"run", "", {}}};
   for (const CaseColumn& column : runs_.cases.columns)
-    columns.push_back({column.name, std::string(unit_at(kind, column.keys.front())), {}});
+    columns.push_back({column.name, unit_of(runs_, column), {}});
   for (const Figure& figure : figures_of(runs_.optimize))
     columns.push_back({figure.name, figure.unit[0] == '*' ? unit_ : figure.unit, {}});
   for (const CaseList::Row& run : runs_.cases.rows) {

@@ -14,6 +14,8 @@
 namespace liesl {
 namespace {
 
+std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
+
 const output::BodyResult& recorded(const EslOutcome& esl, const std::string& part) {
   for (const output::BodyResult& body : esl.run.results.bodies)
     if (body.name == part) return body;
@@ -154,7 +156,7 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
   const bool calculix = program == "CalculiX";
   std::string text = fmt::format(
       "# {0} of '{1}' for {2}\n\n"
-      "The equivalent static loads of a motion: the internal forces of the part at {3} instants, "
+      "The equivalent static loads of a motion: the internal forces of the part at {3}, "
       "each a\n"
       "load case on the isolated part. Written by `liesl export`.\n\n"
       "- **Units**: m, N, Pa, kg, s.\n"
@@ -174,7 +176,7 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
       "(linear: {7}).\n"
       "- Gravity and inertia are in the loads; the deck has none of its own.\n\n"
       "| case | time [s] | largest deflection [m] |\n|---|---|---|\n",
-      deck.part, deck.scene, program, deck.cases.size(),
+      deck.part, deck.scene, program, instants(deck.cases.size()),
       calculix ? "node k of the beam is node 2k + 1, the middle of element e node 2e + 2"
                : "node k of the beam is grid k + 1",
       calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),

@@ -15,6 +15,8 @@
 namespace liesl {
 namespace {
 
+std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
+
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
@@ -170,7 +172,7 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
   const Vec3& x = deck.frame.x;
   std::string text = fmt::format(
       "# {0} of '{1}' for {2}\n\n"
-      "The equivalent static loads of a motion: what deforms the part at {3} instants. The loads "
+      "The equivalent static loads of a motion: what deforms the part at {3}. The loads "
       "of "
       "an instant\n"
       "are a combination of {4} unit cases, with the factors of `factors.csv`, as its "
@@ -186,8 +188,8 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "- **Cells**: {8} ({9} of {10} nodes); cells without material are left out, those that the "
       "outline cuts have\n"
       "  {11} materials with their share of the stiffness.\n",
-      deck.part, deck.scene, program, deck.times.size(), deck.units.size(), x[0], x[1], x[2], cells,
-      deck.cells.cols(), deck.node_count(), stiffness_groups(deck).size());
+      deck.part, deck.scene, program, instants(deck.times.size()), deck.units.size(), x[0], x[1],
+      x[2], cells, deck.cells.cols(), deck.node_count(), stiffness_groups(deck).size());
   if (planar && calculix && !deck.layered())
     text +=
         "- **Planar part**: its material has no Poisson effect across its plane, so that this is "

@@ -105,12 +105,20 @@ Json history_json(const std::vector<CycleRecord>& history) {
   return json;
 }
 
+std::vector<std::string>& arguments() {
+  static std::vector<std::string> words;
+  return words;
+}
+
 }  // namespace
+
+void set_arguments(std::vector<std::string> words) { arguments() = std::move(words); }
 
 void add_tail(Json& json, const std::vector<std::string>& warnings,
               const std::vector<std::string>& overrides, const std::string& input_sha256) {
   json["warnings"] = warnings;
   json["overrides"] = overrides;
+  if (!arguments().empty()) json["arguments"] = arguments();
   json["versions"] = Json::object();
   for (const auto& [name, version] : versions()) json["versions"][name] = version;
   json["input_sha256"] = input_sha256;
@@ -173,6 +181,8 @@ Json to_json(const BatchSummary& s) {
                {"cases", s.cases},   {"done", s.done}, {"failed", s.failed}};
   json["ended"] = Json::object();
   for (const auto& [status, count] : s.ended) json["ended"][status] = count;
+  json["input_units"] = Json::object();
+  for (const auto& [column, unit] : s.input_units) json["input_units"][column] = unit;
   json.update({{"jobs", s.jobs}, {"shard", s.shard}, {"wall_s", s.wall_s}, {"cpu_s", s.cpu_s}});
   json["input"] = s.input;
   add_tail(json, s.warnings, s.overrides, s.input_sha256);

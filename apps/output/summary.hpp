@@ -99,10 +99,11 @@ struct BatchSummary {
   int cases = 0;                                   ///< of the batch
   int done = 0, failed = 0;                        ///< cases that have ended; of those
   std::vector<std::pair<std::string, int>> ended;  ///< status -> cases
-  int jobs = 1;                                    ///< processes at once
-  std::string shard;                               ///< "i/n" as asked for; empty: all cases
-  double wall_s = 0;                               ///< of this command
-  double cpu_s = 0;                                ///< of all processes of all cases
+  std::vector<std::pair<std::string, std::string>> input_units;  ///< columns whose unit is known
+  int jobs = 1;                                                  ///< processes at once
+  std::string shard;  ///< "i/n" as asked for; empty: all cases
+  double wall_s = 0;  ///< of this command
+  double cpu_s = 0;   ///< of all processes of all cases
   std::vector<std::string> warnings, overrides;
   std::string input;  ///< file, as it was named
   std::string input_sha256;
@@ -139,7 +140,12 @@ struct CompareSummary {
 };
 nlohmann::ordered_json to_json(const CompareSummary& summary);
 
-/// Keys that every summary ends with: `warnings`, `overrides`, `versions`, `input_sha256`.
+/// The words behind "liesl" that the program was started with: `arguments` of every summary from
+/// now on. Without them, as in Python, the key is left out.
+void set_arguments(std::vector<std::string> words);
+
+/// Keys that every summary ends with: `warnings`, `overrides`, `arguments`, `versions`,
+/// `input_sha256`.
 void add_tail(nlohmann::ordered_json& json, const std::vector<std::string>& warnings,
               const std::vector<std::string>& overrides, const std::string& input_sha256);
 

@@ -82,6 +82,7 @@ TEST_F(BatchProgram, EveryCaseIsTheCommandByHand) {
   EXPECT_EQ(o.err, "");
   EXPECT_EQ(summary()["status"], "done");
   EXPECT_EQ(summary()["ended"], Json({{"done", 6}}));
+  EXPECT_EQ(summary()["input_units"], Json({{"step", "s"}}));
   const auto columns = table();
   EXPECT_EQ(text_of(results() / "results.csv").substr(0, 28), "case,rate,step,status,reason");
   EXPECT_EQ(columns.at("case"), (Words{"1", "2", "3", "4", "5", "6"}));

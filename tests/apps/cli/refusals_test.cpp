@@ -286,6 +286,36 @@ TEST_F(Drawing, IsWholeOrNotThere) {
   EXPECT_EQ(again.code, 0) << again.err;
 }
 
+/// What `report` refuses, `plot` refuses: another version, a wrong type, half a file. It writes
+/// nothing, and names file and key.
+TEST_F(Drawing, RefusesWhatIsNoSummaryOfThisVersion) {
+  const fs::path path = results() / "summary.json";
+  const std::string whole = text_of(path);
+  Json other = Json::parse(whole), typed = other;
+  other["versions"]["liesl"] = "0.0.1";
+  typed["steps"] = "many";
+  const std::pair<std::string, const char*> cases[] = {
+      {other.dump(), "it is of liesl \"0.0.1\""},
+      {typed.dump(), "its 'steps' is string"},
+      {whole.substr(0, whole.size() / 2), "it is not of liesl, or not whole"}};
+  for (const auto& [text, reason] : cases) {
+    std::ofstream(path) << text;
+    const Outcome out = run({"plot", results()});
+    EXPECT_EQ(out.code, 3) << reason;
+    EXPECT_NE(out.err.find("cannot plot '" + path.string() + "': " + reason), std::string::npos)
+        << out.err;
+    EXPECT_EQ(run({"report", results()}).code, 3) << reason;
+    EXPECT_FALSE(fs::exists(results() / "plots"));
+  }
+}
+
+/// The command line is in the summary as it was given.
+TEST_F(Drawing, SummaryHoldsTheArguments) {
+  const Words words = short_run({"--verify", "--force"});
+  ASSERT_EQ(run(words).code, 0);
+  EXPECT_EQ(summary()["arguments"].get<Words>(), words);
+}
+
 #ifndef LIESL_SANITIZED  // its shadow memory alone is more than any limit
 /// Under a limit of the address space, what a library without memory says, or a timer ends because
 /// it asks for ever, is told as that.
