@@ -48,6 +48,8 @@ elements = [4, 8]
 step = [4e-4, 2e-4]
 """
 
+METHODS = ["--set", 'grid.method=["esl","esl1"]', "--set", 'grid.optimizer=["ipopt"]', "--set", 'grid.treatment=["auto"]']
+
 MAP = ["--over", "rod_diameters[0]=0.007:0.014,rod_diameters[1]=0.007:0.014", "--points", "5"]
 
 HASH = """const c = document.querySelector('.stage canvas');
@@ -55,6 +57,11 @@ const d = c.toDataURL(); let h = 0;
 for (let i = 0; i < d.length; ++i) h = (31 * h + d.charCodeAt(i)) | 0; return h;"""
 SLIDE = """const s = document.getElementById(arguments[0]);
 s.value = arguments[1]; s.dispatchEvent(new Event(s.tagName === 'SELECT' ? 'change' : 'input', { bubbles: true }));"""
+# Of the tables on paper: the highest row, and how far they go to the right.
+PAPER = """const tables = [...document.querySelectorAll('.paper table')], rows = tables.flatMap((t) => [...t.rows]);
+return { rows: rows.length, highest: Math.max(...rows.map((r) => r.offsetHeight)), right: Math.max(...tables.map((t) => t.getBoundingClientRect().right)),
+  screen: getComputedStyle(document.querySelector('.scroll.tall')).display };"""
+SHEET = 703  # pixels between the margins of A4
 SATURATED = """const c = document.querySelector('.stage canvas'), n = document.createElement('canvas');
 n.width = c.width; n.height = c.height; const x = n.getContext('2d'); x.drawImage(c, 0, 0);
 const d = x.getImageData(0, 0, n.width, n.height).data; let coloured = 0;
@@ -237,6 +244,85 @@ class Pages(BrowserTest):
         self.browser.devtools("Emulation.clearDeviceMetricsOverride")
         self.assertLessEqual(wide[0], 390)
 
+    def on_paper(self):
+        """The tables of cases as a sheet shows them."""
+        browser = self.browser
+        browser.devtools("Emulation.setDeviceMetricsOverride", width=SHEET, height=1030, deviceScaleFactor=1, mobile=False)
+        browser.devtools("Emulation.setEmulatedMedia", media="print")
+        browser.run("dispatchEvent(new Event('beforeprint'))")
+        browser.frames()
+        try:
+            return browser.run(PAPER)
+        finally:
+            browser.devtools("Emulation.setEmulatedMedia", media="")
+            browser.devtools("Emulation.clearDeviceMetricsOverride")
+            browser.run("dispatchEvent(new Event('afterprint'))")
+
+    def check_paper(self):
+        paper = self.on_paper()
+        self.assertGreater(paper["rows"], 2)
+        self.assertLessEqual(paper["highest"], 60, paper)
+        self.assertLessEqual(paper["right"], SHEET, paper)
+        self.assertEqual(paper["screen"], "none")
+        self.assertEqual(self.browser.run("return document.querySelectorAll('.paper table').length"), 0)
+
+    def command(self):
+        return self.browser.run("return [...document.querySelectorAll('dd')].map((d) => d.textContent).find((t) => t.startsWith('liesl '))")
+
+    def test_columns_are_of_like_height(self):
+        """No card would have been better placed in the other column."""
+        self.show(rod(), name="rod_columns")
+        columns = self.browser.run("""return [...document.querySelectorAll('main > .column')].map((c) =>
+            [c.offsetHeight, c.lastChild.offsetHeight, [...c.querySelectorAll('h2')].map((h) => h.textContent)]);""")
+        (left, last, cards), (right, *_) = columns
+        self.assertIn("Limits", "".join(cards))
+        self.assertLessEqual(left - last, right, columns)
+        sticky = self.browser.run("return [...document.querySelectorAll('main > .column')].map((c) => getComputedStyle(c).position)")
+        self.assertEqual(sticky, ["sticky", "sticky"])
+
+    def test_many_charts_are_folded_and_two_records_have_none(self):
+        scene = (DATA / "scenes/pendulum.toml").read_text()
+        more = "".join(f'tip{i} = {{ response = "position", at = "beam.end" }}\n' for i in range(12))
+        file = FOLDER / "many.toml"
+        file.write_text(scene.replace("[responses]\n", "[responses]\n" + more))
+        self.show(folder_of("many", "run", str(file), "--set", "simulation.duration=0.05"))
+        charts = "return document.querySelectorAll('.chart[data-chart]').length"
+        self.assertEqual(self.browser.run(charts), 8)
+        self.browser.run("document.querySelector('details.folded summary').click()")
+        self.browser.frames()
+        self.assertEqual(self.browser.run(charts), 15)
+        self.assertGreater(self.browser.run("return Math.min(...[...document.querySelectorAll('details .uplot')].map((p) => p.clientWidth))"), 200)
+        self.show(folder_of("truss", "optimize", str(DATA / "studies/truss_25.toml"), "--no-verify"))
+        self.assertEqual(self.browser.run(charts), 0)
+        header = "return [...document.querySelectorAll('th')].map((h) => h.textContent)"
+        self.assertIn("at load factor", self.browser.run(header))
+        self.assertNotIn("of the motion", self.browser.run("return document.body.innerText"))
+        self.assertIn("--no-verify", self.command())
+
+    def test_lean_model_is_told(self):
+        self.show(folder_of("lean", "lean", str(DATA / "scenes/slider_crank.toml"), "--response", "bend", "--set", "simulation.duration=0.01"))
+        titles = self.browser.run("return [...document.querySelectorAll('h2')].map((h) => h.textContent)")
+        self.assertIn("Lean model", titles)
+        self.assertIn("Decisions", titles)
+        self.assertIn("--response bend", self.command())
+
+    def test_methods_are_mass_against_time(self):
+        self.show(folder_of("methods", "compare", str(DATA / "studies/compare_methods_rod.toml"), *METHODS))
+        self.assertIn("Mass against time", self.browser.run("return [...document.querySelectorAll('h2')].map((h) => h.textContent)"))
+        self.assertEqual(self.browser.run("return [...document.querySelectorAll('.legend > span')].map((s) => s.textContent)"), ["esl", "esl1"])
+        tip = self.tip()
+        for word in ("mass", "violation", "kkt", "method"):
+            self.assertIn(word, tip)
+        self.check_paper()
+
+    def tip(self):
+        """What the first point says that the mouse meets."""
+        return self.browser.run("""const c = document.querySelector('canvas.scatter'), r = c.getBoundingClientRect();
+            for (let y = 0; y < r.height; y += 4) for (let x = 0; x < r.width; x += 4) {
+              c.dispatchEvent(new MouseEvent('mousemove', { clientX: r.x + x, clientY: r.y + y, bubbles: true }));
+              const t = document.querySelector('.tip'); if (!t.hidden) return t.textContent; }
+            return '';""")
+
     def test_paper_is_light_and_whole(self):
         """Printed from a dark screen: light, two charts beside each other, no slider, every row."""
         browser = self.browser
@@ -361,6 +447,7 @@ class Pages(BrowserTest):
         self.show(folder_of("batch", "batch", str(file)))
         rows = "return document.querySelectorAll('#cases tbody tr').length"
         self.assertEqual(self.browser.run(rows), 4)
+        self.check_paper()
         self.slide("filter", "speed > 130")
         self.assertEqual(self.browser.run(rows), 2)
         self.slide("filter", "")
@@ -397,11 +484,7 @@ class Pages(BrowserTest):
         file = FOLDER / "compare.toml"
         file.write_text(COMPARE.format(scene=DATA / "scenes/slider_crank.toml"))
         self.show(folder_of("compare", "compare", str(file)))
-        tip = self.browser.run("""const c = document.querySelector('canvas.scatter'), r = c.getBoundingClientRect();
-            for (let y = 0; y < r.height; y += 4) for (let x = 0; x < r.width; x += 4) {
-              c.dispatchEvent(new MouseEvent('mousemove', { clientX: r.x + x, clientY: r.y + y, bubbles: true }));
-              const t = document.querySelector('.tip'); if (!t.hidden) return t.textContent; }
-            return '';""")
+        tip = self.tip()
         self.assertIn("error", tip)
         self.assertIn("formalism", tip)
 
