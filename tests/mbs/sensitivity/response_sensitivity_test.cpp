@@ -70,7 +70,7 @@ Mechanism strut() {
   LoadSpec load;
   load.name = "load";
   load.port = {0, 3};
-  load.force = {-40, -5, 0};
+  load.force = {-40, -2, 0};
   load.scale = TimeFunction::expression("1.3-0.3*cos(80*t)");
   m.loads = {load};
   return m;
