@@ -14,8 +14,6 @@
 namespace liesl {
 namespace {
 
-std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
-
 const output::BodyResult& recorded(const EslOutcome& esl, const std::string& part) {
   for (const output::BodyResult& body : esl.run.results.bodies)
     if (body.name == part) return body;
@@ -74,6 +72,8 @@ void require_shapes(const BeamDeck& deck) {
 }
 
 }  // namespace
+
+std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
 
 BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string& part,
                    DeckCases cases) {

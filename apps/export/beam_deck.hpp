@@ -53,6 +53,8 @@ std::string calculix_text(const BeamDeck& deck);
 /// Nastran, in large fields: CBAR, each case a subcase of SOL 106 with LGDISP. Node k of
 /// the beam is grid k + 1.
 std::string nastran_text(const BeamDeck& deck);
+/// "1 instant", "5 instants".
+std::string instants(std::size_t n);
 /// What the folder of a deck is, in which units and frame, and what it shall give back.
 std::string deck_readme(const BeamDeck& deck, const std::string& program);
 /// `case,time [s],node,x..z [m],displacement x..z [m]` of the motion, for comparison.

@@ -15,8 +15,6 @@
 namespace liesl {
 namespace {
 
-std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
-
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
