@@ -82,9 +82,30 @@ bool Problems::has(const toml::node& at) const {
   });
 }
 
+namespace {
+
+/// Leaves out what follows from a misspelt table: "the scene has no [bodies]" beside "did you mean
+/// 'bodies'?".
+void drop_consequences(std::vector<InputProblem>& problems) {
+  constexpr std::string_view kMeant = "did you mean '";
+  std::vector<std::string> said;
+  for (const InputProblem& p : problems)
+    if (p.what.starts_with("unknown key") && p.hint.starts_with(kMeant) && p.hint.ends_with("'?")) {
+      const std::string name = p.hint.substr(kMeant.size(), p.hint.size() - kMeant.size() - 2);
+      said.push_back("the scene has no " + name);
+      said.push_back("the scene has no [" + name + "]");
+    }
+  std::erase_if(problems, [&](const InputProblem& p) {
+    return std::ranges::count(said, p.what) + std::ranges::count(said, p.hint) > 0;
+  });
+}
+
+}  // namespace
+
 void Problems::throw_if_any() const {
   if (problems_.empty()) return;
   auto sorted = problems_;
+  drop_consequences(sorted);
   const auto place = [](const InputProblem& p) { return std::tie(p.file, p.line, p.column); };
   std::stable_sort(sorted.begin(), sorted.end(), [&](const InputProblem& a, const InputProblem& b) {
     return place(a) < place(b);

@@ -30,7 +30,7 @@ class Nlp:
                  constraints: Callable[[np.ndarray], np.ndarray] | None = None,
                  jacobian: Callable[[np.ndarray], np.ndarray] | None = None,
                  rows: Sequence[str] = ()):
-        self.variables = list(variables)
+        self.variables = [_variable(v) for v in variables]
         self.rows = list(rows)  #: names of the constraints
         self._objective, self._gradient = objective, gradient
         self._constraints, self._jacobian = constraints, jacobian
@@ -66,6 +66,29 @@ class Nlp:
                 "jac": lambda x: -np.asarray(self.jacobian(x))}
         return {"fun": self.objective, "jac": self.gradient, "x0": self.x0, "bounds": self.bounds,
                 "constraints": [rows] if self.rows else []}
+
+
+def _variable(given: Any) -> tuple[str, float, float, float]:
+    """Raises InputError for what is no (name, lower, upper, start)."""
+    try:
+        name, *numbers = given
+        lower, upper, start = map(float, numbers)
+    except (TypeError, ValueError):
+        expected = "(name, lower, upper, start), a text and three numbers"
+        raise InputError([Problem(f"a variable is {given!r}", expected)]) from None
+    if not isinstance(name, str):
+        raise InputError([Problem(f"the name of a variable is {name!r}", "a text")])
+    return name, lower, upper, start
+
+
+def own_limits(given: Any) -> dict[str, OwnFunction]:
+    """Limits of one's own, by name. Raises InputError for what is no mapping."""
+    if given is None:
+        return {}
+    if not isinstance(given, Mapping):
+        raise InputError([Problem(f"limits is {given!r}", "a function of an Evaluation by name",
+                                  "limits={'name': function}")])
+    return dict(given)
 
 
 class StudyNlp(Nlp):

@@ -161,7 +161,11 @@ class Result(Mapping[str, Any]):
         return motion.pull_back(_weights(weights, motion))
 
     def _differentiable(self, by: str | Sequence[str] | None) -> tuple[Any, dict[str, Any]]:
-        keys = () if by is None else (by,) if isinstance(by, str) else tuple(by)
+        keys = () if by is None else (by,) if isinstance(by, str) else by
+        keys = tuple(keys) if isinstance(keys, Iterable) else (keys,)
+        if not all(isinstance(key, str) for key in keys):
+            raise InputError([Problem(f"by is {by!r}", "a key of the scene, or a list of keys",
+                                      'by="sections.rod.diameter"')])
         if not hasattr(self._source, "_differentiable"):
             raise InputError("a folder holds no motion to differentiate; run its scene")
         if keys not in self._by:

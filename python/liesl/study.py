@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from . import _liesl, toml_text
 from .errors import InputError, NotConverged, Problem
-from .nlp import Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize
+from .nlp import Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own_limits
 from .result import Result
 
 _KEPT = 8  # evaluations
@@ -180,7 +180,7 @@ class Study:
                 raise InputError([Problem(f"{asked} with functions of one's own",
                                           "method=None or 'direct', no new holes, verify=False",
                                           "static problems do not know these functions")])
-            return optimize_own(self, objective, dict(limits or {}), on_cycle)
+            return optimize_own(self, objective, own_limits(limits), on_cycle)
         study = self if method is None else self.change({"cycle.method": method})
         call = None if on_cycle is None else (lambda text: on_cycle(json.loads(text)))
         return Optimum(study._study.optimize(nucleate, verify, call))
@@ -208,14 +208,14 @@ class Study:
         if objective is not None or limits or not loaded:
             self._require_motion()
         if loaded or self._study.changes_outlines():
-            return self._program(windows, objective, dict(limits or {}))
+            return self._program(windows, objective, own_limits(limits))
         if left_out := self._study.without_rows():
             raise InputError(f"{', '.join(left_out)} are no rows of nlp(); use optimize() without "
                              "functions of one's own")
         if objective is None and not self._study.only_mass():
             raise InputError("the study minimises a weighted sum, nlp() the mass; give objective=, "
                              "or use optimize()")
-        return PeakNlp(self, windows, objective, dict(limits or {}))
+        return PeakNlp(self, windows, objective, own_limits(limits))
 
     def _program(self, windows: int, objective: OwnFunction | None,
                  limits: Mapping[str, OwnFunction]) -> Nlp:

@@ -300,7 +300,11 @@ class Pages(BrowserTest):
         self.assertIn("--no-verify", self.command())
 
     def test_lean_model_is_told(self):
-        self.show(folder_of("lean", "lean", str(DATA / "scenes/slider_crank.toml"), "--response", "bend", "--set", "simulation.duration=0.01"))
+        folder = FOLDER / "lean"
+        done = liesl("lean", str(DATA / "scenes/slider_crank.toml"), "--response", "bend", "-o", str(folder), "--quiet", "--set", "simulation.duration=0.01")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        self.show(folder)
         titles = self.browser.run("return [...document.querySelectorAll('h2')].map((h) => h.textContent)")
         self.assertIn("Lean model", titles)
         self.assertIn("Decisions", titles)

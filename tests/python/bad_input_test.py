@@ -176,3 +176,15 @@ def test_a_node_set_that_is_not_there(tmp_path):
     with pytest.raises(liesl.InputError, match="fot") as error:
         liesl.Scene(with_mesh(tmp_path, interface="fot"))
     assert "foot" in str(error.value)
+
+
+def test_arguments_are_refused_by_what_was_expected(pendulum, rod):
+    for variables in (["x"], [3], [("x", 0, 1)], [("x", "low", 1, 0)]):
+        with pytest.raises(liesl.InputError, match="a variable is .*; expected .name, lower, upper, start"):
+            liesl.Nlp(variables, lambda x: 0.0, lambda x: x)
+    with pytest.raises(liesl.InputError, match="limits is .1.; expected a function of an Evaluation by name"):
+        rod.nlp(limits=[1])
+    result = liesl.Scene(pendulum).run()
+    for by in (3, [3]):
+        with pytest.raises(liesl.InputError, match="by is .*; expected a key of the scene"):
+            result.jacobian("tip", by=by)

@@ -3,6 +3,8 @@
 /// words that tell it, with its place.
 #include <sys/resource.h>
 
+#include <algorithm>
+
 #include "apps/program.hpp"
 #include "mbs/linalg/sanitized.hpp"
 
@@ -337,6 +339,18 @@ TEST_F(Drawing, WithoutMemoryIsToldAsThat) {
   setrlimit(RLIMIT_AS, &before);
 }
 #endif
+
+using Misspelt = Program;
+
+/// A table that is misspelt is one problem: what follows from it is not told.
+TEST_F(Misspelt, TableIsOneProblem) {
+  std::string text = text_of(scene("slider_crank"));
+  text.replace(text.find("[bodies]"), 8, "[bodie]");
+  const Outcome out = run({"check", write("misspelt.toml", text).string()});
+  EXPECT_EQ(out.code, 2);
+  EXPECT_NE(out.err.find("did you mean 'bodies'?"), std::string::npos) << out.err;
+  EXPECT_EQ(std::count(out.err.begin(), out.err.end(), '\n'), 1) << out.err;
+}
 
 using LeanEnd = Program;
 
