@@ -1,12 +1,8 @@
 /// @file
 /// A model is const in a run: two threads simulate one model at once and both get, bit for bit,
-/// what one thread gets alone. Compiled with ThreadSanitizer as well (preset tsan, LIESL_TSAN).
+/// what one thread gets alone. Compiled with ThreadSanitizer as well (preset tsan).
 
 #include <gtest/gtest.h>
-
-#ifdef LIESL_TSAN
-#include <tbb/global_control.h>
-#endif
 
 #include <thread>
 
@@ -17,11 +13,6 @@
 
 namespace liesl::test::threads_test {
 namespace {
-
-#ifdef LIESL_TSAN
-/// TBB is not instrumented: what its threads hand over would count as a race.
-const tbb::global_control one(tbb::global_control::max_allowed_parallelism, 1);
-#endif
 
 /// All numbers of a trajectory, one after the other.
 template <FrameGroup G>
