@@ -265,7 +265,9 @@ TEST_P(Responses, AccelerationsAreTheRatesOfVelocitiesToSecondOrder) {
     const double coarse = gap_of_accelerations(m, 1e-5, rate, acceleration),
                  fine = gap_of_accelerations(m, 5e-6, rate, acceleration);
     EXPECT_LT(fine, 0.02) << name_of(acceleration);
-    EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << name_of(acceleration) << " " << coarse;
+    if (coarse > 1e-5) {  // else what Newton's method leaves
+      EXPECT_NEAR(std::log2(coarse / fine), 2, 0.3) << name_of(acceleration) << " " << coarse;
+    }
   }
 }
 
