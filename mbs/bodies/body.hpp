@@ -227,8 +227,8 @@ class Body {
   /// to all frames and velocities become those with respect to the unknowns, in place.
   /// @param s as the solvers have it, not completed
   virtual void to_unknowns(const BodyState<G>& /*s*/, double* /*h*/, double* /*v*/) const {}
-  /// The same of what `vdot` says of the rates of velocities of nodes that follow, in place; what it
-  /// says of the unknowns themselves and of their velocities is added to h and v.
+  /// The same of what `vdot` says of the rates of velocities of nodes that follow, in place; what
+  /// it says of the unknowns themselves and of their velocities is added to h and v.
   virtual void rates_to_unknowns(const BodyState<G>& /*s*/, double* /*h*/, double* /*v*/,
                                  double* /*vdot*/) const {}
 

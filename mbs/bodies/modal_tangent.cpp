@@ -79,8 +79,8 @@ MatrixXd ModalBody<G>::velocity_map(const VectorXd& u) const {
 template <FrameGroup G>
 MatrixXd ModalBody<G>::inertia_matrix(const Motion& m, int columns) const {
   const MatrixXd Pi_t = velocity_map(Psi_ * m.e);
-  return linalg::product_transposed(
-      Pi_t, transposed_times<dim>(beam_->mass(), Pi_t.topRows(columns)));
+  return linalg::product_transposed(Pi_t,
+                                    transposed_times<dim>(beam_->mass(), Pi_t.topRows(columns)));
 }
 
 /// By u: dv_k = ad(A_k v_0 + du_k/2), da_k = ad(A_k a_0 + ddu_k/2), and forces f_k reach the frame
@@ -115,8 +115,7 @@ MatrixXd ModalBody<G>::inertia_by_e(const Motion& m, const Tangent& v_0, const T
         Psi_t_.template middleCols<dim>(at).lazyProduct(D.transpose());
   }
   const auto tangents = force_tangents<G>(*beam_, v, {{by_v, by_a}});
-  return linalg::product_transposed(velocity_map(field.u),
-                                    transposed_times(tangents[0], Psi_t_)) +
+  return linalg::product_transposed(velocity_map(field.u), transposed_times(tangents[0], Psi_t_)) +
          linalg::product_transposed(arms_t, turned_t);
 }
 

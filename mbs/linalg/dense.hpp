@@ -12,8 +12,8 @@
 
 namespace liesl::linalg {
 
-/// A B, A^T B and A B^T of any sizes: for products outside of the loops of a step, of fixed sizes or of
-/// blocks, each of which would be templates of its own.
+/// A B, A^T B and A B^T of any sizes: for products outside of the loops of a step, of fixed sizes
+/// or of blocks, each of which would be templates of its own.
 using Dense = Eigen::Ref<const Eigen::MatrixXd>;
 Eigen::MatrixXd product(const Dense& A, const Dense& B);
 Eigen::MatrixXd transposed_product(const Dense& A, const Dense& B);

@@ -82,8 +82,8 @@ SE3::Tangent ResponseValues<G>::port_rate(const ResponseSpec& r, const State<G>&
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::acceleration(const ResponseSpec& r, const State<G>& s) const {
   const SE3::Tangent v = view_.velocity(s.v.data(), r.at);
-  const Vec3 a = port_rate(r, s).template head<3>() +
-                 v.template tail<3>().cross(v.template head<3>().eval());
+  const Vec3 a =
+      port_rate(r, s).template head<3>() + v.template tail<3>().cross(v.template head<3>().eval());
   return along(r, r.in == Axes::Body ? a : Vec3(view_.frame(s.H.data(), r.at).R * a));
 }
 

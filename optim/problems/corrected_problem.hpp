@@ -14,8 +14,9 @@ namespace liesl {
 ///   s_i = x_ki ln(x_i/x_ki) where the variable is positive, else x_i - x_ki,
 /// so that value and gradient at x_k are those of the motion (AMMO: Alexandrov, Lewis 2001,
 /// "First-order model management", Optim. Eng. 2), and exact where loads are powers of the
-/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k); or, as in the method of moving asymptotes
-/// (K. Svanberg 1987, Int. J. Numer. Methods Eng. 24), by 1 + c . s, convex where v_s is constant, of
+/// dimensions, v^ > 0 everywhere; or by 1 + c . (x - x_k); or, as in the method of moving
+/// asymptotes (K. Svanberg 1987, Int. J. Numer. Methods Eng. 24), by 1 + c . s, convex where v_s is
+/// constant, of
 ///   s_i = (U_i - x_ki)^2 [1/(U_i - x_i) - 1/(U_i - x_ki)]   if c_i > 0,
 ///   s_i = (x_ki - L_i)^2 [1/(x_ki - L_i) - 1/(x_i - L_i)]   else,
 /// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region.

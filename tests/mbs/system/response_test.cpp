@@ -228,8 +228,8 @@ TEST(Responses, OfAChainOfSegmentsHaveTheirGradients) {
   expect_gradients(m, *run.model, s, all);
 }
 
-/// Largest distance of accelerations from the central differences of velocities over the second half
-/// of a motion, of their largest value.
+/// Largest distance of accelerations from the central differences of velocities over the second
+/// half of a motion, of their largest value.
 double gap_of_accelerations(const Mechanism& m, double step, ResponseKind rate,
                             ResponseKind acceleration) {
   const auto run = test::run_spatial(m, options(0.01, step, 0.8, 1e-10));
@@ -322,8 +322,8 @@ void expect_gradients_of_a_part() {
   std::vector<ResponseSpec> all;
   for (const auto kind :
        {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::Acceleration,
-        ResponseKind::Displacement, ResponseKind::Deflection, ResponseKind::Elongation, ResponseKind::Energy,
-        ResponseKind::Compliance}) {
+        ResponseKind::Displacement, ResponseKind::Deflection, ResponseKind::Elongation,
+        ResponseKind::Energy, ResponseKind::Compliance}) {
     ResponseSpec r;
     r.name = name_of(kind);
     r.kind = kind;

@@ -193,7 +193,8 @@ TEST(MotionGradients, AreThoseOfDifferencesWithSlopeTwo) {
 TEST(TrustRegionCycle, FullyCoupledMethodEndsAtTheSameDesign) {
   Simulated image(rod());
   const auto r = image.optimise();
-  for (const Approximation approximation : {Approximation::Power, Approximation::Linear, Approximation::Mma}) {
+  for (const Approximation approximation :
+       {Approximation::Power, Approximation::Linear, Approximation::Mma}) {
     SCOPED_TRACE(static_cast<int>(approximation));
     StudyCase study = rod();
     study.spec.cycle.approximation = approximation;
