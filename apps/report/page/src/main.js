@@ -11,6 +11,8 @@ import { maps } from './map.js';
 import { Player } from './player.js';
 import * as tables from './tables.js';
 
+const kMuch = 120;  // pixels: a column so much shorter takes the next card
+
 function page() {
   const data = load(), s = data.summary;
   document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
@@ -26,7 +28,10 @@ function page() {
   if (!player || timed) add(right, ...timeCharts(data.charts, timed));
   const wide = [...lean(s), maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
   const limits = tables.limits(data);
-  const shorter = (otherwise) => (!twoColumns() ? otherwise : right.offsetHeight < left.offsetHeight ? right : left);
+  const shorter = (usual) => {
+    const other = usual === left ? right : left;
+    return twoColumns() && other.offsetHeight < usual.offsetHeight - kMuch ? other : usual;
+  };
   for (const node of [limits, tables.design(s)]) add(shorter(left), node);
   for (const node of [data.motion?.abscissa === 'frequency' || !limits ? tables.responses(s, data.charts[0]) : null,
     tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s)])
@@ -37,6 +42,7 @@ function page() {
   add(main, origin);
   if (!left.childNodes.length) left.remove();
   if (!right.childNodes.length) right.remove();
+  player?.node.classList.toggle('alone', left.childNodes.length === 1);  // it may be higher then
   main.classList.toggle('single', !(left.isConnected && right.isConnected));
   for (const column of [left, right]) keepInSight(column);
   addEventListener('keydown', (event) => {
