@@ -189,8 +189,7 @@ class Pages(BrowserTest):
             self.assertIn(name, told)
         self.assertNotEqual(self.browser.run(tell, 0.7), told)
         self.assertEqual(self.browser.run(tell, 0.005), "", "nothing beside the map")
-        command = self.browser.run("return [...document.querySelectorAll('dd')].map((d) => d.textContent).find((t) => t.startsWith('liesl '))")
-        self.assertIn("--over 'rod_diameters[0]=0.007:0.014,rod_diameters[1]=0.007:0.014' --points 5,5", command)
+        self.assertIn("--over 'rod_diameters[0]=0.007:0.014,rod_diameters[1]=0.007:0.014' --points 5 ", self.command())
 
     def test_cursor_follows_the_instant_and_the_click(self):
         self.show(rod())
