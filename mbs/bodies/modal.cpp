@@ -339,7 +339,7 @@ void ModalBody<G>::rates_to_unknowns(const BodyState<G>& s, double* h, double* v
     c_rate += psi.transpose() * (G::ad(c).transpose() * p);
     c_acceleration += psi.transpose() * (p - 0.5 * turned);
   }
-  if (c_acceleration.isZero(0)) return;
+  if (c_e.isZero(0) && c_rate.isZero(0) && c_acceleration.isZero(0)) return;
   this->add_unknowns(m, s, c_e, c_rate, h, v);
   this->add_unknowns_of_acceleration(m, s, c_acceleration, h, v, vdot);
 }

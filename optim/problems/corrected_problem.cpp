@@ -74,7 +74,7 @@ auto CorrectedProblem::reciprocals(const VectorXd& x, double side) const -> Step
   for (int i = 0; i < n; ++i) {
     const auto& bounds = variables_[static_cast<std::size_t>(i)];
     const double room = std::max(bounds.upper - x_k_[i], x_k_[i] - bounds.lower),
-                 d = kAsymptote * std::max(room, kHeld * std::max(std::abs(x_k_[i]), 1e-300)),
+                 d = kAsymptote * std::max(room, kHeld * std::max(std::abs(x_k_[i]), 1.0)),
                  q = d / (d - side * (x[i] - x_k_[i]));
     t.s[i] = side * d * (q - 1);
     t.first[i] = q * q;
