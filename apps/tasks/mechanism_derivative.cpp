@@ -313,8 +313,13 @@ class Differences {
     if (by_p.stiffness != 0 || by_p.mass != 0) p.parts.push_back(by_p);
     const Eigen::VectorXd by_values =
         difference([&](const Mechanism& m) { return outline_values(of(m)); });
-    if (!by_values.isZero(0))
-      p.parts.push_back(SolidDerivative{b, solid_fractions(solid).derivative * by_values});
+    if (by_values.isZero(0)) return;
+    if (by_p.stiffness != 0 || by_p.mass != 0)
+      throw std::invalid_argument("material or thickness and outline of the meshed body '" +
+                                  at_.bodies[static_cast<std::size_t>(b)].name +
+                                  "' change together, of which there is no derivative: each is a "
+                                  "parameter of its own");
+    p.parts.push_back(SolidDerivative{b, solid_fractions(solid).derivative * by_values});
   }
 
   void compare_joints() {

@@ -12,6 +12,7 @@ const longestWord = (text) => Math.max(...breakable(text).split(/[\s\u200b]/).ma
 /** Tables and a line on what is the same in all rows. @param label column -> heading @param cell (column, row) -> text */
 export function paperTables(columns, rows, label, cell) {
   const [first, ...others] = columns;
+  if (!first) return [];
   const same = (c) => rows.length > 1 && rows.every((row) => c.cells[row] === c.cells[rows[0]]);
   const constant = others.filter(same), shown = others.filter((c) => !constant.includes(c));
   const width = (c) => kGap + kLetter * Math.max(longestWord(label(c)), Math.min(kLongest, Math.max(...rows.map((row) => String(cell(c, row)).length))));
