@@ -116,6 +116,18 @@ bool acts_alike(const ForceSpec& a, const ForceSpec& b) {
          a.coordinate == b.coordinate && std::ranges::equal(a.shares, b.shares, alike);
 }
 
+/// Adds the derivative by an outline whose numbers change by `by_values`.
+/// @throws std::invalid_argument if its material or thickness changes, too
+void add_outline(const SolidScale& scale, const SolidSpec& solid, const Eigen::VectorXd& by_values,
+                 const std::string& name, Parameter& p) {
+  if (by_values.isZero(0)) return;
+  if (scale.stiffness != 0 || scale.mass != 0)
+    throw std::invalid_argument("material or thickness and outline of the meshed body '" + name +
+                                "' change together, of which there is no derivative: each is a "
+                                "parameter of its own");
+  p.parts.push_back(SolidDerivative{scale.body, solid_fractions(solid).derivative * by_values});
+}
+
 class Differences {
  public:
   Differences(const Mechanism& at, const std::function<Mechanism(double)>& changed, double step,
@@ -313,13 +325,7 @@ class Differences {
     if (by_p.stiffness != 0 || by_p.mass != 0) p.parts.push_back(by_p);
     const Eigen::VectorXd by_values =
         difference([&](const Mechanism& m) { return outline_values(of(m)); });
-    if (by_values.isZero(0)) return;
-    if (by_p.stiffness != 0 || by_p.mass != 0)
-      throw std::invalid_argument("material or thickness and outline of the meshed body '" +
-                                  at_.bodies[static_cast<std::size_t>(b)].name +
-                                  "' change together, of which there is no derivative: each is a "
-                                  "parameter of its own");
-    p.parts.push_back(SolidDerivative{b, solid_fractions(solid).derivative * by_values});
+    add_outline(by_p, solid, by_values, at_.bodies[static_cast<std::size_t>(b)].name, p);
   }
 
   void compare_joints() {
