@@ -404,7 +404,10 @@ void read_constraint(StudyReader& reader, const Entry& entry) {
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
   limit.treatment = read_treatment(text(*entry.table, "treatment"));
   if (limit.treatment == Treatment::PNorm) limit.p = number(*entry.table, "p");
-  if (text(*entry.table, "surrogate") == "mechanism") limit.surrogate = SurrogateKind::Mechanism;
+  const std::string surrogate = text(*entry.table, "surrogate");
+  limit.surrogate = surrogate == "mechanism" ? SurrogateKind::Mechanism
+                    : surrogate == "motion"  ? SurrogateKind::Motion
+                                             : SurrogateKind::Auto;
   check_stress_limit(reader, entry.name, limit);
   reader.spec.constraints.push_back(std::move(limit));
 }
@@ -648,17 +651,17 @@ void check_images(StudyReader& reader) {
         "dimensions of sections or parameters of an outline",
         "constants need a motion and cycle.method \"esl1\" or \"full\"");
   for (const ConstraintSpec& c : reader.spec.constraints)
-    if (c.weight == 0 && (!c.has_image || c.treatment != Treatment::Auto)) {
+    if (c.weight == 0 && (!c.has_image || by_motion_alone(c))) {
       const toml::table& table = constraint_table(reader, c.response.name);
       const toml::node* use = table.get("use");
       const bool treated = c.has_image;
       reader.scene.problems.add(
-          treated                         ? *table.get("treatment")
+          treated ? *table.get(c.treatment != Treatment::Auto ? "treatment" : "surrogate")
           : c.response.side != Side::Both ? *table.get("side")
           : use                           ? *use
                                           : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
-                      treated                         ? "is treated by the motion's own gradients"
+                      treated ? "is told by the motion's own gradients"
                       : c.response.side != Side::Both ? "holds one side"
                                                       : "is not on the deformation of a part",
                       why),

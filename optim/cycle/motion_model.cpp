@@ -53,7 +53,7 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
       check_mechanism(study, c, mechanism);
       c.has_image = false;
     }
-    if (c.treatment != Treatment::Auto) c.has_image = false;
+    if (by_motion_alone(c)) c.has_image = false;
     if (!c.has_image) without += " '" + c.response.name + "'";
     if (study.cycle.method == CycleMethod::Full) c.has_image = false;
     if (study.cycle.method == CycleMethod::Direct) check_direct(c);
@@ -325,15 +325,16 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
         responses.push_back(std::move(r));
       }
     p.imaged = static_cast<int>(responses.size());
-    for (const auto kind : {SurrogateKind::Mechanism, SurrogateKind::Auto}) {
+    for (const bool by_mechanism : {true, false}) {
       for (std::size_t c = 0; c < study_.constraints.size(); ++c) {
         const ConstraintSpec& limit = study_.constraints[c];
-        if (limit.has_image || limit.surrogate != kind) continue;
+        if (limit.has_image || (limit.surrogate == SurrogateKind::Mechanism) != by_mechanism)
+          continue;
         for (auto& r : rows_of(study_, limit, run.mechanism))
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
                                every_record(study_, limit) ? 0 : 0.5, limit.treatment});
       }
-      if (kind == SurrogateKind::Mechanism)
+      if (by_mechanism)
         p.mechanism = static_cast<int>(responses.size()) - p.imaged;
     }
     const auto limited = static_cast<int>(responses.size());

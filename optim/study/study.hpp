@@ -98,7 +98,8 @@ inline bool aggregates(Treatment t) { return t >= Treatment::Functional; }
 
 /// What tells how a limit follows the design within a step of the cycle.
 enum class SurrogateKind {
-  Auto,      ///< the static problem of the part it is on, if one tells it; else powers
+  Auto,      ///< the static problem of the part it is on, if one tells it; else as Motion
+  Motion,    ///< its own values and gradients, continued by CycleOptions::approximation
   Mechanism  ///< the static problem of the whole mechanism, drives held (thesis section 5.2)
 };
 
@@ -114,6 +115,11 @@ struct ConstraintSpec {
   /// is then a size of it, has_image false in studies of motions.
   double weight = 0;
 };
+
+/// Is a limit told by the motion's own gradients, whatever static problems there are?
+inline bool by_motion_alone(const ConstraintSpec& c) {
+  return c.treatment != Treatment::Auto || c.surrogate == SurrogateKind::Motion;
+}
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the
 /// level set as it was made, and x_0 that of the first parameter. Mirrored features have -1.

@@ -265,7 +265,9 @@ tip = { response = "position", at = "flap.tip" }
 }
 
 /// Two modes of a meshed part follow its outline: with modes that are kept, "tilt" is off by 4e-2
-/// and the elongation by 8e-3.
+/// and the elongation by 8e-3. The force in the wrist hardly follows it (1e-2 of itself over the
+/// range), and two kernels of OpenBLAS give it with 1e-11 to 1e-9 of itself apart, so that its
+/// differences come within 2e-6 to 2e-5 of the derivative: it may be left unjudged.
 TEST_F(Sensitivity, OfAnOutlineIsThatOfDifferencesWithFewModes) {
   const fs::path rod = write("rod.toml", "scene = \"" + scene("connecting_rod") + R"("
 [set]
@@ -289,7 +291,12 @@ elongation = { response = "elongation", between = ["rod.big_end", "rod.small_end
   const auto motion = o.out.find("the motion");
   ASSERT_NE(motion, std::string::npos) << o.out;
   EXPECT_NE(o.out.find("4 derivatives checked, 0 wrong", motion), std::string::npos) << o.out;
-  EXPECT_EQ(o.out.find("not judged"), std::string::npos) << o.out;
+  for (const char* judged : {"elongation, peak", "tilt, peak"}) {
+    const auto line = o.out.find(judged, motion);
+    ASSERT_NE(line, std::string::npos) << o.out;
+    const std::string row = o.out.substr(line, o.out.find('\n', line) - line);
+    EXPECT_EQ(row.find("not judged"), std::string::npos) << row;
+  }
 }
 
 }  // namespace

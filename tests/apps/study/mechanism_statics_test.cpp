@@ -27,9 +27,13 @@ struct Simulated {
         {study.scene.mechanism, space_of<SE2>(study.scene.mechanism), study.scene.simulation}};
   }
   LoopResult optimise(CycleMethod method, SurrogateKind surrogate = SurrogateKind::Auto) const {
+    Simulated all = *this;
+    for (ConstraintSpec& c : all.study.spec.constraints) c.surrogate = surrogate;
+    return all.optimise_as_read(method);
+  }
+  LoopResult optimise_as_read(CycleMethod method) const {
     StudySpec spec = study.spec;
     spec.cycle.method = method;
-    for (ConstraintSpec& c : spec.constraints) c.surrogate = surrogate;
     MotionModel<SE2> model(motion, spec);
     TrustRegionRule rule(spec.cycle);
     return run_loop(model, rule, spec.cycle, {}, {});
@@ -172,6 +176,43 @@ TEST(MechanismStatics, AreRefusedOfABeamThatSwings) {
     FAIL() << "not refused";
   } catch (const MechanismMoves& error) {
     EXPECT_NE(std::string(error.what()).find("body 'beam' can rotate"), std::string::npos)
+        << error.what();
+  }
+}
+
+/// All limits by the motion alone: the steps of the fully coupled method.
+TEST(SurrogateOfALimit, ByTheMotionAloneIsTheFullyCoupledMethod) {
+  const Simulated rod(shipped_study("slider_crank_rod"));
+  const LoopResult esl1 = rod.optimise(CycleMethod::Esl1, SurrogateKind::Motion),
+                   full = rod.optimise(CycleMethod::Full);
+  EXPECT_EQ(esl1.status, CycleStatus::Optimal) << esl1.reason;
+  EXPECT_EQ(esl1.history.size(), full.history.size());
+  EXPECT_EQ(esl1.best->mass, full.best->mass);
+}
+
+/// One limit by its static problem, the other by the motion: the same optimum.
+TEST(SurrogateOfALimit, IsAChoiceOfEachLimit) {
+  const auto mass = [](const Changes& changes) {
+    const LoopResult end =
+        Simulated(shipped_study("robot_arms", changes)).optimise_as_read(CycleMethod::Esl1);
+    EXPECT_EQ(end.status, CycleStatus::Optimal) << end.reason;
+    return end.best->mass;
+  };
+  const double statics = mass({}),
+               mixed = mass({"constraints.arm1_deflection.surrogate=\"motion\""});
+  EXPECT_NE(mixed, statics);  // other steps
+  EXPECT_NEAR(mixed, statics, 1e-4 * statics);
+}
+
+/// The plain cycle has static problems alone.
+TEST(SurrogateOfALimit, ByTheMotionIsRefusedOfThePlainCycle) {
+  try {
+    shipped_study("slider_crank_rod",
+                  {"constraints.bending.surrogate=\"motion\"", "cycle.method=\"esl\""});
+    FAIL() << "not refused";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("is told by the motion's own gradients"),
+              std::string::npos)
         << error.what();
   }
 }
