@@ -9,6 +9,7 @@
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/system/plane.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/study/part_quantity.hpp"
 #include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
@@ -335,10 +336,7 @@ void read_objective(StudyReader& reader) {
     }
   }
   read_motion_objective(reader, *table);
-  const std::string quantity = text(*table, "minimize");
-  reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
-                          : quantity == "stress"   ? SolidResponse::Stress
-                                                   : SolidResponse::Mass;
+  reader.spec.objective = part_quantity(text(*table, "minimize"));
 
   if (!varied && complete && design_is_read(reader) && reader.spec.motion_objective.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
