@@ -196,7 +196,7 @@ std::vector<Key> response_keys(std::string_view parent) {
     response_choice(parent, scene ? kRequired : kOneOf),
     {".at", Type::Text, "", kRequired, kAny, "Port. `displacement` is seen from node 0 of the port's body, `rotation` and `translation` from the scene as given.", 0, "", "response=position velocity angular_velocity rotation displacement translation acceleration angular_acceleration"},
     {".at", Type::Text, "", "\"mid\"", kAny, "Node of the beam between its ends: mid, nodeK, or `max` for the largest over all of them; of a meshed part an interface between its first and its last one.", 0, "", "response=deflection"},
-    {".of", Type::Text, "", kRequired, kAny, "Beam; of a deflection also a meshed part.", 0, "", "response=deflection section_force stress compliance axial_stress buckling local_buckling"},
+    {".of", Type::Text, "", kRequired, kAny, "Beam; of a deflection, stress or compliance also a meshed part.", 0, "", "response=deflection section_force stress compliance axial_stress buckling local_buckling"},
     {".factor", Type::Number, "-", "1", {0, 100, true}, "Factor K of the buckling length K L: 1 hinged at both ends, 0.5 clamped at both, 2 clamped at one.", 0, "", "response=buckling"},
     {".factor", Type::Number, "-", "1", {0, 1, true}, "Share of the classical stress at which a real wall buckles.", 0, "", "response=local_buckling"},
     {".of", Type::Text, "", kOptional, kAny, "Beam: change of the distance of its ends. This or `between`.", 0, "", "response=elongation"},

@@ -56,7 +56,7 @@ std::vector<Key> design_and_limit_keys() {
     {"objective.at", Type::Number, "s", "0", kNotNegative, "With weights.frequency: the time whose values the drives have in the pose."},
     {"objective.frequency_of", Type::Text, "", kOptional, kAny, "With weights.frequency: the beam alone that it is of, as `frequencies.*.of`. Default: the mechanism."},
 
-    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step (in statics load step), by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a part otherwise. An `axial_stress`, `buckling` or `local_buckling` of a truss, or of a group of its bars, is one of each bar."},
+    {"constraints", Type::Named, "", kOptional, kAny, "What must hold at every time step (in statics load step), by name: |response| <= limit. Of any response where the motion has sensitivities (cycle.method \"esl1\", \"full\"); of displacement, deflection, elongation, stress, compliance of a beam, of displacement, elongation of a meshed part otherwise. An `axial_stress`, `buckling` or `local_buckling` of a truss, or of a group of its bars, is one of each bar."},
     {"constraints.*", Type::Table, "", kOptional, kAny, "A response as in a scene, or `use`, and its limit."},
     {"constraints.*.use", Type::Text, "", kOneOf, kAny, "Name of a response of the scene."},
     {"constraints.*.mass", Type::Texts, "", kOneOf, kAny, "Bodies whose mass is limited, kg; of a motion or equilibrium (under fixed [loads]: [part_limits])."},
@@ -71,7 +71,7 @@ std::vector<Key> design_and_limit_keys() {
 /// Parts under fixed loads, frequencies, and the cycle.
 std::vector<Key> part_and_cycle_keys() {
   return {
-    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step."},
+    {"part_limits", Type::Named, "", kOptional, kAny, "What must hold of a meshed part whose outline changes, by name; compliance and stress in every load case, of a motion at every step. The largest stress of its cells in place of their p-norm: [constraints] (docs/responses.md)."},
     {"part_limits.*", Type::Table, "", kOptional, kAny, "A quantity and its limit."},
     {"part_limits.*.of", Type::Text, "", kRequired, kAny, "Meshed part."},
     {"part_limits.*.quantity", Type::Choice, "", kRequired, kAny, "Compliance (J), p-norm of the von Mises stress over the cells (Pa), mass (kg), lowest free-free frequencies (Hz).", 0, "compliance stress mass frequency"},

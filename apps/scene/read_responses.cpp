@@ -7,6 +7,7 @@
 
 #include "apps/scene/reader.hpp"
 #include "mbs/sections/buckling.hpp"
+#include "mbs/system/response_value.hpp"
 
 namespace liesl {
 
@@ -85,12 +86,11 @@ bool read_place_of_part(Reader& reader, const toml::table& table, ResponseSpec& 
   return false;
 }
 
-/// A beam that is simulated as a rigid body has no deformation and no internal forces.
+/// A beam or part that is simulated as a rigid body has no deformation and no internal forces.
 void warn_of_rigid(Reader& reader, int body, const ResponseSpec& response) {
   const Mechanism& mechanism = reader.scene.mechanism;
   const BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
-  const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-  if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid)
+  if (moves_rigidly(spec, mechanism.formalism))
     reader.scene.warnings.push_back(
         fmt::format("response '{}' is 0 by definition: '{}' is simulated as a rigid body",
                     response.name, spec.name));
@@ -190,13 +190,36 @@ bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& res
   return false;
 }
 
+/// Of a meshed part: deflection, stress of its cells, compliance.
+bool read_part_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
+  const toml::node& of = *table.get("of");
+  const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
+  if (response.kind == ResponseKind::Deflection) return read_place_of_part(reader, table, response);
+  if (response.kind != ResponseKind::Stress && response.kind != ResponseKind::Compliance) {
+    reader.problems.add(of,
+                        fmt::format("body '{}' is a meshed part, which has no {}", body.name,
+                                    name_of(response.kind)),
+                        "a beam", "of meshed parts there are deflection, stress and compliance");
+    return false;
+  }
+  if (response.kind == ResponseKind::Stress &&
+      std::get<SolidSpec>(body.kind).mesh().cell_count() == 0) {
+    reader.problems.add(
+        of, fmt::format("part '{}' is known by its matrices, which tell no stress", body.name),
+        "a part with a 'mesh'", "response = \"compliance\" takes no cells");
+    return false;
+  }
+  warn_of_rigid(reader, response.body, response);
+  return true;
+}
+
 bool read_beam_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const auto body = reader.body(*table.get("of"));
   if (!body) return false;
   const BodySpec& of = reader.scene.mechanism.bodies[static_cast<std::size_t>(*body)];
-  if (response.kind == ResponseKind::Deflection && std::holds_alternative<SolidSpec>(of.kind)) {
+  if (std::holds_alternative<SolidSpec>(of.kind)) {
     response.body = *body;
-    return read_place_of_part(reader, table, response);
+    return read_part_response(reader, table, response);
   }
   const auto beam = reader.beam(*table.get("of"));
   if (!beam) return false;

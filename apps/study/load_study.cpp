@@ -153,21 +153,21 @@ void check_scenarios(const std::vector<ScenarioText>& texts, Problems& problems,
 
 /// Limits and objective on what is always 0 in a scenario after the first, which was asked when
 /// they were read. @pre all is read
-void check_rigid_beams(const std::vector<ScenarioText>& texts, Problems& problems,
-                       const Study& study) {
+void check_rigid_bodies(const std::vector<ScenarioText>& texts, Problems& problems,
+                        const Study& study) {
   for (std::size_t s = 1; s < texts.size() && problems.count() == 0; ++s) {
     const Mechanism& mechanism = study.scenarios[s - 1].mechanism;
     const auto check = [&](const char* what, const ResponseSpec& response) {
       const int body = deformed_body(response);
       if (body < 0) return;
       const BodySpec& spec = mechanism.bodies[static_cast<std::size_t>(body)];
-      const auto* beam = std::get_if<BeamSpec>(&spec.kind);
-      if (beam && model_of(*beam, mechanism.formalism) == BeamModel::Rigid)
+      if (moves_rigidly(spec, mechanism.formalism))
         problems.add(*texts[s].node,
                      std::string(what) + " '" + response.name + "' is always 0 in scenario '" +
                          texts[s].name + "': '" + spec.name + "' is rigid",
-                     "a response that does not need deformation, or a flexible beam",
-                     "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
+                     "a response that does not need deformation, or a flexible body",
+                     "bodies.*.beam.as, modes and simulation.formalism say what a body is "
+                     "simulated as");
     };
     for (const ConstraintSpec& c : study.spec.constraints)
       check(c.weight > 0 ? "response" : "limit", c.response);
@@ -279,7 +279,7 @@ Study read_document(Document document, const fs::path& folder,
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
   check_scenarios(scenarios, problems, study);
-  check_rigid_beams(scenarios, problems, study);
+  check_rigid_bodies(scenarios, problems, study);
   const toml::table* cycle = document.root["cycle"].as_table();
   study.refine = !cycle || broken.contains("cycle") || text(*cycle, "refine") == "auto";
   problems.throw_if_any();

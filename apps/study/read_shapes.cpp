@@ -8,6 +8,7 @@
 
 #include "apps/study/study_reader.hpp"
 #include "mbs/solids/solid_model.hpp"
+#include "optim/study/part_quantity.hpp"
 #ifdef LIESL_OPTIM
 #include "optim/problems/solid_task.hpp"
 #endif
@@ -81,19 +82,13 @@ void read_limits(StudyReader& reader) {
   for (const Entry& entry : entries(reader.root, reader.broken, "part_limits")) {
     const auto body = part(reader, *entry.table->get("of"), false);
     if (!body) continue;
-    const std::string quantity = text(*entry.table, "quantity");
-    PartLimitSpec limit{entry.name, *body, SolidResponse::Mass, number(*entry.table, "limit"), 1};
-    if (quantity == "compliance") limit.quantity = SolidResponse::Compliance;
-    if (quantity == "stress") {
-      limit.quantity = SolidResponse::Stress;
-      if (const SolidSpec* solid = solid_of(reader, *body); solid && solid->model)
-        note_stress_limit(reader, "part_limits." + entry.name, limit.limit,
-                          solid->model->material().E);
-    }
-    if (quantity == "frequency") {
-      limit.quantity = SolidResponse::Frequency;
-      limit.count = integer(*entry.table, "count");
-    }
+    const SolidResponse quantity = part_quantity(text(*entry.table, "quantity"));
+    PartLimitSpec limit{entry.name, *body, quantity, number(*entry.table, "limit"), 1};
+    const SolidSpec* solid = solid_of(reader, *body);
+    if (quantity == SolidResponse::Stress && solid && solid->model)
+      note_stress_limit(reader, "part_limits." + entry.name, limit.limit,
+                        solid->model->material().E);
+    if (quantity == SolidResponse::Frequency) limit.count = integer(*entry.table, "count");
     reader.spec.part_limits.push_back(limit);
   }
 }

@@ -6,8 +6,10 @@
 #include <sstream>
 
 #include "apps/study/study_reader.hpp"
+#include "mbs/solids/solid_model.hpp"
 #include "mbs/system/plane.hpp"
 #include "mbs/system/response_value.hpp"
+#include "optim/study/part_quantity.hpp"
 #include "optim/study/without_mechanism_statics.hpp"
 
 namespace liesl {
@@ -37,6 +39,12 @@ bool never_negative(const ResponseSpec& r) {
   using enum ResponseKind;
   return r.kind == Stress || r.kind == Compliance || r.kind == Buckling ||
          r.kind == LocalBuckling || (r.kind == JointForce && !r.axis);
+}
+
+/// The stress or compliance of a meshed part?
+bool is_of_mesh(const StudyReader& reader, const ResponseSpec& r) {
+  return (r.kind == ResponseKind::Stress || r.kind == ResponseKind::Compliance) &&
+         std::holds_alternative<SolidSpec>(body_of(reader, r.body).kind);
 }
 
 /// The side of a signed response that a limit holds; a vector has none.
@@ -120,20 +128,20 @@ int read_support(StudyReader& reader, const std::string& body, const toml::node&
 
 namespace {
 
-/// Says so if what is limited or minimised is of a rigid beam: it is 0 for every design. Scenarios
+/// Says so if what is limited or minimised is of a rigid body: it is 0 for every design. Scenarios
 /// after the first are asked when all is read.
-bool is_of_rigid_beam(StudyReader& reader, const toml::node& at, const char* what,
+bool is_of_rigid_body(StudyReader& reader, const toml::node& at, const char* what,
                       const ResponseSpec& response) {
   const int index = deformed_body(response);
   if (index < 0) return false;
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   const BodySpec& body = body_of(reader, index);
-  const auto* beam = std::get_if<BeamSpec>(&body.kind);
-  if (!beam || model_of(*beam, mechanism.formalism) != BeamModel::Rigid) return false;
+  const bool fixed = reader.root.contains("loads") && std::holds_alternative<SolidSpec>(body.kind);
+  if (fixed || !moves_rigidly(body, mechanism.formalism)) return false;
   reader.scene.problems.add(
       at, fmt::format("{} '{}' is always 0: '{}' is rigid", what, response.name, body.name),
-      "a response that does not need deformation, or a flexible beam",
-      "bodies.*.beam.as and simulation.formalism say what a beam is simulated as");
+      "a response that does not need deformation, or a flexible body",
+      "bodies.*.beam.as, modes and simulation.formalism say what a body is simulated as");
   return true;
 }
 
@@ -157,7 +165,7 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
       continue;
     }
     for (const ResponseSpec& response : reader.scene.scene.responses) {
-      if (response.name != name || is_of_rigid_beam(reader, *names[i], "response", response))
+      if (response.name != name || is_of_rigid_body(reader, *names[i], "response", response))
         continue;
       const bool fixed = reader.root.contains("loads"),
                  image = has_static_image(response, reader.scene.scene.mechanism);
@@ -166,7 +174,8 @@ void read_largest(StudyReader& reader, const toml::table& table, const toml::tab
             *names[i],
             fmt::format(
                 "'{}' is not on the deformation of the part, and fixed loads have no motion", name),
-            "a displacement or elongation of the meshed part");
+            "a displacement or elongation of the meshed part",
+            "weights.stress and weights.compliance are of its load cases");
       ConstraintSpec term{response, 1, fixed};
       term.response.name = name;
       term.weight = weight[i];
@@ -264,7 +273,7 @@ void read_motion_objective(StudyReader& reader, const toml::table& table) {
     const std::string name = node->value_or(std::string());
     if (!reader.scene.known(*node, "responses", "response", name)) continue;
     for (const ResponseSpec& response : reader.scene.scene.responses)
-      if (response.name == name && !is_of_rigid_beam(reader, *node, "response", response))
+      if (response.name == name && !is_of_rigid_body(reader, *node, "response", response))
         objective.responses.push_back(response);
   }
   const toml::node& at = weights ? static_cast<const toml::node&>(*weights) : table;
@@ -327,10 +336,7 @@ void read_objective(StudyReader& reader) {
     }
   }
   read_motion_objective(reader, *table);
-  const std::string quantity = text(*table, "minimize");
-  reader.spec.objective = quantity == "compliance" ? SolidResponse::Compliance
-                          : quantity == "stress"   ? SolidResponse::Stress
-                                                   : SolidResponse::Mass;
+  reader.spec.objective = part_quantity(text(*table, "minimize"));
 
   if (!varied && complete && design_is_read(reader) && reader.spec.motion_objective.only_mass())
     reader.scene.problems.add(*table->get("of"), "no design variable changes the objective",
@@ -383,22 +389,23 @@ std::vector<Entry> for_each_bar(StudyReader& reader, const Entry& entry,
   return out;
 }
 
-/// A limit on the stress of a beam. @param name of the entry, for a bar of a truss with its bar
+/// A limit on the stress of a beam or part. @param name of the entry, for a bar of a truss with its
+/// bar
 void check_stress_limit(StudyReader& reader, const std::string& name, const ConstraintSpec& limit) {
   const ResponseSpec& r = limit.response;
   if (r.body < 0 || (r.kind != ResponseKind::Stress && r.kind != ResponseKind::AxialStress)) return;
-  const auto& bodies = reader.scene.scene.mechanism.bodies;
-  const auto* beam = std::get_if<BeamSpec>(&bodies[static_cast<std::size_t>(r.body)].kind);
+  const BodySpec& body = body_of(reader, r.body);
+  const auto* beam = std::get_if<BeamSpec>(&body.kind);
+  const double E = beam ? beam->material.E : std::get<SolidSpec>(body.kind).model->material().E;
   const bool whole = reader.root["constraints"].as_table()->contains(name);
-  if (beam)
-    note_stress_limit(reader, "constraints." + (whole ? name : name.substr(0, name.rfind(' '))),
-                      limit.limit, beam->material.E);
+  note_stress_limit(reader, "constraints." + (whole ? name : name.substr(0, name.rfind(' '))),
+                    limit.limit, E);
 }
 
 void read_constraint(StudyReader& reader, const Entry& entry) {
   auto response = response_of(reader, entry);
   if (!response) return;
-  if (is_of_rigid_beam(reader, *entry.table, "limit", *response)) return;
+  if (is_of_rigid_body(reader, *entry.table, "limit", *response)) return;
   response->side = read_side(reader, entry, *response);
   const bool image = has_static_image(*response, reader.scene.scene.mechanism);
   ConstraintSpec limit{std::move(*response), number(*entry.table, "limit"), image};
@@ -654,7 +661,7 @@ void check_images(StudyReader& reader) {
     if (c.weight == 0 && (!c.has_image || by_motion_alone(c))) {
       const toml::table& table = constraint_table(reader, c.response.name);
       const toml::node* use = table.get("use");
-      const bool treated = c.has_image;
+      const bool treated = c.has_image, of_mesh = is_of_mesh(reader, c.response);
       reader.scene.problems.add(
           treated ? *table.get(c.treatment != Treatment::Auto ? "treatment" : "surrogate")
           : c.response.side != Side::Both ? *table.get("side")
@@ -663,10 +670,12 @@ void check_images(StudyReader& reader) {
           fmt::format("constraint '{}' {}, and {}", c.response.name,
                       treated ? "is told by the motion's own gradients"
                       : c.response.side != Side::Both ? "holds one side"
+                      : of_mesh                       ? "is of a meshed part in its motion"
                                                       : "is not on the deformation of a part",
                       why),
-          "a displacement, deflection, elongation, stress or compliance of a beam, a displacement "
-          "or elongation of a meshed part",
+          of_mesh ? "an entry in [part_limits]"
+                  : "a displacement, deflection, elongation, stress or compliance of a beam, a "
+                    "displacement or elongation of a meshed part",
           "limits on any response need a motion and cycle.method \"esl1\" or \"full\"");
     }
 }

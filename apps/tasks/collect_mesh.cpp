@@ -3,6 +3,7 @@
 #include "apps/tasks/collect_reference.hpp"
 #include "mbs/levelset/shape_spec.hpp"
 #include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/stress_norm.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
@@ -21,8 +22,7 @@ void append_columns(std::vector<double>& out, const Eigen::Matrix3Xd& x) {
 
 void add_stress_basis(const SolidModel& part, const Eigen::MatrixXd& phi, output::MeshResult& out) {
   std::vector<Eigen::MatrixXd> cells;
-  for (int e = 0; e < part.mesh().cell_count(); ++e)
-    cells.push_back(part.cell(e).stress * part.at_cell(e, phi));
+  for (int e = 0; e < part.mesh().cell_count(); ++e) cells.push_back(central_stress(part, e, phi));
   for (Eigen::Index k = 0; k < phi.cols(); ++k)
     for (const Eigen::MatrixXd& stress : cells) append(out.stress_basis, stress.col(k));
 }

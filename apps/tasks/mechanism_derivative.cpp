@@ -121,7 +121,7 @@ bool acts_alike(const ForceSpec& a, const ForceSpec& b) {
 void add_outline(const SolidScale& scale, const SolidSpec& solid, const Eigen::VectorXd& by_values,
                  const std::string& name, Parameter& p) {
   if (by_values.isZero(0)) return;
-  if (scale.stiffness != 0 || scale.mass != 0)
+  if (scale.E != 0 || scale.rho != 0 || scale.thickness != 0)
     throw std::invalid_argument("material or thickness and outline of the meshed body '" + name +
                                 "' change together, of which there is no derivative: each is a "
                                 "parameter of its own");
@@ -319,10 +319,10 @@ class Differences {
       const double by_p = difference([&](const Mechanism& m) { return get(*of(m).model); });
       return by_p == 0 ? 0 : by_p / get(*solid.model);
     };
-    const double t = relative([](const SolidModel& m) { return m.thickness(); });
-    const SolidScale by_p{b, t + relative([](const SolidModel& m) { return m.material().E; }),
-                          t + relative([](const SolidModel& m) { return m.material().rho; })};
-    if (by_p.stiffness != 0 || by_p.mass != 0) p.parts.push_back(by_p);
+    const SolidScale by_p{b, relative([](const SolidModel& m) { return m.material().E; }),
+                          relative([](const SolidModel& m) { return m.material().rho; }),
+                          relative([](const SolidModel& m) { return m.thickness(); })};
+    if (by_p.E != 0 || by_p.rho != 0 || by_p.thickness != 0) p.parts.push_back(by_p);
     const Eigen::VectorXd by_values =
         difference([&](const Mechanism& m) { return outline_values(of(m)); });
     add_outline(by_p, solid, by_values, at_.bodies[static_cast<std::size_t>(b)].name, p);

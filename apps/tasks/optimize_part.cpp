@@ -10,24 +10,11 @@
 #include "optim/cycle/catalogue.hpp"
 #include "optim/problems/esl_problem.hpp"
 #include "optim/problems/mesh_statics.hpp"
+#include "optim/study/part_quantity.hpp"
 
 namespace liesl {
 
-Quantity quantity(SolidResponse r) {
-  switch (r) {
-    case SolidResponse::Output:
-      return {"displacement", "m"};
-    case SolidResponse::Compliance:
-      return {"compliance", "J"};
-    case SolidResponse::Stress:
-      return {"stress", "Pa"};
-    case SolidResponse::Mass:
-      return {"mass", "kg"};
-    case SolidResponse::Frequency:
-      return {"frequency", "Hz"};
-  }
-  return {"", ""};
-}
+Quantity quantity(SolidResponse r) { return {part_quantity(r).name, part_quantity(r).unit}; }
 
 namespace {
 

@@ -207,10 +207,10 @@ class Body {
   /// derivatives at any state are those of the same body with the derivative of the law for its
   /// law: `add_inertia` and `add_internal` of what is returned give
   ///   dr/dp = d(M vdot + g_gyr + g_int - weight)/dp,
-  /// `mass`, `stiffness` and `exact_tangent` those of the matrices, `energy` and `section_force`
-  /// likewise. Strains have none, so `strain` is that of this body. It has the unknowns of this
-  /// body. Modes of a reduced body are kept: with all of them that is a choice of coordinates; with
-  /// fewer the derivative is that of the motion in the space of these modes.
+  /// `mass`, `stiffness` and `exact_tangent` those of the matrices, `energy`, `section_force` and
+  /// `cell_stress` likewise. Strains have none, so `strain` is that of this body. It has the
+  /// unknowns of this body. Modes of a reduced beam are kept: with all of them that is a choice of
+  /// coordinates; with fewer the derivative is that of the motion in the space of these modes.
   /// @throws std::invalid_argument if the law is of another kind of body or not of its size
   virtual std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const = 0;
 
@@ -218,6 +218,18 @@ class Body {
   /// the increments of the nodal frames of a completed state.
   virtual void add_section_force_gradient(const BodyState<G>&, int /*e*/, ElementPlace,
                                           const Tangent& /*f*/, double* /*h*/) const {}
+
+  /// Cells of a mesh: the share of the stress of its material that each shows (`relaxed_shares` of
+  /// the fractions), and these stresses at the centres, a column each, ordered as in
+  /// `CellMatrices`, Pa. Nothing of bodies without cells.
+  virtual Eigen::VectorXd stress_shares() const { return {}; }
+  virtual Eigen::MatrixXd cell_stresses(const BodyState<G>&) const { return {}; }
+  /// Those of one cell; of a `derivative` their derivative at constant state, as its shares are.
+  virtual Eigen::VectorXd cell_stress(const BodyState<G>&, int /*cell*/) const { return {}; }
+  /// h += gradient of f . (stress of a cell) with respect to the unknowns.
+  /// @param s as the solvers have it, not completed
+  virtual void add_cell_stress_gradient(const BodyState<G>& /*s*/, int /*cell*/,
+                                        const Eigen::VectorXd& /*f*/, double* /*h*/) const {}
   /// Gradient of weight.kinetic T + weight.elastic V + weight.potential U with respect to the
   /// unknowns: h by increments of frames and amplitudes, v by velocities and rates of amplitudes.
   /// @param s as the solvers have it, not completed

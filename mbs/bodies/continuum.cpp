@@ -6,6 +6,7 @@
 
 #include "mbs/solids/connectivity.hpp"
 #include "mbs/solids/continuum_check.hpp"
+#include "mbs/solids/stress_norm.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
@@ -98,6 +99,7 @@ void ContinuumBody<G>::make_cells(const SolidSpec& spec) {
   fraction_ = solid_fractions(spec).value;
   stiff_ = fraction_.unaryExpr([&law](double v) { return law.stiffness(v); });
   heavy_ = fraction_.unaryExpr([&law](double v) { return mass_share(law, v); });
+  shares_ = of_solid(relaxed_shares(fraction_));
   // cells of equal shape share their matrices
   std::map<std::pair<const CellMatrices*, SolidLaw>, int> known;
   typename Cell::Positions at;
@@ -390,11 +392,15 @@ void ContinuumBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& 
 template <FrameGroup G>
 std::unique_ptr<Body<G>> ContinuumBody<G>::derivative(const LawDerivative<G>& law) const {
   const auto made = [this](VectorXd stiff, VectorXd heavy, double ports) {
-    return std::unique_ptr<Body<G>>(
+    return std::unique_ptr<ContinuumBody>(
         new ContinuumBody(*this, std::move(stiff), std::move(heavy), ports));
   };
-  if (const auto* scale = std::get_if<ScaleDerivative>(&law))
-    return made(scale->stiffness * stiff_, scale->mass * heavy_, scale->stiffness);
+  if (const auto* scale = std::get_if<ScaleDerivative>(&law)) {
+    auto out = made(scale->stiffness * stiff_, scale->mass * heavy_, scale->stiffness);
+    out->shares_.setZero();
+    out->stress_ = scale->stress;
+    return out;
+  }
   const auto* cells = std::get_if<FractionDerivative>(&law);
   if (!cells || !cells->model || cells->fractions.size() != fraction_.size() ||
       cells->derivative.size() != fraction_.size())
@@ -403,7 +409,10 @@ std::unique_ptr<Body<G>> ContinuumBody<G>::derivative(const LawDerivative<G>& la
   const ErsatzLaw& ersatz = cells->model->law();
   const VectorXd slope =
       cells->fractions.unaryExpr([&ersatz](double v) { return ersatz.slope(v); });
-  return made(slope.cwiseProduct(cells->derivative), (1 - ersatz.ratio) * cells->derivative, 0);
+  auto out = made(slope.cwiseProduct(cells->derivative), (1 - ersatz.ratio) * cells->derivative, 0);
+  out->shares_ = of_solid(relaxed_shares_derivative(cells->fractions, cells->derivative));
+  out->stress_ = 0;
+  return out;
 }
 
 /// Averaged ports have a share of the mass of the whole.

@@ -85,6 +85,12 @@ class ContinuumBody final : public Body<G> {
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;
 
+  Eigen::VectorXd stress_shares() const override { return shares_; }
+  Eigen::MatrixXd cell_stresses(const BodyState<G>& s) const override;
+  Eigen::VectorXd cell_stress(const BodyState<G>& s, int cell) const override;
+  void add_cell_stress_gradient(const BodyState<G>& s, int cell, const Eigen::VectorXd& f,
+                                double* h) const override;
+
   /// Where all nodes of the mesh are, m, inertial.
   void positions(const G* H, Points& x) const;
   /// Cauchy stresses of the material at the centres of the cells, a column each, in the axes in
@@ -138,6 +144,8 @@ class ContinuumBody final : public Body<G> {
   }
   /// Has material enough to be judged by what its law and its shape become.
   bool solid(int e) const;
+  /// Shares of the stress of cells, none of void ones.
+  Eigen::VectorXd of_solid(Eigen::VectorXd shares) const;
   /// Values at the corners of a cell.
   void gather(int e, const Points& all, typename Cell::Positions& at) const;
   Vector local_velocity(const BodyState<G>& s, int i) const;
@@ -179,6 +187,8 @@ class ContinuumBody final : public Body<G> {
   Eigen::MatrixXi cells_;     ///< corners x cells
   Eigen::VectorXd fraction_;  ///< by cell: share of material
   Eigen::VectorXd stiff_, heavy_;  ///< by cell: factors of energy and mass
+  Eigen::VectorXd shares_;         ///< by cell: of its stress that it shows
+  double stress_ = 1;              ///< that stresses of the material are multiplied by
   std::vector<int> shape_of_;
   std::vector<Cell> shapes_;                ///< cells of equal shape share them
   std::vector<Eigen::MatrixXd> cell_mass_;  ///< by shape, of one component

@@ -91,6 +91,41 @@ MatrixXd ContinuumBody<G>::stresses_at(const Points& x) const {
 }
 
 template <FrameGroup G>
+VectorXd ContinuumBody<G>::of_solid(VectorXd shares) const {
+  for (int e = 0; e < shares.size(); ++e)
+    if (!solid(e)) shares[e] = 0;
+  return shares;
+}
+
+template <FrameGroup G>
+MatrixXd ContinuumBody<G>::cell_stresses(const BodyState<G>& s) const {
+  Points x;
+  positions(s.H, x);
+  return stress_ * stresses_at(x);
+}
+
+template <FrameGroup G>
+VectorXd ContinuumBody<G>::cell_stress(const BodyState<G>& s, int e) const {
+  Points x;
+  positions(s.H, x);
+  typename Cell::Positions at;
+  gather(e, x, at);
+  return stress_ * cell(e).central_stress(at);
+}
+
+template <FrameGroup G>
+void ContinuumBody<G>::add_cell_stress_gradient(const BodyState<G>& s, int e, const VectorXd& f,
+                                                double* h) const {
+  Points x, by_x = Points::Zero(sd, mesh_nodes());
+  positions(s.H, x);
+  typename Cell::Positions at, by_at = Cell::Positions::Zero(sd, cells_.rows());
+  gather(e, x, at);
+  cell(e).add_central_stress_gradient(at, stress_ * f, by_at);
+  for (int c = 0; c < cells_.rows(); ++c) by_x.col(cells_(c, e)) = by_at.col(c);
+  add_to_nodes(s.H, by_x, h);
+}
+
+template <FrameGroup G>
 std::string ContinuumBody<G>::no_forces(const G* H) const {
   Points x;
   positions(H, x);
@@ -121,5 +156,15 @@ template std::string ContinuumBody<SE2>::no_forces(const SE2*) const;
 template std::string ContinuumBody<SE3>::no_forces(const SE3*) const;
 template MatrixXd ContinuumBody<SE2>::stresses_at(const Points&) const;
 template MatrixXd ContinuumBody<SE3>::stresses_at(const Points&) const;
+template VectorXd ContinuumBody<SE2>::of_solid(VectorXd) const;
+template VectorXd ContinuumBody<SE3>::of_solid(VectorXd) const;
+template MatrixXd ContinuumBody<SE2>::cell_stresses(const BodyState<SE2>&) const;
+template MatrixXd ContinuumBody<SE3>::cell_stresses(const BodyState<SE3>&) const;
+template VectorXd ContinuumBody<SE2>::cell_stress(const BodyState<SE2>&, int) const;
+template VectorXd ContinuumBody<SE3>::cell_stress(const BodyState<SE3>&, int) const;
+template void ContinuumBody<SE2>::add_cell_stress_gradient(const BodyState<SE2>&, int,
+                                                           const VectorXd&, double*) const;
+template void ContinuumBody<SE3>::add_cell_stress_gradient(const BodyState<SE3>&, int,
+                                                           const VectorXd&, double*) const;
 
 }  // namespace liesl

@@ -26,10 +26,11 @@ struct FractionDerivative {
   Eigen::VectorXd derivative;         ///< by cell
 };
 
-/// d(stiffness)/dp and d(mass)/dp of all cells of a meshed part alike, relative to the part's own:
-/// [1/E, 0] by E, [0, 1/rho] by rho, [1/t, 1/t] by the thickness t of a planar mesh.
+/// d(stiffness)/dp, d(mass)/dp and d(stress of the material at given strains)/dp of all cells of a
+/// meshed part alike, relative to the part's own: [1/E, 0, 1/E] by E, [0, 1/rho, 0] by rho,
+/// [1/t, 1/t, 0] by the thickness t of a planar mesh.
 struct ScaleDerivative {
-  double stiffness = 0, mass = 0;  ///< 1 per unit of p
+  double stiffness = 0, mass = 0, stress = 0;  ///< 1 per unit of p
 };
 
 /// d/dp of what a body is made of, by its kind:

@@ -8,6 +8,7 @@
 #include "liegroup/rotation.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/solids/solid_model.hpp"
+#include "mbs/solids/stress_norm.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 
 namespace liesl {
@@ -76,7 +77,8 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
       origin_(spec.interfaces()[0].point),
       turn_(turn),
       model_(spec.model),
-      fractions_(solid_fractions(spec).value) {
+      fractions_(solid_fractions(spec).value),
+      shares_(relaxed_shares(fractions_)) {
   const SolidModel& model = *model_;
   const VectorXd& v = fractions_;
   const ReducedSolid reduced = reduce(model, v, ReductionKind::CraigBampton, spec.modes);
@@ -115,6 +117,7 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
       turn_(body.turn_),
       model_(body.model_),
       fractions_(law.derivative),
+      shares_(relaxed_shares_derivative(law.fractions, law.derivative)),
       basis_(body.basis_derivative(law)) {
   const MatrixXd& Psi = body.basis_;
   MatrixXd dK_e = Psi.transpose() * (law.model->stiffness_derivative(law.fractions, law.derivative)
@@ -131,7 +134,8 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
 template <FrameGroup G>
 SolidBody<G>::SolidBody(const SolidBody& body, const ScaleDerivative& law) : SolidBody(body) {
   this->become_derivative(law.stiffness * (basis_.transpose() * loads_));
-  basis_.setZero();
+  basis_ *= law.stress;
+  shares_.setZero();
   InertiaIntegrals& I = integrals_;
   I.mass *= law.mass;
   I.first *= law.mass;

@@ -52,6 +52,12 @@ class SolidBody final : public FloatingBody<G> {
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;
 
+  Eigen::VectorXd stress_shares() const override { return shares_; }
+  Eigen::MatrixXd cell_stresses(const BodyState<G>& s) const override;
+  Eigen::VectorXd cell_stress(const BodyState<G>& s, int cell) const override;
+  void add_cell_stress_gradient(const BodyState<G>& s, int cell, const Eigen::VectorXd& f,
+                                double* h) const override;
+
   /// e = [u_i; eta] at a state, without padding: the displacements of the mesh are basis() * e.
   Eigen::VectorXd coordinates(const BodyState<G>& s) const;
   /// Adds the gradient of c . e by the unknowns of the body to h [size()].
@@ -72,6 +78,8 @@ class SolidBody final : public FloatingBody<G> {
   /// By a scale of all its matrices, which the modes do not notice.
   SolidBody(const SolidBody& body, const ScaleDerivative& law);
   Eigen::MatrixXd basis_derivative(const FractionDerivative& law) const;
+  /// Stress of a cell from e, Pa: 3 or 6 x n.
+  Eigen::MatrixXd stress_basis(int cell) const;
   void set_integrals(const InertiaIntegrals& mesh);
 
   struct Room final : FloatingBody<G>::Workspace {
@@ -94,6 +102,8 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
   std::shared_ptr<const SolidModel> model_;
   Eigen::VectorXd fractions_;  ///< of a derivative: theirs
+  Eigen::VectorXd shares_;     ///< of the stress that cells show; of a derivative: theirs
+  /// Psi and K Psi; of a derivative what has the derivative of the stresses: Psi', or Psi E'/E.
   Eigen::MatrixXd basis_, loads_;
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
   /// About the first interface, in its axes; mode is 3 x n, padded.

@@ -83,6 +83,14 @@ BeamModel model_of(const BeamSpec& beam, Formalism formalism) {
   return formalism == Formalism::Segments ? BeamModel::Segments : BeamModel::AsFormalism;
 }
 
+bool moves_rigidly(const BodySpec& body, Formalism formalism) {
+  if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+    return model_of(*beam, formalism) == BeamModel::Rigid;
+  const auto* part = std::get_if<SolidSpec>(&body.kind);
+  if (!part || formalism == Formalism::Rigid) return true;
+  return part->as == SolidMotion::Reduced && part->modes == 0 && part->interfaces().size() == 1;
+}
+
 NodeUpdate update_of(NodeUpdate chosen, Formalism formalism) {
   if (chosen != NodeUpdate::AsFormalism) return chosen;
   if (formalism == Formalism::R3SO3) return NodeUpdate::R3SO3;

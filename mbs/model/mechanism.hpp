@@ -159,6 +159,8 @@ enum class Formalism {
 const char* to_string(Formalism formalism);
 /// What a beam is simulated as under a formalism; AsFormalism: as the elements of that.
 BeamModel model_of(const BeamSpec& beam, Formalism formalism);
+/// Is a body simulated as a rigid one: deformation, internal forces and stress are 0 by definition?
+bool moves_rigidly(const BodySpec& body, Formalism formalism);
 
 /// How the rows Phi of joints and drives are enforced, forces B^T lambda.
 enum class ConstraintForm {

@@ -54,11 +54,13 @@ struct WeightedFunction {
 };
 using FunctionDerivative = std::vector<WeightedFunction>;
 
-/// Stiffness and mass of all of a meshed part, relative to its own, geometry and Poisson's ratio
-/// fixed: [1/E, 0] by E, [0, 1/rho] by rho, [1/t, 1/t] by the thickness t of a planar mesh.
+/// Material and thickness of all of a meshed part, geometry and Poisson's ratio fixed.
 struct SolidScale {
   int body = -1;
-  double stiffness = 0, mass = 0;  ///< 1 per unit of p
+  double E = 0, rho = 0, thickness = 0;  ///< relative, 1 per unit of p: 1/E by E
+
+  double stiffness() const { return E + thickness; }  ///< dK/dp / K
+  double mass() const { return rho + thickness; }     ///< dM/dp / M
 };
 
 /// Spring, damper and rest value of a force law; of its F(t) a factor and any change in time.

@@ -35,10 +35,11 @@ enum class ResponseKind {
   DriveForce,     ///< force or torque of the drive on `coordinate` of a joint, N or N m; it does
                   ///< positive work where the coordinate grows
   SectionForce,   ///< `component` of [N, Vy, Vz, Mx, My, Mz] at `place` of one element, N or N m
-  Stress,         ///< von Mises stress of a beam, largest over both ends of its elements or at a
-                  ///< `point`, Pa
+  Stress,         ///< largest von Mises stress, Pa: of a beam over both ends of its elements, or at
+                  ///< a `point`; of a meshed part over its cells, v^(1/2) of that of the material
+                  ///< at the centre, v the fraction
   Energy,         ///< kinetic + elastic (springs, too) + potential, J
-  Compliance,     ///< twice the elastic energy of a beam: load times displacement, J
+  Compliance,     ///< twice the elastic energy of a beam or part: load times displacement, J
   AxialStress,    ///< N/A of a beam, tension positive, of the element where it is largest, Pa
   Buckling,       ///< compressive force of a beam over its Euler load, the largest; 0 in tension
   LocalBuckling,  ///< largest compressive stress of a section over that of its wall

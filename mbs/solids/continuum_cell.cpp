@@ -224,20 +224,48 @@ double ContinuumCell<D>::smallest_determinant(const Positions& x) const {
 }
 
 template <int D>
-auto ContinuumCell<D>::central_stress(const Positions& x) const
-    -> Eigen::Matrix<double, kStrains, 1> {
-  const Square F = central_gradient(x);
-  Eigen::Matrix<double, kStrains, 1> E, out = E.Zero();
+auto ContinuumCell<D>::green_lagrange(const Square& F) -> Strain {
+  Strain E;
   symmetric<D>(F, F, E);
   E.template head<D>().array() = 0.5 * (E.template head<D>().array() - 1);
   E.template tail<kStrains - D>() *= 0.5;
-  const auto at = solid_law<D>(law_, material_, E);
+  return E;
+}
+
+template <int D>
+auto ContinuumCell<D>::central_stress(const Positions& x) const
+    -> Eigen::Matrix<double, kStrains, 1> {
+  const Square F = central_gradient(x);
+  Strain out = Strain::Zero();
+  const auto at = solid_law<D>(law_, material_, green_lagrange(F));
   const double J = F.determinant() * at.across;
   if (!(J > 0)) return out;
   const Square sigma = F * as_tensor<D>(at.stress) * F.transpose() / J;
   out.template head<D>() = sigma.diagonal();
   for (int s = D; s < kStrains; ++s) out[s] = sigma(s - D, (s - D + 1) % D);
   return out;
+}
+
+/// Of y = A : F S F^T/J with A of f: dy = (2 A F S/J + F W - y F^-T) : dF, W the tensor of
+/// dS/dE^T g/J - y d(ln across)/dE, g that of F^T A F as weights of the components of S.
+template <int D>
+void ContinuumCell<D>::add_central_stress_gradient(const Positions& x,
+                                                   const Eigen::Matrix<double, kStrains, 1>& f,
+                                                   Positions& g) const {
+  const Square F = central_gradient(x);
+  const auto at = solid_law<D>(law_, material_, green_lagrange(F));
+  const double J = F.determinant() * at.across;
+  if (!(J > 0)) return;
+  Strain halved = f;
+  halved.template tail<kStrains - D>() *= 0.5;
+  const Square A = as_tensor<D>(halved), S = as_tensor<D>(at.stress), FAF = F.transpose() * A * F;
+  const double y = (FAF * S).trace() / J;
+  Strain on_S;
+  on_S.template head<D>() = FAF.diagonal();
+  for (int s = D; s < kStrains; ++s) on_S[s] = 2 * FAF(s - D, (s - D + 1) % D);
+  const Strain on_E = at.tangent.transpose() * on_S / J - y * at.thinning;
+  const Square on_F = 2 / J * A * F * S + F * as_tensor<D>(on_E) - y * F.inverse().transpose();
+  g.noalias() += on_F.lazyProduct(central_);
 }
 
 template class ContinuumCell<2>;

@@ -68,9 +68,14 @@ class ContinuumCell {
   /// Cauchy stress F S F^T/J at the centre in the axes of x, Pa; zero where the cell is inverted
   /// there. Enhanced strains are zero at the centre.
   Eigen::Matrix<double, kStrains, 1> central_stress(const Positions& x) const;
+  /// g += gradient of f . central_stress with respect to the positions, D x n.
+  void add_central_stress_gradient(const Positions& x, const Eigen::Matrix<double, kStrains, 1>& f,
+                                   Positions& g) const;
 
  private:
   using Square = Eigen::Matrix<double, D, D>;
+  using Strain = Eigen::Matrix<double, kStrains, 1>;
+  static Strain green_lagrange(const Square& F);
   void respond_linearly(const Eigen::VectorXd& E, bool tangent, Response& out) const;
   void respond_iterated(const Eigen::VectorXd& E, bool tangent, Response& out) const;
 

@@ -40,8 +40,12 @@ LawAtPoint<D> linear(const Lame& k, const Strain<D>& E) {
   out.tangent.diagonal().template tail<LawAtPoint<D>::kStrains - D>().setConstant(k.mu);
   out.stress = out.tangent * E;
   out.energy = 0.5 * out.stress.dot(E);
-  if (D == 2)
-    out.across = std::sqrt(std::max(0., 1 - 2 * k.lambda / (k.lambda + 2 * k.mu) * (E[0] + E[1])));
+  if (D == 2) {
+    const double slope = 2 * k.lambda / (k.lambda + 2 * k.mu);
+    const double square = std::max(0., 1 - slope * (E[0] + E[1]));
+    out.across = std::sqrt(square);
+    if (square > 0) out.thinning.template head<2>().setConstant(-0.5 * slope / square);
+  }
   return out;
 }
 
@@ -85,10 +89,12 @@ LawAtPoint<D> neo_hookean(const Lame& k, const Strain<D>& E) {
   const double slope = k.lambda * ln_J - k.mu;
   out.energy = 0.5 * k.mu * (trace - 3 - 2 * ln_J) + 0.5 * k.lambda * ln_J * ln_J;
   // With S_zz = 0: d(ln J) is of the plane times mu c/(mu c + lambda/2).
+  const double thin = D == 2 ? -0.5 * k.lambda / (k.mu * c + 0.5 * k.lambda) : 0;
   const double volume = D == 2 ? k.lambda * k.mu * c / (k.mu * c + 0.5 * k.lambda) : k.lambda;
   for (int s = 0; s < n; ++s) {
     const int i = kRow<D>[s], j = kColumn<D>[s];
     out.stress[s] = (s < D ? k.mu : 0) + slope * inverse(i, j);
+    out.thinning[s] = thin * inverse(i, j);
     for (int t = 0; t < n; ++t) {
       const int a = kRow<D>[t], b = kColumn<D>[t];
       out.tangent(s, t) = volume * inverse(i, j) * inverse(a, b) -

@@ -20,8 +20,10 @@ const char* to_string(SolidLaw law);
 template <int D>
 struct LawAtPoint {
   static constexpr int kStrains = D == 2 ? 3 : 6;
-  double energy = 0;                                  ///< W, J/m^3
-  double across = 1;                                  ///< stretch of a plate through its thickness
+  double energy = 0;  ///< W, J/m^3
+  double across = 1;  ///< stretch of a plate through its thickness
+  /// d(ln across)/dE; zero in space
+  Eigen::Matrix<double, kStrains, 1> thinning = Eigen::Matrix<double, kStrains, 1>::Zero();
   Eigen::Matrix<double, kStrains, 1> stress;          ///< S = dW/dE, Pa
   Eigen::Matrix<double, kStrains, kStrains> tangent;  ///< dS/dE, Pa
 };

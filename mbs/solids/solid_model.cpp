@@ -160,6 +160,16 @@ MatrixXd SolidModel::at_cell(int cell, const Eigen::Ref<const MatrixXd>& u) cons
   return out;
 }
 
+MatrixXd SolidModel::q_at_cell(int cell, const Eigen::Ref<const MatrixXd>& q) const {
+  MatrixXd out = MatrixXd::Zero(mesh_.dim * mesh_.nodes_per_cell(), q.cols());
+  for (int i = 0; i < out.rows(); ++i) {
+    const int row = freedom(cell, i / mesh_.dim) + i % mesh_.dim;
+    for (decltype(T_rows_)::InnerIterator t(T_rows_, row); t; ++t)
+      out.row(i) += t.value() * q.row(t.col());
+  }
+  return out;
+}
+
 SolidModel::Sparse SolidModel::stiffness(const VectorXd& v) const {
   if (!given_.empty()) return given_[0];
   const VectorXd factor = v.unaryExpr([this](double x) { return options_.law.stiffness(x); });

@@ -85,6 +85,8 @@ class SolidModel {
   int freedom(int cell, int local) const { return mesh_.dim * mesh_.cells(local, cell); }
   /// What u [node freedoms x columns] is at the nodes of a cell: dim * its nodes x columns.
   Eigen::MatrixXd at_cell(int cell, const Eigen::Ref<const Eigen::MatrixXd>& u) const;
+  /// The same of coordinates q [size() x columns]: rows of T q.
+  Eigen::MatrixXd q_at_cell(int cell, const Eigen::Ref<const Eigen::MatrixXd>& q) const;
 
  private:
   void find_shapes();

@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// One stress number a load case: the p-norm of the von Mises stress over the cells.
+/// Von Mises stresses of the cells of a meshed part, and one number a load case: their p-norm.
 
 #include "mbs/solids/solid_statics.hpp"
 
@@ -29,5 +29,22 @@ StressNorm stress_norm(const SolidStatics& statics, const FractionGradient& dv,
 
 /// Von Mises stress of the full material at the centres, Pa: cells x cases; times v^relaxation.
 Eigen::MatrixXd von_mises(const SolidStatics& statics, double relaxation = 0);
+
+/// Stresses of the full material at the centre of a cell, ordered as in `CellMatrices`, Pa, from
+/// displacements u of the nodes: one column a column of u [node freedoms x columns].
+Eigen::MatrixXd central_stress(const SolidModel& model, int cell,
+                               const Eigen::Ref<const Eigen::MatrixXd>& u);
+
+/// sqrt(sigma^T V sigma) of stresses in the plane or in space, a column each, Pa: 1 x columns.
+Eigen::RowVectorXd von_mises(const Eigen::MatrixXd& stresses);
+/// Its derivative by one stress, V sigma/sigma_vM; zero where there is no stress.
+Eigen::VectorXd von_mises_gradient(const Eigen::VectorXd& stress);
+
+/// v^relaxation by cell: the share of the stress of its material that a cell shows.
+Eigen::VectorXd relaxed_shares(const Eigen::VectorXd& v,
+                               double relaxation = StressOptions().relaxation);
+/// Its derivative by a parameter of the fractions, dv/dp; 0 of cells that are void.
+Eigen::VectorXd relaxed_shares_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv,
+                                          double relaxation = StressOptions().relaxation);
 
 }  // namespace liesl

@@ -126,7 +126,7 @@ template <FrameGroup G>
 std::string ParameterResidual<G>::add_part(const Mechanism& mechanism, const SolidScale& part) {
   if (!kind_of<SolidSpec>(mechanism, part.body)) return expected("meshed part", part.body);
   add_nodes_of(part.body);
-  return set_body(part.body, ScaleDerivative{part.stiffness, part.mass});
+  return set_body(part.body, ScaleDerivative{part.stiffness(), part.mass(), part.E});
 }
 
 template <FrameGroup G>

@@ -279,6 +279,7 @@ void ResponseValues<G>::add_section_force(const ResponseSpec& r, const At& at,
 
 template <FrameGroup G>
 void ResponseValues<G>::add_stress(const ResponseSpec& r, const At& at, Cotangent& out) const {
+  if (is_meshed(r.body)) return add_cell_stress(r, at, out);
   const StressAt largest = largest_stress(r, at.s);
   if (largest.value == 0) return;
   const auto& S = points_of(r.body)[largest.element][largest.point].S;
@@ -355,6 +356,7 @@ double ResponseValues<G>::joint_force_by(const ResponseSpec& r, const State<G>& 
 template <FrameGroup G>
 double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
                                     const ParameterResidual<G>& parameter) const {
+  if (is_meshed(r.body)) return cell_stress_by(r, s, parameter);
   const StressAt largest = largest_stress(r, s);
   const Body<G>* body = parameter.body(r.body);
   if (!body || largest.value == 0) return 0;

@@ -249,7 +249,7 @@ auto ResponseValues<G>::largest_stress(const ResponseSpec& r, const State<G>& s)
 
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::stress(const ResponseSpec& r, const State<G>& s) const {
-  return scalar(largest_stress(r, s).value);
+  return scalar(is_meshed(r.body) ? largest_cell(r.body, s).value() : largest_stress(r, s).value);
 }
 
 template <FrameGroup G>

@@ -111,6 +111,15 @@ class ResponseValues {
     SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
   };
 
+  /// The cell of a meshed part with the largest von Mises stress of its share of material.
+  struct CellAt {
+    int cell = -1;          ///< -1: no cell has a stress
+    double share = 0;       ///< of the stress that it shows
+    Eigen::VectorXd sigma;  ///< of the material, Pa
+    double size = 0;        ///< von Mises of that, Pa
+    double value() const { return share * size; }
+  };
+
   /// The row of a kind: what it is called, its value and its derivatives.
   struct Kind {
     ResponseKind kind;
@@ -166,6 +175,7 @@ class ResponseValues {
   void add_compliance(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_member(const ResponseSpec& r, const At& at, Cotangent& out) const;
   void add_body_energy(int body, const BodyEnergy& weight, const At& at, Cotangent& out) const;
+  void add_cell_stress(const ResponseSpec& r, const At& at, Cotangent& out) const;
 
   double section_force_by(const ResponseSpec& r, const State<G>& s,
                           const ParameterResidual<G>& parameter) const;
@@ -173,6 +183,8 @@ class ResponseValues {
                         const ParameterResidual<G>& parameter) const;
   double stress_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
+  double cell_stress_by(const ResponseSpec& r, const State<G>& s,
+                        const ParameterResidual<G>& parameter) const;
   double energy_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
   double compliance_by(const ResponseSpec& r, const State<G>& s,
@@ -200,6 +212,8 @@ class ResponseValues {
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
+  bool is_meshed(int body) const;
+  CellAt largest_cell(int body, const State<G>& s) const;
   const EndForce<G>& end_force(int body) const;
   const std::vector<std::vector<StressPoint>>& points_of(int body) const;
   /// Adds the cotangent f [6] of a port's increment, or velocity, to that of its node.

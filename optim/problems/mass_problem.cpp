@@ -31,7 +31,7 @@ struct Slope {
   double by(const SolidDerivative& d) const {
     return design.part(part_of(design, d.body)).model.total_mass(d.fractions);
   }
-  double by(const SolidScale& d) const { return d.mass * mass_of(designed, {d.body}); }
+  double by(const SolidScale& d) const { return d.mass() * mass_of(designed, {d.body}); }
 
   template <class Part>
   double operator()(const Part& part) const {

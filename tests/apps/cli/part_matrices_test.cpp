@@ -114,6 +114,19 @@ TEST_F(PartMatrices, ReportsAndPicturesDoWithoutCells) {
   EXPECT_NE(o.err.find("given by matrices"), std::string::npos) << o.err;
 }
 
+TEST_F(PartMatrices, HasACompliance) {
+  const auto check = [this](const std::string& response) {
+    return run(
+        {"check", back(), "--set", "responses={s={response=\"" + response + "\",of=\"bar\"}}"});
+  };
+  EXPECT_EQ(check("compliance").code, 0);
+  const Outcome o = check("stress");
+  EXPECT_EQ(o.code, 2);
+  for (const char* words : {"part 'bar' is known by its matrices, which tell no stress",
+                            "expected a part with a 'mesh'"})
+    EXPECT_NE((o.out + o.err).find(words), std::string::npos) << o.err;
+}
+
 TEST_F(PartMatrices, FaultsOfTheFilesAreNamedAtTheirPlaces) {
   const auto has = [](const std::string& text, const char* words) {
     EXPECT_NE(text.find(words), std::string::npos) << text;

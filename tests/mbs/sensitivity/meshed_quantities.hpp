@@ -26,7 +26,7 @@ inline std::vector<Quantity> scales_of_the_part(const Mechanism& m) {
   if (model.mesh().dim == 2)
     all.push_back({t,
                    [](Mechanism& c, double p) { part(c).model = of_thickness(*part(c).model, p); },
-                   {"thickness", {SolidScale{1, 1 / t, 1 / t}}}});
+                   {"thickness", {SolidScale{1, 0, 0, 1 / t}}}});
   return all;
 }
 

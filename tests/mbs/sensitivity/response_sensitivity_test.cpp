@@ -1,9 +1,7 @@
 /// @file
 /// Derivatives of responses by parameters over a motion: direct, adjoint and differences.
 
-#include "mbs/sensitivity/response_sensitivity.hpp"
-
-#include "mbs/sensitivity/forms.hpp"
+#include "mbs/sensitivity/response_histories.hpp"
 
 namespace liesl::test::response_sensitivity_test {
 namespace {
@@ -122,116 +120,16 @@ class ResponsesOfAMotion : public ::testing::Test {};
 using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(ResponsesOfAMotion, Groups);
 
-/// y at all records, components x records.
-template <FrameGroup G>
-MatrixXd history(const Taped<G>& of, const ResponseSpec& r) {
-  const ResponseValues<G> values(of.mechanism, of.model);
-  const auto& trajectory = of.run.trajectory;
-  State<G> s = of.model.initial_state();
-  MatrixXd y(components(r, G::space_dim == 2), trajectory.size());
-  for (int n = 0; n < trajectory.size(); ++n) {
-    trajectory.read(n, s);
-    y.col(n) = values(r, s);
-  }
-  return y;
-}
-
-/// dy/dp of all responses, one below the other, at all steps: by parameter.
-template <FrameGroup G>
-std::vector<MatrixXd> direct(const Taped<G>& run, const Parameters<G>& parameters,
-                             const std::vector<ResponseSensitivity<G>>& responses, int rows) {
-  std::vector<MatrixXd> dy(parameters.size(), MatrixXd(rows, run.tape.steps() + 1));
-  const auto end = direct_sensitivity<G>(
-      run.model, run.tape, parameters, [&](long step, const State<G>& s, const auto& ds) {
-        int at = 0;
-        for (const auto& response : responses) {
-          const MatrixXd d = response(s, ds);
-          for (std::size_t p = 0; p < dy.size(); ++p)
-            dy[p].col(step).segment(at, d.rows()) = d.col(long(p));
-          at += int(d.rows());
-        }
-      });
-  EXPECT_TRUE(end.complete()) << end.reason;
-  return dy;
-}
-
-/// Of the sum of y over the steps of the second half, by parameter x row.
-template <FrameGroup G>
-MatrixXd adjoint(const Taped<G>& run, const Parameters<G>& parameters,
-                 const std::vector<ResponseSensitivity<G>>& responses,
-                 const std::vector<int>& groups, int rows) {
-  MatrixXd gradient;
-  const auto end = adjoint_sensitivity<G>(
-      run.model, run.tape, parameters, rows,
-      [&](long step, const State<G>& s, StateSensitivity& bars, MatrixXd& by_p) {
-        if (2 * step < run.tape.steps()) return;
-        int column = 0;
-        for (std::size_t r = 0; r < responses.size(); ++r)
-          for (int c = 0; c < groups[r]; ++c)
-            responses[r].add_cotangents(s, VectorXd::Unit(groups[r], c), column++, bars, by_p);
-      },
-      gradient);
-  EXPECT_TRUE(end.complete()) << end.reason;
-  return gradient;
-}
-
-/// Histories of all responses, one below the other.
-template <FrameGroup G>
-MatrixXd histories(const Taped<G>& of, const std::vector<ResponseSpec>& responses, int rows) {
-  MatrixXd y(rows, of.run.trajectory.size());
-  int first = 0;
-  for (const auto& r : responses) {
-    const MatrixXd one = history(of, r);
-    y.middleRows(first, one.rows()) = one;
-    first += int(one.rows());
-  }
-  return y;
-}
-
-/// Of all responses over a motion: direct, adjoint and differences.
-template <FrameGroup G>
-void expect_gradients(const Mechanism& machine, const SimulationOptions& o,
-                      const std::vector<Quantity>& all, const std::vector<ResponseSpec>& responses,
-                      const DifferenceOptions& options = {}) {
-  const Taped<G> run(machine, o);
-  const auto parameters = run.parameters(all);
-  const ResponseValues<G> values(run.mechanism, run.model);
-  std::vector<ResponseSensitivity<G>> sensitivities;
-  std::vector<int> groups;
-  int rows = 0;
-  for (const auto& r : responses) {
-    sensitivities.emplace_back(run.model, values, r, parameters);
-    rows += groups.emplace_back(components(r, G::space_dim == 2));
-  }
-  const auto exact = direct(run, parameters, sensitivities, rows);
-  const MatrixXd gradient = adjoint(run, parameters, sensitivities, groups, rows);
-  const long half = run.tape.steps() / 2;
-  for (std::size_t p = 0; p < all.size(); ++p) {
-    const MatrixXd second = exact[p].rightCols(exact[p].cols() - half);
-    const VectorXd sum_size = test::sizes(second.cwiseAbs().rowwise().sum(), groups);
-    const VectorXd gap = second.rowwise().sum() - gradient.row(long(p)).transpose();
-    EXPECT_LT(gap.cwiseAbs().cwiseQuotient(sum_size).maxCoeff(), 1e-10) << all[p].parameter.name;
-    const auto motion = [&](double change) {
-      Mechanism changed = machine;
-      all[p].set(changed, all[p].nominal * (1 + change));
-      return histories(Taped<G>(changed, o), responses, rows);
-    };
-    const MatrixXd scaled = all[p].nominal * exact[p];
-    expect_limit(motion, scaled, test::sizes(scaled.cwiseAbs().rowwise().maxCoeff(), groups),
-                 options, all[p].parameter.name, p);
-  }
-}
-
 TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
   const Mechanism machine = test::sensitive_machine();
-  expect_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
-                              responses());
+  expect_response_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
+                                       responses());
 }
 
 TYPED_TEST(ResponsesOfAMotion, FurtherOnesHaveThem) {
   const Mechanism machine = test::sensitive_machine();
-  expect_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
-                              further_responses());
+  expect_response_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
+                                       further_responses());
 }
 
 /// From equilibrium: waves from a load that strikes would be largest in other places. What E and
@@ -240,8 +138,8 @@ TYPED_TEST(ResponsesOfAMotion, OfAMemberHaveThem) {
   const Mechanism machine = strut();
   auto o = test::tight(0.04, 4e-4);
   o.start = StartChoice::Equilibrium;
-  expect_gradients<TypeParam>(machine, o, quantities_of_a_strut(machine), responses_of_a_strut(),
-                              {.samples = 24});
+  expect_response_gradients<TypeParam>(machine, o, quantities_of_a_strut(machine),
+                                       responses_of_a_strut(), {.samples = 24});
 }
 
 }  // namespace

@@ -130,6 +130,27 @@ TYPED_TEST(ContinuumCellTest, ForcesAndTangentsAreDerivatives) {
   }
 }
 
+TYPED_TEST(ContinuumCellTest, StressAtItsCentreHasItsGradient) {
+  constexpr int D = TypeParam::value;
+  using Stress = Eigen::Matrix<double, (D == 2 ? 3 : 6), 1>;
+  for (const SolidLaw law : kLaws) {
+    const auto cell = this->make(law);
+    const auto x = this->moved();
+    const Stress f = Random(9).vector(D == 2 ? 3 : 6);
+    typename TestFixture::Positions g = TestFixture::Positions::Zero(D, cell.nodes());
+    cell.add_central_stress_gradient(x, f, g);
+    const double h = 1e-5;
+    for (int a = 0; a < cell.nodes(); ++a)
+      for (int i = 0; i < D; ++i) {
+        auto up = x, down = x;
+        up(i, a) += h;
+        down(i, a) -= h;
+        const Stress change = (cell.central_stress(up) - cell.central_stress(down)) / (2 * h);
+        EXPECT_NEAR(g(i, a), f.dot(change), 1e-7 * g.norm()) << to_string(law);
+      }
+  }
+}
+
 /// Forces turn with the cell, energy and stress do not change.
 TYPED_TEST(ContinuumCellTest, DoesNotDependOnAxes) {
   for (const SolidLaw law : kLaws) {

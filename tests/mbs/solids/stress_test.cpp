@@ -35,6 +35,39 @@ TEST(VonMises, BarUnderTensionAndUnderShear) {
   }
 }
 
+/// Of stresses in the plane and in space, and of the shares of cells that are not void.
+TEST(VonMises, ItsPartsHaveTheirDerivatives) {
+  const double h = 1e-6;
+  for (const int components : {3, 6}) {
+    VectorXd s(components);
+    for (int i = 0; i < components; ++i) s[i] = std::sin(1 + 2.0 * i);
+    const VectorXd gradient = von_mises_gradient(s);
+    for (int i = 0; i < components; ++i) {
+      const VectorXd step = h * VectorXd::Unit(components, i);
+      EXPECT_NEAR(gradient[i], (von_mises(s + step)[0] - von_mises(s - step)[0]) / (2 * h), 1e-9);
+    }
+    EXPECT_TRUE(von_mises_gradient(VectorXd::Zero(components)).isZero(0));
+  }
+  VectorXd v(4), dv(4);
+  v << 0, 0.1, 0.7, 1;
+  dv << 2, -1, 0.5, 3;
+  const VectorXd by = relaxed_shares_derivative(v, dv),
+                 slope = (relaxed_shares(v + h * dv) - relaxed_shares(v - h * dv)) / (2 * h);
+  EXPECT_EQ(by[0], 0);
+  EXPECT_LT((by - slope).tail(3).norm(), 1e-8);
+  EXPECT_TRUE(relaxed_shares(v, 0).isOnes(0));
+}
+
+TEST(SolidModelAtACell, CoordinatesAreThoseOfItsNodes) {
+  const Plate plate({2, false, Tie::Averaged});
+  const SolidModel& model = plate.model;
+  MatrixXd q(model.size(), 2);
+  for (int i = 0; i < model.size(); ++i) q.row(i) << std::cos(3.0 * i), std::sin(2.0 * i);
+  const MatrixXd u = model.T() * q;
+  for (int e = 0; e < model.mesh().cell_count(); ++e)
+    EXPECT_LT((model.q_at_cell(e, q) - model.at_cell(e, u)).norm(), 1e-14) << e;
+}
+
 class PlateStress : public ::testing::TestWithParam<PlateCase> {};
 
 TEST_P(PlateStress, NormLiesBelowTheLargestAndItsGradientPassesTheStepSweep) {

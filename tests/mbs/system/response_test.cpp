@@ -323,7 +323,7 @@ void expect_gradients_of_a_part() {
   for (const auto kind :
        {ResponseKind::Position, ResponseKind::Velocity, ResponseKind::Acceleration,
         ResponseKind::Displacement, ResponseKind::Deflection, ResponseKind::Elongation,
-        ResponseKind::Energy, ResponseKind::Compliance}) {
+        ResponseKind::Energy, ResponseKind::Compliance, ResponseKind::Stress}) {
     ResponseSpec r;
     r.name = name_of(kind);
     r.kind = kind;
@@ -339,6 +339,34 @@ void expect_gradients_of_a_part() {
 TEST(Responses, OfAMeshedPartHaveTheirGradients) {
   expect_gradients_of_a_part<SE2>();
   expect_gradients_of_a_part<SE3>();
+}
+
+/// The same part with all nodes of its mesh.
+template <class G>
+void expect_gradients_of_a_continuum(SolidLaw law) {
+  Mechanism m = swinging_part<G>();
+  auto& part = std::get<SolidSpec>(m.bodies[0].kind);
+  part.as = SolidMotion::Continuum;
+  part.law = law;
+  const auto run = test::run<G>(m, {}, options(0.1, 2e-3));
+  ASSERT_EQ(run.report().status, SolveStatus::Converged) << run.report().reason;
+  test::Random random(7);
+  const State<G> s = Direction<G>(*run.model, random).from(*run.model, in_motion(run), 1e-3);
+  std::vector<ResponseSpec> all;
+  for (const auto kind : {ResponseKind::Stress, ResponseKind::Compliance, ResponseKind::Energy}) {
+    all.emplace_back();
+    all.back().kind = kind;
+    all.back().name = name_of(kind);
+    all.back().body = 0;
+  }
+  expect_gradients(m, *run.model, s, all);
+}
+
+TEST(Responses, OfAContinuumHaveTheirGradients) {
+  for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
+    expect_gradients_of_a_continuum<SE2>(law);
+    expect_gradients_of_a_continuum<SE3>(law);
+  }
 }
 
 /// A rigid motion of the whole, h_k = Ad(H_k^-1) e, does not change what is measured inside.
