@@ -274,9 +274,7 @@ template <FrameGroup G>
 ObjectiveModel MotionModel<G>::objective_model(const MotionAnalysis<G>& at,
                                                const MotionGradients& effort) const {
   const DesignRun<G>& run = at.runs.front();
-  const Constants& constants = design().constants();
-  const int duration =
-      constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
+  const int duration = design().duration();
   ObjectiveModel out{duration,
                      study_.motion_objective.duration,
                      study_.motion_objective.effort,
