@@ -67,8 +67,8 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     throw std::invalid_argument(
         "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
         "expected \"esl1\" or \"full\"");
-  if (!study.constants.empty() && study.cycle.method == CycleMethod::Esl)
-    throw std::invalid_argument("'" + study.constants.front().name +
+  if (const auto name = without_statics(study); name && study.cycle.method == CycleMethod::Esl)
+    throw std::invalid_argument("'" + *name +
                                 "' changes a constant of the motion, which no static problem "
                                 "has; expected cycle.method = \"esl1\" or \"full\"");
   if (!study.motion_objective.only_mass() && study.cycle.method == CycleMethod::Esl)
