@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "esl/corotational.hpp"
+#include "mbs/system/retract.hpp"
 
 namespace liesl {
 namespace {
@@ -46,9 +47,12 @@ double length_of(const Body<G>& body) {
 
 /// g_int(H) = f with H_0 = reference, by Newton's method with extrapolated stress.
 template <FrameGroup G>
-bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H) {
+bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at) {
   using Tangent = typename G::Tangent;
-  H.assign(beam.reference.begin(), beam.reference.end());
+  at.H.assign(beam.reference.begin(), beam.reference.end());
+  std::vector<int> frames, positions;  // the first node is held
+  for (int k = 1; k < beam.nodes(); ++k)
+    (beam.kind(k) == NodeKind::Position ? positions : frames).push_back(k);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
   typename Body<G>::Stresses stress(beam.elements(), Tangent::Zero());
   BodyMatrix<G::dim> A(beam.nodes());
@@ -57,7 +61,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
   double best = std::numeric_limits<double>::infinity(), moved = best;
   const double length = length_of(beam);
   for (int i = 0; i < kMaxNewton; ++i) {
-    BodyState<G> s{H.data(), rest.data(), rest.data()};
+    BodyState<G> s{at.H.data(), rest.data(), rest.data()};
     s.stress = stress.front().data();
     Eigen::VectorXd r = -f;
     ForceScale scale;
@@ -75,9 +79,8 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, Frames<G>& H
     moved = r.norm();
     const Eigen::VectorXd delta = -r;
     beam.extrapolate_stress(s, delta.data(), stress.data());
-    for (int k = 1; k < beam.nodes(); ++k)
-      H[k] = H[k] * G::exp(Tangent(delta.segment<G::dim>(G::dim * k)));
-    beam.turn_axes(H.data());
+    retract(at, delta, NodeUpdate::Screw, {frames, positions, {}}, at);
+    beam.turn_axes(at.H.data());
   }
   return false;
 }
@@ -158,12 +161,13 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
     lu.solve(u.data());
     const double off = (body.strains_at_rest(u) - dynamic).cwiseAbs().maxCoeff();
     identity.linear = std::max(identity.linear, off);
-    Frames<G> H;
-    const bool solved = linear || solve_nonlinear<G>(body, loads.f.col(n), H);
-    identity.nonlinear = std::max(
-        identity.nonlinear, linear   ? off
-                            : solved ? (strains<G>(body, H.data()) - dynamic).cwiseAbs().maxCoeff()
-                                     : std::numeric_limits<double>::infinity());
+    State<G> at;
+    const bool solved = linear || solve_nonlinear<G>(body, loads.f.col(n), at);
+    identity.nonlinear =
+        std::max(identity.nonlinear,
+                 linear   ? off
+                 : solved ? (strains<G>(body, at.H.data()) - dynamic).cwiseAbs().maxCoeff()
+                          : std::numeric_limits<double>::infinity());
   }
   if (largest > 0) {
     identity.nonlinear /= largest;

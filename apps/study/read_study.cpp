@@ -311,8 +311,8 @@ bool varies(const StudySpec& spec, int body) {
 /// Have all entries of [design] been understood?
 bool design_is_read(const StudyReader& reader) {
   const toml::table* design = reader.root["design"].as_table();
-  std::size_t entries_read = reader.spec.design.size() + reader.spec.constants.size();
-  for (const auto& [body, shape] : reader.spec.shapes) entries_read += shape.variables.size();
+  std::size_t entries_read = 0;
+  each_entry(reader.spec, [&entries_read](const auto&) { ++entries_read; });
   return design && design->size() == entries_read;
 }
 

@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "mbs/system/retract.hpp"
+
 namespace liesl {
 namespace {
 
@@ -66,26 +68,7 @@ template <FrameGroup G>
 void NodeCoordinates<G>::place(const State<G>& old, const Eigen::VectorXd& dq,
                                const Eigen::VectorXd& u, const Eigen::VectorXd& udot,
                                State<G>& s) const {
-  if (uses_local(model_.update)) {
-    for (const int k : model_.frames())
-      s.H[k] = old.H[k] * G::exp(dq.template segment<dim>(dim * k));
-  } else {
-    const bool vector = model_.update == NodeUpdate::RotationVector;
-    if (vector) s.w = old.w;
-    for (const int k : model_.frames()) {
-      const Angular turn = dq.template segment<rd>(dim * k + sd);
-      s.H[k].x = old.H[k].x + dq.template segment<sd>(dim * k);
-      if (vector) s.w.template segment<rd>(dim * k + sd) += turn;
-      s.H[k].R = vector ? Rot::exp(psi(s, k)) : (old.H[k].R * Rot::exp(turn)).eval();
-    }
-  }
-  for (const int k : model_.positions()) {
-    s.H[k].R = old.H[k].R;
-    s.H[k].x.noalias() = old.H[k].x + old.H[k].R * dq.template segment<sd>(dim * k);
-  }
-  for (const int k : model_.amplitudes())
-    s.w.template segment<dim>(dim * k) =
-        old.w.template segment<dim>(dim * k) + dq.template segment<dim>(dim * k);
+  retract(old, dq, model_.update, {model_.frames(), model_.positions(), model_.amplitudes()}, s);
   local_rates(u, udot, s);
 }
 

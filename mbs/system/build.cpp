@@ -11,6 +11,7 @@
 #include "mbs/system/constraint_rank.hpp"
 #include "mbs/system/model.hpp"
 #include "mbs/system/penalty.hpp"
+#include "mbs/system/retract.hpp"
 
 namespace liesl {
 namespace {
@@ -206,11 +207,7 @@ void Model<G>::finish() {
 
 template <FrameGroup G>
 void Model<G>::retract(State<G>& s, Eigen::Ref<const Eigen::VectorXd> delta) const {
-  for (const int k : frames_) s.H[k] = s.H[k] * G::exp(delta.template segment<G::dim>(G::dim * k));
-  for (const int k : positions_)
-    s.H[k].x += s.H[k].R * delta.template segment<G::space_dim>(G::dim * k);
-  for (const int k : amplitudes_)
-    s.w.template segment<G::dim>(G::dim * k) += delta.template segment<G::dim>(G::dim * k);
+  liesl::retract(s, delta, NodeUpdate::Screw, {frames_, positions_, amplitudes_}, s);
 }
 
 template <FrameGroup G>

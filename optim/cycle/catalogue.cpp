@@ -4,44 +4,48 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace liesl {
 namespace {
 
 constexpr double kMet = 1e-6;  // relative violation of a limit that round-off and solvers leave
 
+/// Bounds of an entry: the next numbers of a box.
+void narrow(DesignSpec& d, const DesignBox& box, Eigen::Index& j) {
+  d.group_bounds.clear();
+  for (int g = 0; g < d.groups; ++g, ++j) d.group_bounds.push_back({box.lower[j], box.upper[j]});
+}
+template <class Entry>
+void narrow(Entry& v, const DesignBox& box, Eigen::Index& j) {
+  v.lower = box.lower[j];
+  v.upper = box.upper[j++];
+}
+
 }  // namespace
 
 std::vector<CatalogueVariable> catalogue_variables(const StudySpec& study,
                                                    const std::vector<NlpVariable>& variables) {
   std::vector<CatalogueVariable> out;
-  const auto add = [&](const std::vector<double>& values) {
-    const std::string name = variables[out.size()].name;
-    out.push_back({name, values});
-  };
-  for (const DesignSpec& d : study.design)
-    for (int g = 0; g < d.groups; ++g) add(d.values);
-  for (const auto& [body, shape] : study.shapes)
-    for (const ShapeVariableSpec& v : shape.variables) add(v.values);
-  for (const ConstantSpec& c : study.constants) add(c.values);
+  each_entry(study, [&](const auto& entry) {
+    for (int i = 0; i < variables_of(entry); ++i)
+      out.push_back({variables[out.size()].name, entry.values});
+  });
   return out;
 }
 
 StudySpec without_catalogues(StudySpec study) {
-  for (DesignSpec& d : study.design) d.values.clear();
-  for (auto& [body, shape] : study.shapes)
-    for (ShapeVariableSpec& v : shape.variables) v.values.clear();
-  for (ConstantSpec& c : study.constants) c.values.clear();
+  each_entry(study, [](auto& entry) { entry.values.clear(); });
   return study;
 }
 
 StudySpec with_catalogues(StudySpec study, const StudySpec& of) {
-  const auto copy = [](auto& to, const auto& from) {
-    for (std::size_t i = 0; i < from.size(); ++i) to.at(i).values = from[i].values;
-  };
-  copy(study.design, of.design);
-  for (auto& [body, shape] : study.shapes) copy(shape.variables, of.shapes.at(body).variables);
-  copy(study.constants, of.constants);
+  std::map<std::string, std::vector<double>> values;
+  each_entry(of, [&values](const auto& entry) { values[entry.name] = entry.values; });
+  each_entry(study, [&values](auto& entry) {
+    if (const auto found = values.find(entry.name); found != values.end())
+      entry.values = found->second;
+  });
   return study;
 }
 
@@ -67,17 +71,7 @@ DesignBox all_designs(const std::vector<NlpVariable>& variables) {
 StudySpec within_box(StudySpec study, const DesignBox& box) {
   study = starting_at(std::move(study), box.start);
   Eigen::Index j = 0;
-  for (DesignSpec& d : study.design) {
-    d.group_bounds.clear();
-    for (int g = 0; g < d.groups; ++g, ++j) d.group_bounds.push_back({box.lower[j], box.upper[j]});
-  }
-  const auto narrow = [&](auto& v) {
-    v.lower = box.lower[j];
-    v.upper = box.upper[j++];
-  };
-  for (auto& [body, shape] : study.shapes)
-    for (ShapeVariableSpec& v : shape.variables) narrow(v);
-  for (ConstantSpec& c : study.constants) narrow(c);
+  each_entry(study, [&](auto& entry) { narrow(entry, box, j); });
   return study;
 }
 

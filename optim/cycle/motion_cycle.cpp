@@ -98,7 +98,7 @@ CycleResult<G> run_once(const std::vector<Scenario<G>>& scenarios, const StudySp
     const bool mechanism = std::any_of(
         study.constraints.begin(), study.constraints.end(),
         [](const ConstraintSpec& c) { return c.surrogate == SurrogateKind::Mechanism; });
-    if (!study.constants.empty() || !study.motion_objective.only_mass() || mechanism)
+    if (without_statics(study) || !study.motion_objective.only_mass() || mechanism)
       throw;  // the plain cycle has none of these
     CycleResult<G> result = run_with(scenarios, study, CycleMethod::Esl, hooks, resume);
     result.warnings.push_back(

@@ -67,8 +67,8 @@ StudySpec with_images(StudySpec study, const Mechanism& mechanism) {
     throw std::invalid_argument(
         "cycle.method = \"direct\" takes no largest values or lowest frequencies as objective; "
         "expected \"esl1\" or \"full\"");
-  if (!study.constants.empty() && study.cycle.method == CycleMethod::Esl)
-    throw std::invalid_argument("'" + study.constants.front().name +
+  if (const auto name = without_statics(study); name && study.cycle.method == CycleMethod::Esl)
+    throw std::invalid_argument("'" + *name +
                                 "' changes a constant of the motion, which no static problem "
                                 "has; expected cycle.method = \"esl1\" or \"full\"");
   if (!study.motion_objective.only_mass() && study.cycle.method == CycleMethod::Esl)
@@ -274,9 +274,7 @@ template <FrameGroup G>
 ObjectiveModel MotionModel<G>::objective_model(const MotionAnalysis<G>& at,
                                                const MotionGradients& effort) const {
   const DesignRun<G>& run = at.runs.front();
-  const Constants& constants = design().constants();
-  const int duration =
-      constants.duration() < 0 ? -1 : design().first_constant() + constants.duration();
+  const int duration = design().duration();
   ObjectiveModel out{duration,
                      study_.motion_objective.duration,
                      study_.motion_objective.effort,

@@ -10,10 +10,7 @@ using Eigen::VectorXd;
 
 VectorXd PartModel::unit(const VectorXd& x) const {
   VectorXd unit(x.size());
-  for (int j = 0; j < x.size(); ++j) {
-    const NlpVariable& v = variables()[static_cast<std::size_t>(j)];
-    unit[j] = v.upper > v.lower ? v.upper - v.lower : 1;  // 1: one value of a catalogue
-  }
+  for (int j = 0; j < x.size(); ++j) unit[j] = range_of(variables()[static_cast<std::size_t>(j)]);
   return unit;
 }
 

@@ -11,35 +11,46 @@ namespace {
 constexpr double kShares[kMostRestarts] = {0.9, 0.5, 0.1, 0.7, 0.3};
 constexpr double kSlowest = 0.9;  // share of the speed that a continuation begins at
 
+/// An entry starts at the next numbers of x.
+void take_start(DesignSpec& d, const Eigen::VectorXd& x, Eigen::Index& j) {
+  d.start.clear();
+  for (int g = 0; g < d.groups; ++g) d.start.push_back(x[j++]);
+}
+template <class Entry>
+void take_start(Entry& v, const Eigen::VectorXd& x, Eigen::Index& j) {
+  v.start = x[j++];
+}
+
+/// Does it set the motion itself?
 bool of_the_motion(const ConstantSpec& c) {
   return c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration;
+}
+template <class Entry>
+bool of_the_motion(const Entry&) {
+  return false;
 }
 
 }  // namespace
 
 StudySpec starting_at(StudySpec study, const Eigen::VectorXd& x) {
   Eigen::Index j = 0;
-  for (DesignSpec& d : study.design) {
-    d.start.clear();
-    for (int g = 0; g < d.groups; ++g) d.start.push_back(x[j++]);
-  }
-  for (auto& [body, shape] : study.shapes)
-    for (ShapeVariableSpec& v : shape.variables) v.start = x[j++];
-  for (ConstantSpec& c : study.constants) c.start = x[j++];
+  each_entry(study, [&](auto& entry) { take_start(entry, x, j); });
   return study;
 }
 
 std::optional<StudySpec> restarted(const StudySpec& study,
                                    const std::vector<NlpVariable>& variables, int number) {
   const auto n = static_cast<Eigen::Index>(variables.size());
-  const Eigen::Index constants = n - static_cast<Eigen::Index>(study.constants.size());
+  std::vector<bool> stays;
+  each_entry(study, [&stays](const auto& entry) {
+    stays.insert(stays.end(), static_cast<std::size_t>(variables_of(entry)), of_the_motion(entry));
+  });
   Eigen::VectorXd x(n);
   bool elsewhere = false;
   for (Eigen::Index j = 0; j < n; ++j) {
     const NlpVariable& v = variables[static_cast<std::size_t>(j)];
     x[j] = v.start;
-    if (j >= constants && of_the_motion(study.constants[static_cast<std::size_t>(j - constants)]))
-      continue;
+    if (stays[static_cast<std::size_t>(j)]) continue;
     x[j] = v.lower + kShares[number - 1] * (v.upper - v.lower);
     elsewhere = elsewhere || x[j] != v.start;
   }

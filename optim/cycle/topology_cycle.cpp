@@ -32,9 +32,10 @@ std::optional<PartProposal> best_proposal(const LoopResult& end,
 }
 
 std::size_t variable_count(const StudySpec& study) {
-  std::size_t count = study.constants.size();
-  for (const DesignSpec& d : study.design) count += static_cast<std::size_t>(d.groups);
-  for (const auto& [body, shape] : study.shapes) count += shape.variables.size();
+  std::size_t count = 0;
+  each_entry(study, [&count](const auto& entry) {
+    count += static_cast<std::size_t>(variables_of(entry));
+  });
   return count;
 }
 

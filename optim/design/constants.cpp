@@ -1,6 +1,5 @@
 #include "optim/design/constants.hpp"
 
-#include <algorithm>
 #include <stdexcept>
 
 #include "optim/design/drive_tables.hpp"
@@ -16,23 +15,7 @@ bool in_mechanism(const ConstantSpec& c) {
 
 std::vector<double> list(const Eigen::VectorXd& x) { return {x.data(), x.data() + x.size()}; }
 
-}  // namespace
-
-Constants::Constants(const StudySpec& study, const Mechanism& mechanism)
-    : constants_(study.constants), drives_(study.drives), duration_(study.duration) {
-  Mechanism at = mechanism;
-  for (const ConstantSpec& c : constants_)
-    variables_.push_back({c.name, c.lower, c.upper, c.start ? *c.start : constant_of(c, at)});
-}
-
-int Constants::duration() const {
-  for (int i = 0; i < size(); ++i)
-    if (constants_[static_cast<std::size_t>(i)].quantity == ConstantQuantity::Duration) return i;
-  return -1;
-}
-
-std::string Constants::unit(int i) const {
-  const ConstantSpec& c = constants_[static_cast<std::size_t>(i)];
+std::string unit_of(const ConstantSpec& c) {
   switch (c.quantity) {
     case ConstantQuantity::Mass:
       return "kg";
@@ -47,6 +30,23 @@ std::string Constants::unit(int i) const {
       return "s";
   }
   return "";
+}
+
+}  // namespace
+
+Constants::Constants(const StudySpec& study, const Mechanism& mechanism)
+    : constants_(study.constants), drives_(study.drives), duration_(study.duration) {
+  Mechanism at = mechanism;
+  for (const ConstantSpec& c : constants_) {
+    variables_.push_back({c.name, c.lower, c.upper, c.start ? *c.start : constant_of(c, at)});
+    units_.push_back(unit_of(c));
+  }
+}
+
+int Constants::duration() const {
+  for (int i = 0; i < size(); ++i)
+    if (constants_[static_cast<std::size_t>(i)].quantity == ConstantQuantity::Duration) return i;
+  return -1;
 }
 
 TimeFunction Constants::motion(int table, const Eigen::VectorXd& x) const {
@@ -86,6 +86,12 @@ DriveDerivative Constants::by_value(int i, const Eigen::VectorXd& x) const {
   return by;
 }
 
+std::vector<Parameter> Constants::parameters(const Mechanism&, const Eigen::VectorXd& x) const {
+  std::vector<Parameter> all;
+  for (int i = 0; i < size(); ++i) all.push_back(parameter(i, x));
+  return all;
+}
+
 Parameter Constants::parameter(int i, const Eigen::VectorXd& x) const {
   const ConstantSpec& c = constants_[static_cast<std::size_t>(i)];
   Parameter p{c.name, {}};
@@ -111,16 +117,6 @@ Parameter Constants::parameter(int i, const Eigen::VectorXd& x) const {
   by.rest = c.quantity == ConstantQuantity::Rest;
   p.parts.emplace_back(by);
   return p;
-}
-
-Eigen::VectorXd Constants::mass_gradient(const std::vector<int>& counted) const {
-  Eigen::VectorXd df = Eigen::VectorXd::Zero(size());
-  for (int i = 0; i < size(); ++i) {
-    const ConstantSpec& c = constants_[static_cast<std::size_t>(i)];
-    df[i] = c.quantity == ConstantQuantity::Mass &&
-            std::count(counted.begin(), counted.end(), c.body) > 0;
-  }
-  return df;
 }
 
 }  // namespace liesl

@@ -1,26 +1,32 @@
 #include "optim/design/design.hpp"
 
+#include <algorithm>
+#include <iterator>
+#include <utility>
+
 #include "optim/study/study_errors.hpp"
 
 namespace liesl {
 
-Design::Design(const StudySpec& study, const Mechanism& mechanism)
-    : sizing_(checked(study, mechanism).design, mechanism),
-      constants_(study, mechanism),
-      variables_(sizing_.variables()) {
-  units_.assign(variables_.size(), "m");
+/// A group behind those that there are.
+template <class Group, class... Arguments>
+Group& Design::add(Arguments&&... arguments) {
+  auto made = std::make_unique<Group>(std::forward<Arguments>(arguments)...);
+  Group& group = *made;
+  groups_.push_back({std::move(made), static_cast<int>(variables_.size())});
+  variables_.insert(variables_.end(), group.variables().begin(), group.variables().end());
+  units_.insert(units_.end(), group.units().begin(), group.units().end());
+  return group;
+}
+
+Design::Design(const StudySpec& study, const Mechanism& mechanism) {
+  sizing_ = &add<Sizing>(checked(study, mechanism).design, mechanism);
   for (const auto& [body, spec] : study.shapes) {
-    const auto& added = parts_.emplace_back(std::make_unique<PartShape>(mechanism, body, spec));
-    const auto& variables = added->design.variables();
-    const auto& units = added->design.units();
-    first_.push_back(static_cast<int>(variables_.size()));
-    variables_.insert(variables_.end(), variables.begin(), variables.end());
-    units_.insert(units_.end(), units.begin(), units.end());
+    parts_.push_back(&add<PartShape>(mechanism, body, spec));
+    first_.push_back(groups_.back().first);
   }
-  for (int i = 0; i < constants_.size(); ++i) {
-    variables_.push_back(constants_.variables()[static_cast<std::size_t>(i)]);
-    units_.push_back(constants_.unit(i));
-  }
+  const int duration = add<Constants>(study, mechanism).duration();
+  if (duration >= 0) duration_ = groups_.back().first + duration;
 }
 
 Eigen::VectorXd Design::start() const {
@@ -30,35 +36,32 @@ Eigen::VectorXd Design::start() const {
 }
 
 Eigen::VectorXd Design::unit(const Eigen::VectorXd& x) const {
-  if (parts_.empty() && constants_.size() == 0) return {};
+  const auto by_range = [](const Share& s) { return s.group->measured_by_range(); };
+  if (std::none_of(groups_.begin(), groups_.end(), by_range)) return {};
   Eigen::VectorXd unit = x;
-  for (int i = sizing_.size(); i < x.size(); ++i)
-    if (variables_[i].upper > variables_[i].lower)
-      unit[i] = variables_[i].upper - variables_[i].lower;
-    else
-      unit[i] = 1;  // one value of a catalogue
+  for (const Share& s : groups_)
+    for (int i = 0; by_range(s) && i < s.group->size(); ++i)
+      unit[s.first + i] = range_of(s.group->variables()[static_cast<std::size_t>(i)]);
   return unit;
 }
 
 std::vector<Parameter> Design::parameters(const Mechanism& designed,
                                           const Eigen::VectorXd& x) const {
   std::vector<Parameter> all;
-  for (int i = 0; i < sizing_.size(); ++i) all.push_back(sizing_.parameter(designed, i));
-  for (int k = 0; k < parts(); ++k) {
-    PartShape& p = part(k);
-    const Eigen::MatrixXd by = p.fraction_gradient(of_part(k, x));
-    for (int j = 0; j < by.cols(); ++j)
-      all.push_back({p.design.variables()[j].name, {SolidDerivative{p.body, by.col(j)}}});
+  for (const Share& s : groups_) {
+    std::vector<Parameter> own = s.group->parameters(designed, s.of(x));
+    std::move(own.begin(), own.end(), std::back_inserter(all));
   }
-  for (int i = 0; i < constants_.size(); ++i)
-    all.push_back(constants_.parameter(i, x.tail(constants_.size())));
   return all;
 }
 
 void Design::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
-  sizing_.apply(x, mechanism);
-  for (int k = 0; k < parts(); ++k) part(k).apply(of_part(k, x), mechanism);
-  constants_.apply(x.tail(constants_.size()), mechanism);
+  for (const Share& s : groups_) s.group->apply(s.of(x), mechanism);
+}
+
+SimulationOptions Design::simulation(SimulationOptions options, const Eigen::VectorXd& x) const {
+  for (const Share& s : groups_) options = s.group->simulation(std::move(options), s.of(x));
+  return options;
 }
 
 }  // namespace liesl

@@ -10,37 +10,46 @@
 
 namespace liesl {
 
-/// Variables x: those of the sizing, then those of each part in the order of the bodies, then the
-/// constants. Neither copied nor moved, as its parts.
+/// Groups of variables side by side in x: the sizing, then each part in the order of the bodies,
+/// then the constants. Neither copied nor moved, as its parts.
 class Design {
  public:
+  /// Where a group lies in x.
+  struct Share {
+    std::unique_ptr<VariableGroup> group;
+    int first = 0;
+
+    Eigen::VectorXd of(const Eigen::VectorXd& x) const { return x.segment(first, group->size()); }
+  };
+
   /// @throws std::invalid_argument for a study with errors (study_errors.hpp), and as Sizing and
   /// PartShape do
   Design(const StudySpec& study, const Mechanism& mechanism);
+  Design(const Design&) = delete;
+  Design& operator=(const Design&) = delete;
 
-  const Sizing& sizing() const { return sizing_; }
+  /// All of them; and for those who need one kind, that.
+  const std::vector<Share>& groups() const { return groups_; }
+  const Sizing& sizing() const { return *sizing_; }
   int parts() const { return static_cast<int>(parts_.size()); }
   PartShape& part(int k) const { return *parts_[static_cast<std::size_t>(k)]; }
   /// First of the variables of a part.
   int first(int k) const { return first_[static_cast<std::size_t>(k)]; }
   /// Its share of x.
   Eigen::VectorXd of_part(int k, const Eigen::VectorXd& x) const {
-    return x.segment(first(k), part(k).design.size());
+    return x.segment(first(k), part(k).size());
   }
-
-  const Constants& constants() const { return constants_; }
-  int first_constant() const { return static_cast<int>(variables_.size()) - constants_.size(); }
+  /// Number of the variable that is the duration of the motion; -1: none is.
+  int duration() const { return duration_; }
 
   const std::vector<NlpVariable>& variables() const { return variables_; }
   const std::vector<std::string>& units() const { return units_; }
   Eigen::VectorXd start() const;
-  /// What a change of each variable is measured by: sections by themselves at x, outlines and
-  /// constants by the range of the variable. Empty if there are sections only: all by the size of
-  /// x.
+  /// What a change of each variable is measured by: its range, or itself at x, as its group says.
+  /// Empty if no group takes ranges: all by the size of x.
   Eigen::VectorXd unit(const Eigen::VectorXd& x) const;
 
-  /// The variables as parameters of the mechanism with the design x. Outlines: by the fractions of
-  /// their cells.
+  /// The variables as parameters of the mechanism with the design x.
   std::vector<Parameter> parameters(const Mechanism& designed, const Eigen::VectorXd& x) const;
 
   /// Writes this design into the mechanism, or into a copy; and how it is simulated.
@@ -50,17 +59,19 @@ class Design {
     apply(x, designed);
     return designed;
   }
-  SimulationOptions simulation(const SimulationOptions& options, const Eigen::VectorXd& x) const {
-    return constants_.simulation(options, x.tail(constants_.size()));
-  }
+  SimulationOptions simulation(SimulationOptions options, const Eigen::VectorXd& x) const;
 
  private:
-  Sizing sizing_;
-  std::vector<std::unique_ptr<PartShape>> parts_;
-  Constants constants_;
-  std::vector<int> first_;
+  template <class Group, class... Arguments>
+  Group& add(Arguments&&... arguments);
+
+  std::vector<Share> groups_;
   std::vector<NlpVariable> variables_;
   std::vector<std::string> units_;
+  const Sizing* sizing_ = nullptr;
+  std::vector<PartShape*> parts_;
+  std::vector<int> first_;
+  int duration_ = -1;
 };
 
 }  // namespace liesl

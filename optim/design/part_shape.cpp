@@ -28,6 +28,14 @@ Eigen::MatrixXd PartShape::fraction_gradient(const Eigen::VectorXd& x) const {
   return FractionGradient(f.derivative * design.jacobian());
 }
 
+std::vector<Parameter> PartShape::parameters(const Mechanism&, const Eigen::VectorXd& x) const {
+  const Eigen::MatrixXd by = fraction_gradient(x);
+  std::vector<Parameter> all;
+  for (int j = 0; j < by.cols(); ++j)
+    all.push_back({design.variables()[j].name, {SolidDerivative{body, by.col(j)}}});
+  return all;
+}
+
 void PartShape::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
   set_values(std::get<SolidSpec>(mechanism.bodies[body].kind).outline, design.parameters(x));
 }

@@ -58,6 +58,7 @@ Sizing::Sizing(const std::vector<DesignSpec>& design, const Mechanism& mechanism
         if (body == spec.bodies.front()) v.start = start_value(spec, beam.sections[first], g);
       }
       variables_.push_back(v);
+      units_.emplace_back("m");
       elements_.push_back(at);
       dimensions_.push_back(spec.properties);
     }
@@ -97,6 +98,12 @@ Parameter Sizing::parameter(const Mechanism& mechanism, int i) const {
     p.parts.emplace_back(std::move(sum));
   }
   return p;
+}
+
+std::vector<Parameter> Sizing::parameters(const Mechanism& designed, const Eigen::VectorXd&) const {
+  std::vector<Parameter> all;
+  for (int i = 0; i < size(); ++i) all.push_back(parameter(designed, i));
+  return all;
 }
 
 SectionLaw Sizing::second_derivative(const Mechanism& mechanism, int i, int j,

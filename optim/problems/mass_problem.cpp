@@ -15,8 +15,7 @@ int part_of(const Design& design, int body) {
 }
 
 /// d(mass)/dp of what a part of a parameter changes; 0: no mass.
-struct Slope {
-  const Design& design;
+struct MassSlope {
   const Mechanism& designed;
   const std::vector<int>& bodies;
 
@@ -29,7 +28,8 @@ struct Slope {
   }
   double by(const RigidDerivative& d) const { return d.mass; }
   double by(const SolidDerivative& d) const {
-    return design.part(part_of(design, d.body)).model.total_mass(d.fractions);
+    const auto& solid = std::get<SolidSpec>(designed.bodies[std::size_t(d.body)].kind);
+    return solid.model->total_mass(d.fractions);
   }
   double by(const SolidScale& d) const { return d.mass() * mass_of(designed, {d.body}); }
 
@@ -44,6 +44,15 @@ struct Slope {
 };
 
 }  // namespace
+
+VectorXd mass_gradient(const std::vector<Parameter>& parameters, const Mechanism& designed,
+                       const std::vector<int>& bodies) {
+  VectorXd sum = VectorXd::Zero(static_cast<Eigen::Index>(parameters.size()));
+  for (std::size_t j = 0; j < parameters.size(); ++j)
+    for (const auto& part : parameters[j].parts)
+      sum[static_cast<Eigen::Index>(j)] += std::visit(MassSlope{designed, bodies}, part);
+  return sum;
+}
 
 MassProblem::MassProblem(const Mechanism& mechanism, const Design& design,
                          const std::vector<MassLimitSpec>& limits, const VectorXd& x)
@@ -70,8 +79,7 @@ double MassProblem::mass(int body, const VectorXd& x) const {
 
 void MassProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   f = 0;
-  design_.sizing().apply(x.head(design_.sizing().size()), designed_);
-  design_.constants().apply(x.tail(design_.constants().size()), designed_);
+  design_.apply(x, designed_);
   for (std::size_t i = 0; i < limits_.size(); ++i) {
     double sum = 0;
     for (const int body : limits_[i].bodies) sum += mass(body, x);
@@ -83,12 +91,8 @@ void MassProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   df.setZero();
   const std::vector<Parameter> parameters = design_.parameters(designed_, x);
   for (std::size_t i = 0; i < limits_.size(); ++i)
-    for (std::size_t j = 0; j < parameters.size(); ++j) {
-      double sum = 0;
-      for (const auto& part : parameters[j].parts)
-        sum += std::visit(Slope{design_, designed_, limits_[i].bodies}, part);
-      dg(static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j)) = sum / limits_[i].limit;
-    }
+    dg.row(static_cast<Eigen::Index>(i)) =
+        mass_gradient(parameters, designed_, limits_[i].bodies).transpose() / limits_[i].limit;
 }
 
 }  // namespace liesl

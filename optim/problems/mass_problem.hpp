@@ -7,6 +7,11 @@
 
 namespace liesl {
 
+/// d(mass of these bodies)/dx by the variables of a design as parameters of the mechanism with it,
+/// kg per unit of each.
+Eigen::VectorXd mass_gradient(const std::vector<Parameter>& parameters, const Mechanism& designed,
+                              const std::vector<int>& bodies);
+
 /// Rows mass/limit - 1 <= 0, exact at every x (without second derivatives). The objective is 0.
 class MassProblem final : public CaselessProblem {
  public:
@@ -22,7 +27,7 @@ class MassProblem final : public CaselessProblem {
 
   const Design& design_;
   const std::vector<MassLimitSpec> limits_;
-  Mechanism designed_;  ///< sections and constants at the latest x; meshed parts are the design's
+  Mechanism designed_;  ///< at the latest x
 };
 
 }  // namespace liesl

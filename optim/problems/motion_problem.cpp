@@ -6,11 +6,11 @@
 
 #include "mbs/system/response_value.hpp"
 #include "optim/problems/beam_statics.hpp"
-#include "optim/problems/constants_problem.hpp"
 #include "optim/problems/esl_problem.hpp"
 #include "optim/problems/frequency_problem.hpp"
 #include "optim/problems/mass_problem.hpp"
 #include "optim/problems/mesh_statics.hpp"
+#include "optim/problems/variables_without_statics.hpp"
 
 namespace liesl {
 namespace {
@@ -71,10 +71,15 @@ std::vector<CombinedProblem::Member> static_parts(
     add(std::make_unique<MeshStatics>(motion_task(study, simulator, k, run), cells, move),
         design.of_part(k, x), counted > 0 ? 1.0 : 0.0, design.first(k));
   }
-  if (const int n = design.constants().size(); n > 0)
+  for (const Design::Share& s : design.groups()) {
+    if (s.group->has_statics() || s.group->size() == 0) continue;
+    const Eigen::VectorXd own = s.of(x);
+    const Eigen::VectorXd by =
+        mass_gradient(s.group->parameters(run.mechanism, own), run.mechanism, study.mass_of);
     members.push_back(
-        {std::make_unique<ConstantsProblem>(design.constants(), study.mass_of, x.tail(n), move), 1,
-         design.first_constant()});
+        {std::make_unique<VariablesWithoutStatics>(s.group->variables(), by, own, move), 1,
+         s.first});
+  }
   if (!frequencies.empty())
     members.push_back({std::make_unique<FrequencyProblem>(
                            simulator.mechanism(), design, simulator.options(), frequencies, x,

@@ -293,15 +293,32 @@ struct StudySpec {
   CycleOptions cycle;
 };
 
+/// f(spec) of every entry of [design], in the order of the variables: DesignSpec, ShapeVariableSpec
+/// or ConstantSpec; const or not as the study.
+template <class Study, class F>
+void each_entry(Study& study, F f) {
+  for (auto& d : study.design) f(d);
+  for (auto& [body, shape] : study.shapes)
+    for (auto& v : shape.variables) f(v);
+  for (auto& c : study.constants) f(c);
+}
+
+/// How many variables an entry has.
+inline int variables_of(const DesignSpec& d) { return d.groups; }
+inline int variables_of(const ShapeVariableSpec&) { return 1; }
+inline int variables_of(const ConstantSpec&) { return 1; }
+
+/// The name of an entry that no static problem of a part has (VariableGroup::has_statics).
+inline std::optional<std::string> without_statics(const StudySpec& study) {
+  if (study.constants.empty()) return {};
+  return study.constants.front().name;
+}
+
 /// Is any size of a catalogue?
 inline bool has_catalogue(const StudySpec& study) {
-  const auto listed = [](const auto& v) { return !v.values.empty(); };
-  return std::any_of(study.design.begin(), study.design.end(), listed) ||
-         std::any_of(study.constants.begin(), study.constants.end(), listed) ||
-         std::any_of(study.shapes.begin(), study.shapes.end(), [&](const auto& shape) {
-           const auto& variables = shape.second.variables;
-           return std::any_of(variables.begin(), variables.end(), listed);
-         });
+  bool any = false;
+  each_entry(study, [&any](const auto& entry) { any = any || !entry.values.empty(); });
+  return any;
 }
 
 /// Why the motion of a study is not followed from other speeds: no drive, equilibria, variables

@@ -29,7 +29,7 @@ inline std::optional<NoMechanismStatics> without_mechanism_statics(const StudySp
   if (limit.treatment != Treatment::Auto)
     return NoMechanismStatics{"its treatment has the motion's own gradients",
                               "treatment = \"auto\""};
-  if (!study.shapes.empty() || !study.constants.empty())
+  if (!study.shapes.empty() || without_statics(study))
     return NoMechanismStatics{"outlines or constants of the mechanism change with the design",
                               "sizes of sections as the only variables"};
   const ResponseKind kind = limit.response.kind;
