@@ -59,7 +59,7 @@ export class Scatter {
       ctx.lineTo(ax.at(t), h - kBottom);
       const half = 0.5 * ctx.measureText(across[i]).width;
       if (ax.at(t) - half < free) continue;
-      ctx.fillText(across[i], ax.at(t), h - kBottom + 15);
+      ctx.fillText(across[i], Math.min(ax.at(t), w - half - 1), h - kBottom + 15);
       free = ax.at(t) + half + 8;
     }
     ctx.textAlign = 'right';
