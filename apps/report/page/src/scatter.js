@@ -4,7 +4,7 @@ import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
 import { ticks } from './charts.js';
 
-const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
+const kLeft = 68, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
 
 export class Scatter {
   /** @param describe row -> lines of text for the tip */
