@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <charconv>
 #include <set>
 
@@ -149,9 +150,10 @@ std::vector<std::string> Batch::changes(std::size_t row) const {
   return all;
 }
 
-std::string unit_of(const Batch& batch, const CaseColumn& column) {
-  if (column.keys.empty()) return "";
-  const std::string& key = column.keys.front();
+namespace {
+
+/// Unit of a key of the study or scene; empty if the key alone does not tell it.
+std::string unit_of_key(const Batch& batch, const std::string& key) {
   FileKind kind = batch.optimize ? FileKind::Study : FileKind::Scene;
   std::string path = key;
   if (const SplitOverrides parts = split_overrides({key}); batch.optimize && !parts.scene.empty()) {
@@ -159,7 +161,18 @@ std::string unit_of(const Batch& batch, const CaseColumn& column) {
     path = parts.scene.front();
   }
   const std::string unit(unit_at(kind, path));
-  return unit.find(" or ") == std::string::npos ? unit : "";  // "rad/s or m/s"
+  const bool known = unit.find(" or ") == std::string::npos && !unit.starts_with("of ");
+  return known ? unit : "";  // not "rad/s or m/s", "of the response"
+}
+
+}  // namespace
+
+std::string unit_of(const Batch& batch, const CaseColumn& column) {
+  if (column.keys.empty()) return "";
+  const std::string unit = unit_of_key(batch, column.keys.front());
+  const bool shared = std::all_of(column.keys.begin(), column.keys.end(),
+                                  [&](const auto& key) { return unit_of_key(batch, key) == unit; });
+  return shared ? unit : "";
 }
 
 std::optional<RowKey> set_by_rows(const Batch& batch, const std::string& path) {

@@ -37,8 +37,8 @@ Batch load_batch(const std::filesystem::path& path, const std::vector<std::strin
 /// @throws InputError for columns that are no keys and cases that are refused, at their places
 void check_cases(Batch& batch, Problems& problems);
 
-/// Unit of the key that a column changes, the first of several; empty if it has none, or none
-/// that the key alone tells.
+/// Unit of the key that a column changes, or that all of its keys have; empty if they have none, or
+/// none that the keys alone tell.
 std::string unit_of(const Batch& batch, const CaseColumn& column);
 
 /// A key that rows set themselves, each to its own value.

@@ -70,6 +70,7 @@ class Pool {
       if (report_.interrupted && running_.empty()) break;
       while (!report_.interrupted && next < waiting_.size() && free()) start(waiting_[next++]);
       collect();
+      tell();
       line_.update(report_.ran, report_.failed ? fmt::format("{} failed", report_.failed) : "");
       constexpr double kTick = 0.1;  // s, for time limits and the live line
       if (!free() || (next >= waiting_.size() && !running_.empty())) children.wait(kTick);
@@ -137,6 +138,11 @@ class Pool {
     }
   }
 
+  void tell() {
+    if (report_.ran > told_ && options_.on_end) options_.on_end(report_);
+    told_ = report_.ran;
+  }
+
   void count(const CaseFolder& folder, const CaseEnd& end) {
     ++report_.ran;
     report_.failed += end.failed;
@@ -150,6 +156,7 @@ class Pool {
   PoolOptions options_;
   Worker::Limits limits_;
   PoolReport report_;
+  int told_ = 0;  ///< of the cases that have ended
   std::vector<std::size_t> waiting_;
   output::Progress line_;
   std::list<Running> running_;

@@ -100,8 +100,9 @@ std::string counted(const std::map<std::string, int>& statuses) {
   return text;
 }
 
+/// @param running more cases may end
 void describe(output::BatchSummary& summary, const Batch& batch, const BatchTable& table,
-              const PoolReport& report) {
+              const PoolReport& report, bool running) {
   summary.name = batch.name;
   summary.cases = static_cast<int>(batch.cases.rows.size());
   summary.done = static_cast<int>(table.rows());
@@ -109,33 +110,64 @@ void describe(output::BatchSummary& summary, const Batch& batch, const BatchTabl
   summary.ended.assign(table.statuses.begin(), table.statuses.end());
   summary.cpu_s = table.cpu_s;
   const bool whole = summary.done == summary.cases;
-  summary.status = report.interrupted ? "interrupted"
-                   : !whole           ? "incomplete"
-                   : table.failed     ? "some failed"
-                                      : "done";
-  summary.reason = fmt::format("{} of {} cases have ended", summary.done, summary.cases);
+  summary.status = running              ? "running"
+                   : report.interrupted ? "interrupted"
+                   : !whole             ? "incomplete"
+                   : table.failed       ? "some failed"
+                                        : "done";
+  summary.reason = fmt::format("{} of {} cases have ended{}", summary.done, summary.cases,
+                               running ? " so far" : "");
   if (summary.done > 0) summary.reason += ": " + counted(table.statuses);
+  if (running) summary.reason += "; the same command goes on with the rest";
   if (report.elsewhere > 0)
     summary.warnings.push_back(fmt::format("{} cases were running elsewhere", report.elsewhere));
 }
 
 /// Tables of all cases that have ended here or elsewhere; results.h5 when all have.
+/// @param running more cases may end
 output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
                                  const PoolReport& report, output::BatchSummary summary,
-                                 const Stopwatch& clock) {
+                                 const Stopwatch& clock, bool running = false) {
   const FolderLock lock(folder);
   output::remove_parts(folder);
   const BatchTable table = collect_cases(batch, folder);
-  describe(summary, batch, table, report);
+  describe(summary, batch, table, report, running);
   write_batch_csv(folder, table);
   const bool news = report.ran > 0 || !fs::exists(folder / "results.h5");
-  if (summary.done == summary.cases && news) write_batch_hdf5(folder, table);
+  if (!running && summary.done == summary.cases && news) write_batch_hdf5(folder, table);
   summary.wall_s = clock.seconds();
   output::replace_file(
       folder / "summary.json",
       output::to_json(summary).dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
   return summary;
 }
+
+/// The tables while the batch runs, so that they are there if it is killed. They take at most a
+/// twentieth of its time.
+class RunningTables {
+ public:
+  RunningTables(const fs::path& folder, const Batch& batch, const output::BatchSummary& known,
+                const Stopwatch& clock)
+      : folder_(folder), batch_(batch), known_(known), clock_(clock) {}
+
+  void write(const PoolReport& so_far) {
+    constexpr double kShare = 1. / 20;
+    const double begin = clock_.seconds();
+    if (begin < next_) return;
+    try {
+      write_batch(folder_, batch_, so_far, known_, clock_, true);
+    } catch (const std::exception&) {  // at the end the same is written, and said
+    }
+    next_ = begin + (clock_.seconds() - begin) / kShare;
+  }
+
+ private:
+  const fs::path& folder_;
+  const Batch& batch_;
+  const output::BatchSummary& known_;
+  const Stopwatch& clock_;
+  double next_ = 0;  ///< s, when they are written again
+};
 
 /// Did a case of this shard fail, now or before?
 bool any_failed(const Batch& batch, const fs::path& folder, const Shard& shard) {
@@ -186,6 +218,9 @@ int batch_command(const CommandOptions& options) {
     if (std::string unit = unit_of(batch, column); !unit.empty())
       summary.input_units.emplace_back(column.name, std::move(unit));
   prepare(folder, batch, summary.input_sha256, options.force);
+  RunningTables tables(folder, batch, summary, clock);
+  tables.write({});
+  pool.on_end = [&tables](const PoolReport& so_far) { tables.write(so_far); };
   const PoolReport report = run_cases(batch, folder, pool);
   summary = write_batch(folder, batch, report, summary, clock);
   add_report(folder, options);

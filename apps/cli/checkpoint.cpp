@@ -108,12 +108,6 @@ Json to_json(const Cycle& c) {
   return cycle;
 }
 
-std::optional<CycleStatus> read_end(const std::string& text) {
-  for (int s = 0; s <= static_cast<int>(CycleStatus::Interrupted); ++s)
-    if (text == to_string(static_cast<CycleStatus>(s))) return static_cast<CycleStatus>(s);
-  return {};
-}
-
 Cycle read_cycle(const Json& j) {
   Cycle c;
   c.number = j.at("number");
@@ -142,7 +136,7 @@ Cycle read_cycle(const Json& j) {
   c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),
               effort.at("factorizations")};
   c.seconds = j.at("seconds");
-  if (j.contains("end")) c.end = read_end(j.at("end"));
+  if (j.contains("end")) c.end = cycle_status(j.at("end"));
   return c;
 }
 

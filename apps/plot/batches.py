@@ -71,6 +71,9 @@ def draw_batch(series, pictures):
     figures = series.names[series.names.index("reason") + 1:]
     wanted = [n for n in figures if n == "mass_final"] or [
         n for n in figures if n.endswith(".max_abs")] or figures
-    for name in inputs_of(series):
-        if len(set(series.text(name))) > 1:
-            draw_pair(series, pictures, name, wanted[0])
+    varied = [name for name in inputs_of(series) if len(set(series.text(name))) > 1]
+    if not varied:
+        raise NothingToDraw(f"what the batch sets is the same in all cases that have ended ({len(series.rows)}); "
+                            "--x and --y draw any two columns")
+    for name in varied:
+        draw_pair(series, pictures, name, wanted[0])

@@ -27,6 +27,13 @@ from style import STYLE, Pictures  # noqa: E402
 from tables import NothingToDraw, table  # noqa: E402
 
 
+def check_ended(folder, command):
+    """Batches and comparisons have their table from the beginning, a row for each that has ended."""
+    name, rows = {"batch": ("results.csv", "case"), "compare": ("rows.csv", "row")}.get(command, ("", ""))
+    if name and (folder / name).exists() and table(folder, name) is None:
+        raise NothingToDraw(f"no {rows} has ended yet; the same liesl {command} command goes on")
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", type=Path, metavar="DIR")
@@ -41,6 +48,7 @@ def main():
             raise NothingToDraw(f"{arguments.folder} holds no result of liesl (no summary.json)")
         summary = json.loads((arguments.folder / "summary.json").read_text(encoding="utf-8"))
         pictures = Pictures(arguments.to or arguments.folder / "plots", summary.get("name", ""))
+        check_ended(arguments.folder, summary.get("command"))
         cases = table(arguments.folder, "results.csv")
         rows = table(arguments.folder, "rows.csv")
         if arguments.x and not cases and not rows:

@@ -5,12 +5,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
+
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/describe_identity.hpp"
 #include "apps/tasks/motion_notes.hpp"
 #include "apps/tasks/outline_kinks.hpp"
 #include "apps/tasks/part_summary.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "apps/tasks/sensitivity.hpp"
 #include "apps/tasks/study_motions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/cycle/catalogue.hpp"
@@ -248,17 +251,22 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   }
 }
 
+/// Of outlines at the start.
+void note_start(const Design& start, const Mechanism& mechanism,
+                std::vector<std::string>& warnings) {
+  for (int k = 0; k < start.parts(); ++k) {
+    const PartShape& part = start.part(k);
+    for (auto& text : start_warnings(mechanism.bodies[static_cast<size_t>(part.body)].name, part))
+      warnings.push_back(std::move(text));
+  }
+}
+
 template <FrameGroup G>
 void optimize_on(const Study& given, const Space<G>& space, int nucleate,
                  const OptimizeHooks& hooks, const RoundHistory& resume, OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
-  for (int k = 0; k < first.parts(); ++k) {
-    const PartShape& part = first.part(k);
-    for (auto& text :
-         start_warnings(scene.mechanism.bodies[static_cast<size_t>(part.body)].name, part))
-      out.summary.warnings.push_back(std::move(text));
-  }
+  note_start(first, scene.mechanism, out.summary.warnings);
   SimulationEffort effort;
   for (std::size_t r = 0; r + 1 < resume.size(); ++r)
     if (!resume[r].empty()) effort += resume[r].back().effort;
@@ -296,6 +304,34 @@ void optimize_on(const Study& given, const Space<G>& space, int nucleate,
   if (end.model) collect_end(study, first.sizing(), design, end, out);
 }
 
+template <FrameGroup G>
+void found_on(const Study& given, const Space<G>& space, const FoundOptimum& found,
+              const Progress& progress, OptimizeOutcome& out) {
+  Study study = given;
+  study.scene.responses = study_responses(given, given.scene);
+  const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
+  note_start(*design, study.scene.mechanism, out.summary.warnings);
+  LoopResult loop;
+  loop.status = found.status;
+  loop.reason = found.reason;
+  loop.history = found.history;
+  loop.x = found.x;
+  const auto motions = motions_of(study, space);
+  const CycleResult<G> end = describe_found<G>(motions, study.spec, std::move(loop), progress);
+  const RoundHistory rounds(1, end.history);
+  describe_cycles(out.summary, rounds, SolidResponse::Mass);
+  for (std::size_t i = 0; i < end.history.size(); ++i)  // also where it is the mass
+    out.summary.history[i].objective = end.history[i].objective;
+  out.loads = loads_of_cycles(rounds, study);
+  describe_result(out.summary, study, *design, end);
+  for (const output::ConstraintFigure& limit : found.limits) {
+    out.summary.constraints.push_back(limit);
+    out.summary.worst_constraint = std::max(out.summary.worst_constraint, limit.violation);
+  }
+  out.status = end.status;
+  if (end.model) collect_end(study, design->sizing(), design, end, out);
+}
+
 }  // namespace
 
 OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
@@ -306,6 +342,15 @@ OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
   out.summary = summary;
   std::visit([&](const auto& s) { optimize_on(study, s, nucleate, hooks, resume, out); },
              space.space);
+  return out;
+}
+
+OptimizeOutcome found_task(const Study& study, const ChosenSpace& space,
+                           const output::OptimizeSummary& summary, const FoundOptimum& found,
+                           const Progress& progress) {
+  OptimizeOutcome out;
+  out.summary = summary;
+  std::visit([&](const auto& s) { found_on(study, s, found, progress, out); }, space.space);
   return out;
 }
 

@@ -54,6 +54,22 @@ OptimizeOutcome optimize_task(const Study& study, const ChosenSpace& space,
                               const output::OptimizeSummary& summary, int nucleate,
                               const OptimizeHooks& hooks, const RoundHistory& resume = {});
 
+/// An optimum that functions of one's own have led to, not a cycle.
+struct FoundOptimum {
+  CycleStatus status = CycleStatus::Converged;
+  std::string reason;
+  Eigen::VectorXd x;           ///< final design
+  std::vector<Cycle> history;  ///< not empty; number, x, mass, objective, worst, worst_constraint,
+                               ///< seconds
+  std::vector<output::ConstraintFigure> limits;  ///< of one's own, beside those of the study
+};
+
+/// What optimize_task leaves of such a design, from a simulation of the start and of the design.
+/// The limits of the study are responses, too. @pre the study has a motion
+OptimizeOutcome found_task(const Study& study, const ChosenSpace& space,
+                           const output::OptimizeSummary& summary, const FoundOptimum& found,
+                           const Progress& progress = {});
+
 /// Gradients of the first static problem against finite differences.
 DerivativeReport derivatives_task(const Study& study, const ChosenSpace& space);
 /// Those of the limits of equilibria. @pre simulation.type is Static, without fixed loads

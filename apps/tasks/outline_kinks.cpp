@@ -1,18 +1,75 @@
-#ifdef LIESL_OPTIM
-
 #include "apps/tasks/outline_kinks.hpp"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <map>
 #include <random>
 
+#include "mbs/solids/volume_fraction.hpp"
+
 namespace liesl {
+namespace {
+
+constexpr double kBeside = 1e-6;  // of a number: the other side of a kink
+
+/// Do two derivatives of the fractions, one on each side, belong to a kink? Smooth ones differ by
+/// about the share of a cell between them.
+bool jumps(const Eigen::VectorXd& before, const Eigen::VectorXd& after) {
+  constexpr double kJump = 0.1;
+  return (after - before).lpNorm<1>() > kJump * after.lpNorm<1>();
+}
+
+/// @param at which design it is, as in " at the start"  @param shift what would help
+std::vector<std::string> one_sided(const std::string& part, const std::vector<std::string>& kinks,
+                                   const char* at, const char* shift) {
+  if (kinks.empty()) return {};
+  return {fmt::format(
+      "edges of the part '{}' that {} move{} lie on grid lines{}, where the fractions of cells "
+      "have a kink and gradients hold to one side only: shift {} or the grid by a part of a cell",
+      part, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "", at, shift)};
+}
+
+/// Has the parameter number i a kink in the fractions of this body?
+bool has_kink(const SensitivityProblem& problem, std::size_t i, int body) {
+  const auto fractions = [&](const Mechanism& m) {
+    return solid_fractions(std::get<SolidSpec>(m.bodies[static_cast<std::size_t>(body)].kind))
+        .value;
+  };
+  const Eigen::VectorXd p = problem.values();
+  const auto j = static_cast<Eigen::Index>(i);
+  const double step = kBeside * (p[j] == 0 ? 1 : std::abs(p[j]));
+  const auto moved = [&](double by) {
+    Eigen::VectorXd beside = p;
+    beside[j] += by;
+    return fractions(problem.mechanism_at(beside));
+  };
+  const Eigen::VectorXd here = fractions(problem.scene.mechanism);
+  return jumps((here - moved(-step)) / step, (moved(step) - here) / step);
+}
+
+}  // namespace
+
+std::vector<std::string> kink_warnings(const SensitivityProblem& problem) {
+  std::map<int, std::vector<std::string>> kinks;  // by body
+  for (std::size_t i = 0; i < problem.parameters.size(); ++i)
+    for (const auto& part : problem.parameters[i].parts)
+      if (const auto* solid = std::get_if<SolidDerivative>(&part);
+          solid && has_kink(problem, i, solid->body))
+        kinks[solid->body].push_back(problem.parameters[i].name);
+  std::vector<std::string> out;
+  for (const auto& [body, names] : kinks) {
+    const auto& part = problem.scene.mechanism.bodies[static_cast<std::size_t>(body)].name;
+    for (auto& text : one_sided(part, names, "", "the outline")) out.push_back(std::move(text));
+  }
+  return out;
+}
+
+#ifdef LIESL_OPTIM
 
 std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::VectorXd& x,
                                        double within) {
-  constexpr double kJump = 0.1;  // of the derivative; a smooth one changes by about `within`
   const auto& variables = part.design.variables();
   // Different shares, so that a position and a width do not leave an edge where it is.
   std::mt19937 random(1);
@@ -29,19 +86,14 @@ std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::Vecto
   part.shape->set(part.design.parameters(x));
   std::vector<std::string> names;
   for (Eigen::Index j = 0; j < x.size(); ++j)
-    if ((after.col(j) - before.col(j)).lpNorm<1>() > kJump * after.col(j).lpNorm<1>())
+    if (jumps(before.col(j), after.col(j)))
       names.push_back(variables[static_cast<std::size_t>(j)].name);
   return names;
 }
 
 std::vector<std::string> start_warnings(const std::string& name, const PartShape& part) {
-  const auto kinks = outline_kinks(part, part.design.start(), 1e-6);
-  if (kinks.empty()) return {};
-  return {fmt::format(
-      "edges of the part '{}' that {} move{} lie on grid lines at the start, where the fractions "
-      "of cells have a kink and gradients hold to one side only: shift the start or the grid by a "
-      "part of a cell",
-      name, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "")};
+  return one_sided(name, outline_kinks(part, part.design.start(), kBeside), " at the start",
+                   "the start");
 }
 
 std::vector<std::string> end_warnings(const std::string& name, const PartShape& part,
@@ -55,6 +107,6 @@ std::vector<std::string> end_warnings(const std::string& name, const PartShape& 
       name, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "")};
 }
 
-}  // namespace liesl
-
 #endif
+
+}  // namespace liesl

@@ -5,9 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "apps/tasks/sensitivity_problem.hpp"
+
+#ifdef LIESL_OPTIM
 #include "optim/design/part_shape.hpp"
+#endif
 
 namespace liesl {
+
+/// A sentence for each meshed part of which parameters move edges that lie on grid lines.
+std::vector<std::string> kink_warnings(const SensitivityProblem& problem);
+
+#ifdef LIESL_OPTIM
 
 /// Variables whose fractions of cells have another derivative on one side of x than on the other.
 /// An edge on a grid line fills the cells of one side as it moves that way, those of the other side
@@ -24,5 +33,7 @@ std::vector<std::string> start_warnings(const std::string& name, const PartShape
 /// of, for which that may be the reason.
 std::vector<std::string> end_warnings(const std::string& name, const PartShape& part,
                                       const Eigen::VectorXd& x);
+
+#endif
 
 }  // namespace liesl

@@ -12,6 +12,7 @@
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/mechanism_derivative.hpp"
 #include "apps/tasks/motion_gradient.hpp"
+#include "apps/tasks/outline_kinks.hpp"
 #include "apps/tasks/run_summary.hpp"
 
 #ifdef LIESL_OPTIM
@@ -179,23 +180,28 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
              kWithDerivative, kList);
     }
   }
+  for (auto& note : kink_warnings(problem)) problem.scene.warnings.push_back(std::move(note));
   return problem;
 }
 
 #ifdef LIESL_OPTIM
+
+std::vector<ResponseSpec> study_responses(const Study& study, const Scene& scene) {
+  std::vector<ResponseSpec> out;
+  for (const ConstraintSpec& c : study.spec.constraints) out.push_back(c.response);
+  for (const ResponseSpec& r : scene.responses)
+    if (std::none_of(out.begin(), out.end(),
+                     [&](const ResponseSpec& other) { return other.name == r.name; }))
+      out.push_back(r);
+  return out;
+}
 
 SensitivityProblem study_problem(const Study& study, const Scene& scene,
                                  const std::shared_ptr<const Design>& design, const VectorXd& x) {
   SensitivityProblem problem;
   problem.scene = scene;
   problem.scene.input = study.input;
-  problem.scene.responses.clear();
-  for (const ConstraintSpec& c : study.spec.constraints)
-    problem.scene.responses.push_back(c.response);
-  for (const ResponseSpec& r : scene.responses)
-    if (std::none_of(problem.scene.responses.begin(), problem.scene.responses.end(),
-                     [&](const ResponseSpec& other) { return other.name == r.name; }))
-      problem.scene.responses.push_back(r);
+  problem.scene.responses = study_responses(study, scene);
   require_motion(problem.scene);
   if (!study.spec.loads.empty())
     refuse(study.file, "sensitivities are those of a motion, this study has fixed loads",
@@ -219,7 +225,14 @@ SensitivityProblem study_problem(const Study& study, const Scene& scene,
 
 SensitivityProblem study_problem(const Study& study) {
   const auto design = std::make_shared<const Design>(study.spec, study.scene.mechanism);
-  return study_problem(study, study.scene, design, design->start());
+  SensitivityProblem problem = study_problem(study, study.scene, design, design->start());
+  for (int k = 0; k < design->parts(); ++k) {
+    const PartShape& part = design->part(k);
+    const BodySpec& body = study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)];
+    for (auto& text : start_warnings(body.name, part))
+      problem.scene.warnings.push_back(std::move(text));
+  }
+  return problem;
 }
 
 #else

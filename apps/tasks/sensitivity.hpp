@@ -22,6 +22,8 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
 /// Of a study by its variables at their start; its limits are responses, too.
 SensitivityProblem study_problem(const Study& study);
 #ifdef LIESL_OPTIM
+/// The limits of a study, then the responses of one of its scenes that have other names.
+std::vector<ResponseSpec> study_responses(const Study& study, const Scene& scene);
 /// The same of a motion of a study, at the design x.
 /// @param scene of one of its scenarios
 SensitivityProblem study_problem(const Study& study, const Scene& scene,

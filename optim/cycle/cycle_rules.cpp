@@ -36,6 +36,12 @@ const char* to_string(CycleStatus status) {
   return "";
 }
 
+std::optional<CycleStatus> cycle_status(const std::string& word) {
+  for (int s = 0; s <= static_cast<int>(CycleStatus::Interrupted); ++s)
+    if (word == to_string(static_cast<CycleStatus>(s))) return static_cast<CycleStatus>(s);
+  return {};
+}
+
 double step_size(const Cycle& c, const Eigen::VectorXd& y) {
   if (c.unit.size() > 0) return (y - c.x).cwiseQuotient(c.unit).norm();
   return (y - c.x).norm() / c.x.norm();

@@ -26,6 +26,8 @@ enum class CycleStatus {
   Interrupted        ///< the caller asked to stop
 };
 const char* to_string(CycleStatus status);
+/// The status of this word; none: there is none.
+std::optional<CycleStatus> cycle_status(const std::string& word);
 /// The cycle ended by its own rules, with a design that meets the limits.
 inline bool closed(CycleStatus s) {
   return s == CycleStatus::Optimal || s == CycleStatus::Converged;

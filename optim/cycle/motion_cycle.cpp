@@ -45,8 +45,9 @@ std::vector<std::pair<int, Identity>> identities(const Design& design, const Des
   return out;
 }
 
+/// @param propose holes in the parts of a design that the loop stands by
 template <FrameGroup G>
-CycleResult<G> described(MotionModel<G>& model, LoopResult loop) {
+CycleResult<G> described(MotionModel<G>& model, LoopResult loop, bool propose = true) {
   CycleResult<G> out;
   static_cast<LoopResult&>(out) = std::move(loop);
   out.effort = model.effort();
@@ -56,7 +57,8 @@ CycleResult<G> described(MotionModel<G>& model, LoopResult loop) {
   const Unstopped written;
   auto& best = dynamic_cast<MotionAnalysis<G>&>(*out.best);
   DesignRun<G>& run = best.runs.front();
-  if (closed(out.status) && best.runs.size() == 1) out.proposals = propose_holes(model, run, out.x);
+  if (propose && closed(out.status) && best.runs.size() == 1)
+    out.proposals = propose_holes(model, run, out.x);
   out.identity = identities(model.design(), run, out.x);
   out.mass = best.mass;
   out.worst = best.worst;
@@ -133,6 +135,35 @@ CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudyS
   return out;
 }
 
+template <FrameGroup G>
+CycleResult<G> describe_found(const std::vector<Scenario<G>>& scenarios, StudySpec study,
+                              LoopResult found, const Progress& progress) {
+  study.cycle.method = CycleMethod::Esl1;  // takes any limit, and extracts loads
+  for (ConstraintSpec& c : study.constraints) c.surrogate = SurrogateKind::Auto;
+  MotionModel<G> model(scenarios, study);
+  const auto analyse = [&](const Eigen::VectorXd& x) {
+    const auto analysis = model.analyse(x, progress);
+    for (Cycle& cycle : found.history) {
+      if (cycle.x != x) continue;
+      cycle.loads = analysis->loads;
+      if (cycle.worst_constraint == analysis->worst_constraint) cycle.worst_at = analysis->worst_at;
+    }
+    return analysis;
+  };
+  found.first = analyse(model.start())->figures();
+  found.best = analyse(found.x);
+  if (!found.best->good()) {
+    found.status = CycleStatus::SimulationFailed;
+    found.reason = found.best->reason;
+    found.best.reset();
+  }
+  return described(model, std::move(found), false);
+}
+
+template CycleResult<SE2> describe_found(const std::vector<Scenario<SE2>>&, StudySpec, LoopResult,
+                                         const Progress&);
+template CycleResult<SE3> describe_found(const std::vector<Scenario<SE3>>&, StudySpec, LoopResult,
+                                         const Progress&);
 template CycleResult<SE2> run_cycle(const std::vector<Scenario<SE2>>&, const StudySpec&,
                                     const CycleHooks&, const std::vector<Cycle>&);
 template CycleResult<SE3> run_cycle(const std::vector<Scenario<SE3>>&, const StudySpec&,

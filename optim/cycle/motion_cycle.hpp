@@ -52,6 +52,18 @@ CycleResult<G> run_cycle(const Mechanism& mechanism, const Space<G>& space,
   return run_cycle<G>({{mechanism, space, simulation}}, study, hooks, resume);
 }
 
+/// What run_cycle leaves, of a design x that something else has found (functions of one's own in
+/// Python). Simulates the start and x; cycles of these two have their loads then.
+/// @param found status, reason, x and history; SimulationFailed if the motion of x has no end
+/// @throws std::invalid_argument for a study that does not fit the mechanism
+template <FrameGroup G>
+CycleResult<G> describe_found(const std::vector<Scenario<G>>& scenarios, StudySpec study,
+                              LoopResult found, const Progress& progress = {});
+
+extern template CycleResult<SE2> describe_found(const std::vector<Scenario<SE2>>&, StudySpec,
+                                                LoopResult, const Progress&);
+extern template CycleResult<SE3> describe_found(const std::vector<Scenario<SE3>>&, StudySpec,
+                                                LoopResult, const Progress&);
 extern template CycleResult<SE2> run_cycle(const std::vector<Scenario<SE2>>&, const StudySpec&,
                                            const CycleHooks&, const std::vector<Cycle>&);
 extern template CycleResult<SE3> run_cycle(const std::vector<Scenario<SE3>>&, const StudySpec&,

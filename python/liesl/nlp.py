@@ -289,7 +289,7 @@ def _own(function: OwnFunction, at: Evaluation, what: str,
 
 @dataclass(frozen=True)
 class MinimizeResult:
-    """`status`: "converged", "acceptable", "iteration_limit", "infeasible", "stopped"."""
+    """`status`: "converged", "acceptable", "iteration limit", "infeasible", "stopped"."""
 
     status: str
     reason: str

@@ -5,6 +5,7 @@ from __future__ import annotations
 import json
 import os
 import threading
+import time
 from collections import OrderedDict
 from dataclasses import dataclass
 from typing import Any, Callable, Mapping, Sequence
@@ -262,11 +263,6 @@ class Study:
 class Optimum(Result):
     """What `Study.optimize` has found: data sets of the motion of the final design."""
 
-    def __init__(self, records: Any, summary: dict[str, Any] | None = None):
-        super().__init__(records)
-        if summary is not None:
-            self.summary = summary
-
     @property
     def design(self) -> dict[str, float]:
         """The final design by the names of its variables."""
@@ -291,43 +287,78 @@ class _Recorded(Nlp):
         super().__init__(nlp.variables, nlp.objective, self._note, nlp.constraints, nlp.jacobian,
                          nlp.rows)
         self._nlp, self._study, self._on_cycle = nlp, study, on_cycle
+        self._begin = time.perf_counter()
         self.history: list[dict[str, Any]] = []
+        self.effort: dict[str, Any] = {"steps": 0, "newton_iterations": 0, "stepping_s": 0.0,
+                                       "factorizations": {}}  #: of the motions of these designs
 
     def _note(self, x: np.ndarray) -> np.ndarray:
-        out, g = self._nlp.gradient(x), self.constraints(x)
-        mass = self._study._study.mass(np.clip(x, *self._study.bounds.T))
-        self.history.append({"cycle": len(self.history) + 1, "objective": self.objective(x),
-                             "mass": mass, "design": [float(v) for v in x],
-                             "worst_constraint": float(g.max()) if len(g) else None})
-        if self._on_cycle:
-            self._on_cycle({"status": "running", "history": list(self.history)})
+        out = self._nlp.gradient(x)
+        self.note(x)
         return out
 
+    def note(self, x: np.ndarray) -> None:
+        """A design that counts as a cycle."""
+        x, now = _same(np.clip(x, *self._study.bounds.T), self.x0), time.perf_counter()
+        g = self.constraints(x)
+        at = self._study.evaluate(x)
+        worst = int(np.argmax(g)) if len(g) else None
+        self.history.append({"cycle": len(self.history) + 1, "objective": _figure(self.objective(x)),
+                             "mass": at.objective, "design": [float(v) for v in x],
+                             "worst_constraint": -1.0 if worst is None else _figure(g[worst]),
+                             "worst_limit": "" if worst is None else self.rows[worst],
+                             "wall_s": now - self._begin})
+        self._begin = now
+        for motion in at.motions:
+            for key in ("steps", "newton_iterations", "stepping_s"):
+                self.effort[key] += motion.summary[key]
+            for body, count in motion.summary["factorizations"].items():
+                self.effort["factorizations"][body] = self.effort["factorizations"].get(body, 0) + count
+        if self._on_cycle:
+            self._on_cycle({"status": "running", "history": list(self.history)})
 
-_ENDS = {"converged": "optimal", "acceptable": "converged", "iteration_limit": "cycle limit",
+
+def _same(x: np.ndarray, known: np.ndarray) -> np.ndarray:
+    """A known design where x is that up to the round-off of the optimiser's scaling; else x."""
+    return known if np.allclose(x, known, rtol=1e-12, atol=0) else x
+
+
+def _figure(value: Any) -> float | None:
+    """As a summary has it: None is no finite number."""
+    return float(value) if np.isfinite(value) else None
+
+
+_ENDS = {"converged": "optimal", "acceptable": "converged", "iteration limit": "cycle limit",
          "stopped": "interrupted"}
 
 
 def optimize_own(study: Study, objective: OwnFunction | None, limits: Mapping[str, OwnFunction],
                  on_cycle: Callable[[dict[str, Any]], None] | None) -> Optimum:
     """See `Study.optimize`."""
+    begin = time.perf_counter()
     program = study.nlp(objective=objective, limits=limits)
     program.check_start()
     nlp = _Recorded(program, study, on_cycle)
     found = minimize(nlp, tolerance=1e-5, feasibility=1e-5,
                      max_iterations=study._study.most_cycles())
-    at, g = study.evaluate(np.clip(found.x, *study.bounds.T)), found.g
-    start = study.evaluate()
-    summary = {
-        **at.summary, "command": "optimize", "status": _ENDS.get(found.status, found.status),
-        "reason": found.reason, "cycles": len(nlp.history), "history": nlp.history,
-        "design": {v.name: float(x) for v, x in zip(study.variables, at.x)},
-        "design_range": {v.name: {"initial": v.start, "lower": v.lower, "upper": v.upper,
-                                  "unit": v.unit} for v in study.variables},
-        "mass_initial": start.objective, "mass_final": at.objective,
-        "worst_constraint": float(g.max()) if len(g) else None,
-        "objective": {"initial": nlp.objective(nlp.x0), "final": found.f},
-        "rows": dict(zip(nlp.rows, map(float, g))),
-        "multipliers": dict(zip(nlp.rows, map(float, found.multipliers))),
-    }
-    return Optimum(at._records, summary)
+    x = np.clip(found.x, *study.bounds.T)
+    if not nlp.history:  # the optimiser has asked for no derivative
+        nlp.note(x)
+    x = _same(x, np.array(nlp.history[-1]["design"]))
+    before, after = nlp.constraints(nlp.x0), nlp.constraints(x)
+    own = range(len(nlp.rows) - len(limits), len(nlp.rows))
+    quantity = ("own function" if objective is not None else
+                "mass" if study._study.only_mass() else "weighted sum")
+    text = json.dumps({
+        "status": _ENDS.get(found.status, found.status), "reason": found.reason,
+        "x": x.tolist(), "history": nlp.history, "wall_s": time.perf_counter() - begin,
+        "limits": [{"name": nlp.rows[i], "initial": _figure(before[i]), "final": _figure(after[i])}
+                   for i in own],
+        "more": {**nlp.effort,
+                 "objective": {"quantity": quantity, "unit": "kg" if quantity == "mass" else "-",
+                               "initial": _figure(nlp.objective(nlp.x0)),
+                               "final": _figure(nlp.objective(x))},
+                 "row_values": dict(zip(nlp.rows, map(_figure, after))),
+                 "multipliers": dict(zip(nlp.rows, map(_figure, found.multipliers)))},
+    })
+    return Optimum(study._study.found(text))

@@ -5,6 +5,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "apps/cli/result_files.hpp"
 #include "apps/cli/terminal.hpp"
@@ -23,6 +24,7 @@ namespace liesl::python {
 namespace {
 
 using Eigen::VectorXd;
+using Json = nlohmann::ordered_json;
 
 /// What of a study of beams the rows of nlp() do not have: they are largest values in windows of
 /// time.
@@ -41,6 +43,43 @@ std::vector<std::string> without_rows(const StudySpec& spec) {
     out.push_back("limits on integrals and p-norms");
   if (any([](const ConstraintSpec& c) { return c.weight > 0; }))
     out.push_back("largest values in the objective");
+  return out;
+}
+
+/// null: no finite number.
+double figure_of(const Json& value) {
+  return value.is_null() ? std::numeric_limits<double>::quiet_NaN() : value.get<double>();
+}
+
+/// An array of numbers.
+VectorXd vector_of(const Json& list) {
+  const auto x = list.get<std::vector<double>>();
+  return Eigen::Map<const VectorXd>(x.data(), static_cast<Eigen::Index>(x.size()));
+}
+
+/// What liesl/study.py has found: `status`, `reason`, `x`, `history` (rows with keys of
+/// summary.json), `limits` of one's own (`name`, `initial`, `final`).
+FoundOptimum found_of(const Json& given) {
+  FoundOptimum out;
+  out.status =
+      cycle_status(given.at("status").get<std::string>()).value_or(CycleStatus::SimulationFailed);
+  out.reason = given.at("reason").get<std::string>();
+  out.x = vector_of(given.at("x"));
+  for (const Json& row : given.at("history")) {
+    Cycle& cycle = out.history.emplace_back();
+    cycle.number = row.at("cycle").get<int>();
+    cycle.x = vector_of(row.at("design"));
+    cycle.mass = row.at("mass").get<double>();
+    cycle.objective = figure_of(row.at("objective"));
+    cycle.worst = figure_of(row.at("worst_constraint"));
+    cycle.worst_constraint = row.at("worst_limit").get<std::string>();
+    cycle.seconds = row.at("wall_s").get<double>();
+  }
+  for (const Json& limit : given.at("limits")) {
+    const double initial = figure_of(limit.at("initial")), final = figure_of(limit.at("final"));
+    out.limits.push_back(
+        {limit.at("name").get<std::string>(), "own function", "-", 0, initial, final, 0, final});
+  }
   return out;
 }
 
@@ -127,17 +166,36 @@ class StudyInput : public std::enable_shared_from_this<StudyInput> {
     });
   }
 
+  /// An optimum that functions of one's own have led to. @param text JSON, see found_of
+  std::shared_ptr<Outcome> found(const std::string& text) const {
+    return run_job([self = shared_from_this(), given = Json::parse(text)](const Stop& stop) {
+      return self->described(given, stop.progress());
+    });
+  }
+
  private:
-  std::shared_ptr<Outcome> optimized(const VerifiedOptions& how, const OptimizeHooks& hooks) const {
-    const Stopwatch clock;
-    const ChosenSpace space = choose_space(study_->scene);
+  /// The summary before anything has run.
+  output::OptimizeSummary known(const ChosenSpace& space) const {
     output::OptimizeSummary summary;
     summary.command = "optimize";
     summary.overrides = changes_;
     describe(summary, study_->scene, space);
     summary.name = study_->spec.name;
     summary.input_sha256 = output::sha256(study_->input);
-    VerifiedOptimum end = optimize_verified(*study_, space, summary, hooks, how);
+    return summary;
+  }
+  std::shared_ptr<Outcome> described(const Json& given, const Progress& progress) const {
+    const ChosenSpace space = choose_space(study_->scene);
+    OptimizeOutcome out = found_task(*study_, space, known(space), found_of(given), progress);
+    out.summary.more.update(given.at("more"));
+    out.summary.more["input"] = study_->file;
+    out.summary.wall_s = given.at("wall_s").get<double>();
+    return std::make_shared<OptimizeResult>(std::move(out), study_);
+  }
+  std::shared_ptr<Outcome> optimized(const VerifiedOptions& how, const OptimizeHooks& hooks) const {
+    const Stopwatch clock;
+    const ChosenSpace space = choose_space(study_->scene);
+    VerifiedOptimum end = optimize_verified(*study_, space, known(space), hooks, how);
     end.out.summary.more["input"] = study_->file;
     end.out.summary.wall_s = clock.seconds();
     return std::make_shared<OptimizeResult>(std::move(end.out),
@@ -202,7 +260,8 @@ void bind_studies(py::module_& module) {
       .def("mass", &StudyInput::mass)
       .def("mass_gradient", &StudyInput::mass_gradient)
       .def("evaluate", &StudyInput::evaluate)
-      .def("optimize", &StudyInput::optimize);
+      .def("optimize", &StudyInput::optimize)
+      .def("found", &StudyInput::found);
 }
 
 }  // namespace liesl::python

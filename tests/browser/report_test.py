@@ -482,6 +482,16 @@ class Pages(BrowserTest):
         self.browser.run("document.querySelector('#cases tbody tr').click()")
         self.browser.wait(lambda: "/cases/1/" in self.browser.run("return location.href"), "the case")
 
+    def test_a_batch_of_which_no_case_has_ended_says_so(self):
+        """Here because its cases belong to another shard."""
+        file = FOLDER / "one.toml"
+        file.write_text(f'name = "one"\nscene = "{DATA}/scenes/pendulum.toml"\n'
+                        '[grid]\nduration = { key = "simulation.duration", values = [0.01] }\n')
+        self.show(folder_of("other_shard", "batch", str(file), "--shard", "2/2"))
+        text = self.browser.run("return document.querySelector('main').textContent")
+        self.assertIn("no case has ended yet", text)
+        self.assertNotIn("two columns", text.lower())
+
     def test_comparison_tells_its_points(self):
         file = FOLDER / "compare.toml"
         file.write_text(COMPARE.format(scene=DATA / "scenes/slider_crank.toml"))

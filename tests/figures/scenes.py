@@ -7,6 +7,11 @@ from sentences import Fresh, Sentence
 STILL = "gravity=[0,0,0]"
 FINE = "simulation.step=2.5e-5"
 SIXTEEN = ("bodies.crank.beam.elements=16", "bodies.rod.beam.elements=16")
+# Meshed parts without their openings.
+SOLID = ('bodies.rod.solid.outline={plate={type="rectangle",x=0.0975,width=0.243,height=0.044,fillet=0.02},'
+         'big_bore={type="circle",radius=0.012},small_bore={type="circle",x=0.2,radius=0.008},'
+         'rod={type="difference",of=["plate","big_bore","small_bore"]}}')
+PLAIN = 'bodies.arm.solid.outline={plate={type="rectangle",x=0.3,width=0.68,height=0.088,fillet=0.03}}'
 # Wilson's top of Brules, Cardona and Arnold, exact at 1 s.
 CENTRE, OMEGA = (0.17334, 0.64009, -0.74849), (-0.8221, 150, -5.9233)
 # Of bend45: where the tip is before the load.
@@ -94,6 +99,10 @@ def sentences(run):
                  lambda: [elongation(f"simulation.step={h}") for h in (2.5e-5, 1.25e-5)]),
         Sentence("half the cells (`cells=[75, 15]`) | the same | {:.2f} |", lambda: [elongation("bodies.rod.solid.mesh.cells=[75,15]")]),
         Sentence("cells) | largest `elongation` [µm] | {:.2f} |", lambda: [1e6 * scene("connecting_rod_3d").largest("elongation")]),
+        Sentence("without holes and pockets | the same | {:.2f} |",
+                 lambda: [1e6 * scene("connecting_rod_3d", SOLID).largest("elongation")]),
+        Sentence("largest `arm_tip` [mm], without openings | {:.3f} |",
+                 lambda: [1e3 * scene("robot_arm_lattice", PLAIN).largest("arm_tip")]),
         Sentence("| gear_hoist | `lift` at the end [m] | {:.6f} |", lambda: [scene("gear_hoist").final("lift")]),
         Sentence("| crane_boom | `angle` at the end [rad] | {:.6f} |", lambda: [scene("crane_boom").final("angle")]),
         Sentence("| slider_crank, with / without gravity | {} | {} / {} | {:.1f} / {:.1f} |", both_cranks),

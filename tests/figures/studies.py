@@ -1,5 +1,8 @@
 """Figures of data/studies/README.md and data/stability/README.md."""
 
+import math
+
+from scenes import PLAIN, SOLID
 from sentences import Fresh, Sentence
 
 # How far ends of optimisations may lie apart with other kernels of OpenBLAS: masses, dimensions of designs,
@@ -61,12 +64,94 @@ ROWS = {
                         lambda s: [*objective(s), *sizes("a", "b")(s)]),
     "cantilever": (MASSES, "height {:.1f} mm", sizes("height")),
     "cantilever_holes": ("{:.3f} → {:.3f}", "f^T u {:.3e} J", lambda s: objective(s)[1:]),
-    "connecting_rod_3d": (MASSES, "height {:.1f} mm; holes {:.0f} mm high, pockets {:.0f} mm high",
-                          sizes("height", ("b3", 2), "pocket_height")),
-    "robot_arm_lattice": (MASSES, "sizes {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f} mm",
-                          sizes(*(f"size{i}" for i in range(1, 8)))),
+    "connecting_rod_3d": (MASSES, "height {:.1f} mm; holes {:.0f} mm high, pockets {:.0f} mm high and {:.0f} mm deep",
+                          sizes("height", ("b3", 2), "pocket_height", ("pocket_depth", 0.5))),
+    "robot_arm_lattice": (MASSES, "sizes {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f}, {:.1f} mm, n1 = {:.0f}",
+                          after(sizes(*(f"size{i}" for i in range(1, 8))), lambda s: [s["design"]["roundness"]])),
 }
 POUND = 0.45359237  # kg
+
+
+# Studies whose plain cycle and optimum of the motion have a row of their own.
+BEFORE_AFTER = ("slider_crank_rod", "robot_arms", "slider_crank_both", "connecting_rod")
+# Study -> row of its ends with kernels of OpenBLAS.
+KERNELS = {
+    "cantilever": ("| cantilever | Haswell, SkylakeX, Prescott, Zen | {:.5f} |", lambda s: [Fresh(s["mass_final"], relative=MASS)]),
+    "plate_with_hole": ("| plate_with_hole | Haswell, SkylakeX, Prescott, Zen | {:.4f}, the limit; f^T u {:.3f} J |",
+                        lambda s: [Fresh(s["mass_final"], relative=1e-6), Fresh(s["objective"]["final"], relative=1e-5)]),
+    "slider_crank_both": ("| slider_crank_both | Haswell, SkylakeX | {:.6f} |", lambda s: [Fresh(s["mass_final"], relative=MASS)]),
+}
+
+
+def uniform_mass(d):
+    """Of the rod of slider_crank with one diameter, kg."""
+    return 7850 * 0.3 * math.pi / 4 * d ** 2
+
+
+def expectations(study):
+    """What the first table says of ends."""
+    def catalogue():
+        s = study("rod_catalogue").summary["catalogue"]
+        return [100 * s["above_continuous"], Fresh(s["continuous"], relative=MASS)]
+
+    def frequencies():
+        limit = 0.21026  # kg, of rod_frequency
+        uniform = math.sqrt(limit / uniform_mass(1))
+        start = study("rod_frequency", f"design.rod_diameters.start={uniform!r}", "cycle.max=1", words=("--no-verify",)).summary
+        return [Fresh(study("rod_frequency").summary["terms"]["lowest frequency"]["final"], relative=MASS),
+                start["terms"]["lowest frequency"]["initial"]]
+
+    def speeds():
+        return [100 * (study("rod_three_speeds").summary["mass_final"] / study("slider_crank_rod").summary["mass_final"] - 1)]
+
+    def other_truss():
+        wide = [f"design.b{i}.start={math.sqrt(4 / math.pi * 20) * 0.0254!r}" for i in range(1, 11)]  # of 20 in^2
+        return [Fresh(study("truss_10", *wide).summary["mass_final"] / POUND, relative=MASS)]
+
+    return [
+        Sentence("{:.0f} % heavier than the continuous optimum on the mesh of the scene ({:.5f} kg)", catalogue),
+        Sentence("{:.1f} Hz; the uniform rod of that mass has {:.1f} Hz", frequencies),
+        Sentence("the fastest motion decides; {:.0f} % heavier than for the rated speed alone", speeds),
+        Sentence("from 20 in² {:.2f} lb, another local optimum", other_truss),
+        Sentence("finds a height of {:.1f} mm and {:.5f} kg for a sag of 0.4 mm",
+                 lambda: [*sizes("height")(study("cantilever").summary), Fresh(study("cantilever").summary["mass_final"], relative=MASS)]),
+    ]
+
+
+def without_openings(run, study):
+    """Parts as wide as the mesh allows, against the designs of their studies."""
+    def lighter(name, mass):
+        return Fresh(100 * (1 - study(name).summary["mass_final"] / mass), within=2)
+
+    def solid(name, part, change):
+        s = run("run", f"scenes/{name}", change)
+        return s, s.summary["parts"][part]["mass"]
+
+    def rod():
+        mass = solid("connecting_rod", "rod", SOLID)[1]
+        return [mass, lighter("connecting_rod", mass)]
+
+    def holes_alone():
+        mass = solid("connecting_rod", "rod", SOLID)[1]
+        end = study("connecting_rod", "design.height.bounds=[0.0439,0.044]").summary["mass_final"]
+        return [Fresh(end, relative=MASS), Fresh(100 * (1 - end / mass), within=2)]
+
+    def rod_in_space():
+        s, mass = solid("connecting_rod_3d", "rod", SOLID)
+        return [1e6 * s.largest("elongation"), mass, lighter("connecting_rod_3d", mass)]
+
+    def arm():
+        s, mass = solid("robot_arm_lattice", "arm", PLAIN)
+        return [mass, MM * s.largest("arm_tip"), lighter("robot_arm_lattice", mass)]
+
+    return [
+        Sentence("The connecting rod without holes has {:.5f} kg (`ctest --test-dir build/release -R 'apps.ConnectingRod$'` "
+                 "compares): the optimum is {:.1f} % lighter", rod),
+        Sentence("it ends at {:.5f} kg, {:.1f} % lighter", holes_alone),
+        Sentence("stretches by {:.2f} um on the 60 × 16 × 8 cells (1.5 times is the limit) and has {:.5f} kg: the design is {:.1f} % "
+                 "lighter", rod_in_space),
+        Sentence("The arm without openings has {:.5f} kg and moves by {:.3f} mm: with 1 mm allowed it is {:.1f} % lighter", arm),
+    ]
 
 
 def row(run, study):
@@ -127,6 +212,38 @@ def sentences(run):
         x = study("svanberg_cantilever").summary["design"]
         return [Fresh((width - 2e-5) / 0.01, within=2) for width in x.values()]
 
+    def before_after(name):
+        """A row of the plain cycle and of the one that ends at the optimum of the motion, on the model of the scene."""
+        def figures():
+            out = []
+            for method in ("esl", "esl1"):
+                s = study(name, words=("--method", method, "--no-verify")).summary
+                out += [Fresh(s["mass_initial"], relative=1e-5)] if method == "esl" else []
+                kkt = Fresh(s["kkt_residual"], relative=0.1) if method == "esl" else Fresh(s["kkt_residual"], most=OPTIMAL)
+                out += [Fresh(s["cycles"], within=CYCLES), Fresh(s["mass_final"], relative=MASS), kkt]
+            return out
+
+        return Sentence(f"| {name} | {{:.6f}} | {{}}, {{:.6f}}, {{:.2g}} | {{}}, {{:.6f}}, {{:.2g}} |", figures)
+
+    def kernel(name, words, figures):
+        """A row of masses with kernels of OpenBLAS, by the first of them."""
+        return Sentence(words, lambda: figures(study(name, words=("--no-verify",), kernel="Haswell").summary))
+
+    def of_order_4():
+        order = [f"bodies.{link}.beam.order=4" for link in ("rod", "crank")]
+
+        def bend(d, *changes):
+            return MM * run("run", "scenes/slider_crank", f"sections.rod.diameter={d!r}", *changes).largest("bend")
+
+        below, above = 0.0112, 0.0118  # m, about the lightest that bends by 1 mm
+        for _ in range(16):
+            d = 0.5 * (below + above)
+            below, above = (d, above) if bend(d, *order) > 1 else (below, d)
+        mass, s = uniform_mass(above), study("slider_crank_rod").summary
+        best, hidden = s["mass_final"], s["refinement"]["steps"][0]["worst_constraint_error"]
+        return [100 * hidden, Fresh(best, relative=MASS), MM * above, mass,
+                Fresh(100 * (1 - best / mass), within=2)]
+
     return [
         *(row(run, name) for name in ROWS),
         Sentence("| rod_catalogue | {} | {} | {:.6g} → {:.6g} | {:.2g} | – ({:.2g} of the continuous optimum) | {:.0f}, {:.0f}, {:.0f}, {:.0f} mm |",
@@ -135,10 +252,18 @@ def sentences(run):
         Sentence("x = ({:.5f}, {:.5f}, {:.5f}, {:.5f}, {:.5f}) |", svanberg),
         Sentence("ends at {:.6f}, {:.6f} and {:.6f} kg on the first three, with residuals of {:.2f}, {:.2f} and {:.2f}, "
                  "and at {:.4f} kg, give or take 0.4 %, on four_bar_mixed", plain_ends),
+        *(before_after(name) for name in BEFORE_AFTER),
+        *(kernel(name, *cells) for name, cells in KERNELS.items()),
+        *expectations(study),
+        *without_openings(run, study),
         Sentence("1 % more bending allowed saves {:.1f} g of slider_crank_rod",
                  lambda: [GRAMS / 100 * study("slider_crank_rod").summary["prices"]["bending"]]),
         Sentence("{:.2f} mm, {:.5f} kg (bend {:.5f} mm). On that mesh, of 8 elements of order 2 a link, "
                  "four diameters need {:.5f} kg, {:.1f} % less", uniform),
+        Sentence("It hides {:.1f} % of the bending: the study ends with beams of order 4 at {:.5f} kg, and the uniform rod that meets "
+                 "the limit with them has {:.2f} mm and {:.5f} kg (`--set bodies.rod.beam.order=4 --set "
+                 "bodies.crank.beam.order=4`): {:.1f} % less", of_order_4),
+        Sentence("The plain ESL cycle ends at {:.5f} kg", lambda: plain_ends()[:1]),
         *map(hole, range(6)),
         Sentence("enough from all edges: {:.5f} kg, {:.0f} % lighter", lambda: [
             Fresh(holes()[-1]["objective"], relative=5e-3), 100 * (1 - holes()[-1]["objective"] / holes()[0]["objective_before"])]),

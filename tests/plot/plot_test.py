@@ -293,6 +293,21 @@ class Plot(unittest.TestCase):
     def test_batch(self):
         self.draws(write_batch, ["mass_final_over_speed", "mass_final_over_limit"])
 
+    def test_batch_of_which_nothing_has_ended(self):
+        """Killed before its first case had ended, or after it."""
+        def keep(rows):
+            write_batch(self.folder)
+            path = self.folder / "results.csv"
+            path.write_text("".join(path.read_text().splitlines(keepends=True)[:rows + 1]))
+            summary = {"command": "batch", "name": "rods", "status": "running"}
+            (self.folder / "summary.json").write_text(json.dumps(summary))
+        keep(0)
+        self.refuses("no case has ended yet; the same liesl batch command goes on")
+        self.refuses("no case has ended yet", options=["--x=speed", "--y=mass_final"])
+        keep(1)
+        self.refuses("what the batch sets is the same in all cases that have ended (1)")
+        self.draws(lambda _: keep(3), ["mass_final_over_limit"])
+
     def test_pairs_of_columns(self):
         self.draws(write_batch, ["bend.max_abs_over_mass_final"],
                    "--x=mass_final", "--y=bend.max_abs")

@@ -1,6 +1,8 @@
 """Studies: evaluation, the nonlinear program, optimisation by four ways, bad functions."""
 
+import os
 import pickle
+import subprocess
 
 import numpy as np
 import pytest
@@ -123,6 +125,44 @@ def test_own_functions_inside_optimize(rod):
     assert best.summary["mass_final"] <= 0.25 * (1 + 1e-5)
     assert best.summary["multipliers"]["heavy"] > 0, "the mass holds it"
     assert np.array_equal(best["responses/bending"], rod.evaluate(best.x)["responses/bending"])
+
+
+def test_an_own_optimum_is_saved_as_liesl_optimize_does(rod, tmp_path):
+    """Design, history and files; what the program draws and reads again."""
+
+    def bending(at):
+        y = 1e3 * at["responses/bending"]
+        return (y ** 2).mean(), {"bending": 2e3 * y / y.size}
+
+    def heavy(at):
+        return at.objective / 0.25 - 1, {"x": rod.mass_gradient(at.x) / 0.25}
+
+    few = rod.change({"cycle.max": 3})
+    best = few.optimize(objective=bending, limits={"heavy": heavy})
+    few.optimize().save(tmp_path / "plain")
+    best.save(tmp_path / "own")
+    assert best.status == "cycle limit" and len(best.history) >= 3
+    files = [{p.name for p in (tmp_path / name).iterdir()} for name in ("plain", "own")]
+    assert files[1] == files[0] and {"design.toml", "design.csv", "cycle_loads.csv"} < files[0]
+    plain, own = liesl.open(tmp_path / "plain"), liesl.open(tmp_path / "own")
+    assert set(plain.summary) - {"violation"} <= set(own.summary)
+    assert set(plain.summary["history"][-1]) <= set(own.summary["history"][-1])
+    assert own.summary["history"] == best.history and own.summary["design"] == best.design
+    assert own.summary["steps"] == sum(len(rod.evaluate(h["design"]).time) - 1 for h in best.history)
+    assert all(np.array_equal(own[name], best[name]) for name in best)
+    at = rod.evaluate(best.x)
+    limits = own.summary["constraints"]
+    assert limits["bending"]["max_abs_final"] == pytest.approx(at.limits["bending"], rel=1e-9)
+    assert limits["bending"]["max_abs_initial"] == pytest.approx(rod.evaluate().limits["bending"])
+    assert limits["heavy"]["violation"] == pytest.approx(heavy(at)[0])
+    assert own.tables["responses_final"]["bending [m]"].max() == limits["bending"]["max_abs_final"]
+    again = liesl.Scene.load(tmp_path / "own/design.toml").run()
+    assert abs(again["responses/bend"]).max() == pytest.approx(at.limits["bending"], rel=1e-4)
+    last = own.summary["history"][-1]
+    assert last["design"] == list(best.design.values()), "Ipopt's last derivatives are of its answer"
+    loads = {name.split(" [")[0]: column for name, column in own.tables["cycle_loads"].items()}
+    assert {1, last["cycle"]} >= set(loads["cycle"]) >= {last["cycle"]}
+    subprocess.run([os.environ["LIESL_PROGRAM"], "report", tmp_path / "own", "--quiet"], check=True)
 
 
 def test_own_functions_of_arrays_that_are_not_contiguous(rod):

@@ -67,6 +67,25 @@ TEST(Grid, KeepsOrderKeysAndPlaces) {
   EXPECT_EQ(list.rows[5].name, "6");
 }
 
+/// A number that keys of several units share has none of them.
+TEST(Grid, UnitIsThatOfAllKeys) {
+  Batch batch;
+  const auto unit = [&batch](std::vector<std::string> keys) {
+    return unit_of(batch, CaseColumn{"column", std::move(keys), {}});
+  };
+  EXPECT_EQ(unit({"simulation.step"}), "s");
+  EXPECT_EQ(unit({"simulation.step", "simulation.duration"}), "s");
+  EXPECT_EQ(unit({"simulation.step", "sections.rod.diameter"}), "");
+  EXPECT_EQ(unit({"simulation.step", "bodies.rod.beam.elements"}), "");
+  EXPECT_EQ(unit({"bodies.rod.beam.elements", "simulation.step"}), "");
+  EXPECT_EQ(unit({"name"}), "");
+  EXPECT_EQ(unit({}), "");
+  batch.optimize = true;
+  EXPECT_EQ(unit({"scene.simulation.step", "scene.simulation.duration"}), "s");
+  EXPECT_EQ(unit({"scene.simulation.step", "scene.sections.rod.diameter"}), "");
+  EXPECT_EQ(unit({"constraints.bending.limit"}), "") << "of the response: no unit";
+}
+
 /// Numbers reach the cases with every digit.
 TEST(Grid, NumbersKeepTheirDigits) {
   std::mt19937_64 random(7);

@@ -266,6 +266,33 @@ TEST_F(BatchProgram, KilledBatchGoesOn) {
     EXPECT_NE(entry.path().filename().string()[0], '.') << entry.path();
 }
 
+/// Its table and summary are there, without a case and with the first ones; the page is of them.
+TEST_F(BatchProgram, KilledBatchHasItsTable) {
+  const fs::path file = sizings();
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1"});
+  ASSERT_NE(wait_for_child(pool), 0);  // the first case
+  EXPECT_EQ(summary()["status"], "running");
+  EXPECT_EQ(summary()["reason"],
+            "0 of 6 cases have ended so far; the same command goes on with the rest");
+  EXPECT_EQ(run({"report", results()}).code, 0);
+  ASSERT_TRUE(wait_for_marks(2));  // the table has the first one by then
+  kill(pool, SIGKILL);
+  ASSERT_EQ(wait_for(pool).code, -SIGKILL) << "it was done before";
+  EXPECT_EQ(summary()["status"], "running");
+  EXPECT_GE(table().at("case").size(), 1u);
+  EXPECT_EQ(table().at("status")[0], "optimal");
+  EXPECT_EQ(int(summary()["done"]), int(table().at("case").size()));
+  EXPECT_EQ(run({"report", results()}).code, 0);
+  fs::remove(results() / "summary.json");  // of an earlier version, that wrote it at the end
+  for (const char* command : {"report", "plot"}) {
+    const Outcome o = run({command, results()});
+    EXPECT_EQ(o.code, 3);
+    EXPECT_NE(o.err.find("its batch has not written a table yet; the same `liesl batch` goes on"),
+              std::string::npos)
+        << o.err;
+  }
+}
+
 TEST_F(BatchProgram, InterruptedBatchGoesOn) {
   const fs::path file = sizings();
   const pid_t pool = start({"batch", file, "-o", results(), "-j", "2"});

@@ -293,12 +293,16 @@ TEST_F(Drawing, IsWholeOrNotThere) {
 TEST_F(Drawing, RefusesWhatIsNoSummaryOfThisVersion) {
   const fs::path path = results() / "summary.json";
   const std::string whole = text_of(path);
-  Json other = Json::parse(whole), typed = other;
+  Json other = Json::parse(whole), typed = other, inner = other, last = other;
   other["versions"]["liesl"] = "0.0.1";
   typed["steps"] = "many";
+  inner["responses"] = 3;
+  last["responses"]["bend"]["unit"] = 1;
   const std::pair<std::string, const char*> cases[] = {
       {other.dump(), "it is of liesl \"0.0.1\""},
       {typed.dump(), "its 'steps' is string"},
+      {inner.dump(), "its 'responses' is number"},
+      {last.dump(), "its 'responses.bend.unit' is number"},
       {whole.substr(0, whole.size() / 2), "it is not of liesl, or not whole"}};
   for (const auto& [text, reason] : cases) {
     std::ofstream(path) << text;

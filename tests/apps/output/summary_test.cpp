@@ -2,6 +2,7 @@
 
 #include "apps/output/summary.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <pty.h>
 #include <signal.h>
@@ -15,6 +16,7 @@
 #include "apps/output/file.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/progress.hpp"
+#include "apps/output/summary_types.hpp"
 #include "apps/output/versions.hpp"
 #include "tests/apps/output_sample.hpp"
 
@@ -72,13 +74,44 @@ TEST(Summary, FormerKeysAreKeptWithTheNewOnes) {
   EXPECT_EQ(json["nucleation"]["tried"][0]["steps"], 7);
 }
 
-TEST(Summary, OptimizeHasItsKeysBesides) {
+OptimizeSummary sample_optimisation() {
   OptimizeSummary s;
   static_cast<RunSummary&>(s) = sample_run();
   s.design = {{"d[0]", 0.01, 0.008, 0.004, 0.02}};
   s.constraints = {{"bending", "deflection", "m", 1e-3, 2e-3, 0.999e-3, 0.05, -1e-3}};
   s.history = {{1, 0.2, 1.0, std::nullopt, 20, 15, 0.5, 0.1}, {2, 0.1, 0.01, 0.3, 20, 9, 0.5, 0.1}};
-  const auto json = to_json(s);
+  return s;
+}
+
+/// What pages, pictures and exports read is refused by its name if it is of another type.
+TEST(Summary, KeysThatAreReadHaveTypes) {
+  const auto json = to_json(sample_optimisation());
+  EXPECT_EQ(wrong_type(json), "");
+  const std::pair<const char*, const char*> keys[] = {
+      {"/status", "status"},
+      {"/warnings", "warnings"},
+      {"/responses", "responses"},
+      {"/responses/bend", "responses.bend"},
+      {"/responses/bend/final", "responses.bend.final"},
+      {"/responses/bend/unit", "responses.bend.unit"},
+      {"/factorizations/rod", "factorizations.rod"},
+      {"/design/d[0]", "design.d[0]"},
+      {"/design_range/d[0]/lower", "design_range.d[0].lower"},
+      {"/constraints/bending/violation", "constraints.bending.violation"},
+      {"/history/1", "history[1]"},
+      {"/history/1/mass", "history[1].mass"}};
+  for (const auto& [pointer, name] : keys) {
+    auto changed = json;
+    changed[nlohmann::ordered_json::json_pointer(pointer)] = true;
+    EXPECT_EQ(wrong_type(changed), fmt::format("'{}' is boolean", name));
+  }
+  auto mixed = json;
+  mixed["responses"]["tip, far"]["final"][1] = "m";
+  EXPECT_EQ(wrong_type(mixed), "'responses.tip, far.final' is array");
+}
+
+TEST(Summary, OptimizeHasItsKeysBesides) {
+  const auto json = to_json(sample_optimisation());
   for (const char* key : {"cycles", "mass_initial", "mass_final", "worst_constraint", "load_change",
                           "design", "history", "status", "responses", "versions"}) {
     EXPECT_TRUE(json.contains(key)) << key;

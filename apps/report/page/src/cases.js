@@ -78,7 +78,7 @@ class CaseTable {
       th.setAttribute('aria-sort', this.columns[i] === this.sorted ? (this.down ? 'descending' : 'ascending') : 'none'));
     this.body.replaceChildren(...this.rows.slice(0, kMostRows).map((row) => this.line(row)));
     const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : '';
-    this.note.textContent = `${this.rows.length} of ${this.count}${more}`;
+    this.note.textContent = this.count ? `${this.rows.length} of ${this.count}${more}` : `no ${this.compare ? 'row' : 'case'} has ended yet`;
     for (const listener of this.listeners) listener();
   }
 
@@ -120,6 +120,7 @@ const named = (text, node) => el('span', { class: 'named' }, el('label', { for: 
 
 /** A batch: any two columns, coloured by a third. */
 function pairs(table) {
+  if (!table.count) return null;
   const columns = table.numeric().filter((c) => c !== table.columns[0]);
   if (columns.length < 2) return card('', el('p', { class: 'note' }, 'No two columns of numbers to compare.'));
   const inputs = columns.filter((c) => new Set(c.cells).size > 1);

@@ -4,7 +4,7 @@ import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
 import { ticks } from './charts.js';
 
-const kLeft = 62, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
+const kLeft = 68, kBottom = 40, kTop = 12, kRight = 14, kHoverRadius = 9;
 
 export class Scatter {
   /** @param describe row -> lines of text for the tip */
@@ -59,7 +59,7 @@ export class Scatter {
       ctx.lineTo(ax.at(t), h - kBottom);
       const half = 0.5 * ctx.measureText(across[i]).width;
       if (ax.at(t) - half < free) continue;
-      ctx.fillText(across[i], ax.at(t), h - kBottom + 15);
+      ctx.fillText(across[i], Math.min(ax.at(t), w - half - 1), h - kBottom + 15);
       free = ax.at(t) + half + 8;
     }
     ctx.textAlign = 'right';

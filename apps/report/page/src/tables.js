@@ -26,7 +26,7 @@ const kMeaning = {
 
 function sentence(text) {
   if (!text) return text;
-  const printed = prose(text);
+  const plain = prose(text), printed = plain[0].toUpperCase() + plain.slice(1);
   return /[.!?]$/.test(printed) ? printed : `${printed}.`;
 }
 
