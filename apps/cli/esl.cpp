@@ -89,10 +89,11 @@ int esl_command(const CommandOptions& options) {
   const ChosenSpace space = choose_space(scene);
   output::AtomicFolder folder(options.out, options.force);
   SimulationLine line(scene.simulation, options.quiet);
-  EslOutcome out = esl_task(scene, space, std::ref(line));
+  output::Hdf5Writer numbers(folder.path() / "results.h5");
+  EslOutcome out = esl_task(scene, space, std::ref(line), &numbers);
   line.clear();
   const std::vector<double>& times = out.run.results.times;
-  output::write_results(folder.path(), out.run.results);
+  output::write_results(folder.path(), out.run.results, &numbers);
   output::Hdf5File file(folder.path() / "loads.h5");
   file.group("/loads");
   for (const BeamLoads& beam : out.beams) write(file, beam);

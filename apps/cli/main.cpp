@@ -1,6 +1,7 @@
 /// @file
 /// liesl: simulate flexible mechanisms on SE(3), size their parts under the loads of the motion.
 
+#include <malloc.h>
 #include <sys/resource.h>
 #include <tbb/global_control.h>
 
@@ -305,6 +306,18 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
   return kFailed;
 }
 
+/// Memory that is freed stays with the process, as much as the C library keeps by itself once it
+/// has freed a block of 32 MB: a short run spends much of its time on pages that it gives back and
+/// is given again. Not where the address space is limited.
+void keep_freed_memory() {
+  rlimit space{};
+  if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY) return;
+  constexpr int kOwnPages = 32 << 20;  // bytes of a block that is given back on its own
+  ::mallopt(M_MMAP_THRESHOLD, kOwnPages);
+  ::mallopt(M_TRIM_THRESHOLD, 2 * kOwnPages);
+  ::mallopt(M_TOP_PAD, 1 << 20);
+}
+
 /// To the end of the process: where the limit is lifted, TBB starts threads for the work that it
 /// has seen, and aborts if memory is short.
 void limit_threads(int threads) {
@@ -345,5 +358,6 @@ int main(int argc, char** argv) {
   liesl::output::catch_interrupts();
   liesl::ask_for_stop([] { return liesl::output::interrupted() != 0; });
   if (options.threads > 0) limit_threads(options.threads);
+  keep_freed_memory();
   return guarded(run, options);
 }

@@ -13,8 +13,9 @@
 
 namespace liesl {
 
-void write_run(const std::filesystem::path& folder, const RunOutcome& out) {
-  if (!out.results.times.empty()) output::write_results(folder, out.results);
+void write_run(const std::filesystem::path& folder, const RunOutcome& out,
+               output::Hdf5Writer* begun) {
+  if (!out.results.times.empty()) output::write_results(folder, out.results, begun);
   output::write_summary(folder / "summary.json", output::to_json(out.summary));
 }
 

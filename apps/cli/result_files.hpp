@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "apps/output/hdf5_writer.hpp"
 #include "apps/tasks/run.hpp"
 
 #ifdef LIESL_OPTIM
@@ -15,7 +16,9 @@
 namespace liesl {
 
 /// Results, if there are records, and summary.json. @throws output::IoError (both)
-void write_run(const std::filesystem::path& folder, const RunOutcome& out);
+/// @param begun what took the series of bodies, of results.h5 in this folder; null: nothing did
+void write_run(const std::filesystem::path& folder, const RunOutcome& out,
+               output::Hdf5Writer* begun = nullptr);
 
 #ifdef LIESL_OPTIM
 /// Of an optimisation: its final motion and limits, the design as table and as scene, its parts,

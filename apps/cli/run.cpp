@@ -16,7 +16,8 @@ int run_command(const CommandOptions& options) {
   const ChosenSpace space = choose_space(scene);
   output::AtomicFolder folder(options.out, options.force);
   SimulationLine line(scene.simulation, options.quiet);
-  RunOutcome out = run_task(scene, space, std::ref(line));
+  output::Hdf5Writer numbers(folder.path() / "results.h5");
+  RunOutcome out = run_task(scene, space, std::ref(line), &numbers);
   if (options.verify && out.status == SolveStatus::Converged)
     verify({load_document(options.file).text, options.file, options.set}, scene, out.summary,
            std::ref(line));
@@ -24,7 +25,7 @@ int run_command(const CommandOptions& options) {
   out.summary.overrides = options.set;
   out.summary.more["input"] = options.file;
   out.summary.wall_s = clock.seconds();
-  write_run(folder.path(), out);
+  write_run(folder.path(), out, &numbers);
   add_report(folder.path(), options);
   folder.commit();
   print_figures(out.summary, options.out, options.quiet);

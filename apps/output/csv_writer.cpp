@@ -24,8 +24,9 @@ class Table {
     header_ += (header_.empty() ? "" : ",") + heading(name, unit);
     columns_.push_back({&block, c, C});
   }
-  std::string text() const {
+  void write(const std::filesystem::path& path) const {
     fmt::memory_buffer out;
+    out.reserve(header_.size() + 1 + n_ * columns_.size() * kCell);
     out.append(header_ + "\n");
     for (std::size_t i = 0; i < n_; ++i) {
       char end = ',';
@@ -36,10 +37,11 @@ class Table {
         out.push_back(end);
       }
     }
-    return fmt::to_string(out);
+    write_file(path, {out.data(), out.size()});
   }
 
  private:
+  static constexpr std::size_t kCell = 20;  // bytes of most numbers
   struct Column {
     const std::vector<double>* block;
     std::size_t c, C;
@@ -70,7 +72,7 @@ void write_responses_csv(const std::filesystem::path& path, const Results& resul
     for (std::size_t c = 0; c < C; ++c)
       table.add(response.column(c), response.unit, response.values, c, C);
   }
-  write_file(path, table.text());
+  table.write(path);
 }
 
 void write_energies_csv(const std::filesystem::path& path, const Results& results) {
@@ -82,7 +84,7 @@ void write_energies_csv(const std::filesystem::path& path, const Results& result
   table.add("dissipated", "J", results.energies.dissipated);
   table.add("total", "J", results.energies.total);
   table.add("constraint_residual", "m or rad", results.constraint_residual);
-  write_file(path, table.text());
+  table.write(path);
 }
 
 void write_joints_csv(const std::filesystem::path& path, const Results& results) {
@@ -98,7 +100,7 @@ void write_joints_csv(const std::filesystem::path& path, const Results& results)
       table.add(joint.name + "." + names[c], c < 3 ? "N" : "N m", joint.forces, c, 6);
     }
   }
-  write_file(path, table.text());
+  table.write(path);
 }
 
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants) {
@@ -108,9 +110,9 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
   for (const int i : spread_records(static_cast<int>(results.times.size()), instants)) {
     for (const auto& body : results.bodies) {
       if (body.positions.empty()) continue;
-      for (int k = 0; k < body.nodes; ++k) {
-        const double* x =
-            body.positions.data() + (static_cast<std::size_t>(i) * body.nodes + k) * 3;
+      const double* x =
+          body.positions.data() + 3 * results.row(i) * static_cast<std::size_t>(body.nodes);
+      for (int k = 0; k < body.nodes; ++k, x += 3) {
         fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", results.times[i],
                        field(body.name), field(body.kind), k, x[0], x[1], x[2]);
       }

@@ -57,8 +57,11 @@ Block at_nodes(const BodyResult& body, std::size_t n) {
   return out;
 }
 
-void add_body(Tree& tree, const BodyResult& body, std::size_t n) {
-  const std::string group = "/bodies/" + hdf5_name(body.name);
+std::string group_of(const BodyResult& body) { return "/bodies/" + hdf5_name(body.name); }
+
+/// The group of a body, with its series of n records.
+void add_series(Tree& tree, const BodyResult& body, std::size_t n) {
+  const std::string group = group_of(body);
   const std::size_t N = static_cast<std::size_t>(body.nodes);
   const std::size_t E = body.elements.size();
   tree.group(group);
@@ -70,6 +73,13 @@ void add_body(Tree& tree, const BodyResult& body, std::size_t n) {
   tree.put(group + "/section_force", body.section_forces, {n, E, 12}, "N, N m");
   tree.make(group + "/node_force", at_nodes(body, n), {n, N, 6}, "N, N m");
   tree.put(group + "/stress", body.stresses, {n, E, 2}, "Pa");
+}
+
+/// What a body is at rest.
+void add_rest(Tree& tree, const BodyResult& body) {
+  const std::string group = group_of(body);
+  const std::size_t N = static_cast<std::size_t>(body.nodes);
+  const std::size_t E = body.elements.size();
   tree.put(group + "/reference_position", body.reference_positions, {N, 3}, "m");
   tree.put(group + "/reference_rotation", body.reference_rotations, {N, 9}, "-");
   tree.put(group + "/dimension", body.dimensions, {E, kMostDimensions}, "m");
@@ -146,6 +156,13 @@ std::string hdf5_name(std::string name) {
   return name;
 }
 
+DataTree series_tree(const std::vector<BodyResult>& bodies, std::size_t n) {
+  Tree tree;
+  tree.group("/bodies");
+  for (const auto& body : bodies) add_series(tree, body, n);
+  return tree.take();
+}
+
 DataTree data_tree(const Results& results) {
   check_shapes(results);
   const std::size_t n = results.times.size();
@@ -156,8 +173,12 @@ DataTree data_tree(const Results& results) {
   tree.attribute("space", results.space);
   tree.attribute("abscissa", results.abscissa);
   tree.put("/time", results.times, {n}, results.abscissa_unit);
-  tree.group("/bodies");
-  for (const auto& body : results.bodies) add_body(tree, body, n);
+  const bool with_series = results.kept.empty();
+  if (with_series) tree.group("/bodies");
+  for (const auto& body : results.bodies) {
+    if (with_series) add_series(tree, body, n);
+    add_rest(tree, body);
+  }
   if (!results.meshes.empty()) tree.group("/meshes");
   for (const auto& mesh : results.meshes) add_mesh(tree, mesh);
   tree.group("/joints");

@@ -44,8 +44,12 @@ struct DataTree {
 ///   /energies/{kinetic, elastic, potential, dissipated, total} [n]
 ///   /constraint_residual [n]
 ///   /responses/<name> [n,C]
+/// Without the groups and series of bodies that a BodySink took (Results::kept).
 /// @throws std::invalid_argument (shapes)
 DataTree data_tree(const Results& results);
+
+/// The groups of bodies, with their series of n records alone.
+DataTree series_tree(const std::vector<BodyResult>& bodies, std::size_t n);
 
 /// The name as a link of HDF5: a slash, which would be a group, becomes an underscore.
 std::string hdf5_name(std::string name);

@@ -1,9 +1,11 @@
+// The functions of one hash, which need not look for it among all that the library knows.
+#define OPENSSL_SUPPRESS_DEPRECATED
+
 #include "apps/output/file.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
-#include <openssl/crypto.h>
-#include <openssl/evp.h>
+#include <openssl/sha.h>
 #include <signal.h>
 #include <unistd.h>
 
@@ -87,13 +89,13 @@ std::string read_file(const std::filesystem::path& path, std::size_t limit) {
 }
 
 std::string sha256(std::string_view bytes) {
-  // The system's configuration of the library, which it would read first, has nothing to say here.
-  OPENSSL_init_crypto(OPENSSL_INIT_NO_LOAD_CONFIG, nullptr);
-  std::array<unsigned char, EVP_MAX_MD_SIZE> digest;
-  unsigned int size = 0;
-  EVP_Digest(bytes.data(), bytes.size(), digest.data(), &size, EVP_sha256(), nullptr);
+  SHA256_CTX context;
+  std::array<unsigned char, SHA256_DIGEST_LENGTH> digest;
+  SHA256_Init(&context);
+  SHA256_Update(&context, bytes.data(), bytes.size());
+  SHA256_Final(digest.data(), &context);
   std::string hex;
-  for (unsigned int i = 0; i < size; ++i) hex += fmt::format("{:02x}", digest[i]);
+  for (const unsigned char byte : digest) hex += fmt::format("{:02x}", byte);
   return hex;
 }
 

@@ -22,14 +22,30 @@ herr_t keep_innermost(unsigned, const H5E_error2_t* error, void* kept) {
   return 0;
 }
 
-hid_t create(const std::filesystem::path& path) {
+Hdf5Handle space_of(const Hdf5File::Shape& shape) {
+  return {H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr), H5Sclose};
+}
+
+/// Numbers go to the file as they are. Never closed: that would take the reason of a file that
+/// cannot be created from the library's error stack.
+hid_t unbuffered() {
+  static const hid_t access = [] {
+    const hid_t made = H5Pcreate(H5P_FILE_ACCESS);
+    H5Pset_sieve_buf_size(made, 0);
+    return made;
+  }();
+  return access;
+}
+
+hid_t create_file(const std::filesystem::path& path) {
   prepare_hdf5();
-  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+  return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, unbuffered());
 }
 
 }  // namespace
 
-Hdf5File::Hdf5File(const std::filesystem::path& path) : path_(path), file_(create(path), H5Fclose) {
+Hdf5File::Hdf5File(const std::filesystem::path& path)
+    : path_(path), file_(create_file(path), H5Fclose) {
   checked(file_.id());
 }
 
@@ -61,14 +77,34 @@ void Hdf5File::write(const std::string& name, const std::vector<int>& values,
   write_any(name, H5T_NATIVE_INT, values.data(), shape);
 }
 
+Hdf5Handle Hdf5File::create(const std::string& name, hid_t type, const Shape& shape) const {
+  const Hdf5Handle space = space_of(shape);
+  Hdf5Handle set(H5Dcreate2(file_.id(), name.c_str(), type, checked(space.id()), H5P_DEFAULT,
+                            H5P_DEFAULT, H5P_DEFAULT),
+                 H5Dclose);
+  checked(set.id());
+  return set;
+}
+
+Hdf5Handle Hdf5File::numbers(const std::string& name, const Shape& shape) const {
+  return create(name, H5T_NATIVE_DOUBLE, shape);
+}
+
+void Hdf5File::write_rows(const Hdf5Handle& set, hsize_t first, std::span<const double> values,
+                          const Shape& shape) const {
+  const Hdf5Handle here = space_of(shape), there(H5Dget_space(set.id()), H5Sclose);
+  Shape start(shape.size(), 0);
+  start[0] = first;
+  if (H5Sselect_hyperslab(checked(there.id()), H5S_SELECT_SET, start.data(), nullptr, shape.data(),
+                          nullptr) < 0 ||
+      H5Dwrite(set.id(), H5T_NATIVE_DOUBLE, checked(here.id()), there.id(), H5P_DEFAULT,
+               values.data()) < 0)
+    fail();
+}
+
 void Hdf5File::write_any(const std::string& name, hid_t type, const void* data,
                          const Shape& shape) const {
-  const Hdf5Handle space(H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr),
-                         H5Sclose);
-  const Hdf5Handle set(H5Dcreate2(file_.id(), name.c_str(), type, checked(space.id()), H5P_DEFAULT,
-                                  H5P_DEFAULT, H5P_DEFAULT),
-                       H5Dclose);
-  checked(set.id());
+  const Hdf5Handle set = create(name, type, shape);
   if (H5Dwrite(set.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, data) < 0) fail();
 }
 

@@ -52,6 +52,11 @@ class Hdf5File {
   void write(const std::string& name, const std::vector<double>& values, const Shape& shape) const;
   void write(const std::string& name, std::span<const double> values, const Shape& shape) const;
   void write(const std::string& name, const std::vector<int>& values, const Shape& shape) const;
+  /// A data set of numbers that write_rows fills.
+  Hdf5Handle numbers(const std::string& name, const Shape& shape) const;
+  /// Its rows from `first` on. @param shape of the values
+  void write_rows(const Hdf5Handle& set, hsize_t first, std::span<const double> values,
+                  const Shape& shape) const;
   /// Texts, UTF-8 of any length.
   void write(const std::string& name, const std::vector<std::string>& texts) const;
   /// Everything in another file, as a new group.
@@ -67,6 +72,7 @@ class Hdf5File {
     if (id < 0) fail();
     return id;
   }
+  Hdf5Handle create(const std::string& name, hid_t type, const Shape& shape) const;
   void write_any(const std::string& name, hid_t type, const void* data, const Shape& shape) const;
 
   std::filesystem::path path_;

@@ -1,5 +1,7 @@
 #include "apps/output/hdf5_input.hpp"
 
+#include <algorithm>
+
 #include "apps/output/io_error.hpp"
 
 namespace liesl::output {
@@ -13,6 +15,17 @@ hid_t open_file(const std::filesystem::path& path) {
 herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* names) {
   static_cast<std::vector<std::string>*>(names)->emplace_back(name);
   return 0;
+}
+
+/// One behind the last of the records that are read at once, with those between them.
+std::size_t end_of_block(const std::vector<int>& records, std::size_t first, std::size_t bytes) {
+  constexpr std::size_t kAtOnce = std::size_t{1} << 18;  // bytes
+  constexpr int kNear = 4;                               // records apart
+  std::size_t end = first + 1;
+  while (end < records.size() && records[end] - records[end - 1] <= kNear &&
+         static_cast<std::size_t>(records[end] - records[first] + 1) * bytes <= kAtOnce)
+    ++end;
+  return end;
 }
 
 std::vector<hsize_t> extent(hid_t set) {
@@ -113,18 +126,24 @@ Hdf5Numbers Hdf5Input::numbers(const std::string& name, const std::vector<int>& 
   if (records.size() == size[0]) return numbers(name);
   out.shape.assign(size.begin(), size.end());
   out.shape[0] = records.size();
-  out.values.resize(records.size() * out.row());
+  const std::size_t row = out.row();
+  out.values.resize(records.size() * row);
   const Hdf5Handle space(H5Dget_space(set.id()), H5Sclose);
   std::vector<hsize_t> start(size.size(), 0), count = size;
-  count[0] = 1;
-  const Hdf5Handle one(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
-                       H5Sclose);
-  for (std::size_t i = 0; i < records.size(); ++i) {
+  std::vector<double> block;
+  for (std::size_t i = 0, end = 0; i < records.size(); i = end) {
+    end = end_of_block(records, i, row * sizeof(double));
     start[0] = static_cast<hsize_t>(records[i]);
+    count[0] = static_cast<hsize_t>(records[end - 1] - records[i] + 1);
+    block.resize(count[0] * row);
+    const Hdf5Handle here(H5Screate_simple(static_cast<int>(count.size()), count.data(), nullptr),
+                          H5Sclose);
     H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, count.data(), nullptr);
-    if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, one.id(), space.id(), H5P_DEFAULT,
-                out.values.data() + i * out.row()) < 0)
+    if (H5Dread(set.id(), H5T_NATIVE_DOUBLE, here.id(), space.id(), H5P_DEFAULT, block.data()) < 0)
       fail(name);
+    for (std::size_t k = i; k < end; ++k)
+      std::copy_n(block.begin() + static_cast<long>(row) * (records[k] - records[i]), row,
+                  out.values.begin() + static_cast<long>(k * row));
   }
   return out;
 }

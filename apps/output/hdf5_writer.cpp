@@ -1,28 +1,66 @@
 #include "apps/output/hdf5_writer.hpp"
 
+#include <stdexcept>
+
 #include "apps/output/data_tree.hpp"
-#include "apps/output/hdf5_file.hpp"
 
 namespace liesl::output {
+namespace {
 
-void write_hdf5(const std::filesystem::path& path, const Results& results) {
-  const DataTree tree = data_tree(results);
-  Hdf5File file(path);
+Hdf5File::Shape shape_of(const DataSet& set) { return {set.shape.begin(), set.shape.end()}; }
+
+void write_groups(const Hdf5File& file, const DataTree& tree) {
   for (const DataGroup& group : tree.groups) {
     if (group.name != "/") file.group(group.name);
     for (const auto& [key, text] : group.attributes) file.attribute(group.name, key, text);
   }
-  for (const DataSet& set : tree.sets) {
-    const Hdf5File::Shape shape(set.shape.begin(), set.shape.end());
-    if (const auto* numbers = std::get_if<std::span<const double>>(&set.values))
-      file.write(set.name, *numbers, shape);
-    else if (const auto* integers = std::get_if<std::vector<int>>(&set.values))
-      file.write(set.name, *integers, shape);
-    else
-      file.write(set.name, std::get<std::vector<std::string>>(set.values));
-    if (!set.unit.empty()) file.attribute(set.name, "unit", set.unit);
+}
+
+void write_unit(const Hdf5File& file, const DataSet& set) {
+  if (!set.unit.empty()) file.attribute(set.name, "unit", set.unit);
+}
+
+}  // namespace
+
+void Hdf5Writer::put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
+                     std::size_t n) {
+  const DataTree tree = series_tree(bodies, count);
+  if (!file_) {
+    file_.emplace(path_);
+    write_groups(*file_, tree);
+    for (const DataSet& set : tree.sets) {
+      Hdf5File::Shape shape = shape_of(set);
+      shape[0] = n;
+      series_.push_back(file_->numbers(set.name, shape));
+      write_unit(*file_, set);
+    }
   }
-  file.close();
+  if (tree.sets.size() != series_.size())
+    throw std::invalid_argument("results: the bodies have other series than in the first block");
+  for (std::size_t i = 0; i < series_.size(); ++i)
+    file_->write_rows(series_[i], first, std::get<std::span<const double>>(tree.sets[i].values),
+                      shape_of(tree.sets[i]));
+}
+
+void Hdf5Writer::finish(const Results& results) {
+  const DataTree tree = data_tree(results);
+  if (!file_) file_.emplace(path_);
+  write_groups(*file_, tree);
+  for (const DataSet& set : tree.sets) {
+    if (const auto* numbers = std::get_if<std::span<const double>>(&set.values))
+      file_->write(set.name, *numbers, shape_of(set));
+    else if (const auto* integers = std::get_if<std::vector<int>>(&set.values))
+      file_->write(set.name, *integers, shape_of(set));
+    else
+      file_->write(set.name, std::get<std::vector<std::string>>(set.values));
+    write_unit(*file_, set);
+  }
+  series_.clear();
+  file_->close();
+}
+
+void write_hdf5(const std::filesystem::path& path, const Results& results) {
+  Hdf5Writer(path).finish(results);
 }
 
 }  // namespace liesl::output

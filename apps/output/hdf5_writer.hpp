@@ -3,14 +3,33 @@
 /// Results as one HDF5 file.
 
 #include <filesystem>
-#include <string>
+#include <optional>
+#include <utility>
+#include <vector>
 
+#include "apps/output/hdf5_file.hpp"
 #include "apps/output/results.hpp"
 
 namespace liesl::output {
 
-/// Writes everything that is recorded, as data_tree.hpp lays it out. Every data set of numbers has
-/// an attribute `unit`. @throws IoError, std::invalid_argument (shapes)
+/// Everything that is recorded, as data_tree.hpp lays it out. Every data set of numbers has an
+/// attribute `unit`. The file is made when the first numbers come.
+class Hdf5Writer final : public BodySink {
+ public:
+  explicit Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) {}
+  /// Series of bodies before the rest. @throws IoError, std::invalid_argument (shapes)
+  void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
+           std::size_t n) override;
+  /// All that was not put before, and closes the file. @throws IoError, std::invalid_argument
+  void finish(const Results& results);
+
+ private:
+  std::filesystem::path path_;
+  std::optional<Hdf5File> file_;
+  std::vector<Hdf5Handle> series_;  ///< in the order of series_tree()
+};
+
+/// Writes results that hold all of their series. @throws IoError, std::invalid_argument (shapes)
 void write_hdf5(const std::filesystem::path& path, const Results& results);
 
 }  // namespace liesl::output

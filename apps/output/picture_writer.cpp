@@ -94,10 +94,11 @@ class PartLines {
     lines_ = mesh.dim() == 2 ? closed_sides(cut_) : sharp_edges(cut_, rest);
   }
 
-  void put(std::string& text, const std::string& start, const std::string& name,
-           std::size_t record) const {
-    const std::vector<Vector3d> x = at(record), rest = places(mesh_.reference);
-    const Chord chord = chord_at(record);
+  /// @param row where the series of bodies hold the record
+  void put(std::string& text, const std::string& start, const std::string& name, std::size_t record,
+           std::size_t row) const {
+    const std::vector<Vector3d> x = at(record, row), rest = places(mesh_.reference);
+    const Chord chord = chord_at(row);
     for (std::size_t l = 0; l < lines_.size(); ++l)
       for (const std::uint32_t v : lines_[l]) {
         const Vector3d b = x[v] - chord.carry(rest[v]);
@@ -126,8 +127,8 @@ class PartLines {
     return far;
   }
 
-  Chord chord_at(std::size_t record) const {
-    const std::size_t frame = record * static_cast<std::size_t>(body_.nodes);
+  Chord chord_at(std::size_t row) const {
+    const std::size_t frame = row * static_cast<std::size_t>(body_.nodes);
     const Matrix3d R0 = axes_at(body_.rotations, frame);
     Chord out{vector_at(body_.positions, frame), Vector3d::Zero(), Vector3d::Zero(), R0};
     if (far_ == 0) return out;
@@ -147,13 +148,13 @@ class PartLines {
   }
 
   /// x_0 + R_0 (reference + basis amplitudes) of the vertices.
-  std::vector<Vector3d> at(std::size_t record) const {
+  std::vector<Vector3d> at(std::size_t record, std::size_t row) const {
     const std::size_t size = mesh_.reference.size(), k = mesh_.basis.size() / size;
     std::vector<double> nodes = mesh_.reference;
     for (std::size_t j = 0; j < k; ++j)
       for (std::size_t i = 0; i < size; ++i)
         nodes[i] += mesh_.amplitudes[record * k + j] * mesh_.basis[j * size + i];
-    const std::size_t frame = record * static_cast<std::size_t>(body_.nodes);
+    const std::size_t frame = row * static_cast<std::size_t>(body_.nodes);
     const Vector3d x0 = vector_at(body_.positions, frame);
     const Matrix3d R0 = axes_at(body_.rotations, frame);
     std::vector<Vector3d> out = places(nodes);
@@ -207,7 +208,7 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
     const PartLines lines(mesh, *body);
     for (const int record : pictured(static_cast<int>(results.times.size())))
       lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
-                std::size_t(record));
+                std::size_t(record), results.row(record));
   }
   if (text.size() > head) write_file(path, text);
 }

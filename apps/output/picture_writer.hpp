@@ -9,9 +9,6 @@
 
 namespace liesl::output {
 
-/// Instants of frames.csv, and of those the ones that pictures show.
-inline constexpr int kFrames = 13, kPictured = 5;
-
 /// How thick the elements of beams look along the axes of the scene, at rest:
 /// `body, element, along x [m], along y [m], along z [m]`. Across an axis that a beam points along
 /// its larger thickness, 0 of a section without a shape. Bodies without any shape are left out; no

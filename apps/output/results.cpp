@@ -55,7 +55,8 @@ void check_mesh(const MeshResult& mesh, std::size_t n) {
 
 void check_shapes(const Results& results) {
   const std::size_t n = results.times.size();
-  for (const auto& body : results.bodies) check_body(body, n);
+  for (const auto& body : results.bodies)
+    check_body(body, results.kept.empty() ? n : results.kept.size());
   for (const auto& mesh : results.meshes) check_mesh(mesh, n);
   for (const auto& joint : results.joints) {
     check_block(joint.coordinates, n * joint.units.size(), joint.name + ".coordinates");
@@ -82,6 +83,14 @@ std::vector<int> spread_records(int n, int count) {
     records.push_back(count > 1 ? static_cast<int>((i * last + (count - 1) / 2) / (count - 1)) : 0);
   }
   return records;
+}
+
+std::size_t Results::row(int record) const {
+  if (kept.empty()) return static_cast<std::size_t>(record);
+  const auto at = std::lower_bound(kept.begin(), kept.end(), record);
+  if (at == kept.end() || *at != record)
+    throw std::out_of_range(fmt::format("results: record {} is not kept", record));
+  return static_cast<std::size_t>(at - kept.begin());
 }
 
 std::string ResponseResult::column(std::size_t component) const {

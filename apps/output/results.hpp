@@ -35,6 +35,22 @@ struct BodyResult {
   std::vector<double> dimensions = {};           ///< E x 4, of the shape in its order, then 0; m
   /// P x 3, of a rigid body: centre of mass and named points, in body axes from its origin, m.
   std::vector<double> points = {};
+  double largest_stress = 0;  ///< of all records, Pa; 0: none is recorded
+};
+
+/// Blocks of a body whose first index is the record.
+inline constexpr std::array kBodySeries = {&BodyResult::positions,      &BodyResult::rotations,
+                                           &BodyResult::velocities,     &BodyResult::strains,
+                                           &BodyResult::section_forces, &BodyResult::stresses};
+
+/// Takes the series of bodies by blocks of records as they are made, so that nobody keeps them all.
+class BodySink {
+ public:
+  virtual ~BodySink() = default;
+  /// @param bodies with their series at the records [first, first + count) of n; a block that is
+  /// empty is so in every call
+  virtual void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
+                   std::size_t n) = 0;
 };
 
 /// A meshed part of N nodes and M cells, at r of the records.
@@ -116,6 +132,12 @@ struct Results {
   Energies energies;
   std::vector<double> constraint_residual;  ///< n, largest, m or rad
   std::vector<ResponseResult> responses;
+  /// Records that the series of bodies hold where a BodySink took them: those of frames.csv. Empty:
+  /// all n.
+  std::vector<int> kept = {};
+
+  /// Where the series of bodies hold a record. @throws std::out_of_range if they do not
+  std::size_t row(int record) const;
 };
 
 /// Compares every block with its documented shape.
@@ -124,6 +146,8 @@ void check_shapes(const Results& results);
 
 /// Records that pictures show: more make ParaView slow.
 inline constexpr int kShownRecords = 250;
+/// Instants of frames.csv, and of those the ones that pictures show.
+inline constexpr int kFrames = 13, kPictured = 5;
 /// Bytes of deformed meshes up to which results.h5 keeps them; `liesl export` makes them of the
 /// basis else.
 inline constexpr double kMeshBytes = 6e6;

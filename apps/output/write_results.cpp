@@ -1,20 +1,30 @@
 #include "apps/output/write_results.hpp"
 
 #include "apps/output/csv_writer.hpp"
-#include "apps/output/hdf5_writer.hpp"
 #include "apps/output/picture_writer.hpp"
 #include "apps/output/xdmf_writer.hpp"
 
 namespace liesl::output {
+namespace {
 
-void write_shown(const std::filesystem::path& folder, const Results& results) {
+void finish_shown(const std::filesystem::path& folder, const Results& results, Hdf5Writer& file) {
   check_shapes(results);
-  write_hdf5(folder / "results.h5", results);
+  file.finish(results);
   write_xdmf(folder / "results.xdmf", "results.h5", results);
 }
 
-void write_results(const std::filesystem::path& folder, const Results& results) {
-  write_shown(folder, results);
+}  // namespace
+
+void write_shown(const std::filesystem::path& folder, const Results& results) {
+  Hdf5Writer file(folder / "results.h5");
+  finish_shown(folder, results, file);
+}
+
+void write_results(const std::filesystem::path& folder, const Results& results, Hdf5Writer* begun) {
+  if (begun)
+    finish_shown(folder, results, *begun);
+  else
+    write_shown(folder, results);
   if (!results.responses.empty()) write_responses_csv(folder / "responses.csv", results);
   if (!results.energies.total.empty()) write_energies_csv(folder / "energies.csv", results);
   if (!results.joints.empty()) write_joints_csv(folder / "joints.csv", results);

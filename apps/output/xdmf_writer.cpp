@@ -11,6 +11,8 @@
 namespace liesl::output {
 namespace {
 
+constexpr char kRecord = '\1';  // stands for the number of a record; XML has no such character
+
 std::string escaped(const std::string& text) {
   std::string out;
   for (const char c : text) {
@@ -27,6 +29,8 @@ std::string escaped(const std::string& text) {
       case '"':
         out += "&quot;";
         break;
+      case kRecord:
+        break;
       default:
         out += c;
     }
@@ -42,11 +46,11 @@ struct Block {
 
 /// Columns first .. first + count of one record of the block, as `path|start:stride:count:whole`.
 /// (The reader of XDMF 3 gives nothing for the HyperSlab items of XDMF 2.)
-std::string slab(const Block& b, int record, std::size_t first, std::size_t count) {
+std::string slab(const Block& b, std::size_t first, std::size_t count) {
   return fmt::format(
       "<DataItem Dimensions=\"{1} {2}\" NumberType=\"Float\" Precision=\"8\" Format=\"HDF\">"
       "{6}:{7}|{0} 0 {3}:1 1 1:1 {1} {2}:{4} {1} {5}</DataItem>",
-      record, b.rows, count, first, b.n, b.columns, escaped(b.file), escaped(b.path));
+      kRecord, b.rows, count, first, b.n, b.columns, escaped(b.file), escaped(b.path));
 }
 
 std::string attribute(const std::string& name, const char* type, const char* centre,
@@ -73,7 +77,8 @@ std::string topology(const BodyResult& body, const std::string& file, const std:
       body.elements.size(), escaped(file), escaped(group));
 }
 
-std::string grid(const BodyResult& body, const std::string& file, int record, std::size_t n) {
+/// Of every record.
+std::string grid(const BodyResult& body, const std::string& file, std::size_t n) {
   const std::string group = "/bodies/" + hdf5_name(body.name);
   const auto N = static_cast<std::size_t>(body.nodes);
   const std::size_t E = body.elements.size();
@@ -82,17 +87,17 @@ std::string grid(const BodyResult& body, const std::string& file, int record, st
   };
   std::string out = fmt::format("    <Grid Name=\"{}\">\n", escaped(body.name));
   out += topology(body, file, group);
-  out += "     <Geometry GeometryType=\"XYZ\">" + slab(block("position", N, 3), record, 0, 3) +
+  out += "     <Geometry GeometryType=\"XYZ\">" + slab(block("position", N, 3), 0, 3) +
          "</Geometry>\n";
   if (!body.rotations.empty()) {
-    out += attribute("rotation", "Tensor", "Node", slab(block("rotation", N, 9), record, 0, 9));
+    out += attribute("rotation", "Tensor", "Node", slab(block("rotation", N, 9), 0, 9));
   }
   // Six-vectors: translation or force first, rotation or moment second.
   const auto halves = [&](const std::vector<double>& values, const Block& b, const char* centre,
                           const char* first, const char* second) {
     if (values.empty()) return;
-    out += attribute(first, "Vector", centre, slab(b, record, 0, 3));
-    out += attribute(second, "Vector", centre, slab(b, record, 3, 3));
+    out += attribute(first, "Vector", centre, slab(b, 0, 3));
+    out += attribute(second, "Vector", centre, slab(b, 3, 3));
   };
   halves(body.velocities, block("velocity", N, 6), "Node", "velocity (local)",
          "angular velocity (local)");
@@ -101,10 +106,8 @@ std::string grid(const BodyResult& body, const std::string& file, int record, st
   return out + "    </Grid>\n";
 }
 
-/// The deformed mesh at a record that it has.
-std::string grid(const MeshResult& mesh, const std::string& file, int record) {
-  const auto at = std::find(mesh.records.begin(), mesh.records.end(), record);
-  if (at == mesh.records.end()) return "";
+/// The deformed mesh at every record that it has.
+std::string grid(const MeshResult& mesh, const std::string& file) {
   const std::string group = "/meshes/" + hdf5_name(mesh.name);
   const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
   const std::size_t r = mesh.records.size(), N = mesh.positions.size() / r / 3;
@@ -114,9 +117,7 @@ std::string grid(const MeshResult& mesh, const std::string& file, int record) {
       "{4}:{5}/cells</DataItem></Topology>\n",
       escaped(mesh.name + " mesh"), cell_kind(mesh.dim(), mesh.corners).xdmf, M, C, escaped(file),
       escaped(group));
-  const auto vectors = [&](const char* name) {
-    return slab({file, group + name, r, N, 3}, static_cast<int>(at - mesh.records.begin()), 0, 3);
-  };
+  const auto vectors = [&](const char* name) { return slab({file, group + name, r, N, 3}, 0, 3); };
   out += "     <Geometry GeometryType=\"XYZ\">" + vectors("/position") + "</Geometry>\n";
   out += attribute("displacement", "Vector", "Node", vectors("/displacement"));
   const std::string fractions = fmt::format(
@@ -124,6 +125,15 @@ std::string grid(const MeshResult& mesh, const std::string& file, int record) {
       "/fraction</DataItem>",
       M, escaped(file), escaped(group));
   return out + attribute("fraction", "Scalar", "Cell", fractions) + "    </Grid>\n";
+}
+
+/// A text of every record as that of one.
+void append(const std::string& text, std::size_t record, std::string& out) {
+  const std::string number = std::to_string(record);
+  std::size_t from = 0;
+  for (std::size_t at; (at = text.find(kRecord, from)) != std::string::npos; from = at + 1)
+    out.append(text, from, at - from).append(number);
+  out.append(text, from);
 }
 
 }  // namespace
@@ -134,14 +144,22 @@ void write_xdmf(const std::filesystem::path& path, const std::string& hdf5_name,
   std::string out = "<?xml version=\"1.0\"?>\n<Xdmf Version=\"3.0\">\n <Domain>\n";
   out += "  <Grid Name=\"" + escaped(results.name) +
          "\" GridType=\"Collection\" CollectionType=\"Temporal\">\n";
+  std::vector<std::string> bodies, meshes;
+  for (const auto& body : results.bodies)
+    if (!body.positions.empty()) bodies.push_back(grid(body, hdf5_name, n));
+  for (const auto& mesh : results.meshes)
+    meshes.push_back(mesh.records.empty() ? ""
+                                          : grid(mesh, mesh_hdf5.empty() ? hdf5_name : mesh_hdf5));
   for (const int record : spread_records(static_cast<int>(n), max_instants)) {
     out += "   <Grid Name=\"bodies\" GridType=\"Collection\" CollectionType=\"Spatial\">\n";
     out += fmt::format("    <Time Value=\"{}\"/>\n", results.times[record]);
-    for (const auto& body : results.bodies) {
-      if (!body.positions.empty()) out += grid(body, hdf5_name, record, n);
+    for (const std::string& body : bodies) append(body, static_cast<std::size_t>(record), out);
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      const std::vector<int>& records = results.meshes[m].records;
+      const auto at = std::find(records.begin(), records.end(), record);
+      if (at != records.end())
+        append(meshes[m], static_cast<std::size_t>(at - records.begin()), out);
     }
-    for (const auto& mesh : results.meshes)
-      out += grid(mesh, mesh_hdf5.empty() ? hdf5_name : mesh_hdf5, record);
     out += "   </Grid>\n";
   }
   out += "  </Grid>\n </Domain>\n</Xdmf>\n";

@@ -15,13 +15,15 @@ Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
     throw output::IoError("report", path, "it has other columns; run it again");
   std::vector<std::vector<double>> values;
   for (const Table::Column& column : table.columns) values.push_back(numbers(column));
-  const auto text = [&](std::size_t c, std::size_t row) { return table.columns[c].cells[row]; };
+  const auto text = [&](std::size_t c, std::size_t row) {
+    return std::string(table.columns[c].cells[row]);
+  };
   for (std::size_t row = 0; row < table.rows();) {
     const std::size_t first = row;
     std::vector<double> load, places;
     for (; row < table.rows() && values[kNode][row] == static_cast<double>(row - first); ++row) {
       for (std::size_t c = 0; c < kComponents; ++c) load.push_back(values[kFirst + c][row]);
-      for (std::size_t c = kPlace; c < kPlace + 3 && !text(kPlace, row).empty(); ++c)
+      for (std::size_t c = kPlace; c < kPlace + 3 && !table.columns[kPlace].cells[row].empty(); ++c)
         places.push_back(values[c][row]);
     }
     if (row == first)

@@ -2,18 +2,17 @@
 
 #include <vector>
 
-#include "apps/output/file.hpp"
 #include "apps/report/blob.hpp"
 
 namespace liesl::report {
 namespace {
 
-/// "sha256-..." as a Content-Security-Policy names a text.
-std::string source_hash(std::string_view text) {
-  const std::string hex = output::sha256(text);
+/// "sha256-..." as a Content-Security-Policy names a text by its hash.
+std::string source_hash(std::string_view hex) {
   std::vector<unsigned char> bytes;
   for (std::size_t i = 0; i < hex.size(); i += 2)
-    bytes.push_back(static_cast<unsigned char>(std::stoi(hex.substr(i, 2), nullptr, 16)));
+    bytes.push_back(
+        static_cast<unsigned char>(std::stoi(std::string(hex.substr(i, 2)), nullptr, 16)));
   return "'sha256-" + base64(bytes.data(), bytes.size()) + "'";
 }
 
@@ -41,7 +40,7 @@ std::string page(const nlohmann::ordered_json& data, const std::string& blob) {
   out += kNotices;
   out += "-->\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n";
   out += "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src " +
-         source_hash(kScript) + "; style-src " + source_hash(kStyle) +
+         source_hash(kScriptHash) + "; style-src " + source_hash(kStyleHash) +
          "; base-uri 'none'; form-action 'none'\">\n";
   out += "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n";
   out += "<meta name=\"color-scheme\" content=\"light dark\">\n<title>liesl</title>\n<style>";

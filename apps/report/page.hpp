@@ -10,6 +10,8 @@ namespace liesl::report {
 
 /// Program and style of the page, see apps/report/page/README.md.
 extern const std::string_view kScript, kStyle, kNotices;
+/// Their SHA-256, 64 hexadecimal digits: the script is the most of a page.
+extern const std::string_view kScriptHash, kStyleHash;
 
 /// A page that holds all it needs and may load nothing (Content-Security-Policy).
 /// @param blob base64 of the arrays that `data` describes

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <string_view>
 
 #include "apps/report/table.hpp"
 
@@ -197,10 +198,10 @@ Json sized_elements(const fs::path& folder) {
   if (!variable || !body || !element || !dimension) return list;
   const auto numbered = numbers(*element);
   for (std::size_t i = 0; i < table.rows(); ++i)
-    list.push_back({{"variable", variable->cells[i]},
-                    {"body", body->cells[i]},
+    list.push_back({{"variable", std::string(variable->cells[i])},
+                    {"body", std::string(body->cells[i])},
                     {"element", static_cast<int>(numbered[i])},
-                    {"dimensions", dimension->cells[i]}});
+                    {"dimensions", std::string(dimension->cells[i])}});
   return list;
 }
 
@@ -231,13 +232,13 @@ Json cases(const fs::path& file) {
     const auto values = numbers(column);
     const bool number =
         std::all_of(column.cells.begin(), column.cells.end(),
-                    [&, i = std::size_t{0}](const std::string& cell) mutable {
+                    [&, i = std::size_t{0}](std::string_view cell) mutable {
                       return !std::isnan(values[i++]) || cell.empty();
                     }) &&
         std::any_of(values.begin(), values.end(), [](double x) { return !std::isnan(x); });
     Json cells = Json::array();
     for (std::size_t i = 0; i < values.size(); ++i)
-      cells.push_back(!number                 ? Json(column.cells[i])
+      cells.push_back(!number                 ? Json(std::string(column.cells[i]))
                       : std::isnan(values[i]) ? Json(nullptr)
                                               : Json(values[i]));
     columns.push_back({{"name", column.name},

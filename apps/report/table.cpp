@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <charconv>
 #include <limits>
-#include <utility>
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -11,42 +10,46 @@
 namespace liesl::report {
 namespace {
 
-/// Cells of one line (RFC 4180: quotes where a cell holds commas, quotes or line breaks); `at` goes
-/// to the start of the next one.
-std::vector<std::string> line(const std::string& text, std::size_t& at) {
-  std::vector<std::string> cells(1);
-  bool quoted = false;
-  for (; at < text.size(); ++at) {
+/// The cell that begins at `at` (RFC 4180: quotes where it holds commas, quotes or line breaks);
+/// one in quotes is put into `texts`. `at` goes to what ends it.
+std::string_view cell(std::string_view text, std::size_t& at, std::deque<std::string>& texts) {
+  const std::size_t start = at;
+  const auto plain = [](char c) { return c != ',' && c != '\n' && c != '\r' && c != '"'; };
+  while (at < text.size() && plain(text[at])) ++at;
+  const std::string_view first = text.substr(start, at - start);
+  if (at == text.size() || text[at] == ',' || text[at] == '\n') return first;
+  std::string& whole = texts.emplace_back(first);
+  for (bool quoted = false; at < text.size(); ++at) {
     const char c = text[at];
-    if (!quoted && cells.back().empty() && c != '"') {  // most cells: nothing is quoted
-      const std::size_t end = std::min(text.find_first_of(",\n\r\"", at), text.size());
-      cells.back().assign(text, at, end - at);
-      if (end > at) {
-        at = end - 1;
-        continue;
-      }
-    }
-    if (quoted && c == '"' && at + 1 < text.size() && text[at + 1] == '"') {
-      cells.back() += text[++at];
-    } else if (c == '"') {
+    if (quoted && c == '"' && at + 1 < text.size() && text[at + 1] == '"')
+      whole += text[++at];
+    else if (c == '"')
       quoted = !quoted;
-    } else if (quoted || (c != ',' && c != '\n' && c != '\r')) {
-      cells.back() += c;
-    } else if (c == ',') {
-      cells.emplace_back();
-    } else if (c == '\n') {
-      ++at;
+    else if (!quoted && (c == ',' || c == '\n'))
       break;
-    }
+    else if (quoted || c != '\r')
+      whole += c;
   }
-  return cells;
+  return whole;
+}
+
+/// Cells of one line; `at` goes to the start of the next one.
+void read_line(std::string_view text, std::size_t& at, std::deque<std::string>& texts,
+               std::vector<std::string_view>& cells) {
+  cells.clear();
+  for (bool more = true; more; ++at) {
+    cells.push_back(cell(text, at, texts));
+    more = at < text.size() && text[at] == ',';
+  }
 }
 
 /// "bend [m]" -> "bend", "m".
-Table::Column heading(const std::string& cell) {
-  const std::size_t bracket = cell.rfind(" [");
-  if (bracket == std::string::npos || cell.back() != ']') return {cell, "", {}};
-  return {cell.substr(0, bracket), cell.substr(bracket + 2, cell.size() - bracket - 3), {}};
+Table::Column heading(std::string_view text) {
+  const std::size_t bracket = text.rfind(" [");
+  if (bracket == text.npos || text.back() != ']') return {std::string(text), "", {}};
+  return {std::string(text.substr(0, bracket)),
+          std::string(text.substr(bracket + 2, text.size() - bracket - 3)),
+          {}};
 }
 
 }  // namespace
@@ -58,30 +61,34 @@ const Table::Column* Table::column(const std::string& name) const {
 }
 
 Table read_table(const std::filesystem::path& path) {
-  const std::string text = output::read_file(path);
+  const auto texts = std::make_shared<std::deque<std::string>>();
+  const std::string& text = texts->emplace_back(output::read_file(path));
   if (text.empty() || text.back() != '\n')
     throw output::IoError("read", path, "it ends within a line: half a result; run it again");
   Table table;
+  table.texts = texts;
+  std::vector<std::string_view> cells;
   std::size_t at = 0;
-  for (const std::string& cell : line(text, at)) table.columns.push_back(heading(cell));
+  read_line(text, at, *texts, cells);
+  for (const std::string_view name : cells) table.columns.push_back(heading(name));
   for (std::size_t row = 2; at < text.size(); ++row) {
-    auto cells = line(text, at);
+    read_line(text, at, *texts, cells);
     if (cells.size() != table.columns.size())
       throw output::IoError("read", path,
                             "line " + std::to_string(row) + " has " + std::to_string(cells.size()) +
                                 " cells, the heading " + std::to_string(table.columns.size()));
-    for (std::size_t c = 0; c < cells.size(); ++c)
-      table.columns[c].cells.push_back(std::move(cells[c]));
+    for (std::size_t c = 0; c < cells.size(); ++c) table.columns[c].cells.push_back(cells[c]);
   }
   return table;
 }
 
 std::vector<double> numbers(const Table::Column& column) {
   std::vector<double> out;
-  for (const std::string& cell : column.cells) {
+  out.reserve(column.cells.size());
+  for (const std::string_view text : column.cells) {
     double x = 0;
-    const char* end = cell.data() + cell.size();
-    const auto [stop, error] = std::from_chars(cell.data(), end, x);
+    const char* end = text.data() + text.size();
+    const auto [stop, error] = std::from_chars(text.data(), end, x);
     const bool number = error == std::errc() && stop == end;
     out.push_back(number ? x : std::numeric_limits<double>::quiet_NaN());
   }

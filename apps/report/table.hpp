@@ -2,8 +2,11 @@
 /// @file
 /// Tables (CSV) of a results folder, read back.
 
+#include <deque>
 #include <filesystem>
+#include <memory>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace liesl::report {
@@ -12,9 +15,11 @@ namespace liesl::report {
 struct Table {
   struct Column {
     std::string name, unit;
-    std::vector<std::string> cells;
+    std::vector<std::string_view> cells;  ///< of `texts`
   };
   std::vector<Column> columns;
+  /// The file, and the cells that stand in quotes there.
+  std::shared_ptr<const std::deque<std::string>> texts;
 
   std::size_t rows() const { return columns.empty() ? 0 : columns.front().cells.size(); }
   bool empty() const { return rows() == 0; }

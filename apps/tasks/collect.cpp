@@ -4,13 +4,13 @@
 #include <cmath>
 
 #include "apps/scene/reader.hpp"
+#include "apps/tasks/body_series.hpp"
 #include "apps/tasks/collect_mesh.hpp"
 #include "apps/tasks/collect_reference.hpp"
 #include "apps/tasks/displacement_basis.hpp"
 #include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/solids/solid_model.hpp"
-#include "mbs/system/end_force.hpp"
 #include "mbs/system/energy.hpp"
 #include "mbs/system/response_value.hpp"
 
@@ -40,43 +40,6 @@ output::JointResult empty_joint(const JointSpec& spec) {
   joint.name = spec.name;
   joint.type = kind_of(spec.type).name;
   return joint;
-}
-
-/// Room for `records` times what add_body adds.
-void reserve(output::BodyResult& body, std::size_t records, bool stresses) {
-  const auto nodes = records * static_cast<std::size_t>(body.nodes);
-  const std::size_t elements = records * body.elements.size();
-  body.positions.reserve(3 * nodes);
-  body.rotations.reserve(9 * nodes);
-  body.velocities.reserve(6 * nodes);
-  body.strains.reserve(6 * elements);
-  body.section_forces.reserve(12 * elements);
-  if (stresses) body.stresses.reserve(2 * elements);
-}
-
-template <FrameGroup G>
-void add_body(const Model<G>& model, const SpatialView<G>& view, int b, const State<G>& s,
-              const EndForce<G>& at_ends, const SectionStress& stress, output::BodyResult& out) {
-  for (int k = 0; k < out.nodes; ++k) {
-    const SE3 H = view.node(s.H.data(), b, k);
-    append(out.positions, H.x);
-    for (int i = 0; i < 3; ++i) append(out.rotations, H.R.row(i));
-    append(out.velocities, view.velocity(s.v.data(), {b, k, SE3::identity()}));
-  }
-  const BodyState<G> state = model.body_state(s, b);
-  auto forces = at_ends.all(*model.bodies[b], state);
-  const typename G::Tangent none = G::Tangent::Zero();
-  forces.resize(out.elements.size(), {none, none});  // as of a rigid body
-  for (size_t e = 0; e < out.elements.size(); ++e) {
-    append(out.strains,
-           view.local(model.bodies[b]->strain(state, static_cast<int>(e)), b, static_cast<int>(e)));
-    for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
-      const SE3::Tangent force = view.local(forces[e][static_cast<size_t>(node_of(end))], b,
-                                            static_cast<int>(e) + node_of(end));
-      append(out.section_forces, force);
-      if (!stress.empty()) out.stresses.push_back(stress(e, end, force));
-    }
-  }
 }
 
 constexpr double kShownTo = 1e-6;  // of the size of a part, to which its displacements are shown
@@ -327,7 +290,8 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
 
 template <FrameGroup G>
 output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen) {
+                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen,
+                        output::BodySink* sink) {
   output::Results r;
   r.name = mechanism.name;
   r.space = G::space_dim == 2 ? "planar" : "spatial";
@@ -343,25 +307,18 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
     if (std::holds_alternative<SolidSpec>(mechanism.bodies[b].kind))
       r.meshes.push_back(mesh_of(mechanism, model, trajectory, static_cast<int>(b)));
 
-  const SpatialView<G> view(mechanism, model);
   State<G> s = model.initial_state();
   model.complete(s);
+  const auto records = static_cast<size_t>(trajectory.size());
+  BodySeries<G> series(mechanism, model, records, sink, r);
   add_reference(mechanism, model, s, r);
-  std::vector<SectionStress> stresses;
-  std::vector<EndForce<G>> forces;
-  r.times.reserve(static_cast<size_t>(trajectory.size()));
-  for (size_t b = 0; b < r.bodies.size(); ++b) {
-    stresses.emplace_back(mechanism.bodies[b]);
-    forces.emplace_back(model, static_cast<int>(b));
-    reserve(r.bodies[b], static_cast<size_t>(trajectory.size()), !stresses[b].empty());
-  }
+  r.times.reserve(records);
   StepRecorder<G> of_records(scene, mechanism, model);
   const bool all_steps = seen && !seen->empty();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
-    for (size_t b = 0; b < r.bodies.size(); ++b)
-      add_body(model, view, static_cast<int>(b), s, forces[b], stresses[b], r.bodies[b]);
+    series.add(s);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
       append(r.joints[j].coordinates,
@@ -389,9 +346,11 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
 template class StepRecorder<SE2>;
 template class StepRecorder<SE3>;
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
-                                 const Trajectory<SE2>&, const StepRecorder<SE2>*);
+                                 const Trajectory<SE2>&, const StepRecorder<SE2>*,
+                                 output::BodySink*);
 template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
-                                 const Trajectory<SE3>&, const StepRecorder<SE3>*);
+                                 const Trajectory<SE3>&, const StepRecorder<SE3>*,
+                                 output::BodySink*);
 template std::vector<output::ResponseResult> collect_responses(const std::vector<ResponseSpec>&,
                                                                const Mechanism&, const Model<SE2>&,
                                                                const Trajectory<SE2>&);

@@ -49,9 +49,12 @@ class StepRecorder {
 
 /// Everything that results.h5 and the tables hold of a simulation.
 /// @param seen what an observer saw of every step; null or empty: the records are all there is
+/// @param sink takes the series of bodies, of which the results keep few records; null: they keep
+/// all
 template <FrameGroup G>
 output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
-                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen = nullptr);
+                        const Trajectory<G>& trajectory, const StepRecorder<G>* seen = nullptr,
+                        output::BodySink* sink = nullptr);
 
 /// Only the named responses, over the records.
 template <FrameGroup G>
@@ -63,9 +66,11 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
 extern template class StepRecorder<SE2>;
 extern template class StepRecorder<SE3>;
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE2>&,
-                                        const Trajectory<SE2>&, const StepRecorder<SE2>*);
+                                        const Trajectory<SE2>&, const StepRecorder<SE2>*,
+                                        output::BodySink*);
 extern template output::Results collect(const Scene&, const Mechanism&, const Model<SE3>&,
-                                        const Trajectory<SE3>&, const StepRecorder<SE3>*);
+                                        const Trajectory<SE3>&, const StepRecorder<SE3>*,
+                                        output::BodySink*);
 extern template std::vector<output::ResponseResult> collect_responses(
     const std::vector<ResponseSpec>&, const Mechanism&, const Model<SE2>&, const Trajectory<SE2>&);
 extern template std::vector<output::ResponseResult> collect_responses(

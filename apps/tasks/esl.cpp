@@ -64,7 +64,8 @@ void solid_loads(const Scene& scene, const Model<G>& model, const Trajectory<G>&
 }
 
 template <FrameGroup G>
-void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress, EslOutcome& out) {
+void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
+            output::BodySink* sink, EslOutcome& out) {
   Model<G> model = Model<G>::build(scene.mechanism, space);
   StepRecorder<G> steps(scene, scene.mechanism, model);
   PartRanges<G> ranges(scene.mechanism, model);
@@ -79,7 +80,7 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   describe(out.run.summary, simulation.report, simulation.start, scene.mechanism,
            scene.simulation.type);
   out.run.status = describe_ranges(out.run.summary, scene.simulation, ranges, out.run.status);
-  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
+  out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.run.summary, out.run.results);
   out.run.status =
       describe_doubts(out.run.summary, scene.mechanism, out.run.results, out.run.status);
@@ -90,7 +91,8 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
 
 }  // namespace
 
-EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress) {
+EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress,
+                    output::BodySink* sink) {
   for (const BodySpec& body : scene.mechanism.bodies)
     if (const auto* solid = std::get_if<SolidSpec>(&body.kind);
         solid && solid->as == SolidMotion::Continuum)
@@ -102,7 +104,7 @@ EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress
   EslOutcome out;
   out.run.summary.command = "esl";
   describe(out.run.summary, scene, space);
-  std::visit([&](const auto& s) { esl_on(scene, s, progress, out); }, space.space);
+  std::visit([&](const auto& s) { esl_on(scene, s, progress, sink, out); }, space.space);
   return out;
 }
 

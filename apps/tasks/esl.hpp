@@ -31,6 +31,8 @@ struct EslOutcome {
   std::vector<SolidLoads> solids;
 };
 
-EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress = {});
+/// @param sink takes the series of bodies: see `collect`
+EslOutcome esl_task(const Scene& scene, const ChosenSpace& space, const Progress& progress = {},
+                    output::BodySink* sink = nullptr);
 
 }  // namespace liesl

@@ -110,7 +110,8 @@ void warn_overdriven(output::RunSummary& summary, const Model<G>& model, const M
 }
 
 template <FrameGroup G>
-void run_on(const Scene& scene, const Space<G>& space, const Progress& progress, RunOutcome& out) {
+void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
+            output::BodySink* sink, RunOutcome& out) {
   if (scene.simulation.type == SimulationType::Modes) return run_modes(scene, space, out);
   Model<G> model = Model<G>::build(scene.mechanism, space);
   StepRecorder<G> steps(scene, scene.mechanism, model);
@@ -142,7 +143,7 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
                       {"after", c.after},
                       {"limit_point", c.limit_point}});
   }
-  out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps);
+  out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.summary, out.results);
   for (auto notes : {leaving_plane(scene, model, simulation.trajectory),
                      struck_start(scene, model, simulation.trajectory, out.results)})
@@ -152,10 +153,11 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
 
 }  // namespace
 
-RunOutcome run_task(const Scene& scene, const ChosenSpace& space, const Progress& progress) {
+RunOutcome run_task(const Scene& scene, const ChosenSpace& space, const Progress& progress,
+                    output::BodySink* sink) {
   RunOutcome out;
   describe(out.summary, scene, space);
-  std::visit([&](const auto& s) { run_on(scene, s, progress, out); }, space.space);
+  std::visit([&](const auto& s) { run_on(scene, s, progress, sink, out); }, space.space);
   return out;
 }
 

@@ -17,6 +17,8 @@ struct RunOutcome {
 
 /// Simulates a scene in its space: motion, equilibria, or natural frequencies with their shapes
 /// (records over frequency). Non-convergence is a status.
-RunOutcome run_task(const Scene& scene, const ChosenSpace& space, const Progress& progress = {});
+/// @param sink takes the series of bodies, but of natural frequencies: see `collect`
+RunOutcome run_task(const Scene& scene, const ChosenSpace& space, const Progress& progress = {},
+                    output::BodySink* sink = nullptr);
 
 }  // namespace liesl

@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "apps/output/file.hpp"
 
 namespace liesl {
@@ -63,8 +61,8 @@ SolveStatus describe_strains(output::RunSummary& summary, const Mechanism& mecha
   constexpr double kLinear = 0.05, kTorn = 0.5;
   for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies[b].kind);
-    if (!beam || b >= results.bodies.size() || results.bodies[b].stresses.empty()) continue;
-    const double share = std::ranges::max(results.bodies[b].stresses) / beam->material.E;
+    if (!beam || b >= results.bodies.size()) continue;
+    const double share = results.bodies[b].largest_stress / beam->material.E;
     if (!(share > kLinear)) continue;
     const std::string text = fmt::format(
         "the stress in the beam '{}' reaches {:.2g} of its modulus E, but its material is linear: "

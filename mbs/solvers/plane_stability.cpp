@@ -66,6 +66,7 @@ PlaneStability::PlaneStability(const Mechanism& mechanism, const Model<SE2>& mod
     for (int k = 0; frames_only_ && k < nodes; ++k)
       frames_only_ = plane_.bodies[b]->kind(k) == NodeKind::Frame;
   }
+  if (frames_only_) out_of_plane_ = out_of_plane();
 }
 
 bool PlaneStability::take(const State<SE2>& s) {
@@ -144,9 +145,8 @@ std::optional<double> PlaneStability::growth(const State<SE2>& s) {
   matrix_.take_prestress(equations_, s_);
   const Eigen::SparseMatrix<double> A = matrix_.assemble(equations_, s_, {s_.t, 1}, &rates_);
   const int n = model_.size(), m = model_.constraints();
-  const Eigen::SparseMatrix<double> N = out_of_plane();
+  const Eigen::SparseMatrix<double>& N = out_of_plane_;
   const Eigen::SparseMatrix<double> K = N.transpose() * A.topLeftCorner(n, n) * N,
-                                    M = N.transpose() * matrix_.mass() * N,
                                     B = A.bottomLeftCorner(m, n) * N;
   const auto rows = independent_rows(Eigen::MatrixXd(B));
   const auto free = static_cast<int>(N.cols()), held = static_cast<int>(rows.size());
@@ -164,6 +164,7 @@ std::optional<double> PlaneStability::growth(const State<SE2>& s) {
   Eigen::SparseMatrix<double> saddle(free + held, free + held);
   saddle.setFromTriplets(entries.begin(), entries.end());
   if (negative_on_null_space(saddle, free) == 0) return 0;  // the signs take less than the modes
+  const Eigen::SparseMatrix<double> M = N.transpose() * matrix_.mass() * N;
   const ConstrainedModes modes = constrained_modes(saddle, M, 1);
   if (!modes.converged) return {};
   if (modes.lambda.size() == 0 || modes.lambda[0] >= 0) return 0;

@@ -41,6 +41,7 @@ class PlaneStability {
   IterationMatrix<SE3> matrix_;
   RateTangents<SE3> rates_;
   bool frames_only_ = true;
+  Eigen::SparseMatrix<double> out_of_plane_;
 };
 
 }  // namespace liesl

@@ -53,10 +53,11 @@ struct Report {
   long newton_iterations = 0;  ///< corrections
   long tangent_refreshes = 0;
   long rejected_steps = 0;
-  double smallest_step = 0;            ///< s
-  std::vector<int> factorizations;     ///< one a body
-  double stepping_s = 0;               ///< wall time of the stepping alone
-  double stepping_cpu_s = 0;           ///< the same of all processors of this process; dynamics
+  double smallest_step = 0;         ///< s
+  std::vector<int> factorizations;  ///< one a body
+  double stepping_s = 0;            ///< wall time of the stepping alone
+  /// The same of all processors of this process; dynamics without an observer, else 0.
+  double stepping_cpu_s = 0;
   double max_constraint_residual = 0;  ///< largest |Phi| at an accepted step, m or rad
   PenaltyReport penalty;
   std::vector<std::string> warnings;

@@ -26,9 +26,26 @@ std::vector<SE3> nodes_at_rest(const BodySpec& body) {
   return frames;
 }
 
-}  // namespace
+/// From the first node to the last, with the axes across it that offsets have components along.
+class Chord {
+ public:
+  explicit Chord(const std::vector<SE3>& nodes) : start_(nodes.front().x) {
+    const Vec3 chord = (nodes.back().x - start_).normalized();
+    y_ = nodes.front().R.col(1);
+    y_ = (y_ - y_.dot(chord) * chord).normalized();
+    z_ = chord.cross(y_);
+  }
+  Eigen::Vector2d offset(const Vec3& point) const {
+    const Vec3 from_start = point - start_;
+    return {from_start.dot(y_), from_start.dot(z_)};
+  }
 
-Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s) {
+ private:
+  Vec3 start_, y_, z_;
+};
+
+/// The point at the share s of the elements of a chain.
+Vec3 point_at(const std::vector<SE3>& nodes, double s) {
   const int n = static_cast<int>(nodes.size()) - 1;
   const int e = std::min(n - 1, static_cast<int>(s * n + 1e-9));
   const double inside = s * n - e;
@@ -37,11 +54,13 @@ Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s) {
     const SE3::Tangent d = SE3::log(nodes[e].inverse() * nodes[e + 1]);
     point = (nodes[e] * SE3::exp(inside * d)).x;
   }
-  const Vec3 chord = (nodes[n].x - nodes[0].x).normalized();
-  Vec3 y = nodes[0].R.col(1);
-  y = (y - y.dot(chord) * chord).normalized();
-  const Vec3 offset = point - nodes[0].x;
-  return {offset.dot(y), offset.dot(chord.cross(y))};
+  return point;
+}
+
+}  // namespace
+
+Eigen::Vector2d chord_offset(const std::vector<SE3>& nodes, double s) {
+  return Chord(nodes).offset(point_at(nodes, s));
 }
 
 template <FrameGroup G>
@@ -135,10 +154,16 @@ template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s) const {
   const std::vector<SE3> now = nodes(s.H.data(), r.body);
   if (r.everywhere) {
+    const std::vector<SE3> rest = nodes_at_rest(mechanism_.bodies[r.body]);
+    const Chord chord(now), at_rest(rest);
     double largest = 0;
     const int n = static_cast<int>(now.size()) - 1;
-    for (int k = 1; k < n; ++k)
-      largest = std::max(largest, deflection_at(r.body, now, double(k) / n).norm());
+    for (int k = 1; k < n; ++k) {
+      const double place = double(k) / n;
+      const Eigen::Vector2d moved =
+          chord.offset(point_at(now, place)) - at_rest.offset(point_at(rest, place));
+      largest = std::max(largest, moved.norm());
+    }
     return scalar(largest);
   }
   const Eigen::Vector2d offset = deflection_at(r.body, now, r.s);

@@ -189,7 +189,7 @@ TEST(ReportTable, ReadsQuotesAndUnits) {
   ASSERT_EQ(table.columns.size(), 3u);
   EXPECT_EQ(table.columns[0].unit, "s");
   EXPECT_EQ(table.columns[1].name, "a, \"b\"");
-  EXPECT_EQ(table.columns[1].cells, (std::vector<std::string>{"x", "y\nz"}));
+  EXPECT_EQ(table.columns[1].cells, (std::vector<std::string_view>{"x", "y\nz"}));
   EXPECT_TRUE(std::isnan(report::numbers(table.columns[2])[0]));
   EXPECT_EQ(report::numbers(table.columns[2])[1], 2.5);
   output::write_file(file, "a,b\n1\n");
@@ -308,6 +308,11 @@ TEST_F(ReportProgram, APageOfTheUserStays) {
   EXPECT_EQ(o.code, 3);
   EXPECT_NE(o.err.find("liesl did not write it"), std::string::npos) << o.err;
   EXPECT_EQ(text_of(results() / "report.html"), "mine");
+}
+
+TEST(ReportPage, HashesAreOfItsTexts) {
+  EXPECT_EQ(report::kScriptHash, output::sha256(report::kScript));
+  EXPECT_EQ(report::kStyleHash, output::sha256(report::kStyle));
 }
 
 TEST(ReportPage, TextsCannotEndTheScript) {
