@@ -668,7 +668,7 @@ void check_images(StudyReader& reader) {
           : use                           ? *use
                                           : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
-                      treated ? "is told by the motion's own gradients"
+                      treated                         ? "is told by the motion's own gradients"
                       : c.response.side != Side::Both ? "holds one side"
                       : of_mesh                       ? "is of a meshed part in its motion"
                                                       : "is not on the deformation of a part",
