@@ -332,8 +332,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
           responses.push_back({static_cast<int>(c), std::move(r), static_cast<int>(s),
                                every_record(study_, limit) ? 0 : 0.5, limit.treatment});
       }
-      if (by_mechanism)
-        p.mechanism = static_cast<int>(responses.size()) - p.imaged;
+      if (by_mechanism) p.mechanism = static_cast<int>(responses.size()) - p.imaged;
     }
     const auto limited = static_cast<int>(responses.size());
     if (s == 0)
