@@ -72,6 +72,12 @@ wide_kernel() {
   if grep -qw avx512f /proc/cpuinfo; then echo SkylakeX; else echo Zen; fi
 }
 
+# The kernel that every other test runs with. Those of later processors are SkylakeX's for doubles.
+own_kernel() {
+  OPENBLAS_VERBOSE=2 build/release/bin/liesl --version 2>&1 | sed -n 's/^Core: //p' |
+    sed 's/^\(Cooperlake\|SapphireRapids\)$/SkylakeX/'
+}
+
 # Compiles what is another source without Ipopt and NLopt: those of the program, by the other compiler.
 program_alone() {
   local objects

@@ -123,6 +123,23 @@ bool settled(int row, const std::vector<VectorXd>& errors) {
   return false;
 }
 
+/// Is round-off what the best of the differences are off by? It shows in the second differences
+/// over the smallest steps, and the error of a difference is this over the step. A derivative that
+/// is wrong is off by as much with steps for which round-off is nothing.
+bool of_round_off(const std::vector<double>& h, const std::vector<double>& e,
+                  const std::vector<double>& gaps) {
+  constexpr std::size_t kSmallest = 3;  // steps
+  constexpr double kLevel = 2;          // errors up to this many times the best one are as good
+  constexpr double kSpread = 4;         // of round-off that differs from point to point
+  double noise = 0, level = 0;
+  for (std::size_t k = h.size() - std::min(h.size(), kSmallest); k < h.size(); ++k)
+    noise = std::max(noise, gaps[k] * h[k]);
+  const double best = *std::min_element(e.begin(), e.end());
+  for (std::size_t k = 0; k < h.size(); ++k)
+    if (e[k] <= kLevel * best) level = std::max(level, h[k]);
+  return best * level <= kSpread * noise;
+}
+
 /// Point from which all steps stay within the bounds.
 VectorXd inside(const Problem& problem, VectorXd x, const VectorXd& range, double step) {
   for (int j = 0; j < x.size(); ++j) {
@@ -170,7 +187,7 @@ class Sweep {
     DerivativeKink kink{name};
     for (int i = 0; i < stack_.functions(); ++i) {
       add(i, 1, name, steps, errors);
-      note_kink(i, steps, errors, gaps, kink);
+      excuse(i, steps, errors, gaps, kink);
     }
     if (kink.functions > 0) report_.kinks.push_back(kink);
     if (stack_.hessian)
@@ -204,14 +221,18 @@ class Sweep {
     report_.checks.push_back(std::move(c));
   }
 
-  /// Is the check that was added last wrong because the function has a kink?
-  void note_kink(int row, const std::vector<double>& steps, const std::vector<VectorXd>& errors,
-                 const std::vector<VectorXd>& gaps, DerivativeKink& kink) {
+  /// Is the check that was added last wrong because the function has a kink, or round-off?
+  void excuse(int row, const std::vector<double>& steps, const std::vector<VectorXd>& errors,
+              const std::vector<VectorXd>& gaps, DerivativeKink& kink) {
     constexpr double kFirstOrder = 0.3, kSecondOrder = 1.7;  // slope of an error that falls with h
     DerivativeCheck& check = report_.checks.back();
-    if (check.right) return;
-    std::vector<double> gap;
-    for (const VectorXd& g : gaps) gap.push_back(g[row] / (norms_[row] > 0 ? norms_[row] : 1));
+    if (check.right || steps.empty()) return;
+    const double norm = norms_[row] > 0 ? norms_[row] : 1;
+    std::vector<double> gap, error;
+    for (const VectorXd& g : gaps) gap.push_back(g[row] / norm);
+    for (const VectorXd& e : errors) error.push_back(std::abs(e[row]) / norm);
+    check.round_off = !settled(row, errors) && of_round_off(steps, error, gap);
+    if (check.round_off) return;
     const double jump = one_sided_jump(steps, gap);
     const bool jumps = jump > 10 * o_.tolerance;
     const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder &&
@@ -245,7 +266,7 @@ void sweep_all(Stack& stack, const DerivativeCheckOptions& o, std::mt19937 rando
   }
   if (!o.every_variable) sweep.along(random_direction, "random");
   report.right = std::all_of(report.checks.begin(), report.checks.end(),
-                             [](const DerivativeCheck& c) { return c.right; });
+                             [](const DerivativeCheck& c) { return c.right || c.round_off; });
 }
 
 void refuse_invalid(const Problem& problem, const VectorXd& x, const DerivativeCheckOptions& o) {
@@ -277,8 +298,9 @@ DerivativeReport check_derivatives(Problem& problem, const VectorXd& x,
   sweep_all(stack, o, random, report);
   if (report.kinks.empty()) return report;
   if (!o.avoid_kinks) {
-    report.right = std::all_of(report.checks.begin(), report.checks.end(),
-                               [](const DerivativeCheck& c) { return c.right || c.kink; });
+    report.right =
+        std::all_of(report.checks.begin(), report.checks.end(),
+                    [](const DerivativeCheck& c) { return c.right || c.kink || c.round_off; });
     return report;
   }
   VectorXd shifted = report.x;
@@ -311,25 +333,32 @@ std::string DerivativeReport::text(int rows) const {
   });
   std::string out = fmt::format("{:<36} {:<16} {:>10} {:>10} {:>6}\n", "function", "direction",
                                 "error", "at step", "slope");
-  int wrong = 0, unjudged = 0;
+  int wrong = 0, kinked = 0, hidden = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DerivativeCheck& c = *order[k];
-    wrong += !c.right && !c.kink;
-    unjudged += c.kink;
+    wrong += !c.right && !c.kink && !c.round_off;
+    kinked += c.kink;
+    hidden += c.round_off;
     if (c.right && static_cast<int>(k) >= rows) continue;
     out += fmt::format("{:<36} {:<16} {:>10.2e} {:>10.1e} {:>6}{}\n", c.function, c.direction,
                        c.best_error, c.best_step, c.slope ? fmt::format("{:.2f}", *c.slope) : "-",
-                       c.right  ? ""
-                       : c.kink ? "  kink, not judged"
-                                : "  WRONG");
+                       c.right       ? ""
+                       : c.kink      ? "  kink, not judged"
+                       : c.round_off ? "  round-off, not judged"
+                                     : "  WRONG");
   }
   out += fmt::format("{} derivatives checked, {} wrong\n", order.size(), wrong);
+  if (hidden > 0)
+    out += fmt::format(
+        "{} of them have more round-off than their differences may be off by: no difference "
+        "tells\n",
+        hidden);
   if (kinks.empty()) return out;
-  if (unjudged > 0)
+  if (kinked > 0)
     return out + fmt::format(
                      "{} of them have a kink at this point, as a peak that another one passes or "
                      "an edge on a grid line: no difference tells\n",
-                     unjudged);
+                     kinked);
   out += "at the given point functions have kinks, so they were checked at a nearby point:\n";
   for (const DerivativeKink& k : kinks) {
     out += fmt::format("  along {}: {} functions", k.direction, k.functions);

@@ -39,6 +39,7 @@ struct DerivativeCheck {
                                 ///< the error is round-off at every step (linear functions)
   bool right = false;           ///< best_error <= tolerance
   bool kink = false;            ///< the function has a kink there: no difference tells
+  bool round_off = false;       ///< its round-off hides errors above the tolerance: none tells
 };
 
 /// A direction in which functions have no derivative at the given point: theirs from the left and
@@ -55,7 +56,7 @@ struct DerivativeReport {
   std::vector<DerivativeKink> kinks;    ///< of the given point
   std::vector<DerivativeCheck> checks;  ///< objective, constraints, Hessian
   int failed_evaluations = 0;           ///< points of the sweep without a finite value
-  bool right = false;                   ///< all are
+  bool right = false;                   ///< all are that are judged
 
   /// Largest best_error; none without checks.
   const DerivativeCheck* worst() const;
@@ -66,8 +67,10 @@ struct DerivativeReport {
 /// At x, moved inside so that all steps stay within the bounds. Fixed variables are left alone.
 /// Where functions have a kink at x, as fractions of cells have when an edge lies on a grid line,
 /// no difference tells whether a derivative is right: they are checked at a nearby point
-/// (`kinks`), or not judged if the options say so. The Hessian is checked with sigma = 1 and random
-/// lambda in [0.5, 1.5] over the scales of g.
+/// (`kinks`), or not judged if the options say so. Functions are not judged where their round-off,
+/// which second differences over the smallest steps show, is what keeps the differences from the
+/// derivative. The Hessian is checked with sigma = 1 and random lambda in [0.5, 1.5] over the
+/// scales of g.
 /// @throws std::invalid_argument for invalid input, std::runtime_error without finite values at x
 DerivativeReport check_derivatives(Problem& problem, const Eigen::VectorXd& x,
                                    const DerivativeCheckOptions& options = {});

@@ -177,6 +177,44 @@ TEST(CheckDerivatives, ABendDoesNotExcuseAWrongDerivative) {
   EXPECT_GT(*wrong.slope, 0.3) << "what a bend alone has, too";
 }
 
+/// A function that hardly changes, with round-off that its differences do not get below: no kink,
+/// and not judged. A derivative that is off by more than this round-off hides is wrong.
+TEST(CheckDerivatives, RoundOffIsNoKinkAndExcusesNoWrongDerivative) {
+  struct Noisy : SvanbergBeam {
+    double noise = 0, error = 0;
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      SvanbergBeam::values(x, f, g);
+      g[0] = 1 + 1e-3 * (std::sin(x[0]) + noise * std::sin(1e13 * x[0]));
+    }
+    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+      SvanbergBeam::gradients(x, df, dg);
+      dg.row(0).setZero();
+      dg(0, 0) = 1e-3 * std::cos(x[0]) * (1 + error);
+    }
+  } noisy;
+  DerivativeCheckOptions o;
+  o.every_variable = true;
+  o.hessian = false;
+  const auto judged = [&] {
+    const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
+    EXPECT_TRUE(report.kinks.empty()) << report.text();
+    EXPECT_EQ(report.right, report.text().find("WRONG") == std::string::npos);
+    for (const DerivativeCheck& c : report.checks)
+      if (c.direction == "x1" && c.function != "objective") return c;
+    return DerivativeCheck();
+  };
+  EXPECT_TRUE(judged().right);
+  for (const double noise : {1e-7, 1e-6, 1e-5}) {
+    noisy.noise = noise;
+    noisy.error = 0;
+    EXPECT_FALSE(judged().right) << noise;
+    EXPECT_TRUE(judged().round_off) << noise;
+    noisy.error = 3e3 * noise;
+    EXPECT_FALSE(judged().right) << noise;
+    EXPECT_FALSE(judged().round_off) << noise;
+  }
+}
+
 TEST(CheckDerivatives, StaysWithinTheBounds) {
   class Guarded : public SvanbergBeam {
    public:
