@@ -111,12 +111,13 @@ double one_sided_jump(const std::vector<double>& h, const std::vector<double>& g
   return std::isfinite(least) ? least : 0;
 }
 
-/// Have the differences found a derivative, so that three steps in a row agree, and another one
-/// than that given? Where the derivative bends they come nearer to it with every step.
-bool settled(int row, const std::vector<VectorXd>& errors) {
-  constexpr double kAgree = 0.1;  // of the smallest of the errors
-  for (std::size_t k = 0; k + 2 < errors.size(); ++k) {
-    const double a = errors[k][row], b = errors[k + 1][row], c = errors[k + 2][row];
+/// Do three steps in a row agree? So they do where differences have found a derivative, and another
+/// one than that given: where it bends they come nearer to it with every step. So do left and right
+/// derivative at a kink, but not where round-off takes over from a difference that falls.
+bool settled(const std::vector<double>& values) {
+  constexpr double kAgree = 0.1;  // of the smallest of them
+  for (std::size_t k = 0; k + 2 < values.size(); ++k) {
+    const double a = values[k], b = values[k + 1], c = values[k + 2];
     const double least = std::min({std::abs(a), std::abs(b), std::abs(c)});
     if (std::max({a, b, c}) - std::min({a, b, c}) < kAgree * least) return true;
   }
@@ -134,9 +135,10 @@ bool of_round_off(const std::vector<double>& h, const std::vector<double>& e,
   double noise = 0, level = 0;
   for (std::size_t k = h.size() - std::min(h.size(), kSmallest); k < h.size(); ++k)
     noise = std::max(noise, gaps[k] * h[k]);
-  const double best = *std::min_element(e.begin(), e.end());
+  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
+  const double best = std::abs(*std::min_element(e.begin(), e.end(), smaller));
   for (std::size_t k = 0; k < h.size(); ++k)
-    if (e[k] <= kLevel * best) level = std::max(level, h[k]);
+    if (std::abs(e[k]) <= kLevel * best) level = std::max(level, h[k]);
   return best * level <= kSpread * noise;
 }
 
@@ -230,13 +232,14 @@ class Sweep {
     const double norm = norms_[row] > 0 ? norms_[row] : 1;
     std::vector<double> gap, error;
     for (const VectorXd& g : gaps) gap.push_back(g[row] / norm);
-    for (const VectorXd& e : errors) error.push_back(std::abs(e[row]) / norm);
-    check.round_off = !settled(row, errors) && of_round_off(steps, error, gap);
+    for (const VectorXd& e : errors) error.push_back(e[row] / norm);
+    const bool found = settled(error);
+    check.round_off = !found && of_round_off(steps, error, gap);
     if (check.round_off) return;
     const double jump = one_sided_jump(steps, gap);
-    const bool jumps = jump > 10 * o_.tolerance;
-    const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder &&
-                       !settled(row, errors);
+    const bool jumps = jump > 10 * o_.tolerance && settled(gap);
+    const bool bends =
+        check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder && !found;
     if (!jumps && !bends) return;
     ++kink.functions;
     check.kink = true;
