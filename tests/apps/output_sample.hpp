@@ -18,6 +18,23 @@ inline std::vector<double> counting(std::size_t count, double first = 1000) {
   return values;
 }
 
+/// Records of a beam of two elements and a rigid body.
+inline std::vector<output::BodyResult> sample_bodies(std::size_t n) {
+  std::vector<output::BodyResult> bodies;
+  bodies.push_back({"rod",
+                    "beam",
+                    3,
+                    {{0, 1}, {1, 2}},
+                    counting(n * 9),
+                    counting(n * 27),
+                    counting(n * 18),
+                    counting(n * 12),
+                    counting(n * 24, 5000)});
+  bodies.push_back(
+      {"top/left", "rigid", 1, {}, counting(n * 3), counting(n * 9), counting(n * 6), {}, {}});
+  return bodies;
+}
+
 /// Five records of a beam of two elements and a rigid body.
 inline output::Results sample_results() {
   const std::size_t n = 5;
@@ -25,17 +42,7 @@ inline output::Results sample_results() {
   r.name = "sample & <test>";
   r.space = "spatial";
   for (std::size_t i = 0; i < n; ++i) r.times.push_back(0.1 * static_cast<double>(i));
-  r.bodies.push_back({"rod",
-                      "beam",
-                      3,
-                      {{0, 1}, {1, 2}},
-                      counting(n * 9),
-                      counting(n * 27),
-                      counting(n * 18),
-                      counting(n * 12),
-                      counting(n * 24, 5000)});
-  r.bodies.push_back(
-      {"top/left", "rigid", 1, {}, counting(n * 3), counting(n * 9), counting(n * 6), {}, {}});
+  r.bodies = sample_bodies(n);
   r.meshes.push_back({"plate",
                       4,
                       {0, 1, 4, 3, 1, 2, 5, 4},

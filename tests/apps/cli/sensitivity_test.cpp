@@ -221,24 +221,16 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({study("batch_rod")}, "this is a batch");
 }
 
-/// A flap with a hole by the radius and the place of that, as a continuum and reduced.
-TEST_F(Sensitivity, OfAnOutlineByItsKeysIsThatOfDifferences) {
-  for (const std::string as : {"continuum", "reduced"}) {
-    const fs::path flap = write("flap.toml", R"(name = "flap"
+/// A flap whose tip is pushed, less a feature.
+std::string flap_without(const std::string& hole) {
+  return R"(name = "flap"
 [materials]
 rubber = { E = 1e6, nu = 0.3, rho = 1000 }
 
 [bodies.flap.solid]
-as = ")" + as + R"("
 mesh = { from = [0, 0], to = [0.3, 0.03], cells = [40, 4] }
 material = "rubber"
 thickness = 0.02
-damping = 1e-3
-
-[bodies.flap.solid.outline]
-plate = { type = "half_space", x = 1 }
-hole = { type = "circle", x = 0.101, y = 0.0145, radius = 0.0092 }
-all = { type = "difference", of = ["plate", "hole"] }
 
 [bodies.flap.solid.interfaces]
 root = { set = "x_min" }
@@ -256,10 +248,21 @@ step = 1e-3
 
 [responses]
 tip = { response = "position", at = "flap.tip" }
-)");
-    const std::string hole = "bodies.flap.solid.outline.hole.";
-    const Outcome o = run({"sensitivity", flap, "--by", hole + "radius", "--by", hole + "x",
-                           "--functionals", "rms", "--check"});
+
+[bodies.flap.solid.outline]
+plate = { type = "half_space", x = 1 }
+hole = )" + hole + "\nall = { type = \"difference\", of = [\"plate\", \"hole\"] }\n";
+}
+
+/// A flap with a hole by the radius and the place of that, as a continuum and reduced.
+TEST_F(Sensitivity, OfAnOutlineByItsKeysIsThatOfDifferences) {
+  const std::string circle = "{ type = \"circle\", x = 0.101, y = 0.0145, radius = 0.0092 }";
+  const fs::path flap = write("flap.toml", flap_without(circle));
+  const std::string solid = "bodies.flap.solid.", hole = solid + "outline.hole.";
+  for (const std::string as : {"continuum", "reduced"}) {
+    const Outcome o =
+        run({"sensitivity", flap, "--by", hole + "radius", "--by", hole + "x", "--functionals",
+             "rms", "--check", "--set", solid + "as=" + as, "--set", solid + "damping=1e-3"});
     EXPECT_EQ(o.code, 0) << o.out << o.err;
   }
 }
@@ -268,40 +271,13 @@ tip = { response = "position", at = "flap.tip" }
 /// of a cell beside it, nothing is.
 TEST_F(Sensitivity, OfAnEdgeOnAGridLineSaysThatItIsOneSided) {
   const auto notes = [this](const std::string& x) {
-    const fs::path flap = write("flap.toml", R"(name = "flap"
-[materials]
-rubber = { E = 1e6, nu = 0.3, rho = 1000 }
-
-[bodies.flap.solid]
-mesh = { from = [0, 0], to = [0.3, 0.03], cells = [40, 4] }
-material = "rubber"
-thickness = 0.02
-
-[bodies.flap.solid.outline]
-plate = { type = "half_space", x = 1 }
-slot = { type = "rectangle", x = )" + x + R"(, y = 0.015, width = 0.03, height = 0.009 }
-all = { type = "difference", of = ["plate", "slot"] }
-
-[bodies.flap.solid.interfaces]
-root = { set = "x_min" }
-tip = { set = "x_max" }
-
-[joints]
-clamp = { fixed = ["ground", "flap.root"] }
-
-[loads]
-push = { at = "flap.tip", force = [0, 0.1, 0] }
-
-[simulation]
-duration = 0.004
-step = 1e-4
-
-[responses]
-tip = { response = "position", at = "flap.tip" }
-)");
-    const std::string slot = "bodies.flap.solid.outline.slot.";
-    const Outcome o = run({"sensitivity", flap, "--by", slot + "width", "--by", slot + "height",
-                           "-o", results(), "--force"});
+    const std::string slot =
+        "{ type = \"rectangle\", x = " + x + ", y = 0.015, width = 0.03, height = 0.009 }";
+    const fs::path flap = write("flap.toml", flap_without(slot));
+    const std::string hole = "bodies.flap.solid.outline.hole.";
+    const Outcome o = run({"sensitivity", flap, "--by", hole + "width", "--by", hole + "height",
+                           "-o", results(), "--force", "--set", "simulation.duration=0.004",
+                           "--set", "simulation.step=1e-4"});
     EXPECT_EQ(o.code, 0) << o.err;
     EXPECT_EQ(o.out.find("lie on grid lines") != std::string::npos, x == "0.105") << o.out;
     std::string all;
@@ -310,7 +286,7 @@ tip = { response = "position", at = "flap.tip" }
     return all;
   };
   EXPECT_NE(
-      notes("0.105").find("edges of the part 'flap' that bodies.flap.solid.outline.slot.width "
+      notes("0.105").find("edges of the part 'flap' that bodies.flap.solid.outline.hole.width "
                           "moves lie on grid lines, where the fractions of cells have a kink "
                           "and gradients hold to one side only"),
       std::string::npos);

@@ -25,17 +25,7 @@ Results results() {
   r.name = "blocks";
   r.space = "spatial";
   r.times = counting(n, 0);
-  r.bodies.push_back({"rod",
-                      "beam",
-                      3,
-                      {{0, 1}, {1, 2}},
-                      counting(n * 9),
-                      counting(n * 27),
-                      counting(n * 18),
-                      counting(n * 12),
-                      counting(n * 24, 5000)});
-  r.bodies.push_back(
-      {"top/left", "rigid", 1, {}, counting(n * 3), counting(n * 9), counting(n * 6), {}, {}});
+  r.bodies = sample_bodies(n);
   r.bodies[0].reference_positions = counting(9, 3);
   r.energies.total = counting(n);
   r.responses.push_back({"tip", "m", 3, counting(n * 3)});

@@ -2,40 +2,20 @@
 /// Limits of a meshed part itself in studies of its motion: natural frequency, mass, stress.
 #include <gtest/gtest.h>
 
-#include "apps/scene/space.hpp"
-#include "apps/study/load_study.hpp"
-#include "optim/cycle/motion_cycle.hpp"
-#include "reference/places.hpp"
+#include "apps/study/rod_study.hpp"
 
 namespace liesl::test::part_limit_motion_test {
 namespace {
 
-/// The height of a connecting rod of few cells, in a short motion.
+/// @param limit of the part itself, beside that of the elongation
 Study rod(const std::string& limit, const std::string& method) {
-  const std::string text = R"(
-scene = "connecting_rod.toml"
-[set]
-"bodies.rod.solid.mesh.cells" = [40, 8]
-"simulation.duration" = 0.034
-"simulation.step" = 5e-5
-[design]
-height = { of = "rod", parameters = ["plate.height", "plate.fillet"], factors = [1, 0.5], bounds = [0.032, 0.044] }
-[objective]
-of = "rod"
-[constraints]
+  return read_rod(rod_text(R"([constraints]
 elongation = { response = "elongation", between = ["rod.big_end", "rod.small_end"], limit = 1e-3 }
 [part_limits]
 own = { of = "rod", )" + limit +
                            R"( }
 [cycle]
-method = ")" + method + "\"\n";
-  return read_study(text, "study.toml", std::filesystem::path(kDataDir) / "scenes");
-}
-
-CycleResult<SE2> optimise(const Study& study) {
-  const ChosenSpace space = choose_space(study.scene);
-  return run_cycle<SE2>(study.scene.mechanism, std::get<Space<SE2>>(space.space),
-                        study.scene.simulation, study.spec);
+method = ")" + method + "\"\n"));
 }
 
 TEST(PartLimitOfAMotion, FrequencyHoldsTheHeightUp) {

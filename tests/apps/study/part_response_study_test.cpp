@@ -4,49 +4,21 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 
 #include "apps/good_scene.hpp"
-#include "apps/scene/space.hpp"
-#include "apps/study/load_study.hpp"
-#include "optim/cycle/motion_cycle.hpp"
-#include "reference/places.hpp"
+#include "apps/study/rod_study.hpp"
 
 namespace liesl::test::part_response_study_test {
 namespace {
 
-/// The height of a connecting rod of few cells, in a short motion. @param limits tables of them
-std::string rod(const std::string& limits) {
-  return R"(scene = "connecting_rod.toml"
-[set]
-"bodies.rod.solid.mesh.cells" = [40, 8]
-"simulation.duration" = 0.034
-"simulation.step" = 5e-5
-[design]
-height = { of = "rod", parameters = ["plate.height", "plate.fillet"], factors = [1, 0.5], bounds = [0.032, 0.044] }
-[objective]
-of = "rod"
-)" + limits;
-}
-
 std::string constraint(const std::string& response) {
-  return rod("[constraints]\npeak = { " + response + " }\n");
-}
-
-Study read(const std::string& text) {
-  return read_study(text, "study.toml", std::filesystem::path(kDataDir) / "scenes");
-}
-
-CycleResult<SE2> optimise(const std::string& text) {
-  const Study study = read(text);
-  const ChosenSpace space = choose_space(study.scene);
-  return run_cycle<SE2>(study.scene.mechanism, std::get<Space<SE2>>(space.space),
-                        study.scene.simulation, study.spec);
+  return rod_text("[constraints]\npeak = { " + response + " }\n");
 }
 
 TEST(PartResponseStudy, IsALimitKnownByItsGradient) {
   for (const std::string name : {"stress", "compliance"}) {
-    const Study study = read(constraint("response = \"" + name + "\", of = \"rod\", limit = 1e8"));
+    const Study study =
+        read_rod(constraint("response = \"" + name + "\", of = \"rod\", limit = 1e8"));
     ASSERT_EQ(study.spec.constraints.size(), 1u);
     const ConstraintSpec& c = study.spec.constraints[0];
     EXPECT_FALSE(c.has_image);
@@ -56,7 +28,7 @@ TEST(PartResponseStudy, IsALimitKnownByItsGradient) {
 }
 
 TEST(PartResponseStudy, AStressOfPascalsIsNoted) {
-  const Study study = read(constraint("response = \"stress\", of = \"rod\", limit = 50"));
+  const Study study = read_rod(constraint("response = \"stress\", of = \"rod\", limit = 50"));
   const auto& warnings = study.scene.warnings;
   EXPECT_TRUE(std::any_of(warnings.begin(), warnings.end(), [](const std::string& w) {
     return w.starts_with("constraints.peak.limit = 50 Pa is far below");
@@ -65,9 +37,7 @@ TEST(PartResponseStudy, AStressOfPascalsIsNoted) {
 
 TEST(PartResponseStudy, IsRefusedWhereOnlyStaticProblemsAreSolved) {
   const auto refuse = [](const std::string& text, const std::vector<const char*>& words) {
-    const auto take = [](const auto& said, const auto& file) {
-      read_study(said, file, std::filesystem::path(kDataDir) / "scenes");
-    };
+    const auto take = [](const auto& said, const auto& file) { read_rod(said, file); };
     expect_refused(MarkedText(text), "study.toml", take, words);
   };
   const std::string peak = constraint("response = @\"stress\", of = \"rod\", limit = 5e7");
@@ -81,8 +51,8 @@ TEST(PartResponseStudy, IsRefusedWhereOnlyStaticProblemsAreSolved) {
 
 TEST(PartResponseStudy, StressEndsAtTheOptimumOfTheMotion) {
   const auto limited = [](double limit) {
-    return optimise(
-        constraint("response = \"stress\", of = \"rod\", limit = " + std::to_string(limit)));
+    const std::string words = "response = \"stress\", of = \"rod\", limit = ";
+    return optimise(read_rod(constraint(words + std::to_string(limit))));
   };
   const double limit = 80e6;
   const auto end = limited(limit);
@@ -97,11 +67,11 @@ TEST(PartResponseStudy, StressEndsAtTheOptimumOfTheMotion) {
 
 /// Twice the elastic energy is the work of the loads: the same limit in both families.
 TEST(PartResponseStudy, ComplianceEndsWhereThatOfThePartLimitDoes) {
-  const std::string limit = "limit = 1.25";
-  const auto response = optimise(constraint("response = \"compliance\", of = \"rod\", " + limit)),
-             part =
-                 optimise(rod("[part_limits]\nsoft = { of = \"rod\", quantity = \"compliance\", " +
-                              limit + " }\n"));
+  const std::string limit = "limit = 1.25",
+                    soft = "soft = { of = \"rod\", quantity = \"compliance\", " + limit + " }\n";
+  const auto response =
+      optimise(read_rod(constraint("response = \"compliance\", of = \"rod\", " + limit)));
+  const auto part = optimise(read_rod(rod_text("[part_limits]\n" + soft)));
   ASSERT_EQ(response.status, CycleStatus::Optimal) << response.reason;
   ASSERT_EQ(part.status, CycleStatus::Optimal) << part.reason;
   EXPECT_NEAR(response.mass / part.mass, 1, 1e-4);
