@@ -251,7 +251,8 @@ tip = { response = "position", at = "flap.tip" }
 
 [bodies.flap.solid.outline]
 plate = { type = "half_space", x = 1 }
-hole = )" + hole + "\nall = { type = \"difference\", of = [\"plate\", \"hole\"] }\n";
+hole = )" +
+         hole + "\nall = { type = \"difference\", of = [\"plate\", \"hole\"] }\n";
 }
 
 /// A flap with a hole by the radius and the place of that, as a continuum and reduced.
@@ -275,9 +276,9 @@ TEST_F(Sensitivity, OfAnEdgeOnAGridLineSaysThatItIsOneSided) {
         "{ type = \"rectangle\", x = " + x + ", y = 0.015, width = 0.03, height = 0.009 }";
     const fs::path flap = write("flap.toml", flap_without(slot));
     const std::string hole = "bodies.flap.solid.outline.hole.";
-    const Outcome o = run({"sensitivity", flap, "--by", hole + "width", "--by", hole + "height",
-                           "-o", results(), "--force", "--set", "simulation.duration=0.004",
-                           "--set", "simulation.step=1e-4"});
+    const Outcome o =
+        run({"sensitivity", flap, "--by", hole + "width", "--by", hole + "height", "-o", results(),
+             "--force", "--set", "simulation.duration=0.004", "--set", "simulation.step=1e-4"});
     EXPECT_EQ(o.code, 0) << o.err;
     EXPECT_EQ(o.out.find("lie on grid lines") != std::string::npos, x == "0.105") << o.out;
     std::string all;
