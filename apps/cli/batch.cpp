@@ -129,7 +129,7 @@ output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
                                  const PoolReport& report, output::BatchSummary summary,
                                  const Stopwatch& clock, bool running = false) {
   const FolderLock lock(folder);
-  output::remove_parts(folder);
+  if (!running) output::remove_parts(folder);  // another computer may draw here
   const BatchTable table = collect_cases(batch, folder);
   describe(summary, batch, table, report, running);
   write_batch_csv(folder, table);
