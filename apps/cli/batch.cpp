@@ -129,7 +129,7 @@ output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
                                  const PoolReport& report, output::BatchSummary summary,
                                  const Stopwatch& clock, bool running = false) {
   const FolderLock lock(folder);
-  output::remove_parts(folder);
+  if (!running) output::remove_parts(folder);  // another computer may draw here
   const BatchTable table = collect_cases(batch, folder);
   describe(summary, batch, table, report, running);
   write_batch_csv(folder, table);
@@ -142,8 +142,8 @@ output::BatchSummary write_batch(const fs::path& folder, const Batch& batch,
   return summary;
 }
 
-/// The tables while the batch runs, so that they are there if it is killed. They take at most a
-/// twentieth of its time.
+/// The tables while the batch runs, so that they are there if it is killed: at its beginning, when
+/// the first case ends, then so that they take at most a twentieth of its time.
 class RunningTables {
  public:
   RunningTables(const fs::path& folder, const Batch& batch, const output::BatchSummary& known,
@@ -158,7 +158,7 @@ class RunningTables {
       write_batch(folder_, batch_, so_far, known_, clock_, true);
     } catch (const std::exception&) {  // at the end the same is written, and said
     }
-    next_ = begin + (clock_.seconds() - begin) / kShare;
+    if (so_far.ran > 0) next_ = begin + (clock_.seconds() - begin) / kShare;
   }
 
  private:

@@ -24,6 +24,9 @@ void write_unit(const Hdf5File& file, const DataSet& set) {
 
 void Hdf5Writer::put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
                      std::size_t n) {
+  for (const BodyResult& body : bodies) check_shapes(body, count);
+  if (first != records_)
+    throw std::invalid_argument("results: blocks of records do not follow each other");
   const DataTree tree = series_tree(bodies, count);
   if (!file_) {
     file_.emplace(path_);
@@ -40,9 +43,12 @@ void Hdf5Writer::put(const std::vector<BodyResult>& bodies, std::size_t first, s
   for (std::size_t i = 0; i < series_.size(); ++i)
     file_->write_rows(series_[i], first, std::get<std::span<const double>>(tree.sets[i].values),
                       shape_of(tree.sets[i]));
+  records_ += count;
 }
 
 void Hdf5Writer::finish(const Results& results) {
+  if (records_ != (results.kept.empty() ? 0 : results.times.size()))
+    throw std::invalid_argument("results: the file has series of bodies of other records");
   const DataTree tree = data_tree(results);
   if (!file_) file_.emplace(path_);
   write_groups(*file_, tree);

@@ -2,6 +2,7 @@
 /// @file
 /// Results as one HDF5 file.
 
+#include <cstddef>
 #include <filesystem>
 #include <optional>
 #include <utility>
@@ -17,19 +18,23 @@ namespace liesl::output {
 class Hdf5Writer final : public BodySink {
  public:
   explicit Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) {}
-  /// Series of bodies before the rest. @throws IoError, std::invalid_argument (shapes)
+  /// Series of bodies before the rest, blocks in their order.
+  /// @throws IoError, std::invalid_argument (shapes, another order)
   void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
            std::size_t n) override;
-  /// All that was not put before, and closes the file. @throws IoError, std::invalid_argument
+  /// All that was not put before, and closes the file.
+  /// @throws IoError, std::invalid_argument (shapes, records that were not put)
   void finish(const Results& results);
 
  private:
   std::filesystem::path path_;
   std::optional<Hdf5File> file_;
   std::vector<Hdf5Handle> series_;  ///< in the order of series_tree()
+  std::size_t records_ = 0;         ///< that were put
 };
 
-/// Writes results that hold all of their series. @throws IoError, std::invalid_argument (shapes)
+/// Writes results that hold all of their series.
+/// @throws IoError, std::invalid_argument (shapes, results that keep few records)
 void write_hdf5(const std::filesystem::path& path, const Results& results);
 
 }  // namespace liesl::output

@@ -14,7 +14,24 @@ void check_block(const std::vector<double>& block, std::size_t expected, const s
       fmt::format("results: {} has {} numbers, expected {}", what, block.size(), expected));
 }
 
-void check_body(const BodyResult& body, std::size_t n) {
+void check_mesh(const MeshResult& mesh, std::size_t n) {
+  const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
+  check_block(mesh.fractions, M, mesh.name + ".fractions");
+  int nodes = mesh.cells.empty() ? static_cast<int>(mesh.reference.size() / 3) : 0;
+  for (const int node : mesh.cells) nodes = std::max(nodes, node + 1);
+  const std::size_t vectors = mesh.records.size() * static_cast<std::size_t>(nodes) * 3;
+  check_block(mesh.positions, vectors, mesh.name + ".positions");
+  check_block(mesh.displacements, vectors, mesh.name + ".displacements");
+  const std::size_t N = static_cast<std::size_t>(nodes);
+  check_block(mesh.reference, N * 3, mesh.name + ".reference");
+  check_block(mesh.level, N, mesh.name + ".level");
+  if (mesh.reference.empty()) return;
+  check_block(mesh.amplitudes, n * (mesh.basis.size() / (N * 3)), mesh.name + ".amplitudes");
+}
+
+}  // namespace
+
+void check_shapes(const BodyResult& body, std::size_t n) {
   const auto N = static_cast<std::size_t>(body.nodes);
   const std::size_t E = body.elements.size();
   check_block(body.positions, n * N * 3, body.name + ".positions");
@@ -36,27 +53,10 @@ void check_body(const BodyResult& body, std::size_t n) {
   }
 }
 
-void check_mesh(const MeshResult& mesh, std::size_t n) {
-  const std::size_t C = static_cast<std::size_t>(mesh.corners), M = mesh.cells.size() / C;
-  check_block(mesh.fractions, M, mesh.name + ".fractions");
-  int nodes = mesh.cells.empty() ? static_cast<int>(mesh.reference.size() / 3) : 0;
-  for (const int node : mesh.cells) nodes = std::max(nodes, node + 1);
-  const std::size_t vectors = mesh.records.size() * static_cast<std::size_t>(nodes) * 3;
-  check_block(mesh.positions, vectors, mesh.name + ".positions");
-  check_block(mesh.displacements, vectors, mesh.name + ".displacements");
-  const std::size_t N = static_cast<std::size_t>(nodes);
-  check_block(mesh.reference, N * 3, mesh.name + ".reference");
-  check_block(mesh.level, N, mesh.name + ".level");
-  if (mesh.reference.empty()) return;
-  check_block(mesh.amplitudes, n * (mesh.basis.size() / (N * 3)), mesh.name + ".amplitudes");
-}
-
-}  // namespace
-
 void check_shapes(const Results& results) {
   const std::size_t n = results.times.size();
   for (const auto& body : results.bodies)
-    check_body(body, results.kept.empty() ? n : results.kept.size());
+    check_shapes(body, results.kept.empty() ? n : results.kept.size());
   for (const auto& mesh : results.meshes) check_mesh(mesh, n);
   for (const auto& joint : results.joints) {
     check_block(joint.coordinates, n * joint.units.size(), joint.name + ".coordinates");

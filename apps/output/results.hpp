@@ -143,6 +143,8 @@ struct Results {
 /// Compares every block with its documented shape.
 /// @throws std::invalid_argument naming the block, what was expected and what was found
 void check_shapes(const Results& results);
+/// Of a body with series of n records.
+void check_shapes(const BodyResult& body, std::size_t n);
 
 /// Records that pictures show: more make ParaView slow.
 inline constexpr int kShownRecords = 250;

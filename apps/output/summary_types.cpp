@@ -11,10 +11,10 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-enum class Type { Text, Number, Flag, Numbers, List, Object };
+enum class Type { Text, Number, Flag, Numbers, List, Object, ObjectOrNull };
 
-/// Paths of keys: `*` is any name in an object, `[]` any entry of a list. A number may be null;
-/// numbers are one, or a list of them.
+/// Paths of keys: `*` is any name in an object, `[]` any entry of a list; what they go through is
+/// in the table, too. A number may be null; numbers are one, or a list of them.
 constexpr struct {
   Type type;
   const char* paths;
@@ -53,13 +53,13 @@ constexpr struct {
      "gradients.*.*.by.* "
      "cases done failed jobs ended.* "
      "rows references[].floor references[].size ratios[].pairs ratios[].error ratios[].time "
-     "designs over.*.from over.*.to over.*.points of.*.limit of.*.range[] centre.* "
+     "designs over.*.from over.*.to over.*.points of.*.limit centre.* "
      "error error_given reference_error time_s time_given_s time_reference_s time_held_out_s "
      "corrections_given runs decisions[].figure decisions[].limit "
      "lean.steps lean.step given.steps given.step reference.steps reference.step "
      "held_out.steps held_out.step"},
     {Type::Flag, "critical_loads[].limit_point"},
-    {Type::Numbers, "responses.*.final"},
+    {Type::Numbers, "responses.*.final of.*.range"},
     {Type::List,
      "warnings overrides arguments frequencies_hz eigenvalues critical_loads history "
      "history[].design load_cases references references[].changes references[].formalisms ratios "
@@ -72,6 +72,7 @@ constexpr struct {
      "gradients.*.*.by ended input_units references[] ratios[] over over.* of of.* centre lean "
      "lean.beams lean.beams.* given given.beams given.beams.* reference reference.beams "
      "reference.beams.* held_out held_out.beams held_out.beams.* decisions[]"},
+    {Type::ObjectOrNull, "nucleation.next"},
 };
 
 const std::map<std::string, Type>& types() {
@@ -103,6 +104,8 @@ bool has_type(const Json& value, Type type) {
       return value.is_array();
     case Type::Object:
       return value.is_object();
+    case Type::ObjectOrNull:
+      return value.is_object() || value.is_null();
   }
   return false;
 }

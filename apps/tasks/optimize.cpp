@@ -251,22 +251,13 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   }
 }
 
-/// Of outlines at the start.
-void note_start(const Design& start, const Mechanism& mechanism,
-                std::vector<std::string>& warnings) {
-  for (int k = 0; k < start.parts(); ++k) {
-    const PartShape& part = start.part(k);
-    for (auto& text : start_warnings(mechanism.bodies[static_cast<size_t>(part.body)].name, part))
-      warnings.push_back(std::move(text));
-  }
-}
-
 template <FrameGroup G>
 void optimize_on(const Study& given, const Space<G>& space, int nucleate,
                  const OptimizeHooks& hooks, const RoundHistory& resume, OptimizeOutcome& out) {
   const Scene& scene = given.scene;
   const Design first(given.spec, scene.mechanism);
-  note_start(first, scene.mechanism, out.summary.warnings);
+  for (auto& text : start_warnings(first, scene.mechanism))
+    out.summary.warnings.push_back(std::move(text));
   SimulationEffort effort;
   for (std::size_t r = 0; r + 1 < resume.size(); ++r)
     if (!resume[r].empty()) effort += resume[r].back().effort;
@@ -310,7 +301,8 @@ void found_on(const Study& given, const Space<G>& space, const FoundOptimum& fou
   Study study = given;
   study.scene.responses = study_responses(given, given.scene);
   const auto design = std::make_shared<Design>(study.spec, study.scene.mechanism);
-  note_start(*design, study.scene.mechanism, out.summary.warnings);
+  for (auto& text : start_warnings(*design, study.scene.mechanism))
+    out.summary.warnings.push_back(std::move(text));
   LoopResult loop;
   loop.status = found.status;
   loop.reason = found.reason;

@@ -96,6 +96,16 @@ std::vector<std::string> start_warnings(const std::string& name, const PartShape
                    "the start");
 }
 
+std::vector<std::string> start_warnings(const Design& start, const Mechanism& mechanism) {
+  std::vector<std::string> out;
+  for (int k = 0; k < start.parts(); ++k) {
+    const PartShape& part = start.part(k);
+    const BodySpec& body = mechanism.bodies[static_cast<std::size_t>(part.body)];
+    for (auto& text : start_warnings(body.name, part)) out.push_back(std::move(text));
+  }
+  return out;
+}
+
 std::vector<std::string> end_warnings(const std::string& name, const PartShape& part,
                                       const Eigen::VectorXd& x) {
   const auto kinks = outline_kinks(part, x, 1e-3);

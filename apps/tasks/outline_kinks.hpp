@@ -8,6 +8,7 @@
 #include "apps/tasks/sensitivity_problem.hpp"
 
 #ifdef LIESL_OPTIM
+#include "optim/design/design.hpp"
 #include "optim/design/part_shape.hpp"
 #endif
 
@@ -28,6 +29,8 @@ std::vector<std::string> outline_kinks(const PartShape& part, const Eigen::Vecto
 
 /// A sentence that names those of the start; none if there are none.
 std::vector<std::string> start_warnings(const std::string& name, const PartShape& part);
+/// Of all parts of a design.
+std::vector<std::string> start_warnings(const Design& start, const Mechanism& mechanism);
 
 /// Of a design that is no optimum by its gradients: one that names those that it lies within 1e-3
 /// of, for which that may be the reason.

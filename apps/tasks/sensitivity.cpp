@@ -226,12 +226,8 @@ SensitivityProblem study_problem(const Study& study, const Scene& scene,
 SensitivityProblem study_problem(const Study& study) {
   const auto design = std::make_shared<const Design>(study.spec, study.scene.mechanism);
   SensitivityProblem problem = study_problem(study, study.scene, design, design->start());
-  for (int k = 0; k < design->parts(); ++k) {
-    const PartShape& part = design->part(k);
-    const BodySpec& body = study.scene.mechanism.bodies[static_cast<std::size_t>(part.body)];
-    for (auto& text : start_warnings(body.name, part))
-      problem.scene.warnings.push_back(std::move(text));
-  }
+  for (auto& text : start_warnings(*design, study.scene.mechanism))
+    problem.scene.warnings.push_back(std::move(text));
   return problem;
 }
 

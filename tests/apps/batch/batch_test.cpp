@@ -281,7 +281,9 @@ TEST_F(BatchProgram, KilledBatchHasItsTable) {
   EXPECT_EQ(summary()["status"], "running");
   EXPECT_GE(table().at("case").size(), 1u);
   EXPECT_EQ(table().at("status")[0], "optimal");
-  EXPECT_EQ(int(summary()["done"]), int(table().at("case").size()));
+  // Killed between the two, the table has one more: it is written first.
+  const int rows = static_cast<int>(table().at("case").size()), done = summary()["done"];
+  EXPECT_TRUE(rows == done || rows == done + 1) << rows << " rows, " << done << " done";
   EXPECT_EQ(run({"report", results()}).code, 0);
   fs::remove(results() / "summary.json");  // of an earlier version, that wrote it at the end
   for (const char* command : {"report", "plot"}) {

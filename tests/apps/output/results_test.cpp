@@ -108,6 +108,27 @@ TEST(Hdf5, WrongShapesAreRefused) {
   EXPECT_THROW(check_shapes(r), std::invalid_argument);
 }
 
+/// Blocks of series follow each other and are whole, and no record is left out.
+TEST(Hdf5, RecordsThatAreMissingAreRefused) {
+  const TemporaryFolder place;
+  const BodyResult body = {"mass", "rigid", 1, {}, counting(3), counting(9), counting(6), {}, {}};
+  Hdf5Writer file(place / "r.h5");
+  EXPECT_THROW(file.put({body}, 1, 1, 3), std::invalid_argument) << "the second one";
+  EXPECT_THROW(file.put({body}, 0, 2, 3), std::invalid_argument) << "numbers of one";
+  file.put({body}, 0, 1, 3);
+  file.put({body}, 1, 1, 3);
+  Results results;
+  results.times = counting(3);
+  results.bodies = {body};
+  results.kept = {0};
+  EXPECT_NO_THROW(check_shapes(results));
+  EXPECT_THROW(file.finish(results), std::invalid_argument) << "the third one";
+  EXPECT_THROW(write_hdf5(place / "none.h5", results), std::invalid_argument);
+  EXPECT_FALSE(std::filesystem::exists(place / "none.h5"));
+  file.put({body}, 2, 1, 3);
+  EXPECT_NO_THROW(file.finish(results));
+}
+
 TEST(Hdf5, ErrorsCarryPathAndReason) {
   const TemporaryFolder place;
   write_file(place / "file", "text");

@@ -108,6 +108,18 @@ TEST(Summary, KeysThatAreReadHaveTypes) {
   auto mixed = json;
   mixed["responses"]["tip, far"]["final"][1] = "m";
   EXPECT_EQ(wrong_type(mixed), "'responses.tip, far.final' is array");
+  auto holes = json;
+  holes["nucleation"]["next"] = nullptr;
+  EXPECT_EQ(wrong_type(holes), "");
+  holes["nucleation"]["next"] = {{"place", {0.1, 0.2, 0}}, {"radius", 0.01}};
+  EXPECT_EQ(wrong_type(holes), "");
+  holes["nucleation"]["next"]["radius"] = "wide";
+  EXPECT_EQ(wrong_type(holes), "'nucleation.next.radius' is string");
+  nlohmann::ordered_json map;
+  map["of"]["mass"]["range"] = {0.5, nullptr};
+  EXPECT_EQ(wrong_type(map), "");
+  map["of"]["mass"]["range"][1] = "wide";
+  EXPECT_EQ(wrong_type(map), "'of.mass.range' is array");
 }
 
 TEST(Summary, OptimizeHasItsKeysBesides) {
