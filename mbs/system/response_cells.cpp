@@ -42,8 +42,9 @@ template <FrameGroup G>
 double ResponseValues<G>::cell_stress_by(const ResponseSpec& r, const State<G>& s,
                                          const ParameterResidual<G>& parameter) const {
   const Body<G>* by = parameter.body(r.body);
+  if (!by) return 0;
   const CellAt largest = largest_cell(r.body, s);
-  if (!by || largest.value() == 0) return 0;
+  if (largest.value() == 0) return 0;
   const Eigen::VectorXd change = by->cell_stress(model_.body_state(s, r.body), largest.cell);
   return by->stress_shares()[largest.cell] * largest.size +
          largest.share * von_mises_gradient(largest.sigma).dot(change);

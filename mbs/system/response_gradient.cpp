@@ -357,9 +357,10 @@ template <FrameGroup G>
 double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
                                     const ParameterResidual<G>& parameter) const {
   if (is_meshed(r.body)) return cell_stress_by(r, s, parameter);
-  const StressAt largest = largest_stress(r, s);
   const Body<G>* body = parameter.body(r.body);
-  if (!body || largest.value == 0) return 0;
+  if (!body) return 0;
+  const StressAt largest = largest_stress(r, s);
+  if (largest.value == 0) return 0;
   const SE3::Tangent n = section_force_of(*body, s, r.body, largest.element, largest.place);
   Vec3 sigma = points_of(r.body)[largest.element][largest.point].S * n;
   for (const auto& part : parameter.parameter().parts)
