@@ -178,16 +178,10 @@ void ResponseValues<G>::add_deflection(const ResponseSpec& r, const At& at, Cota
   double place = r.s;
   Eigen::Vector2d a = Eigen::Vector2d::Unit(G::space_dim == 3 ? at.component : in_plane(r.body));
   if (r.everywhere) {
-    const int n = static_cast<int>(now.size()) - 1;
-    double largest = 0;
-    for (int k = 1; k < n; ++k) {
-      const Eigen::Vector2d offset = deflection_at(r.body, now, double(k) / n);
-      if (offset.norm() <= largest) continue;
-      largest = offset.norm();
-      a = offset / largest;
-      place = double(k) / n;
-    }
-    if (largest == 0) return;
+    const DeflectionAt largest = largest_deflection(r.body, now);
+    if (largest.offset.norm() == 0) return;
+    a = largest.offset.normalized();
+    place = largest.place;
   }
   const auto on_nodes = chord_gradient(now, place, a);
   for (size_t k = 0; k < on_nodes.size(); ++k)

@@ -111,6 +111,12 @@ class ResponseValues {
     SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
   };
 
+  /// The node between the ends of a beam, or interface of a part, with the largest deflection.
+  struct DeflectionAt {
+    double place = 0;                                  ///< as ResponseSpec::s
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero();  ///< zero: none has any
+  };
+
   /// The cell of a meshed part with the largest von Mises stress of its share of material.
   struct CellAt {
     int cell = -1;          ///< -1: no cell has a stress
@@ -210,6 +216,7 @@ class ResponseValues {
   Vec3 rotation_of(const ResponseSpec& r, const State<G>& s) const;
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
+  DeflectionAt largest_deflection(int body, const std::vector<SE3>& now) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
   bool is_meshed(int body) const;
