@@ -364,6 +364,20 @@ double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
   return largest.gradient.dot(sigma);
 }
 
+/// (d sigma_vM/d sigma) . sigma of the neighbour.
+template <FrameGroup G>
+double ResponseValues<G>::stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                              const ResponseValues& neighbour,
+                                              const State<G>& seen) const {
+  if (is_meshed(r.body)) return cell_stress_of_neighbour(r, s, neighbour, seen);
+  const StressAt largest = largest_stress(r, s);
+  if (largest.value == 0) return 0;
+  const SE3::Tangent n = neighbour.section_force_of(*neighbour.model_.bodies[r.body], seen, r.body,
+                                                    largest.element, largest.place);
+  const Vec3 sigma = neighbour.points_of(r.body)[largest.element][largest.point].S * n;
+  return largest.gradient.dot(sigma);
+}
+
 template <FrameGroup G>
 double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
                                     const ParameterResidual<G>& parameter) const {

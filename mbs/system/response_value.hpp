@@ -81,6 +81,14 @@ class ResponseValues {
   Eigen::VectorXd by_parameter(const ResponseSpec& response, const State<G>& s,
                                const ParameterResidual<G>& parameter) const;
 
+  /// Value of a neighbouring model on its state `seen`, to be differenced at constant state: stress
+  /// at the place that is largest here and linear about what is there, one side where it counts
+  /// here. At a constant state a change of the geometry strains a body, by far more than its motion
+  /// may do, so that the stress would be largest elsewhere, or with another sign.
+  /// @param s, seen completed, each by its own model
+  Eigen::VectorXd of_neighbour(const ResponseSpec& response, const State<G>& s,
+                               const ResponseValues& neighbour, const State<G>& seen) const;
+
   /// Which of the two components, y (0) or z (1), is the deflection of a planar scene: the other is
   /// along the plane's normal.
   int in_plane(int body) const;
@@ -191,6 +199,10 @@ class ResponseValues {
                    const ParameterResidual<G>& parameter) const;
   double cell_stress_by(const ResponseSpec& r, const State<G>& s,
                         const ParameterResidual<G>& parameter) const;
+  double stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                             const ResponseValues& neighbour, const State<G>& seen) const;
+  double cell_stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                  const ResponseValues& neighbour, const State<G>& seen) const;
   double energy_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
   double compliance_by(const ResponseSpec& r, const State<G>& s,
