@@ -194,8 +194,9 @@ bool read_elongation(Reader& reader, const toml::table& table, ResponseSpec& res
 bool read_part_response(Reader& reader, const toml::table& table, ResponseSpec& response) {
   const toml::node& of = *table.get("of");
   const BodySpec& body = reader.scene.mechanism.bodies[static_cast<std::size_t>(response.body)];
-  if (response.kind == ResponseKind::Deflection) return read_place_of_part(reader, table, response);
-  if (response.kind != ResponseKind::Stress && response.kind != ResponseKind::Compliance) {
+  if (response.kind == ResponseKind::Deflection) {
+    if (!read_place_of_part(reader, table, response)) return false;
+  } else if (response.kind != ResponseKind::Stress && response.kind != ResponseKind::Compliance) {
     reader.problems.add(of,
                         fmt::format("body '{}' is a meshed part, which has no {}", body.name,
                                     name_of(response.kind)),

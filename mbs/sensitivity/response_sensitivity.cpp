@@ -16,11 +16,14 @@ ResponseSensitivity<G>::ResponseSensitivity(const Model<G>& model, const Respons
 /// Differences of what the nearby models make of the state.
 template <FrameGroup G>
 Eigen::VectorXd ResponseSensitivity<G>::by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
+                                                  const State<G>& completed,
                                                   Index components) const {
   Eigen::VectorXd y_p = Eigen::VectorXd::Zero(components);
-  for (const auto& neighbour : nearby.models())
-    y_p += neighbour->weight * ResponseValues<G>(neighbour->mechanism, neighbour->model)(
-                                   response_, NearbyModels<G>::seen_by(*neighbour, s));
+  for (const auto& neighbour : nearby.models()) {
+    const ResponseValues<G> values(neighbour->mechanism, neighbour->model);
+    const State<G> seen = NearbyModels<G>::seen_by(*neighbour, s);
+    y_p += neighbour->weight * values_.of_neighbour(response_, completed, values, seen);
+  }
   return y_p;
 }
 
@@ -32,7 +35,7 @@ MatrixXd ResponseSensitivity<G>::by_parameters(const State<G>& s, Index componen
   model_.complete(completed);
   for (size_t i = 0; i < parameters_.size(); ++i)
     if (const auto* nearby = parameters_[i].nearby())
-      y_p.col(static_cast<Index>(i)) = by_nearby(*nearby, s, components);
+      y_p.col(static_cast<Index>(i)) = by_nearby(*nearby, s, completed, components);
     else if (ResponseValues<G>::depends_on_law(response_.kind))
       y_p.col(static_cast<Index>(i)) = values_.by_parameter(response_, completed, parameters_[i]);
   return y_p;

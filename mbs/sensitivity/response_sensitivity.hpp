@@ -29,7 +29,7 @@ class ResponseSensitivity {
   /// y_p at constant state, components x n_p.
   Eigen::MatrixXd by_parameters(const State<G>& s, Eigen::Index components) const;
   Eigen::VectorXd by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
-                            Eigen::Index components) const;
+                            const State<G>& completed, Eigen::Index components) const;
 
   const Model<G>& model_;
   const ResponseValues<G>& values_;

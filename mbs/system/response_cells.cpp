@@ -42,11 +42,27 @@ template <FrameGroup G>
 double ResponseValues<G>::cell_stress_by(const ResponseSpec& r, const State<G>& s,
                                          const ParameterResidual<G>& parameter) const {
   const Body<G>* by = parameter.body(r.body);
+  if (!by) return 0;
   const CellAt largest = largest_cell(r.body, s);
-  if (!by || largest.value() == 0) return 0;
+  if (largest.value() == 0) return 0;
   const Eigen::VectorXd change = by->cell_stress(model_.body_state(s, r.body), largest.cell);
   return by->stress_shares()[largest.cell] * largest.size +
          largest.share * von_mises_gradient(largest.sigma).dot(change);
+}
+
+/// share_n sigma_vM + share (d sigma_vM/d sigma) . sigma_n, n of the neighbour: differences as
+/// `cell_stress_by`.
+template <FrameGroup G>
+double ResponseValues<G>::cell_stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                                   const ResponseValues& neighbour,
+                                                   const State<G>& seen) const {
+  const CellAt largest = largest_cell(r.body, s);
+  if (largest.value() == 0) return 0;
+  const Body<G>& part = *neighbour.model_.bodies[static_cast<std::size_t>(r.body)];
+  const Eigen::VectorXd sigma =
+      part.cell_stress(neighbour.model_.body_state(seen, r.body), largest.cell);
+  return part.stress_shares()[largest.cell] * largest.size +
+         largest.share * von_mises_gradient(largest.sigma).dot(sigma);
 }
 
 template class ResponseValues<SE2>;

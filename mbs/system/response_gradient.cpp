@@ -178,16 +178,10 @@ void ResponseValues<G>::add_deflection(const ResponseSpec& r, const At& at, Cota
   double place = r.s;
   Eigen::Vector2d a = Eigen::Vector2d::Unit(G::space_dim == 3 ? at.component : in_plane(r.body));
   if (r.everywhere) {
-    const int n = static_cast<int>(now.size()) - 1;
-    double largest = 0;
-    for (int k = 1; k < n; ++k) {
-      const Eigen::Vector2d offset = deflection_at(r.body, now, double(k) / n);
-      if (offset.norm() <= largest) continue;
-      largest = offset.norm();
-      a = offset / largest;
-      place = double(k) / n;
-    }
-    if (largest == 0) return;
+    const DeflectionAt largest = largest_deflection(r.body, now);
+    if (largest.offset.norm() == 0) return;
+    a = largest.offset.normalized();
+    place = largest.place;
   }
   const auto on_nodes = chord_gradient(now, place, a);
   for (size_t k = 0; k < on_nodes.size(); ++k)
@@ -357,15 +351,30 @@ template <FrameGroup G>
 double ResponseValues<G>::stress_by(const ResponseSpec& r, const State<G>& s,
                                     const ParameterResidual<G>& parameter) const {
   if (is_meshed(r.body)) return cell_stress_by(r, s, parameter);
-  const StressAt largest = largest_stress(r, s);
   const Body<G>* body = parameter.body(r.body);
-  if (!body || largest.value == 0) return 0;
+  if (!body) return 0;
+  const StressAt largest = largest_stress(r, s);
+  if (largest.value == 0) return 0;
   const SE3::Tangent n = section_force_of(*body, s, r.body, largest.element, largest.place);
   Vec3 sigma = points_of(r.body)[largest.element][largest.point].S * n;
   for (const auto& part : parameter.parameter().parts)
     if (const auto* beam = std::get_if<BeamDerivative>(&part);
         beam && beam->body == r.body && !beam->stress.empty())
       sigma += beam->stress[largest.element][largest.point] * largest.n;
+  return largest.gradient.dot(sigma);
+}
+
+/// (d sigma_vM/d sigma) . sigma of the neighbour.
+template <FrameGroup G>
+double ResponseValues<G>::stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                              const ResponseValues& neighbour,
+                                              const State<G>& seen) const {
+  if (is_meshed(r.body)) return cell_stress_of_neighbour(r, s, neighbour, seen);
+  const StressAt largest = largest_stress(r, s);
+  if (largest.value == 0) return 0;
+  const SE3::Tangent n = neighbour.section_force_of(*neighbour.model_.bodies[r.body], seen, r.body,
+                                                    largest.element, largest.place);
+  const Vec3 sigma = neighbour.points_of(r.body)[largest.element][largest.point].S * n;
   return largest.gradient.dot(sigma);
 }
 

@@ -141,6 +141,22 @@ Eigen::Vector2d ResponseValues<G>::deflection_at(int body, const std::vector<SE3
 }
 
 template <FrameGroup G>
+auto ResponseValues<G>::largest_deflection(int body, const std::vector<SE3>& now) const
+    -> DeflectionAt {
+  const std::vector<SE3> rest = nodes_at_rest(mechanism_.bodies[body]);
+  const Chord chord(now), at_rest(rest);
+  DeflectionAt largest;
+  const int n = static_cast<int>(now.size()) - 1;
+  for (int k = 1; k < n; ++k) {
+    const double place = double(k) / n;
+    const Eigen::Vector2d offset =
+        chord.offset(point_at(now, place)) - at_rest.offset(point_at(rest, place));
+    if (offset.norm() > largest.offset.norm()) largest = {place, offset};
+  }
+  return largest;
+}
+
+template <FrameGroup G>
 int ResponseValues<G>::in_plane(int body) const {
   if constexpr (G::space_dim == 2) {
     const Vec3 normal = model_.space.frame.R.col(2);
@@ -153,19 +169,7 @@ int ResponseValues<G>::in_plane(int body) const {
 template <FrameGroup G>
 Eigen::VectorXd ResponseValues<G>::deflection(const ResponseSpec& r, const State<G>& s) const {
   const std::vector<SE3> now = nodes(s.H.data(), r.body);
-  if (r.everywhere) {
-    const std::vector<SE3> rest = nodes_at_rest(mechanism_.bodies[r.body]);
-    const Chord chord(now), at_rest(rest);
-    double largest = 0;
-    const int n = static_cast<int>(now.size()) - 1;
-    for (int k = 1; k < n; ++k) {
-      const double place = double(k) / n;
-      const Eigen::Vector2d moved =
-          chord.offset(point_at(now, place)) - at_rest.offset(point_at(rest, place));
-      largest = std::max(largest, moved.norm());
-    }
-    return scalar(largest);
-  }
+  if (r.everywhere) return scalar(largest_deflection(r.body, now).offset.norm());
   const Eigen::Vector2d offset = deflection_at(r.body, now, r.s);
   return G::space_dim == 3 ? Eigen::VectorXd(offset) : scalar(offset[in_plane(r.body)]);
 }

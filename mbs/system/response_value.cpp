@@ -202,6 +202,20 @@ Eigen::VectorXd ResponseValues<G>::by_parameter(const ResponseSpec& r, const Sta
 }
 
 template <FrameGroup G>
+Eigen::VectorXd ResponseValues<G>::of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                                const ResponseValues& neighbour,
+                                                const State<G>& seen) const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(1);
+  if (r.kind == ResponseKind::Stress)
+    y[0] = stress_of_neighbour(r, s, neighbour, seen);
+  else
+    y = (neighbour.*row(r.kind).value)(r, seen);
+  return r.side == Side::Both
+             ? y
+             : Eigen::VectorXd(y.cwiseProduct(side_of(r, (this->*row(r.kind).value)(r, s))));
+}
+
+template <FrameGroup G>
 std::vector<SE3> ResponseValues<G>::nodes(const G* H, int body) const {
   std::vector<SE3> frames;
   for (int k = 0; k < model_.bodies[body]->points(); ++k) frames.push_back(view_.node(H, body, k));

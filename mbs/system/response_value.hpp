@@ -81,6 +81,14 @@ class ResponseValues {
   Eigen::VectorXd by_parameter(const ResponseSpec& response, const State<G>& s,
                                const ParameterResidual<G>& parameter) const;
 
+  /// Value of a neighbouring model on its state `seen`, to be differenced at constant state: stress
+  /// at the place that is largest here and linear about what is there, one side where it counts
+  /// here. At a constant state a change of the geometry strains a body, by far more than its motion
+  /// may do, so that the stress would be largest elsewhere, or with another sign.
+  /// @param s, seen completed, each by its own model
+  Eigen::VectorXd of_neighbour(const ResponseSpec& response, const State<G>& s,
+                               const ResponseValues& neighbour, const State<G>& seen) const;
+
   /// Which of the two components, y (0) or z (1), is the deflection of a planar scene: the other is
   /// along the plane's normal.
   int in_plane(int body) const;
@@ -109,6 +117,12 @@ class ResponseValues {
     double value = 0;                       ///< von Mises, Pa; 0: no stress anywhere
     Vec3 gradient = Vec3::Zero();           ///< by the stress at the point
     SE3::Tangent n = SE3::Tangent::Zero();  ///< section force, in space
+  };
+
+  /// The node between the ends of a beam, or interface of a part, with the largest deflection.
+  struct DeflectionAt {
+    double place = 0;                                  ///< as ResponseSpec::s
+    Eigen::Vector2d offset = Eigen::Vector2d::Zero();  ///< zero: none has any
   };
 
   /// The cell of a meshed part with the largest von Mises stress of its share of material.
@@ -185,6 +199,10 @@ class ResponseValues {
                    const ParameterResidual<G>& parameter) const;
   double cell_stress_by(const ResponseSpec& r, const State<G>& s,
                         const ParameterResidual<G>& parameter) const;
+  double stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                             const ResponseValues& neighbour, const State<G>& seen) const;
+  double cell_stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                  const ResponseValues& neighbour, const State<G>& seen) const;
   double energy_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
   double compliance_by(const ResponseSpec& r, const State<G>& s,
@@ -210,6 +228,7 @@ class ResponseValues {
   Vec3 rotation_of(const ResponseSpec& r, const State<G>& s) const;
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
+  DeflectionAt largest_deflection(int body, const std::vector<SE3>& now) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
   bool is_meshed(int body) const;

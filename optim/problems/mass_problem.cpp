@@ -7,13 +7,6 @@ namespace {
 
 using Eigen::VectorXd;
 
-/// Which part of the design a body is; -1: none.
-int part_of(const Design& design, int body) {
-  for (int k = 0; k < design.parts(); ++k)
-    if (design.part(k).body == body) return k;
-  return -1;
-}
-
 /// d(mass)/dp of what a part of a parameter changes; 0: no mass.
 struct MassSlope {
   const Mechanism& designed;
@@ -69,22 +62,11 @@ std::vector<RowImage> MassProblem::images() const {
   return out;
 }
 
-double MassProblem::mass(int body, const VectorXd& x) const {
-  const int k = part_of(design_, body);
-  if (k < 0) return mass_of(designed_, {body});
-  const PartShape& part = design_.part(k);
-  part.shape->set(part.design.parameters(design_.of_part(k, x)));
-  return part.model.total_mass(volume_fractions(part.model.mesh(), *part.shape).value);
-}
-
 void MassProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   f = 0;
   design_.apply(x, designed_);
-  for (std::size_t i = 0; i < limits_.size(); ++i) {
-    double sum = 0;
-    for (const int body : limits_[i].bodies) sum += mass(body, x);
-    g[static_cast<Eigen::Index>(i)] = sum / limits_[i].limit - 1;
-  }
+  for (std::size_t i = 0; i < limits_.size(); ++i)
+    g[static_cast<Eigen::Index>(i)] = mass_of(designed_, limits_[i].bodies) / limits_[i].limit - 1;
 }
 
 void MassProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {

@@ -23,8 +23,6 @@ class MassProblem final : public CaselessProblem {
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
  private:
-  double mass(int body, const Eigen::VectorXd& x) const;
-
   const Design& design_;
   const std::vector<MassLimitSpec> limits_;
   Mechanism designed_;  ///< at the latest x

@@ -120,7 +120,10 @@ TEST(PartResponseScene, OtherResponsesAreRefusedAtTheirPlace) {
 }
 
 TEST(PartResponseScene, OfARigidPartIsSaidToBeZero) {
-  const Scene scene = read_scene(kRod, "rod.toml", {"simulation.formalism=\"rigid\""});
+  const std::string text =
+      changed(kRod, "tip =", "mid = { box = { from = [0.099, -1], to = [0.101, 1] } }, tip =") +
+      "bend = { response = \"deflection\", of = \"rod\", at = \"mid\" }\n";
+  const Scene scene = read_scene(text, "rod.toml", {"simulation.formalism=\"rigid\""});
   const auto said = [&scene](const std::string& name) {
     const std::string words =
         "response '" + name + "' is 0 by definition: 'rod' is simulated as a rigid body";
@@ -128,6 +131,7 @@ TEST(PartResponseScene, OfARigidPartIsSaidToBeZero) {
   };
   EXPECT_EQ(said("most"), 1);
   EXPECT_EQ(said("soft"), 1);
+  EXPECT_EQ(said("bend"), 1);
 }
 
 }  // namespace
