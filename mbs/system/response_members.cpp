@@ -30,41 +30,45 @@ bool more(const ResponseSpec& r, const Place& before, const Place& now) {
 
 }  // namespace
 
+/// The row at a stress point of the end of an element. @param length of the beam, for its Euler
+/// load
+template <FrameGroup G>
+SE3::Tangent ResponseValues<G>::row_of_member(const ResponseSpec& r, int element, ElementPlace end,
+                                              int point, double length) const {
+  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
+  const auto e = static_cast<std::size_t>(element), i = static_cast<std::size_t>(point);
+  const auto& points = points_of(r.body)[e];
+  if (r.kind == ResponseKind::AxialStress) return points[i].S(0, 0) * SE3::Tangent::Unit(0);
+  const SectionLaw none{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
+  const Section& section = section_at(beam, e, end);
+  const SectionLaw law = section_law(section, beam.material);
+  if (r.kind == ResponseKind::Buckling)
+    return -1 / euler_load(law, none, r.factor * length).value * SE3::Tangent::Unit(0);
+  const std::size_t half = points.size() / 2, first = half * std::size_t(node_of(end));
+  const WalledSection walled{section, law, none, std::span(points).subspan(first, half), {}};
+  return -points[i].S.row(0).transpose() /
+         wall_buckling_stress(walled, i - first, beam.material, r.factor).value;
+}
+
 template <FrameGroup G>
 auto ResponseValues<G>::largest_of_member(const ResponseSpec& r, const State<G>& s) const
     -> MemberAt {
-  const auto& beam = std::get<BeamSpec>(mechanism_.bodies[r.body].kind);
-  const SectionLaw none{Eigen::Matrix<double, 6, 6>::Zero(), Eigen::Matrix<double, 6, 6>::Zero()};
-  const double length = reference_length(beam);
+  const double length = reference_length(std::get<BeamSpec>(mechanism_.bodies[r.body].kind));
   const auto forces = end_force(r.body).all(*model_.bodies[r.body], model_.body_state(s, r.body));
   MemberAt largest;
-  const auto offer = [&](MemberAt at) {
-    at.value = at.row.dot(at.n);
-    if (more(r, largest, at)) largest = at;
-  };
   for (std::size_t e = 0; e < forces.size(); ++e)
     for (const auto end : {ElementPlace::First, ElementPlace::Last}) {
       const auto element = static_cast<int>(e);
       const SE3::Tangent n = view_.local(forces[e][static_cast<std::size_t>(node_of(end))], r.body,
                                          element + node_of(end));
-      const SectionLaw law = section_law(section_at(beam, e, end), beam.material);
-      const auto& points = points_of(r.body)[e];
-      const std::size_t half = points.size() / 2;
-      const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
-      if (r.kind == ResponseKind::LocalBuckling) {
-        const Section& section = section_at(beam, e, end);
-        const WalledSection walled{section, law, none, std::span(points).subspan(first, half), {}};
-        for (std::size_t i = first; i < first + half; ++i) {
-          const double sigma =
-              wall_buckling_stress(walled, i - first, beam.material, r.factor).value;
-          offer({element, end, static_cast<int>(i), -points[i].S.row(0).transpose() / sigma, n});
-        }
-        continue;
+      const int half = static_cast<int>(points_of(r.body)[e].size()) / 2;
+      const int first = node_of(end) * half;
+      const int last = r.kind == ResponseKind::LocalBuckling ? first + half : first + 1;
+      for (int i = first; i < last; ++i) {
+        MemberAt at{element, end, i, row_of_member(r, element, end, i, length), n};
+        at.value = at.row.dot(at.n);
+        if (more(r, largest, at)) largest = at;
       }
-      const double by_force = r.kind == ResponseKind::AxialStress
-                                  ? points[first].S(0, 0)
-                                  : -1 / euler_load(law, none, r.factor * length).value;
-      offer({element, end, static_cast<int>(first), by_force * SE3::Tangent::Unit(0), n});
     }
   return largest;
 }
@@ -117,6 +121,20 @@ double ResponseValues<G>::member_by(const ResponseSpec& r, const State<G>& s,
     }
   }
   return sum;
+}
+
+/// row . n of the neighbour.
+template <FrameGroup G>
+double ResponseValues<G>::member_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                                              const ResponseValues& neighbour,
+                                              const State<G>& seen) const {
+  const MemberAt at = largest_of_member(r, s);
+  if (at.value == 0) return 0;
+  const double length =
+      reference_length(std::get<BeamSpec>(neighbour.mechanism_.bodies[r.body].kind));
+  return neighbour.row_of_member(r, at.element, at.end, at.point, length)
+      .dot(neighbour.section_force_of(*neighbour.model_.bodies[r.body], seen, r.body, at.element,
+                                      at.end));
 }
 
 template class ResponseValues<SE2>;

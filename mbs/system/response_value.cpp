@@ -208,6 +208,8 @@ Eigen::VectorXd ResponseValues<G>::of_neighbour(const ResponseSpec& r, const Sta
   Eigen::VectorXd y = Eigen::VectorXd::Zero(1);
   if (r.kind == ResponseKind::Stress)
     y[0] = stress_of_neighbour(r, s, neighbour, seen);
+  else if (row(r.kind).value == &ResponseValues::member)
+    y[0] = member_of_neighbour(r, s, neighbour, seen);
   else
     y = (neighbour.*row(r.kind).value)(r, seen);
   return r.side == Side::Both

@@ -81,10 +81,11 @@ class ResponseValues {
   Eigen::VectorXd by_parameter(const ResponseSpec& response, const State<G>& s,
                                const ParameterResidual<G>& parameter) const;
 
-  /// Value of a neighbouring model on its state `seen`, to be differenced at constant state: stress
-  /// at the place that is largest here and linear about what is there, one side where it counts
-  /// here. At a constant state a change of the geometry strains a body, by far more than its motion
-  /// may do, so that the stress would be largest elsewhere, or with another sign.
+  /// Value of a neighbouring model on its state `seen`, to be differenced at constant state: what
+  /// is the largest of several places at the one that is largest here, stress linear about what is
+  /// there, one side where it counts here. At a constant state a change of the geometry strains a
+  /// body, by far more than its motion may do, so that the stress would be largest elsewhere, or
+  /// with another sign.
   /// @param s, seen completed, each by its own model
   Eigen::VectorXd of_neighbour(const ResponseSpec& response, const State<G>& s,
                                const ResponseValues& neighbour, const State<G>& seen) const;
@@ -203,6 +204,8 @@ class ResponseValues {
                              const ResponseValues& neighbour, const State<G>& seen) const;
   double cell_stress_of_neighbour(const ResponseSpec& r, const State<G>& s,
                                   const ResponseValues& neighbour, const State<G>& seen) const;
+  double member_of_neighbour(const ResponseSpec& r, const State<G>& s,
+                             const ResponseValues& neighbour, const State<G>& seen) const;
   double energy_by(const ResponseSpec& r, const State<G>& s,
                    const ParameterResidual<G>& parameter) const;
   double compliance_by(const ResponseSpec& r, const State<G>& s,
@@ -220,6 +223,8 @@ class ResponseValues {
     SE3::Tangent n = SE3::Tangent::Zero();  ///< at the end, by EndForce
     double value = 0;                       ///< row . n
   };
+  SE3::Tangent row_of_member(const ResponseSpec& r, int element, ElementPlace end, int point,
+                             double length) const;
   MemberAt largest_of_member(const ResponseSpec& r, const State<G>& s) const;
   /// [u'; w'] of the port of an acceleration, in its own axes.
   /// @throws std::invalid_argument for a node that is a point without axes

@@ -45,18 +45,6 @@ Mechanism machine_with_stout_rod(SolidLaw law) {
   return m;
 }
 
-/// Lengths along an axis times a factor.
-void stretch_rod(Mechanism& m, int axis, double factor) {
-  const SolidModel& old = *part(m).model;
-  SolidMesh mesh = old.mesh();
-  mesh.nodes.row(axis) *= factor;
-  auto interfaces = old.interfaces();
-  for (Interface& f : interfaces) f.point[axis] *= factor;
-  part(m).model =
-      std::make_shared<const SolidModel>(std::move(mesh), old.material(), std::move(interfaces),
-                                         SolidModel::Options{old.thickness(), old.law()});
-}
-
 /// Its length, which all nodes of the mesh follow, and its height.
 std::vector<Quantity> lengths(const Mechanism& m, double height = kRodHeight) {
   return {by_nearby("length of the rod", m, kRodLength,

@@ -30,4 +30,16 @@ inline std::vector<Quantity> scales_of_the_part(const Mechanism& m) {
   return all;
 }
 
+/// Lengths along an axis times a factor.
+inline void stretch_rod(Mechanism& m, int axis, double factor) {
+  const SolidModel& old = *part(m).model;
+  SolidMesh mesh = old.mesh();
+  mesh.nodes.row(axis) *= factor;
+  auto interfaces = old.interfaces();
+  for (Interface& f : interfaces) f.point[axis] *= factor;
+  part(m).model =
+      std::make_shared<const SolidModel>(std::move(mesh), old.material(), std::move(interfaces),
+                                         SolidModel::Options{old.thickness(), old.law()});
+}
+
 }  // namespace liesl::test

@@ -74,22 +74,38 @@ TYPED_TEST(ReducedPartResponse, HasItsDerivatives) {
                                        stress_and_compliance(), {.largest = kMost});
 }
 
+SolidSpec with_a_hole(SolidLaw law) {
+  SolidSpec rod =
+      continuum_block({kRodLength, 0.06, kRodThickness}, 15, 3, 0, {"softer", 4e7, 0.3, 1200}, law);
+  cut_hole(rod, 0.075, 0.005, 0.019);
+  return rod;
+}
+
 /// As of `ContinuumSensitivity`: until the radius has changed by 1 mm its edge passes no place at
 /// which cells are sampled; a cell is void. Pulled ten times as far: the energy of the neo-Hookean
 /// law has less round-off then. Not by the thickness: without a load no stress follows it, since
 /// all forces of the rod grow with it alike.
 TEST(ContinuumResponse, HasItsDerivatives) {
   for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
-    SolidSpec rod = continuum_block({kRodLength, 0.06, kRodThickness}, 15, 3, 0,
-                                    {"softer", 4e7, 0.3, 1200}, law);
-    cut_hole(rod, 0.075, 0.005, 0.019);
-    const Mechanism m = pulled(rod, 0, 0.1);
+    const Mechanism m = pulled(with_a_hole(law), 0, 0.1);
     auto all = quantities_of(m);
     std::erase_if(all, [](const Quantity& q) { return q.parameter.name == "thickness"; });
     ASSERT_EQ(all.size(), 2u);
     expect_response_gradients<SE2>(m, tight(0.02, 4e-4), all, stress_and_compliance(),
                                    {.largest = 0.045});
   }
+}
+
+/// At a constant state a change of the length strains the rod by more than its motion does: other
+/// cells would have the largest stress.
+TEST(ContinuumResponse, HasItsDerivativeByTheLength) {
+  const Mechanism m = pulled(with_a_hole(SolidLaw::StVenantKirchhoff), 0, 0.1);
+  const Quantity length = by_nearby("length", m, kRodLength, [](Mechanism& c, double p) {
+    stretch_rod(c, 0, p / kRodLength);
+    std::get<RigidSpec>(c.bodies[0].kind).frame.x = {p, 0, 0};
+  });
+  expect_response_gradients<SE2>(m, tight(0.02, 4e-4), {length}, stress_and_compliance(),
+                                 {.largest = 0.01});
 }
 
 }  // namespace

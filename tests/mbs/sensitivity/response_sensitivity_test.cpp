@@ -142,5 +142,19 @@ TYPED_TEST(ResponsesOfAMotion, OfAMemberHaveThem) {
                                        responses_of_a_strut(), {.samples = 24});
 }
 
+/// By its length. At a constant state a change of it strains the strut by up to 2e-3, more than its
+/// motion does, and with the other sign. Not the mean stress, which its length hardly changes.
+TYPED_TEST(ResponsesOfAMotion, OfAMemberHaveThemByGeometry) {
+  const Mechanism machine = strut();
+  auto o = test::tight(0.04, 4e-4);
+  o.start = StartChoice::Equilibrium;
+  const Quantity length = test::by_nearby("length", machine, 0.4, [](Mechanism& c, double p) {
+    std::get<BeamSpec>(c.bodies[0].kind).nodes = straight({0, 0, 0}, {p, 0, 0}, 3);
+  });
+  auto responses = responses_of_a_strut();
+  std::erase_if(responses, [](const auto& r) { return r.kind == ResponseKind::AxialStress; });
+  expect_response_gradients<TypeParam>(machine, o, {length}, responses, {.largest = 0.02});
+}
+
 }  // namespace
 }  // namespace liesl::test::response_sensitivity_test
