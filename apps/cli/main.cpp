@@ -308,7 +308,7 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
 
 /// Memory that is freed stays with the process, as much as the C library keeps by itself once it
 /// has freed a block of 32 MB: a short run spends much of its time on pages that it gives back and
-/// is given again. Not where the address space is limited.
+/// is given again; it is taken 1 MB at a time. Not where the address space is limited.
 void keep_freed_memory() {
   rlimit space{};
   if (::getrlimit(RLIMIT_AS, &space) != 0 || space.rlim_cur != RLIM_INFINITY) return;

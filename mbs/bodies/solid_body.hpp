@@ -101,7 +101,7 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::Vector3d origin_;  ///< first interface, in the axes of the mesh
   Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
   std::shared_ptr<const SolidModel> model_;
-  Eigen::VectorXd fractions_;  ///< of a derivative: theirs
+  Eigen::VectorXd fractions_;  ///< of cells; by an outline: their derivative
   Eigen::VectorXd shares_;     ///< of the stress that cells show; of a derivative: theirs
   /// Psi and K Psi; of a derivative what has the derivative of the stresses: Psi', or Psi E'/E.
   Eigen::MatrixXd basis_, loads_;

@@ -6,6 +6,7 @@
 #include <stdexcept>
 
 #include "mbs/sensitivity/inertial_axes.hpp"
+#include "mbs/sensitivity/lift.hpp"
 #include "mbs/solvers/initial_state.hpp"
 #include "mbs/system/penalty.hpp"
 
@@ -18,70 +19,12 @@ using Eigen::VectorXd;
 constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
 constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
 
-template <FrameGroup G>
-bool lifted(const ParameterResidual<G>& parameter) {
-  return parameter.nearby() && parameter.nearby()->lift().size() > 0;
-}
-
-/// Of positions, in the axes of their nodes.
-template <FrameGroup G>
-void add_positions(const Model<G>& model, const NearbyModels<G>& nearby, const State<G>& s,
-                   Eigen::Index column, StateSensitivity& out) {
-  constexpr int sd = G::space_dim;
-  for (const int node : model.positions()) {
-    const int carrier = nearby.carriers()[static_cast<std::size_t>(node)], from = G::dim * carrier;
-    const Eigen::Index at = G::dim * node;
-    const typename Model<G>::Vector xi = nearby.lift().template segment<sd>(at);
-    const typename G::Tangent v = s.v.template segment<G::dim>(from);
-    const CarriedRates<G> real(v, s.vdot.template segment<G::dim>(from), xi),
-        alike(v, s.a.template segment<G::dim>(from), xi);
-    const SquareMatrix<sd> R = s.H[static_cast<std::size_t>(node)].R.transpose() *
-                               s.H[static_cast<std::size_t>(carrier)].R;
-    out.eta.col(column).template segment<sd>(at) = R * xi;
-    out.v.col(column).template segment<sd>(at) = R * real.v;
-    out.a.col(column).template segment<sd>(at) = R * alike.vdot;
-    out.w.col(column).template segment<sd>(at) = R * real.vdot;
-  }
-}
-
-/// What a state that goes with the geometry changes by: eta = xi, v' = ad(v) xi, a' = ad(a) xi, w'
-/// = ad(vdot) xi at each node, a column each; zero of all other parameters. It obeys every relation
-/// of a step, which are linear in these, since T^-1(dq) xi - T^-1(-dq) xi = ad(dq) xi. What is left
-/// of the derivatives then has r_p and Phi_p of `add_lifted` for its right side: at constant frames
-/// r_p is EA/L of a length, and round-off of what cancels it is 1e-8 of the accelerations.
-/// Positions go with the first frame of their body, R_0 xi, which obeys the relations of a step but
-/// for its error of integration: `StepSensitivity::lag`.
-template <FrameGroup G>
-StateSensitivity lift_of(const Model<G>& model, const Parameters<G>& parameters,
-                         const State<G>& s) {
-  auto out = StateSensitivity::zero(model.size(), model.constraints(),
-                                    static_cast<int>(parameters.size()));
-  for (size_t i = 0; i < parameters.size(); ++i) {
-    if (!lifted(parameters[i])) continue;
-    const auto column = static_cast<Eigen::Index>(i);
-    const VectorXd& lift = parameters[i].nearby()->lift();
-    for (const int node : model.frames()) {
-      const Eigen::Index at = G::dim * node;
-      const auto of = [&](const VectorXd& x) ->
-          typename G::Matrix { return G::ad(x.template segment<G::dim>(at)); };
-      const typename G::Tangent xi = lift.template segment<G::dim>(at);
-      out.eta.col(column).template segment<G::dim>(at) = xi;
-      out.v.col(column).template segment<G::dim>(at) = of(s.v) * xi;
-      out.a.col(column).template segment<G::dim>(at) = of(s.a) * xi;
-      out.w.col(column).template segment<G::dim>(at) = of(s.vdot) * xi;
-    }
-    add_positions(model, *parameters[i].nearby(), s, column, out);
-  }
-  return out;
-}
-
 /// What the lift of two states leaves of the relations of the step between them, at positions.
 template <FrameGroup G>
 std::optional<StateSensitivity> lag_of(const Model<G>& model, const Parameters<G>& parameters,
                                        const StepSensitivity<G>& step, const State<G>& before,
                                        const State<G>& after) {
-  if (model.positions().empty() || std::none_of(parameters.begin(), parameters.end(), lifted<G>))
-    return std::nullopt;
+  if (model.positions().empty() || !any_lifted(parameters)) return std::nullopt;
   StateSensitivity lag =
       step.lag(lift_of(model, parameters, before), lift_of(model, parameters, after));
   for (const int node : model.frames())
@@ -93,7 +36,7 @@ std::optional<StateSensitivity> lag_of(const Model<G>& model, const Parameters<G
 template <FrameGroup G>
 void tell(const Model<G>& model, const Parameters<G>& parameters, const SensitivityAt<G>& at,
           long step, const State<G>& s, const StateSensitivity& ds) {
-  if (std::none_of(parameters.begin(), parameters.end(), lifted<G>)) return at(step, s, ds);
+  if (!any_lifted(parameters)) return at(step, s, ds);
   StateSensitivity whole = ds;
   at(step, s, whole += lift_of(model, parameters, s));
 }
@@ -102,8 +45,7 @@ void tell(const Model<G>& model, const Parameters<G>& parameters, const Sensitiv
 template <FrameGroup G>
 void ask(const Model<G>& model, const Parameters<G>& parameters, const CotangentsAt<G>& at,
          long step, const State<G>& s, StateSensitivity& bars, MatrixXd& gradient) {
-  if (std::none_of(parameters.begin(), parameters.end(), lifted<G>))
-    return at(step, s, bars, gradient);
+  if (!any_lifted(parameters)) return at(step, s, bars, gradient);
   auto own =
       StateSensitivity::zero(model.size(), model.constraints(), static_cast<int>(gradient.cols()));
   at(step, s, own, gradient);

@@ -10,16 +10,13 @@
 #include <functional>
 #include <string>
 
+#include "mbs/sensitivity/lift.hpp"
 #include "mbs/sensitivity/step_sensitivity.hpp"
 #include "mbs/solvers/replay.hpp"
 #include "mbs/solvers/trajectory.hpp"
 #include "mbs/system/parameter_residual.hpp"
 
 namespace liesl {
-
-/// The parameters, each on the model that is simulated: a column each.
-template <FrameGroup G>
-using Parameters = std::vector<ParameterResidual<G>>;
 
 /// How it ended: `reason` is empty if all steps were differentiated.
 struct SensitivityEnd {

@@ -14,6 +14,7 @@ template <FrameGroup G>
 class ResponseSensitivity {
  public:
   /// @param model, values, parameters outlive this
+  /// @throws std::invalid_argument for energies by a geometry with which no states go
   ResponseSensitivity(const Model<G>& model, const ResponseValues<G>& values, ResponseSpec response,
                       const Parameters<G>& parameters);
 
@@ -26,8 +27,14 @@ class ResponseSensitivity {
                       StateSensitivity& bars, Eigen::MatrixXd& gradient) const;
 
  private:
-  /// y_p at constant state, components x n_p.
-  Eigen::MatrixXd by_parameters(const State<G>& s, Eigen::Index components) const;
+  using Gradient = std::vector<ResponseGradient<G>>;
+
+  /// y_h eta + y_v v' + y_vdot w' + y_lambda lambda', components x columns.
+  Eigen::MatrixXd by_state(const Gradient& gradient, const StateSensitivity& ds) const;
+  /// y_p at constant state, components x n_p. By geometry it is that of states that go with it less
+  /// what they change: at a constant state a body is strained by far more than its motion does, and
+  /// its energy, that is quadratic in the strain, would have no digits left.
+  Eigen::MatrixXd by_parameters(const State<G>& s, const Gradient& gradient) const;
   Eigen::VectorXd by_nearby(const NearbyModels<G>& nearby, const State<G>& s,
                             const State<G>& completed, Eigen::Index components) const;
 

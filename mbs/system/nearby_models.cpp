@@ -42,6 +42,17 @@ G way_of(const Body<G>& body, const Body<G>& neighbour, int node) {
   return way;
 }
 
+/// Are the nodes at rest where they were, next to the first one?
+template <class G>
+bool same_shape(const Body<G>& a, const Body<G>& b) {
+  for (std::size_t k = 1; k < a.reference.size(); ++k) {
+    const G way = a.reference[0].inverse() * a.reference[k],
+            there = b.reference[0].inverse() * b.reference[k];
+    if (!(G::log(way.inverse() * there)).isZero(1e-14 * way.x.norm())) return false;
+  }
+  return true;
+}
+
 /// Are the same rows constraints, and the same ones left out as repeating others?
 template <class G>
 bool same_roles(const Model<G>& a, const Model<G>& b) {
@@ -75,7 +86,13 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");
   }
-  if (has_carriers(model)) set_lift(model);
+  if (has_carriers(model)) {
+    set_lift(model);
+    return;
+  }
+  for (const auto& neighbour : models_)
+    for (std::size_t b = 0; b < model.bodies.size(); ++b)
+      strains_ = strains_ || !same_shape(*model.bodies[b], *neighbour->model.bodies[b]);
 }
 
 template <FrameGroup G>
@@ -108,32 +125,36 @@ void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
 }
 
 template <FrameGroup G>
+void NearbyModels<G>::lift(const Neighbour& neighbour, const State<G>& s, State<G>& lifted) const {
+  constexpr int sd = G::space_dim;
+  for (std::size_t k = 0; k < s.H.size(); ++k) {
+    const auto at = G::dim * static_cast<Eigen::Index>(k);
+    if (carriers_[k] != static_cast<int>(k)) {
+      const auto from = G::dim * carriers_[k];
+      const auto& xi = neighbour.moved[k].x;
+      const CarriedRates<G> rates(s.v.template segment<G::dim>(from),
+                                  s.vdot.template segment<G::dim>(from), xi);
+      const auto& R_0 = s.H[static_cast<std::size_t>(carriers_[k])].R;
+      const SquareMatrix<sd> to_node = s.H[k].R.transpose() * R_0;
+      lifted.H[k].x = s.H[k].x + R_0 * xi;
+      lifted.v.template segment<sd>(at) = s.v.template segment<sd>(at) + to_node * rates.v;
+      lifted.vdot.template segment<sd>(at) = s.vdot.template segment<sd>(at) + to_node * rates.vdot;
+      continue;
+    }
+    const auto Ad = neighbour.moved[k].AdInv();
+    lifted.H[k] = s.H[k] * neighbour.moved[k];
+    lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);
+    lifted.vdot.template segment<G::dim>(at) = Ad * s.vdot.template segment<G::dim>(at);
+  }
+}
+
+template <FrameGroup G>
 void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previous,
                                  const LoadLevel& level, Eigen::VectorXd& r_p,
                                  Eigen::VectorXd& phi_p) const {
   State<G> lifted = s;
-  constexpr int sd = G::space_dim;
   for (const auto& neighbour : models_) {
-    for (std::size_t k = 0; k < s.H.size(); ++k) {
-      const auto at = G::dim * static_cast<Eigen::Index>(k);
-      if (carriers_[k] != static_cast<int>(k)) {
-        const auto from = G::dim * carriers_[k];
-        const auto& xi = neighbour->moved[k].x;
-        const CarriedRates<G> rates(s.v.template segment<G::dim>(from),
-                                    s.vdot.template segment<G::dim>(from), xi);
-        const auto& R_0 = s.H[static_cast<std::size_t>(carriers_[k])].R;
-        const SquareMatrix<sd> to_node = s.H[k].R.transpose() * R_0;
-        lifted.H[k].x = s.H[k].x + R_0 * xi;
-        lifted.v.template segment<sd>(at) = s.v.template segment<sd>(at) + to_node * rates.v;
-        lifted.vdot.template segment<sd>(at) =
-            s.vdot.template segment<sd>(at) + to_node * rates.vdot;
-        continue;
-      }
-      const auto Ad = neighbour->moved[k].AdInv();
-      lifted.H[k] = s.H[k] * neighbour->moved[k];
-      lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);
-      lifted.vdot.template segment<G::dim>(at) = Ad * s.vdot.template segment<G::dim>(at);
-    }
+    lift(*neighbour, s, lifted);
     neighbour->equations.evaluate(lifted, previous, level);
     r_p += neighbour->weight * neighbour->equations.r;
     phi_p += neighbour->weight * neighbour->equations.phi;

@@ -37,6 +37,9 @@ class NearbyModels {
   /// the first frame of their body. Empty where they do not change, or where nodes do not move
   /// along the group.
   const Eigen::VectorXd& lift() const { return lift_; }
+  /// Does the geometry change the shape of bodies at rest while no lift is known? Then a constant
+  /// state strains them by what p changes, far more than a motion may.
+  bool strains() const { return strains_; }
   /// By node: the first frame of the body of a position, the node itself of a frame.
   const std::vector<int>& carriers() const { return carriers_; }
   /// The same as `add`, of states that go with the geometry: H D(p), Ad(D^-1) v, Ad(D^-1) vdot with
@@ -46,6 +49,8 @@ class NearbyModels {
   /// body times xi, not xi. @pre lift() is not empty
   void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                   Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+  /// The state that goes with the geometry to a nearby model. @param lifted as large as s
+  void lift(const Neighbour& neighbour, const State<G>& s, State<G>& lifted) const;
   /// A state as a nearby model sees it: its rows, and the frames that follow.
   static State<G> seen_by(const Neighbour& neighbour, const State<G>& s);
 
@@ -55,6 +60,7 @@ class NearbyModels {
   std::vector<std::unique_ptr<Neighbour>> models_;
   Eigen::VectorXd lift_;
   std::vector<int> carriers_;
+  bool strains_ = false;
 };
 
 /// What a point that is fixed to a frame at xi, in its axes, has of its rates: R_0^T x', with v and

@@ -77,7 +77,8 @@ Mechanism strut() {
 std::vector<ResponseSpec> responses_of_a_strut() {
   std::vector<ResponseSpec> all;
   for (const auto kind : {ResponseKind::Stress, ResponseKind::AxialStress, ResponseKind::Buckling,
-                          ResponseKind::LocalBuckling, ResponseKind::Elongation}) {
+                          ResponseKind::LocalBuckling, ResponseKind::Elongation,
+                          ResponseKind::Compliance, ResponseKind::Energy}) {
     ResponseSpec r;
     r.kind = kind;
     r.name = name_of(kind);
@@ -154,6 +155,32 @@ TYPED_TEST(ResponsesOfAMotion, OfAMemberHaveThemByGeometry) {
   auto responses = responses_of_a_strut();
   std::erase_if(responses, [](const auto& r) { return r.kind == ResponseKind::AxialStress; });
   expect_response_gradients<TypeParam>(machine, o, {length}, responses, {.largest = 0.02});
+}
+
+/// At a constant state, which is all there is where nodes do not move along the group, the strain
+/// of another length leaves no digits of an energy: refused, not computed.
+TEST(ResponsesByGeometry, EnergiesNeedNodesThatMoveAlongTheGroup) {
+  Mechanism machine = strut();
+  machine.formalism = Formalism::R3SO3;
+  const Taped<SE2> run(machine, test::tight(0.002, 4e-4));
+  const auto parameters =
+      run.parameters({test::by_nearby("length", machine, 0.4, [](Mechanism& c, double p) {
+        std::get<BeamSpec>(c.bodies[0].kind).nodes = straight({0, 0, 0}, {p, 0, 0}, 3);
+      })});
+  const ResponseValues<SE2> values(run.mechanism, run.model);
+  int refused = 0;
+  for (const ResponseSpec& r : responses_of_a_strut()) {
+    const bool energy = r.kind == ResponseKind::Compliance || r.kind == ResponseKind::Energy;
+    try {
+      ResponseSensitivity<SE2>(run.model, values, r, parameters);
+      EXPECT_FALSE(energy) << r.name;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_TRUE(energy) << error.what();
+      EXPECT_NE(std::string(error.what()).find("'length' changes the shape"), std::string::npos);
+      ++refused;
+    }
+  }
+  EXPECT_EQ(refused, 2);
 }
 
 }  // namespace
