@@ -4,6 +4,8 @@
 
 #include <cstdlib>
 #include <list>
+#include <set>
+#include <utility>
 
 #include "apps/batch/case_folder.hpp"
 #include "apps/output/installation.hpp"
@@ -46,6 +48,8 @@ struct Running {
 };
 
 class Pool {
+  static constexpr double kTick = 0.1;  ///< s, for time limits and the live line
+
  public:
   Pool(const Batch& batch, const fs::path& folder, const PoolOptions& options)
       : batch_(batch),
@@ -65,14 +69,18 @@ class Pool {
 
   PoolReport run() {
     const ChildSignal children;
+    bool waited = false;  // for those that are asked for again
     for (std::size_t next = 0; next < waiting_.size() || !running_.empty();) {
       stop_if_asked();
       if (report_.interrupted && running_.empty()) break;
-      while (!report_.interrupted && next < waiting_.size() && free()) start(waiting_[next++]);
+      while (!report_.interrupted && next < waiting_.size() && free()) {
+        if (put_off_.contains(waiting_[next]) && running_.empty() && !std::exchange(waited, true))
+          children.wait(kTick);
+        start(waiting_[next++]);
+      }
       collect();
       tell();
       line_.update(report_.ran, report_.failed ? fmt::format("{} failed", report_.failed) : "");
-      constexpr double kTick = 0.1;  // s, for time limits and the live line
       if (!free() || (next >= waiting_.size() && !running_.empty())) children.wait(kTick);
     }
     return report_;
@@ -104,11 +112,16 @@ class Pool {
     for (const Running& r : running_) r.worker.interrupt();
   }
 
+  /// A case that runs elsewhere is asked for once more after the others: the pool that runs it may
+  /// have been killed, and the process be about to end.
   void start(std::size_t row) {
     CaseFolder folder(folder_, batch_.cases.rows[row].name);
     CaseLock lock(folder);
     if (!lock.held()) {
-      ++report_.elsewhere;
+      if (put_off_.insert(row).second)
+        waiting_.push_back(row);
+      else
+        ++report_.elsewhere;
       return;
     }
     if (ended(folder)) {  // another pool has done it in the meantime
@@ -158,6 +171,7 @@ class Pool {
   PoolReport report_;
   int told_ = 0;  ///< of the cases that have ended
   std::vector<std::size_t> waiting_;
+  std::set<std::size_t> put_off_;  ///< of these, those that ran elsewhere
   output::Progress line_;
   std::list<Running> running_;
 };

@@ -111,35 +111,49 @@ double one_sided_jump(const std::vector<double>& h, const std::vector<double>& g
   return std::isfinite(least) ? least : 0;
 }
 
-/// Do three steps in a row agree? So they do where differences have found a derivative, and another
-/// one than that given: where it bends they come nearer to it with every step. So do left and right
-/// derivative at a kink, but not where round-off takes over from a difference that falls.
-bool settled(const std::vector<double>& values) {
-  constexpr double kAgree = 0.1;  // of the smallest of them
+/// Do three steps in a row agree, within a share of the least of them? So do errors where
+/// differences have found a derivative, and another one than that given: where it bends they come
+/// nearer to it with every step.
+bool settled(const std::vector<double>& values, double share) {
   for (std::size_t k = 0; k + 2 < values.size(); ++k) {
     const double a = values[k], b = values[k + 1], c = values[k + 2];
     const double least = std::min({std::abs(a), std::abs(b), std::abs(c)});
-    if (std::max({a, b, c}) - std::min({a, b, c}) < kAgree * least) return true;
+    if (std::max({a, b, c}) - std::min({a, b, c}) < share * least) return true;
   }
   return false;
 }
 
-/// Is round-off what the best of the differences are off by? It shows in the second differences
-/// over the smallest steps, and the error of a difference is this over the step. A derivative that
-/// is wrong is off by as much with steps for which round-off is nothing.
-bool of_round_off(const std::vector<double>& h, const std::vector<double>& e,
-                  const std::vector<double>& gaps) {
-  constexpr std::size_t kSmallest = 3;  // steps
-  constexpr double kLevel = 2;          // errors up to this many times the best one are as good
-  constexpr double kSpread = 4;         // of round-off that differs from point to point
-  double noise = 0, level = 0;
-  for (std::size_t k = h.size() - std::min(h.size(), kSmallest); k < h.size(); ++k)
+constexpr double kSpread = 4;  // of round-off, which differs from point to point
+
+/// Round-off of a function, or more: its second differences over the three smallest steps.
+double round_off(const std::vector<double>& h, const std::vector<double>& gaps) {
+  double noise = 0;
+  for (std::size_t k = h.size() - std::min<std::size_t>(h.size(), 3); k < h.size(); ++k)
     noise = std::max(noise, gaps[k] * h[k]);
-  const auto smaller = [](double a, double b) { return std::abs(a) < std::abs(b); };
-  const double best = std::abs(*std::min_element(e.begin(), e.end(), smaller));
+  return noise;
+}
+
+/// Is round-off all that keeps the differences from the derivative: do errors fall with the square
+/// of the step until they are no more than it makes them? A derivative that is wrong, or has a
+/// kink, leaves an error that stays level.
+bool of_round_off(const std::vector<double>& h, const std::vector<double>& e, double noise) {
+  constexpr double kFalls = 0.2;  // from a step to the next: the square of it is 0.1
+  const auto hidden = [&](std::size_t k) { return std::abs(e[k]) * h[k] <= kSpread * noise; };
+  for (std::size_t k = 0; k < h.size(); ++k) {
+    if (hidden(k)) continue;
+    if (k + 1 == h.size()) return false;
+    if (!hidden(k + 1) && std::abs(e[k + 1]) > kFalls * std::abs(e[k])) return false;
+  }
+  return true;
+}
+
+/// Do left and right derivative differ, by more or less the same over three steps at which this is
+/// not round-off?
+bool stay_apart(const std::vector<double>& h, const std::vector<double>& gaps, double noise) {
+  std::vector<double> clear;
   for (std::size_t k = 0; k < h.size(); ++k)
-    if (std::abs(e[k]) <= kLevel * best) level = std::max(level, h[k]);
-  return best * level <= kSpread * noise;
+    if (gaps[k] * h[k] > kSpread * noise) clear.push_back(gaps[k]);
+  return settled(clear, 0.5);
 }
 
 /// Point from which all steps stay within the bounds.
@@ -233,13 +247,13 @@ class Sweep {
     std::vector<double> gap, error;
     for (const VectorXd& g : gaps) gap.push_back(g[row] / norm);
     for (const VectorXd& e : errors) error.push_back(e[row] / norm);
-    const bool found = settled(error);
-    check.round_off = !found && of_round_off(steps, error, gap);
+    const double noise = round_off(steps, gap);
+    check.round_off = of_round_off(steps, error, noise);
     if (check.round_off) return;
     const double jump = one_sided_jump(steps, gap);
-    const bool jumps = jump > 10 * o_.tolerance && settled(gap);
-    const bool bends =
-        check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder && !found;
+    const bool jumps = jump > 10 * o_.tolerance && stay_apart(steps, gap, noise);
+    const bool bends = check.slope && *check.slope > kFirstOrder && *check.slope < kSecondOrder &&
+                       !settled(error, 0.1);
     if (!jumps && !bends) return;
     ++kink.functions;
     check.kink = true;
