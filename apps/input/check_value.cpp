@@ -8,7 +8,8 @@ namespace liesl {
 
 namespace {
 
-constexpr double kLargest = 1e9;  ///< integer, which an int holds
+constexpr double kLargest = 1e9;    ///< integer, which an int holds
+constexpr double kSquared = 1e100;  ///< number whose square and cube are numbers, too
 
 std::string_view type_name(const toml::node& node) {
   switch (node.type()) {
@@ -71,12 +72,19 @@ class ValueCheck {
   void text(const Key& key, const toml::node& value, const std::string& path) {
     const auto given = value.value<std::string>();
     if (!given) return wrong_type(key, value, path, problems_);
+    whole_text(value, *given, path);
     if (key.path == "name") check_name_length(value, *given, path, problems_);
     if (key.type != Type::Choice) return;
     const auto options = words(key.options);
     if (!std::count(options.begin(), options.end(), *given))
       problems_.add(value, fmt::format("'{}' is \"{}\"", path, *given), expectation(key),
                     suggestion(*given, options));
+  }
+
+  /// Names, files and messages end at a NUL elsewhere.
+  void whole_text(const toml::node& value, const std::string& given, const std::string& path) {
+    if (given.find('\0') != std::string::npos)
+      problems_.add(value, fmt::format("'{}' holds a NUL character", path), "a text without it");
   }
 
   void number(const Key& key, const toml::node& value, const std::string& path) {
@@ -93,6 +101,10 @@ class ValueCheck {
           std::floor(x) == x ? "without point and exponent, as in 1000" : std::string(key.doc));
     else if (!std::isfinite(x))
       problems_.add(value, fmt::format("'{}' is {}", path, x), "a finite number");
+    else if (std::abs(x) > kSquared)
+      problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x),
+                    fmt::format("a number of at most {:g} in size", kSquared),
+                    std::string(key.doc));
     else if (!key.range.contains(x))
       problems_.add(value, fmt::format("'{}' is out of range: {:g}", path, x), expectation(key),
                     std::string(key.doc));
@@ -153,14 +165,18 @@ class ValueCheck {
 
   /// @param count 1: a string or a list of them, 2: a list of two
   void texts(const Key& key, const toml::node& value, const std::string& path, int count) {
-    if (value.is_string() && count == 1) return;
+    if (value.is_string() && count == 1)
+      return whole_text(value, *value.value<std::string>(), path);
     const toml::array* list = value.as_array();
     if (!list) return wrong_type(key, value, path, problems_);
     if (list->empty() || (count == 2 && list->size() != 2))
       problems_.add(value, fmt::format("'{}' has {} entries", path, list->size()),
                     expectation(key));
     for (const toml::node& item : *list)
-      if (!item.is_string()) wrong_type(key, item, path, problems_);
+      if (const auto given = item.value<std::string>(); given && item.is_string())
+        whole_text(item, *given, path);
+      else
+        wrong_type(key, item, path, problems_);
   }
 
   Problems& problems_;
