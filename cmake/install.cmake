@@ -33,4 +33,5 @@ if(TARGET liesl)
   install(DIRECTORY apps/plot/ DESTINATION ${CMAKE_INSTALL_DATADIR}/liesl/plot
           FILES_MATCHING PATTERN *.py)
 endif()
-install(FILES LICENSE docs/licences.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+include(cmake/notices.cmake)
+install(FILES LICENSE docs/licences.md ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})

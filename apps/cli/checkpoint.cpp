@@ -79,6 +79,19 @@ std::vector<CycleLoads> read_loads(const Json& list) {
   return parts;
 }
 
+Json to_json(const std::vector<LimitExcess>& limits) {
+  Json list = Json::array();
+  for (const LimitExcess& l : limits)
+    list.push_back({{"name", l.name}, {"excess", l.excess}, {"at", l.at}});
+  return list;
+}
+
+std::vector<LimitExcess> read_excesses(const Json& j) {
+  std::vector<LimitExcess> limits;
+  for (const Json& l : j) limits.push_back({l.at("name"), l.at("excess"), l.at("at")});
+  return limits;
+}
+
 Json to_json(const Cycle& c) {
   Json cycle = {{"number", c.number},
                 {"start", c.start},
@@ -93,6 +106,7 @@ Json to_json(const Cycle& c) {
                 {"worst", c.worst},
                 {"worst_constraint", c.worst_constraint},
                 {"worst_at", c.worst_at},
+                {"limits", to_json(c.excesses)},
                 {"load_cases", c.load_cases},
                 {"loads", to_json(c.loads)},
                 {"iterations", c.iterations},
@@ -123,6 +137,7 @@ Cycle read_cycle(const Json& j) {
   c.worst = j.at("worst");
   c.worst_constraint = j.at("worst_constraint");
   c.worst_at = j.at("worst_at");
+  if (j.contains("limits")) c.excesses = read_excesses(j.at("limits"));
   if (j.contains("load_change")) c.load_change = j.at("load_change").get<double>();
   c.load_cases = j.at("load_cases");
   if (j.contains("loads")) c.loads = read_loads(j.at("loads"));

@@ -101,6 +101,8 @@ Json history_json(const std::vector<CycleRecord>& history) {
     if (h.worst_limit.empty()) continue;
     json.back()["worst_limit"] = h.worst_limit;
     json.back()["worst_at"] = h.worst_at;
+    for (const CycleLimit& l : h.limits)
+      json.back()["limits"][l.name] = {{"violation", l.violation}, {"at", l.at}};
   }
   return json;
 }

@@ -63,6 +63,13 @@ struct DesignFigure {
   std::string unit = "m";
 };
 
+/// A limit in a cycle.
+struct CycleLimit {
+  std::string name;
+  double violation = 0;  ///< largest |r|/limit - 1, negative inside
+  std::string at;        ///< where: "t = 0.1 s", a load case; empty: everywhere
+};
+
 /// One turn of the cycle: the design that was simulated, and what followed.
 struct CycleRecord {
   int cycle = 0;
@@ -77,6 +84,7 @@ struct CycleRecord {
   std::vector<double> design = {};       ///< that was simulated, in the order of `design`
   std::string worst_limit = {};          ///< which one `worst_constraint` is of
   std::string worst_at = {};             ///< and where: "t = 0.1 s", a load case
+  std::vector<CycleLimit> limits = {};   ///< all of that simulation
 };
 
 struct OptimizeSummary : RunSummary {

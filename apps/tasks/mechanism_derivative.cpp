@@ -144,11 +144,19 @@ class Differences {
     require_structure();
     Parameter p{name, {}};
     add_data(p);
-    if (beyond_data_) p.parts = {mechanisms_};
+    if (beyond_data_) {
+      if (std::ranges::any_of(p.parts, [](const auto& part) {
+            return std::holds_alternative<PenaltyDerivative>(part);
+          }))
+        throw std::invalid_argument(
+            "weights of penalties change together with geometry, of which "
+            "there is no derivative: each is a parameter of its own");
+      p.parts = {mechanisms_};
+    }
     if (p.parts.empty())
       throw std::invalid_argument(
           fmt::format("'{}' changes nothing that has a derivative: geometry, sections, materials, "
-                      "masses, springs, loads or drives",
+                      "masses, springs, loads, drives or weights of penalties",
                       name));
     return p;
   }
@@ -165,6 +173,7 @@ class Differences {
     for (std::size_t i = 0; i < at_.drives.size(); ++i) add_drive(i, p);
     for (std::size_t i = 0; i < at_.forces.size(); ++i) add_force(i, p);
     for (std::size_t i = 0; i < at_.loads.size(); ++i) add_load(i, p);
+    add_penalty(p);
   }
 
   /// The same unknowns at all values: numbers and kinds of everything.
@@ -368,6 +377,15 @@ class Differences {
     by_p.scale = function([i](const Mechanism& m) { return m.loads[i].scale; });
     if (!by_p.force.isZero(0) || !by_p.moment.isZero(0) || !by_p.scale.empty())
       p.parts.push_back(std::move(by_p));
+  }
+
+  void add_penalty(Parameter& p) const {
+    require("the damping of penalties",
+            [&](const Mechanism& m) { return m.penalty.damping == at_.penalty.damping; });
+    const PenaltyDerivative by_p{
+        difference([](const Mechanism& m) { return m.penalty.displacement; }),
+        difference([](const Mechanism& m) { return m.penalty.rotation; })};
+    if (by_p.displacement != 0 || by_p.rotation != 0) p.parts.push_back(by_p);
   }
 
   const Mechanism& at_;

@@ -370,6 +370,12 @@ DerivativeReport equilibrium_derivatives_task(const Study& study, const ChosenSp
       space.space);
 }
 
+std::vector<output::CycleLimit> limits_of(const Cycle& cycle) {
+  std::vector<output::CycleLimit> limits;
+  for (const LimitExcess& l : cycle.excesses) limits.push_back({l.name, l.excess, l.at});
+  return limits;
+}
+
 void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& rounds,
                      SolidResponse objective) {
   summary.history.clear();
@@ -389,7 +395,8 @@ void describe_cycles(output::OptimizeSummary& summary, const RoundHistory& round
                                      : std::optional(c.objective),
                                  {c.x.data(), c.x.data() + c.x.size()},
                                  c.worst_constraint,
-                                 c.worst_at});
+                                 c.worst_at,
+                                 limits_of(c)});
 }
 
 void describe_catalogue(output::OptimizeSummary& summary, const std::optional<CatalogueReport>& r) {

@@ -85,6 +85,11 @@ struct DriveDerivative {
   FunctionDerivative motion = {};  ///< m or rad per unit of p
 };
 
+/// Weights alpha of penalties; those that are chosen do not depend on p.
+struct PenaltyDerivative {
+  double displacement = 0, rotation = 0;  ///< dalpha/dp of lengths, of angles
+};
+
 /// Of the duration of a motion that takes as many steps, its drives being functions of t/duration:
 /// every step changes by dh/dp = relative h, and targets of drives at a step do not change. Nothing
 /// else may depend on time.
@@ -106,9 +111,9 @@ struct NearbyMechanisms {
 
 struct Parameter {
   std::string name;
-  std::vector<
-      std::variant<BeamDerivative, RigidDerivative, SolidDerivative, SolidScale, ForceDerivative,
-                   LoadDerivative, DriveDerivative, StepDerivative, NearbyMechanisms>>
+  std::vector<std::variant<BeamDerivative, RigidDerivative, SolidDerivative, SolidScale,
+                           ForceDerivative, LoadDerivative, DriveDerivative, PenaltyDerivative,
+                           StepDerivative, NearbyMechanisms>>
       parts;
 };
 

@@ -7,6 +7,7 @@
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solids/volume_fraction.hpp"
 #include "mbs/system/body_law.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -166,6 +167,22 @@ std::string ParameterResidual<G>::add_part(const Mechanism& mechanism,
   return "";
 }
 
+/// Of augmented ones the rows are closed whatever the weights are.
+template <FrameGroup G>
+std::string ParameterResidual<G>::add_part(const Mechanism&, const PenaltyDerivative& part) {
+  if (model_.penalty.form != ConstraintForm::Penalty) return "expected constraints by penalties";
+  compliance_.setZero(model_.constraints());
+  for (const auto& c : model_.couplings) {
+    for (int i = 0; i < c.constraints && !c.continued; ++i) {
+      const bool length = is_length(c.rows[static_cast<size_t>(i)].row);
+      const double weight = model_.penalty.weight[c.first_constraint + i];
+      compliance_[c.first_constraint + i] =
+          (length ? part.displacement : part.rotation) / (weight * weight);
+    }
+  }
+  return "";
+}
+
 template <FrameGroup G>
 std::string ParameterResidual<G>::add_part(const Mechanism&, const StepDerivative& part) {
   step_ += part.relative;
@@ -223,6 +240,7 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previou
   for (const RowDerivative& row : rows_)
     if (row.equation->role != Role::Constraint) add_force(row, s, previous, level, r_p);
   add_target(level.t, 0, phi_p);
+  if (compliance_.size() > 0) phi_p += compliance_.cwiseProduct(s.lambda);
 }
 
 template <FrameGroup G>

@@ -15,8 +15,9 @@ namespace liesl {
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
 /// df/dq_0 = -k, -F(t) for its factor, -dF/dp. A load gives the load itself for its factor, or that
-/// of its components; a drive -target(t), or -d(target)/dp. Nearby mechanisms give differences of
-/// the whole residual.
+/// of its components; a drive -target(t), or -d(target)/dp; the weight alpha of a penalty, whose
+/// row is Phi - lambda/alpha, lambda/alpha^2. Nearby mechanisms give differences of the whole
+/// residual.
 template <FrameGroup G>
 class ParameterResidual {
  public:
@@ -76,6 +77,7 @@ class ParameterResidual {
   std::string add_part(const Mechanism& mechanism, const ForceDerivative& part);
   std::string add_part(const Mechanism& mechanism, const LoadDerivative& part);
   std::string add_part(const Mechanism& mechanism, const DriveDerivative& part);
+  std::string add_part(const Mechanism& mechanism, const PenaltyDerivative& part);
   std::string add_part(const Mechanism& mechanism, const StepDerivative& part);
   std::string add_part(const Mechanism& mechanism, const NearbyMechanisms& part);
   std::string set_body(int body, const LawDerivative<G>& law);
@@ -94,6 +96,7 @@ class ParameterResidual {
   std::vector<RowDerivative> rows_;
   std::vector<LoadChange> loads_;
   std::unique_ptr<NearbyModels<G>> nearby_;
+  Eigen::VectorXd compliance_;  ///< -d(1/alpha)/dp by multiplier; empty: weights do not change
   double step_ = 0;
 };
 

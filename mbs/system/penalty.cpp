@@ -90,6 +90,19 @@ double penalty_energy(const Model<G>& model, const State<G>& s) {
 }
 
 template <FrameGroup G>
+double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
+                                 const State<G>& s) {
+  const Eigen::VectorXd phi = openings(model, s);
+  double sum = 0;
+  for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
+    if (c.continued) return;
+    const double opening = phi[c.first_constraint + i];
+    sum += 0.5 * (is_length(row.row) ? by.displacement : by.rotation) * opening * opening;
+  });
+  return sum;
+}
+
+template <FrameGroup G>
 JointOpening<G>::JointOpening(const Model<G>& model) : model_(model) {
   lever_.setOnes(model.constraints());
   for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
@@ -118,6 +131,10 @@ template Eigen::VectorXd openings(const Model<SE2>&, const State<SE2>&);
 template Eigen::VectorXd openings(const Model<SE3>&, const State<SE3>&);
 template double penalty_energy(const Model<SE2>&, const State<SE2>&);
 template double penalty_energy(const Model<SE3>&, const State<SE3>&);
+template double penalty_energy_derivative(const PenaltyDerivative&, const Model<SE2>&,
+                                          const State<SE2>&);
+template double penalty_energy_derivative(const PenaltyDerivative&, const Model<SE3>&,
+                                          const State<SE3>&);
 template class JointOpening<SE2>;
 template class JointOpening<SE3>;
 

@@ -3,6 +3,7 @@
 /// Constraints by penalties: forces B^T lambda with lambda = alpha (Phi + tau dPhi/dt) (J. C.
 /// Garcia Orden, J. J. Arribas, D. Dopico, F. Gabaldon 2024, eq. 3).
 
+#include "mbs/model/parameter.hpp"
 #include "mbs/system/model.hpp"
 
 namespace liesl {
@@ -34,6 +35,11 @@ Eigen::VectorXd openings(const Model<G>& model, const State<G>& s);
 /// sum of alpha Phi^2 / 2, J; 0 with multipliers.
 template <FrameGroup G>
 double penalty_energy(const Model<G>& model, const State<G>& s);
+
+/// Of that by the weights at constant state, J per unit of p.
+template <FrameGroup G>
+double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
+                                 const State<G>& s);
 
 /// Watches what penalties leave open, against what the bodies deform by.
 template <FrameGroup G>

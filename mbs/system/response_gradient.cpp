@@ -398,6 +398,9 @@ double ResponseValues<G>::energy_by(const ResponseSpec&, const State<G>& s,
     Eigen::VectorXd phi_p = Eigen::VectorXd::Zero(model_.constraints());
     parameter.add_target(s.t, 0, phi_p);
     sum += model_.penalty.weight.cwiseProduct(openings(model_, s)).dot(phi_p);
+    for (const auto& part : parameter.parameter().parts)
+      if (const auto* by = std::get_if<PenaltyDerivative>(&part))
+        sum += penalty_energy_derivative(*by, model_, s);
   }
   return sum;
 }

@@ -10,6 +10,7 @@
 #include "optim/nlp/problem.hpp"
 #include "optim/nlp/result.hpp"
 #include "optim/problems/cycle_loads.hpp"
+#include "optim/problems/limit_excess.hpp"
 #include "optim/problems/simulation_effort.hpp"
 #include "optim/study/study.hpp"
 
@@ -34,16 +35,13 @@ inline bool closed(CycleStatus s) {
 }
 
 /// One cycle: the design that was simulated and what followed.
-struct Cycle {
+struct Cycle : LimitExcesses {
   int number = 0;  ///< from 1 at each start
   int start = 0;   ///< 0: from the start of the study; else that of a restart; above kMostRestarts:
                    ///< a stage of a continuation, of a slower motion but the last (restarts.hpp)
   Eigen::VectorXd x;     ///< simulated design
   double mass = 0;       ///< kg
   double objective = 0;  ///< what is minimised; often the mass
-  double worst = 0;      ///< largest |r|/limit - 1 over all steps and limits
-  std::string worst_constraint;
-  std::string worst_at;  ///< "t = 0.1 s", a load case; empty: everywhere
   std::optional<double>
       load_change;                ///< against the cycle before, if its records have the same times
   int load_cases = 0;             ///< retained by the screening

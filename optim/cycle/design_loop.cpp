@@ -37,9 +37,7 @@ Cycle& CycleRecord::add(const Analysis& analysis, const VectorXd& x) {
   c.x = x;
   c.mass = analysis->mass;
   c.objective = analysis->objective;
-  c.worst = analysis->worst;
-  c.worst_constraint = analysis->worst_constraint;
-  c.worst_at = analysis->worst_at;
+  static_cast<LimitExcesses&>(c) = *analysis;
   c.loads = analysis->loads;
   if (last_) c.load_change = model_.load_change(*analysis, *last_);
   c.unit = model_.unit(x);

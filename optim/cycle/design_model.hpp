@@ -11,21 +11,19 @@
 #include "optim/cycle/dynamic_optimality.hpp"
 #include "optim/problems/corrected_problem.hpp"
 #include "optim/problems/cycle_loads.hpp"
+#include "optim/problems/limit_excess.hpp"
 #include "optim/problems/simulation_effort.hpp"
 
 namespace liesl {
 
 /// How a design fares. Numbers have a meaning only if it is good.
-struct DesignAnalysis {
+struct DesignAnalysis : LimitExcesses {
   virtual ~DesignAnalysis() = default;
 
   SolveStatus status = SolveStatus::Converged;
   std::string reason;             ///< why it is not good
   double objective = 0;           ///< unit of the study's objective
   double mass = 0;                ///< kg
-  double worst = -1;              ///< largest |r|/limit - 1 over all records and limits
-  std::string worst_constraint;   ///< its name
-  std::string worst_at;           ///< where: "t = 0.1 s", a load case; empty: everywhere
   std::vector<CycleLoads> loads;  ///< of a motion, the few that tell most
 
   /// The same without what only the next designs need: motions.

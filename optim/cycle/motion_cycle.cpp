@@ -147,6 +147,7 @@ CycleResult<G> describe_found(const std::vector<Scenario<G>>& scenarios, StudySp
       if (cycle.x != x) continue;
       cycle.loads = analysis->loads;
       if (cycle.worst_constraint == analysis->worst_constraint) cycle.worst_at = analysis->worst_at;
+      cycle.excesses = analysis->excesses;
     }
     return analysis;
   };

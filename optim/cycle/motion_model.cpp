@@ -165,12 +165,11 @@ void MotionModel<G>::judge(MotionAnalysis<G>& a, const VectorXd& x) const {
       a.loads.push_back(std::move(part));
     a.limits.push_back({run.times(), run.limits, run.frequencies, run.masses});
     if (run.good() && !study_.part_limits.empty()) judge_parts(a, s, x);
-    if (run.worst <= a.worst) continue;
-    a.worst = run.worst;
-    a.worst_at = run.worst_at;
-    a.worst_constraint = run.worst_constraint;
-    if (!study_.scenarios.empty() && !run.worst_at.empty())
-      a.worst_constraint += " (" + study_.scenarios[s] + ")";
+    for (LimitExcess limit : run.excesses) {
+      if (!study_.scenarios.empty() && !limit.at.empty())
+        limit.name += " (" + study_.scenarios[s] + ")";
+      a.add(std::move(limit));
+    }
   }
   a.objective += extremes(a);
 }
@@ -192,11 +191,8 @@ void MotionModel<G>::judge_parts(MotionAnalysis<G>& a, std::size_t s, const Vect
       for (const LimitCheck& found : check->limits) {
         if (limit.body != design().part(k).body || found.name != limit.name) continue;
         a.limits[s].parts.push_back({limit, found});
-        if (found.excess <= a.worst) continue;
-        a.worst = found.excess;
-        a.worst_at = found.at;
-        a.worst_constraint = limit.name;
-        if (!study_.scenarios.empty()) a.worst_constraint += " (" + study_.scenarios[s] + ")";
+        const std::string of = study_.scenarios.empty() ? "" : " (" + study_.scenarios[s] + ")";
+        a.add({limit.name + of, found.excess, found.at});
       }
   }
 }

@@ -26,10 +26,8 @@ std::shared_ptr<DesignAnalysis> PartModel::analyse(const VectorXd& x, const Prog
   out->check = std::move(*check);
   out->objective = out->check.objective;
   out->mass = out->check.mass;
-  out->worst = out->check.worst;
-  out->worst_constraint = out->check.worst_limit;
   for (const LimitCheck& l : out->check.limits)
-    if (l.name == out->worst_constraint) out->worst_at = l.at;
+    if (!(l.weight > 0)) out->add({l.name, l.excess, l.at});
   return out;
 }
 

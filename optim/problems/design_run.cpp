@@ -91,11 +91,7 @@ void DesignSimulator<G>::measure_frequencies(DesignRun<G>& r) const {
     const double lowest = modes.frequency(l, 0);
     r.frequencies.push_back({limit.name, limit.least, lowest, limit.weight > 0});
     if (limit.weight > 0) continue;
-    if (const double g = 1 - lowest / limit.least; g > r.worst) {
-      r.worst = g;
-      r.worst_at.clear();
-      r.worst_constraint = limit.name;
-    }
+    r.add({limit.name, 1 - lowest / limit.least, ""});
   }
 }
 
@@ -103,11 +99,7 @@ template <FrameGroup G>
 void DesignSimulator<G>::measure_masses(DesignRun<G>& r) const {
   for (const MassLimitSpec& limit : study_.mass_limits) {
     r.masses.push_back({limit.name, limit.limit, mass_of(r.mechanism, limit.bodies)});
-    if (const double g = r.masses.back().value / limit.limit - 1; g > r.worst) {
-      r.worst = g;
-      r.worst_at.clear();
-      r.worst_constraint = limit.name;
-    }
+    r.add({limit.name, r.masses.back().value / limit.limit - 1, ""});
   }
 }
 
@@ -118,12 +110,10 @@ void DesignSimulator<G>::measure_walls(DesignRun<G>& r, const Eigen::VectorXd& x
     PartShape& part = design_.part(k);
     part.shape->set(part.design.parameters(design_.of_part(k, x)));
     const Eigen::VectorXd walls = part.design.walls();
-    for (int i = 0; i < walls.size(); ++i)
-      if (walls[i] > r.worst) {
-        r.worst = walls[i];
-        r.worst_at.clear();
-        r.worst_constraint = part.design.wall_names()[static_cast<std::size_t>(i)];
-      }
+    if (walls.size() == 0) continue;
+    Eigen::Index worst = 0;
+    const double excess = walls.maxCoeff(&worst);
+    r.add({part.design.wall_names()[static_cast<std::size_t>(worst)], excess, ""});
   }
 }
 
@@ -154,11 +144,9 @@ void DesignSimulator<G>::measure(DesignRun<G>& r) const {
   for (std::size_t i = 0; i < r.limits.size(); ++i)
     r.limits[i].measure = treated_value(study_.constraints[i], times, r.limits[i].values);
   for (const auto& series : r.limits)
-    if (const double g = series.measure / series.limit - 1; !series.in_objective && g > r.worst) {
-      r.worst = g;
-      r.worst_at = fmt::format("t = {:.6g} s", series.at_time);
-      r.worst_constraint = series.name;
-    }
+    if (!series.in_objective)
+      r.add({series.name, series.measure / series.limit - 1,
+             fmt::format("t = {:.6g} s", series.at_time)});
 }
 
 template <FrameGroup G>

@@ -10,6 +10,7 @@
 #include "esl/solid_loads.hpp"
 #include "mbs/solvers/simulation.hpp"
 #include "optim/design/design.hpp"
+#include "optim/problems/limit_excess.hpp"
 #include "optim/study/study.hpp"
 
 namespace liesl {
@@ -39,7 +40,7 @@ struct MassCheck {
 
 /// Everything after `simulation` is empty or zero unless the simulation converged.
 template <FrameGroup G>
-struct DesignRun {
+struct DesignRun : LimitExcesses {
   Mechanism mechanism;              ///< with the design
   std::shared_ptr<Model<G>> model;  ///< of `mechanism`
   double mass = 0;                  ///< of the bodies in the objective, kg
@@ -55,9 +56,6 @@ struct DesignRun {
   std::string undefined;                    ///< why a limited frequency has no value; else empty
   std::vector<MassCheck> masses;            ///< one for each limit
   bool statics = false;                     ///< equilibria, no motion
-  double worst = -1;                        ///< largest |r|/limit - 1 over all records and limits
-  std::string worst_constraint;
-  std::string worst_at;  ///< "t = 0.1 s"; empty for a wall
 
   bool good() const { return status() == SolveStatus::Converged; }
   SolveStatus status() const {

@@ -17,6 +17,17 @@ cmake -G Ninja -S "$source/tests/install" -B "$place/build" -DCMAKE_PREFIX_PATH=
 cmake --build "$place/build"
 "$place/build/user"
 
+# The Python package, if there is one, from where it was installed.
+package=$(find "$place/prefix/lib" -type d -name liesl -path '*-packages/*')
+if [[ -n $package ]]; then
+  (cd / && PYTHONPATH=$(dirname "$package") /usr/bin/python3 -c "
+import liesl, pathlib
+assert pathlib.Path(liesl.__file__).parent == pathlib.Path('$package'), liesl.__file__
+r = liesl.Scene.load('$source/data/scenes/pendulum.toml').change({'simulation.duration': 0.01}).run()
+r.check()
+print('Python package:', r.summary['status'])")
+fi
+
 # The program, by its path and by a link: bin/liesl finds what it starts, and that its own files.
 if [[ -x $place/prefix/bin/liesl ]]; then
   ln -s "$place/prefix/bin/liesl" "$place/link"

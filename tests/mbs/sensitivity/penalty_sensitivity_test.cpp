@@ -104,6 +104,21 @@ TYPED_TEST(PenaltySensitivity, EqualsDifferencesOfSimulations) {
   expect_gradients<TypeParam>(machine(ConstraintForm::Penalty), {all[0], all[2], all[3], all[13]});
 }
 
+/// By the weights of lengths and of angles, as a check of both: what joints leave open falls with
+/// them. Soft joints, of which there is something to see.
+TYPED_TEST(PenaltySensitivity, ByTheWeightsEqualsDifferencesOfSimulations) {
+  Mechanism soft = machine(ConstraintForm::Penalty);
+  soft.penalty.displacement = 1e5;
+  soft.penalty.rotation = 1e3;
+  const Quantity lengths{1e5,
+                         [](Mechanism&c, double p) { c.penalty.displacement = p; },
+                         {"weight of lengths", {PenaltyDerivative{1, 0}}}},
+      angles{1e3,
+             [](Mechanism&c, double p) { c.penalty.rotation = p; },
+             {"weight of angles", {PenaltyDerivative{0, 1}}}};
+  expect_gradients<TypeParam>(soft, {lengths, angles});
+}
+
 TYPED_TEST(PenaltySensitivity, OfAugmentedOnesAreThoseOfMultipliers) {
   const auto all = quantities(sensitive_machine());
   expect_gradients<TypeParam>(machine(ConstraintForm::Augmented), {all[0], all[3]});

@@ -12,10 +12,12 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 /// Without the disc, which is bolted to an inner node.
-Mechanism segmented(Mechanism m) {
+Mechanism segmented(Mechanism m, SegmentSpec spec = {}) {
   m.formalism = Formalism::Segments;
   m.bodies.pop_back();
   m.joints.pop_back();
+  for (auto& body : m.bodies)
+    if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->segment = spec;
   return m;
 }
 
@@ -90,8 +92,8 @@ struct Gradients {
   }
 };
 
-TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
-  const Mechanism m = segmented(sensitive_machine());
+void expect_differences_of(SegmentSpec spec) {
+  const Mechanism m = segmented(sensitive_machine(), spec);
   const auto o = tight(0.02, 4e-4);
   const auto every = quantities(sensitive_machine());
   const std::vector<Quantity> all{every[0], every[1], every[2], every[3], every[10], every[13]};
@@ -124,6 +126,14 @@ TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) {
       }
     }
   }
+}
+
+TEST(SegmentSensitivity, EqualsDifferencesOfSimulations) { expect_differences_of({}); }
+TEST(SegmentSensitivity, OfLumpedMassesEqualsDifferences) {
+  expect_differences_of({AxialPotential::Linear, true});
+}
+TEST(SegmentSensitivity, OfTheHyperelasticPotentialEqualsDifferences) {
+  expect_differences_of({AxialPotential::NeoHookean, false});
 }
 
 /// dy/dp of the tip of a pendulum by E, rho, the sides of its section and its length: those of

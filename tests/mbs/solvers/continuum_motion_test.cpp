@@ -72,6 +72,27 @@ TEST(Continuum, StaticsTakeNoInvertedCell) {
   EXPECT_EQ(status(1.5), SolveStatus::NotConverged);
 }
 
+/// A strip with a clamped end under an axial load: pi^2 EI/(4 L^2), less shear and what it is
+/// compressed by before, which are of order (h/L)^2; with the square of the length of cells.
+TEST(Continuum, BucklesUnderEulersLoad) {
+  constexpr double kHeight = 0.04, kWidth = 0.1, kE = 1e9, kLoad = 1.2;
+  const double euler = M_PI * M_PI / 4 * kE * kWidth * std::pow(kHeight, 3) / 12;
+  const auto critical = [&](int cells) {
+    Mechanism m =
+        clamped(continuum_block({1, kHeight, kWidth}, cells, 2, 0, {"strip", kE, 0, 1000}));
+    m.loads = {end_load({-kLoad * euler, 0, 0})};
+    auto o = tight();
+    o.critical = true;
+    o.load_steps = 4;
+    const auto result = solve<SE2>(m, o, *find_plane(m).plane).result;
+    EXPECT_EQ(result.report.status, SolveStatus::Converged) << result.report.reason;
+    return result.critical.size() == 1 ? kLoad * result.critical[0].load : 0;
+  };
+  const double coarse = critical(10), middle = critical(20), fine = critical(40);
+  EXPECT_NEAR((coarse - middle) / (middle - fine), 4, 0.4);
+  EXPECT_NEAR(fine + (fine - middle) / 3, 1, 1.5 * kHeight * kHeight);
+}
+
 /// Cook's membrane (R. D. Cook, Improved two-dimensional finite element, J. Struct. Div. ASCE 100
 /// (1974)): deflection of the middle of the free side, 23.96 of fine meshes, by the stiffness at
 /// rest.

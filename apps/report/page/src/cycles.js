@@ -57,6 +57,8 @@ function figuresOf(h, s, motion) {
   add('mass', `${quantity(h.mass, 'kg')} (${percent(h.mass / s.mass_initial - 1)})`);
   if (typeof h.objective === 'number') add(s.objective?.quantity ?? 'objective', quantity(h.objective, s.objective?.unit));
   add('worst limit', percent(h.worst_constraint) + (h.worst_limit ? ` '${h.worst_limit}'${h.worst_at ? ` at ${place(h.worst_at, motion)}` : ''}` : ''));
+  for (const [name, limit] of Object.entries(h.limits ?? {}))
+    if (name !== h.worst_limit) add(`limit '${name}'`, percent(limit.violation) + (limit.at ? ` at ${place(limit.at, motion)}` : ''));
   if (h.load_change !== undefined && !s.load_cases) add('change of the loads', h.load_change === null ? '\u2013' : percent(h.load_change).replace('+', ''));
   add('load cases kept', h.load_cases || '\u2013');
   add('iterations of the optimiser', h.optimizer_iterations || '\u2013');
