@@ -106,6 +106,7 @@ const BadScene kScenes[] = {
     {"ZeroLength", "to = [0.2, 0, 0]", "to = @[0, 0, 0]", {"zero length", "two points"}},
     {"NoEnd", "crank = { beam = { from = [0, 0, 0], to = [0.2, 0, 0]", "crank = { beam = @{ from = [0, 0, 0]", {"no 'to'"}},
     {"NoMass", "mass = 0.2", "mass = @0", {"out of range: 0", "> 0 (kg)"}},
+    {"TextThatEnds", "name = \"good\"", "name = @\"a\\u0000b\"", {"holds a NUL character"}},
     {"SquareNoNumber", "mass = 0.2", "mass = @1e200", {"out of range: 1e+200", "at most 1e+100"}},
     {"NoDensity", "rho = 7850 }", "rho = @0.0 }", {"no mass", "rho = 0", "density > 0"}},
     {"IndefiniteInertia", "inertia = [1e-4, 1e-4, 1e-4]", "inertia = @[1e-4, 1e-4, -1e-4]", {"not positive semi-definite", "radius r"}},
