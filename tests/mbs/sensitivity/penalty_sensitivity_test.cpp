@@ -108,12 +108,12 @@ TYPED_TEST(PenaltySensitivity, EqualsDifferencesOfSimulations) {
 /// them. Soft joints, of which there is something to see.
 TYPED_TEST(PenaltySensitivity, ByTheWeightsEqualsDifferencesOfSimulations) {
   Mechanism soft = machine(ConstraintForm::Penalty);
-  soft.penalty.displacement = 1e5;
-  soft.penalty.rotation = 1e3;
-  const Quantity lengths{1e5,
+  soft.penalty.displacement = 1e7;
+  soft.penalty.rotation = 1e5;
+  const Quantity lengths{1e7,
                          [](Mechanism&c, double p) { c.penalty.displacement = p; },
                          {"weight of lengths", {PenaltyDerivative{1, 0}}}},
-      angles{1e3,
+      angles{1e5,
              [](Mechanism&c, double p) { c.penalty.rotation = p; },
              {"weight of angles", {PenaltyDerivative{0, 1}}}};
   expect_gradients<TypeParam>(soft, {lengths, angles});
