@@ -128,6 +128,28 @@ void add_outline(const SolidScale& scale, const SolidSpec& solid, const Eigen::V
   p.parts.push_back(SolidDerivative{scale.body, solid_fractions(solid).derivative * by_values});
 }
 
+/// Weights of penalties have a derivative of their own only.
+void refuse_weights(const Parameter& p) {
+  for (const auto& part : p.parts)
+    if (std::holds_alternative<PenaltyDerivative>(part))
+      throw std::invalid_argument(
+          "weights of penalties change together with geometry, of which "
+          "there is no derivative: each is a parameter of its own");
+}
+
+bool acts_alike(const LoadSpec& a, const LoadSpec& b) {
+  return same(a.port, b.port) && a.follower == b.follower;
+}
+
+bool same_places(const RigidSpec& a, const RigidSpec& b) {
+  return same(a.frame, b.frame) && a.points == b.points;
+}
+
+bool same_places_and_axes(const JointSpec& a, const JointSpec& b) {
+  return same(a.a, b.a) && same(a.b, b.b) && a.axis == b.axis && a.axis2 == b.axis2 &&
+         a.pitch == b.pitch;
+}
+
 class Differences {
  public:
   Differences(const Mechanism& at, const std::function<Mechanism(double)>& changed, double step,
@@ -145,12 +167,7 @@ class Differences {
     Parameter p{name, {}};
     add_data(p);
     if (beyond_data_) {
-      if (std::ranges::any_of(p.parts, [](const auto& part) {
-            return std::holds_alternative<PenaltyDerivative>(part);
-          }))
-        throw std::invalid_argument(
-            "weights of penalties change together with geometry, of which "
-            "there is no derivative: each is a parameter of its own");
+      refuse_weights(p);
       p.parts = {mechanisms_};
     }
     if (p.parts.empty())
@@ -169,7 +186,9 @@ class Differences {
     for (std::size_t i = 0; i < at_.gears.size(); ++i)
       differs_unless([&](const Mechanism& m) { return m.gears[i].ratio == at_.gears[i].ratio; });
     for (std::size_t b = 0; b < at_.bodies.size(); ++b) add_body(static_cast<int>(b), p);
-    compare_joints();
+    differs_unless([&](const Mechanism& m) {
+      return std::ranges::equal(m.joints, at_.joints, same_places_and_axes);
+    });
     for (std::size_t i = 0; i < at_.drives.size(); ++i) add_drive(i, p);
     for (std::size_t i = 0; i < at_.forces.size(); ++i) add_force(i, p);
     for (std::size_t i = 0; i < at_.loads.size(); ++i) add_load(i, p);
@@ -294,9 +313,7 @@ class Differences {
     const auto of = [b](const Mechanism& m) -> const RigidSpec& {
       return std::get<RigidSpec>(m.bodies[static_cast<std::size_t>(b)].kind);
     };
-    differs_unless([&](const Mechanism& m) {
-      return same(of(m).frame, of(at_).frame) && of(m).points == of(at_).points;
-    });
+    differs_unless([&](const Mechanism& m) { return same_places(of(m), of(at_)); });
     RigidDerivative by_p;
     by_p.body = b;
     by_p.mass = difference([&](const Mechanism& m) { return of(m).mass; });
@@ -337,15 +354,6 @@ class Differences {
     add_outline(by_p, solid, by_values, at_.bodies[static_cast<std::size_t>(b)].name, p);
   }
 
-  void compare_joints() {
-    for (std::size_t j = 0; j < at_.joints.size(); ++j)
-      differs_unless([&](const Mechanism& m) {
-        const JointSpec &a = m.joints[j], &b = at_.joints[j];
-        return same(a.a, b.a) && same(a.b, b.b) && a.axis == b.axis && a.axis2 == b.axis2 &&
-               a.pitch == b.pitch;
-      });
-  }
-
   void add_drive(std::size_t i, Parameter& p) const {
     DriveDerivative by_p{static_cast<int>(i), 0,
                          function([i](const Mechanism& m) { return m.drives[i].motion; })};
@@ -365,10 +373,7 @@ class Differences {
   }
 
   void add_load(std::size_t i, Parameter& p) {
-    differs_unless([&](const Mechanism& m) {
-      return same(m.loads[i].port, at_.loads[i].port) &&
-             m.loads[i].follower == at_.loads[i].follower;
-    });
+    differs_unless([&](const Mechanism& m) { return acts_alike(m.loads[i], at_.loads[i]); });
     LoadDerivative by_p;
     by_p.load = static_cast<int>(i);
     by_p.factor = 0;
