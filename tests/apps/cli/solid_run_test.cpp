@@ -189,9 +189,9 @@ TEST_F(SolidRun, ExportMakesTheDeformedMeshOfTheAmplitudes) {
 }
 
 TEST_F(SolidRun, LargeMeshesAreLeftToExport) {
-  const Words words = {"run",   scene("meshed_slider_crank"),
-                       "-o",    results(),
-                       "--set", "bodies.rod.solid.mesh.cells=[150, 30]",
+  const Words words = {"run",        scene("meshed_slider_crank"),
+                       "-o",         results(),
+                       "--set",      "bodies.rod.solid.mesh.cells=[150, 30]",
                        "--no-report"};
   ASSERT_EQ(run(words).code, 0);
   EXPECT_LT(fs::file_size(results() / "results.h5"), 5e6) << "57 MB with positions at each record";
