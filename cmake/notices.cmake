@@ -11,8 +11,12 @@ endforeach()
 
 file(READ ${PROJECT_SOURCE_DIR}/LICENSE text)
 file(READ ${PROJECT_SOURCE_DIR}/apps/report/page/dist/notices.txt page)
-string(APPEND text "\nThe program contains what follows. The source of Ipopt (EPL-1.0) is that of Debian's source package "
-                   "coinor-ipopt and of github.com/coin-or/Ipopt.\n\n======== pages of results\n\n${page}")
+string(APPEND text "\nThe program contains what follows.\n")
+if(LIESL_ARCHIVE_ipopt_LINKS)
+  string(APPEND text "The source of Ipopt (EPL-1.0) is that of Debian's source package coinor-ipopt and of "
+                     "github.com/coin-or/Ipopt.\n")
+endif()
+string(APPEND text "\n======== pages of results\n\n${page}")
 foreach(package ${noticed})
   set(notice "not found where this was built\n")
   if(EXISTS /usr/share/doc/${package}/copyright)

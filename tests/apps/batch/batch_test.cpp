@@ -6,7 +6,9 @@
 #include <map>
 #include <set>
 
+#include "apps/batch/case_folder.hpp"
 #include "apps/batch/case_table.hpp"
+#include "apps/batch/pool.hpp"
 #include "apps/hdf5_set.hpp"
 #include "apps/program.hpp"
 #include "mbs/linalg/sanitized.hpp"
@@ -98,6 +100,26 @@ TEST_F(BatchProgram, EveryCaseIsTheCommandByHand) {
   const Json single = Json::parse(text_of(by_hand / "summary.json"));
   EXPECT_EQ(std::stod(columns.at("bend.max_abs [m]")[3]), single["responses"]["bend"]["max_abs"]);
   EXPECT_EQ(std::stod(columns.at("steps [-]")[3]), single["steps"]);
+}
+
+/// The process of a pool that was killed holds its case until it is gone: here until another case
+/// has ended. What is held all the time runs elsewhere.
+TEST_F(BatchProgram, ACaseThatRanElsewhereIsAskedForOnceMore) {
+  const Batch six = load_batch(simulations());
+  PoolOptions options;
+  options.quiet = true;
+  options.reports = false;
+  std::optional<CaseLock> other(std::in_place, CaseFolder(results(), "1"));
+  ASSERT_TRUE(other->held());
+  const PoolReport first = run_cases(six, results(), options);
+  EXPECT_EQ(first.ran, 5);
+  EXPECT_EQ(first.elsewhere, 1);
+  fs::remove_all(mark("6").parent_path());
+  options.on_end = [&other](const PoolReport&) { other.reset(); };
+  const PoolReport second = run_cases(six, results(), options);
+  EXPECT_EQ(second.ran, 2);
+  EXPECT_EQ(second.elsewhere, 0);
+  EXPECT_EQ(marks().size(), 6u);
 }
 
 TEST_F(BatchProgram, ShardsAreThePartsOfTheWhole) {
