@@ -12,6 +12,8 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)  # needs dpkg-dev
 set(CPACK_DEBIAN_PACKAGE_RECOMMENDS "python3-matplotlib")
 set(CPACK_STRIP_FILES ON)
 if(TARGET _liesl)
-  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3, python3-numpy")
+  math(EXPR next "${Python_VERSION_MINOR} + 1")  # the module is compiled for one version
+  set(python ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR})
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "python3 (>= ${python}), python3 (<< ${Python_VERSION_MAJOR}.${next}), python3-numpy")
 endif()
 include(CPack)

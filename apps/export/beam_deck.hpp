@@ -50,8 +50,8 @@ std::vector<SectionGroup> section_groups(const BeamDeck& deck);
 /// step, NLGEOM. Node k of the beam is node 2k + 1, the middle of element e node 2e + 2.
 /// @throws std::invalid_argument for sections that B32R has not: I-sections
 std::string calculix_text(const BeamDeck& deck);
-/// Nastran, in large fields: CBAR, each case a subcase of SOL 106 with LGDISP. Node k of
-/// the beam is grid k + 1.
+/// Nastran, in large fields: CBAR with PBARL of every shape, each case a subcase of SOL 106 with
+/// LGDISP. Node k of the beam is grid k + 1.
 std::string nastran_text(const BeamDeck& deck);
 /// "1 instant", "5 instants".
 std::string instants(std::size_t n);

@@ -29,7 +29,8 @@ struct ToCard {
   template <class Other>
   SectionCard operator()(const Other&) const {
     throw std::invalid_argument(
-        "CalculiX has no such beam section; expected a circle, tube, rectangle or box");
+        "CalculiX has no such beam section; expected a circle, tube, rectangle or box, or --to "
+        "nastran, which has I-sections, too");
   }
 };
 

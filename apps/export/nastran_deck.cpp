@@ -17,10 +17,12 @@ using nastran::number;
 using nastran::title;
 using nastran::operator<<;
 
-/// Type and dimensions of PBARL. The first dimension of its bars is along z of the element.
+/// Type and dimensions of PBARL, and the axis of the section (1: y, 2: z) that is y of the element.
+/// The first dimension of bars and boxes is along z of the element, the height of an "I" along y.
 struct PbarlShape {
   std::string type;
   std::vector<double> dimensions;
+  int y_axis = 1;
 };
 struct ToPbarl {
   PbarlShape operator()(const Circle& s) const { return {"ROD", {s.diameter / 2}}; }
@@ -31,15 +33,17 @@ struct ToPbarl {
   PbarlShape operator()(const Box& s) const {
     return {"BOX", {s.height, s.width, s.thickness, s.thickness}};
   }
-  template <class Other>
-  PbarlShape operator()(const Other&) const {
-    throw std::invalid_argument(
-        "this section is not exported to Nastran; expected a circle, tube, rectangle or box");
+  PbarlShape operator()(const ISection& s) const {
+    return {"I",
+            {s.height, s.width, s.width, s.web_thickness, s.flange_thickness, s.flange_thickness},
+            2};
+  }
+  PbarlShape operator()(const FullSection&) const {
+    throw std::invalid_argument("a section of matrices is not exported to Nastran");
   }
 };
 
-std::string section_text(const SectionGroup& group, std::size_t id) {
-  const PbarlShape shape = std::visit(ToPbarl(), group.section->shape);
+std::string section_text(const PbarlShape& shape, std::size_t id) {
   Fields fields{std::to_string(id), "1", "", shape.type, "", "", "", ""};
   for (const double d : shape.dimensions) fields.push_back(number(d));
   return card("PBARL", fields);
@@ -65,11 +69,13 @@ std::string bulk_text(const BeamDeck& deck) {
   }
   const auto groups = section_groups(deck);
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    text += section_text(groups[g], g + 1);
+    const PbarlShape shape = std::visit(ToPbarl(), groups[g].section->shape);
+    text += section_text(shape, g + 1);
     for (const int e : groups[g].elements) {
       Fields fields{std::to_string(e + 1), std::to_string(g + 1), std::to_string(e + 1),
                     std::to_string(e + 2)};
-      text += card("CBAR", fields << groups[g].y);
+      const Vec3 y = deck.middles[static_cast<std::size_t>(e)].R.col(shape.y_axis);
+      text += card("CBAR", fields << y);
     }
   }
   const Material& m = deck.material;

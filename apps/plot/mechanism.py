@@ -8,7 +8,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path as Lines
 from matplotlib.ticker import MaxNLocator
-from mpl_toolkits.mplot3d.art3d import Line3DCollection
+from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
 from style import BLUE, GREEN, ORANGE, PURPLE, label
 from tables import HalfResult, NothingToDraw, Table, table
@@ -18,7 +18,9 @@ COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
 VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
 FILL = 0.35  # opacity of what bodies cover
 THIN = 0.004  # thickness, of the size of the mechanism, below which a beam is drawn as a line
+SIDES, TUBES = 8, 60  # of a beam in space: sides of its tube, pieces of it at most
 PART_COLUMNS = 9  # of part_lines.csv
+ROUND = 1e-4  # difference of thicknesses, of the largest, of what is round
 STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
 
 
@@ -181,8 +183,10 @@ class Shapes:
             fill_lines(ax, axes, lines, colour)
             return True
         seen = self.sections.get(body, [])
-        if not seen or len(axes) != 2:
+        if not seen:
             return False
+        if len(axes) == 3:
+            return self.draw_tubes(ax, seen, nodes, colour, size, last)
         hidden = ({0, 1, 2} - set(axes)).pop()
         thickness = [element[hidden] for element in seen]
         if max(thickness) < THIN * size:
@@ -196,9 +200,22 @@ class Shapes:
                 ax.plot(*zip(*(p[:2] if side else p[2:])), color=colour, linewidth=0.9)
         return True
 
+    def draw_tubes(self, ax, seen, nodes, colour, size, last):
+        """A beam in space as round tubes of the mean of its two thicknesses: how it is turned about its axis is not in the
+        tables. @param seen thickness along x, y, z of each element, of which the largest may stand for its own axis"""
+        thickness = [(sum(t) - max(t)) / 2 for t in seen]
+        if max(thickness) < THIN * size:
+            return False
+        self.drawn.add("beam" if all(max(t) - min(t) <= ROUND * max(t) for t in seen) else "tube")
+        step = -(-len(seen) // TUBES)
+        cuts = [*range(0, len(seen), step), len(seen)]
+        sides = [side for a, b in zip(cuts, cuts[1:]) for side in tube(nodes[a], nodes[b], sum(thickness[a:b]) / (b - a))]
+        ax.add_collection3d(Poly3DCollection(sides, facecolors=colour, edgecolors="none", alpha=1 if last else FILL))
+        return True
+
     def marks(self):
         """For the legend."""
-        kinds = {"beam": "beam, true thickness", "part": "meshed part, its outline"}
+        kinds = {"beam": "beam, true thickness", "tube": "beam, mean thickness", "part": "meshed part, its outline"}
         edges = [Line2D([], [], color="black", linewidth=0.9, label="meshed part, its edges")]
         return [Patch(facecolor="#00000059", edgecolor="black", linewidth=0.9, label=text)
                 for kind, text in kinds.items() if kind in self.drawn] + edges * ("edges" in self.drawn)
@@ -211,6 +228,26 @@ def strip(a, b, thickness):
         return None
     n = [-(b[1] - a[1]) * thickness / 2 / length, (b[0] - a[0]) * thickness / 2 / length]
     return [(a[0] + n[0], a[1] + n[1]), (b[0] + n[0], b[1] + n[1]), (b[0] - n[0], b[1] - n[1]), (a[0] - n[0], a[1] - n[1])]
+
+
+def tube(a, b, thickness):
+    """Sides of a prism about the line from a to b, four corners each; none if it has no length."""
+    way = [q - p for p, q in zip(a, b)]
+    length = math.hypot(*way)
+    if length == 0:
+        return []
+    least = min(range(3), key=lambda k: abs(way[k]))
+    u = cross(way, [float(k == least) for k in range(3)])
+    u = [x / math.hypot(*u) for x in u]
+    v = [x / length for x in cross(way, u)]
+    around = [(math.cos(2 * math.pi * i / SIDES), math.sin(2 * math.pi * i / SIDES)) for i in range(SIDES + 1)]
+    ring = [[thickness / 2 * (c * p + s * q) for p, q in zip(u, v)] for c, s in around]
+    at = lambda x, r: tuple(p + q for p, q in zip(x, r))  # noqa: E731
+    return [[at(a, r), at(a, t), at(b, t), at(b, r)] for r, t in zip(ring, ring[1:])]
+
+
+def cross(a, b):
+    return [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 
 
 def fill_lines(ax, axes, lines, colour):

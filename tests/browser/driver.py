@@ -12,6 +12,9 @@ import urllib.request
 FLAGS = ["--headless", "--no-sandbox", "--disable-dev-shm-usage", "--use-angle=swiftshader",
          "--enable-unsafe-swiftshader", "--hide-scrollbars", "--force-device-scale-factor=1"]
 
+KEYS = {"Tab": "\ue004", "Enter": "\ue007", "Escape": "\ue00c", "PageUp": "\ue00e", "PageDown": "\ue00f", "End": "\ue010",
+        "Home": "\ue011", "ArrowLeft": "\ue012", "ArrowUp": "\ue013", "ArrowRight": "\ue014", "ArrowDown": "\ue015"}
+
 
 def programs():
     """Paths of chromium and its driver; None where one is missing."""
@@ -109,6 +112,13 @@ class Browser:
 
     def picture(self, path):
         path.write_bytes(base64.b64decode(self.call("GET", "/screenshot")))
+
+    def press(self, *keys):
+        """Keys as a person presses them, where the focus is: "Home", "p"."""
+        for key in keys:
+            value = KEYS.get(key, key)
+            self.call("POST", "/actions", {"actions": [{"type": "key", "id": "keys", "actions": [
+                {"type": "keyDown", "value": value}, {"type": "keyUp", "value": value}]}]})
 
     def click(self, x, y):
         press = [{"type": "pointerMove", "x": int(x), "y": int(y)},

@@ -1,8 +1,9 @@
 #!/usr/bin/env python3
-"""figures.py PROGRAM DATA [scenes|studies|stability ...]: the figures in data/*/README.md, from one run of each.
+"""figures.py PROGRAM DATA [PART ...]: the figures in data/*/README.md and of pages in docs/outputs.md, from one run of each.
 
-Runs what the sentences of scenes.py and studies.py need and compares: a figure may be off by one unit of its last
-digit, that of an optimised design by what another kernel of OpenBLAS leaves open.
+Runs what the sentences of a part need and compares: a figure may be off by one unit of its last digit, that of an
+optimised design by what another kernel of OpenBLAS leaves open. Parts: scenes, studies, methods, kernels, batches, stability,
+pages; "long", an hour of runs with two kernels and of the batch, is run only where it is asked for. Times are in no part.
 
   --write          writes the figures of this run into the documents instead
   --solved DIR     folders of studies that are solved already (build/release/tests/studies)
@@ -17,12 +18,26 @@ import tempfile
 from pathlib import Path
 
 sys.dont_write_bytecode = True
+import batches  # noqa: E402
+import kernels  # noqa: E402
+import pages  # noqa: E402
 import scenes  # noqa: E402
 import studies  # noqa: E402
 from runs import Runner  # noqa: E402
 from sentences import evaluate, problems, rewritten  # noqa: E402
 
-DOCUMENTS = {"scenes": scenes.sentences, "studies": studies.sentences, "stability": studies.stability}
+STUDIES = "data/studies/README.md"
+# Part -> the document, and its sentences.
+PARTS = {
+    "scenes": ("data/scenes/README.md", scenes.sentences),
+    "studies": (STUDIES, studies.sentences),
+    "methods": (STUDIES, studies.methods),
+    "kernels": (STUDIES, kernels.sentences),
+    "batches": (STUDIES, batches.sentences),
+    "stability": ("data/stability/README.md", studies.stability),
+    "pages": ("docs/outputs.md", pages.sentences),
+    "long": (STUDIES, lambda run: [*kernels.long(run), *batches.whole(run)]),
+}
 
 
 def look(file, sentence, write):
@@ -39,10 +54,10 @@ def look(file, sentence, write):
     return len(fresh), found
 
 
-def document(word):
-    """A place of figures; argparse's own choices refuse that none is named."""
-    if word not in DOCUMENTS:
-        raise argparse.ArgumentTypeError(f"'{word}' is none of {', '.join(DOCUMENTS)}")
+def part(word):
+    """argparse's own choices refuse that none is named."""
+    if word not in PARTS:
+        raise argparse.ArgumentTypeError(f"'{word}' is none of {', '.join(PARTS)}")
     return word
 
 
@@ -50,7 +65,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("program")
     parser.add_argument("data", type=Path)
-    parser.add_argument("documents", nargs="*", type=document)
+    parser.add_argument("parts", nargs="*", type=part)
     parser.add_argument("--write", action="store_true")
     parser.add_argument("--solved", type=Path)
     parser.add_argument("--only", default="")
@@ -58,16 +73,17 @@ def main():
     held, wrong = 0, []
     with tempfile.TemporaryDirectory(prefix="liesl-figures-") as work:
         run = Runner(o.program, o.data, Path(work), o.solved)
-        for name in o.documents or DOCUMENTS:
-            file = o.data / name / "README.md"
-            for sentence in DOCUMENTS[name](run):
+        for name in o.parts or [name for name in PARTS if name != "long"]:
+            document, sentences = PARTS[name]
+            file = o.data.resolve().parent / document
+            for sentence in sentences(run):
                 if o.only not in sentence.words:
                     continue
                 count, found = look(file, sentence, o.write)
                 held += count
                 wrong += found
                 for line in found:
-                    print(f"data/{name}/README.md: {line}", flush=True)
+                    print(f"{document}: {line}", flush=True)
     print(f"{held} figures, {len(wrong)} of them wrong")
     return 1 if wrong or held == 0 else 0
 

@@ -5,15 +5,20 @@ import json
 import math
 import os
 import subprocess
+import xml.etree.ElementTree
 from pathlib import Path
 
 
 class Result:
-    """A results folder of `liesl run` or `liesl optimize`."""
+    """A results folder of `liesl run`, `optimize` or `batch`."""
 
     def __init__(self, folder):
         self.folder = Path(folder)
         self.summary = json.loads((self.folder / "summary.json").read_text())
+
+    def cases(self):
+        """Of a batch: the result of each case."""
+        return [Result(path.parent) for path in sorted((self.folder / "cases").glob("*/summary.json"))]
 
     def largest(self, response):
         return self.summary["responses"][response]["max_abs"]
@@ -56,6 +61,19 @@ class Runner:
         if key not in self.known:
             self.known[key] = Result(self.folder(command, file, changes, words, kernel))
         return self.known[key]
+
+    def properties(self, test):
+        """What a test of test_apps, which lies beside the program, records: name -> number. It reads the studies that are solved."""
+        if test in self.known:
+            return self.known[test]
+        tests, report = Path(self.program).parent / "test_apps", self.work / "properties.xml"
+        if not tests.exists():
+            raise LookupError(f"{test}: there is no {tests}")
+        done = subprocess.run([tests, f"--gtest_filter={test}", f"--gtest_output=xml:{report}"], capture_output=True, text=True, check=False)
+        if done.returncode != 0:
+            raise LookupError(f"{test}: {done.stdout.strip()[-300:]}")
+        self.known[test] = {p.get("name"): float(p.get("value")) for p in xml.etree.ElementTree.parse(report).iter("property")}
+        return self.known[test]
 
     def folder(self, command, file, changes, words, kernel):
         shipped = self.solved and Path(self.solved) / Path(file).name

@@ -72,15 +72,10 @@ ROWS = {
 POUND = 0.45359237  # kg
 
 
-# Studies whose plain cycle and optimum of the motion have a row of their own.
-BEFORE_AFTER = ("slider_crank_rod", "robot_arms", "slider_crank_both", "connecting_rod")
-# Study -> row of its ends with kernels of OpenBLAS.
-KERNELS = {
-    "cantilever": ("| cantilever | Haswell, SkylakeX, Prescott, Zen | {:.5f} |", lambda s: [Fresh(s["mass_final"], relative=MASS)]),
-    "plate_with_hole": ("| plate_with_hole | Haswell, SkylakeX, Prescott, Zen | {:.4f}, the limit; f^T u {:.3f} J |",
-                        lambda s: [Fresh(s["mass_final"], relative=1e-6), Fresh(s["objective"]["final"], relative=1e-5)]),
-    "slider_crank_both": ("| slider_crank_both | Haswell, SkylakeX | {:.6f} |", lambda s: [Fresh(s["mass_final"], relative=MASS)]),
-}
+# Studies whose plain cycle and optimum of the motion have a row of their own -> how far the end of the plain cycle may lie
+# elsewhere: of four_bar_mixed rounding decides between two.
+BEFORE_AFTER = {"slider_crank_rod": MASS, "robot_arms": MASS, "slider_crank_both": MASS, "four_bar_mixed": 8e-3, "connecting_rod": MASS,
+                "robot_arm_lattice": MASS}
 
 
 def uniform_mass(d):
@@ -168,6 +163,61 @@ def row(run, study):
     return Sentence(words, figures)
 
 
+def before_after(run, name):
+    """A row of the plain cycle and of the one that ends at the optimum of the motion, on the model of the scene."""
+    apart = BEFORE_AFTER[name]
+
+    def figures():
+        plain, motion = (run("optimize", f"studies/{name}", words=("--method", method, "--no-verify")).summary for method in ("esl", "esl1"))
+        kkt = Fresh(plain["kkt_residual"], relative=0.1) if apart == MASS else Fresh(plain["kkt_residual"], most=0.05)
+        return [Fresh(plain["mass_initial"], relative=1e-5), Fresh(plain["cycles"], within=CYCLES), Fresh(plain["mass_final"], relative=apart), kkt,
+                Fresh(motion["cycles"], within=CYCLES), Fresh(motion["mass_final"], relative=MASS), Fresh(motion["kkt_residual"], most=OPTIMAL)]
+
+    note = "" if apart == MASS else " (rounding decides, see below)"
+    return Sentence(f"| {name} | {{:.6f}} | {{}}, {{:.6f}}, {{:.2g}}{note} | {{}}, {{:.6f}}, {{:.2g}} |", figures)
+
+
+def methods(run):
+    return [before_after(run, name) for name in BEFORE_AFTER]
+
+
+def other_meshes(study):
+    """The connecting rod where its edge ends on a line of the mesh; in space on coarser cells."""
+    def figures():
+        s = study("connecting_rod", 'set={"bodies.rod.solid.mesh.cells"=[150,30]}', words=("--no-verify",)).summary
+        return [Fresh(s["mass_final"], relative=MASS), Fresh(s["kkt_residual"], most=1.1 * OPTIMAL), Fresh(s["cycles"], within=CYCLES)]
+
+    def in_space():
+        s = study("connecting_rod_3d", 'set={"bodies.rod.solid.mesh.cells"=[30,8,4]}').summary
+        return [Fresh(s["cycles"], within=CYCLES), Fresh(s["mass_final"], relative=MASS)]
+
+    return [Sentence("where the limit has a kink: {:.5f} kg with a residual of {:.2g} after {} cycles", figures),
+            Sentence("it takes {} cycles and ends at {:.5f} kg", in_space),
+            Sentence("Its end is optimal by the residual ({:.2g})", lambda: [Fresh(study("connecting_rod_3d").summary["kkt_residual"], most=OPTIMAL)])]
+
+
+def openlsto(run, study):
+    """The cantilever with holes against the published design, by an element that shares nothing with the program."""
+    def measured(*names):
+        return lambda: [Fresh(run.properties("CantileverHolesSlow.*")[name], relative=MASS) for name in names]
+
+    def theirs():
+        found = run.properties("CantileverHolesSlow.*")
+        return [Fresh(found["compliance"], relative=MASS), Fresh(100 * (1 - found["compliance"] / found["published"]), within=2)]
+
+    def end():
+        s = study("cantilever_holes").summary
+        return [Fresh(s["cycles"], within=CYCLES), Fresh(s["objective"]["final"], relative=MASS)]
+
+    return [
+        Sentence("| OpenLSTO | {:.3f} |", measured("published")),
+        Sentence("plain bilinear cells, force on one node | {:.3f}, {:.1f} % less |", theirs),
+        Sentence("cells with incompatible modes, force on three nodes | {:.3f} |", measured("own")),
+        Sentence("(convex bound of sheets of variable thickness) | {:.3f} |", measured("least_compliance")),
+        Sentence("The study takes {} cycles; its compliance is {:.3e} J for 1 kN", end),
+    ]
+
+
 def sentences(run):
     def study(name, *changes, words=(), kernel=None):
         return run("optimize", f"studies/{name}", *changes, words=words, kernel=kernel)
@@ -212,23 +262,6 @@ def sentences(run):
         x = study("svanberg_cantilever").summary["design"]
         return [Fresh((width - 2e-5) / 0.01, within=2) for width in x.values()]
 
-    def before_after(name):
-        """A row of the plain cycle and of the one that ends at the optimum of the motion, on the model of the scene."""
-        def figures():
-            out = []
-            for method in ("esl", "esl1"):
-                s = study(name, words=("--method", method, "--no-verify")).summary
-                out += [Fresh(s["mass_initial"], relative=1e-5)] if method == "esl" else []
-                kkt = Fresh(s["kkt_residual"], relative=0.1) if method == "esl" else Fresh(s["kkt_residual"], most=OPTIMAL)
-                out += [Fresh(s["cycles"], within=CYCLES), Fresh(s["mass_final"], relative=MASS), kkt]
-            return out
-
-        return Sentence(f"| {name} | {{:.6f}} | {{}}, {{:.6f}}, {{:.2g}} | {{}}, {{:.6f}}, {{:.2g}} |", figures)
-
-    def kernel(name, words, figures):
-        """A row of masses with kernels of OpenBLAS, by the first of them."""
-        return Sentence(words, lambda: figures(study(name, words=("--no-verify",), kernel="Haswell").summary))
-
     def of_order_4():
         order = [f"bodies.{link}.beam.order=4" for link in ("rod", "crank")]
 
@@ -252,8 +285,8 @@ def sentences(run):
         Sentence("x = ({:.5f}, {:.5f}, {:.5f}, {:.5f}, {:.5f}) |", svanberg),
         Sentence("ends at {:.6f}, {:.6f} and {:.6f} kg on the first three, with residuals of {:.2f}, {:.2f} and {:.2f}, "
                  "and at {:.4f} kg, give or take 0.4 %, on four_bar_mixed", plain_ends),
-        *(before_after(name) for name in BEFORE_AFTER),
-        *(kernel(name, *cells) for name, cells in KERNELS.items()),
+        *other_meshes(study),
+        *openlsto(run, study),
         *expectations(study),
         *without_openings(run, study),
         Sentence("1 % more bending allowed saves {:.1f} g of slider_crank_rod",

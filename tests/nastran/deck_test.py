@@ -182,7 +182,8 @@ class Nastran(unittest.TestCase):
 
     def test_sections(self):
         for shape in ('{ type = "tube", diameter = 0.012, thickness = 0.002 }', '{ type = "rectangle", width = 0.008, height = 0.012 }',
-                      '{ type = "box", width = 0.010, height = 0.012, thickness = 0.0015 }'):
+                      '{ type = "box", width = 0.010, height = 0.012, thickness = 0.0015 }',
+                      '{ type = "i", width = 0.014, height = 0.012, flange_thickness = 0.002, web_thickness = 0.0015 }'):
             self.check_beam("scenes/slider_crank.toml", "rod", WITHIN_BEAM, "--set", f"sections.rod={shape}")
 
     def check_solid(self, scene, part, *options):

@@ -131,6 +131,14 @@ def section(kind, d):
         zi, yi = z - 2 * along, y - 2 * across
         mid = 2 * ((z - along) * (y - across)) ** 2 / ((z - along) / across + (y - across) / along)
         return z * y - zi * yi, (z * y ** 3 - zi * yi ** 3) / 12, (y * z ** 3 - yi * zi ** 3) / 12, mid
+    if kind == "I":  # along y: height; widths of the flanges below and above, the web, their thicknesses
+        height, below, above, web, t_below, t_above = d
+        plates = [(below, t_below, t_below / 2), (above, t_above, height - t_above / 2),  # along z, along y, y of its middle
+                  (web, height - t_below - t_above, (height + t_below - t_above) / 2)]
+        area = sum(z * y for z, y, _ in plates)
+        middle = sum(z * y * at for z, y, at in plates) / area
+        return (area, sum(z * y ** 3 / 12 + z * y * (at - middle) ** 2 for z, y, at in plates),
+                sum(y * z ** 3 / 12 for z, y, _ in plates), sum(max(z, y) * min(z, y) ** 3 / 3 for z, y, _ in plates))
     raise ValueError(f"PBARL {kind}")
 
 

@@ -14,6 +14,7 @@ import unittest
 from pathlib import Path
 
 PLOT = Path(__file__).parents[2] / "apps" / "plot" / "plot.py"
+sys.path.insert(0, str(PLOT.parent))
 KEEP = None
 
 
@@ -284,6 +285,28 @@ class Plot(unittest.TestCase):
     def test_spatial_statics(self):
         self.draws(write_spatial, ["responses", "mechanism"])
 
+    def test_beams_in_space_are_as_thick_as_they_are(self):
+        """Round ones truly, others by the mean of their two thicknesses; those too thin to be seen are lines."""
+        def marks(seen):
+            write_spatial(self.folder)
+            write_csv(self.folder / "sections.csv", ["body", "element", "along x [m]", "along y [m]", "along z [m]"],
+                      [["arc", e, *seen] for e in range(8)])
+            self.assertEqual(plot(self.folder).returncode, 0)
+            svg = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+            return [mark for mark in ("true thickness", "mean thickness", "its axis") if f"<!-- beam, {mark} -->" in svg]
+        self.assertEqual(marks((4, 4, 4)), ["true thickness"])
+        self.assertEqual(marks((4, 4, 2)), ["mean thickness"])
+        self.assertEqual(marks((0.1, 0.1, 0.1)), ["its axis"])
+        import mechanism as drawn  # noqa: PLC0415
+        sides = drawn.tube((1, 2, 3), (4, 6, 3), 0.5)
+        self.assertEqual(len(sides), drawn.SIDES)
+        for side in sides:
+            for corner, end in zip(side, ((1, 2, 3), (1, 2, 3), (4, 6, 3), (4, 6, 3))):
+                out = [p - q for p, q in zip(corner, end)]
+                self.assertAlmostEqual(math.hypot(*out), 0.25)
+                self.assertAlmostEqual(3 * out[0] + 4 * out[1], 0)
+        self.assertEqual(drawn.tube((1, 2, 3), (1, 2, 3), 0.5), [])
+
     def test_one_cycle_only(self):
         def write(folder):
             (folder / "summary.json").write_text(json.dumps({"name": "x", "history": [
@@ -348,7 +371,6 @@ class Plot(unittest.TestCase):
         self.refuses("no table")
 
     def test_bending_of_parts_and_beams_has_one_scale(self):
-        sys.path.insert(0, str(PLOT.parent))
         import mechanism as drawn  # noqa: PLC0415
         write_run(self.folder), write_shapes(self.folder)
         instants, _ = drawn.read_frames(self.folder / "frames.csv")

@@ -1,7 +1,8 @@
-"""Ctrl-C ends what runs within 0.1 s, and leaves Python as it was."""
+"""Ctrl-C ends what runs within 0.1 s (medians), and leaves Python as it was."""
 
 import os
 import signal
+import statistics
 import threading
 import time
 
@@ -30,8 +31,10 @@ def delay(work, after=0.3):
 
 
 def soon(work):
-    """Another process may hold the processor once."""
-    return min(delay(work) for _ in range(3)) <= 0.1
+    """The median of five: another process may hold the processor once or twice."""
+    delays = [delay(work) for _ in range(5)]
+    print("seconds to the exception:", ", ".join(f"{d:.3f}" for d in sorted(delays)))
+    return statistics.median(delays) <= 0.1
 
 
 def test_a_simulation(pendulum):

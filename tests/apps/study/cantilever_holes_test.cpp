@@ -78,6 +78,8 @@ TEST(CantileverHolesSlow, IsAsStiffAsThePublishedLevelSetResult) {
   EXPECT_GE(theirs, least) << "stiffer than any sheet of this area can be";
   EXPECT_GE(OpenLsto::compliance, least);
   EXPECT_GT(least, 0);
+  RecordProperty("published", std::to_string(OpenLsto::compliance));
+  RecordProperty("own", std::to_string(own));
   RecordProperty("least_compliance", std::to_string(least));
   RecordProperty("compliance", std::to_string(theirs));
 }

@@ -36,6 +36,12 @@ export class BeamView {
     return touching.length ? Math.max(...touching) : 0;
   }
 
+  // What closure.js asks of a body.
+  get anchors() { return this.chord.anchors; }
+  share(node) { return this.chord.share[node]; }
+  bend(node, out) { return out.fromArray(this.chord.d, 3 * node); }
+  shift(a, b, bumps) { this.chord.shift(a, b, bumps); }
+
   /** Vertices of a station: [y, z, n_y, n_z, end], end = -1 or 1 on the faces at both ends. */
   build() {
     const rows = [], index = [];
@@ -99,8 +105,8 @@ export class BeamView {
     const length = Math.hypot(...[0, 1, 2].map((c) => body.x0[3 * j + c] - body.x0[3 * i + c]));
     chord.place(i, scale, kA);
     chord.place(j, scale, kB);
-    chord.tangent(i, length, scale, kU);
-    chord.tangent(j, length, scale, kV);
+    chord.tangent(i, j, i, length, scale, kU);
+    chord.tangent(i, j, j, length, scale, kV);
     const s = xi, s2 = s * s, s3 = s2 * s;
     combine(kX, 2 * s3 - 3 * s2 + 1, s3 - 2 * s2 + s, 3 * s2 - 2 * s3, s3 - s2);
     combine(kT, 6 * s2 - 6 * s, 3 * s2 - 4 * s + 1, 6 * s - 6 * s2, 3 * s2 - 2 * s);

@@ -2,7 +2,7 @@
 
 import { card, el } from './dom.js';
 import { badge } from './tables.js';
-import { quantity, tick } from './format.js';
+import { plainUnit, quantity, tick } from './format.js';
 import { kSeries } from './colors.js';
 import { swatch } from './charts.js';
 import { paperTables } from './paper.js';
@@ -19,17 +19,17 @@ export function cases(data) {
 class CaseTable {
   constructor(all, data, compare) {
     const units = data.summary.input_units ?? {};
-    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: c.unit || units[c.name] }));
+    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: plainUnit(c.unit || units[c.name]) }));
     Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
     this.count = columns.length ? columns[0].cells.length : 0;
     this.rows = [...Array(this.count).keys()];
   }
   column(name) { return this.columns.find((c) => c.name === name); }
   numeric() { return this.columns.filter((c) => c.number); }
-  label(c) { return c.unit && c.unit !== '-' ? `${c.name} [${c.unit}]` : c.name; }
+  label(c) { return c.unit ? `${c.name} [${c.unit}]` : c.name; }
   cell(c, row) {
     const x = c.cells[row];
-    return x === null || x === '' ? '\u2013' : c.number ? (c.unit && c.unit !== '-' ? quantity(x, c.unit) : tick(x, 4)) : x;
+    return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? quantity(x, c.unit) : tick(x, 4)) : x;
   }
 
   card() {

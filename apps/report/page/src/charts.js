@@ -2,6 +2,7 @@
 
 import uPlot from 'uplot';
 import { array, valueAt } from './data.js';
+import { Clock } from './clock.js';
 import { card, el, isDark, onTheme, theme } from './dom.js';
 import { kSeries } from './colors.js';
 import { number, percent, quantity, scaleOf, tick } from './format.js';
@@ -31,7 +32,7 @@ export function timeCharts(list, clock) {
     el('details', { class: 'card folded', ontoggle: open }, el('summary', {}, `${rest.length} more charts${which}`), body)];
 }
 
-/** A chart of the page's data as a card; the clock may be null. */
+/** A chart of the page's data as a card. @param clock null: the chart has an instant of its own */
 function timeChart(d, clock) {
   const all = d.lines.map((l) => ({ label: l.label, x: array(l.x), y: array(l.y) }));
   const moving = all.filter((l) => peak(l.y) > 0), lines = moving.length ? moving : all;
@@ -59,9 +60,8 @@ function timeChart(d, clock) {
   if (still.length)
     legend.append(el('span', { class: 'still' }, `${still.join(', ')}: 0 throughout`));
   const plot = draw(holder, lines, d, scale);
-  if (clock) follow(plot, clock, (t) => lines.forEach((l, i) => {
-    values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4) + unit;
-  }));
+  const tell = (t) => lines.forEach((l, i) => (values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4) + unit));
+  follow(plot, clock ?? new Clock(lines[0].x), tell, { name: d.title, peak: () => placeOfPeak(lines), words: () => legend.textContent });
   return box;
 }
 
@@ -69,6 +69,12 @@ function peak(y) {
   let most = 0;
   for (const v of y) if (Number.isFinite(v)) most = Math.max(most, Math.abs(v));
   return most;
+}
+
+/** Where the last line, that of the final design, is largest. */
+function placeOfPeak(lines) {
+  const { x, y } = lines[lines.length - 1], most = peak(y);
+  return x[Math.max(0, y.findIndex((v) => Math.abs(v) === most))];
 }
 
 export function swatch(colour, dashed = false) {
@@ -164,27 +170,54 @@ function drawLimit(u, limit) {
   ctx.restore();
 }
 
-/** A line at the clock's instant; a click goes there. */
-function follow(plot, clock, show) {
-  const cursor = el('div', { class: 'now' });
-  plot.over.append(cursor);
+/**
+ * A line at the clock's instant; a click goes there, and so do keys.
+ * @param o {name, peak: where P goes, words: what is said of the instant}
+ */
+function follow(plot, clock, show, o) {
+  const cursor = el('div', { class: 'now' }), { over } = plot;
+  over.append(cursor);
   const place = (t) => {
     const x = plot.valToPos(t, 'x');
     cursor.style.transform = `translateX(${x.toFixed(1)}px)`;
-    cursor.hidden = !(x >= 0 && x <= plot.over.clientWidth);
+    cursor.hidden = !(x >= 0 && x <= over.clientWidth);
   };
+  const say = () => {
+    over.setAttribute('aria-valuenow', clock.at);
+    over.setAttribute('aria-valuetext', o.words());
+  };
+  for (const [name, value] of Object.entries({ tabindex: 0, role: 'slider', 'aria-label': o.name, 'aria-valuemin': clock.first, 'aria-valuemax': clock.last }))
+    over.setAttribute(name, value);
   clock.listen((t) => {
     place(t);
     show(t);
+    if (document.activeElement === over) say();
   });
+  say();
   plot.hooks.setSize = [() => place(clock.at)];
   plot.hooks.setScale = [() => place(clock.at)];
   let down = 0;
-  plot.over.addEventListener('mousedown', (event) => (down = event.clientX));
-  plot.over.addEventListener('click', (event) => {
+  over.addEventListener('mousedown', (event) => (down = event.clientX));
+  over.addEventListener('click', (event) => {
     if (Math.abs(event.clientX - down) > 3) return;
-    clock.set(plot.posToVal(event.clientX - plot.over.getBoundingClientRect().left, 'x'));
+    clock.set(plot.posToVal(event.clientX - over.getBoundingClientRect().left, 'x'));
   });
+  over.addEventListener('focus', say);
+  over.addEventListener('keydown', (event) => byKey(event, clock, o.peak));
+}
+
+/** Arrows a record, pages a tenth of all, Home and End the ends, P the peak. */
+function byKey(event, clock, toPeak) {
+  if (event.ctrlKey || event.metaKey || event.altKey) return;
+  const tenth = Math.max(1, Math.round(clock.t.length / 10));
+  const act = {
+    ArrowLeft: () => clock.step(-1), ArrowRight: () => clock.step(1), PageDown: () => clock.step(-tenth), PageUp: () => clock.step(tenth),
+    Home: () => clock.set(clock.first), End: () => clock.set(clock.last), p: () => clock.set(toPeak()),
+  }[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+  if (!act) return;
+  act();
+  event.preventDefault();
+  event.stopPropagation();  // else the picture would step, too
 }
 
 /** One figure over the cycles, with a mark at the chosen one. */
@@ -192,8 +225,9 @@ export function cycleChart(title, unit, cycles, values, choice) {
   const d = { title, unit, abscissa: choice.word, abscissa_unit: '', height: 130, points: true };
   const scale = scaleOf(peak(values), unit);
   const holder = el('div', { class: 'plot' });
-  const plot = draw(holder, [{ label: 'final', x: Float64Array.from(cycles), y: Float64Array.from(values) }], d, scale);
-  follow(plot, choice, () => {});
+  const line = { label: 'final', x: Float64Array.from(cycles), y: Float64Array.from(values) }, plot = draw(holder, [line], d, scale);
+  const words = () => `${choice.word} ${choice.at}: ${number(valueAt(line.x, line.y, choice.at) / scale.factor, 4)} ${scale.unit}`;
+  follow(plot, choice, () => {}, { name: title, peak: () => placeOfPeak([line]), words });
   return el('div', { class: 'chart' }, el('h3', {}, title, el('span', { class: 'unit' }, scale.unit ? ` [${scale.unit}]` : '')), holder);
 }
 

@@ -60,6 +60,9 @@ export function prose(text) {
     .replace(/(^|[\s(])-(?=\d)/g, `$1${kMinus}`);
 }
 
+/** Of a column with numbers of several units, "m or rad", none of them; of a number "-" none, too. */
+export const plainUnit = (unit) => (!unit || unit === '-' || unit.includes(' or ') ? '' : unit);
+
 /** "12.4 mm" */
 export function quantity(x, unit, digits = 4) {
   if (x === null || x === undefined || Number.isNaN(x)) return '\u2013';

@@ -11,7 +11,8 @@ import { maps } from './map.js';
 import { Player } from './player.js';
 import * as tables from './tables.js';
 
-const kMuch = 120;  // pixels: a column so much shorter takes the next card
+const kMuch = 120;     // pixels: a column so much shorter takes the next card
+const kHighest = 760;  // pixels: of the picture
 
 function page() {
   const data = load(), s = data.summary;
@@ -45,6 +46,7 @@ function page() {
   player?.node.classList.toggle('alone', left.childNodes.length === 1);  // it may be higher then
   main.classList.toggle('single', !(left.isConnected && right.isConnected));
   for (const column of [left, right]) keepInSight(column);
+  if (player && left.isConnected && right.isConnected) fill(player.stage, left, right);
   addEventListener('keydown', (event) => {
     const typing = event.target.matches?.('input:not([type=range]), select, textarea');
     const sliding = event.target.matches?.('input[type=range]') && event.key.startsWith('Arrow');
@@ -64,6 +66,17 @@ function twoColumns() {
 function keepInSight(column) {
   const place = () => (column.style.top = `${Math.min(14, innerHeight - column.offsetHeight - 14)}px`);
   new ResizeObserver(place).observe(column);
+  addEventListener('resize', place);
+}
+
+/** The picture is as much higher as its column is shorter than the other one and than the window. */
+function fill(stage, column, other) {
+  const place = () => {
+    stage.style.height = '';  // as the style has it
+    const free = Math.min(other.offsetHeight, innerHeight - 28) - column.offsetHeight;
+    if (twoColumns() && free > 0) stage.style.height = `${Math.min(stage.offsetHeight + free, Math.max(stage.offsetHeight, kHighest))}px`;
+  };
+  new ResizeObserver(place).observe(other);
   addEventListener('resize', place);
 }
 

@@ -33,13 +33,14 @@ class DesignMap {
     const quantities = Object.keys(this.of);
     this.choice = el('select', { id: 'map-of', onchange: () => this.draw() }, quantities.map((n) => el('option', { value: n }, n)));
     this.local = el('input', { type: 'checkbox', id: 'map-local', checked: true, onchange: () => this.draw() });
-    this.canvas = el('canvas', { class: 'scatter map', tabindex: 0, role: 'img', 'aria-label': 'contours over two variables' });
-    this.tip = el('div', { class: 'tip', hidden: true });
+    this.canvas = el('canvas', { class: 'scatter map', tabindex: 0, role: 'img', 'aria-label': 'contours over two variables; arrows move a pointer that tells the values' });
+    this.tip = el('div', { class: 'tip', hidden: true, 'aria-live': 'polite' });
     this.plot = el('div', { class: 'plot mapbox' }, this.canvas, this.tip);
     this.key = el('span', { class: 'colours inline' });
     this.legend = el('div', { class: 'legend' });
     this.canvas.addEventListener('mousemove', (e) => this.hover(e));
-    this.canvas.addEventListener('mouseleave', () => (this.tip.hidden = true));
+    for (const leave of ['mouseleave', 'blur']) this.canvas.addEventListener(leave, () => this.hover(null));
+    this.canvas.addEventListener('keydown', (e) => this.byKey(e));
     new ResizeObserver(() => this.draw()).observe(this.plot);
     onTheme(() => this.draw());
     const modelled = quantities.some((n) => this.column(`${n} local`));
@@ -195,10 +196,24 @@ class DesignMap {
       this.path.length ? el('span', {}, '\u25cb designs of the optimisation') : null, el('span', {}, '\u2605 centre')].filter(Boolean));
   }
 
-  /** All quantities under the pointer. */
+  /** Arrows move the pointer by a step of 40, from the centre. */
+  byKey(event) {
+    const way = { ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1] }[event.key];
+    if (!way || !this.ax || event.ctrlKey || event.metaKey || event.altKey) return;
+    this.pointed = [this.x, this.y].map((places, k) => {
+      const low = places[0], span = places[places.length - 1] - low, now = (this.pointed ?? this.centre)[k];
+      return low + span * Math.max(1e-6, Math.min(1 - 1e-6, (now - low) / span + way[k] / 40));
+    });
+    this.hover({ offsetX: this.ax.at(this.pointed[0]), offsetY: this.ay.at(this.pointed[1]) });
+    event.preventDefault();
+    event.stopPropagation();
+  }
+
+  /** All quantities under the pointer; null: it has left. */
   hover(event) {
     const { ax, ay, names, units, tip } = this;
-    if (!ax) return;
+    if (!event) tip.hidden = true;
+    if (!ax || !event) return;
     const x = ax.from(event.offsetX), y = ay.from(event.offsetY);
     const inside = x >= this.x[0] && x <= this.x[this.nx - 1] && y >= this.y[0] && y <= this.y[this.y.length - 1];
     tip.hidden = !inside;

@@ -67,59 +67,73 @@ function normalise(q, at) {
 const kA = new Quaternion(), kB = new Quaternion();
 
 /**
- * What of a body's shape is deformation, seen from its chord: the straight line between its first
- * and its last node, which stay where they are whatever the scale, so that no joint opens.
+ * What of a body's shape is deformation, seen from its chord: the straight line between two of its nodes,
+ * its outermost joints (without two of them its ends), which stay where they are whatever the scale.
  *   d = x - lerp(x_a, x_b) - Q (X - lerp(X_a, X_b)),  Q: mean turn of the nodes
- * Displayed is x + (scale - 1) d; tangents along an element likewise.
+ * Displayed is x + (scale - 1) d + e; tangents along an element likewise. e closes joints elsewhere (closure.js).
  */
 export class Chord {
   constructor(body) {
     this.body = body;
     this.turn = new Quaternion();
-    this.last = body.nodes - 1;
-    this.share = new Float32Array(body.nodes);  // of the length up to each node
-    let length = 0;
-    for (let k = 1; k < body.nodes; ++k) {
-      length += distance(body.x0, k - 1, k);
-      this.share[k] = length;
-    }
-    for (let k = 1; k < body.nodes; ++k) this.share[k] /= length || 1;
-    this.length = length;
     this.d = new Float32Array(3 * body.nodes);
+    this.e = new Float32Array(3 * body.nodes);
     this.v = new Vector3();
+    this.along = new Float32Array(body.nodes);  // length up to each node
+    for (let k = 1; k < body.nodes; ++k) this.along[k] = this.along[k - 1] + distance(body.x0, k - 1, k);
+    this.between(0, body.nodes - 1);
+  }
+
+  /** Between two other nodes. */
+  between(first, last) {
+    const { along } = this;
+    this.anchors = [first, last];
+    this.length = along[last] - along[first];
+    this.share = along.map((s) => (s - along[first]) / (this.length || 1));
   }
 
   update() {
-    const { body, last, turn, v } = this;
+    const { body, anchors, turn, v } = this;
     meanTurn(body, turn);
     for (let k = 0; k < body.nodes; ++k) {
       const s = this.share[k];
-      v.set(...[0, 1, 2].map((c) => body.x0[3 * k + c] - mix(body.x0, c, last, s))).applyQuaternion(turn);
-      this.d[3 * k] = body.x[3 * k] - mix(body.x, 0, last, s) - v.x;
-      this.d[3 * k + 1] = body.x[3 * k + 1] - mix(body.x, 1, last, s) - v.y;
-      this.d[3 * k + 2] = body.x[3 * k + 2] - mix(body.x, 2, last, s) - v.z;
+      v.set(...[0, 1, 2].map((c) => body.x0[3 * k + c] - mix(body.x0, c, anchors, s))).applyQuaternion(turn);
+      this.d[3 * k] = body.x[3 * k] - mix(body.x, 0, anchors, s) - v.x;
+      this.d[3 * k + 1] = body.x[3 * k + 1] - mix(body.x, 1, anchors, s) - v.y;
+      this.d[3 * k + 2] = body.x[3 * k + 2] - mix(body.x, 2, anchors, s) - v.z;
+    }
+  }
+
+  /** Sets e: (1 - s) a + s b along the chord, and `by` of each of the bumps {node, by}, falling to nothing at the next one. */
+  shift(a, b, bumps) {
+    const { anchors, e, share, v } = this;
+    const knots = [...new Set([...anchors, ...bumps.map((bump) => bump.node)])].sort((i, j) => i - j);
+    for (let k = 0; k < share.length; ++k) {
+      v.copy(a).lerp(b, share[k]);
+      for (const { node, by } of bumps) v.addScaledVector(by, hat(share, knots, node, k));
+      v.toArray(e, 3 * k);
     }
   }
 
   /** Displayed place of node k. */
   place(k, scale, out) {
-    const x = this.body.x, d = this.d, f = scale - 1;
-    return out.set(x[3 * k] + f * d[3 * k], x[3 * k + 1] + f * d[3 * k + 1], x[3 * k + 2] + f * d[3 * k + 2]);
+    const { d, e } = this, x = this.body.x, f = scale - 1, i = 3 * k;
+    return out.set(x[i] + f * d[i] + e[i], x[i + 1] + f * d[i + 1] + e[i + 1], x[i + 2] + f * d[i + 2] + e[i + 2]);
   }
 
-  /** Displayed tangent of an element of this length at node k, dx/dxi. */
-  tangent(k, length, scale, out) {
-    const { body, last, turn, v } = this, f = scale - 1, share = length / (this.length || 1);
+  /** Displayed tangent of the element between nodes i and j, of this length, at its node k, dx/dxi. */
+  tangent(i, j, k, length, scale, out) {
+    const { body, anchors: [a, b], turn, v, e } = this, f = scale - 1, share = length / (this.length || 1);
     axis(body.q, k, out).multiplyScalar(length);
     axis(body.q0, k, v).multiplyScalar(length);
-    v.x -= share * (body.x0[3 * last] - body.x0[0]);
-    v.y -= share * (body.x0[3 * last + 1] - body.x0[1]);
-    v.z -= share * (body.x0[3 * last + 2] - body.x0[2]);
+    v.x -= share * (body.x0[3 * b] - body.x0[3 * a]);
+    v.y -= share * (body.x0[3 * b + 1] - body.x0[3 * a + 1]);
+    v.z -= share * (body.x0[3 * b + 2] - body.x0[3 * a + 2]);
     v.applyQuaternion(turn);
     return out.set(
-      out.x + f * (out.x - share * (body.x[3 * last] - body.x[0]) - v.x),
-      out.y + f * (out.y - share * (body.x[3 * last + 1] - body.x[1]) - v.y),
-      out.z + f * (out.z - share * (body.x[3 * last + 2] - body.x[2]) - v.z));
+      out.x + f * (out.x - share * (body.x[3 * b] - body.x[3 * a]) - v.x) + e[3 * j] - e[3 * i],
+      out.y + f * (out.y - share * (body.x[3 * b + 1] - body.x[3 * a + 1]) - v.y) + e[3 * j + 1] - e[3 * i + 1],
+      out.z + f * (out.z - share * (body.x[3 * b + 2] - body.x[3 * a + 2]) - v.z) + e[3 * j + 2] - e[3 * i + 2]);
   }
 
   /** |d| at node k. */
@@ -128,8 +142,14 @@ export class Chord {
   }
 }
 
-function mix(x, c, last, s) {
-  return (1 - s) * x[c] + s * x[3 * last + c];
+/** 1 at node n, linear to 0 at the knots beside it; beyond the last knot 1. */
+function hat(share, knots, n, k) {
+  const at = knots.indexOf(n), next = k < n ? knots[at - 1] : knots[at + 1];
+  return k === n || next === undefined ? 1 : Math.max(0, 1 - (share[k] - share[n]) / (share[next] - share[n]));
+}
+
+function mix(x, c, [first, last], s) {
+  return (1 - s) * x[3 * first + c] + s * x[3 * last + c];
 }
 function distance(x, i, j) {
   return Math.hypot(x[3 * j] - x[3 * i], x[3 * j + 1] - x[3 * i + 1], x[3 * j + 2] - x[3 * i + 2]);

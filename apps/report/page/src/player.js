@@ -32,6 +32,7 @@ export class Player {
       this.stage.replaceChildren(el('p', { class: 'note' }, 'No picture in space: this browser has no WebGL here.'));
       return;
     }
+    this.canvas.openings = () => this.view.openings();
     this.fillColours();
     this.setScale(this.modes ? 1 : this.view.goodScale());
     if (!(this.view.deformed > 0)) for (const node of [this.scaler, this.node.querySelector('#good')]) node.disabled = true;  // rigid bodies only
@@ -77,7 +78,7 @@ export class Player {
     if (this.shapes) return;
     const text = shown < records ? `${shown} of ${records} recorded instants, evenly spread; charts keep every peak` : `${records} instants`;
     this.node.append(el('p', { class: 'hint' }, text,
-      ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 deformation, C colour, F fits'));
+      ' \u00b7 space plays, \u2190 \u2192 steps, + \u2212 deformation, C colour, F fits; on a chart P goes to its peak'));
   }
 
   fillColours() {

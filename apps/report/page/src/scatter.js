@@ -1,4 +1,4 @@
-// Points of two columns, coloured by a third; hover tells the row, click opens it.
+// Points of two columns, coloured by a third; hover or arrows tell the row, click or Enter opens it.
 
 import { el, onTheme, theme } from './dom.js';
 import { kSeries, css } from './colors.js';
@@ -10,12 +10,14 @@ export class Scatter {
   /** @param describe row -> lines of text for the tip */
   constructor({ describe, open }) {
     Object.assign(this, { describe, open, points: [], hovered: null });
-    this.canvas = el('canvas', { class: 'scatter', tabindex: 0 });
-    this.tip = el('div', { class: 'tip', hidden: true });
+    this.canvas = el('canvas', { class: 'scatter', tabindex: 0, role: 'img', 'aria-label': 'points; arrows go from one to the next, Enter opens it' });
+    this.tip = el('div', { class: 'tip', hidden: true, 'aria-live': 'polite' });
     this.node = el('div', { class: 'plot scatterbox' }, this.canvas, this.tip);
     this.canvas.addEventListener('mousemove', (e) => this.hover(e));
     this.canvas.addEventListener('mouseleave', () => this.hover(null));
     this.canvas.addEventListener('click', () => this.hovered && this.open?.(this.hovered.row));
+    this.canvas.addEventListener('keydown', (e) => this.byKey(e));
+    this.canvas.addEventListener('blur', () => this.point(null));
     new ResizeObserver(() => this.draw()).observe(this.node);
     onTheme(() => this.draw());
     addEventListener('beforeprint', () => this.draw());
@@ -25,6 +27,8 @@ export class Scatter {
   set(points, o) {
     this.o = o;
     this.points = points.filter((p) => Number.isFinite(p.x) && Number.isFinite(p.y) && (!o.logx || p.x > 0) && (!o.logy || p.y > 0));
+    this.hovered = null;
+    this.tip.hidden = true;
     this.draw();
   }
 
@@ -120,6 +124,11 @@ export class Scatter {
         const away = Math.hypot(this.ax.at(p.x) - event.offsetX, this.ay.at(p.y) - event.offsetY);
         if (away < nearest) [best, nearest] = [p, away];
       }
+    this.point(best, event ?? {});
+  }
+
+  /** Tells a point, beside a place or where it is drawn; null: none. */
+  point(best, { offsetX = best && this.ax.at(best.x), offsetY = best && this.ay.at(best.y) } = {}) {
     if (best !== this.hovered) {
       this.hovered = best;
       this.draw();
@@ -128,10 +137,27 @@ export class Scatter {
     this.canvas.style.cursor = best && this.open ? 'pointer' : 'default';
     if (!best) return;
     this.tip.replaceChildren(...this.describe(best.row).map((line, i) => el(i ? 'div' : 'b', {}, line)));
-    const right = event.offsetX > this.node.clientWidth / 2;
-    this.tip.style.left = right ? 'auto' : `${event.offsetX + 14}px`;
-    this.tip.style.right = right ? `${this.node.clientWidth - event.offsetX + 14}px` : 'auto';
-    this.tip.style.top = `${Math.min(event.offsetY, 200)}px`;
+    const right = offsetX > this.node.clientWidth / 2;
+    this.tip.style.left = right ? 'auto' : `${offsetX + 14}px`;
+    this.tip.style.right = right ? `${this.node.clientWidth - offsetX + 14}px` : 'auto';
+    this.tip.style.top = `${Math.min(offsetY, 200)}px`;
+  }
+
+  /** Left and right in the order of x, up and down in that of y; Home and End: the first and the last of x. */
+  byKey(event) {
+    if (event.ctrlKey || event.metaKey || event.altKey || !this.points.length) return;
+    const { hovered } = this, by = (a, b) => [...this.points].sort((p, q) => p[a] - q[a] || p[b] - q[b]);
+    const next = (list, way) => (hovered ? list[Math.max(0, Math.min(list.length - 1, list.indexOf(hovered) + way))] : list[0]);
+    const act = {
+      ArrowLeft: () => this.point(next(by('x', 'y'), -1)), ArrowRight: () => this.point(next(by('x', 'y'), 1)),
+      ArrowDown: () => this.point(next(by('y', 'x'), -1)), ArrowUp: () => this.point(next(by('y', 'x'), 1)),
+      Home: () => this.point(by('x', 'y')[0]), End: () => this.point(by('x', 'y')[this.points.length - 1]),
+      Enter: () => hovered && this.open?.(hovered.row), Escape: () => this.point(null),
+    }[event.key];
+    if (!act) return;
+    act();
+    event.preventDefault();
+    event.stopPropagation();
   }
 }
 

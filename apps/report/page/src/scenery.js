@@ -27,6 +27,7 @@ export class RigidView {
 
   update() {
     this.mesh.position.fromArray(this.body.x, 0);
+    if (this.follows) this.mesh.position.add(this.follows);  // what it hangs on is drawn elsewhere (closure.js)
     this.mesh.quaternion.fromArray(this.body.q, 0);
   }
 }
@@ -50,7 +51,7 @@ const kShapes = {
   fixed: (r) => new BoxGeometry(1.7 * r, 1.7 * r, 1.7 * r),
 };
 
-const kLinks = ['rod', 'cylinder'];  // joints that are bodies without mass
+export const kLinks = ['rod', 'cylinder'];  // joints that are bodies without mass
 const kC = new Vector3();
 
 /** A joint at its second port, by the shape of its motion; a foot below where it is tied to the

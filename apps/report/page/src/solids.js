@@ -6,7 +6,7 @@ import { array, components } from './data.js';
 import { paint } from './colors.js';
 import { surface } from './materials.js';
 
-const kC = new Vector3(), kE = new Vector3(), kP = new Vector3(), kQ = new Quaternion(), kU = new Quaternion();
+const kC = new Vector3(), kE = new Vector3(), kP = new Vector3(), kD = new Vector3(), kU = new Quaternion();
 
 export class SolidView {
   /** @param body that of the same name: frames of the interfaces */
@@ -23,6 +23,8 @@ export class SolidView {
     this.stresses = new Float32Array(this.vertices);
     this.interfaces = d.interfaces;
     this.far = body.nodes > 1 ? farthest(d.interfaces) : 0;
+    this.anchors = [0, this.far];  // of the chord
+    this.moved = null;             // how joints that are drawn elsewhere take it along (closure.js)
     this.e = new Float32Array(this.count);
     this.u = new Float32Array(3 * this.vertices);
     this.sizes = new Float32Array(this.vertices);
@@ -100,6 +102,48 @@ export class SolidView {
     this.stretch.copy(kE).sub(kC.applyQuaternion(this.turn));
   }
 
+  /** Of a place of the part along the chord. */
+  shareAt(x, y, z) {
+    return this.far ? (x * this.c0.x + y * this.c0.y + z * this.c0.z) / this.length2 : 0;
+  }
+  share(node) {
+    return this.shareAt(...this.interfaces.slice(3 * node, 3 * node + 3));
+  }
+
+  /** What of the place of an interface is deformation, in the axes of the scene. */
+  bend(node, out) {
+    const { body, interfaces } = this;
+    kU.fromArray(body.q, 0);
+    out.set(...[0, 1, 2].map((c) => body.x[3 * node + c] - body.x[c])).applyQuaternion(kBack.copy(kU).conjugate());
+    kC.fromArray(interfaces, 3 * node);
+    const share = this.shareAt(kC.x, kC.y, kC.z);
+    return out.sub(kC.applyQuaternion(this.turn).addScaledVector(this.stretch, share)).applyQuaternion(kU);
+  }
+
+  /** Takes the part along: by a at the first interface, by b at the other end of the chord, by bumps {node, by} about others. */
+  shift(a, b, bumps) {
+    this.moved = null;
+    if (a.lengthSq() + b.lengthSq() === 0 && !bumps.length) return;
+    const back = kU.fromArray(this.body.q, 0).conjugate(), turned = (v) => new Vector3().copy(v).applyQuaternion(back);
+    this.moved = { a: turned(a), b: turned(b), bumps: bumps.map(({ node, by }) => {
+      const at = new Vector3().fromArray(this.interfaces, 3 * node);
+      let square = Infinity;
+      for (let i = 0; 3 * i < this.interfaces.length; ++i)
+        if (i !== node) square = Math.min(square, at.distanceToSquared(kC.fromArray(this.interfaces, 3 * i)));
+      return { at, by: turned(by), square };
+    }) };
+  }
+
+  /** kD: how far a place of the part is taken along. */
+  along(x, y, z) {
+    const { a, b, bumps } = this.moved;
+    kD.copy(a).lerp(b, this.shareAt(x, y, z));
+    for (const { at, by, square } of bumps) {
+      const left = 1 - ((x - at.x) ** 2 + (y - at.y) ** 2 + (z - at.z) ** 2) / square;
+      if (left > 0) kD.addScaledVector(by, left * left);
+    }
+  }
+
   update(scale, colour, plain) {
     const { x0, u, vertices, half, planar, body, mesh } = this;
     const position = mesh.geometry.attributes.position.array, out = mesh.geometry.attributes.color.array;
@@ -109,7 +153,13 @@ export class SolidView {
     for (let v = 0; v < vertices; ++v) {
       const x = x0[0][v], y = x0[1][v], z = x0[2][v], at = 3 * v;
       this.sizes[v] = this.deformation(x, y, z, at);
-      const px = x + u[at] + f * kP.x, py = y + u[at + 1] + f * kP.y, pz = z + u[at + 2] + f * kP.z;
+      let px = x + u[at] + f * kP.x, py = y + u[at + 1] + f * kP.y, pz = z + u[at + 2] + f * kP.z;
+      if (this.moved) {
+        this.along(x, y, z);
+        px += kD.x;
+        py += kD.y;
+        pz += kD.z;
+      }
       position[at] = px;
       position[at + 1] = py;
       position[at + 2] = planar ? pz + half : pz;
@@ -154,7 +204,7 @@ export class SolidView {
     colours.copyWithin(V, 0, V);
   }
 }
-const kQv = new Vector3();
+const kQv = new Vector3(), kBack = new Quaternion();
 
 function planeStress([x, y, xy]) {
   return Math.sqrt(Math.max(0, x * x - x * y + y * y + 3 * xy * xy));

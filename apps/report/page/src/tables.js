@@ -34,9 +34,12 @@ export function tile(label, value, note, kind) {
   return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
 }
 
+/** The reason without what a tile says: the worst limit. */
+const withoutWorst = (reason) => reason?.replace(/(; |, | \()worst limit at [-+]?[\d.]+(e[-+]?\d+)? %\)?/g, '');
+
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
-  const s = data.summary;
+  const s = data.summary, reason = withoutWorst(s.reason);
   const tiles = leanTiles(s);
   if (s.mass_initial !== undefined)
     tiles.push(tile('mass', `${quantity(s.mass_initial, 'kg')} \u2192 ${quantity(s.mass_final, 'kg')}`, percent(s.mass_final / s.mass_initial - 1)));
@@ -54,7 +57,7 @@ export function head(data) {
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
-    el('p', { class: 'reason' }, sentence(s.reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(data))) : null),
+    el('p', { class: 'reason' }, sentence(reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(data))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
     tiles.length ? el('div', { class: 'tiles' }, tiles) : null);
 }
@@ -140,7 +143,7 @@ export function gradients(s) {
   return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', '', 'n', 'n']));
 }
 const kPowers = { '^2': '\u00b2', '^3': '\u00b3' };
-const per = (above, below) => quotient(above, below).replace(/\^[23]/g, (p) => kPowers[p]);
+const per = (above, below) => (below?.includes(' or ') ? `${above} per SI unit` : quotient(above, below)).replace(/\^[23]/g, (p) => kPowers[p]);
 const quotient = (above, below) => (below && below !== '-' ? `${above && above !== '-' ? above : '1'}/${below.includes('/') ? `(${below})` : below}` : above === '-' ? '' : above);
 
 export function references(s) {

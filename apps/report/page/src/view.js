@@ -5,6 +5,7 @@ import {
 } from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
 import { BeamView } from './beams.js';
+import { Closure } from './closure.js';
 import { array, components } from './data.js';
 import { onTheme, theme } from './dom.js';
 import { Body } from './motion.js';
@@ -89,7 +90,9 @@ export class View {
       this.scene.add(view.mesh);
     }
     this.viewOf = new Map(this.parts.map((p) => [p.body.name, p.view]));
-    this.joints = motion.joints.filter((j) => j.places.length > 0).map((j) => new JointView(j, this.jointRadius(j), this.up));
+    const joints = motion.joints.filter((j) => j.places.length > 0);
+    this.closure = new Closure(this.parts, joints);
+    this.joints = joints.map((j) => new JointView(j, this.jointRadius(j), this.up));
     for (const joint of this.joints) this.scene.add(joint.mesh);
   }
 
@@ -167,9 +170,10 @@ export class View {
     const s = this.shapes ? 0 : Math.min(this.instant - i, 1);
     const scale = this.modes ? 1 : this.scale;
     this.moveBodies(i, s, this.modes ? this.phase * this.scale : this.phase);
+    for (const { view } of this.parts) view.chord?.update();
+    this.closure.update(scale - 1);
     for (const { view, body, plain } of this.parts) {
       const colour = this.colourOf(view, body, i, s);
-      if (view.chord) view.chord.update();
       if (view.chord && colour && this.colour.key === 'displacement')
         for (let k = 0; k < body.nodes; ++k) view.value[k] = view.chord.size(k);
       if (view.spread && colour && this.colour.key !== 'stress') view.spread();
@@ -191,7 +195,7 @@ export class View {
     return this.colour;
   }
 
-  /** Displayed place of a port: of a beam at its displayed node. */
+  /** Displayed place of a port. */
   place(name, node, places, at, out) {
     out.fromArray(places, at);
     const body = this.byName.get(name);
@@ -199,11 +203,25 @@ export class View {
     out.applyQuaternion(this.turn(name, node, kQ));
     const view = this.viewOf.get(name);
     if (view.chord) return out.add(view.chord.place(node, this.modes ? 1 : this.scale, kV));
-    return out.add(kV.fromArray(body.x, 3 * Math.min(node, body.nodes - 1)));
+    return out.add(kV.fromArray(body.x, 3 * Math.min(node, body.nodes - 1))).add(this.closure.shiftOf(name, node));
   }
   turn(name, node, out) {
     const body = this.byName.get(name);
     return body ? out.fromArray(body.q, 4 * Math.min(node, body.nodes - 1)) : out.identity();
+  }
+
+  /** How far apart both sides of each joint are drawn, by name, m; for whoever measures. */
+  openings() {
+    this.update();
+    return Object.fromEntries(this.joints.map(({ joint }) => [joint.name, this.drawn(joint, 0).distanceTo(this.drawn(joint, 1))]));
+  }
+
+  /** Where a side of a joint is on what is drawn: of meshed parts beside the nearest vertex, of rigid bodies on the block. */
+  drawn(joint, end) {
+    const name = joint.bodies[end], node = joint.nodes[end], view = this.viewOf.get(name), out = new Vector3();
+    if (!view || view.chord) return this.place(name, node, joint.places, 3 * end, out);
+    if (view.place) return view.place(view.interfaces, 3 * node, out);
+    return out.fromArray(joint.places, 3 * end).applyQuaternion(view.mesh.quaternion).add(view.mesh.position);
   }
 
   /** Draws if anything has changed. @returns whether it did */
