@@ -7,7 +7,7 @@
 #include <cmath>
 #include <optional>
 
-#include "apps/scene/reader.hpp"
+#include "apps/scene/chains.hpp"
 #include "mbs/sections/section_law.hpp"
 #include "mbs/system/plane.hpp"
 
@@ -15,23 +15,22 @@ namespace liesl {
 
 namespace {
 
-bool is_chain(const Mechanism& m, const BodySpec& body) {
-  const auto* beam = std::get_if<BeamSpec>(&body.kind);
-  return beam && model_of(*beam, m.formalism) == BeamModel::Segments;
-}
-
 /// First frequency of a hinged beam (S. P. Timoshenko, Philos. Mag. 41 (1921) 744-746): what shear
 /// and rotary inertia, which a chain of segments has not, take of it, pi^2/2 (EI/GA + rho I/rho
-/// A)/L^2, at the worst of its sections.
-double left_out_of(const BeamSpec& beam, const Space<SE2>& plane) {
+/// A)/L^2, at the worst of its sections. @param plane if the chain is in one
+double left_out_of(const BeamSpec& beam, const std::optional<Space<SE2>>& plane) {
   double length = 0, worst = 0;
   for (std::size_t e = 0; e < beam.sections.size(); ++e) {
     const SE3& at = beam.nodes[e];
     length += (beam.nodes[e + 1].x - at.x).norm();
     const SectionLaw law = section_law(beam.sections[e], beam.material);
-    const SE3 align = plane.alignment(at);
-    const SE2::Matrix K = plane.reduce_law(law.K, align), M = plane.reduce_law(law.M, align);
-    worst = std::max(worst, K(2, 2) / K(1, 1) + M(2, 2) / M(1, 1));
+    double share = law.K(5, 5) / law.K(1, 1) + law.M(5, 5) / law.M(1, 1);
+    if (plane) {
+      const SE3 align = plane->alignment(at);
+      const SE2::Matrix K = plane->reduce_law(law.K, align), M = plane->reduce_law(law.M, align);
+      share = K(2, 2) / K(1, 1) + M(2, 2) / M(1, 1);
+    }
+    worst = std::max(worst, share);
   }
   return 0.5 * M_PI * M_PI * worst / (length * length);
 }
@@ -41,65 +40,68 @@ class SegmentCheck {
   explicit SegmentCheck(Reader& reader) : reader_(reader), m_(reader.scene.mechanism) {}
 
   void check() {
-    check_space();
+    find_space();
+    if (spatial_) check_chains_in_space(reader_);
     for (std::size_t j = 0; j < m_.joints.size(); ++j) check_joint(static_cast<int>(j));
     for (const ForceSpec& force : m_.forces)
       if (force.joint < 0)
         for (const Port& port : {force.a, force.b}) check_lug("forces", force.name, port);
     for (const LoadSpec& load : m_.loads) check_load(load);
-    if (plane_)
-      for (const BodySpec& body : m_.bodies)
-        if (is_chain(m_, body)) tell_what_is_left_out(body);
+    for (std::size_t b = 0; b < m_.bodies.size(); ++b)
+      if (const BeamSpec* beam = chain_of(m_, static_cast<int>(b)))
+        tell_what_is_left_out(m_.bodies[b].name, *beam);
   }
 
  private:
-  void tell_what_is_left_out(const BodySpec& body) {
+  void tell_what_is_left_out(const std::string& name, const BeamSpec& beam) {
     constexpr double kMuch = 0.01;
-    const double share = left_out_of(std::get<BeamSpec>(body.kind), *plane_);
+    const double share = left_out_of(beam, plane_);
     if (share > kMuch)
       reader_.scene.warnings.push_back(fmt::format(
           "beam '{}' is too stout for a chain of segments, which has no shear and no rotary "
           "inertia: they would change its first frequency by about {:.2g} %",
-          body.name, 100 * share));
+          name, 100 * share));
   }
 
   /// Is this a node between the ends of a chain?
   bool inner(const Port& port) const {
-    if (port.body < 0) return false;
-    const BodySpec& body = m_.bodies[static_cast<std::size_t>(port.body)];
-    if (!is_chain(m_, body)) return false;
-    const auto& nodes = std::get<BeamSpec>(body.kind).nodes;
-    return port.node > 0 && port.node + 1 < static_cast<int>(nodes.size());
+    const BeamSpec* beam = chain_of(m_, port.body);
+    return beam && port.node > 0 && port.node + 1 < static_cast<int>(beam->nodes.size());
   }
   const std::string& name_of(const Port& port) const {
     return m_.bodies[static_cast<std::size_t>(port.body)].name;
   }
   void refuse(const char* group, const std::string& name, const std::string& what,
               const std::string& expected) {
-    const auto at = reader_.root[group][name];
-    reader_.problems.add(at.node() ? *at.node() : static_cast<const toml::node&>(reader_.root),
-                         what, expected, "formalism se3 has it");
+    refuse_chain(reader_, group, name, what, expected);
   }
 
-  void check_space() {
-    const auto chain = std::find_if(m_.bodies.begin(), m_.bodies.end(),
-                                    [this](const BodySpec& body) { return is_chain(m_, body); });
+  /// In a plane or in space? What turns a beam about its axis is refused there.
+  void find_space() {
     const SimulationOptions& o = reader_.scene.simulation;
+    const SpaceChoice asked = o.space;
     const PlaneSearch found = find_plane(m_);
-    plane_ = found.plane;
-    std::string why;
-    if (!found.plane)
-      why = found.reason;
-    else if (o.space == SpaceChoice::Spatial)
-      why = "simulation.space = \"spatial\"";
-    else if (o.type == SimulationType::Modes && o.space == SpaceChoice::Auto)
-      why = "modes may leave the plane";
-    else if (o.type == SimulationType::Static && o.critical && o.space == SpaceChoice::Auto)
-      why = "critical loads may leave the plane";
-    if (!why.empty())
-      refuse("bodies", chain->name,
-             fmt::format("beam '{}' has no torsion as a chain of segments: {}", chain->name, why),
+    const bool modes = o.type == SimulationType::Modes,
+               critical = o.type == SimulationType::Static && o.critical;
+    spatial_ = asked == SpaceChoice::Spatial ||
+               (asked == SpaceChoice::Auto && (!found.plane || modes || critical));
+    if (!spatial_ || (!modes && !critical)) {
+      if (!spatial_) plane_ = found.plane;
+      return;
+    }
+    const char* what = modes ? "modes" : "critical loads";
+    const std::string why = found.plane && asked == SpaceChoice::Auto
+                                ? fmt::format("{} may leave the plane", what)
+                                : fmt::format("{} in space would turn it about its axis", what);
+    for (std::size_t b = 0; b < m_.bodies.size(); ++b) {
+      if (!chain_of(m_, static_cast<int>(b))) continue;
+      const std::string& name = m_.bodies[b].name;
+      refuse("bodies", name,
+             fmt::format("beam '{}' has no torsion as a chain of segments: {}", name, why),
              "a scene in a plane");
+      break;
+    }
+    spatial_ = false;  // that is what has to be said
   }
 
   void check_lug(const char* group, const std::string& name, const Port& port) {
@@ -125,20 +127,21 @@ class SegmentCheck {
     for (const Port& port : {joint.a, joint.b}) {
       if (!inner(port)) continue;
       check_lug("joints", joint.name, port);
-      if (distance || (joint.type == JointType::Revolute && !acts(index))) continue;
-      refuse("joints", joint.name,
-             fmt::format("joint '{}' turns a node of '{}' that has no rotation as a chain of "
-                         "segments",
-                         joint.name, name_of(port)),
-             "a revolute joint without drive, spring or gear, a rod or a cylinder; or the end of a "
-             "beam");
+      const JointType turns_freely = spatial_ ? JointType::Spherical : JointType::Revolute;
+      if (distance || (joint.type == turns_freely && !acts(index))) continue;
+      refuse(
+          "joints", joint.name,
+          fmt::format("joint '{}' turns a node of '{}' that has no rotation as a chain of "
+                      "segments",
+                      joint.name, name_of(port)),
+          fmt::format("a {} joint without drive, spring or gear, a rod or a cylinder; or the end "
+                      "of a beam",
+                      kind_of(turns_freely).name));
     }
   }
 
   void check_load(const LoadSpec& load) {
-    const bool chain =
-        load.port.body >= 0 && is_chain(m_, m_.bodies[static_cast<std::size_t>(load.port.body)]);
-    if (!chain || !(load.spread || inner(load.port))) return;
+    if (!chain_of(m_, load.port.body) || !(load.spread || inner(load.port))) return;
     if (!load.spread) check_lug("loads", load.name, load.port);
     if (load.moment.norm() == 0 && !load.follower) return;
     refuse("loads", load.name,
@@ -150,6 +153,7 @@ class SegmentCheck {
   Reader& reader_;
   const Mechanism& m_;
   std::optional<Space<SE2>> plane_;
+  bool spatial_ = false;
 };
 
 }  // namespace
@@ -158,9 +162,8 @@ void check_segments(Reader& reader) {
   const Mechanism& m = reader.scene.mechanism;
   for (const char* group : {"bodies", "joints", "forces", "loads", "simulation", "gears"})
     if (reader.broken.contains(group)) return;
-  if (std::any_of(m.bodies.begin(), m.bodies.end(),
-                  [&m](const BodySpec& body) { return is_chain(m, body); }))
-    SegmentCheck(reader).check();
+  for (std::size_t b = 0; b < m.bodies.size(); ++b)
+    if (chain_of(m, static_cast<int>(b))) return SegmentCheck(reader).check();
 }
 
 }  // namespace liesl

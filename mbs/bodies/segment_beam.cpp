@@ -4,13 +4,14 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/bodies/segment_law.hpp"
+
 namespace liesl {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double kCoupled = 1e-12;  // of the diagonal
-constexpr double kSeries = 0.1;     // kSeries^16/17 is below the round-off of 1
+constexpr double kSeries = 0.1;  // kSeries^16/17 is below the round-off of 1
 
 /// J a = e_z x a.
 Vec2 turned(const Vec2& a) { return {-a[1], a[0]}; }
@@ -83,26 +84,12 @@ namespace {
 
 using Matrices = Body<SE2>::Matrices;
 
-Matrices::Block& block(Matrices& A, int i, int j) {
-  switch (j - i) {
-    case 0:
-      return A.D[i];
-    case 1:
-      return A.U[i];
-    case -1:
-      return A.L[j];
-    case 2:
-      return A.U2[i];
-    default:
-      return A.L2[j];
-  }
-}
-
 template <class Gradient>
 void add_product(double factor, const Gradient& p, const Gradient& q, Matrices& A) {
   for (int i = 0; i < p.count; ++i)
     for (int j = 0; j < q.count; ++j)
-      block(A, p.first + i, q.first + j).noalias() += (factor * p.at[i]) * q.at[j].transpose();
+      block_of<3>(A, p.first + i, q.first + j).noalias() +=
+          (factor * p.at[i]) * q.at[j].transpose();
 }
 
 }  // namespace
@@ -120,21 +107,7 @@ SegmentBeam::SegmentBeam(std::string body_name, std::vector<SE2> nodes_at_rest,
   half_.setZero(n + 1);
   half_.head(n) += 0.5 * L_;
   half_.tail(n) += 0.5 * L_;
-  for (const auto& section : sections) {
-    const Tangent scale(1, 1, half_.maxCoeff());
-    const auto couples = [&scale](const Matrices::Block& A) {
-      Matrices::Block off =
-          scale.cwiseInverse().asDiagonal() * A * scale.cwiseInverse().asDiagonal();
-      const double size = kCoupled * off.diagonal().maxCoeff();
-      off.diagonal().setZero();
-      return off.cwiseAbs().maxCoeff() > size;
-    };
-    if (couples(section.K) || couples(section.M))
-      throw std::invalid_argument(
-          "beam '" + name +
-          "': a chain of segments needs sections on their axis, without coupling of N, V and M; "
-          "formalism se3 has them");
-  }
+  require_on_axis<SE2>(name, sections, half_.maxCoeff());
   phi0_.setZero(n + 1);
   for (int i = 0; i <= n; ++i) phi0_[i] = angle(reference.data(), i);
   from_bisector_.assign(n + 1, Matrix2::Identity());
@@ -152,14 +125,12 @@ void SegmentBeam::set_sections(const std::vector<ElementSection<SE2>>& sections)
   EA_.resize(n);
   EI_.resize(n);
   m_.resize(n);
-  Eigen::VectorXd flexibility = Eigen::VectorXd::Zero(n + 1);
   for (int e = 0; e < n; ++e) {
     EA_[e] = sections[e].K(0, 0);
     EI_[e] = sections[e].K(2, 2);
     m_[e] = sections[e].M(0, 0) * L_[e];
-    for (const int i : {e, e + 1}) flexibility[i] += 0.5 * L_[e] / EI_[e];
   }
-  c_ = flexibility.cwiseInverse();
+  c_ = bending_springs(L_, EI_);
   J_ = {0.5 * L_[0] * sections.front().M(2, 2), 0.5 * L_[n - 1] * sections.back().M(2, 2)};
 }
 
@@ -187,16 +158,12 @@ double SegmentBeam::angle(const SE2* H, int i) const {
 }
 
 double SegmentBeam::axial(int e, double l) const {
-  const double stretch = l / L_[e];
-  if (potential_ == AxialPotential::Linear) return EA_[e] * (stretch - 1);
-  return EA_[e] / 3 * (stretch - 1 / (stretch * stretch));
+  return axial_force(potential_, EA_[e], l / L_[e]);
 }
 
 /// dN/dl
 double SegmentBeam::axial_slope(int e, double l) const {
-  const double stretch = l / L_[e];
-  if (potential_ == AxialPotential::Linear) return EA_[e] / L_[e];
-  return EA_[e] / (3 * L_[e]) * (1 + 2 / (stretch * stretch * stretch));
+  return axial_force_slope(potential_, EA_[e], l / L_[e]) / L_[e];
 }
 
 SegmentBeam::Gradient SegmentBeam::length_gradient(const SE2* H, int e) const {
@@ -362,11 +329,8 @@ void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& s
   r[3 * n + 2] += M;
 }
 
-/// Consistent m/3 and m/6 of each segment, or m/2.
 double SegmentBeam::mass_between(int i, int j) const {
-  if (i != j) return lumped_ ? 0 : m_[std::min(i, j)] / 6;
-  const double own = (i > 0 ? m_[i - 1] : 0) + (i < elements() ? m_[i] : 0);
-  return own / (lumped_ ? 2 : 3);
+  return liesl::mass_between(m_, lumped_, i, j);
 }
 
 void SegmentBeam::add_mass(const SE2* H, double weight, Matrices& A) const {
@@ -432,7 +396,7 @@ void SegmentBeam::add_rates(const BodyState<SE2>& s, double weight, Matrices& A)
     if (end) by_v.col(2) = turned(v.head<2>());
     for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
       if (const double m = mass_between(j, k); m > 0)
-        block(A, j, k).topRows<2>() += weight * m * s.H[j].R.transpose() * s.H[k].R * by_v;
+        block_of<3>(A, j, k).topRows<2>() += weight * m * s.H[j].R.transpose() * s.H[k].R * by_v;
   }
 }
 
@@ -456,7 +420,7 @@ void SegmentBeam::add_turning(const BodyState<SE2>& s, const Vector& gravity, co
     const Vec2 by_turn = turned(local_acceleration(s, k));
     for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
       if (const double m = mass_between(j, k); m > 0)
-        block(A, j, k).col(2).head<2>() += m * s.H[j].R.transpose() * s.H[k].R * by_turn;
+        block_of<3>(A, j, k).col(2).head<2>() += m * s.H[j].R.transpose() * s.H[k].R * by_turn;
   }
 }
 
@@ -521,10 +485,7 @@ BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) c
     const Vec2 a = velocity(s, e), b = velocity(s, e + 1);
     energy.kinetic += lumped_ ? m_[e] / 4 * (a.squaredNorm() + b.squaredNorm())
                               : m_[e] / 6 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
-    const double stretch = segment(s.H, e).l / L_[e];
-    energy.elastic += potential_ == AxialPotential::Linear
-                          ? 0.5 * EA_[e] * L_[e] * (stretch - 1) * (stretch - 1)
-                          : EA_[e] * L_[e] / 6 * (stretch * stretch + 2 / stretch - 3);
+    energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment(s.H, e).l / L_[e]);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
   }
   for (int i = 0; i <= n; ++i) energy.elastic += 0.5 * moment(s.H, i) * (angle(s.H, i) - phi0_[i]);
@@ -548,14 +509,14 @@ std::unique_ptr<Body<SE2>> SegmentBeam::derivative(const LawDerivative<SE2>& law
     throw std::invalid_argument("derivative of beam '" + name + "': expected d(K, M_s)/dp of " +
                                 std::to_string(elements()) + " segments");
   std::unique_ptr<SegmentBeam> out(new SegmentBeam(*this));
-  out->c_.setZero();
+  Eigen::VectorXd dEI(elements());
   for (int e = 0; e < elements(); ++e) {
     const auto& section = (*sections)[static_cast<std::size_t>(e)];
     out->EA_[e] = section.K(0, 0);
     out->m_[e] = section.M(0, 0) * L_[e];
-    for (const int i : {e, e + 1})
-      out->c_[i] += c_[i] * c_[i] * 0.5 * L_[e] / (EI_[e] * EI_[e]) * section.K(2, 2);
+    dEI[e] = section.K(2, 2);
   }
+  out->c_ = bending_springs_by(c_, L_, EI_, dEI);
   const int n = elements();
   out->J_ = {0.5 * L_[0] * sections->front().M(2, 2), 0.5 * L_[n - 1] * sections->back().M(2, 2)};
   out->dead_.setZero();

@@ -1,12 +1,14 @@
 #include "mbs/system/build_body.hpp"
 
 #include <stdexcept>
+#include <type_traits>
 
 #include "mbs/bodies/continuum.hpp"
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/bodies/segment_beam.hpp"
 #include "mbs/bodies/solid_body.hpp"
+#include "mbs/bodies/spatial_segment_beam.hpp"
 #include "mbs/model/parameter.hpp"
 #include "mbs/sections/section_law.hpp"
 #include "mbs/system/body_law.hpp"
@@ -43,11 +45,8 @@ template <class G>
 std::unique_ptr<Body<G>> make_segments(const std::string& name, std::vector<G> nodes,
                                        const std::vector<ElementSection<G>>& sections,
                                        double damping, const SegmentSpec& spec) {
-  if constexpr (G::space_dim == 2)
-    return std::make_unique<SegmentBeam>(name, std::move(nodes), sections, damping, spec);
-  throw std::invalid_argument("beam '" + name +
-                              "' has no torsion as a chain of segments: expected a mechanism in a "
-                              "plane; formalism se3 has the same beam in space");
+  using Chain = std::conditional_t<G::space_dim == 2, SegmentBeam, SpatialSegmentBeam>;
+  return std::make_unique<Chain>(name, std::move(nodes), sections, damping, spec);
 }
 
 template <class G>

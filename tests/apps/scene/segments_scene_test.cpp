@@ -43,10 +43,7 @@ TEST(SegmentsScene, IsRead) {
   EXPECT_TRUE(beam.segment.lumped);
 }
 
-TEST(SegmentsScene, WhatNeedsTorsionOrTurnsAnInnerNodeIsRefused) {
-  expect_refused(chain("space = \"spatial\""), "has no torsion as a chain of segments");
-  expect_refused(changed(chain(), "gravity = [0, -9.81, 0]", "gravity = [0, -9.81, 1]"),
-                 "has no torsion as a chain of segments");
+TEST(SegmentsScene, WhatTurnsAnInnerNodeIsRefused) {
   expect_refused(changed(chain(), "force = [0, 3, 0] }", "force = [0, 3, 0], follower = true }"),
                  "load 'wind' follows nodes of 'rod'");
   expect_refused(changed(chain(), "wind = { over = \"rod\", force = [0, 3, 0] }",
@@ -64,6 +61,46 @@ TEST(SegmentsScene, WhatNeedsTorsionOrTurnsAnInnerNodeIsRefused) {
   EXPECT_NO_THROW(read_scene(
       changed(disc, "[forces]", "bolt = { revolute = [\"crank.mid\", \"disc.origin\"] }\n[forces]"),
       "a"));
+}
+
+TEST(SegmentsScene, InSpaceWhatNeedsTorsionIsRefused) {
+  const std::string space = chain("space = \"spatial\"");
+  EXPECT_NO_THROW(read_scene(space, "a"));
+  EXPECT_NO_THROW(
+      read_scene(changed(chain(), "gravity = [0, -9.81, 0]", "gravity = [0, -9.81, 1]"), "a"));
+  expect_refused(changed(space, "type = \"circle\", diameter = 0.02",
+                         "type = \"rectangle\", width = 0.02, height = 0.01"),
+                 "beam 'crank' has no torsion as a chain of segments: in space its section 'round' "
+                 "bends more easily in one direction");
+  expect_refused(changed(space, "elements = 5", "elements = 5, damping = 1e-5"),
+                 "beam 'rod' has no torsion as a chain of segments: in space it has no damping");
+  expect_refused(changed(space, "from = [0.2, 0, 0], to = [0.6, 0, 0]",
+                         "through = [[0.2, 0, 0], [0.4, 0.05, 0], [0.6, 0, 0]]"),
+                 "beam 'rod' has no torsion as a chain of segments: in space it is curved");
+  expect_refused(changed(space, "axis = [0, 0, 2]", "axis = [1, 0, 0]"),
+                 "joint 'motor' is driven, sprung or geared about its axis");
+  const auto with_load = [&](const char* load) {
+    return changed(space, "wind = { over = \"rod\", force = [0, 3, 0] }", load);
+  };
+  expect_refused(
+      with_load("twist = { at = \"rod.end\", moment = [1, 0, 0] }"),
+      "beam 'rod' has no torsion as a chain of segments: load 'twist' acts about its axis");
+  EXPECT_NO_THROW(read_scene(with_load("turn = { at = \"rod.end\", moment = [0, 1, 0] }"), "a"));
+  const auto with_disc = [&](const char* disc, const char* joint) {
+    return changed(changed(space, "slider = {", std::string(disc) + "\nslider = {"), "[forces]",
+                   std::string(joint) + "\n[forces]");
+  };
+  const char *const inside =
+                        "disc = { rigid = { at = [0.1, 0, 0], mass = 1, inertia = [1, 1, 1] } }",
+                    *const outside =
+                        "disc = { rigid = { at = [0.2, 0, 0], mass = 1, inertia = [1, 1, 1], "
+                        "centre = [0, 0, 0.1] } }";
+  expect_refused(with_disc(inside, "bolt = { revolute = [\"crank.mid\", \"disc.origin\"] }"),
+                 "joint 'bolt' turns a node of 'crank'");
+  EXPECT_NO_THROW(read_scene(
+      with_disc(inside, "bolt = { spherical = [\"crank.mid\", \"disc.origin\"] }"), "a"));
+  expect_refused(with_disc(outside, "bolt = { fixed = [\"crank.end\", \"disc.origin\"] }"),
+                 "the weight of 'disc' acts about its axis");
 }
 
 /// What a chain leaves out of a stout beam is told: here E/(k G) + 1 = 4.12 (k = 5/6) times

@@ -85,6 +85,35 @@ TEST(PlanarSpatial, TiltedPlanes) {
   expect_same(moved(test::four_bar(4), H), test::options(0.1, 2e-4, 0.8, 1e-10));
 }
 
+/// Chains of segments: two kinds of body, one chain.
+Mechanism of_segments(Mechanism m, SegmentSpec spec = {}) {
+  m.formalism = Formalism::Segments;
+  for (auto& body : m.bodies)
+    if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->segment = spec;
+  return m;
+}
+
+TEST(PlanarSpatial, ChainsOfSegments) {
+  const SegmentSpec kinds[] = {{AxialPotential::Linear, false},
+                               {AxialPotential::Linear, true},
+                               {AxialPotential::NeoHookean, false}};
+  for (const SegmentSpec& spec : kinds) {
+    expect_same(of_segments(test::pendulum(8), spec), test::options(0.5, 5e-4, 0.8, 1e-10));
+    expect_same(of_segments(test::slider_crank(), spec), test::options(0.06, 1e-4, 0.8, 1e-10));
+  }
+  expect_same(moved(of_segments(test::pendulum(8)), test::oblique()),
+              test::options(0.5, 5e-4, 0.8, 1e-10));
+  expect_same(of_segments(test::four_bar(4)), test::options(0.1, 2e-4, 0.8, 1e-10));
+}
+
+/// Thrown out of its plane.
+Mechanism thrown_chain() {
+  Mechanism m = of_segments(test::pendulum(8));
+  m.joints[0].type = JointType::Spherical;
+  m.bodies[0].angular_velocity = {0, 3, 0};
+  return m;
+}
+
 void expect_invariant(const Mechanism& m, const SimulationOptions& o) {
   const auto a = test::run_spatial(m, o);
   const auto b = test::run_spatial(moved(m, test::oblique()), o);
@@ -107,6 +136,8 @@ TEST(FrameInvariance, TurnedScenesMoveTheSame) {
   expect_invariant(test::slider_crank(), test::options(0.06, 1e-4, 0.8, 1e-9));
   expect_invariant(test::heavy_top(), test::options(0.2, 1e-3, 0.9, 1e-9));
   expect_invariant(test::flying_beam(6), test::options(4, 2e-2, 0.9, 1e-9));
+  expect_invariant(thrown_chain(), test::options(0.5, 5e-4, 0.8, 1e-10));
+  expect_invariant(of_segments(test::slider_crank()), test::options(0.06, 1e-4, 0.8, 1e-10));
 }
 
 TEST(FrameInvariance, ScenesFarFromTheOriginRun) {

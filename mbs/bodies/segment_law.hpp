@@ -1,0 +1,103 @@
+#pragma once
+/// @file
+/// What chains of segments have in common in a plane (`SegmentBeam`) and in space
+/// (`SpatialSegmentBeam`): the axial potential, the springs between segments, their masses.
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "mbs/bodies/body_matrix.hpp"
+#include "mbs/bodies/law_derivative.hpp"
+#include "mbs/model/mechanism.hpp"
+
+namespace liesl {
+
+/// N of a stretch lambda, N: EA (lambda - 1), or EA/3 (lambda - 1/lambda^2).
+inline double axial_force(AxialPotential potential, double EA, double stretch) {
+  if (potential == AxialPotential::Linear) return EA * (stretch - 1);
+  return EA / 3 * (stretch - 1 / (stretch * stretch));
+}
+
+/// dN/dlambda, N.
+inline double axial_force_slope(AxialPotential potential, double EA, double stretch) {
+  if (potential == AxialPotential::Linear) return EA;
+  return EA / 3 * (1 + 2 / (stretch * stretch * stretch));
+}
+
+/// W(lambda), J/m: EA (lambda - 1)^2/2, or EA/6 (lambda^2 + 2/lambda - 3).
+inline double axial_energy(AxialPotential potential, double EA, double stretch) {
+  if (potential == AxialPotential::Linear) return 0.5 * EA * (stretch - 1) * (stretch - 1);
+  return EA / 6 * (stretch * stretch + 2 / stretch - 3);
+}
+
+/// c_i, N m: 1/c_i = sum of L_e/(2 EI_e) over the segments at node i. @param L, EI by segment
+inline Eigen::VectorXd bending_springs(const Eigen::VectorXd& L, const Eigen::VectorXd& EI) {
+  Eigen::VectorXd flexibility = Eigen::VectorXd::Zero(L.size() + 1);
+  for (Eigen::Index e = 0; e < L.size(); ++e)
+    for (const Eigen::Index i : {e, e + 1}) flexibility[i] += 0.5 * L[e] / EI[e];
+  return flexibility.cwiseInverse();
+}
+
+/// dc_i = c_i^2 sum of L_e/(2 EI_e^2) dEI_e.
+inline Eigen::VectorXd bending_springs_by(const Eigen::VectorXd& c, const Eigen::VectorXd& L,
+                                          const Eigen::VectorXd& EI, const Eigen::VectorXd& dEI) {
+  Eigen::VectorXd out = Eigen::VectorXd::Zero(c.size());
+  for (Eigen::Index e = 0; e < L.size(); ++e)
+    for (const Eigen::Index i : {e, e + 1})
+      out[i] += c[i] * c[i] * 0.5 * L[e] / (EI[e] * EI[e]) * dEI[e];
+  return out;
+}
+
+/// Mass between nodes i and j, equal or neighbours, kg: consistent m/3 and m/6 of each segment, or
+/// m/2. @param m by segment, kg
+inline double mass_between(const Eigen::VectorXd& m, bool lumped, Eigen::Index i, Eigen::Index j) {
+  if (i != j) return lumped ? 0 : m[std::min(i, j)] / 6;
+  const double own = (i > 0 ? m[i - 1] : 0) + (i < m.size() ? m[i] : 0);
+  return own / (lumped ? 2 : 3);
+}
+
+/// The block of nodes i and j, at most next neighbours, of a wide chain.
+template <int N>
+typename BodyMatrix<N>::Block& block_of(BodyMatrix<N>& A, int i, int j) {
+  switch (j - i) {
+    case 0:
+      return A.D[i];
+    case 1:
+      return A.U[i];
+    case -1:
+      return A.L[j];
+    case 2:
+      return A.U2[i];
+    default:
+      return A.L2[j];
+  }
+}
+
+/// @param length what rotations are compared with, m
+/// @throws std::invalid_argument for a section that couples N, V and M, or whose mass is off the
+/// axis
+template <FrameGroup G>
+void require_on_axis(const std::string& name, const std::vector<ElementSection<G>>& sections,
+                     double length) {
+  constexpr double kCoupled = 1e-12;  // of the diagonal
+  typename G::Tangent scale = G::Tangent::Ones();
+  scale.template tail<G::rotation_dim>().setConstant(length);
+  const auto couples = [&](const typename G::Matrix& A) {
+    typename G::Matrix off =
+        scale.cwiseInverse().asDiagonal() * A * scale.cwiseInverse().asDiagonal();
+    const double size = kCoupled * off.diagonal().maxCoeff();
+    off.diagonal().setZero();
+    return off.cwiseAbs().maxCoeff() > size;
+  };
+  for (const auto& section : sections)
+    if (couples(section.K) || couples(section.M))
+      throw std::invalid_argument(
+          "beam '" + name +
+          "': a chain of segments needs sections on their axis, without coupling of N, V and M; "
+          "formalism se3 has them");
+}
+
+}  // namespace liesl
