@@ -25,7 +25,7 @@ std::vector<Key> material_keys() {
     {"materials", Type::Named, "", kOptional, kAny, "Isotropic linear-elastic materials by name."},
     {"materials.*", Type::Table, "", kOptional, kAny, "A material."},
     {"materials.*.E", Type::Number, "Pa", kRequired, kPositive, "Young's modulus."},
-    {"materials.*.nu", Type::Number, "-", "0.3", {-1, 0.5, true, true}, "Poisson's ratio."},
+    {"materials.*.nu", Type::Number, "-", "0.3", {-1, 0.5, true, true}, "Poisson's ratio; 0.5 is incompressible, 0.49 nearly so."},
     {"materials.*.rho", Type::Number, "kg/m^3", "0", kNotNegative, "Density; above 0 unless the simulation is static."},
 
     {"sections", Type::Named, "", kOptional, kAny, "Cross-sections by name. Width along local y, height along local z."},

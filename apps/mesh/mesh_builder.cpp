@@ -3,12 +3,43 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <tuple>
 
 namespace liesl {
 namespace {
 
 constexpr int kMostMeshProblems = 20;
+
+/// A side of a cell by its corners, growing, and which way round the cell has them, seen from
+/// outside.
+struct SideOfCell {
+  std::array<int, 4> corners;
+  int cell;
+  bool forward;
+};
+
+/// All sides of all cells, those with the same corners in a row.
+std::vector<SideOfCell> sides_by_corners(const SolidMesh& mesh) {
+  const int n = side_kind(mesh.kind()).corners;
+  std::vector<SideOfCell> all;
+  for (int e = 0; e < mesh.cell_count(); ++e)
+    for (const CellSide& side : side_nodes(mesh, e)) {
+      const int least =
+          static_cast<int>(std::min_element(side.begin(), side.begin() + n) - side.begin());
+      const int after = side[std::size_t((least + 1) % n)],
+                before = side[std::size_t((least + n - 1) % n)];
+      SideOfCell own{{-1, -1, -1, -1}, e, n == 2 ? least == 0 : after < before};
+      std::copy(side.begin(), side.begin() + n, own.corners.begin());
+      std::sort(own.corners.begin(), own.corners.begin() + n);
+      all.push_back(own);
+    }
+  std::sort(all.begin(), all.end(), [](const SideOfCell& a, const SideOfCell& b) {
+    return std::tie(a.corners, a.cell) < std::tie(b.corners, b.cell);
+  });
+  return all;
+}
 
 }  // namespace
 
@@ -94,6 +125,26 @@ void MeshBuilder::add_cells(SolidMesh& mesh) {
   }
 }
 
+/// Cells that share a side lie beyond it of each other: they have its corners in opposite order.
+void MeshBuilder::find_folds(const SolidMesh& mesh) {
+  const auto sides = sides_by_corners(mesh);
+  std::set<int> told;
+  for (std::size_t i = 1; i < sides.size(); ++i) {
+    const SideOfCell& here = sides[i];
+    if (here.corners != sides[i - 1].corners) continue;
+    const bool alike = here.forward == sides[i - 1].forward,
+               third = i > 1 && here.corners == sides[i - 2].corners;
+    if ((!alike && !third) || !told.insert(here.cell).second) continue;
+    const SideOfCell& before = sides[alike ? i - 1 : i - 2];
+    problem(cells_[static_cast<std::size_t>(here.cell)].line,
+            fmt::format("the mesh is folded: the cell overlaps that in line {}, with which it "
+                        "shares a side",
+                        cells_[static_cast<std::size_t>(before.cell)].line),
+            "cells that share a side on both sides of it",
+            "a node beyond its neighbours, or a part that is meshed twice");
+  }
+}
+
 SolidMesh MeshBuilder::build() {
   SolidMesh mesh;
   choose_kind(mesh);
@@ -104,6 +155,7 @@ SolidMesh MeshBuilder::build() {
     problems_.throw_if_any();
   }
   add_cells(mesh);
+  if (reported_ == 0) find_folds(mesh);
   for (const auto& [name, tags] : sets_) {
     std::set<int> nodes;
     for (const std::size_t tag : tags)

@@ -33,7 +33,7 @@ class MeshBuilder {
 
   /// In space if there are cells in space; planar cells are their sides then.
   /// @throws InputError: no cells, cells of several kinds, cells that are there twice, inverted or
-  /// flat, nodes that do not exist, planar cells that do not lie in z = 0
+  /// flat, folded over each other, nodes that do not exist, planar cells that do not lie in z = 0
   SolidMesh build();
 
  private:
@@ -45,6 +45,7 @@ class MeshBuilder {
   void choose_kind(SolidMesh& mesh);
   void number_nodes(SolidMesh& mesh);
   void add_cells(SolidMesh& mesh);
+  void find_folds(const SolidMesh& mesh);
 
   Problems& problems_;
   Hints hints_;

@@ -61,7 +61,7 @@ void check_continuum(PartReader& part) {
   if (!problem) return;
   const auto at = part.table.at_path(problem->key);
   part.refuse(at.node() ? *at.node() : static_cast<const toml::node&>(part.table),
-              "as a continuum " + problem->text, problem->expected);
+              "as a continuum " + problem->text, problem->expected, problem->hint);
 }
 
 void build_model(PartReader& part) {

@@ -19,24 +19,42 @@ struct Groups {
   void join(int i, int j) { parent[find(i)] = find(j); }
 };
 
+/// Joins cells that share a side. @param all cells that are asked for
+template <class Cells>
+void join_by_sides(const SolidMesh& mesh, const Cells& all, Groups& groups) {
+  std::map<CellSide, int> open;
+  for (int e = 0; e < mesh.cell_count(); ++e) {
+    if (!all(e)) continue;
+    for (CellSide side : side_nodes(mesh, e)) {
+      std::sort(side.begin(), side.end());  // both neighbours name it alike
+      const auto [it, fresh] = open.try_emplace(side, e);
+      if (!fresh) groups.join(e, it->second);
+    }
+  }
+}
+
 }  // namespace
+
+int pieces_by_sides(const SolidMesh& mesh) {
+  Groups groups(mesh.cell_count());
+  join_by_sides(
+      mesh, [](int) { return true; }, groups);
+  int count = 0;
+  for (int e = 0; e < mesh.cell_count(); ++e) count += groups.find(e) == e;
+  return count;
+}
 
 std::optional<ConnectivityProblem> cut_interface(const SolidModel& model, const Eigen::VectorXd& v,
                                                  double threshold) {
   const SolidMesh& mesh = model.mesh();
   if (mesh.cell_count() == 0) return std::nullopt;  // a part of matrices: its modes tell
   Groups groups(mesh.cell_count());
-  std::map<CellSide, int> open;
+  const auto solid = [&](int e) { return v[e] >= threshold; };
+  join_by_sides(mesh, solid, groups);
   std::vector<std::vector<int>> at_node(mesh.node_count());
-  for (int e = 0; e < mesh.cell_count(); ++e) {
-    if (!(v[e] >= threshold)) continue;
-    for (CellSide side : side_nodes(mesh, e)) {
-      std::sort(side.begin(), side.end());  // both neighbours name it alike
-      const auto [it, fresh] = open.try_emplace(side, e);
-      if (!fresh) groups.join(e, it->second);
-    }
-    for (int c = 0; c < mesh.nodes_per_cell(); ++c) at_node[mesh.cells(c, e)].push_back(e);
-  }
+  for (int e = 0; e < mesh.cell_count(); ++e)
+    for (int c = 0; solid(e) && c < mesh.nodes_per_cell(); ++c)
+      at_node[mesh.cells(c, e)].push_back(e);
   std::vector<int> main;  // groups that the interfaces so far have in common
   for (int k = 0; k < model.ports(); ++k) {
     const Interface& f = model.interfaces()[k];

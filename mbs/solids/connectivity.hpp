@@ -17,6 +17,9 @@ struct ConnectivityProblem {
   std::string text;       ///< one sentence for the user
 };
 
+/// Pieces of a mesh whose cells are joined by their sides.
+int pieces_by_sides(const SolidMesh& mesh);
+
 /// Cells with a fraction of at least `threshold` that share a side are joined. Nothing is wrong if
 /// every interface has such a cell at its nodes and all are reached from the first.
 std::optional<ConnectivityProblem> cut_interface(const SolidModel& model, const Eigen::VectorXd& v,

@@ -94,10 +94,18 @@ std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec) {
                             "nodes between the interfaces, or a rigid body"};
   const Eigen::VectorXd all = Eigen::VectorXd::Ones(spec.mesh().cell_count());
   const int count = pieces(spec.mesh(), all, {}) + loose_nodes(spec.mesh());
+  const std::string whole = "a mesh that is connected, and no node without a cell",
+                    unite = "'Coherence' and 'Coherence Mesh' of Gmsh unite what touches";
   if (count > 1)
     return ContinuumProblem{
         "mesh", "has a mesh of " + std::to_string(count) + " pieces without a node in common",
-        "a mesh that is connected, and no node without a cell"};
+        whole, unite};
+  if (const int hinged = pieces_by_sides(spec.mesh()); hinged > 1)
+    return ContinuumProblem{"mesh",
+                            "has a mesh of " + std::to_string(hinged) +
+                                " pieces that share no side of a cell: they turn about the nodes "
+                                "that they have in common",
+                            whole, unite};
   if (!spec.outline.features.empty()) return outline_problem(spec);
   return {};
 }

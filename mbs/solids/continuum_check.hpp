@@ -13,6 +13,7 @@ namespace liesl {
 struct ContinuumProblem {
   std::string key;  ///< of the part: "material", "outline", "mesh", "interfaces.NAME"
   std::string text, expected;
+  std::string hint = {};
 };
 
 /// An incompressible material, a mesh in pieces, an outline that leaves pieces; the first that

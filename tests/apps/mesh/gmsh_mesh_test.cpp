@@ -183,6 +183,27 @@ TEST(Gmsh, CellThatIsThereTwiceIsNamedByItsLines) {
       << problems[0].what;
 }
 
+/// Neither is inverted, but the second lies over the first, whose side it has the same way round; a
+/// third one at a side is over one of two.
+TEST(Gmsh, FoldedCellsAreNamedByTheirLines) {
+  std::string folded = with("2 0 0\n0 1 0\n1 1 0\n2 1.2 0", "0.2 0.1 0\n0 1 0\n1 1 0\n0.2 0.9 0");
+  folded.replace(folded.find("3 2 3 13 12"), 11, "3 2 12 13 3");
+  const auto problems = problems_of(folded);
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_EQ(problems[0].line, 38);
+  EXPECT_NE(problems[0].what.find("overlaps that in line 37"), std::string::npos)
+      << problems[0].what;
+  EXPECT_NE(problems[0].hint, "");
+
+  std::string third =
+      with("2 3 1 3\n1 4 1 1\n1 1 11\n2 1 3 2", "2 4 1 4\n1 4 1 1\n1 1 11\n2 1 3 3");
+  third.replace(third.find("3 2 3 13 12"), 11, "3 2 3 13 12\n4 2 3 17 12");
+  const auto over = problems_of(third);
+  ASSERT_EQ(over.size(), 1u);
+  EXPECT_EQ(over[0].line, 39);
+  EXPECT_NE(over[0].what.find("overlaps that in line 38"), std::string::npos) << over[0].what;
+}
+
 TEST(Gmsh, InvertedCellsAreNamedByTheirLines) {
   const auto problems = problems_of(with("2 1 2 12 11\n3 2 3 13 12", "2 1 11 12 2\n3 2 12 13 3"));
   ASSERT_EQ(problems.size(), 2u);  // all of them

@@ -3,6 +3,7 @@
 
 #include "mbs/system/penalty.hpp"
 
+#include "mbs/every_joint.hpp"
 #include "mbs/run.hpp"
 #include "mbs/step_tangent.hpp"
 
@@ -172,6 +173,61 @@ TEST(Penalty, SharesRedundantRows) {
       told = told || w.find("shared by their penalties") != std::string::npos;
     EXPECT_TRUE(told) << to_string(form);
   }
+}
+
+/// A machine with a joint of the kind moves as with multipliers, off by the compliance 1/weight of
+/// its joints: by less than twice |lambda|/weight, and with order one, the joint forces, too.
+template <FrameGroup G>
+void expect_order_one(const JointKind& kind, const Vec3& axis, const Vec3& axis2,
+                      double& most_openings) {
+  SCOPED_TRACE(kind.name);
+  const Mechanism m = jointed(kind, axis, axis2);
+  auto o = options(0.3, 5e-3, 0.5, 1e-11);  // at the end no force of the start is left
+  o.max_iterations = 40;
+  o.tangent = TangentStrategy::Exact;
+  const auto exact = run<G>(m, Space<G>(), o);
+  ASSERT_EQ(exact.report().status, SolveStatus::Converged) << exact.report().reason;
+  double largest = 0;
+  for (int i = 0; i <= exact.last(); ++i)
+    largest = std::max(largest, exact.trajectory().lambda(i).cwiseAbs().maxCoeff());
+  double before = 0, force_before = 0;
+  for (const double weight : {1e6, 1e7, 1e8}) {
+    Mechanism held = m;
+    held.penalty = {ConstraintForm::Penalty, weight, weight, 0, o.step};
+    const auto soft = run<G>(held, Space<G>(), o);
+    ASSERT_EQ(soft.report().status, SolveStatus::Converged) << soft.report().reason;
+    ASSERT_EQ(soft.trajectory().size(), exact.trajectory().size());
+    const double error = distance(soft, exact);
+    const Eigen::VectorXd force = exact.trajectory().lambda(exact.last());
+    const double force_error = (soft.trajectory().lambda(soft.last()) - force).norm();
+    most_openings = std::max(most_openings, error * weight / largest);
+    if (before > 0) {
+      EXPECT_NEAR(std::log10(before / error), 1, 0.02) << weight;
+      EXPECT_NEAR(std::log10(force_before / force_error), 1, 0.05) << weight;
+    }
+    before = error;
+    force_before = force_error;
+  }
+}
+
+TEST(EveryJointByPenalty, MovesAsByMultipliersInSpace) {
+  double most_openings = 0;
+  for (const JointKind& kind : joint_kinds())
+    expect_order_one<SE3>(kind, Vec3(1, 2, 2) / 3, Vec3(2, 1, -2) / 3, most_openings);
+  RecordProperty("most_openings", std::to_string(most_openings));
+  EXPECT_LT(most_openings, 2);
+}
+
+/// The axis normal to the plane, and in it; a screw leaves the plane.
+TEST(EveryJointByPenalty, MovesAsByMultipliersInThePlane) {
+  double most_openings = 0;
+  for (const JointKind& kind : joint_kinds()) {
+    if (kind.pitch) continue;
+    expect_order_one<SE2>(kind, Vec3::UnitZ(), Vec3(0.6, 0.8, 0), most_openings);
+    expect_order_one<SE2>(kind, Vec3(0.6, 0.8, 0), Vec3::UnitZ(), most_openings);
+  }
+  RecordProperty("most_openings", std::to_string(most_openings));
+  EXPECT_LT(most_openings, 2);
 }
 
 TEST(Penalty, BadWeightsAreRefused) {
