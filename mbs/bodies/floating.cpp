@@ -1,6 +1,6 @@
 #include "mbs/bodies/floating.hpp"
 
-#include "mbs/linalg/block_product.hpp"
+#include "mbs/linalg/dense.hpp"
 
 namespace liesl {
 
@@ -59,42 +59,24 @@ void FloatingBody<G>::set_constant_matrices() {
 }
 
 template <FrameGroup G>
-void FloatingBody<G>::become_derivative(const Eigen::MatrixXd& dK_e) {
+void FloatingBody<G>::become_derivative(const Eigen::MatrixXd& dK_e, bool massless) {
   K_e_.setZero();
   K_e_.topLeftCorner(dK_e.rows(), dK_e.cols()) = 0.5 * (dK_e + dK_e.transpose());
+  massless_ = massless;
+  elastic_ = !K_e_.isZero(0);
   unused_weight_ = 0;
 }
 
+/// E is the identity but for the rows of the interfaces.
 template <FrameGroup G>
-Eigen::MatrixXd FloatingBody<G>::times_increments(const Motion& m, const Eigen::MatrixXd& X) const {
-  Eigen::MatrixXd out(X.rows(), dim + X.cols());
-  out.leftCols(dim).setZero();
-  out.rightCols(X.cols()) = X;
-  for (size_t i = 0; i < interfaces_.size(); ++i) {
-    const int at = dim * static_cast<int>(i);
-    auto own = out.template middleCols<dim>(dim + at);
-    own.noalias() =
-        X.template middleCols<dim>(at).lazyProduct(G::Tinv(Tangent(m.e.template segment<dim>(at))));
-    out.template leftCols<dim>().noalias() -= own.lazyProduct(m.Y[i].AdInv());
-  }
-  return out;
-}
-
-template <FrameGroup G>
-Eigen::MatrixXd FloatingBody<G>::increments_transposed_times(const Motion& m,
-                                                             const Eigen::MatrixXd& X) const {
-  Eigen::MatrixXd out(dim + X.rows(), X.cols());
-  out.topRows(dim).setZero();
-  out.bottomRows(X.rows()) = X;
-  for (size_t i = 0; i < interfaces_.size(); ++i) {
-    const int at = dim * static_cast<int>(i);
-    const typename G::Matrix turn = G::Tinv(Tangent(m.e.template segment<dim>(at))).transpose(),
-                             carry = -m.Y[i].AdInv().transpose() * turn;
-    out.template middleRows<dim>(dim + at).setZero();
-    add_block_product(turn, X, at, out, dim + at);
-    add_block_product(carry, X, at, out, 0);
-  }
-  return out;
+void FloatingBody<G>::add_frames(const Motion& m, const Eigen::MatrixXd& by_frames,
+                                 Matrices& A) const {
+  const int ni = interface_size();
+  const Eigen::MatrixXd E = interface_increments(m);
+  A.dense.leftCols(dim + ni) = by_frames + linalg::product(A.dense.middleCols(dim, ni), E);
+  const Eigen::MatrixXd carried = linalg::transposed_product(E, A.dense.middleRows(dim, ni));
+  A.dense.topRows(dim) += carried.topRows(dim);
+  A.dense.middleRows(dim, ni) = carried.bottomRows(ni);
 }
 
 /// A = mass L^T M(e) L + stiffness E^T K_e E with [h_0; de] = L [h_0; h_i; deta], L = [I 0; E].
@@ -102,29 +84,38 @@ template <FrameGroup G>
 void FloatingBody<G>::set_matrix(const Motion& m, double mass, double stiffness,
                                  Matrices& A) const {
   const int n = reduced_size();
-  A.dense = increments_transposed_times(m, times_increments(m, stiffness * K_e_));
+  A.dense.setZero(dim + n, dim + n);
+  A.dense.bottomRightCorner(n, n) = stiffness * K_e_;
+  Eigen::MatrixXd by_frames = Eigen::MatrixXd::Zero(dim + n, dim + interface_size());
   if (mass > 0) {
-    const Eigen::MatrixXd M = mass * inertia_matrix(m, dim + n);
-    Eigen::MatrixXd ML = times_increments(m, M.rightCols(n));
-    ML.leftCols(dim) += M.leftCols(dim);
-    A.dense += increments_transposed_times(m, ML.bottomRows(n));
-    A.dense.topRows(dim) += ML.topRows(dim);
+    const Eigen::MatrixXd M = mass * inertia_matrix(m);
+    A.dense.rightCols(n) += M.rightCols(n);
+    by_frames.leftCols(dim) = M.leftCols(dim);
   }
+  add_frames(m, by_frames, A);
   for (int j = dim + n - unused_; j < dim + n; ++j)
     A.dense(j, j) = unused_weight_ * (mass + stiffness);
 }
 
 template <FrameGroup G>
-Eigen::MatrixXd FloatingBody<G>::increments(const Motion& m) const {
-  const int n = reduced_size(), ni = interface_size();
-  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(n, dim + n);
-  E.bottomRightCorner(n - ni, n - ni).setIdentity();
+Eigen::MatrixXd FloatingBody<G>::interface_increments(const Motion& m) const {
+  const int ni = interface_size();
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(ni, dim + ni);
   for (size_t i = 0; i < interfaces_.size(); ++i) {
     const int at = dim * static_cast<int>(i);
     const typename G::Matrix Ti = G::Tinv(Tangent(m.e.template segment<dim>(at)));
     E.template block<dim, dim>(at, dim + at) = Ti;
     E.template block<dim, dim>(at, 0) = -Ti * m.Y[i].AdInv();
   }
+  return E;
+}
+
+template <FrameGroup G>
+Eigen::MatrixXd FloatingBody<G>::increments(const Motion& m) const {
+  const int n = reduced_size(), ni = interface_size();
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(n, dim + n);
+  E.topLeftCorner(ni, dim + ni) = interface_increments(m);
+  E.bottomRightCorner(n - ni, n - ni).setIdentity();
   return E;
 }
 
@@ -206,6 +197,7 @@ void FloatingBody<G>::add_unknowns(const Motion& m, const BodyState<G>& s,
 
 template <FrameGroup G>
 void FloatingBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
+  if (!elastic_) return;
   in_workspace(s, [&](Workspace& work) {
     const double c = this->damping();
     Motion& m = work.motion;
@@ -220,6 +212,7 @@ void FloatingBody<G>::add_internal(const BodyState<G>& s, double* r, ForceScale&
 template <FrameGroup G>
 void FloatingBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                                   ForceScale& scale) const {
+  if (massless_) return;
   in_workspace(s, [&](Workspace& work) {
     measure(s, true, work.motion);
     const Tangent v0 = Eigen::Map<const Tangent>(s.v);

@@ -69,20 +69,22 @@ class FloatingBody : public Body<G> {
   void set_constant_matrices();
   /// Makes this copy of a body the derivative of it: K_e is replaced by dK_e/dp [padded or not],
   /// and padding has no stiffness or mass. `set_constant_matrices` comes next.
-  void become_derivative(const Eigen::MatrixXd& dK_e);
+  /// @param massless of a law of stiffness alone: there is no inertia to evaluate
+  void become_derivative(const Eigen::MatrixXd& dK_e, bool massless);
 
   /// Inertia force conjugate to [v_0; edot]: f_0 on the frame, q on e. a_0 is the rate of v_0 less
   /// gravity in the axes of the frame.
   virtual void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                              Eigen::VectorXd& q, ForceScale& scale, Workspace& work) const = 0;
-  /// Derivatives of [f_0; q] by e, (dim + n) x n.
-  virtual Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
-                                       const Tangent& a_0) const = 0;
-  /// By the first `rates` of edot and by v_0, side by side: (dim + n) x (rates + dim).
-  virtual Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
-                                           int rates) const = 0;
-  /// The first columns of the mass matrix of [v_0; edot], dim + n rows; those of padding are zero.
-  virtual Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const = 0;
+  /// The mass matrix of [v_0; edot], dim + n; columns of padding are zero.
+  virtual Eigen::MatrixXd inertia_matrix(const Motion& m) const = 0;
+  /// Derivatives of [f_0; q], dim + n rows each: `inertia_matrix`, by [v_0; edot] and by e; and q.
+  struct InertiaTangents {
+    Eigen::MatrixXd mass, by_rates, by_e;
+    Eigen::VectorXd q;
+  };
+  virtual InertiaTangents inertia_tangents(const Motion& m, const Tangent& v_0,
+                                           const Tangent& a_0) const = 0;
 
   /// Without `rates` of H and w alone.
   void measure(const BodyState<G>& s, bool rates, Motion& m) const;
@@ -111,26 +113,25 @@ class FloatingBody : public Body<G> {
     f(static_cast<Workspace&>(s.work ? *s.work : *own));
   }
   void set_matrix(const Motion& m, double mass, double stiffness, Matrices& A) const;
-  /// X E and E^T X: E is the identity but for the rows of the interfaces.
-  Eigen::MatrixXd times_increments(const Motion& m, const Eigen::MatrixXd& X) const;
-  Eigen::MatrixXd increments_transposed_times(const Motion& m, const Eigen::MatrixXd& X) const;
+  /// The rows of `increments` of the interfaces, columns [h_0; h_i]: the others are zero.
+  Eigen::MatrixXd interface_increments(const Motion& m) const;
+  /// A = [d f_0; 0] + E^T d q, d [f_0; q] = by_e E + by_frames, from by_e in its last n columns.
+  /// @param by_frames dim + n rows, columns [h_0; h_i]
+  void add_frames(const Motion& m, const Eigen::MatrixXd& by_frames, Matrices& A) const;
   /// Derivatives of edot and eddot by the frames, and of eddot by v, at constant v and vdot, the
   /// columns and rows that are not zero: by h_0 and h_i, of the interfaces. Those of e are
   /// `increments`, of edot by v and of eddot by vdot as well.
   struct Kinematics {
     Eigen::MatrixXd rate, acceleration, acceleration_by_v;
   };
-  /// @param forces whether all of them, or only acceleration_by_v
-  Kinematics kinematics(const BodyState<G>& s, const Motion& m, bool forces) const;
-  /// What the exact tangents of one state are made of, as far as their weights ask for it: the
-  /// columns of the mass and of `inertia_by_rates` that count.
+  Kinematics kinematics(const BodyState<G>& s, const Motion& m) const;
+  /// What the exact tangents of one state are made of.
   struct Linearisation {
     Motion motion;
-    Tangent v_0, a_0;
-    Eigen::MatrixXd M, R;
+    InertiaTangents inertia;
     Kinematics by_frames;
   };
-  Linearisation linearise(const BodyState<G>& s, const Vector& gravity, TangentWeights w) const;
+  Linearisation linearise(const BodyState<G>& s, const Vector& gravity) const;
   void set_exact(const BodyState<G>& s, const Vector& gravity, const Linearisation& at,
                  TangentWeights w, Matrices& A) const;
   /// A += weight times the derivative of the shares of forces q on frames and interfaces at
@@ -141,8 +142,9 @@ class FloatingBody : public Body<G> {
 
   std::vector<NodeKind> kind_;
   Eigen::MatrixXd K_e_;
-  int unused_ = 0;            ///< amplitudes of the last slot
-  double unused_weight_ = 1;  ///< their mass and stiffness
+  int unused_ = 0;                          ///< amplitudes of the last slot
+  double unused_weight_ = 1;                ///< their mass and stiffness
+  bool massless_ = false, elastic_ = true;  ///< of a derivative: which of its forces there are
   Eigen::VectorXd omega2_;
 };
 

@@ -63,8 +63,7 @@ typename G::Matrix ad_transposed_of(const typename G::Tangent& f) {
 /// With y = v_i - c, c = Ad(Y^-1) v_0, z = vdot_i - Ad(Y^-1) vdot_0 + ad(y) c as in `measure`, and
 /// g = h_i - Ad(Y^-1) h_0 the increment of Y: du = T^-1 g, dc = ad(c) g, dy = -ad(c) g.
 template <FrameGroup G>
-auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m, bool forces) const
-    -> Kinematics {
+auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m) const -> Kinematics {
   using Node = Eigen::Map<const Tangent>;
   using Matrix = typename G::Matrix;
   const int ni = interface_size();
@@ -86,7 +85,6 @@ auto FloatingBody<G>::kinematics(const BodyState<G>& s, const Motion& m, bool fo
       D.template block<dim, dim>(at, 0) = frame;
     };
     set(k.acceleration_by_v, by_y, (by_c - by_y) * back);
-    if (!forces) continue;
     const Matrix dz = -G::ad(a) + ad_c * ad_c + ad_y * ad_c;
     const Matrix acceleration_g = G::dTinv(u, z) * Ti + Ti * dz + second_dTinv<G>(u, y, rate) * Ti -
                                   along * ad_c + Dy * rate_g;
@@ -101,7 +99,7 @@ void FloatingBody<G>::add_unknowns_of_acceleration(const Motion& m, const BodySt
                                                    const Eigen::VectorXd& c, double* h, double* v,
                                                    double* vdot) const {
   using Node = Eigen::Map<Tangent>;
-  const Kinematics k = kinematics(s, m, true);
+  const Kinematics k = kinematics(s, m);
   const int ni = interface_size();
   const Eigen::VectorXd on_h = k.acceleration.transpose() * c.head(ni),
                         on_v = k.acceleration_by_v.transpose() * c.head(ni),
@@ -139,21 +137,13 @@ void FloatingBody<G>::add_turning(const Motion& m, const Eigen::VectorXd& q, dou
 }
 
 template <FrameGroup G>
-auto FloatingBody<G>::linearise(const BodyState<G>& s, const Vector& gravity,
-                                TangentWeights w) const -> Linearisation {
-  const int n = reduced_size(), ni = interface_size();
-  const bool forces = w.stiffness != 0, rates = w.damping != 0;
-  Linearisation at{at_reference(),
-                   Eigen::Map<const Tangent>(s.v),
-                   apparent_acceleration<G>(s, 0, gravity),
-                   {},
-                   {},
-                   {}};
+auto FloatingBody<G>::linearise(const BodyState<G>& s, const Vector& gravity) const
+    -> Linearisation {
+  Linearisation at{at_reference(), {}, {}};
   measure(s, true, at.motion);
-  at.M = inertia_matrix(at.motion, w.mass != 0 ? dim + n : dim + ni);
-  if (!forces && !rates) return at;
-  at.by_frames = kinematics(s, at.motion, forces);
-  at.R = inertia_by_rates(at.motion, at.v_0, at.a_0, rates ? n : ni);
+  at.inertia = inertia_tangents(at.motion, Eigen::Map<const Tangent>(s.v),
+                                apparent_acceleration<G>(s, 0, gravity));
+  at.by_frames = kinematics(s, at.motion);
   return at;
 }
 
@@ -163,66 +153,51 @@ template <FrameGroup G>
 void FloatingBody<G>::set_exact(const BodyState<G>& s, const Vector& gravity,
                                 const Linearisation& at, TangentWeights w, Matrices& A) const {
   using Eigen::MatrixXd;
-  using linalg::product;
   const Motion& m = at.motion;
-  const MatrixXd &M = at.M, &R = at.R;
+  const MatrixXd &M = at.inertia.mass, &C = at.inertia.by_rates;
   const Kinematics& k = at.by_frames;
-  const int n = reduced_size(), ni = interface_size();
-  const bool forces = w.stiffness != 0, rates = w.damping != 0;
+  const int n = reduced_size(), ni = interface_size(), size = dim + n;
   const double c = this->damping();
-  MatrixXd by_e = MatrixXd::Zero(dim + n, n), by_frames = MatrixXd::Zero(dim + n, dim + ni);
-  if (w.mass != 0) {
-    by_e = w.mass * M.rightCols(n);
-    by_frames.leftCols(dim) = w.mass * M.leftCols(dim);
-  }
-  const auto M_i = M.middleCols(dim, ni);
-  if (rates) {
-    by_e += w.damping * R.leftCols(n);
-    by_frames += w.damping * product(M_i, k.acceleration_by_v);
-    by_frames.leftCols(dim) += w.damping * R.rightCols(dim);
-  }
-  if (forces) {
-    by_e += w.stiffness * inertia_by_e(m, at.v_0, at.a_0);
-    by_frames += w.stiffness * (product(R.leftCols(ni), k.rate) + product(M_i, k.acceleration));
-    by_frames.leftCols(dim) += w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity);
-    by_frames.bottomRows(n) += product(K_e_.leftCols(ni), w.stiffness * c * k.rate);
-  }
+  A.dense.setZero(size, size);
+  auto by_e = A.dense.rightCols(n);
+  if (w.mass != 0) by_e = w.mass * M.rightCols(n);
+  if (w.damping != 0) by_e += w.damping * C.rightCols(n);
+  if (w.stiffness != 0) by_e += w.stiffness * at.inertia.by_e;
   if (const double stiff = w.stiffness + w.damping * c; stiff != 0)
     by_e.bottomRows(n) += stiff * K_e_;
-  MatrixXd d = times_increments(m, by_e);
-  d.leftCols(dim + ni) += by_frames;
-  A.dense = increments_transposed_times(m, d.bottomRows(n));
-  A.dense.topRows(dim) += d.topRows(dim);
-  if (forces)
-    in_workspace(s, [&](Workspace& work) {
-      Tangent f0 = Tangent::Zero();
-      ForceScale scale;
-      work.q.setZero();
-      inertia_force(m, at.v_0, at.a_0, f0, work.q, scale, work);
-      add_turning(m, work.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
-    });
-  const int size = dim + n;
+  MatrixXd by_frames = MatrixXd::Zero(size, dim + ni);
+  by_frames.leftCols(dim) = w.mass * M.leftCols(dim) + w.damping * C.leftCols(dim);
+  if (w.damping != 0 || w.stiffness != 0)
+    by_frames += linalg::product(M.middleCols(dim, ni),
+                                 w.damping * k.acceleration_by_v + w.stiffness * k.acceleration);
+  if (w.stiffness != 0) {
+    by_frames += linalg::product(C.middleCols(dim, ni), w.stiffness * k.rate);
+    by_frames.leftCols(dim) += w.stiffness * M.leftCols(dim) * weight_tangent<G>(s.H[0], gravity);
+    by_frames.bottomRows(n) += linalg::product(K_e_.leftCols(ni), w.stiffness * c * k.rate);
+  }
+  add_frames(m, by_frames, A);
+  if (w.stiffness != 0) add_turning(m, at.inertia.q + K_e_ * (m.e + c * m.rate), w.stiffness, A);
   for (int j = size - unused_; j < size; ++j) A.dense(j, j) = w.mass + w.stiffness;
 }
 
 template <FrameGroup G>
 void FloatingBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                                     const Tangent*, Matrices& A) const {
-  set_exact(s, gravity, linearise(s, gravity, w), w, A);
+  set_exact(s, gravity, linearise(s, gravity), w, A);
 }
 
 template <FrameGroup G>
 void FloatingBody<G>::exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent*,
                                      Matrices& K, Matrices& C, Matrices& M) const {
-  const Linearisation at = linearise(s, gravity, {1, 1, 1});
+  const Linearisation at = linearise(s, gravity);
   set_exact(s, gravity, at, {0, 0, 1}, K);
   set_exact(s, gravity, at, {0, 1, 0}, C);
   set_exact(s, gravity, at, {1, 0, 0}, M);
 }
 
-template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&, bool) const
+template auto FloatingBody<SE2>::kinematics(const BodyState<SE2>&, const Motion&) const
     -> Kinematics;
-template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&, bool) const
+template auto FloatingBody<SE3>::kinematics(const BodyState<SE3>&, const Motion&) const
     -> Kinematics;
 template void FloatingBody<SE2>::add_unknowns_of_acceleration(const Motion&, const BodyState<SE2>&,
                                                               const Eigen::VectorXd&, double*,
@@ -234,10 +209,10 @@ template void FloatingBody<SE2>::add_turning(const Motion&, const Eigen::VectorX
                                              Matrices&) const;
 template void FloatingBody<SE3>::add_turning(const Motion&, const Eigen::VectorXd&, double,
                                              Matrices&) const;
-template auto FloatingBody<SE2>::linearise(const BodyState<SE2>&, const Vector&,
-                                           TangentWeights) const -> Linearisation;
-template auto FloatingBody<SE3>::linearise(const BodyState<SE3>&, const Vector&,
-                                           TangentWeights) const -> Linearisation;
+template auto FloatingBody<SE2>::linearise(const BodyState<SE2>&, const Vector&) const
+    -> Linearisation;
+template auto FloatingBody<SE3>::linearise(const BodyState<SE3>&, const Vector&) const
+    -> Linearisation;
 template void FloatingBody<SE2>::set_exact(const BodyState<SE2>&, const Vector&,
                                            const Linearisation&, TangentWeights, Matrices&) const;
 template void FloatingBody<SE3>::set_exact(const BodyState<SE3>&, const Vector&,

@@ -46,8 +46,12 @@ ModalBody<G>::ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam)
       A_(body.A_),
       Psi_(body.Psi_),
       Psi_t_(body.Psi_t_) {
+  bool massless = true;
+  for (int e = 0; e < beam_->elements(); ++e)
+    massless = massless && beam_->element(e).section_inertia().isZero(0);
   this->become_derivative(
-      linalg::transposed_product(Psi_, linalg::product(dense<dim>(beam_->stiffness()), Psi_)));
+      linalg::transposed_product(Psi_, linalg::product(dense<dim>(beam_->stiffness()), Psi_)),
+      massless);
   this->set_constant_matrices();
 }
 

@@ -58,16 +58,15 @@ class ModalBody final : public FloatingBody<G> {
   /// The derivative of a body with the derivative of its beam: the same Psi.
   ModalBody(const ModalBody& body, std::unique_ptr<Beam<G>> beam);
   using typename FloatingBody<G>::Motion;
+  using typename FloatingBody<G>::InertiaTangents;
   using FloatingBody<G>::X_;
 
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                      Eigen::VectorXd& q, ForceScale& scale,
                      typename FloatingBody<G>::Workspace& work) const override;
-  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
-                               const Tangent& a_0) const override;
-  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
-                                   int rates) const override;
-  Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const override;
+  Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
+  InertiaTangents inertia_tangents(const Motion& m, const Tangent& v_0,
+                                   const Tangent& a_0) const override;
   void reduce(std::vector<NodeKind> kind, int modes);
   /// Displacements of all nodes and their rates, Psi times those of e.
   struct Field {

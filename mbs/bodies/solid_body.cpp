@@ -125,7 +125,7 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
                                      Psi);
   const MatrixXd turned = basis_.transpose() * body.loads_;  // Psi'^T K Psi
   dK_e += turned + turned.transpose();
-  this->become_derivative(dK_e);
+  this->become_derivative(dK_e, false);
   set_integrals(
       inertia_integrals_derivative(*law.model, law.fractions, Psi, law.derivative, basis_));
   this->set_constant_matrices();
@@ -133,7 +133,7 @@ SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
 
 template <FrameGroup G>
 SolidBody<G>::SolidBody(const SolidBody& body, const ScaleDerivative& law) : SolidBody(body) {
-  this->become_derivative(law.stiffness * (basis_.transpose() * loads_));
+  this->become_derivative(law.stiffness * (basis_.transpose() * loads_), law.mass == 0);
   basis_ *= law.stress;
   shares_.setZero();
   InertiaIntegrals& I = integrals_;
@@ -271,8 +271,7 @@ MatrixXd SolidBody<G>::inertia_by_e(const Motion& m, const Tangent& v_0, const T
 
 /// What depends on edot is D and the Coriolis terms, on v_0 all that turns.
 template <FrameGroup G>
-MatrixXd SolidBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent&,
-                                        int rates) const {
+MatrixXd SolidBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0) const {
   const auto velocity = in_space<G>(v_0);
   const Vector3d v = velocity.template head<3>(), omega = velocity.template tail<3>();
   const Matrix3d turning = hat(omega), coriolis = 2 * turning.transpose();
@@ -284,13 +283,13 @@ MatrixXd SolidBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, con
   const Matrix3d J = I.second + as_matrix(cross_ * m.e).transpose() + as_matrix(C * m.e);
   MatrixXd D(9, n);
   Eigen::Map<VectorXd>(D.data(), D.size()).noalias() = product_ * m.rate;
-  MatrixXd out = MatrixXd::Zero(dim + n, rates + dim);
-  for (Eigen::Index k = 0; k < rates; ++k) {
+  MatrixXd out = MatrixXd::Zero(dim + n, dim + n);
+  for (Eigen::Index k = 0; k < n; ++k) {
     const VectorXd column = product_.col(k);
     const Eigen::Map<const MatrixXd> dD(column.data(), 9, n);
-    out.col(k).head(dim) =
+    out.col(dim + k).head(dim) =
         from_space<G>(2 * turning * Vector3d(I.mode.col(k)), axial(as_matrix(C.col(k)) * coriolis));
-    out.col(k).tail(n) = dD.transpose() * Map9(coriolis.data());
+    out.col(dim + k).tail(n) = dD.transpose() * Map9(coriolis.data());
   }
   const auto nine = [](const Matrix3d& A) { return VectorXd(Map9(A.data())); };
   for (int j = 0; j < dim; ++j) {
@@ -298,18 +297,18 @@ MatrixXd SolidBody<G>::inertia_by_rates(const Motion& m, const Tangent& v_0, con
     const Vector3d dv = direction.template head<3>(), dw = direction.template tail<3>();
     const Matrix3d turn = hat(dw), dW = turn * turning + turning * turn;
     const Vector3d da = omega.cross(dv) + dw.cross(v);
-    out.col(rates + j).head(dim) = from_space<G>(
+    out.col(j).head(dim) = from_space<G>(
         I.mass * da + dW * S + 2 * turn * (I.mode * m.rate),
         S.cross(da) + axial(J * dW.transpose() + 2 * as_matrix(slow) * turn.transpose()));
-    out.col(rates + j).tail(n) = I.mode.transpose() * da + C.transpose() * nine(dW.transpose()) +
-                                 D.transpose() * nine(2 * turn.transpose());
+    out.col(j).tail(n) = I.mode.transpose() * da + C.transpose() * nine(dW.transpose()) +
+                         D.transpose() * nine(2 * turn.transpose());
   }
   return out;
 }
 
 /// [m, -S~, N; S~, tr(J) - J, int rho r x phi; N^T, ..., M_e].
 template <FrameGroup G>
-MatrixXd SolidBody<G>::inertia_matrix(const Motion& m, int columns) const {
+MatrixXd SolidBody<G>::inertia_matrix(const Motion& m) const {
   const InertiaIntegrals& I = integrals_;
   const int n = this->reduced_size();
   const MatrixXd C = moments(m.e);
@@ -327,7 +326,20 @@ MatrixXd SolidBody<G>::inertia_matrix(const Motion& m, int columns) const {
   const auto own = kinds<G>();
   std::vector<int> rows(own.begin(), own.end());
   for (int k = 0; k < n; ++k) rows.push_back(6 + k);
-  return full(rows, std::vector<int>(rows.begin(), rows.begin() + columns));
+  return full(rows, rows);
+}
+
+template <FrameGroup G>
+auto SolidBody<G>::inertia_tangents(const Motion& m, const Tangent& v_0, const Tangent& a_0) const
+    -> InertiaTangents {
+  InertiaTangents out{inertia_matrix(m), inertia_by_rates(m, v_0), inertia_by_e(m, v_0, a_0),
+                      VectorXd::Zero(this->reduced_size())};
+  const auto work = make_workspace();
+  Tangent f_0 = Tangent::Zero();
+  ForceScale scale;
+  inertia_force(m, v_0, a_0, f_0, out.q, scale,
+                static_cast<typename FloatingBody<G>::Workspace&>(*work));
+  return out;
 }
 
 template <FrameGroup G>
@@ -379,7 +391,7 @@ BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) co
   rate << Eigen::Map<const Tangent>(s.v), m.rate;
   const Vector3d S = integrals_.first + integrals_.mode * m.e;
   BodyEnergy energy;
-  energy.kinetic = 0.5 * rate.dot(inertia_matrix(m, dim + this->reduced_size()) * rate);
+  energy.kinetic = 0.5 * rate.dot(inertia_matrix(m) * rate);
   energy.elastic = 0.5 * m.e.dot(this->reduced_stiffness() * m.e);
   energy.potential =
       -gravity.dot(integrals_.mass * s.H[0].x + s.H[0].R * S.template head<G::space_dim>());
@@ -399,7 +411,7 @@ void SolidBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& grav
   const int n = this->reduced_size();
   VectorXd rate(dim + n);
   rate << v_0, m.rate;
-  const VectorXd momentum = inertia_matrix(m, dim + this->reduced_size()) * rate;
+  const VectorXd momentum = inertia_matrix(m) * rate;
   const auto velocity = in_space<G>(v_0);
   const Vector3d u = velocity.template head<3>(), omega = velocity.template tail<3>();
   const Vector g = s.H[0].R.transpose() * gravity;

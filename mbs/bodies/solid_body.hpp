@@ -72,6 +72,7 @@ class SolidBody final : public FloatingBody<G> {
 
  private:
   using typename FloatingBody<G>::Motion;
+  using typename FloatingBody<G>::InertiaTangents;
 
   /// The derivative of a body by fractions of cells, which Psi follows.
   SolidBody(const SolidBody& body, const FractionDerivative& law);
@@ -90,11 +91,11 @@ class SolidBody final : public FloatingBody<G> {
   void inertia_force(const Motion& m, const Tangent& v_0, const Tangent& a_0, Tangent& f_0,
                      Eigen::VectorXd& q, ForceScale& scale,
                      typename FloatingBody<G>::Workspace& work) const override;
-  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
-                               const Tangent& a_0) const override;
-  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0, const Tangent& a_0,
-                                   int rates) const override;
-  Eigen::MatrixXd inertia_matrix(const Motion& m, int columns) const override;
+  Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
+  InertiaTangents inertia_tangents(const Motion& m, const Tangent& v_0,
+                                   const Tangent& a_0) const override;
+  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0, const Tangent& a_0) const;
+  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0) const;
 
   int ports_;
   double damping_;

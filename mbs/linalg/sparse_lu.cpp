@@ -2,8 +2,12 @@
 
 #include <klu.h>
 
+#include <algorithm>
+#include <cmath>
 #include <new>
 #include <vector>
+
+#include "mbs/linalg/dense_groups.hpp"
 
 namespace liesl {
 namespace {
@@ -25,11 +29,14 @@ int parity(const int* permutation, int n) {
 
 }  // namespace
 
+/// KLU's, of the matrix or of what its dense groups leave of it.
 struct SparseLu::Factors {
   klu_common common;
   klu_symbolic* symbolic = nullptr;
   klu_numeric* numeric = nullptr;
   int singular = -1;
+  bool analysed = false;
+  DenseGroups groups;
 
   Factors() { klu_defaults(&common); }
   ~Factors() {
@@ -44,6 +51,39 @@ struct SparseLu::Factors {
     return common.status == KLU_OK &&
            klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
            common.rgrowth > kSmallestGrowth && zero_pivot() < 0;
+  }
+  bool factor(const Matrix& A) {
+    const int n = static_cast<int>(A.cols());
+    // KLU takes pointers to non-const and does not write through them.
+    auto* columns = const_cast<int*>(A.outerIndexPtr());
+    auto* rows = const_cast<int*>(A.innerIndexPtr());
+    auto* values = const_cast<double*>(A.valuePtr());
+    if (!A.coeffs().allFinite()) return drop(0);
+    if (!symbolic) symbolic = klu_analyze(n, columns, rows, &common);
+    if (!symbolic) return drop(0);
+    if (refactor(columns, rows, values)) return true;
+    klu_free_numeric(&numeric, &common);
+    numeric = klu_factor(columns, rows, values, symbolic, &common);
+    if (!numeric || common.status != KLU_OK) {
+      const int column = common.singular_col;
+      return drop(column >= 0 && column < n ? column : 0);
+    }
+    const int zero = zero_pivot();
+    return zero < 0 || drop(zero);
+  }
+  /// All unknowns are KLU's from now on, whose pivots come from any group.
+  void leave_groups() {
+    groups = DenseGroups();
+    klu_free_numeric(&numeric, &common);
+    klu_free_symbolic(&symbolic, &common);
+  }
+  void solve(Eigen::Ref<Eigen::MatrixXd> b) {
+    klu_solve(symbolic, numeric, static_cast<int>(b.outerStride()), static_cast<int>(b.cols()),
+              b.data(), &common);
+  }
+  void solve_transposed(Eigen::Ref<Eigen::MatrixXd> b) {
+    klu_tsolve(symbolic, numeric, static_cast<int>(b.outerStride()), static_cast<int>(b.cols()),
+               b.data(), &common);
   }
   /// Column of a pivot that is zero, -1 if none is: KLU looks inside its blocks only.
   int zero_pivot() const {
@@ -69,37 +109,36 @@ SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
 
 bool SparseLu::factor(const Matrix& A) {
   Factors& f = *f_;
-  const int n = static_cast<int>(A.cols());
   f.singular = -1;
-  if (n == 0) return true;
-  // KLU takes pointers to non-const and does not write through them.
-  auto* columns = const_cast<int*>(A.outerIndexPtr());
-  auto* rows = const_cast<int*>(A.innerIndexPtr());
-  auto* values = const_cast<double*>(A.valuePtr());
+  if (A.cols() == 0) return true;
+  if (!f.analysed) f.groups = DenseGroups(A);
+  f.analysed = true;
+  if (f.groups.empty()) return f.factor(A);
   if (!A.coeffs().allFinite()) return f.drop(0);
-  if (!f.symbolic) f.symbolic = klu_analyze(n, columns, rows, &f.common);
-  if (!f.symbolic) return f.drop(0);
-  if (f.refactor(columns, rows, values)) return true;
-  klu_free_numeric(&f.numeric, &f.common);
-  f.numeric = klu_factor(columns, rows, values, f.symbolic, &f.common);
-  if (!f.numeric || f.common.status != KLU_OK) {
-    const int column = f.common.singular_col;
-    return f.drop(column >= 0 && column < n ? column : 0);
+  const Matrix* rest = f.groups.condense(A);
+  if (!rest) {
+    f.leave_groups();
+    return f.factor(A);
   }
-  const int zero = f.zero_pivot();
-  return zero < 0 || f.drop(zero);
+  if (f.factor(*rest)) return true;
+  f.singular = f.groups.left(f.singular);
+  return false;
 }
 
 void SparseLu::solve(Eigen::Ref<Eigen::MatrixXd> b) const {
   if (b.rows() == 0) return;
-  klu_solve(f_->symbolic, f_->numeric, static_cast<int>(b.outerStride()),
-            static_cast<int>(b.cols()), b.data(), &f_->common);
+  if (f_->groups.empty()) return f_->solve(b);
+  Eigen::MatrixXd left = f_->groups.eliminate(b);
+  f_->solve(left);
+  f_->groups.substitute(left, b);
 }
 
 void SparseLu::solve_transposed(Eigen::Ref<Eigen::MatrixXd> b) const {
   if (b.rows() == 0) return;
-  klu_tsolve(f_->symbolic, f_->numeric, static_cast<int>(b.outerStride()),
-             static_cast<int>(b.cols()), b.data(), &f_->common);
+  if (f_->groups.empty()) return f_->solve_transposed(b);
+  Eigen::MatrixXd left = f_->groups.eliminate_transposed(b);
+  f_->solve_transposed(left);
+  f_->groups.substitute_transposed(left, b);
 }
 
 int SparseLu::determinant_sign() const {
@@ -109,12 +148,18 @@ int SparseLu::determinant_sign() const {
   const auto* diagonal = static_cast<const double*>(f_->numeric->Udiag);
   for (int k = 0; k < n; ++k)
     if (diagonal[k] < 0) sign = -sign;
-  return sign;
+  return sign * f_->groups.determinant_sign();
 }
 
 double SparseLu::reciprocal_condition() const {
-  if (!f_->numeric || !klu_rcond(f_->symbolic, f_->numeric, &f_->common)) return 0;
-  return f_->common.rcond;
+  if (!f_->numeric) return 0;
+  auto [least, largest] = f_->groups.pivots();
+  const auto* diagonal = static_cast<const double*>(f_->numeric->Udiag);
+  for (int k = 0; k < f_->symbolic->n; ++k) {
+    least = std::min(least, std::abs(diagonal[k]));
+    largest = std::max(largest, std::abs(diagonal[k]));
+  }
+  return least / largest;
 }
 
 int SparseLu::singular_column() const { return f_->singular; }
