@@ -129,7 +129,10 @@ SensitivityEnd differentiate(const TapedMotion<G>& motion, const SensitivityProb
   for (std::size_t r = 0; r < specs.size(); ++r)
     for (std::size_t f = 0; f < request.functionals.size(); ++f, ++column) {
       const FunctionalValue& value = functionals.of[r][f];
-      const auto by_p = functionals.gradient.col(column);
+      auto by_p = functionals.gradient.col(column);
+      if (request.functionals[f].kind == FunctionalKind::Integral)  // its weights are steps
+        for (Index p = 0; p < by_p.size(); ++p)
+          by_p[p] += parameters[static_cast<std::size_t>(p)].step() * value.value;
       out.gradients.push_back(
           {specs[r].name, to_string(request.functionals[f]),
            unit(request.functionals[f], unit(specs[r], motion.mechanism)), value.value,

@@ -120,6 +120,27 @@ TEST_F(Sensitivity, DirectAndAdjointAgree) {
     }
 }
 
+/// An integral is the duration times the mean: by the duration the steps are longer, too.
+TEST_F(Sensitivity, IntegralsGrowWithTheDuration) {
+  for (const char* method : {"direct", "adjoint"}) {
+    ASSERT_EQ(run({"sensitivity", study("robot_codesign"), "-q", "-f", "-o", results(), "--method",
+                   method, "--functionals", "integral,mean"})
+                  .code,
+              0);
+    const Json s = summary();
+    for (const auto& [name, parameter] : s["parameters"].items()) {
+      const double grows = name == "duration", T = s["parameters"]["duration"]["value"];
+      for (const auto& [response, of] : s["gradients"].items()) {
+        const double mean = of["mean"]["value"], by_mean = of["mean"]["by"][name],
+                     by_integral = of["integral"]["by"][name];
+        EXPECT_NEAR(by_integral, grows * mean + T * by_mean,
+                    1e-9 * (std::abs(mean) + T * std::abs(by_mean)))
+            << response << " by " << name << ", " << method;
+      }
+    }
+  }
+}
+
 TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
   const Outcome o = run({"sensitivity", scene("slider_crank"), "--by", "sections.rod.diameter",
                          "--check", "--set", "simulation.duration=0.02"});
