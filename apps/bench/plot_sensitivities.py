@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """Ways to gradients of a motion, time and error over the number of variables:
-plot_sensitivities.py FILE.csv PICTURE.png, FILE.csv from bench_sensitivities. Needs matplotlib."""
+plot_sensitivities.py FILE.csv PICTURE.png, FILE.csv from bench_sensitivities. Prints the tables of
+docs/sensitivities.md. Needs matplotlib."""
 
 import csv
 import sys
@@ -31,27 +32,49 @@ def series(rows, space, method, functionals, column):
 
 def draw(rows, picture):
     plt.rcParams.update(STYLE)
-    figure, axes = plt.subplots(1, 3, figsize=(11, 3.6), layout="constrained")
+    figure, grid = plt.subplots(2, 2, figsize=(9.6, 6.6), layout="constrained")
+    axes = grid.flat
     for ax, space, column, title in (
-            (axes[0], "planar", "forward_runs", "time, planar [forward runs]"),
-            (axes[1], "spatial", "forward_runs", "time, spatial [forward runs]"),
-            (axes[2], "spatial", "relative_error", "error against the direct form, spatial")):
+            (axes[0], "planar", "forward_runs", "time, SE(2) [forward runs]"),
+            (axes[1], "segments", "forward_runs", "time, segments [forward runs]"),
+            (axes[2], "spatial", "forward_runs", "time, SE(3) [forward runs]"),
+            (axes[3], "spatial", "relative_error", "error against the direct form, SE(3)")):
         for colour, (name, method, functionals) in zip(COLOURS, METHODS):
             x, y = series(rows, space, method, functionals, column)
             ax.loglog(x, y, "o-", color=colour, label=name, markersize=4)
         ax.set_title(title)
+        ax.set_xlim(3, 530)
         if column == "forward_runs":
             ax.set_ylim(1, 1000)
         ax.set_xlabel("variables")
         ax.set_xticks([4, 40, 400], ["4", "40", "400"])
         ax.minorticks_off()
     handles, labels = axes[0].get_legend_handles_labels()
-    axes[2].legend(handles, labels, loc="upper left", bbox_to_anchor=(1.005, 1.02), borderaxespad=0)
+    axes[1].legend(handles, labels, loc="upper left", bbox_to_anchor=(1.005, 1.02), borderaxespad=0)
     figure.savefig(picture, metadata={"Software": "liesl"})
+
+
+def print_table(rows, column, form, methods):
+    """A line for each space and number of variables."""
+    places = dict.fromkeys((row["space"], row["variables"]) for row in rows)
+    for space, variables in places:
+        found = {(row["method"], row["functionals"]): float(row[column]) for row in rows
+                 if (row["space"], row["variables"]) == (space, variables)}
+        cells = [format(found[m, str(f)], form) if (m, str(f)) in found else "" for m, f in methods]
+        print(f"| {space} {variables} | " + " | ".join(cells) + " |")
+
+
+def print_tables(rows):
+    print_table(rows, "forward_runs", ".1f", [(method, f) for _, method, f in METHODS])
+    frozen = [(f"semi-analytic, frozen, {n} solves", 1) for n in (1, 2, 4, 8)]
+    print_table(rows, "relative_error", ".0e", [("adjoint", 1), ("semi-analytic, exact factor", 1), *frozen,
+                                                ("central differences", 1)])
 
 
 if __name__ == "__main__":
     if len(sys.argv) != 3:
         sys.exit(__doc__)
-    with open(sys.argv[1], newline="", encoding="utf-8") as table:
-        draw(list(csv.DictReader(table)), sys.argv[2])
+    with open(sys.argv[1], newline="", encoding="utf-8") as file:
+        table = list(csv.DictReader(file))
+    draw(table, sys.argv[2])
+    print_tables(table)

@@ -23,6 +23,8 @@ using Eigen::VectorXd;
 
 constexpr int kElements = 400, kSteps = 100;
 constexpr double kPerturbation = 1e-7;  // of a height, semi-analytic form
+constexpr std::size_t kTurns = 3;       // of a form and the motion; one of forms that take long
+constexpr double kLong = 3;             // s
 
 /// That of data/scenes/pendulum.toml.
 Mechanism pendulum(Formalism formalism = Formalism::SE3) {
@@ -55,15 +57,12 @@ struct Pendulum {
   Mechanism mechanism;
   Model<G> model;
   Tape<G> tape;
-  double forward = 0;  ///< s, of a plain run
 
   Pendulum(const Space<G>& in, Formalism formalism)
       : space(in), mechanism(pendulum(formalism)), model(Model<G>::build(mechanism, space)) {
-    std::vector<double> times;
-    for (int i = 0; i < 5; ++i) times.push_back(seconds([&] { simulate(model, options); }));
-    forward = median(times);
     simulate(model, options, {}, &tape);
   }
+  void run_plain() const { simulate(model, options); }
   std::vector<int> group(int i, int groups) const {
     std::vector<int> elements;
     for (int e = 0; e < kElements; ++e)
@@ -155,11 +154,13 @@ class Bench {
   void run(int groups) {
     const Parameters<G> parameters = pendulum_.parameters(groups);
     VectorXd exact;
-    add("direct", groups, 1, seconds([&] { exact = tip_.direct(parameters); }), 0);
+    add(
+        "direct", groups, 1, [&] { exact = tip_.direct(parameters); }, [] { return 0.; });
     for (const int functionals : {1, 10}) {
       MatrixXd gradient;
-      const double time = seconds([&] { gradient = tip_.adjoint(parameters, functionals); });
-      add("adjoint", groups, functionals, time, error(gradient.col(0), exact));
+      add(
+          "adjoint", groups, functionals, [&] { gradient = tip_.adjoint(parameters, functionals); },
+          [&] { return error(gradient.col(0), exact); });
     }
     if (groups <= 40) semi_analytic(parameters, groups, exact);
     differences(groups, exact);
@@ -169,10 +170,19 @@ class Bench {
   static double error(const VectorXd& g, const VectorXd& exact) {
     return (g - exact).norm() / exact.norm();
   }
-  void add(const std::string& method, int groups, int functionals, double time, double error,
-           const std::string& note = "") {
+  /// Medians, by turns with plain runs. @param share of a form that is measured
+  void add(const std::string& method, int groups, int functionals,
+           const std::function<void()>& form, const std::function<double()>& error_of,
+           double share = 1, const std::string& note = "") {
+    std::vector<double> plain, times;
+    do {
+      plain.push_back(seconds([&] { pendulum_.run_plain(); }));
+      times.push_back(seconds(form));
+    } while (times.size() < kTurns && times.front() < kLong);
+    while (plain.size() < kTurns) plain.push_back(seconds([&] { pendulum_.run_plain(); }));
+    const double time = median(times) / share;
     rows_.push_back(
-        {name_, method, groups, functionals, time, time / pendulum_.forward, error, note});
+        {name_, method, groups, functionals, time, time / median(plain), error_of(), note});
     const Figure& r = rows_.back();
     fmt::print("{:<8} {:<34} {:>4} {:>3} {:>9.3f} s {:>8.1f} runs  {:.1e}  {}\n", r.space, r.method,
                r.variables, r.functionals, r.seconds, r.forward_runs, r.error, r.note);
@@ -190,15 +200,15 @@ class Bench {
     }
     for (const int corrections : {0, 1, 2, 4, 8}) {
       VectorXd gradient;
-      const double time = seconds([&] {
+      const auto form = [&] {
         gradient = tip_.collect(parameters, [&](const SensitivityAt<G>& at) {
           semi_analytic_sensitivity<G>(pendulum_.model, pendulum_.tape, perturbed,
                                        {corrections > 0, corrections}, at);
         });
-      });
+      };
       add(corrections == 0 ? "semi-analytic, exact factor"
                            : fmt::format("semi-analytic, frozen, {} solves", corrections),
-          groups, 1, time, error(gradient, exact));
+          groups, 1, form, [&] { return error(gradient, exact); });
     }
   }
   /// Central differences with steps of 1e-4; of many variables a few, and their time for all.
@@ -206,7 +216,7 @@ class Bench {
     const int measured = std::min(groups, 4);
     const double h = 1e-4 * 0.01;
     VectorXd some(measured), of(measured);
-    const double time = seconds([&] {
+    const auto form = [&] {
       for (int k = 0; k < measured; ++k) {
         const int i = k * groups / measured;
         some[k] = (tip_.value(pendulum_.changed(i, groups, h)) -
@@ -214,8 +224,10 @@ class Bench {
                   (2 * h);
         of[k] = exact[i];
       }
-    });
-    add("central differences", groups, 1, time * groups / measured, error(some, of),
+    };
+    add(
+        "central differences", groups, 1, form, [&] { return error(some, of); },
+        static_cast<double>(measured) / groups,
         measured < groups ? fmt::format("{} of them measured", measured) : "");
   }
 

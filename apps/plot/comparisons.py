@@ -148,8 +148,10 @@ def draw_orders(comparison, pictures, _arguments):
 
 
 def draw_effort(comparison, pictures, _arguments):
-    """Error, iterations and factorisations over what was varied of the mechanism."""
+    """Error, time, iterations and factorisations over what was varied of the mechanism."""
     columns = {"newton_iterations": "iterations a step", "factorizations": "factorisations\nin the run"}
+    if comparison.kinds_with("cpu_s"):
+        columns = {"cpu_s": "CPU time of\nthe stepping [s]", **columns}
     if comparison.kinds_with("error"):
         columns = {"error": label(comparison.quantity, comparison.unit), **columns}
     for axis in comparison.physical:
@@ -167,7 +169,9 @@ def draw_effort(comparison, pictures, _arguments):
         for column, ax in panels.items():
             ax.set_ylabel(columns[column])
             scale_axis(ax, "x", [float(row[axis]) for row in comparison.rows])
-            if column == "newton_iterations":
+            shown = [y for line in ax.get_lines() for y in line.get_ydata()]
+            alike = column == "cpu_s" and max(shown, default=0) < 10 * min(shown, default=0)
+            if column == "newton_iterations" or alike:
                 ax.set_ylim(bottom=0)
             else:
                 log_axes(ax, "y")

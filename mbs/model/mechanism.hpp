@@ -153,7 +153,7 @@ enum class Formalism {
   Classical,  ///< inertial positions and Cartesian rotation vectors (Geradin, Cardona)
   Floating,   ///< flexible bodies linear in a frame that moves with them, in modes
   Rigid,      ///< flexible bodies rigid
-  Segments    ///< SE(2) in a plane; beams are chains of points without shear and torsion
+  Segments    ///< beams are chains of points without shear and torsion, with frames at their ends
 };
 /// "se3", "r3so3", "classical", "floating", "rigid", "segments": as a scene calls it.
 const char* to_string(Formalism formalism);

@@ -345,10 +345,11 @@ class Plot(unittest.TestCase):
                                       "stability_step_stiffness"])
 
     def test_error_over_what_was_varied(self):
-        """Above iterations and factorisations."""
+        """Above time, iterations and factorisations."""
         self.test_comparison()
         picture = (self.folder / "plots" / "effort_over_stiffness.svg").read_text()
-        self.assertIn('id="axes_3"', picture)
+        self.assertIn('id="axes_4"', picture)
+        self.assertIn("CPU time", picture)
 
     def test_stability_map_of_two_axes(self):
         self.draws(write_comparison, ["stability_elements_step"], "--x=elements", "--y=step")

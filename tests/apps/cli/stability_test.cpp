@@ -2,6 +2,7 @@
 /// Scenes where methods fail (data/stability, docs/stability.md): the class of each outcome under
 /// each formalism, no NaN in any record, and the right answer wherever the program says "done".
 #include <cmath>
+#include <iomanip>
 
 #include "apps/program.hpp"
 
@@ -433,6 +434,85 @@ TEST_F(Stability, ChainsOfSegmentsEndAsBeamsDo) {
                               "--set", "simulation.formalism=segments"});
   EXPECT_EQ(column.code, 2);
   EXPECT_NE(column.err.find("has no torsion as a chain of segments"), std::string::npos);
+}
+
+/// A rectangle in the plane, meshed by two cells over its height.
+struct Strip {
+  double length, height, thickness;
+  int cells;
+};
+
+/// Changes that put its mesh in the place of a straight beam, all nodes of which move.
+/// @param between interfaces between its ends
+std::string meshed(const std::string& body, const Strip& strip, const std::string& material,
+                   const std::string& at = "0,0", double turn = 0,
+                   const std::string& between = "") {
+  std::ostringstream text;
+  text << std::setprecision(15) << "bodies." << body << "={solid={as=\"continuum\",material=\""
+       << material << "\",thickness=" << strip.thickness << ",at=[" << at << ",0],orientation=[0,0,"
+       << turn << "],mesh={from=[0," << -strip.height / 2 << "],to=[" << strip.length << ","
+       << strip.height / 2 << "],cells=[" << strip.cells
+       << ",2]},interfaces={start={set=\"x_min\"}," << between << "end={set=\"x_max\"}}}}";
+  return text.str();
+}
+
+/// A round section of the diameter as the rectangle of its area and second moment.
+Strip round_strip(double length, double diameter, int cells) {
+  const double height = std::sqrt(3.) / 2 * diameter;
+  return {length, height, M_PI / 4 * diameter * diameter / height, cells};
+}
+
+/// Meshes in full motion in the place of the beams: what is a matter of the element ends better,
+/// what is one of the motion as theirs.
+TEST_F(Stability, ContinuaEndAsBeamsDoOrBetter) {
+  const double h = 0.1;  // EI = E h^3/12 = 100 N m^2
+  EXPECT_NE(end_of("half_turn_element", {"materials={strip={E=1.2e6,nu=0,rho=1}}",
+                                         meshed("beam", {10, h, 1, 80}, "strip")}),
+            Ending::Stopped)
+      << reason();
+  EXPECT_LT(std::hypot(last("tip.x"), last("tip.y")), 0.02) << "a circle";
+  for (const double diameter : {0.04, 4e-3, 4e-4})
+    for (const char* tangent : {"constant", "exact"})
+      EXPECT_NE(end_of("stiff_pendulum", {meshed("beam", round_strip(1, diameter, 40), "steel"),
+                                          std::string("simulation.tangent=") + tangent}),
+                Ending::Stopped)
+          << diameter << " " << tangent << reason();
+  EXPECT_EQ(
+      end_of("buckling_links", {"simulation.duration=0.06",
+                                meshed("rod", round_strip(0.3, 0.006, 40), "steel", "0.15,0", 0,
+                                       "mid={box={from=[0.149,-0.01],to=[0.151,0.01]}},")}),
+      Ending::Stopped);
+  EXPECT_EQ(summary_["status"], "inaccurate") << reason();
+  const double strip = std::sqrt(12e-4);  // EA = 4e4 N, EI = 4 N m^2, 1 kg/m
+  EXPECT_NE(end_of("point_mass", {"materials={strip={E=" + std::to_string(4e4 / strip) +
+                                      ",nu=0.3,rho=" + std::to_string(1 / strip) + "}}",
+                                  meshed("beam", {1, strip, 1, 40}, "strip")}),
+            Ending::Stopped)
+      << reason();
+}
+
+/// Of bars of St. Venant-Kirchhoff's law of length l: P = EA y (y0^2 - y^2)/l^3, at most
+/// 2 EA y0^3/(3 sqrt(3) l^3).
+TEST_F(Stability, ContinuaSnapThroughAndBuckle) {
+  const double bar = std::sqrt(12e-3), length = std::hypot(1, 0.1), turn = std::atan2(0.1, 1.);
+  EXPECT_NE(
+      end_of("snap_through", {"materials={bar={E=" + std::to_string(1e6 / bar) + ",nu=0,rho=1}}",
+                              meshed("left", {length, bar, 1, 20}, "bar", "-1,0", turn),
+                              meshed("right", {length, bar, 1, 20}, "bar", "1,0", M_PI - turn)}),
+      Ending::Stopped)
+      << reason();
+  ASSERT_EQ(summary_["critical_loads"].size(), 2u);
+  const double most = 2 * 1e6 * std::pow(0.1 / length, 3) / (3 * std::sqrt(3.));
+  EXPECT_NEAR(1000 * summary_["critical_loads"][0]["load"].get<double>(), most, 1e-5 * most);
+  EXPECT_TRUE(summary_["critical_loads"][0]["limit_point"]);
+  const double strip = std::sqrt(12e-5);  // EA = 1e7 N, EI = 100 N m^2
+  EXPECT_NE(
+      end_of("column", {"materials={strip={E=" + std::to_string(1e7 / strip) + ",nu=0,rho=1}}",
+                        meshed("beam", {1, strip, 1, 60}, "strip", "0,0", M_PI / 2)}),
+      Ending::Stopped)
+      << reason();
+  ASSERT_EQ(summary_["critical_loads"].size(), 1u);
+  EXPECT_NEAR(400 * summary_["critical_loads"][0]["load"].get<double>(), 246.74, 0.005 * 246.74);
 }
 
 /// A design is no better than its motion: what `run` says of the final one, `optimize` says, too.
