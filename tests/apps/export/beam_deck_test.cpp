@@ -88,6 +88,11 @@ TEST(BeamDeck, RefusesWhatIsNoDeck) {
   BeamDeck deck = rod(DeckCases::Peaks);
   deck.sections.assign(deck.sections.size(), {"i", ISection{0.1, 0.1, 0.01, 0.01}});
   EXPECT_THROW(calculix_text(deck), std::invalid_argument);
+  EXPECT_NE(nastran_text(deck).find("PBARL*"), std::string::npos) << "which has I sections";
+  FullSection matrices;
+  matrices.stiffness.setIdentity();
+  matrices.inertia.setIdentity();
+  deck.sections.assign(deck.sections.size(), {"full", matrices});
   EXPECT_THROW(nastran_text(deck), std::invalid_argument);
 }
 
