@@ -4,6 +4,7 @@
 
 #include "mbs/bodies/segment_beam.hpp"
 
+#include "mbs/chains.hpp"
 #include "mbs/run.hpp"
 #include "mbs/solvers/modes.hpp"
 #include "mbs/solvers/simulation.hpp"
@@ -12,17 +13,6 @@
 
 namespace liesl::test::segment_beam_test {
 namespace {
-
-Mechanism segments(Mechanism m, SegmentSpec spec = {}) {
-  m.formalism = Formalism::Segments;
-  for (auto& body : m.bodies)
-    if (auto* beam = std::get_if<BeamSpec>(&body.kind)) beam->segment = spec;
-  return m;
-}
-
-constexpr SegmentSpec kKinds[] = {{AxialPotential::Linear, false},
-                                  {AxialPotential::Linear, true},
-                                  {AxialPotential::NeoHookean, false}};
 
 /// A crank with a curved, damped rod of two sections under its weight, a spread and two point
 /// loads, a spring to one of its inner nodes.
