@@ -181,8 +181,8 @@ bool any_failed(const Batch& batch, const fs::path& folder, const Shard& shard) 
 void print_result(const output::BatchSummary& s, const PoolReport& report, const Batch& batch,
                   const std::string& folder) {
   fmt::print("{}: {} ({})\n", s.name, s.status, s.reason);
-  fmt::print("  {} cases now, {} before, {} at once, {:.3g} s\n", report.ran, report.before, s.jobs,
-             s.wall_s);
+  fmt::print("  {} case{} now, {} before, {} at once, {:.3g} s\n", report.ran,
+             report.ran == 1 ? "" : "s", report.before, s.jobs, s.wall_s);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
   fmt::print("results in {}; next: liesl plot {} --x '{}' --y {}\n", folder, folder,
              batch.cases.columns.front().name, batch.optimize ? "mass_final" : "steps");

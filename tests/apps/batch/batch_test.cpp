@@ -4,6 +4,7 @@
 #include <csignal>
 #include <fstream>
 #include <map>
+#include <regex>
 #include <set>
 
 #include "apps/batch/case_folder.hpp"
@@ -147,9 +148,9 @@ TEST_F(BatchProgram, PoolsShareAFolder) {
   for (std::size_t i = 0; i < pools.size(); ++i) {
     const Outcome o = wait_for(pools[i], std::to_string(i));
     EXPECT_EQ(o.code, 0) << o.err;
-    const auto at = o.out.find(" cases now");
-    ASSERT_NE(at, std::string::npos) << o.out;
-    ran += std::stoi(o.out.substr(o.out.rfind('\n', at)));
+    std::smatch now;
+    ASSERT_TRUE(std::regex_search(o.out, now, std::regex(" ([0-9]+) cases? now,"))) << o.out;
+    ran += std::stoi(now[1]);
   }
   EXPECT_EQ(ran, 6);
   EXPECT_EQ(summary()["status"], "done") << summary()["reason"];
