@@ -95,6 +95,9 @@ BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string&
                            SE3::exp(0.5 * SE3::log(beam.nodes[e].inverse() * beam.nodes[e + 1])));
   const output::BodyResult& body = recorded(esl, part);
   const std::size_t records = loads.set.t.size();
+  if (body.positions.size() != 3 * static_cast<std::size_t>(body.nodes) * records)
+    throw std::invalid_argument("'" + part +
+                                "' was not kept at every record; expected results without a sink");
   if (records == 0) throw std::invalid_argument("'" + part + "' has no load case");
   std::vector<double> offsets;
   for (std::size_t n = 0; n < records; ++n) offsets.push_back(largest_offset(frames_at(body, n)));

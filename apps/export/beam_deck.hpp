@@ -34,7 +34,8 @@ struct BeamDeck {
 /// records where the largest offset from the chord has a maximum over time above half of its
 /// largest (optim/problems/treatment.hpp).
 /// @throws std::invalid_argument for a part that is no beam, has sections without a shape, or loads
-/// that are none (rigid, or a simulation that did not converge)
+/// that are none (rigid, or a simulation that did not converge), and where the results have not the
+/// records of the loads (`esl_task` with a sink keeps a few)
 BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string& part,
                    DeckCases cases);
 

@@ -63,6 +63,40 @@ TEST(BeamDeck, PeaksAreSomeOfAll) {
       })->deflection);
 }
 
+/// Where every seventh step is recorded, a case is that of the same instant of the whole motion.
+TEST(BeamDeck, CasesOfFewerRecordsAreThoseOfTheirInstants) {
+  const Scene scene =
+      load_scene(kData / "scenes/slider_crank.toml", {kShort[0], "simulation.output_every=7"});
+  const BeamDeck few =
+                     beam_deck(scene, esl_task(scene, choose_space(scene)), "rod", DeckCases::All),
+                 all = rod(DeckCases::All);
+  ASSERT_GT(few.cases.size(), 40u);
+  ASSERT_LT(few.cases.size(), all.cases.size() / 6);
+  for (const auto& c : few.cases) {
+    const auto same = std::find_if(all.cases.begin(), all.cases.end(), [&](const auto& other) {
+      return std::abs(other.time - c.time) < 1e-9;
+    });
+    ASSERT_NE(same, all.cases.end()) << c.time;
+    EXPECT_EQ(c.deflection, same->deflection) << c.time;
+    for (std::size_t k = 0; k < few.nodes.size(); ++k) {
+      EXPECT_EQ(c.force[k], same->force[k]) << c.time;
+      EXPECT_EQ(c.displacement[k], same->displacement[k]) << c.time;
+    }
+  }
+}
+
+/// Results whose bodies went to a file keep a few records, which are not those of the loads.
+TEST(BeamDeck, RefusesResultsThatKeepFewerRecordsThanTheLoads) {
+  struct Nowhere final : output::BodySink {
+    void put(const std::vector<output::BodyResult>&, std::size_t, std::size_t,
+             std::size_t) override {}
+  } nowhere;
+  const Scene& scene = exported().scene;
+  const EslOutcome esl = esl_task(scene, choose_space(scene), {}, &nowhere);
+  ASSERT_LT(esl.run.results.kept.size(), esl.beams[0].set.t.size());
+  EXPECT_THROW(beam_deck(scene, esl, "rod", DeckCases::All), std::invalid_argument);
+}
+
 TEST(BeamDeck, TextsHaveEveryNodeElementAndCase) {
   const BeamDeck deck = rod(DeckCases::Peaks);
   const std::string ccx = calculix_text(deck), nastran = nastran_text(deck);
