@@ -31,32 +31,50 @@ std::vector<std::string> one_sided(const std::string& part, const std::vector<st
       part, fmt::join(kinks, ", "), kinks.size() == 1 ? "s" : "", at, shift)};
 }
 
-/// Has the parameter number i a kink in the fractions of this body?
-bool has_kink(const SensitivityProblem& problem, std::size_t i, int body) {
-  const auto fractions = [&](const Mechanism& m) {
-    return solid_fractions(std::get<SolidSpec>(m.bodies[static_cast<std::size_t>(body)].kind))
-        .value;
-  };
-  const Eigen::VectorXd p = problem.values();
-  const auto j = static_cast<Eigen::Index>(i);
-  const double step = kBeside * (p[j] == 0 ? 1 : std::abs(p[j]));
+Eigen::VectorXd numbers_of(const SolidSpec& solid) {
+  return levelset::make_shape(solid.outline)->start();
+}
+
+/// Have the fractions of a part a kink where its numbers change by `slope` times a parameter?
+/// @param step of the parameter
+bool has_kink(const SolidSpec& solid, const Eigen::VectorXd& slope, double step) {
+  const Eigen::VectorXd p = numbers_of(solid);
   const auto moved = [&](double by) {
-    Eigen::VectorXd beside = p;
-    beside[j] += by;
-    return fractions(problem.mechanism_at(beside));
+    SolidSpec other = solid;
+    set_values(other.outline, p + by * slope);
+    return solid_fractions(other).value;
   };
-  const Eigen::VectorXd here = fractions(problem.scene.mechanism);
+  const Eigen::VectorXd here = solid_fractions(solid).value;
   return jumps((here - moved(-step)) / step, (moved(step) - here) / step);
+}
+
+const SolidSpec& solid_of(const Mechanism& mechanism, int body) {
+  return std::get<SolidSpec>(mechanism.bodies[static_cast<std::size_t>(body)].kind);
 }
 
 }  // namespace
 
-std::vector<std::string> kink_warnings(const SensitivityProblem& problem) {
+NearbyOutlines nearby_outlines(const Mechanism& mechanism, double by) {
+  NearbyOutlines out{by, {}};
+  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b)
+    if (const auto* solid = std::get_if<SolidSpec>(&mechanism.bodies[b].kind);
+        solid && !solid->outline.features.empty())
+      out.values[static_cast<int>(b)] = numbers_of(*solid);
+  return out;
+}
+
+std::vector<std::string> kink_warnings(const SensitivityProblem& problem,
+                                       const std::vector<NearbyOutlines>& nearby) {
+  const auto kink = [&](std::size_t i, int body) {
+    const SolidSpec& solid = solid_of(problem.scene.mechanism, body);
+    const double p = problem.names[i].value;
+    const Eigen::VectorXd slope = (nearby[i].values.at(body) - numbers_of(solid)) / nearby[i].by;
+    return has_kink(solid, slope, kBeside * (p == 0 ? 1 : std::abs(p)));
+  };
   std::map<int, std::vector<std::string>> kinks;  // by body
   for (std::size_t i = 0; i < problem.parameters.size(); ++i)
     for (const auto& part : problem.parameters[i].parts)
-      if (const auto* solid = std::get_if<SolidDerivative>(&part);
-          solid && has_kink(problem, i, solid->body))
+      if (const auto* solid = std::get_if<SolidDerivative>(&part); solid && kink(i, solid->body))
         kinks[solid->body].push_back(problem.parameters[i].name);
   std::vector<std::string> out;
   for (const auto& [body, names] : kinks) {

@@ -2,6 +2,7 @@
 /// @file
 /// Designs of outlines that no gradient describes: edges that lie on lines of the grid.
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -14,8 +15,18 @@
 
 namespace liesl {
 
+/// Numbers of the outlines of meshed parts, by body, where a parameter is `by` larger: of a
+/// mechanism that its derivative was made of.
+struct NearbyOutlines {
+  double by = 0;
+  std::map<int, Eigen::VectorXd> values;
+};
+NearbyOutlines nearby_outlines(const Mechanism& mechanism, double by);
+
 /// A sentence for each meshed part of which parameters move edges that lie on grid lines.
-std::vector<std::string> kink_warnings(const SensitivityProblem& problem);
+/// @param nearby of each parameter of `problem`; between them and the scene numbers are linear
+std::vector<std::string> kink_warnings(const SensitivityProblem& problem,
+                                       const std::vector<NearbyOutlines>& nearby);
 
 #ifdef LIESL_OPTIM
 

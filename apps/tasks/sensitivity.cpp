@@ -159,12 +159,16 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
   };
   problem.options_at = [options = problem.scene.simulation](const VectorXd&) { return options; };
   const VectorXd p = problem.values();
+  std::vector<NearbyOutlines> nearby;
   for (int i = 0; i < p.size(); ++i) {
     const std::string& key = keys[static_cast<std::size_t>(i)];
+    NearbyOutlines& latest = nearby.emplace_back();
     const auto changed = [&](double by) {
       VectorXd at = p;
       at[i] += by;
-      return problem.mechanism_at(at);
+      Mechanism mechanism = problem.mechanism_at(at);
+      latest = nearby_outlines(mechanism, by);
+      return mechanism;
     };
     const double step = kDifference * (p[i] == 0 ? 1 : std::abs(p[i]));
     try {
@@ -180,7 +184,8 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
              kWithDerivative, kList);
     }
   }
-  for (auto& note : kink_warnings(problem)) problem.scene.warnings.push_back(std::move(note));
+  for (auto& note : kink_warnings(problem, nearby))
+    problem.scene.warnings.push_back(std::move(note));
   return problem;
 }
 
