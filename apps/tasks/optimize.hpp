@@ -60,7 +60,7 @@ struct FoundOptimum {
   std::string reason;
   Eigen::VectorXd x;           ///< final design
   std::vector<Cycle> history;  ///< not empty; number, x, mass, objective, worst, worst_constraint,
-                               ///< seconds
+                               ///< excesses, seconds
   std::vector<output::ConstraintFigure> limits;  ///< of one's own, beside those of the study
 };
 

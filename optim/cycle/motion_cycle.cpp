@@ -135,6 +135,19 @@ CycleResult<G> run_cycle(const std::vector<Scenario<G>>& scenarios, const StudyS
   return out;
 }
 
+namespace {
+
+/// Limits that were measured, and those of others that are not among them.
+std::vector<LimitExcess> joined(std::vector<LimitExcess> measured,
+                                const std::vector<LimitExcess>& others) {
+  for (const LimitExcess& other : others)
+    if (std::ranges::find(measured, other.name, &LimitExcess::name) == measured.end())
+      measured.push_back(other);
+  return measured;
+}
+
+}  // namespace
+
 template <FrameGroup G>
 CycleResult<G> describe_found(const std::vector<Scenario<G>>& scenarios, StudySpec study,
                               LoopResult found, const Progress& progress) {
@@ -147,7 +160,7 @@ CycleResult<G> describe_found(const std::vector<Scenario<G>>& scenarios, StudySp
       if (cycle.x != x) continue;
       cycle.loads = analysis->loads;
       if (cycle.worst_constraint == analysis->worst_constraint) cycle.worst_at = analysis->worst_at;
-      cycle.excesses = analysis->excesses;
+      cycle.excesses = joined(analysis->excesses, cycle.excesses);
     }
     return analysis;
   };

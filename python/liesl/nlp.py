@@ -105,7 +105,7 @@ class StudyNlp(Nlp):
                      for name in limits if name in known]
         if problems:
             raise InputError(problems)
-        self._study, self._own_objective, self._own_limits = study, objective, limits
+        self._study, self._own_objective, self.own_limits = study, objective, limits
         super().__init__([(v.name, v.lower, v.upper, v.start) for v in study.variables],
                          self._mass, self._mass_gradient, self._limits, self._limits_jacobian,
                          rows=self._names() + list(limits))
@@ -139,26 +139,26 @@ class StudyNlp(Nlp):
 
     def constraints(self, x: np.ndarray) -> np.ndarray:
         values = self._constraints(x)
-        if not self._own_limits:
+        if not self.own_limits:
             return values
         at = self._at(x)
         own = [_own(f, at, f"'{name}'")[0] if _good(at) else np.nan
-               for name, f in self._own_limits.items()]
+               for name, f in self.own_limits.items()]
         return np.concatenate([values, own])
 
     def jacobian(self, x: np.ndarray) -> np.ndarray:
         rows = self._jacobian(x)
-        if not self._own_limits:
+        if not self.own_limits:
             return rows
         at = self._at(x).check()
         return np.vstack([rows, *(_own(f, at, f"'{name}'", derivative=True)[1]
-                                  for name, f in self._own_limits.items())])
+                                  for name, f in self.own_limits.items())])
 
     def check_start(self) -> None:
         """Raises InputError if one's own functions have no value at the start, NotConverged if its
         motion has no end."""
         at = self._at(self.x0).check()
-        own = {f"'{name}'": f for name, f in self._own_limits.items()}
+        own = {f"'{name}'": f for name, f in self.own_limits.items()}
         if self._own_objective is not None:
             own["the objective"] = self._own_objective
         problems = [Problem(f"{what} is {value} at the start", "a finite number")
@@ -182,7 +182,7 @@ class PeakNlp(StudyNlp):
         super().__init__(study, objective, limits)
 
     def _names(self) -> list[str]:
-        return [_row_name(name, scenario, w if self._windows > 1 else None)
+        return [row_name(name, scenario, w if self._windows > 1 else None)
                 for scenario in self._scenarios for name in self._limited
                 for w in range(self._windows)]
 
@@ -251,7 +251,8 @@ class ProgramNlp(StudyNlp):
         return self._point(x)[3].copy()
 
 
-def _row_name(name: str, scenario: str, window: int | None) -> str:
+def row_name(name: str, scenario: str, window: int | None = None) -> str:
+    """Of a limit in a scenario ("" is the only one) and a window."""
     name += f" ({scenario})" if scenario else ""
     return name if window is None else f"{name}[{window}]"
 

@@ -15,7 +15,8 @@ from numpy.typing import ArrayLike
 
 from . import _liesl, toml_text
 from .errors import InputError, NotConverged, Problem
-from .nlp import Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own_limits
+from .nlp import (Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own_limits,
+                  row_name)
 from .result import Result
 
 _KEPT = 8  # evaluations
@@ -46,6 +47,7 @@ class Evaluation(Result):
     def __init__(self, study: Study, x: np.ndarray, motions: Sequence[Any]):
         super().__init__(motions[0])
         self._by[()] = (motions[0], {})
+        self.study = study
         self.x = x  #: (variables,), the design
         self.objective: float = study._study.mass(x)  #: kg: the mass, also of a study
         #: that minimises a weighted sum
@@ -307,6 +309,7 @@ class _Recorded(Nlp):
                              "mass": at.objective, "design": [float(v) for v in x],
                              "worst_constraint": -1.0 if worst is None else _figure(g[worst]),
                              "worst_limit": "" if worst is None else self.rows[worst],
+                             "limits": {**_excesses(at), **self._own_excesses(g)},
                              "wall_s": now - self._begin})
         self._begin = now
         for motion in at.motions:
@@ -316,6 +319,25 @@ class _Recorded(Nlp):
                 self.effort["factorizations"][body] = self.effort["factorizations"].get(body, 0) + count
         if self._on_cycle:
             self._on_cycle({"status": "running", "history": list(self.history)})
+
+
+    def _own_excesses(self, g: np.ndarray) -> dict[str, dict[str, Any]]:
+        """As `history[].limits`: functions of one's own, which hold at no instant."""
+        own = list(self._nlp.own_limits)
+        return {name: {"violation": _figure(value), "at": ""}
+                for name, value in zip(own, g[len(g) - len(own):])}
+
+
+def _excesses(at: Evaluation) -> dict[str, dict[str, Any]]:
+    """As `history[].limits`: the limited responses of each motion, relative."""
+    out = {}
+    for scenario, motion in zip(at.study.scenarios, at.motions):
+        for name, limit in at.study.limits:
+            values = magnitude(motion["responses/" + name.replace("/", "_")])
+            record = values.argmax()
+            out[row_name(name, scenario)] = {"violation": _figure(values[record] / limit - 1),
+                                             "at": f"t = {motion.time[record]:.6g} s"}
+    return out
 
 
 def _same(x: np.ndarray, known: np.ndarray) -> np.ndarray:

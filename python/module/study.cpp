@@ -74,6 +74,9 @@ FoundOptimum found_of(const Json& given) {
     cycle.worst = figure_of(row.at("worst_constraint"));
     cycle.worst_constraint = row.at("worst_limit").get<std::string>();
     cycle.seconds = row.at("wall_s").get<double>();
+    for (const auto& [name, limit] : row.at("limits").items())
+      cycle.excesses.push_back(
+          {name, figure_of(limit.at("violation")), limit.at("at").get<std::string>()});
   }
   for (const Json& limit : given.at("limits")) {
     const double initial = figure_of(limit.at("initial")), final = figure_of(limit.at("final"));

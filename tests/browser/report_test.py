@@ -8,6 +8,7 @@ With LIESL_PICTURES=DIR a screenshot of every page goes there.
 """
 
 import base64
+import json
 import os
 import re
 import shutil
@@ -309,6 +310,32 @@ class Pages(BrowserTest):
     def test_the_worst_limit_is_told_once(self):
         self.show(rod())
         self.assertEqual(self.browser.run("return document.querySelector('header').textContent.split('worst limit').length - 1"), 1)
+
+    def test_a_limit_of_ones_own_is_a_number(self):
+        """A function f <= 0 has no limit to be a share of: no per cent beside it, in the head and in the cycles neither."""
+        folder = FOLDER / "own_limit"
+        shutil.copytree(rod(), folder)
+        file = folder / "summary.json"
+        summary = json.loads(file.read_text())
+        summary["constraints"]["margin"] = {"response": "own function", "limit": 0, "unit": "-", "max_abs_initial": -12.5,
+                                            "max_abs_final": 2.75, "at_time": 0, "violation": 2.75}
+        summary["worst_constraint"] = 2.75
+        for cycle in summary["history"]:
+            cycle["limits"]["margin"] = {"violation": 2.75, "at": ""}
+            cycle.update(worst_limit="margin", worst_at="", worst_constraint=2.75)
+        file.write_text(json.dumps(summary))
+        subprocess.run([PROGRAM, "report", folder, "--quiet"], check=True)
+        self.show(folder)
+        for place in ("header .tiles", ".figures"):
+            text = self.browser.run(f"return document.querySelector('{place}').textContent")
+            self.assertIn("+2.75", text, place)
+            self.assertNotIn("+275", text, place)
+        rows = self.browser.run("return [...document.querySelectorAll('main tr')].map(r => r.textContent)")
+        row = next(r for r in rows if r.startswith("margin"))
+        self.assertIn("+2.75", row)
+        self.assertNotIn("%", row)
+        row = next(r for r in rows if r.startswith("bending"))
+        self.assertIn("%", row, "a limit of a response is a share")
 
     def test_joints_stay_closed_between_the_ends_of_bodies(self):
         file = FOLDER / "branches.toml"

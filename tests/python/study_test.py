@@ -73,6 +73,30 @@ def test_four_ways_to_one_optimum(rod):
     assert full.summary["mass_final"] == pytest.approx(mass, rel=2e-3)
 
 
+def test_methods_are_those_that_cyipopt_calls(rod):
+    """cyipopt is no package of Debian 12. Its Problem(n, m, problem_obj) calls four methods with an array of its own and
+    flattens what they return, a Jacobian without structure row by row: so read, SciPy finds the optimum of our Ipopt."""
+    scipy = pytest.importorskip("scipy.optimize")
+    nlp = rod.nlp(windows=2)
+    n, m = len(nlp.variables), len(nlp.rows)
+    assert n != m, "a Jacobian by columns would be seen"
+    assert not any(hasattr(nlp, name) for name in ("jacobianstructure", "hessian", "hessianstructure", "intermediate"))
+
+    def flat(method, size):
+        def call(x):
+            own = np.array(x)
+            values = np.array(method(own), dtype=float).flatten()
+            assert values.size == size and np.array_equal(own, x)
+            return values
+        return call
+
+    rows = {"type": "ineq", "fun": lambda x: -flat(nlp.constraints, m)(x),
+            "jac": lambda x: -flat(nlp.jacobian, m * n)(x).reshape(m, n)}
+    best = scipy.minimize(lambda x: flat(nlp.objective, 1)(x)[0], nlp.x0, jac=flat(nlp.gradient, n), bounds=nlp.bounds,
+                          constraints=rows, method="SLSQP")
+    assert best.success and best.fun == pytest.approx(liesl.minimize(nlp).check().f, rel=1e-4)
+
+
 def test_save_and_open_an_optimum(rod, tmp_path):
     best = rod.change({"cycle.max": 2}).optimize()
     best.save(tmp_path / "out")
@@ -150,6 +174,13 @@ def test_an_own_optimum_is_saved_as_liesl_optimize_does(rod, tmp_path):
     assert own.summary["history"] == best.history and own.summary["design"] == best.design
     assert own.summary["steps"] == sum(len(rod.evaluate(h["design"]).time) - 1 for h in best.history)
     assert all(np.array_equal(own[name], best[name]) for name in best)
+    for cycle in best.history:  # limits of the study are shares, one's own numbers; each cycle has both
+        there = rod.evaluate(cycle["design"])
+        assert set(cycle["limits"]) == {"bending", "heavy"}
+        assert cycle["limits"]["heavy"] == {"violation": pytest.approx(heavy(there)[0]), "at": ""}
+        assert cycle["limits"]["bending"]["violation"] == pytest.approx(there.worst, rel=1e-6)
+        assert cycle["limits"]["bending"]["at"].startswith("t = ")
+        assert cycle["worst_constraint"] == pytest.approx(max(v["violation"] for v in cycle["limits"].values()), rel=1e-6)
     at = rod.evaluate(best.x)
     limits = own.summary["constraints"]
     assert limits["bending"]["max_abs_final"] == pytest.approx(at.limits["bending"], rel=1e-9)

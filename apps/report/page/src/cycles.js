@@ -5,7 +5,7 @@ import { card, el, svg } from './dom.js';
 import { cycleChart } from './charts.js';
 import { Clock } from './clock.js';
 import { loadCases } from './loadcases.js';
-import { percent, quantity } from './format.js';
+import { excess, isOwn, percent, quantity } from './format.js';
 
 // Names of section dimensions by shape, in the order of results.h5.
 const kDimensions = {
@@ -39,7 +39,9 @@ export function cycles(data, player) {
   const first = objective
     ? cycleChart(s.objective?.quantity ?? 'objective', s.objective?.unit ?? '', numbers, history.map((h) => h.objective), choice)
     : cycleChart('mass', 'kg', numbers, history.map((h) => h.mass), choice);
-  const second = cycleChart('worst limit, above it [%]', '', numbers, history.map((h) => 100 * h.worst_constraint), choice);
+  const own = Object.values(s.constraints ?? {}).some(isOwn);  // whose numbers are no shares
+  const second = cycleChart(own ? 'worst limit, share or number above it' : 'worst limit, above it [%]', '', numbers,
+    history.map((h) => (own ? 1 : 100) * h.worst_constraint), choice);
   const forces = loads && numbers.some((n) => loads.known(n))
     ? cycleChart('largest load', 'N', numbers, numbers.map((n) => (loads.known(n) ? loads.largest(n) : NaN)), choice) : null;
   const node = card(choice.word === 'step' ? 'Steps' : 'Cycles',
@@ -56,9 +58,10 @@ function figuresOf(h, s, motion) {
   const out = [], add = (name, value) => out.push(el('dt', {}, name), el('dd', {}, value));
   add('mass', `${quantity(h.mass, 'kg')} (${percent(h.mass / s.mass_initial - 1)})`);
   if (typeof h.objective === 'number') add(s.objective?.quantity ?? 'objective', quantity(h.objective, s.objective?.unit));
-  add('worst limit', percent(h.worst_constraint) + (h.worst_limit ? ` '${h.worst_limit}'${h.worst_at ? ` at ${place(h.worst_at, motion)}` : ''}` : ''));
+  const above = (name, value) => excess(value, isOwn(s.constraints?.[name]));
+  add('worst limit', above(h.worst_limit, h.worst_constraint) + (h.worst_limit ? ` '${h.worst_limit}'${h.worst_at ? ` at ${place(h.worst_at, motion)}` : ''}` : ''));
   for (const [name, limit] of Object.entries(h.limits ?? {}))
-    if (name !== h.worst_limit) add(`limit '${name}'`, percent(limit.violation) + (limit.at ? ` at ${place(limit.at, motion)}` : ''));
+    if (name !== h.worst_limit) add(`limit '${name}'`, above(name, limit.violation) + (limit.at ? ` at ${place(limit.at, motion)}` : ''));
   if (h.load_change !== undefined && !s.load_cases) add('change of the loads', h.load_change === null ? '\u2013' : percent(h.load_change).replace('+', ''));
   add('load cases kept', h.load_cases || '\u2013');
   add('iterations of the optimiser', h.optimizer_iterations || '\u2013');

@@ -83,6 +83,18 @@ export function quantities(xs, unit, digits = 4) {
   return `(${xs.map((x) => tick(x / factor, digits)).join(', ')})${name ? '\u00a0' + name : ''}`;
 }
 
+/** By how much a limit is exceeded; a function of one's own has a number, in a unit of its own, in place of a share. */
+export function excess(value, own) {
+  if (!own || value === null || value === undefined) return percent(value);
+  return (value > 0 ? '+' : '') + number(value, 4);
+}
+
+/** That of `constraints` which is violated most, or has least to spare. */
+export const worstLimit = (summary) => Object.values(summary.constraints ?? {}).sort((a, b) => b.violation - a.violation)[0];
+
+/** Is this limit, an entry of `constraints`, a function of one's own? */
+export const isOwn = (limit) => limit?.response === 'own function';
+
 /** "+26 %", "\u22120.4 %"; what is next to nothing is "0 %". */
 export function percent(share) {
   if (share === null || share === undefined || Number.isNaN(share)) return '\u2013';

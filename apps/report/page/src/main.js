@@ -6,6 +6,7 @@ import { Clock } from './clock.js';
 import { cycles } from './cycles.js';
 import { array, load } from './data.js';
 import { el, isDark, setTheme } from './dom.js';
+import { worstLimit } from './format.js';
 import { lean } from './lean.js';
 import { maps } from './map.js';
 import { Player } from './player.js';
@@ -82,7 +83,7 @@ function fill(stage, column, other) {
 
 /** When the limit is reached that is violated most, or has least to spare. */
 function worstInstant(s) {
-  const worst = Object.values(s.constraints ?? {}).sort((a, b) => b.violation - a.violation)[0];
+  const worst = worstLimit(s);
   return worst?.at_time > 0 ? worst.at_time : undefined;
 }
 

@@ -2,7 +2,7 @@
 
 import { card, el } from './dom.js';
 import { leanTiles } from './lean.js';
-import { number, percent, prose, quantities, quantity, tick } from './format.js';
+import { excess, isOwn, number, percent, prose, quantities, quantity, tick, worstLimit } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
 const kMiddling = ['recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
@@ -47,7 +47,7 @@ export function head(data) {
     tiles.push(tile(s.objective.quantity, `${quantity(s.objective.initial, s.objective.unit)} \u2192 ${quantity(s.objective.final, s.objective.unit)}`,
       percent(s.objective.final / s.objective.initial - 1)));
   if (s.worst_constraint !== undefined && s.worst_constraint !== null)
-    tiles.push(tile('worst limit', percent(s.worst_constraint), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
+    tiles.push(tile('worst limit', excess(s.worst_constraint, isOwn(worstLimit(s))), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
   if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
   if (s.kkt_residual !== undefined)
     tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(data)}` : `not optimal for the ${subject(data)}`));
@@ -88,7 +88,7 @@ export function limits(data) {
   const price = (name) => prices.filter(([of]) => of === name || of.startsWith(`${name} at `)).reduce((sum, [, p]) => sum + p, 0);
   const rows = entries.map(([name, c]) => [
     name, quantity(c.limit, c.unit), quantity(c.max_abs_initial, c.unit), quantity(c.max_abs_final, c.unit),
-    el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, percent(c.violation)),
+    el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, excess(c.violation, isOwn(c))),
     c.at_time ? quantity(c.at_time, over.unit, 3) : '\u2013',
     price(name) ? quantity(price(name) / 100, unit, 3) : '\u2013',
   ]);
