@@ -5,6 +5,7 @@ import re
 
 # A number as documents write it, or a word where a text is asked for.
 NUMBER = r"[-+]?\d+(?:\.\d+)?(?:e[-+]?\d+)?"
+WORD = r"[A-Za-z][A-Za-z ]*"
 GAP = re.compile(r"\{(:[^{}]*)?\}")
 
 
@@ -50,13 +51,14 @@ class Sentence:
         self.words, self.figures = words, figures
         self.forms = [m[1] for m in GAP.finditer(words)]
 
-    def pattern(self, fresh):
-        """The words, each gap a group."""
-        gaps = [r"([A-Za-z][A-Za-z ]*)" if isinstance(f.value, str) else f"({NUMBER})" for f in fresh]
+    def pattern(self, fresh=None):
+        """The words, each gap a group; before a run a number or a word."""
+        gaps = [f"({NUMBER}|{WORD})" if f is None else f"({WORD})" if isinstance(f.value, str) else f"({NUMBER})"
+                for f in fresh or [None] * len(self.forms)]
         parts = [r"\s+".join(map(re.escape, re.split(r"\s+", part))) for part in GAP.sub("\0", self.words).split("\0")]
         return "".join(part + gap for part, gap in zip(parts, [*gaps, ""]))
 
-    def place(self, text, fresh):
+    def place(self, text, fresh=None):
         """Where it stands, once. @throws LookupError"""
         found = list(re.finditer(self.pattern(fresh), text))
         if len(found) != 1:

@@ -1,10 +1,12 @@
 #!/usr/bin/env python3
-"""What finds, compares and writes figures in texts, on texts of its own."""
+"""What finds, compares and writes figures in texts, on texts of its own; and that every sentence stands in its document."""
 
 import sys
 import unittest
+from pathlib import Path
 
 sys.dont_write_bytecode = True
+from figures import PARTS  # noqa: E402
 from sentences import Fresh, Sentence, evaluate, problems, rewritten, show  # noqa: E402
 
 TEXT = "| rod | 1.2576 |\nThe rod weighs\n0.2103 kg and ends optimal.\nA rate of 5.144e-4 /s.\n"
@@ -48,6 +50,17 @@ class Sentences(unittest.TestCase):
         self.assertEqual(show(":.3e", 5.1443e-4), "5.144e-4")
         self.assertEqual(show(":.2f", -0.001), "0.00")
         self.assertEqual(say("| rod | {:.4f} |", 1.3)[1], TEXT.replace("1.2576", "1.3000"))
+
+
+class Documents(unittest.TestCase):
+    def test_every_sentence_stands_in_its_document_once(self):
+        """Of all parts, those that only run by hand, too: without a run."""
+        for part, (document, sentences) in PARTS.items():
+            text = (Path(__file__).parents[2] / document).read_text(encoding="utf-8")
+            found = list(sentences(None))
+            self.assertTrue(found or part == "long", part)  # which needs a processor with both kernels
+            for sentence in found:
+                sentence.place(text)
 
 
 if __name__ == "__main__":
