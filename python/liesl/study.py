@@ -38,7 +38,21 @@ class Variable:
         return 1e-9 * max(abs(self.lower), abs(self.upper))
 
 
-class Evaluation(Result):
+class DesignMotion(Result):
+    """A design in one scenario of its study; `jacobian` and `vjp` are by the variables."""
+
+    def __init__(self, motion: Any):
+        super().__init__(motion)
+        self._by[()] = (motion, {})
+
+    def _differentiable(self, by):
+        if by is not None:
+            raise InputError("a design is differentiated by the variables of its study; leave `by` "
+                             "out, or run the scene")
+        return self._by[()]
+
+
+class Evaluation(DesignMotion):
     """A design of a study: its motion, converged as sensitivities need it, with a record at every
     step, and what the study asks of it. Data sets are those of the first scenario; `motions` has
     all of them. `jacobian` and `vjp` are by the variables of the study.
@@ -46,16 +60,12 @@ class Evaluation(Result):
 
     def __init__(self, study: Study, x: np.ndarray, motions: Sequence[Any]):
         super().__init__(motions[0])
-        self._by[()] = (motions[0], {})
         self.study = study
         self.x = x  #: (variables,), the design
         self.objective: float = study._study.mass(x)  #: kg: the mass, also of a study
         #: that minimises a weighted sum
-        self.motions: list[Result] = [self]  #: one for each scenario
-        for motion in motions[1:]:
-            result = Result(motion)
-            result._by[()] = (motion, {})
-            self.motions.append(result)
+        #: one for each scenario
+        self.motions: list[DesignMotion] = [self, *map(DesignMotion, motions[1:])]
         #: largest |value| of each limited response over all motions
         self.limits = {name: max((_largest(m, name) for m in self.motions), default=np.nan)
                        for name, _ in study.limits}
@@ -68,12 +78,6 @@ class Evaluation(Result):
             if motion.status != "done":
                 raise NotConverged(motion.status, motion.reason)
         return self
-
-    def _differentiable(self, by):
-        if by is not None:
-            raise InputError("a design is differentiated by the variables of its study; leave `by` "
-                             "out, or run the scene")
-        return self._by[()]
 
 
 def magnitude(values: np.ndarray) -> np.ndarray:
