@@ -29,17 +29,6 @@ double angle_between(const Vec2& a, const Vec2& b) {
   return 2 * u * sum;
 }
 
-/// Velocity of a node in inertial axes.
-Vec2 velocity(const BodyState<SE2>& s, int k) {
-  return s.H[k].R * Eigen::Map<const Vec2>(s.v + 3 * k);
-}
-
-/// u' + w J u: its acceleration in its own axes.
-Vec2 local_acceleration(const BodyState<SE2>& s, int k) {
-  const double *v = s.v + 3 * k, *a = s.vdot + 3 * k;
-  return {a[0] - v[2] * v[1], a[1] + v[2] * v[0]};
-}
-
 /// The velocity of an end turns with its frame; the axes of positions are held.
 Vec2 velocity_by_turn(const BodyState<SE2>& s, int k) {
   return s.H[k].R * turned(Eigen::Map<const Vec2>(s.v + 3 * k));
@@ -191,12 +180,12 @@ SegmentBeam::Gradient SegmentBeam::angle_gradient(const SE2* H, int i) const {
 }
 
 double SegmentBeam::length_rate(const BodyState<SE2>& s, int e) const {
-  return segment(s.H, e).t.dot(velocity(s, e + 1) - velocity(s, e));
+  return segment(s.H, e).t.dot(node_velocity(s, e + 1) - node_velocity(s, e));
 }
 
 double SegmentBeam::direction_rate(const BodyState<SE2>& s, int e) const {
   const Segment segment = this->segment(s.H, e);
-  return segment.n.dot(velocity(s, e + 1) - velocity(s, e)) / segment.l;
+  return segment.n.dot(node_velocity(s, e + 1) - node_velocity(s, e)) / segment.l;
 }
 
 double SegmentBeam::angle_rate(const BodyState<SE2>& s, int i) const {
@@ -246,15 +235,7 @@ void SegmentBeam::turn_axes(SE2* H) const {
 }
 
 void SegmentBeam::follow_frames(const SE2* start, SE2* H) const {
-  const int n = elements();
-  for (int k = 1; k < n; ++k) {
-    const auto carried = [&](int end) -> Vec2 {
-      const Vec2 from_end = start[end].R.transpose() * (start[k].x - start[end].x);
-      return H[end].x + H[end].R * from_end;
-    };
-    const double share = static_cast<double>(k) / n;
-    H[k].x = (1 - share) * carried(0) + share * carried(n);
-  }
+  follow_ends(start, elements(), H);
 }
 
 /// With d' and d'' of a segment: psi' = n . d'/l, psi'' = (n . d'' - 2 l' psi')/l.
@@ -264,8 +245,8 @@ void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) con
   std::vector<double> rate(n), acceleration(n);
   std::vector<Vec2> x1(n + 1), x2(n + 1);
   for (int k = 0; k <= n; ++k) {
-    x1[k] = velocity(s, k);
-    x2[k] = H[k].R * local_acceleration(s, k);
+    x1[k] = node_velocity(s, k);
+    x2[k] = H[k].R * node_acceleration(s, k);
   }
   for (int e = 0; e < n; ++e) {
     const Segment g = segment(H, e);
@@ -285,24 +266,7 @@ void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) con
 void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, double* r,
                               ForceScale& scale) const {
   const int n = elements();
-  const auto apparent = [&](int k) -> Vec2 {
-    return s.H[k].R * local_acceleration(s, k) - gravity;
-  };
-  Vec2 f = Vec2::Zero(), a = apparent(0);
-  const auto put = [&](int k) {
-    Tangent local;
-    local << s.H[k].R.transpose() * f, 0;
-    Eigen::Map<Tangent>(r + 3 * k) += local;
-    scale.add<SE2>(local);
-  };
-  for (int e = 0; e < n; ++e) {
-    const Vec2 b = apparent(e + 1);
-    f += lumped_ ? Vec2(0.5 * m_[e] * a) : Vec2(m_[e] / 6 * (2 * a + b));
-    put(e);
-    f = lumped_ ? Vec2(0.5 * m_[e] * b) : Vec2(m_[e] / 6 * (a + 2 * b));
-    a = b;
-  }
-  put(n);
+  add_point_inertia(s, m_, lumped_, gravity, r, scale);
   r[2] += J_[0] * s.vdot[2];
   r[3 * n + 2] += J_[1] * s.vdot[3 * n + 2];
 }
@@ -417,7 +381,7 @@ void SegmentBeam::add_turning(const BodyState<SE2>& s, const Vector& gravity, co
       f += (k == 0 ? -1 : 1) * s.H[k].R.transpose() * change;
     }
     A.D[k].col(2).head<2>() -= turned(f);
-    const Vec2 by_turn = turned(local_acceleration(s, k));
+    const Vec2 by_turn = turned(node_acceleration(s, k));
     for (int j = std::max(k - 1, 0); j <= std::min(k + 1, n); ++j)
       if (const double m = mass_between(j, k); m > 0)
         block_of<3>(A, j, k).col(2).head<2>() += m * s.H[j].R.transpose() * s.H[k].R * by_turn;
@@ -482,9 +446,8 @@ BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) c
   BodyEnergy energy;
   const int n = elements();
   for (int e = 0; e < n; ++e) {
-    const Vec2 a = velocity(s, e), b = velocity(s, e + 1);
-    energy.kinetic += lumped_ ? m_[e] / 4 * (a.squaredNorm() + b.squaredNorm())
-                              : m_[e] / 6 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    const Vec2 a = node_velocity(s, e), b = node_velocity(s, e + 1);
+    energy.kinetic += kinetic_energy(m_[e], lumped_, a, b);
     energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment(s.H, e).l / L_[e]);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
   }
@@ -552,7 +515,7 @@ void SegmentBeam::add_energy_gradient(const BodyState<SE2>& s, const Vector& gra
   std::vector<Vec2> p(n + 1, Vec2::Zero());  // momenta
   for (int i = 0; i <= n; ++i)
     for (int j = std::max(i - 1, 0); j <= std::min(i + 1, n); ++j)
-      p[i] += mass_between(i, j) * velocity(s, j);
+      p[i] += mass_between(i, j) * node_velocity(s, j);
   for (int i = 0; i <= n; ++i) {
     Eigen::Map<Tangent> on_h(h + 3 * i), on_v(v + 3 * i);
     on_v.head<2>() += weight.kinetic * s.H[i].R.transpose() * p[i];
@@ -576,7 +539,7 @@ void SegmentBeam::to_unknowns(const BodyState<SE2>& s, double* h, double* v) con
   for (int k = 1; k < n; ++k) {
     Eigen::Map<Tangent> on_h(h + 3 * k), on_v(v + 3 * k);
     const Matrix2 Q = s.H[k].R.transpose() * H[k].R;
-    const Vec2 u = H[k].R.transpose() * velocity(s, k);
+    const Vec2 u = H[k].R.transpose() * node_velocity(s, k);
     turns[k] = {on_h[2] - on_v.head<2>().dot(turned(u)), on_v[2]};
     on_h.head<2>() = (Q * on_h.head<2>()).eval();
     on_v.head<2>() = (Q * on_v.head<2>()).eval();

@@ -1,7 +1,8 @@
 #pragma once
 /// @file
 /// What chains of segments have in common in a plane (`SegmentBeam`) and in space
-/// (`SpatialSegmentBeam`): the axial potential, the springs between segments, their masses.
+/// (`SpatialSegmentBeam`): the axial potential, the springs between segments, their masses and the
+/// inertia of the points between them.
 
 #include <Eigen/Core>
 #include <algorithm>
@@ -9,6 +10,9 @@
 #include <string>
 #include <vector>
 
+#include "liegroup/se2.hpp"
+#include "liegroup/se3.hpp"
+#include "mbs/bodies/body.hpp"
 #include "mbs/bodies/body_matrix.hpp"
 #include "mbs/bodies/law_derivative.hpp"
 #include "mbs/model/mechanism.hpp"
@@ -57,6 +61,72 @@ inline double mass_between(const Eigen::VectorXd& m, bool lumped, Eigen::Index i
   if (i != j) return lumped ? 0 : m[std::min(i, j)] / 6;
   const double own = (i > 0 ? m[i - 1] : 0) + (i < m.size() ? m[i] : 0);
   return own / (lumped ? 2 : 3);
+}
+
+/// Velocity of a node in inertial axes.
+template <FrameGroup G>
+auto node_velocity(const BodyState<G>& s, int k) {
+  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
+  return Vector(s.H[k].R * Eigen::Map<const Vector>(s.v + G::dim * k));
+}
+
+/// u' + w x u: its acceleration in its own axes.
+inline Eigen::Vector2d node_acceleration(const BodyState<SE2>& s, int k) {
+  const double *v = s.v + 3 * k, *a = s.vdot + 3 * k;
+  return {a[0] - v[2] * v[1], a[1] + v[2] * v[0]};
+}
+inline Vec3 node_acceleration(const BodyState<SE3>& s, int k) {
+  const Vec3 u = Eigen::Map<const Vec3>(s.v + 6 * k), w = Eigen::Map<const Vec3>(s.v + 6 * k + 3);
+  return Eigen::Map<const Vec3>(s.vdot + 6 * k) + w.cross(u);
+}
+
+/// Nodes 1 ... n - 1 of H to where its ends carry them from `start`, linear in between.
+template <FrameGroup G>
+void follow_ends(const G* start, int n, G* H) {
+  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
+  for (int k = 1; k < n; ++k) {
+    const auto carried = [&](int end) -> Vector {
+      const Vector from_end = start[end].R.transpose() * (start[k].x - start[end].x);
+      return H[end].x + H[end].R * from_end;
+    };
+    const double share = static_cast<double>(k) / n;
+    H[k].x = (1 - share) * carried(0) + share * carried(n);
+  }
+}
+
+/// r += the inertia of the points against x'' - g, without the end sections. @param m by segment,
+/// kg
+template <FrameGroup G>
+void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, bool lumped,
+                       const Eigen::Matrix<double, G::space_dim, 1>& gravity, double* r,
+                       ForceScale& scale) {
+  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
+  const int n = static_cast<int>(m.size());
+  const auto apparent = [&](int k) -> Vector {
+    return s.H[k].R * node_acceleration(s, k) - gravity;
+  };
+  Vector f = Vector::Zero(), a = apparent(0);
+  const auto put = [&](int k) {
+    typename G::Tangent local = G::Tangent::Zero();
+    local.template head<G::space_dim>() = s.H[k].R.transpose() * f;
+    Eigen::Map<typename G::Tangent>(r + G::dim * k) += local;
+    scale.add<G>(local);
+  };
+  for (int e = 0; e < n; ++e) {
+    const Vector b = apparent(e + 1);
+    f += lumped ? Vector(0.5 * m[e] * a) : Vector(m[e] / 6 * (2 * a + b));
+    put(e);
+    f = lumped ? Vector(0.5 * m[e] * b) : Vector(m[e] / 6 * (a + 2 * b));
+    a = b;
+  }
+  put(n);
+}
+
+/// Kinetic energy of segment e, points a and b of it at these velocities, J.
+template <class Vector>
+double kinetic_energy(double m, bool lumped, const Vector& a, const Vector& b) {
+  return lumped ? m / 4 * (a.squaredNorm() + b.squaredNorm())
+                : m / 6 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
 }
 
 /// The block of nodes i and j, at most next neighbours, of a wide chain.

@@ -141,15 +141,7 @@ void SpatialSegmentBeam::turn_axes(SE3* H) const {
 }
 
 void SpatialSegmentBeam::follow_frames(const SE3* start, SE3* H) const {
-  const int n = elements();
-  for (int k = 1; k < n; ++k) {
-    const auto carried = [&](int end) -> Vec3 {
-      const Vec3 from_end = start[end].R.transpose() * (start[k].x - start[end].x);
-      return H[end].x + H[end].R * from_end;
-    };
-    const double share = static_cast<double>(k) / n;
-    H[k].x = (1 - share) * carried(0) + share * carried(n);
-  }
+  follow_ends(start, elements(), H);
 }
 
 std::string SpatialSegmentBeam::fault(const SE3* H) const {
@@ -191,22 +183,7 @@ void SpatialSegmentBeam::complete(SE3* H, double* v, double* vdot, const double*
 void SpatialSegmentBeam::add_inertia(const BodyState<SE3>& s, const Vector& gravity, double* r,
                                      ForceScale& scale) const {
   const int n = elements();
-  const auto apparent = [&](int k) -> Vec3 { return s.H[k].R * node_acceleration(s, k) - gravity; };
-  Vec3 f = Vec3::Zero(), a = apparent(0);
-  const auto put = [&](int k) {
-    Tangent local;
-    local << s.H[k].R.transpose() * f, Vec3::Zero();
-    Eigen::Map<Tangent>(r + 6 * k) += local;
-    scale.add<SE3>(local);
-  };
-  for (int e = 0; e < n; ++e) {
-    const Vec3 b = apparent(e + 1);
-    f += lumped_ ? Vec3(0.5 * m_[e] * a) : Vec3(m_[e] / 6 * (2 * a + b));
-    put(e);
-    f = lumped_ ? Vec3(0.5 * m_[e] * b) : Vec3(m_[e] / 6 * (a + 2 * b));
-    a = b;
-  }
-  put(n);
+  add_point_inertia(s, m_, lumped_, gravity, r, scale);
   for (const int k : {0, n}) {
     const Mat3& J = J_[k == 0 ? 0 : 1];
     const Vec3 w = Eigen::Map<const Vec3>(s.v + 6 * k + 3), momentum = J * w;
@@ -286,8 +263,7 @@ BodyEnergy SpatialSegmentBeam::energy(const BodyState<SE3>& s, const Vector& gra
   const int n = elements();
   for (int e = 0; e < n; ++e) {
     const Vec3 a = node_velocity(s, e), b = node_velocity(s, e + 1);
-    energy.kinetic += lumped_ ? m_[e] / 4 * (a.squaredNorm() + b.squaredNorm())
-                              : m_[e] / 6 * (a.squaredNorm() + a.dot(b) + b.squaredNorm());
+    energy.kinetic += kinetic_energy(m_[e], lumped_, a, b);
     energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment(s.H, e).l / L_[e]);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
   }

@@ -9,21 +9,10 @@
 #include <cmath>
 
 #include "liegroup/se3.hpp"
-#include "mbs/bodies/body.hpp"
+#include "mbs/bodies/segment_law.hpp"
 #include "mbs/model/mechanism.hpp"
 
 namespace liesl {
-
-/// Velocity of a node in inertial axes.
-inline Vec3 node_velocity(const BodyState<SE3>& s, int k) {
-  return s.H[k].R * Eigen::Map<const Vec3>(s.v + 6 * k);
-}
-
-/// u' + w x u: its acceleration in its own axes.
-inline Vec3 node_acceleration(const BodyState<SE3>& s, int k) {
-  const Vec3 u = Eigen::Map<const Vec3>(s.v + 6 * k), w = Eigen::Map<const Vec3>(s.v + 6 * k + 3);
-  return Eigen::Map<const Vec3>(s.vdot + 6 * k) + w.cross(u);
-}
 
 /// The part of a vector across a direction t, and across x.
 inline Vec3 across(const Vec3& t, const Vec3& a) { return a - t.dot(a) * t; }

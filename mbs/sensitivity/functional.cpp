@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 
@@ -32,13 +31,19 @@ MatrixXd through_norms(const VectorXd& by_v, const MatrixXd& y, const VectorXd& 
   return by_y;
 }
 
-/// (sum w v^p / sum w)^(1/p), with v in units of its peak m.
-double mean_power(double p, const VectorXd& w, const VectorXd& v, double m, VectorXd& by_v) {
-  if (m == 0) return 0;
+/// Weights of a mean: those of the trapezoidal rule by their sum, equal ones where no time passes.
+VectorXd shares_of(const VectorXd& w) {
   const double T = w.sum();
-  const double mean = w.dot((v / m).array().pow(p).matrix()) / T;
+  if (T > 0) return w / T;
+  return VectorXd::Constant(w.size(), 1. / static_cast<double>(w.size()));
+}
+
+/// (sum share v^p)^(1/p), with v in units of its peak m.
+double mean_power(double p, const VectorXd& share, const VectorXd& v, double m, VectorXd& by_v) {
+  if (m == 0) return 0;
+  const double mean = share.dot((v / m).array().pow(p).matrix());
   const double value = m * std::pow(mean, 1 / p);
-  by_v = (value / (mean * T * m) * w.array() * (v / m).array().pow(p - 1)).matrix();
+  by_v = (value / (mean * m) * share.array() * (v / m).array().pow(p - 1)).matrix();
   return value;
 }
 
@@ -131,11 +136,11 @@ FunctionalValue evaluate(const FunctionalSpec& functional, const VectorXd& t, co
     case FunctionalKind::Integral:
       return linear(w);
     case FunctionalKind::Mean:
-      return linear(w / std::max(w.sum(), 1e-300));
+      return linear(shares_of(w));
     case FunctionalKind::Rms:
-      return of_norms(mean_power(2, w, v, v[peak], by_v));
+      return of_norms(mean_power(2, shares_of(w), v, v[peak], by_v));
     case FunctionalKind::PNorm:
-      return of_norms(mean_power(functional.number, w, v, v[peak], by_v));
+      return of_norms(mean_power(functional.number, shares_of(w), v, v[peak], by_v));
     case FunctionalKind::Ks:
       return of_norms(kreisselmeier_steinhauser(functional.number, v, peak, by_v));
   }

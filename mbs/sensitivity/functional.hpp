@@ -17,7 +17,7 @@ enum class FunctionalKind {
   Peak,      ///< max v_n; at a peak dy/dt = 0, so that its time may be held
   At,        ///< s at a given time, at the step that is nearest
   Integral,  ///< sum w_n s_n
-  Mean,      ///< the same, divided by the duration
+  Mean,      ///< the same, divided by the duration; of no duration that of the values
   Rms,       ///< root of the mean of v^2
   PNorm,     ///< (mean of v^p)^(1/p)
   Ks  ///< m (1 + ln(sum exp(rho (v_n/m - 1)))/rho), m the peak: between m and m (1 + ln N/rho)

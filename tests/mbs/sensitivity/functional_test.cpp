@@ -106,6 +106,26 @@ TEST(Functional, OfNothingIsZeroAndFinite) {
   }
 }
 
+/// A start without a step: of one record, and of several at one time, means are those of the
+/// values.
+TEST(Functional, OfNoDurationIsThatOfTheValues) {
+  const auto value = [](FunctionalKind kind, const MatrixXd& y) {
+    return evaluate({kind, kind == FunctionalKind::PNorm ? 8. : 0.}, VectorXd::Zero(y.cols()), y)
+        .value;
+  };
+  const MatrixXd one = Eigen::Vector2d(3, 4);
+  EXPECT_NEAR(value(FunctionalKind::Mean, one), 5, 1e-15);
+  EXPECT_NEAR(value(FunctionalKind::Rms, one), 5, 1e-15);
+  EXPECT_NEAR(value(FunctionalKind::PNorm, one), 5, 1e-15);
+  EXPECT_EQ(value(FunctionalKind::Integral, one), 0);
+  EXPECT_NEAR(value(FunctionalKind::Rms, Eigen::RowVector2d(1, 7)), 5, 1e-15);
+  for (const FunctionalSpec& spec : all()) {
+    const FunctionalValue at = evaluate(spec, VectorXd::Zero(1), one);
+    EXPECT_TRUE(at.by_y.allFinite()) << to_string(spec);
+    EXPECT_NEAR(at.by_y.cwiseProduct(one).sum(), at.value, 1e-14) << to_string(spec);
+  }
+}
+
 TEST(Functional, IsReadAsItIsWritten) {
   for (const FunctionalSpec& spec : all()) {
     const auto read = functional_of(to_string(spec));
