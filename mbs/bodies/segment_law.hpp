@@ -122,7 +122,7 @@ void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, bool lum
   put(n);
 }
 
-/// Kinetic energy of segment e, points a and b of it at these velocities, J.
+/// Kinetic energy of a segment of mass m [kg] whose ends have the velocities a and b, J.
 template <class Vector>
 double kinetic_energy(double m, bool lumped, const Vector& a, const Vector& b) {
   return lumped ? m / 4 * (a.squaredNorm() + b.squaredNorm())
