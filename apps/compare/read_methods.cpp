@@ -52,8 +52,9 @@ std::vector<std::string> keys_of_axis(std::string_view name, const Study& study)
   return keys;
 }
 
-/// The plain cycle has no treatments: it gets one row for all of them. An optimiser of the motion
-/// itself has those whose number of constraints stays; "all" is its "auto".
+/// The plain cycle ends at one static optimum whatever load cases it begins with: it gets one row.
+/// An optimiser of the motion itself has those whose number of constraints stays; "all" is its
+/// "auto".
 bool has_treatment(const std::string& method, const std::string& treatment) {
   if (treatment == "auto") return true;
   if (method == "direct")
@@ -61,8 +62,8 @@ bool has_treatment(const std::string& method, const std::string& treatment) {
   return method != "esl";
 }
 
-/// A treated limit has no static problem of a part, so "esl1" takes the steps of "full": where both
-/// are rows, those of "full" stand for both.
+/// An aggregate over time has no static problem of a part, so "esl1" takes the steps of "full":
+/// where both are rows, those of "full" stand for both.
 void leave_out_treatments(CaseList& cases) {
   const auto column = [&](const char* name) {
     return std::find_if(cases.columns.begin(), cases.columns.end(),
@@ -79,7 +80,8 @@ void leave_out_treatments(CaseList& cases) {
                                 [&](const auto& row) { return value(row, method) == "full"; });
   std::erase_if(cases.rows, [&](const CaseList::Row& row) {
     const std::string of = value(row, method), treated = value(row, treatment);
-    return !has_treatment(of, treated) || (full && of == "esl1" && treated != "auto");
+    const bool aggregate = treated == "ks" || treated == "functional" || treated == "p_norm";
+    return !has_treatment(of, treated) || (full && of == "esl1" && aggregate);
   });
 }
 

@@ -36,7 +36,7 @@ std::vector<Key> compare_keys() {
     {"grid.tolerance", Type::List, "", kOptional, kAny, "simulation.tolerance."},
     {"grid.rho_inf", Type::List, "", kOptional, kAny, "simulation.rho_inf."},
     {"grid.tangent", Type::List, "", kOptional, kAny, "simulation.tangent."},
-    {"grid.method", Type::List, "", kOptional, kAny, "Of a study: cycle.method. Rows of \"esl\" with another treatment than \"auto\" are left out: it has none. So are those of \"esl1\" where \"full\" is compared as well, whose steps it then takes."},
+    {"grid.method", Type::List, "", kOptional, kAny, "Of a study: cycle.method. Rows of \"esl\" with another treatment than \"auto\" are left out: its end is the same. So are those of \"esl1\" with an aggregate (\"ks\", \"functional\", \"p_norm\") where \"full\" is compared as well, whose steps it then takes."},
     {"grid.optimizer", Type::List, "", kOptional, kAny, "Of a study: cycle.optimizer."},
     {"grid.approximation", Type::List, "", kOptional, kAny, "Of a study: cycle.approximation."},
     {"grid.treatment", Type::List, "", kOptional, kAny, "Of a study: `treatment` of all constraints."},

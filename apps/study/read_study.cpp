@@ -657,8 +657,10 @@ void check_images(StudyReader& reader) {
         fmt::format("'{}' changes a constant of the motion, and {}", c.name, why),
         "dimensions of sections or parameters of an outline",
         "constants need a motion and cycle.method \"esl1\" or \"full\"");
+  const bool fixed = reader.root.contains("loads");
   for (const ConstraintSpec& c : reader.spec.constraints)
-    if (c.weight == 0 && (!c.has_image || by_motion_alone(c))) {
+    if (c.weight == 0 &&
+        (!c.has_image || by_motion_alone(c) || (fixed && c.treatment != Treatment::Auto))) {
       const toml::table& table = constraint_table(reader, c.response.name);
       const toml::node* use = table.get("use");
       const bool treated = c.has_image, of_mesh = is_of_mesh(reader, c.response);
@@ -668,7 +670,8 @@ void check_images(StudyReader& reader) {
           : use                           ? *use
                                           : *table.get("response"),
           fmt::format("constraint '{}' {}, and {}", c.response.name,
-                      treated                         ? "is told by the motion's own gradients"
+                      by_motion_alone(c)              ? "is told by the motion's own gradients"
+                      : treated                       ? "has a treatment over time"
                       : c.response.side != Side::Both ? "holds one side"
                       : of_mesh                       ? "is of a meshed part in its motion"
                                                       : "is not on the deformation of a part",

@@ -259,7 +259,7 @@ bool MotionModel<G>::drop_images() {
     if (!may_drop_images_ || !study_.shapes.empty() || !any) continue;
     c.has_image = false;
     c.surrogate = SurrogateKind::Auto;
-    c.treatment = Treatment::Maxima;
+    if (c.treatment == Treatment::Auto) c.treatment = Treatment::Maxima;
     dropped = true;
   }
   return dropped;

@@ -58,7 +58,7 @@ class MotionModel final : public DesignModel {
                                                 double move) const override;
   Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
                       double active) const override;
-  /// Limits become the maxima of the motion itself (Treatment::Maxima).
+  /// Limits become what their treatment makes of the motion itself, the maxima by default.
   bool drop_images() override;
   DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                const Progress& progress) const override;

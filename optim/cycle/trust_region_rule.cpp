@@ -117,9 +117,8 @@ Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
                                        step.end->status == CycleStatus::Converged);
   if (!no_optimum || used_up(record.history(), record.options()) || !record.model().drop_images())
     return step;
-  record.warn(
-      "static images led to no optimum; the cycle went on with the maxima of the motion itself: " +
-      step.end->reason);
+  record.warn("static images led to no optimum; the cycle went on with the motion itself: " +
+              step.end->reason);
   record.certify({});
   images_ = false;
   surrogate_ = {};
@@ -160,7 +159,8 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
       continue;
     }
     if (auto end = settled(record, predicted_)) return {x_, std::move(end)};
-    if (auto end = used_up(record.history(), record.options())) return {x_, std::move(end)};
+    if (auto end = used_up(record.history(), record.options()))
+      return {x_, is_optimal(record) ? stalled(record) : std::move(*end)};
     return {answer_.x, {}};
   }
 }
@@ -188,10 +188,14 @@ void TrustRegionRule::solve(CycleRecord& record) {
 
 std::optional<CycleEnd> TrustRegionRule::settled(CycleRecord& record, double predicted) const {
   const double counts = kCounts * record.options().objective_tolerance;
-  const bool meets = at_->worst <= record.options().feasibility;
-  if (predicted > (meets && surrogate_.optimality.holds() ? counts : kNothing)) return {};
-  if (!meets) return infeasible(record);
+  if (predicted > (is_optimal(record) ? counts : kNothing)) return {};
+  if (at_->worst > record.options().feasibility) return infeasible(record);
   return stalled(record);
+}
+
+/// Is the last design that was taken feasible and certified, whatever is left to gain?
+bool TrustRegionRule::is_optimal(const CycleRecord& record) const {
+  return at_->worst <= record.options().feasibility && surrogate_.optimality.holds();
 }
 
 std::string TrustRegionRule::place() const {

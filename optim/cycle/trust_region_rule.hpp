@@ -43,6 +43,7 @@ class TrustRegionRule final : public StepRule {
   bool on_bound() const;
   /// The end of a design from which nothing that counts is left to gain; none: there is.
   std::optional<CycleEnd> settled(CycleRecord& record, double predicted) const;
+  bool is_optimal(const CycleRecord& record) const;
   CycleEnd stalled(CycleRecord& record) const;
   CycleEnd infeasible(CycleRecord& record) const;
   std::string certificate() const;

@@ -94,8 +94,9 @@ void BeamStatics<G>::add_limits(const PartOutputs& outputs, int body) {
          {l.constraint, static_cast<int>(parts_.size()), many, c.limit},
          l.first,
          l.count,
-         LimitedResponse{l.constraint,
-                         response_of(l, c.response, model_.bodies[body]->elements())}});
+         LimitedResponse{.constraint = l.constraint,
+                         .response = response_of(l, c.response, model_.bodies[body]->elements()),
+                         .treatment = c.treatment}});
     second_derivatives_ &= !ResponseValues<G>::depends_on_law(c.response.kind);
   }
 }

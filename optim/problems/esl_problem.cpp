@@ -4,6 +4,8 @@
 #include <limits>
 #include <numeric>
 
+#include "optim/problems/treatment.hpp"
+
 namespace liesl {
 
 using Eigen::MatrixXd;
@@ -23,7 +25,21 @@ EslProblem::EslProblem(std::unique_ptr<PartStatics> parts, const CycleOptions& o
   }
   const bool every = !solved || parts_->needs_every_case();
   if (!every) at_start_ = all_values();
-  keep(every ? CasesByLimit() : near_largest(at_start_, screened_, options));
+  keep(every ? CasesByLimit() : first_cases(options));
+}
+
+/// What the treatment of a limit names; of one of many points, of all records as an active set and
+/// under fixed loads the cases near the largest value.
+CasesByLimit EslProblem::first_cases(const CycleOptions& options) const {
+  CasesByLimit out = near_largest(at_start_, screened_, options);
+  for (std::size_t l = 0; l < out.size(); ++l) {
+    const auto& motion = parts_->limits()[l].motion;
+    if (!motion || screened_[l].many || at_start_[l].empty()) continue;
+    if (motion->treatment == Treatment::Auto || motion->treatment == Treatment::All) continue;
+    const std::set<int> records = treated_records(motion->treatment, at_start_[l]);
+    out[l].assign(records.begin(), records.end());
+  }
+  return out;
 }
 
 void EslProblem::retain_all() {

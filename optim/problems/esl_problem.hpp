@@ -59,6 +59,7 @@ class EslProblem final : public StaticProblem {
 
  private:
   std::vector<std::vector<int>> all_cases() const;  ///< by part
+  CasesByLimit first_cases(const CycleOptions& options) const;
   void retain_all();
   void keep(const CasesByLimit& cases);
   bool solve(const Eigen::VectorXd& x);

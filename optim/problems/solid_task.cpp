@@ -91,11 +91,13 @@ SolidTask solid_task(const StudySpec& study, PartShape& part) {
     const auto first = task.outputs.cols();
     task.outputs.conservativeResize(Eigen::NoChange, first + C.cols());
     task.outputs.rightCols(C.cols()) = C;
-    task.limits.push_back(
-        {c.response.name, SolidResponse::Output, static_cast<int>(first),
-         static_cast<int>(C.cols()), c.limit,
-         moves ? std::optional(LimitedResponse{static_cast<int>(i), c.response}) : std::nullopt,
-         moves ? 0 : c.weight});
+    task.limits.push_back({c.response.name, SolidResponse::Output, static_cast<int>(first),
+                           static_cast<int>(C.cols()), c.limit,
+                           moves ? std::optional(LimitedResponse{.constraint = static_cast<int>(i),
+                                                                 .response = c.response,
+                                                                 .treatment = c.treatment})
+                                 : std::nullopt,
+                           moves ? 0 : c.weight});
   }
   for (std::size_t i = 0; i < study.part_limits.size(); ++i) {
     const PartLimitSpec& l = study.part_limits[i];

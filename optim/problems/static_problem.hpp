@@ -29,7 +29,9 @@ struct LimitedResponse {
   ResponseSpec response;
   int scenario = 0;   ///< of the study: which motion
   double kept = 0.5;  ///< gradients are kept where it is at least this share of its largest value
-  Treatment treatment = Treatment::Auto;  ///< whose records have gradients in any case
+  /// Whose records are rows at first and have gradients in any case; Auto: those near the largest,
+  /// and none but the maxima.
+  Treatment treatment = Treatment::Auto;
   /// Of the study: the limit of a meshed part itself, in place of `constraint`; -1: it is none.
   int part_limit = -1;
   std::shared_ptr<const PartSlopes> slopes = {};  ///< of a part limit; null: not asked for

@@ -80,13 +80,16 @@ inline double& constant_of(const ConstantSpec& c, Mechanism& m) {
   return c.quantity == ConstantQuantity::Damping ? force.damping : force.rest;
 }
 
-/// How a limit over all of a motion becomes constraints (thesis section 3.3.2); of what the motion
-/// says itself, with its gradients.
+/// How a limit over all of a motion becomes constraints (thesis section 3.3.2): the load cases that
+/// a static problem begins with, which takes those that turn out to violate the limit; or, where no
+/// static problem tells the limit, rows of the motion itself with its gradients. The aggregates are
+/// always of the motion.
 enum class Treatment {
-  Auto,        ///< images in static problems with their screening; else Maxima, of one of many
-               ///< points the records near the largest
-  All,         ///< every record above half of the largest
-  Maxima,      ///< local maxima over time above half of the largest
+  Auto,    ///< of static problems All; of the motion Maxima, of one of many points the records
+           ///< near the largest
+  All,     ///< of static problems an active set of all records, at first those near the largest;
+           ///< of the motion every record above half of the largest
+  Maxima,  ///< local maxima over time above half of the largest
   Neighbours,  ///< the same with three records on either side
   Worst,       ///< the largest alone
   Functional,  ///< mean excess, (1/T) int <v/limit - 1> dt <= 0
@@ -118,7 +121,7 @@ struct ConstraintSpec {
 
 /// Is a limit told by the motion's own gradients, whatever static problems there are?
 inline bool by_motion_alone(const ConstraintSpec& c) {
-  return c.treatment != Treatment::Auto || c.surrogate == SurrogateKind::Motion;
+  return aggregates(c.treatment) || c.surrogate == SurrogateKind::Motion;
 }
 
 /// A parameter that follows a variable: p = p_0 + factor (x - x_0), where p_0 are the values of the

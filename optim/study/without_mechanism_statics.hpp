@@ -26,7 +26,7 @@ inline std::optional<NoMechanismStatics> without_mechanism_statics(const StudySp
   if (method != CycleMethod::Auto && method != CycleMethod::Esl1)
     return NoMechanismStatics{"this cycle.method takes no static problem of the mechanism",
                               "cycle.method = \"esl1\""};
-  if (limit.treatment != Treatment::Auto)
+  if (aggregates(limit.treatment))
     return NoMechanismStatics{"its treatment has the motion's own gradients",
                               "treatment = \"auto\""};
   if (!study.shapes.empty() || without_statics(study))

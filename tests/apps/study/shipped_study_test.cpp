@@ -100,6 +100,8 @@ TEST(ShippedStudy, HasSidesAndFrequenciesReadIntoIt) {
 TEST(ShippedStudy, RefusesTreatmentsThatItsMethodOrRangeHasNot) {
   const auto read = [](const Changes& changes) { shipped_study("slider_crank_rod", changes); };
   EXPECT_THROW(read({"cycle.method=esl", "constraints.bending.treatment=ks"}), InputError);
+  EXPECT_NO_THROW(read({"cycle.method=esl", "constraints.bending.treatment=maxima"}));
+  EXPECT_THROW(shipped_study("cantilever", {"constraints.sag.treatment=maxima"}), InputError);
   EXPECT_THROW(read({"constraints.bending.treatment=best"}), InputError);
   EXPECT_THROW(read({"constraints.bending.treatment=p_norm", "constraints.bending.p=0.5"}),
                InputError);

@@ -287,6 +287,21 @@ TEST(TrustRegionCycle, EightDiametersEndOptimalWithinTenCycles) {
   EXPECT_LE(r.optimality->residual->stationarity, 1e-2);
 }
 
+/// Cycles that are used up while a decrease that is asked for is left: the design is optimal all
+/// the same.
+TEST(TrustRegionCycle, AnOptimalDesignAtTheCycleLimitIsOptimal) {
+  Simulated s(rod());
+  const auto enough = s.optimise();
+  ASSERT_EQ(enough.status, CycleStatus::Optimal) << enough.reason;
+  s.study.spec.cycle.objective_tolerance = 1e-12;
+  s.study.spec.cycle.max = static_cast<int>(enough.history.size());
+  const auto r = s.optimise();
+  EXPECT_EQ(static_cast<int>(r.history.size()), s.study.spec.cycle.max + 1) << "all are used";
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  s.study.spec.cycle.max = 1;
+  EXPECT_EQ(s.optimise().status, CycleStatus::CycleLimit);
+}
+
 TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
   Simulated s(rod());
   const auto r = s.optimise();

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "optim/cycle/motion_cycle.hpp"
+#include "optim/problems/motion_problem.hpp"
 #include "reference/studies.hpp"
 
 namespace liesl::test::treatment_test {
@@ -104,6 +105,30 @@ TEST(Treatment, RecordsOfEachKind) {
   EXPECT_EQ(treated_records(Treatment::All, v), (Set{2, 3, 8}));
   EXPECT_EQ(treated_records(Treatment::Neighbours, v), (Set{0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11}));
   for (const Treatment t : kAggregating) EXPECT_EQ(treated_records(t, v).size(), v.size());
+}
+
+/// A static problem begins with the load cases that the treatment names, and takes those that turn
+/// out to violate the limit: the cycles are as few as with any other.
+TEST(Treatment, ChoosesTheLoadCasesOfStaticProblems) {
+  StudyCase study = slider_crank_rod();
+  study.spec.cycle.method = CycleMethod::Esl1;
+  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
+  const DesignSimulator<SE2> simulator(study.scene.mechanism, space, study.scene.simulation,
+                                       study.spec);
+  const Eigen::VectorXd x = simulator.design().start();
+  const DesignRun<SE2> run = simulator.run(x);
+  ASSERT_TRUE(run.good()) << run.reason();
+  for (const Treatment treatment : {Treatment::Worst, Treatment::Maxima, Treatment::Neighbours}) {
+    SCOPED_TRACE(static_cast<int>(treatment));
+    study.spec.constraints[0].treatment = treatment;
+    const auto problem = motion_problem(study.spec, simulator, run, x, 0.3);
+    const auto named = treated_records(treatment, run.limits[0].values);
+    ASSERT_EQ(problem->load_cases(), static_cast<int>(named.size()));
+    for (const RowImage& image : problem->images()) EXPECT_TRUE(named.contains(image.record));
+    const auto r = run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec);
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+    EXPECT_LE(r.history.size(), 8u) << "those of static problems, not of full";
+  }
 }
 
 /// Whatever becomes of the limit, the lightest rod that meets it is one.
