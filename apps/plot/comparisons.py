@@ -235,11 +235,14 @@ METHODS = {"esl": BLUE, "esl1": ORANGE, "full": GREEN, "direct": PURPLE}
 
 
 def masses_about_optimum(rows, share=0.03):
-    """Range of masses about the lightest optimal one that shows its neighbours apart; None: all fit."""
+    """Range of masses about the lightest optimal one that shows its neighbours apart; None: all fit. Where optima
+    differ by more, as those of another limit do, about the lightest of those that most rows end at."""
     masses = [float(row["mass"]) for row in rows if is_number(row["mass"])]
     optimal = [float(row["mass"]) for row in rows
                if row["status"] == "optimal" and is_number(row["mass"])]
-    close = [m for m in masses if optimal and abs(m / min(optimal) - 1) <= share]
+    middle = sorted(optimal)[len(optimal) // 2] if optimal else 0
+    lightest = min((m for m in optimal if abs(m / middle - 1) <= share), default=0)
+    close = [m for m in masses if lightest and abs(m / lightest - 1) <= share]
     if len(close) in (0, len(masses)):
         return None
     room = max(0.15 * (max(close) - min(close)), 1e-3 * min(close))

@@ -241,6 +241,15 @@ class Plot(unittest.TestCase):
     def test_methods(self):
         self.draws(write_methods, ["methods"])
 
+    def test_masses_are_shown_about_the_optimum_that_most_rows_end_at(self):
+        """Of another limit, as p_norm, there is a lighter one."""
+        from comparisons import masses_about_optimum
+        rows = [{"mass": mass, "status": status} for mass, status in
+                (("0.90464", "optimal"), ("0.90466", "optimal"), ("0.90781", "converged"), ("0.4277", "optimal"),
+                 ("", "stopped"))]
+        low, high = masses_about_optimum(rows)
+        self.assertTrue(0.9 < low < 0.90464 and 0.90781 < high < 0.91, f"{low}, {high}")
+
     def test_map(self):
         self.draws(write_map, ["map"])
 
