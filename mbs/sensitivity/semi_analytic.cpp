@@ -85,7 +85,7 @@ class FrozenFactor {
         x.col(i).tail(m) += dlambda;
       }
     }
-    return true;
+    return x.allFinite();
   }
 
  private:
@@ -108,12 +108,13 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
   StateSensitivity ds;
   SensitivityEnd end;
   const auto fail = [&end](double t) {
-    end.reason = fmt::format("the equations of the step to t = {:.6g} s are singular", t);
+    end.reason = fmt::format(
+        "the equations of the step to t = {:.6g} s are singular or have no finite solution", t);
   };
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   long step = 0;
   if (!sensitivity.start(first)) return fail(first.t), end;
-  sensitivity.forward(residuals.at_start(first), ds);
+  if (!sensitivity.forward(residuals.at_start(first), ds)) return fail(first.t), end;
   at(step++, first, ds);
   const auto advance = [&](const State<G>& from, const State<G>& to, double h) {
     if (!end.complete()) return;
@@ -123,11 +124,10 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
     const auto k = sensitivity.known(ds);
     const auto change = sensitivity.at_held_frames(k);
     MatrixXd x = residuals.right_side(after, before.rows, change.v, change.vdot);
-    if (!factor.frozen)
-      sensitivity.solve(x);
-    else if (!frozen.solve(sensitivity.matrix(), w, factor.corrections, to,
-                           residuals.equations(to, from.rows), x))
-      return fail(after.t);
+    const bool solved = factor.frozen ? frozen.solve(sensitivity.matrix(), w, factor.corrections,
+                                                     to, residuals.equations(to, from.rows), x)
+                                      : sensitivity.solve(x);
+    if (!solved) return fail(after.t);
     sensitivity.finish(k, x, ds);
     at(step++, after, ds);
   };
