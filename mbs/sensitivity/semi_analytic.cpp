@@ -40,12 +40,18 @@ class Residuals {
     }
     return out;
   }
-  /// r_p, at constant state; Phi_p = 0.
+  /// r_p and d^2/dt^2 of Phi_p at constant state.
   ResidualDerivative at_start(const State<G>& s) {
     const MatrixXd none = MatrixXd::Zero(at_.r.size(), static_cast<Index>(changed_.size()));
     const MatrixXd b = right_side(s, s.rows, none, none);
-    return {(-b.topRows(at_.r.size())).eval().sparseView(),
-            MatrixXd::Zero(at_.phi.size(), b.cols())};
+    MatrixXd phi(at_.phi.size(), b.cols());
+    VectorXd target(phi.rows()), changed = target;
+    at_.acceleration_target(s, s.t, target);
+    for (Index i = 0; i < phi.cols(); ++i) {
+      changed_[static_cast<std::size_t>(i)].acceleration_target(s, s.t, changed);
+      phi.col(i) = (target - changed) / perturbed_[static_cast<std::size_t>(i)].step;
+    }
+    return {(-b.topRows(at_.r.size())).eval().sparseView(), phi};
   }
   /// At the state, positions in the axes of their nodes.
   Equations<G>& equations(const State<G>& s, const VectorXd& previous) {
