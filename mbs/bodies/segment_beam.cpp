@@ -436,9 +436,14 @@ void SegmentBeam::extrapolate_stress(const BodyState<SE2>& s, const double* delt
     const Segment segment = this->segment(s.H, e);
     const double first = c_[e] * angle_gradient(s.H, e).dot(delta),
                  last = c_[e + 1] * angle_gradient(s.H, e + 1).dot(delta);
+    const auto moved = [&](int k) -> Vec2 {
+      return s.H[k].R * Eigen::Map<const Vec2>(delta + 3 * k);
+    };
+    const double l = (segment.l * segment.t + moved(e + 1) - moved(e)).norm();
     stress[e] = section_force(s, e, ElementPlace::Middle) +
-                Tangent(axial_slope(e, segment.l) * length_gradient(s.H, e).dot(delta),
-                        (first - last) / segment.l, 0.5 * (first + last));
+                Tangent(axial_slope(e, segment.l) * length_gradient(s.H, e).dot(delta), 0,
+                        0.5 * (first + last));
+    stress[e][1] = (moment(s.H, e) + first - moment(s.H, e + 1) - last) / l;
   }
 }
 

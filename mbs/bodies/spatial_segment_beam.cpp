@@ -107,9 +107,15 @@ Misalignment SpatialSegmentBeam::bend(const SE3* H, int i) const {
 
 Vec3 SpatialSegmentBeam::moment(const SE3* H, int i) const { return c_[i] * bend(H, i).q(); }
 
-Vec3 SpatialSegmentBeam::force(const SE3* H, int e) const {
+auto SpatialSegmentBeam::forces(const SE3* H, int e, const Tangent* stress) const -> SegmentForces {
+  if (stress) return {stress[e][0], stress[e].tail<3>(), stress[e + 1].tail<3>()};
+  return {axial(e, segment(H, e).l), moment(H, e), moment(H, e + 1)};
+}
+
+Vec3 SpatialSegmentBeam::force(const SE3* H, int e, const Tangent* stress) const {
   const SpatialSegment g = segment(H, e);
-  return axial(e, g.l) * g.t + (moment(H, e) - moment(H, e + 1)).cross(g.t) / g.l;
+  const SegmentForces at = forces(H, e, stress);
+  return at.N * g.t + (at.first - at.last).cross(g.t) / g.l;
 }
 
 Mat3 SpatialSegmentBeam::axes_of(const SE3* H, int e) const {

@@ -53,7 +53,7 @@ class SpatialSegmentBeam final : public Body<SE3> {
   void add_internal(const BodyState<SE3>& s, double* r, ForceScale& scale) const override;
   /// Of statics (no weight of mass and damping) with 1e-4 c about the axis at both ends, which no
   /// force answers to: what turns an end there alone is not held in place by it.
-  /// @param stress [N, ...] in the middle of each segment; moments are those of the state
+  /// @param stress of `extrapolate_stress`
   void exact_tangent(const BodyState<SE3>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
   void exact_tangents(const BodyState<SE3>& s, const Vector& gravity, const Tangent* stress,
@@ -65,7 +65,9 @@ class SpatialSegmentBeam final : public Body<SE3> {
   Tangent strain(const BodyState<SE3>& s, int e) const override;
   /// Middle: [N; V_y; V_z; 0; mean of the moments], in the axes of the segment.
   Tangent section_force(const BodyState<SE3>& s, int e, ElementPlace at) const override;
-  /// [N; 0]: tangents are about normal forces that are extrapolated, and the moments of the state.
+  /// By node [N of the segment that begins there; 0; 0; moment], inertial: tangents about them keep
+  /// Newton's method on its way where positions that move straight stretch segments that turn.
+  int stresses() const override { return nodes(); }
   void extrapolate_stress(const BodyState<SE3>& s, const double* delta,
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<SE3>& s, const Vector& gravity) const override;
@@ -95,12 +97,21 @@ class SpatialSegmentBeam final : public Body<SE3> {
   SpatialSegment segment(const SE3* H, int e) const;
   Misalignment bend(const SE3* H, int i) const;
   Vec3 moment(const SE3* H, int i) const;
-  Vec3 force(const SE3* H, int e) const;  ///< of segment e on node e + 1, inertial
+  /// Normal force and the moments at both nodes of a segment, inertial, of the state or of
+  /// `extrapolate_stress`.
+  struct SegmentForces {
+    double N;
+    Vec3 first, last;
+  };
+  SegmentForces forces(const SE3* H, int e, const Tangent* stress) const;
+  /// Of segment e on node e + 1, inertial.
+  Vec3 force(const SE3* H, int e, const Tangent* stress = nullptr) const;
   Mat3 axes_of(const SE3* H, int e) const;
   double axial(int e, double l) const;
   double axial_slope(int e, double l) const;
-  NodalGradient moment_gradient(const SE3* H, int i) const;
-  NodalGradient force_gradient(const SE3* H, int e, double N) const;
+  NodalGradient turn_gradient(const SE3* H, int i) const;
+  NodalGradient moment_gradient(const SE3* H, int i, const Vec3* about = nullptr) const;
+  NodalGradient force_gradient(const SE3* H, int e, const Tangent* stress = nullptr) const;
 
   AxialPotential potential_;
   bool lumped_;

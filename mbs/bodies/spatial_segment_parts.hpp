@@ -131,6 +131,13 @@ struct NodalGradient {
     for (int k = 0; k < other.count; ++k) at[other.first + k - first] += X * other.at[k];
     count = std::max(count, other.first + other.count - first);
   }
+  /// Change of the vector by increments of all nodes.
+  Vec3 product(const double* delta) const {
+    Vec3 sum = Vec3::Zero();
+    for (int k = 0; k < count; ++k)
+      sum += at[k] * Eigen::Map<const SE3::Tangent>(delta + 6 * (first + k));
+    return sum;
+  }
   /// h += gradient of y . vector
   void add_transposed(const Vec3& y, double* h) const {
     for (int k = 0; k < count; ++k)

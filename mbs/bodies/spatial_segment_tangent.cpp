@@ -9,13 +9,34 @@
 namespace liesl {
 namespace {
 
+constexpr double kReversed = 1e-8;  // 1 + cos of a turn
+
 /// 1 - t t^T
 Mat3 projector(const Vec3& t) { return Mat3::Identity() - t * t.transpose(); }
 
 }  // namespace
 
-/// m = c k(z) a x b: dm = c (k' (a x b) (b . da + a . db) + k (da x b + a x db)).
-NodalGradient SpatialSegmentBeam::moment_gradient(const SE3* H, int i) const {
+/// Turn of the bisector of both directions at a node, without one about itself: with s = a + b, s x
+/// ds/|s|^2.
+NodalGradient SpatialSegmentBeam::turn_gradient(const SE3* H, int i) const {
+  const Misalignment bend = this->bend(H, i);
+  const Vec3 sum = bend.a + bend.b;
+  const Mat3 by = hat(sum) / sum.squaredNorm();
+  NodalGradient g{std::max(i - 1, 0)};
+  if (i > 0)
+    g.add(H, i - 1, by * projector(bend.a) / segment(H, i - 1).l);
+  else
+    g.add_axis(H, 0, by);
+  if (i < elements())
+    g.add(H, i, by * projector(bend.b) / segment(H, i).l);
+  else
+    g.add_axis(H, i, by);
+  return g;
+}
+
+/// m = c k(z) a x b: dm = c (k' (a x b) (b . da + a . db) + k (da x b + a x db)); about another
+/// moment that one turns with the bisector.
+NodalGradient SpatialSegmentBeam::moment_gradient(const SE3* H, int i, const Vec3* about) const {
   const Misalignment bend = this->bend(H, i);
   const Mat3 by_a = c_[i] * (bend.slope * bend.cross * bend.b.transpose() - bend.k * hat(bend.b)),
              by_b = c_[i] * (bend.slope * bend.cross * bend.a.transpose() + bend.k * hat(bend.a));
@@ -28,21 +49,23 @@ NodalGradient SpatialSegmentBeam::moment_gradient(const SE3* H, int i) const {
     g.add(H, i, by_b * projector(bend.b) / segment(H, i).l);
   else
     g.add_axis(H, i, by_b);
+  if (about) g.add(turn_gradient(H, i), -hat(Vec3(*about - c_[i] * bend.q())));
   return g;
 }
 
 /// f = N t + mu x t/l, mu = m_e - m_{e+1}: df = N' t dl + N dt + dmu x t/l + mu x dt/l - mu x t
 /// dl/l^2.
-NodalGradient SpatialSegmentBeam::force_gradient(const SE3* H, int e, double N) const {
+NodalGradient SpatialSegmentBeam::force_gradient(const SE3* H, int e, const Tangent* stress) const {
   const auto [l, t] = segment(H, e);
-  const Vec3 mu = moment(H, e) - moment(H, e + 1);
+  const SegmentForces at = forces(H, e, stress);
+  const Vec3 mu = at.first - at.last;
   const Mat3 P = projector(t), by_moment = hat(t) / l;
-  const Mat3 own = axial_slope(e, l) * t * t.transpose() + N / l * P +
+  const Mat3 own = axial_slope(e, l) * t * t.transpose() + at.N / l * P +
                    (hat(mu) * P - mu.cross(t) * t.transpose()) / (l * l);
   NodalGradient g{std::max(e - 1, 0)};
   g.add(H, e, own);
-  g.add(moment_gradient(H, e), -by_moment);
-  g.add(moment_gradient(H, e + 1), by_moment);
+  g.add(moment_gradient(H, e, stress ? &at.first : nullptr), -by_moment);
+  g.add(moment_gradient(H, e + 1, stress ? &at.last : nullptr), by_moment);
   return g;
 }
 
@@ -50,8 +73,7 @@ NodalGradient SpatialSegmentBeam::force_gradient(const SE3* H, int e, double N) 
 void SpatialSegmentBeam::add_stiffness(const SE3* H, const Tangent* stress, Matrices& A) const {
   const int n = elements();
   for (int e = 0; e < n; ++e) {
-    const double N = stress ? stress[e][0] : axial(e, segment(H, e).l);
-    const NodalGradient g = force_gradient(H, e, N);
+    const NodalGradient g = force_gradient(H, e, stress);
     for (int k = 0; k < g.count; ++k) {
       const int j = g.first + k;
       block_of<6>(A, e, j).topRows<3>() -= H[e].R.transpose() * g.at[k];
@@ -59,7 +81,8 @@ void SpatialSegmentBeam::add_stiffness(const SE3* H, const Tangent* stress, Matr
     }
   }
   for (const int end : {0, n}) {
-    const NodalGradient g = moment_gradient(H, end);
+    const Vec3 m = stress ? Vec3(stress[end].tail<3>()) : moment(H, end);
+    const NodalGradient g = moment_gradient(H, end, stress ? &m : nullptr);
     const double sign = end == 0 ? -1 : 1;
     for (int k = 0; k < g.count; ++k)
       block_of<6>(A, end, g.first + k).bottomRows<3>() += sign * H[end].R.transpose() * g.at[k];
@@ -96,13 +119,13 @@ void SpatialSegmentBeam::add_turning(const BodyState<SE3>& s, const Vector& grav
   Eigen::VectorXd r = elastic;
   add_inertia(s, gravity, r.data(), unused);
   for (const int k : {0, n}) {
-    Vec3 f = r.segment<3>(6 * k);
-    const Vec3 m = elastic.segment<3>(6 * k + 3);
+    Vec3 f = r.segment<3>(6 * k), m = elastic.segment<3>(6 * k + 3);
     if (stress) {
       const int e = k == 0 ? 0 : n - 1;
-      const SpatialSegment g = segment(s.H, e);
-      const double change = (k == 0 ? -1 : 1) * (stress[e][0] - axial(e, g.l));
-      f += change * s.H[k].R.transpose() * g.t;
+      const double sign = k == 0 ? -1 : 1;
+      const Vec3 change = force(s.H, e, stress) - force(s.H, e);
+      f += sign * s.H[k].R.transpose() * change;
+      m = sign * across_x(s.H[k].R.transpose() * stress[k].tail<3>());
     }
     A.D[k].topRightCorner<3, 3>() += hat(f);
     A.D[k].bottomRightCorner<3, 3>() += hat(m);
@@ -146,15 +169,36 @@ void SpatialSegmentBeam::exact_tangents(const BodyState<SE3>& s, const Vector& g
   add_tangent(s, gravity, {1, 0, 0}, stress, M);
 }
 
+/// Moments turn with the bisector of both directions, which moves as positions do: straight.
 void SpatialSegmentBeam::extrapolate_stress(const BodyState<SE3>& s, const double* delta,
                                             Tangent* stress) const {
-  for (int e = 0; e < elements(); ++e) {
-    const SpatialSegment g = segment(s.H, e);
+  const int n = elements();
+  const auto way = [&](int e) -> Vec3 {
     const auto moved = [&](int k) -> Vec3 {
       return s.H[k].R * Eigen::Map<const Vec3>(delta + 6 * k);
     };
-    const double change = g.t.dot(moved(e + 1) - moved(e));
-    stress[e] = (axial(e, g.l) + axial_slope(e, g.l) * change) * Tangent::Unit(0);
+    return moved(e + 1) - moved(e);
+  };
+  const auto direction = [&](int e) -> Vec3 {
+    return (s.H[e + 1].x - s.H[e].x + way(e)).normalized();
+  };
+  const auto axis = [&](int k) -> Vec3 {
+    return s.H[k].R * SO3::exp(Eigen::Map<const Vec3>(delta + 6 * k + 3)).R.col(0);
+  };
+  for (int i = 0; i <= n; ++i) {
+    stress[i].setZero();
+    if (i < n) {
+      const SpatialSegment g = segment(s.H, i);
+      stress[i][0] = axial(i, g.l) + axial_slope(i, g.l) * g.t.dot(way(i));
+    }
+    const Misalignment bend = this->bend(s.H, i);
+    const Vec3 m = c_[i] * bend.q(), turn = turn_gradient(s.H, i).product(delta),
+               changed = m + moment_gradient(s.H, i).product(delta) - turn.cross(m),
+               before = (bend.a + bend.b).normalized(),
+               after = ((i > 0 ? direction(i - 1) : axis(0)) + (i < n ? direction(i) : axis(n)))
+                           .normalized();
+    const bool turns = 1 + before.dot(after) > kReversed;
+    stress[i].tail<3>() = turns ? Vec3(smallest_rotation(before, after) * changed) : changed;
   }
 }
 
@@ -169,7 +213,7 @@ void SpatialSegmentBeam::add_section_force_gradient(const BodyState<SE3>& s, int
   const Vec3 m = first * moment(s.H, e) + last * moment(s.H, e + 1);
   const Vec3 on_turn = on_force.cross(force(s.H, e)) + on_moment.cross(m);
   const auto [l, t] = segment(s.H, e);
-  force_gradient(s.H, e, axial(e, l)).add_transposed(on_force, h);
+  force_gradient(s.H, e).add_transposed(on_force, h);
   moment_gradient(s.H, e).add_transposed(first * on_moment, h);
   moment_gradient(s.H, e + 1).add_transposed(last * on_moment, h);
   if (!middle) {

@@ -228,6 +228,10 @@ SensitivityEnd singular(double t) {
   return {fmt::format("the equations of the step to t = {:.6g} s are singular", t)};
 }
 
+SensitivityEnd not_finite(double t) {
+  return {fmt::format("the equations of the step to t = {:.6g} s have no finite solution", t)};
+}
+
 /// The end of a step; it began where the one before ended.
 template <FrameGroup G>
 struct StepEnd {
@@ -248,13 +252,16 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   long step = 0;
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(sensitivity, tape, first)) return singular(first.t);
-  sensitivity.forward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
-                      ds);
+  if (!sensitivity.forward(
+          derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), ds))
+    return not_finite(first.t);
   ds += start_derivatives(model, tape, parameters, first);
   tell(model, parameters, at, step++, first, ds);
   const auto advance = [&](const State<G>& s, const ResidualDerivative& by_p) {
-    sensitivity.forward(by_p, ds);
-    tell(model, parameters, at, step++, s, ds);
+    if (sensitivity.forward(by_p, ds))
+      tell(model, parameters, at, step++, s, ds);
+    else
+      end = not_finite(s.t);
   };
   const auto take = [&](const State<G>& before, const State<G>& after, double h) {
     if (sensitivity.step(before, after, h))
@@ -287,7 +294,8 @@ SensitivityEnd static_sensitivity(const Model<G>& model, const Trajectory<G>& pa
     const LoadLevel level{time, s.t};
     if (!sensitivity.equilibrium(s, level))
       return {fmt::format("the tangent at the load factor {:.6g} is singular", s.t)};
-    sensitivity.forward(derivatives.at(s, s.rows, level), ds);
+    if (!sensitivity.forward(derivatives.at(s, s.rows, level), ds))
+      return {fmt::format("the equations at the load factor {:.6g} have no finite solution", s.t)};
     tell(model, parameters, at, n, s, ds);
   }
   return {};
@@ -305,7 +313,7 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   long step = tape.steps();
   const auto go_back = [&](const State<G>& s, const ResidualDerivative& by_p) {
     ask(model, parameters, at, step--, s, bars, gradient);
-    sensitivity.backward(by_p, bars, gradient);
+    return sensitivity.backward(by_p, bars, gradient);
   };
   Replay<G> replay(model, tape);
   std::vector<StepEnd<G>> stretch;
@@ -319,16 +327,19 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
       const StepEnd<G>& end = stretch[k];
       const State<G>& before = k > 0 ? stretch[k - 1].s : start;
       if (!sensitivity.step(before, end.s, end.h)) return singular(end.s.t);
-      go_back(end.s, derivatives.at(end.s, before.rows,
-                                    lag_of(model, parameters, sensitivity, before, end.s)));
+      if (!go_back(end.s, derivatives.at(end.s, before.rows,
+                                         lag_of(model, parameters, sensitivity, before, end.s))))
+        return not_finite(end.s.t);
     }
   }
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(sensitivity, tape, first)) return singular(first.t);
   ask(model, parameters, at, step, first, bars, gradient);
   gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
-  sensitivity.backward(derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium),
-                       bars, gradient);
+  if (!sensitivity.backward(
+          derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), bars,
+          gradient))
+    return not_finite(first.t);
   return {};
 }
 

@@ -40,12 +40,18 @@ class Residuals {
     }
     return out;
   }
-  /// r_p, at constant state; Phi_p = 0.
+  /// r_p and d^2/dt^2 of Phi_p at constant state.
   ResidualDerivative at_start(const State<G>& s) {
     const MatrixXd none = MatrixXd::Zero(at_.r.size(), static_cast<Index>(changed_.size()));
     const MatrixXd b = right_side(s, s.rows, none, none);
-    return {(-b.topRows(at_.r.size())).eval().sparseView(),
-            MatrixXd::Zero(at_.phi.size(), b.cols())};
+    MatrixXd phi(at_.phi.size(), b.cols());
+    VectorXd target(phi.rows()), changed = target;
+    at_.acceleration_target(s, s.t, target);
+    for (Index i = 0; i < phi.cols(); ++i) {
+      changed_[static_cast<std::size_t>(i)].acceleration_target(s, s.t, changed);
+      phi.col(i) = (target - changed) / perturbed_[static_cast<std::size_t>(i)].step;
+    }
+    return {(-b.topRows(at_.r.size())).eval().sparseView(), phi};
   }
   /// At the state, positions in the axes of their nodes.
   Equations<G>& equations(const State<G>& s, const VectorXd& previous) {
@@ -85,7 +91,7 @@ class FrozenFactor {
         x.col(i).tail(m) += dlambda;
       }
     }
-    return true;
+    return x.allFinite();
   }
 
  private:
@@ -108,12 +114,13 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
   StateSensitivity ds;
   SensitivityEnd end;
   const auto fail = [&end](double t) {
-    end.reason = fmt::format("the equations of the step to t = {:.6g} s are singular", t);
+    end.reason = fmt::format(
+        "the equations of the step to t = {:.6g} s are singular or have no finite solution", t);
   };
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   long step = 0;
   if (!sensitivity.start(first)) return fail(first.t), end;
-  sensitivity.forward(residuals.at_start(first), ds);
+  if (!sensitivity.forward(residuals.at_start(first), ds)) return fail(first.t), end;
   at(step++, first, ds);
   const auto advance = [&](const State<G>& from, const State<G>& to, double h) {
     if (!end.complete()) return;
@@ -123,11 +130,10 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
     const auto k = sensitivity.known(ds);
     const auto change = sensitivity.at_held_frames(k);
     MatrixXd x = residuals.right_side(after, before.rows, change.v, change.vdot);
-    if (!factor.frozen)
-      sensitivity.solve(x);
-    else if (!frozen.solve(sensitivity.matrix(), w, factor.corrections, to,
-                           residuals.equations(to, from.rows), x))
-      return fail(after.t);
+    const bool solved = factor.frozen ? frozen.solve(sensitivity.matrix(), w, factor.corrections,
+                                                     to, residuals.equations(to, from.rows), x)
+                                      : sensitivity.solve(x);
+    if (!solved) return fail(after.t);
     sensitivity.finish(k, x, ds);
     at(step++, after, ds);
   };

@@ -72,7 +72,8 @@ bool exact(const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
 /// M), and the pivots that KLU keeps from step to step may cost half of the digits; w' = beta' x +
 /// w0 takes as many again.
 /// @param n number of displacements, the first rows of x
-void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
+/// @returns false if the solution is not finite
+bool solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
            Eigen::Index n, MatrixXd& x) {
   const MatrixXd b = x;
   MatrixXd correction = b;
@@ -84,8 +85,10 @@ void solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transp
     else
       lu.solve(correction);
     x += correction;
-    if (i > 0 && exact(correction, x, n)) return;
+    if (!x.allFinite()) return false;
+    if (i > 0 && exact(correction, x, n)) break;
   }
+  return true;
 }
 
 /// diag(T_k) x or diag(T_k^T) x.
@@ -341,12 +344,12 @@ void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::solve(MatrixXd& x) const {
-  liesl::solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
+bool StepSensitivity<G>::solve(MatrixXd& x) const {
+  return liesl::solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
+bool StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   if (at_start_) return start_forward(by_p, s);
   Known k = known(s);
   add_step(by_p, k);
@@ -360,12 +363,13 @@ void StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivit
   each_damped_block([&](int row, int column, const auto& block) {
     rhs.middleRows(n + row, block.rows()) -= block * change.v.template middleRows<dim>(column);
   });
-  solve(rhs);
+  if (!solve(rhs)) return false;
   finish(k, rhs, s);
+  return true;
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivity& s,
+bool StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivity& s,
                                   MatrixXd& p) {
   if (at_start_) return start_backward(by_p, s, p);
   const auto& [am, af, gamma, beta] = weights_;
@@ -375,7 +379,7 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  liesl::solve(matrix_.lu(), matrix_.matrix(), true, n, rhs);
+  if (!liesl::solve(matrix_.lu(), matrix_.matrix(), true, n, rhs)) return false;
   const MatrixXd mu = rhs.topRows(n);
   MatrixXd Mmu = MatrixXd::Zero(n, mu.cols()), Cmu = Mmu;
   matrix_.add_mass_product(mu, true, Mmu);
@@ -398,31 +402,34 @@ void StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   s.w = -af / (1 - af) * w0;
   s.lambda.setZero();
   before_.to_coordinates_transposed(s);
+  return p.allFinite();
 }
 
 /// M w' + B^T lambda' = -r_p, B w' = -d^2/dt^2 Phi_p, a' = w': positions and velocities are those
 /// of the scene; or the equilibrium.
 template <FrameGroup G>
-void StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSensitivity& s) {
+bool StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, by_p.r.cols());
   rhs << -MatrixXd(by_p.r), -by_p.phi;
-  liesl::solve(start_lu_, start_matrix_, false, n, rhs);
+  if (!liesl::solve(start_lu_, start_matrix_, false, n, rhs)) return false;
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
   (in_equilibrium_ ? s.eta : s.w) = rhs.topRows(n);
   s.a = s.w;
   s.lambda = rhs.bottomRows(m);
+  return true;
 }
 
 template <FrameGroup G>
-void StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSensitivity& s,
+bool StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSensitivity& s,
                                         MatrixXd& p) {
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, s.w.cols());
   rhs << (in_equilibrium_ ? s.eta : MatrixXd(s.w + s.a)), s.lambda;
-  liesl::solve(start_lu_, start_matrix_, true, n, rhs);
+  if (!liesl::solve(start_lu_, start_matrix_, true, n, rhs)) return false;
   p -= by_p.r.transpose() * rhs.topRows(n) + by_p.phi.transpose() * rhs.bottomRows(m);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
+  return p.allFinite();
 }
 
 template class StepSensitivity<SE2>;

@@ -61,7 +61,8 @@ class StepSensitivity {
 
   /// x: of the state before on entry, of the state after on return; at the start what it is on
   /// entry does not count. @param by_p at the state after
-  void forward(const ResidualDerivative& by_p, StateSensitivity& x);
+  /// @returns false if the solution is not finite, here and below: then x is that of entry
+  bool forward(const ResidualDerivative& by_p, StateSensitivity& x);
 
   /// What the state before says of the one after: x0, a0, v0, w0 of the file's head, of the
   /// coordinates.
@@ -82,14 +83,15 @@ class StepSensitivity {
   RateChange at_held_frames(const Known& k) const;
   /// The state after from the solution [eta; lambda'] of its equations.
   void finish(const Known& k, const Eigen::MatrixXd& solution, StateSensitivity& x) const;
-  /// x <- S^-1 x
-  void solve(Eigen::MatrixXd& x) const;
+  /// x <- S^-1 x, not finite where it returns false
+  bool solve(Eigen::MatrixXd& x) const;
   TangentWeights weights() const { return weights_.at(h_); }
   bool at_start() const { return at_start_; }
 
   /// x: cotangents of the state after on entry, of the state before on return; of the start zero.
   /// @param p cotangents of the parameters, n_p x columns: p -= r_p^T mu + Phi_p^T nu
-  void backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  /// @returns false also if p is not finite
+  bool backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
 
   const IterationMatrix<G>& matrix() const { return matrix_; }
 
@@ -97,8 +99,8 @@ class StepSensitivity {
   bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates,
                  bool factor);
   bool linearise_step(const State<G>& before, const State<G>& after, double h, bool factor);
-  void start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
-  void start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
+  bool start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
+  bool start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// f(row, column, block) of tau B, by coupling and port.
   template <class F>
   void each_damped_block(F f) const;

@@ -132,6 +132,41 @@ TYPED_TEST(MotionSensitivity, FromEquilibriumWithADriveByAnExpression) {
   EXPECT_LT(best, 1e-7);
 }
 
+/// A load whose derivative has no value after 6 ms, a functional that has none: both forms say so,
+/// and of the first step that they meet; states before have their derivatives.
+TYPED_TEST(MotionSensitivity, EndsWhereADerivativeIsNotFinite) {
+  using G = TypeParam;
+  const Mechanism machine = test::sensitive_machine();
+  const Taped<G> run(machine, test::tight(0.012, 4e-4));
+  const auto known_until = [&](const char* until) {
+    return run.parameters(
+        {{1, {}, {"push", {LoadDerivative{0, 0, {{1, TimeFunction::expression(until)}}}}}}});
+  };
+  const auto parameters = known_until("sqrt(0.0062-t)");
+  double last = 0;
+  const auto direct = direct_sensitivity<G>(
+      run.model, run.tape, parameters, [&](long, const State<G>& s, const StateSensitivity& ds) {
+        EXPECT_TRUE(ds.eta.allFinite() && ds.w.allFinite() && ds.lambda.allFinite()) << s.t;
+        last = s.t;
+      });
+  const char* const why = "have no finite solution";
+  EXPECT_EQ(direct.reason, std::string("the equations of the step to t = 0.0064 s ") + why);
+  EXPECT_NEAR(last, 0.006, 1e-12);
+  MatrixXd gradient;
+  const auto adjoint = [&](const Parameters<G>& by, double weight) {
+    return adjoint_sensitivity<G>(
+        run.model, run.tape, by, 1,
+        [&](long, const State<G>&, StateSensitivity& bars, MatrixXd&) { bars.v(0, 0) += weight; },
+        gradient);
+  };
+  EXPECT_EQ(adjoint(known_until("sqrt(0.02-t)"), 1).reason, "");
+  EXPECT_TRUE(gradient.allFinite());
+  EXPECT_EQ(adjoint(parameters, 1).reason,
+            std::string("the equations of the step to t = 0.012 s ") + why);
+  EXPECT_EQ(adjoint(known_until("sqrt(0.02-t)"), std::nan("")).reason,
+            std::string("the equations of the step to t = 0.012 s ") + why);
+}
+
 TYPED_TEST(MotionSensitivity, RefusesAStartThatDependsOnParameters) {
   using G = TypeParam;
   const auto direct = [&](const Mechanism& m) {

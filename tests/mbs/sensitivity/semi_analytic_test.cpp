@@ -76,6 +76,36 @@ TYPED_TEST(SemiAnalytic, IsOfFirstOrderInThePerturbation) {
   EXPECT_NEAR(std::log10(coarse / fine), 1, 0.1);
 }
 
+/// A drive that begins with an acceleration, a share of the parameter: at the start, too.
+TEST(SemiAnalyticStart, HasTheAccelerationsOfDrives) {
+  const auto driven = [](double p) {
+    Mechanism m = test::sensitive_machine();
+    m.drives[0].motion = TimeFunction::expression(std::to_string(p) + "*t^2");
+    return m;
+  };
+  const Mechanism m = driven(1000);
+  const Taped<SE2> run(m, test::tight(4e-4, 4e-4));
+  const auto starts = [](const auto& form) {
+    MatrixXd at_start;
+    const SensitivityEnd end = form([&](long step, const auto&, const StateSensitivity& ds) {
+      if (step == 0) at_start = ds.w;
+    });
+    EXPECT_TRUE(end.complete()) << end.reason;
+    return at_start;
+  };
+  const auto parameters = run.parameters({{1000, {}, {"drive", {DriveDerivative{0, 1e-3}}}}});
+  const MatrixXd exact = starts([&](const SensitivityAt<SE2>& at) {
+    return direct_sensitivity<SE2>(run.model, run.tape, parameters, at);
+  });
+  const Mechanism changed = driven(1001);
+  const auto model = Model<SE2>::build(changed, test::space_of<SE2>(changed));
+  const MatrixXd found = starts([&](const SensitivityAt<SE2>& at) {
+    return semi_analytic_sensitivity<SE2>(run.model, run.tape, {{&model, 1.}}, {}, at);
+  });
+  EXPECT_GT(exact.norm(), 1);
+  EXPECT_LT((found - exact).norm(), 1e-6 * exact.norm());
+}
+
 TYPED_TEST(SemiAnalytic, SolvesWithTheFrozenFactorComeNearer) {
   const MatrixXd exact_factor = this->semi_analytic(1e-6, {});
   double before = 1e300;

@@ -237,6 +237,33 @@ TEST(SpatialSegmentBeam, BendsAsTheElasticaInAnyDirection) {
   }
 }
 
+/// Newton's method goes about moments that are extrapolated, too: as many corrections as in a plane
+/// but for one at round-off, and few where it bends in both directions.
+TEST(SpatialSegmentBeam, StaticsTakeAsManyCorrectionsAsInThePlane) {
+  const auto corrections = []<class G>(const Mechanism& m) {
+    auto o = tight();
+    o.max_iterations = 60;
+    const auto model = Model<G>::build(m, space_of<G>(m));
+    const auto report = solve_static(model, o).report;
+    EXPECT_EQ(report.status, SolveStatus::Converged) << report.reason;
+    EXPECT_EQ(report.steps, 1);
+    return report.newton_iterations;
+  };
+  Mechanism bent =
+      cantilever(beam(straight({0, 0, 0}, {1, 0, 0}, 4), section(diagonal(1e5, 1e5, 1, 1))));
+  bent.loads = {tip_load(bent, {0, 1, 0})};
+  Mechanism rolled = roll_up(8);
+  rolled.loads[0].moment *= 0.5;
+  for (const Mechanism& m : {segments(bent), segments(rolled)})
+    EXPECT_LE(corrections.operator()<SE3>(m), corrections.operator()<SE2>(m) + 1);
+  bent.loads[0].force = {0.5, 0.8, 0.6};
+  bent.loads.push_back(bent.loads[0]);
+  bent.loads[1].name = "push";
+  bent.loads[1].port = {0, 2};
+  bent.loads[1].force = {0, -1, 2};
+  EXPECT_LE(corrections.operator()<SE3>(segments(bent)), 8);
+}
+
 /// A pure end moment about a skew axis closes it.
 TEST(SpatialSegmentBeam, RollsUp) {
   for (const int n : {4, 8}) {
