@@ -168,8 +168,7 @@ class StudyNlp(Nlp):
 
     def _at(self, x: np.ndarray) -> Evaluation:
         """SciPy steps over bounds by differences of round-off."""
-        lower, upper = self._study.bounds.T
-        return self._study.evaluate(np.clip(np.asarray(x, dtype=float), lower, upper))
+        return self._study.evaluate(np.clip(self._study._array(x), *self._study.bounds.T))
 
 
 class PeakNlp(StudyNlp):
@@ -233,7 +232,7 @@ class ProgramNlp(StudyNlp):
 
     def _point(self, x: np.ndarray) -> tuple[float, np.ndarray, np.ndarray, np.ndarray]:
         """Value, rows and their gradients, of the latest design without another evaluation."""
-        x = np.clip(np.asarray(x, dtype=float), *self._study.bounds.T)
+        x = np.clip(self._study._array(x), *self._study.bounds.T)
         if self._latest is None or self._latest[0] != x.tobytes():
             self._latest = (x.tobytes(), self._program.evaluate(x))
         return self._latest[1]

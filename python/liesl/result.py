@@ -240,7 +240,9 @@ class _Folder:
         if version != _liesl.__version__:
             raise IoError(f"cannot read '{self.folder}': it is of liesl {version}; run it again", str(self.folder))
         mark = self.folder / ".liesl"
-        listed = _liesl.read_file(mark).splitlines() if mark.exists() else []
+        if not mark.exists():
+            raise IoError(f"cannot read '{self.folder}': its .liesl is not there; copy the whole folder, or run it again", str(self.folder))
+        listed = _liesl.read_file(mark).splitlines()
         if summary.get("command") == "batch":  # which writes it when all cases have ended
             return
         if "results.h5" in listed and not (self.folder / "results.h5").exists():

@@ -242,8 +242,19 @@ class Study:
             raise InputError("the study has no motion (fixed loads, or statics); use optimize()")
 
     def _design(self, x: ArrayLike | None) -> np.ndarray:
+        """Within the bounds, or InputError; None: the start."""
         if x is None:
             return self.x0
+        given = self._array(x)
+        problems = [Problem(f"'{v.name}' is {at}", f"in [{v.lower}, {v.upper}] {v.unit}")
+                    for v, at in zip(self.variables, given)
+                    if not v.lower - v.slack <= at <= v.upper + v.slack]
+        if problems:
+            raise InputError(problems)
+        return given
+
+    def _array(self, x: ArrayLike) -> np.ndarray:
+        """(variables,), or InputError."""
         try:
             given = np.array(x, dtype=float)
         except (TypeError, ValueError):
@@ -252,11 +263,6 @@ class Study:
         if given.shape != (len(self.variables),):
             raise InputError([Problem(f"x has shape {given.shape}",
                                       f"({len(self.variables)},), a number for each variable")])
-        problems = [Problem(f"'{v.name}' is {at}", f"in [{v.lower}, {v.upper}] {v.unit}")
-                    for v, at in zip(self.variables, given)
-                    if not v.lower - v.slack <= at <= v.upper + v.slack]
-        if problems:
-            raise InputError(problems)
         return given
 
     def __reduce__(self):

@@ -11,11 +11,17 @@ void raise(const char* type, const py::tuple& arguments) {
   PyErr_SetObject(error.ptr(), error(*arguments).ptr());
 }
 
+/// Here a change by key path is an argument, not an option of the command line.
+std::string place(const std::string& file) {
+  constexpr std::string_view kOption = "--set ";
+  return file.starts_with(kOption) ? "change " + file.substr(kOption.size()) : file;
+}
+
 void raise_input(const std::vector<InputProblem>& problems) {
   const py::object make = py::module_::import("liesl.errors").attr("Problem");
   py::list list;
   for (const InputProblem& p : problems)
-    list.append(make(p.what, p.expected, p.hint, p.file, p.line, p.column));
+    list.append(make(p.what, p.expected, p.hint, place(p.file), p.line, p.column));
   raise("InputError", py::make_tuple(list));
 }
 

@@ -65,6 +65,9 @@ def test_half_a_result(pendulum, tmp_path):
     results.unlink()
     with pytest.raises(liesl.IoError, match="results.h5 is not there"):
         liesl.open(tmp_path / "out")
+    (tmp_path / "out/.liesl").unlink()
+    with pytest.raises(liesl.IoError, match=".liesl is not there; copy the whole folder"):
+        liesl.open(tmp_path / "out")
 
 
 def test_a_table_that_was_cut_off(pendulum, tmp_path):
@@ -188,3 +191,14 @@ def test_arguments_are_refused_by_what_was_expected(pendulum, rod):
     for by in (3, [3]):
         with pytest.raises(liesl.InputError, match="by is .*; expected a key of the scene"):
             result.jacobian("tip", by=by)
+    with pytest.raises(liesl.InputError, match="^change simulation.step=0: 'simulation.step' is out of range"):
+        liesl.Scene(pendulum).change({"simulation.step": 0})
+
+
+def test_designs_of_a_program_have_a_number_for_each_variable(rod):
+    """Also those that its methods are handed, which are clipped to the bounds."""
+    nlp = rod.nlp()
+    for x in ([1.0, 2.0], np.zeros((2, 4)), "0.01", None):
+        for method in (nlp.objective, nlp.gradient, nlp.constraints, nlp.jacobian):
+            with pytest.raises(liesl.InputError, match="x has shape|x is no array of numbers"):
+                method(x)
