@@ -184,8 +184,8 @@ void print_result(const output::BatchSummary& s, const PoolReport& report, const
   fmt::print("  {} case{} now, {} before, {} at once, {:.3g} s\n", report.ran,
              report.ran == 1 ? "" : "s", report.before, s.jobs, s.wall_s);
   for (const auto& w : s.warnings) fmt::print("  note: {}\n", w);
-  fmt::print("results in {}; next: liesl plot {} --x '{}' --y {}\n", folder, folder,
-             batch.cases.columns.front().name, batch.optimize ? "mass_final" : "steps");
+  print_folder(folder, fmt::format(" --x '{}' --y {}", batch.cases.columns.front().name,
+                                   batch.optimize ? "mass_final" : "steps"));
 }
 
 /// Batches of more cases leave their pages out: half a megabyte each.

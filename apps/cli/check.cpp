@@ -54,7 +54,7 @@ int check_command(const CommandOptions& options) {
 }
 
 int plot_command(const CommandOptions& options) {
-  output::read_summary(options.file, "plot");
+  output::read_whole_summary(options.file, "plot");
   for (const auto& picture : output::draw(options.file, options.x, options.y))
     if (!options.quiet) fmt::print("{}\n", picture.string());
   return 0;

@@ -173,7 +173,7 @@ class Run {
                  r.size > 0 ? r.floor / r.size : 0.0);
     for (const auto& r : summary_.ratios) print(r);
     for (const auto& w : summary_.warnings) fmt::print("  note: {}\n", w);
-    fmt::print("results in {}; next: liesl plot {}\n", options_.out, options_.out);
+    print_folder(options_.out);
   }
 
   static void print(const output::FormalismRatio& r) {

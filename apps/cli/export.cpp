@@ -41,7 +41,7 @@ void check_files(const CommandOptions& options, const Scene& scene,
 /// was overridden.
 Scene scene_of_folder(const CommandOptions& options) {
   const fs::path folder = options.file;
-  const auto summary = output::read_summary(folder, "export");
+  const auto summary = output::read_whole_summary(folder, "export");
   if (fs::exists(folder / "design.toml")) {
     check_files(options, load_scene(folder / "design.toml"), summary);
     return load_scene(folder / "design.toml", options.set);
@@ -188,7 +188,7 @@ int export_command(const CommandOptions& options) {
         {{options.file, 0, 0,
           "--part, --cases, --set, --force and -o are for --to calculix, nastran or matrices",
           "a results folder alone", "--to calculix"}});
-  output::read_summary(options.file, "export");
+  output::read_whole_summary(options.file, "export");
   output::export_xdmf(options.file);
   if (!options.quiet)
     fmt::print("{}\n", (std::filesystem::path(options.file) / "results.xdmf").string());

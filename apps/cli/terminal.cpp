@@ -55,12 +55,12 @@ std::string signed_percent(double share) {
   return fmt::format("{:+.{}f} %", x, size >= 10 ? 0 : size >= 1 ? 1 : size >= 0.1 ? 2 : 3);
 }
 
-void print_folder(const std::string& folder) {
+void print_folder(const std::string& folder, const std::string& axes) {
   if (std::filesystem::exists(std::filesystem::path(folder) / "report.html"))
-    fmt::print("results in {}; look at {}/report.html, or: liesl plot {}\n", folder, folder,
-               folder);
+    fmt::print("results in {}; look at {}/report.html, or: liesl plot {}{}\n", folder, folder,
+               folder, axes);
   else
-    fmt::print("results in {}; next: liesl plot {}\n", folder, folder);
+    fmt::print("results in {}; next: liesl plot {}{}\n", folder, folder, axes);
 }
 
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {

@@ -40,7 +40,8 @@ class SimulationLine {
 std::string signed_percent(double share);
 
 /// Where the results are, and how to look at them.
-void print_folder(const std::string& folder);
+/// @param axes what `liesl plot` asks for besides, " --x speed --y mass_final"
+void print_folder(const std::string& folder, const std::string& axes = "");
 
 /// The lines that a run ends with on the terminal.
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet);

@@ -40,7 +40,8 @@ std::string text_of(const Setting& s) {
     text += fmt::format("{}{} ", text.empty() ? "" : ", ", beam.name);
     text += beam.rigid
                 ? "rigid"
-                : fmt::format("{} {}", beam.elements, beam.segments ? "segments" : "elements");
+                : fmt::format("{} {}{}", beam.elements, beam.segments ? "segment" : "element",
+                              beam.elements == 1 ? "" : "s");
     if (beam.order != 2 && !beam.rigid) text += fmt::format(" of order {}", beam.order);
     if (beam.modes >= 0) text += fmt::format(" in {} modes", beam.modes);
   }

@@ -48,7 +48,12 @@ void write_file(const std::filesystem::path& path, std::string_view content) {
 void replace_file(const std::filesystem::path& path, std::string_view content) {
   const auto part =
       path.parent_path() / fmt::format(".{}{}{}", path.filename().string(), kPart, ::getpid());
-  write_file(part, content);
+  try {
+    write_file(part, content);
+  } catch (const IoError& error) {
+    ::unlink(part.c_str());
+    throw IoError("write", path, error.reason());
+  }
   if (::rename(part.c_str(), path.c_str()) != 0) fail("write", path);
 }
 

@@ -2,6 +2,7 @@
 
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
+#include "apps/output/own_files.hpp"
 #include "apps/output/summary_types.hpp"
 #include "apps/output/versions.hpp"
 
@@ -12,6 +13,14 @@ namespace liesl::output {
 namespace {
 
 using Json = nlohmann::ordered_json;
+
+/// Is a file of numbers one that readers need? Batches and comparisons name files before they are
+/// written; they have their tables from the beginning.
+bool is_needed(const fs::path& name, const std::string& command) {
+  if (command == "batch") return name == "results.csv";
+  if (command == "compare") return name == "rows.csv";
+  return name.extension() == ".csv" || name.extension() == ".h5";
+}
 
 }  // namespace
 
@@ -36,6 +45,17 @@ nlohmann::ordered_json read_summary(const fs::path& folder, const std::string& v
     throw IoError(verb, path, "it is of liesl " + version.dump() + "; run it again");
   if (const std::string wrong = wrong_type(summary); !wrong.empty())
     throw IoError(verb, path, "its " + wrong + ", not what liesl writes");
+  return summary;
+}
+
+nlohmann::ordered_json read_whole_summary(const fs::path& folder, const std::string& verb) {
+  Json summary = read_summary(folder, verb);
+  const std::string command = summary.value("command", "");
+  for (const fs::path name : missing_files(folder))
+    if (name == kMark || is_needed(name, command))
+      throw IoError(
+          verb, folder,
+          "its " + name.string() + " is not there; copy the whole folder, or run it again");
   return summary;
 }
 

@@ -12,4 +12,9 @@ namespace liesl::output {
 /// @throws IoError for a folder that is none, no result, not whole, or of another version
 nlohmann::ordered_json read_summary(const std::filesystem::path& folder, const std::string& verb);
 
+/// The same of a folder that has all tables and HDF5 files which liesl wrote in it. @throws IoError
+/// also for what is missing: half a result
+nlohmann::ordered_json read_whole_summary(const std::filesystem::path& folder,
+                                          const std::string& verb);
+
 }  // namespace liesl::output

@@ -16,25 +16,6 @@ namespace fs = std::filesystem;
 namespace liesl::report {
 namespace {
 
-/// Is a file of numbers one that the page needs? Batches and comparisons name files before they are
-/// written; they have their tables from the beginning.
-bool is_needed(const fs::path& name, const std::string& command) {
-  if (command == "batch") return name == "results.csv";
-  if (command == "compare") return name == "rows.csv";
-  return name.extension() == ".csv" || name.extension() == ".h5";
-}
-
-/// A result that lacks numbers which liesl wrote in it is half a result.
-void check_whole(const fs::path& folder, const Json& summary) {
-  const std::string command = summary.value("command", "");
-  for (const fs::path name : output::missing_files(folder)) {
-    if (name == output::kMark || is_needed(name, command))
-      throw output::IoError(
-          "report", folder,
-          "its " + name.string() + " is not there; copy the whole folder, or run it again");
-  }
-}
-
 /// Cases of a batch that have a page of their own.
 Json reported_cases(const fs::path& folder) {
   Json names = Json::array();
@@ -72,7 +53,7 @@ std::string page_of(const fs::path& folder, const std::string& name) {
 }
 
 std::string page_of_whole(const fs::path& folder, const std::string& name) {
-  check_whole(folder, output::read_summary(folder, "report"));
+  output::read_whole_summary(folder, "report");
   return page_of(folder, name);
 }
 

@@ -156,7 +156,8 @@ class ModelSequence {
     if (interrupted()) return end(false, now_.out.summary.reason);
     if (limits_.empty())  // as the warnings say
       return steps_.empty() ? false : end(false, "the limits of the finer model are not verified");
-    if (!closed(now_.out.status)) return end(false, "the study ended " + now_.out.summary.status);
+    if (!closed(now_.out.status))
+      return end(false, fmt::format("the study ended with status '{}'", now_.out.summary.status));
     const VerifiedLimit worst = nearest_limit(limits_);
     for (const VerifiedLimit& l : limits_)
       if (!l.known) return end(false, "the error of limit " + l.name + " is not known");

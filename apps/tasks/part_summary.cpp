@@ -102,7 +102,7 @@ void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const 
   if (needed) part["modes_needed"] = *needed;
   if (limit < wanted)
     summary.warnings.push_back(fmt::format(
-        "the modes of '{}' are right up to {:.4g} Hz only, twice the highest harmonic of its "
+        "the modes of '{}' are accurate up to {:.4g} Hz only, twice the highest harmonic of its "
         "loads is {:.4g} Hz: {}",
         body.name, limit, 2 * harmonic,
         needed ? fmt::format("bodies.{}.solid.modes = {} would do", body.name, *needed)

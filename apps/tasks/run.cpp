@@ -54,7 +54,7 @@ void warn_beyond_parts(output::RunSummary& summary, double highest) {
     for (const auto& [name, part] : summary.more["parts"].items())
       if (const double limit = part["right_up_to_hz"]; limit < highest)
         summary.warnings.push_back(
-            fmt::format("the modes of '{}' are right up to {:.4g} Hz only, below the highest "
+            fmt::format("the modes of '{}' are accurate up to {:.4g} Hz only, below the highest "
                         "frequency asked for: more bodies.{}.solid.modes",
                         name, limit, name));
 }

@@ -50,6 +50,18 @@ struct Numbers {
   std::string unit;
 };
 
+/// As number_at, with the option as the place of what is wrong with the key.
+SceneNumber number_named(const SceneText& text, const std::string& key) {
+  try {
+    return number_at(text, key);
+  } catch (const InputError& error) {
+    std::vector<InputProblem> problems = error.problems;
+    for (InputProblem& p : problems)
+      if (p.file.starts_with("--set " + key)) p.file = "--by " + key;
+    throw InputError(std::move(problems));
+  }
+}
+
 /// @param keys "KEY" or "KEY+KEY"  @throws InputError as number_at, and for numbers of two units
 Numbers numbers_at(const SceneText& text, const std::string& keys) {
   Numbers numbers;
@@ -60,7 +72,7 @@ Numbers numbers_at(const SceneText& text, const std::string& keys) {
     if (std::find(numbers.keys.begin(), numbers.keys.end(), key) != numbers.keys.end())
       refuse(text.file, fmt::format("--by {}: {} is named twice", keys, key), "each number once",
              "");
-    const SceneNumber number = number_at(text, key);
+    const SceneNumber number = number_named(text, key);
     if (!numbers.keys.empty() && number.unit != numbers.unit)
       refuse(text.file,
              fmt::format("--by {}: {} is in {}, {} in {}", keys, numbers.keys[0], numbers.unit, key,

@@ -192,9 +192,12 @@ const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits) {
 }
 
 std::string VerifiedLimit::text() const {
-  const std::string by_mesh = known || mesh > 0 ? fmt::format("{:.2g} %", 100 * mesh) : "not known";
-  return fmt::format("limit {} is known to {:.2g} % only: mesh {}, step {:.2g} %", name,
-                     100 * error(), by_mesh, 100 * step);
+  const auto percent = [](double share) {
+    return share < 0.995 ? fmt::format("{:.2g} %", 100 * share)
+                         : fmt::format("{:.0f} %", 100 * share);
+  };
+  return fmt::format("limit {} is known to {} only: mesh {}, step {}", name, percent(error()),
+                     known || mesh > 0 ? percent(mesh) : "not known", percent(step));
 }
 
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,

@@ -61,11 +61,20 @@ class Nlp:
         return np.zeros((0, len(self.variables))) if self._jacobian is None else self._jacobian(x)
 
     def scipy(self) -> dict[str, Any]:
-        """Arguments of scipy.optimize.minimize: `minimize(method="SLSQP", **nlp.scipy())`."""
-        rows = {"type": "ineq", "fun": lambda x: -np.asarray(self.constraints(x)),
+        """Arguments of scipy.optimize.minimize: `minimize(method="SLSQP", **nlp.scipy())`.
+
+        A value that cannot be had is infinite there, so that its methods shorten the step: NaN they
+        take for a value that is good enough."""
+        rows = {"type": "ineq", "fun": lambda x: -_infinite(self.constraints(x)),
                 "jac": lambda x: -np.asarray(self.jacobian(x))}
-        return {"fun": self.objective, "jac": self.gradient, "x0": self.x0, "bounds": self.bounds,
+        return {"fun": lambda x: float(_infinite(self.objective(x))), "jac": self.gradient, "x0": self.x0, "bounds": self.bounds,
                 "constraints": [rows] if self.rows else []}
+
+
+def _infinite(values: Any) -> np.ndarray:
+    """With infinity in place of NaN."""
+    values = np.asarray(values, dtype=float)
+    return np.where(np.isnan(values), np.inf, values)
 
 
 def _variable(given: Any) -> tuple[str, float, float, float]:

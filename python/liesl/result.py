@@ -166,6 +166,9 @@ class Result(Mapping[str, Any]):
         if not all(isinstance(key, str) for key in keys):
             raise InputError([Problem(f"by is {by!r}", "a key of the scene, or a list of keys",
                                       'by="sections.rod.diameter"')])
+        if not keys:
+            raise InputError([Problem("by which parameters?", "a key of the scene, or a list of keys",
+                                      'by="sections.rod.diameter"')])
         if not hasattr(self._source, "_differentiable"):
             raise InputError("a folder holds no motion to differentiate; run its scene")
         if keys not in self._by:
@@ -185,6 +188,10 @@ class Result(Mapping[str, Any]):
             self._records.save(os.path.join(folder, "result"), False, False)
             _liesl.write_file(os.path.abspath(path),
                               _liesl.page_of(os.path.join(folder, "result"), Path(path).stem))
+
+    def __reduce__(self):
+        raise TypeError("a result does not pickle: save() it and liesl.open() the folder, or hand on "
+                        "its arrays and summary")
 
     def __repr__(self) -> str:
         return f"{type(self).__name__}({self.summary.get('name', '')}: {self.status})"
@@ -320,6 +327,9 @@ class FolderResult(Result):
     def report(self, path: str | os.PathLike) -> None:
         page = _liesl.page_of(self.folder, self.folder.resolve().name)
         _liesl.write_file(os.path.abspath(path), page)
+
+    def __reduce__(self):
+        return FolderResult, (self.folder.resolve(),)
 
 
 def _table(path: Path) -> Table:

@@ -11,17 +11,27 @@ void raise(const char* type, const py::tuple& arguments) {
   PyErr_SetObject(error.ptr(), error(*arguments).ptr());
 }
 
-/// Here a change by key path is an argument, not an option of the command line.
-std::string place(const std::string& file) {
-  constexpr std::string_view kOption = "--set ";
-  return file.starts_with(kOption) ? "change " + file.substr(kOption.size()) : file;
+struct Option {
+  std::string_view flag, argument;
+};
+
+/// What is an option of the command line is an argument here.
+constexpr Option kArguments[] = {
+    {"--set ", "change "}, {"--by ", "by "}, {"--force replaces it", "overwrite=True replaces it"}};
+
+std::string with_arguments(std::string text) {
+  for (const auto& [flag, argument] : kArguments)
+    if (const auto at = text.find(flag); at != std::string::npos)
+      text.replace(at, flag.size(), argument);
+  return text;
 }
 
 void raise_input(const std::vector<InputProblem>& problems) {
   const py::object make = py::module_::import("liesl.errors").attr("Problem");
   py::list list;
   for (const InputProblem& p : problems)
-    list.append(make(p.what, p.expected, p.hint, place(p.file), p.line, p.column));
+    list.append(
+        make(with_arguments(p.what), p.expected, p.hint, with_arguments(p.file), p.line, p.column));
   raise("InputError", py::make_tuple(list));
 }
 
@@ -36,7 +46,7 @@ void bind_errors(py::module_&) {
     } catch (const std::invalid_argument& e) {
       raise_input({{"", 0, 0, e.what(), "", ""}});
     } catch (const output::IoError& e) {
-      raise("IoError", py::make_tuple(e.what(), e.path().string()));
+      raise("IoError", py::make_tuple(with_arguments(e.what()), e.path().string()));
     } catch (const std::filesystem::filesystem_error& e) {
       raise("IoError", py::make_tuple(e.what(), e.path1().string()));
     } catch (const output::Interrupted&) {

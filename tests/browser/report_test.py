@@ -21,86 +21,12 @@ from pathlib import Path
 
 sys.dont_write_bytecode = True
 from driver import BrowserTest, programs  # noqa: E402
+from inputs import BATCH, BRANCHES, COMPARE  # noqa: E402
 
 PROGRAM, DATA, SOLVED = (Path(word).resolve() for word in sys.argv[1:4])
 WORK = tempfile.TemporaryDirectory(prefix="liesl-browser-")
 FOLDER = Path(WORK.name)
 MARGIN = 10  # times what a quiet machine takes: times are printed, only a wrong order fails
-
-BATCH = """name = "four rods"
-study = "{study}"
-[grid]
-speed = {{ key = "joints.motor.drive.rate", values = [120, 150] }}
-limit = {{ key = "constraints.bending.limit", values = [0.9e-3, 1.1e-3] }}
-"""
-COMPARE = """name = "two formalisms"
-scene = "{scene}"
-repeats = 1
-set = {{ "simulation.duration" = 0.01 }}
-[quantity]
-response = "bend"
-norm = "rms"
-[reference]
-formalisms = ["r3so3", "se3"]
-elements = 16
-step = 5e-5
-[grid]
-formalism = ["se3", "r3so3"]
-elements = [4, 8]
-step = [4e-4, 2e-4]
-"""
-
-# Joints between the ends of bodies: a hanger on the middle of a span, an overhang, a cross, a weight on a third interface.
-BRANCHES = """name = "branches"
-gravity = [0, -9.81, 0]
-[ground.points]
-b = [1, 0, 0]
-o = [0, 0.4, 0]
-p = [0.5, 0.4, 0]
-c = [1.4, 0, 0]
-d = [1.4, 0.5, 0]
-m = [0, -0.7, 0]
-n = [0.4, -0.7, 0]
-[materials]
-steel = { E = 210e9, nu = 0.3, rho = 7850 }
-[sections]
-thin = { type = "rectangle", width = 0.01, height = 0.01 }
-[bodies]
-span = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "thin", material = "steel", elements = 8 } }
-hanger = { beam = { from = [0.5, 0, 0], to = [0.5, -0.3, 0], section = "thin", material = "steel", elements = 2 } }
-load = { rigid = { at = [0.5, -0.3, 0], mass = 3, inertia = [1e-3, 1e-3, 1e-3] } }
-over = { beam = { from = [0, 0.4, 0], to = [1, 0.4, 0], section = "thin", material = "steel", elements = 8 } }
-rising = { beam = { from = [1.4, 0, 0], to = [2, 0.5, 0], section = "thin", material = "steel", elements = 8 } }
-falling = { beam = { from = [1.4, 0.5, 0], to = [2, 0, 0], section = "thin", material = "steel", elements = 8 } }
-weight = { rigid = { at = [0.2, -0.7, 0], mass = 30, inertia = [1e-2, 1e-2, 1e-2] } }
-[bodies.strip.solid]
-mesh = { from = [-0.02, -0.01], to = [0.42, 0.01], cells = [44, 2] }
-material = "steel"
-thickness = 0.01
-at = [0, -0.7, 0]
-modes = 4
-[bodies.strip.solid.interfaces]
-left = { circle = { centre = [0, 0], radius = 0.011 } }
-right = { circle = { centre = [0.4, 0], radius = 0.011 } }
-middle = { circle = { centre = [0.2, 0], radius = 0.011 } }
-[joints]
-a = { revolute = ["ground", "span.start"], axis = [0, 0, 1] }
-b = { revolute = ["ground.b", "span.end"], axis = [0, 0, 1] }
-hook = { revolute = ["span.mid", "hanger.start"], axis = [0, 0, 1] }
-shackle = { revolute = ["hanger.end", "load.origin"], axis = [0, 0, 1] }
-o = { revolute = ["ground.o", "over.start"], axis = [0, 0, 1] }
-p = { revolute = ["ground.p", "over.mid"], axis = [0, 0, 1] }
-c = { revolute = ["ground.c", "rising.start"], axis = [0, 0, 1] }
-d = { revolute = ["ground.d", "falling.start"], axis = [0, 0, 1] }
-cross = { revolute = ["rising.mid", "falling.mid"], axis = [0, 0, 1] }
-m = { revolute = ["ground.m", "strip.left"], axis = [0, 0, 1] }
-n = { revolute = ["ground.n", "strip.right"], axis = [0, 0, 1] }
-w = { revolute = ["strip.middle", "weight.origin"], axis = [0, 0, 1] }
-[simulation]
-duration = 0.04
-step = 5e-4
-rho_inf = 0.8
-"""
 
 METHODS = ["--set", 'grid.method=["esl","esl1"]', "--set", 'grid.optimizer=["ipopt"]', "--set", 'grid.treatment=["auto"]']
 
@@ -439,6 +365,34 @@ class Pages(BrowserTest):
         self.assertNotIn("of the motion", self.browser.run("return document.body.innerText"))
         self.assertIn("--no-verify", self.command())
 
+    def test_derivatives_of_long_keys_are_in_sight(self):
+        """Keys that change together make a name as wide as half a page; it breaks behind its dots."""
+        folder = FOLDER / "derivatives"
+        done = liesl("sensitivity", str(DATA / "studies/sensitivity_four_bar.toml"), "-o", str(folder), "--quiet")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        for width in (1280, 390):
+            self.show(folder)
+            self.browser.call("POST", "/window/rect", {"width": width, "height": 1000})
+            self.browser.frames()
+            last, card = self.browser.run("""const c = [...document.querySelectorAll('.card')].find((c) => c.textContent.startsWith('Derivatives'));
+                const key = [...c.querySelectorAll('td.wrap')].find((d) => d.textContent.includes('+'));
+                return [key.getBoundingClientRect().right, c.getBoundingClientRect().right];""")
+            self.assertLess(last, card, f"{width} pixels")
+        self.assertEqual(self.browser.run("return document.querySelector('[data-chart=rocker_angle] .legend b').textContent"), "0\xa0rad",
+                         "no round-off of its peak")
+
+    def test_keys_stay_as_they_are_at_the_beginning_of_a_reason(self):
+        folder = FOLDER / "limited"
+        shutil.copytree(rod(), folder)
+        file = folder / "summary.json"
+        summary = json.loads(file.read_text())
+        summary["reason"] = "cycle.max = 3 is used up"
+        file.write_text(json.dumps(summary))
+        self.assertEqual(liesl("report", str(folder)).returncode, 0)
+        self.show(folder)
+        self.assertTrue(self.browser.run("return document.querySelector('.reason').textContent").startswith("cycle.max = 3 is used up."))
+
     def test_lean_model_is_told(self):
         folder = FOLDER / "lean"
         done = liesl("lean", str(DATA / "scenes/slider_crank.toml"), "--response", "bend", "-o", str(folder), "--quiet", "--set", "simulation.duration=0.01")
@@ -574,7 +528,7 @@ class Pages(BrowserTest):
         legend = "return document.querySelector(`[data-chart=\"${arguments[0]}\"] .legend`).textContent"
         bending = self.browser.run(legend, "bending")
         self.assertRegex(bending, r"limit 1\smm")
-        self.assertRegex(bending, r"error of the peak by mesh and step ± [\d.]+\smm")
+        self.assertRegex(bending, r"error of the peak by mesh and step ± [\d.]+\sµm")
         self.assertNotRegex(self.browser.run("return document.querySelector('header').textContent"), r"\s-\d|\+-|\de-")
         self.assertEqual(self.browser.run("return document.querySelectorAll('[data-chart=energies] .swatch.dashed').length"), 1,
                          "the total lets the kinetic energy show")

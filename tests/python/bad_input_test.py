@@ -195,6 +195,22 @@ def test_arguments_are_refused_by_what_was_expected(pendulum, rod):
         liesl.Scene(pendulum).change({"simulation.step": 0})
 
 
+def test_errors_speak_of_arguments_not_of_options(pendulum, rod, tmp_path):
+    """Of `by`, `overwrite` and keys; the command line has --by, --force and --set there."""
+    scene = liesl.Scene(pendulum)
+    result = scene.run()
+    for by in (None, [], ()):
+        with pytest.raises(liesl.InputError, match="^by which parameters.; expected a key of the scene"):
+            result.jacobian("tip", by=by)
+    with pytest.raises(liesl.InputError, match="^by bodiess.x: .*bodiess"):
+        result.jacobian("tip", by="bodiess.x")
+    result.save(tmp_path / "out")
+    with pytest.raises(liesl.IoError, match="an earlier result; overwrite=True replaces it"):
+        result.save(tmp_path / "out")
+    with pytest.raises(liesl.InputError, match="^change cycle.method=.*expected one of"):
+        rod.optimize(method="simplex")
+
+
 def test_designs_of_a_program_have_a_number_for_each_variable(rod):
     """Also those that its methods are handed, which are clipped to the bounds."""
     nlp = rod.nlp()

@@ -2,6 +2,7 @@
 
 import gc
 import json
+import pickle
 import threading
 import time
 
@@ -185,6 +186,15 @@ def test_derivatives_that_there_are_not(pendulum, tmp_path):
     result.save(tmp_path / "out", report=False)
     with pytest.raises(liesl.InputError, match="folder"):
         liesl.open(tmp_path / "out").jacobian("bend", by=BY)
+
+
+def test_folders_pickle_and_results_say_what_to_do_instead(pendulum, tmp_path):
+    result = liesl.Scene(pendulum).run()
+    with pytest.raises(TypeError, match="save.. it and liesl.open.. the folder"):
+        pickle.dumps(result)
+    result.save(tmp_path / "out")
+    again = pickle.loads(pickle.dumps(liesl.open(tmp_path / "out")))
+    assert np.array_equal(again["responses/tip"], result["responses/tip"])
 
 
 def test_a_call_costs_less_than_a_millisecond_beyond_the_run(pendulum):

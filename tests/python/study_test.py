@@ -73,6 +73,20 @@ def test_four_ways_to_one_optimum(rod):
     assert full.summary["mass_final"] == pytest.approx(mass, rel=2e-3)
 
 
+def test_scipy_shortens_steps_to_designs_without_a_motion(rod):
+    """With four windows a step of SLSQP is to a rod so thin that an element of it turns by pi."""
+    scipy = pytest.importorskip("scipy.optimize")
+    nlp = rod.change({"scene.simulation.duration": 0.08}).nlp(windows=4)
+    tried = []
+    arguments = nlp.scipy()
+    rows, = arguments["constraints"]
+    values = rows["fun"]
+    rows["fun"] = lambda x: tried.append(values(x)) or tried[-1]
+    found = scipy.minimize(method="SLSQP", **arguments)
+    assert any(np.isneginf(row).all() for row in tried)
+    assert found.success and found.fun == pytest.approx(liesl.minimize(nlp).check().f, rel=1e-4)
+
+
 def test_methods_are_those_that_cyipopt_calls(rod):
     """cyipopt is no package of Debian 12. Its Problem(n, m, problem_obj) calls four methods with an array of its own and
     flattens what they return, a Jacobian without structure row by row: so read, SciPy finds the optimum of our Ipopt."""

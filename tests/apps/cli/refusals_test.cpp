@@ -315,6 +315,26 @@ TEST_F(Drawing, RefusesWhatIsNoSummaryOfThisVersion) {
   }
 }
 
+/// Half a folder is refused by what is missing, by every reader, which writes nothing.
+TEST_F(Drawing, RefusesHalfAResult) {
+  const fs::path deck = results().parent_path() / "deck";
+  for (const char* name : {"responses.csv", "results.h5", ".liesl"}) {
+    const fs::path aside = results().parent_path() / "aside";
+    fs::rename(results() / name, aside);
+    const std::string reason =
+        " '" + results().string() + "': its " + name + " is not there; copy the whole folder";
+    for (const Outcome& out :
+         {run({"plot", results()}), run({"report", results()}),
+          run({"export", results(), "--part", "rod", "--to", "calculix", "-o", deck}),
+          run({"export", results(), "--to", "xdmf"})}) {
+      EXPECT_EQ(out.code, 3) << name;
+      EXPECT_NE(out.err.find(reason), std::string::npos) << out.err;
+    }
+    EXPECT_FALSE(fs::exists(results() / "plots") || fs::exists(deck)) << name;
+    fs::rename(aside, results() / name);
+  }
+}
+
 /// The command line is in the summary as it was given.
 TEST_F(Drawing, SummaryHoldsTheArguments) {
   const Words words = short_run({"--verify", "--force"});

@@ -167,7 +167,7 @@ function precision(table) {
   const violated = (row) => table.column('violation')?.cells[row] > 1e-3;
   table.listeners.push(() => scatter.set(
     table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: value.cells[row] ?? NaN, row, group: String(group.cells[row]), hollow: violated(row) })),
-    { xlabel: table.label(time), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
+    { xlabel: table.label({ ...time, name: 'processor time' }), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
   const legend = el('div', { class: 'legend' }, groups.map((g, i) => el('span', {}, swatch(kSeries[i % kSeries.length]), g)));
   const title = value.name.replace('_', ' ');
   const node = card(`${title[0].toUpperCase()}${title.slice(1)} against time`, legend, scatter.node,

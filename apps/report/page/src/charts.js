@@ -17,6 +17,7 @@ const kHeight = 190;  // pixels
 const kDashed = { initial: [5, 4], total: [5, 4] };  // so that what lies beneath is seen
 const colourOf = (label, i) => (label === 'initial' ? kSeries[1] : label === 'final' ? kSeries[0] : kSeries[i % kSeries.length]);
 
+const kRoundOff = 1e-12;  // of the peak of a line: less is told as 0
 const kMostCharts = 8;  // at once: more are folded
 
 /** Charts of what has more than two records, as cards; of many those nearest to their limit, and the rest folded. */
@@ -56,11 +57,13 @@ function timeChart(d, clock) {
   if (d.limit)
     legend.append(el('span', {}, swatch('var(--bad)', true), 'limit ', el('b', {}, tick(d.limit / scale.factor) + unit)));
   if (d.error)
-    legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, number(d.error / scale.factor, 2) + unit)));
+    legend.append(el('span', { class: 'error' }, 'error of the peak by mesh and step ± ', el('b', {}, quantity(d.error, d.unit, 2))));
   if (still.length)
     legend.append(el('span', { class: 'still' }, `${still.join(', ')}: 0 throughout`));
   const plot = draw(holder, lines, d, scale);
-  const tell = (t) => lines.forEach((l, i) => (values[i].textContent = number(valueAt(l.x, l.y, t) / scale.factor, 4) + unit));
+  const least = lines.map((l) => kRoundOff * peak(l.y));
+  const told = (value, i) => (Math.abs(value) < least[i] ? 0 : value);
+  const tell = (t) => lines.forEach((l, i) => (values[i].textContent = number(told(valueAt(l.x, l.y, t), i) / scale.factor, 4) + unit));
   follow(plot, clock ?? new Clock(lines[0].x), tell, { name: d.title, peak: () => placeOfPeak(lines), words: () => legend.textContent });
   return box;
 }

@@ -29,7 +29,7 @@ export function cycles(data, player) {
     const i = Math.round(choice.record()), h = history[i];
     slider.value = i;
     label.textContent = `${choice.word} ${h.cycle} of ${numbers[numbers.length - 1]}`;
-    figures.replaceChildren(...figuresOf(h, s, data.motion));
+    figures.replaceChildren(...figuresOf(h, data));
     loads?.show(h.cycle);
     bars?.show(h.design);
     for (const picture of pictures) picture.show(h.cycle, i === history.length - 1);
@@ -51,17 +51,22 @@ export function cycles(data, player) {
   return node;
 }
 
-/** "t = 0.1 s"; where the motion runs over a load factor, that. */
-const place = (text, motion) => (!motion || motion.abscissa === 'time' ? text : text.replace(/\bt = (\S+) s$/, `${motion.abscissa.replace('_', ' ')} $1`));
+/** "at t = 0.1 s"; where the motion runs over a load factor, that; of fixed loads "in load case 'lifting'". */
+function place(text, data) {
+  if (!text) return '';
+  if (data.summary.load_cases) return ` in load case '${text}'`;
+  const { abscissa = 'time' } = data.motion ?? {};
+  return ` at ${abscissa === 'time' ? text : text.replace(/\bt = (\S+) s$/, `${abscissa.replace('_', ' ')} $1`)}`;
+}
 
-function figuresOf(h, s, motion) {
-  const out = [], add = (name, value) => out.push(el('dt', {}, name), el('dd', {}, value));
+function figuresOf(h, data) {
+  const s = data.summary, out = [], add = (name, value) => out.push(el('dt', {}, name), el('dd', {}, value));
   add('mass', `${quantity(h.mass, 'kg')} (${percent(h.mass / s.mass_initial - 1)})`);
   if (typeof h.objective === 'number') add(s.objective?.quantity ?? 'objective', quantity(h.objective, s.objective?.unit));
   const above = (name, value) => excess(value, isOwn(s.constraints?.[name]));
-  add('worst limit', above(h.worst_limit, h.worst_constraint) + (h.worst_limit ? ` '${h.worst_limit}'${h.worst_at ? ` at ${place(h.worst_at, motion)}` : ''}` : ''));
+  add('worst limit', above(h.worst_limit, h.worst_constraint) + (h.worst_limit ? ` '${h.worst_limit}'${place(h.worst_at, data)}` : ''));
   for (const [name, limit] of Object.entries(h.limits ?? {}))
-    if (name !== h.worst_limit) add(`limit '${name}'`, above(name, limit.violation) + (limit.at ? ` at ${place(limit.at, motion)}` : ''));
+    if (name !== h.worst_limit) add(`limit '${name}'`, above(name, limit.violation) + place(limit.at, data));
   if (h.load_change !== undefined && !s.load_cases) add('change of the loads', h.load_change === null ? '\u2013' : percent(h.load_change).replace('+', ''));
   add('load cases kept', h.load_cases || '\u2013');
   add('iterations of the optimiser', h.optimizer_iterations || '\u2013');

@@ -24,6 +24,11 @@ function fill(node, attributes, children) {
   }
 }
 
+/** A name or key, with places where its line may end: behind "_", ".", "+" and the like. */
+export function breakable(text) {
+  return text.split(/(?<=[_/\\,=+]|\.(?=[a-z_]))(?=.)/i).flatMap((part, i) => (i ? [el('wbr'), part] : [part]));
+}
+
 export function card(title, ...children) {
   return el('section', { class: 'card' }, title ? el('h2', {}, title) : null, ...children);
 }

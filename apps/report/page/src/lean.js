@@ -26,7 +26,7 @@ export function lean(s) {
     s.changes?.length ? el('h3', {}, 'Changes of the scene') : null,
     s.changes?.length ? el('ul', { class: 'changes' }, s.changes.map((c) => el('li', {}, c))) : null);
   const why = s.decisions?.length ? card('Decisions', table(['about', 'choice', 'figure', 'limit', 'evidence'],
-    s.decisions.map((d) => [d.about, d.choice, share(d.figure), share(d.limit), prose(d.evidence ?? '')]), ['', 'wrap', 'n', 'n', 'wrap'])) : null;
+    s.decisions.map((d) => [d.about, prose(d.choice), share(d.figure), share(d.limit), prose(d.evidence ?? '')]), ['', 'wrap', 'n', 'n', 'wrap'])) : null;
   why?.classList.add('long');
   return [model, why];
 }

@@ -27,16 +27,17 @@ function page() {
   if (player) add(left, player.node);
   player?.start();
   const timed = player && !player.shapes ? clock : null;
-  if (!player || timed) add(right, ...timeCharts(data.charts, timed));
-  const wide = [...lean(s), maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
+  if (timed) add(right, ...timeCharts(data.charts, timed));
+  const wide = [...lean(s), tables.gradients(s), maps(data), cycles(data, player), ...(data.cases ? cases(data) : [])];
   const limits = tables.limits(data);
   const shorter = (usual) => {
     const other = usual === left ? right : left;
     return twoColumns() && other.offsetHeight < usual.offsetHeight - kMuch ? other : usual;
   };
+  if (!player) for (const chart of timeCharts(data.charts, null)) add(left.offsetHeight > right.offsetHeight ? right : left, chart);
   for (const node of [limits, tables.design(s)]) add(shorter(left), node);
   for (const node of [data.motion?.abscissa === 'frequency' || !limits ? tables.responses(s, data.charts[0]) : null,
-    tables.references(s), tables.further(s, player?.modes ? clock : null), tables.gradients(s)])
+    tables.references(s), tables.further(s, player?.modes ? clock : null)])
     add(shorter(right), node);
   add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
   const origin = tables.provenance(data);

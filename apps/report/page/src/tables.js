@@ -1,6 +1,6 @@
 // Figures of a summary as tables: head, limits, design, provenance.
 
-import { card, el } from './dom.js';
+import { breakable, card, el } from './dom.js';
 import { leanTiles } from './lean.js';
 import { excess, isOwn, number, percent, prose, quantities, quantity, tick, worstLimit } from './format.js';
 
@@ -26,7 +26,8 @@ const kMeaning = {
 
 function sentence(text) {
   if (!text) return text;
-  const plain = prose(text), printed = plain[0].toUpperCase() + plain.slice(1);
+  const plain = prose(text), key = /^\w+[._]\w/.test(plain);  // "cycle.max = 3 is used up"
+  const printed = key ? plain : plain[0].toUpperCase() + plain.slice(1);
   return /[.!?]$/.test(printed) ? printed : `${printed}.`;
 }
 
@@ -48,11 +49,11 @@ export function head(data) {
       percent(s.objective.final / s.objective.initial - 1)));
   if (s.worst_constraint !== undefined && s.worst_constraint !== null)
     tiles.push(tile('worst limit', excess(s.worst_constraint, isOwn(worstLimit(s))), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
-  if (s.cycles) tiles.push(tile('cycles', s.cycles, quantity(s.wall_s, 's', 3)));
+  if (s.cycles) tiles.push(tile('cycles', s.cycles, `in ${quantity(s.wall_s, 's', 3)}`));
   if (s.kkt_residual !== undefined)
     tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(data)}` : `not optimal for the ${subject(data)}`));
   if (s.frequencies_hz?.length) tiles.push(tile('lowest frequency', quantity(s.frequencies_hz[0], 'Hz', 4), `of ${s.frequencies_hz.length}`));
-  else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, quantity(s.stepping_s, 's', 3)));
+  else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, `in ${quantity(s.stepping_s, 's', 3)}`));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
@@ -65,7 +66,8 @@ export function head(data) {
 /** Columns in which no row says anything are left out. */
 export function table(heading, rows, kinds = []) {
   const said = heading.map((_, i) => i === 0 || rows.some((row) => row[i] !== '\u2013'));
-  const cell = (tag, x, i) => said[i] && el(tag, { class: kinds[i] ?? '' }, x);
+  const words = (x, i) => (typeof x === 'string' && kinds[i] !== 'n' ? breakable(x) : x);
+  const cell = (tag, x, i) => said[i] && el(tag, { class: kinds[i] ?? '' }, words(x, i));
   return el('div', { class: 'scroll' }, el('table', {},
     el('thead', {}, el('tr', {}, heading.map((h, i) => cell('th', h, i)))),
     el('tbody', {}, rows.map((row) => el('tr', {}, row.map((x, i) => cell('td', x, i)))))));
@@ -140,7 +142,7 @@ export function gradients(s) {
           g.value && slope !== null ? percent(0.01 * slope * p.value / g.value) : '\u2013']);
       }
   if (!rows.length) return null;
-  return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', '', 'n', 'n']));
+  return card('Derivatives', table(['figure', 'value', 'parameter', 'derivative', '1 % more changes it by'], rows, ['', 'n', 'wrap', 'n', 'n']));
 }
 const kPowers = { '^2': '\u00b2', '^3': '\u00b3' };
 const per = (above, below) => (below?.includes(' or ') ? `${above} per SI unit` : quotient(above, below)).replace(/\^[23]/g, (p) => kPowers[p]);
@@ -180,7 +182,7 @@ export function further(s, clock) {
     blocks.push(table(['critical load', 'kind'], s.critical_loads.map((c) => [number(c.load, 5), c.limit_point ? 'limit point' : 'bifurcation']), ['', '']));
   const parts = Object.entries(s.parts ?? {});
   if (parts.length)
-    blocks.push(table(['part', 'cells', 'modes', 'mass', 'right up to'],
+    blocks.push(table(['part', 'cells', 'modes', 'mass', 'accurate up to'],
       parts.map(([name, p]) => [name, p.cells, p.modes, quantity(p.mass, 'kg'), quantity(p.right_up_to_hz, 'Hz', 3)]), ['', 'n', 'n', 'n', 'n']));
   const title = [s.frequencies_hz?.length && 'modes', s.critical_loads?.length && 'critical loads', parts.length && 'meshed parts'].filter(Boolean).join(', ');
   return blocks.length ? card(title[0].toUpperCase() + title.slice(1), ...blocks) : null;
@@ -206,7 +208,7 @@ export function provenance(data) {
   add('input (SHA-256)', s.input_sha256);
   if (s.space) add('computed', `${s.space}: ${s.space_reason}`);
   if (s.wall_s) add('time', `${quantity(s.wall_s, 's', 3)}${s.cpu_s ? `, processors ${quantity(s.cpu_s, 's', 3)}` : ''}`);
-  if (s.newton_iterations) add('corrections', `${s.newton_iterations} in ${s.steps} steps`);
+  if (s.newton_iterations) add('corrections', `${s.newton_iterations} in ${s.steps} step${s.steps === 1 ? '' : 's'}`);
   if (s.peak_memory_mb) add('memory', `${number(s.peak_memory_mb, 3)} MB`);
   add('versions', Object.entries(s.versions ?? {}).map(([n, v]) => `${n} ${v}`).join(' \u00b7 '));
   return card('Where it comes from', list);
