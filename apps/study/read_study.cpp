@@ -676,9 +676,10 @@ void check_images(StudyReader& reader) {
                       : of_mesh                       ? "is of a meshed part in its motion"
                                                       : "is not on the deformation of a part",
                       why),
-          of_mesh ? "an entry in [part_limits]"
-                  : "a displacement, deflection, elongation, stress or compliance of a beam, a "
-                    "displacement or elongation of a meshed part",
+          treated   ? "\"auto\""
+          : of_mesh ? "an entry in [part_limits]"
+                    : "a displacement, deflection, elongation, stress or compliance of a beam, a "
+                      "displacement or elongation of a meshed part",
           "limits on any response need a motion and cycle.method \"esl1\" or \"full\"");
     }
 }
