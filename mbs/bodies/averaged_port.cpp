@@ -2,6 +2,8 @@
 
 #include <Eigen/QR>
 
+#include "mbs/linalg/dense.hpp"
+
 namespace liesl {
 namespace {
 
@@ -18,14 +20,20 @@ AveragedPort<G>::AveragedPort(int port, std::vector<int> nodes, Points places, d
       places_(std::move(places)),
       stiffness_(stiffness),
       mass_(mass) {
-  MatrixXd rigid(places_.size(), dim);
-  for (Eigen::Index i = 0; i < places_.cols(); ++i) {
-    rigid.block(sd * i, 0, sd, sd).setIdentity();
-    rigid.block(sd * i, sd, sd, rd) = turn<G>(places_.col(i));
-  }
+  const MatrixXd rigid = rigid_motions(places_);
   Q_ = Eigen::HouseholderQR<MatrixXd>(rigid).householderQ() * MatrixXd::Identity(rigid.rows(), dim);
   const Points about = places_.colwise() - places_.rowwise().mean().eval();
   inertia_ = mass_ * about.squaredNorm() / static_cast<double>(places_.cols());
+}
+
+template <FrameGroup G>
+MatrixXd AveragedPort<G>::rigid_motions(const Points& places) {
+  MatrixXd rigid(places.size(), dim);
+  for (Eigen::Index i = 0; i < places.cols(); ++i) {
+    rigid.block(sd * i, 0, sd, sd).setIdentity();
+    rigid.block(sd * i, sd, sd, rd) = turn<G>(places.col(i));
+  }
+  return rigid;
 }
 
 template <FrameGroup G>
@@ -145,6 +153,61 @@ MatrixXd AveragedPort<G>::mass() const {
   M.diagonal().head(sd).setConstant(mass_);
   M.diagonal().segment(sd, rd).setConstant(inertia_);
   return M;
+}
+
+template <FrameGroup G>
+auto AveragedPort<G>::variation(
+    const std::vector<std::pair<double, const AveragedPort*>>& nearby) const -> Variation {
+  Variation by;
+  by.places = Points::Zero(sd, places_.cols());
+  for (const auto& [weight, port] : nearby) {
+    by.places += weight * port->places_;
+    by.stiffness += weight * port->stiffness_;
+    by.mass += weight * port->mass_;
+    by.inertia += weight * port->inertia_;
+  }
+  const MatrixXd rigid = rigid_motions(places_);
+  by.motions = rigid_motions(by.places) - rigid_motions(Points::Zero(sd, places_.cols()));
+  by.inverse = linalg::LDLT(rigid.transpose() * rigid).solve(rigid.transpose());
+  return by;
+}
+
+/// f = k P (y - s), P = Q Q^T; on a node R_k^T R f_i, on the port -[sum f_i; sum y_i x f_i].
+template <FrameGroup G>
+void AveragedPort<G>::add_variation(const BodyState<G>& s, const StateDirection& d,
+                                    const Variation& by, double* r) const {
+  using Vec = Eigen::Matrix<double, sd, 1>;
+  using Rotation = Eigen::Matrix<double, rd, 1>;
+  const auto at = unknowns();
+  VectorXd eta(size());
+  for (int i = 0; i < size(); ++i) eta[i] = d.eta[at[static_cast<std::size_t>(i)]];
+  const Points y = local(s.H);
+  const VectorXd dy = by_unknowns(s.H, y) * eta, off = (y - places_).reshaped(),
+                 doff = dy - by.places.reshaped();
+  const auto kept = [this](const VectorXd& x) -> VectorXd { return Q_ * (Q_.transpose() * x); };
+  const VectorXd in = kept(off), through = by.motions * (by.inverse * off);
+  const VectorXd out_of = by.inverse.transpose() * (by.motions.transpose() * (off - in));
+  const VectorXd f = stiffness_ * in,
+                 df = by.stiffness * in +
+                      stiffness_ * (kept(doff) + through - kept(through) + out_of);
+  const Rotation turned = eta.segment(sd, rd);
+  Eigen::Map<Tangent> port(r + dim * port_);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto k = sd * static_cast<Eigen::Index>(i);
+    const Vec f_i = f.segment(k, sd), df_i = df.segment(k, sd), y_i = y.col(k / sd),
+              dy_i = dy.segment(k, sd);
+    port.template head<sd>() -= df_i;
+    port.template tail<rd>() -= turn<G>(dy_i).transpose() * f_i + turn<G>(y_i).transpose() * df_i;
+    Eigen::Map<Vec>(r + dim * nodes_[i]) +=
+        s.H[nodes_[i]].R.transpose() * (s.H[port_].R * (df_i + turn<G>(f_i) * turned));
+  }
+  const Eigen::Map<const Tangent> v(s.v + dim * port_), a(s.vdot + dim * port_),
+      dv(d.v + dim * port_), da(d.vdot + dim * port_);
+  const auto u = [](const auto& of) -> Vec { return of.template head<sd>(); };
+  const auto w = [](const auto& of) -> Rotation { return of.template tail<rd>(); };
+  port.template head<sd>() += by.mass * (u(a) + turn<G>(u(v)) * w(v)) +
+                              mass_ * (u(da) + turn<G>(u(dv)) * w(v) + turn<G>(u(v)) * w(dv));
+  port.template tail<rd>() += by.inertia * w(a) + inertia_ * w(da);
 }
 
 template <FrameGroup G>

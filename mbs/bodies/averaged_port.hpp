@@ -59,12 +59,26 @@ class AveragedPort {
   Eigen::MatrixXd damping_at(const double* v) const;
   Eigen::MatrixXd mass() const;
 
+  /// d/dp of what the port is made of: the places s_i and, of the rigid motions A = [I, -s~_i] of
+  /// all nodes, dA and A^+; Q Q^T then changes by (I - Q Q^T) dA A^+ and the transposed of it.
+  struct Variation {
+    Points places;
+    Eigen::MatrixXd motions, inverse;
+    double stiffness = 0, mass = 0, inertia = 0;
+  };
+  /// By ports of the same nodes at nearby values, each with its weight.
+  Variation variation(const std::vector<std::pair<double, const AveragedPort*>>& nearby) const;
+  /// r += d(add_internal + add_inertia)/dp where the state changes along a direction of the body.
+  void add_variation(const BodyState<G>& s, const StateDirection& d, const Variation& by,
+                     double* r) const;
+
   /// Makes it the derivative by a scale of the law.
   void scale(double stiffness, double mass);
 
  private:
   Points local(const G* H) const;                                  ///< y
   Eigen::MatrixXd by_unknowns(const G* H, const Points& y) const;  ///< dy
+  static Eigen::MatrixXd rigid_motions(const Points& places);
   int size() const { return dim + sd * static_cast<int>(nodes_.size()); }
 
   int port_;

@@ -12,6 +12,7 @@
 #include "liegroup/concepts.hpp"
 #include "mbs/bodies/body_matrix.hpp"
 #include "mbs/bodies/law_derivative.hpp"
+#include "mbs/bodies/shape_derivative.hpp"
 #include "mbs/model/element_place.hpp"
 
 namespace liesl {
@@ -213,6 +214,13 @@ class Body {
   /// coordinates; with fewer the derivative is that of the motion in the space of these modes.
   /// @throws std::invalid_argument if the law is of another kind of body or not of its size
   virtual std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const = 0;
+
+  /// d(forces)/dp by the nodes at rest of bodies of the same law and the same mesh; null: none is
+  /// known but by differences of the forces of the nearby bodies. Outlives neither.
+  virtual std::unique_ptr<ShapeDerivative<G>> by_shape(
+      const std::vector<NearbyBody<G>>& /*nearby*/) const {
+    return nullptr;
+  }
 
   /// h += (dn_e/dh)^T f: gradient of f . n_e, n_e the section force of element e, with respect to
   /// the increments of the nodal frames of a completed state.

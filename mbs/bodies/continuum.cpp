@@ -36,6 +36,7 @@ ContinuumBody<G>::ContinuumBody(std::string body_name, const SolidSpec& spec,
     : Body<G>(std::move(body_name), nodes_at_rest(spec, ports, turn)),
       ports_(static_cast<int>(ports.size())),
       damping_(spec.damping),
+      thickness_(spec.model->thickness()),
       cells_(spec.mesh().cells),
       pattern_(this->size()) {
   if (const auto problem = continuum_problem(spec))

@@ -82,6 +82,8 @@ class ContinuumBody final : public Body<G> {
   double total_mass() const override { return node_mass_.sum(); }
   double axial_stiffness() const override { return stiffest_; }
   std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const override;
+  std::unique_ptr<ShapeDerivative<G>> by_shape(
+      const std::vector<NearbyBody<G>>& nearby) const override;
   void add_energy_gradient(const BodyState<G>& s, const Vector& gravity, const BodyEnergy& weight,
                            double* h, double* v) const override;
 
@@ -109,12 +111,15 @@ class ContinuumBody final : public Body<G> {
   using Levers = std::vector<Lever, Eigen::aligned_allocator<Lever>>;
   struct Room;
   struct Share;
+  class ByShape;
 
   /// The derivative of a body by factors of its cells. @param ports that of the stiffness of its
   /// averaged ports
   ContinuumBody(const ContinuumBody& body, Eigen::VectorXd stiff, Eigen::VectorXd heavy,
                 double ports);
 
+  /// Is it the same mesh of the same material, its nodes apart?
+  bool same_but_for_nodes(const ContinuumBody& other) const;
   static std::vector<G> nodes_at_rest(const SolidSpec& spec, const std::vector<G>& ports,
                                       const Eigen::Matrix3d& turn);
   void number_nodes(const SolidSpec& spec, const std::vector<G>& ports,
@@ -180,7 +185,7 @@ class ContinuumBody final : public Body<G> {
   Eigen::SparseMatrix<double> damping_at(const BodyState<G>& s, Room& room) const;
 
   int ports_;
-  double damping_;
+  double damping_, thickness_;
   std::vector<int> node_of_;  ///< by node of the mesh: node of the body
   Points arm_;                ///< by node of the mesh: in the axes of the port it is held by, m
   Points rest_;               ///< inertial, m

@@ -8,6 +8,7 @@
 #include "mbs/linalg/dense.hpp"
 #include "mbs/solids/incompatible_modes.hpp"
 #include "mbs/solids/mesh.hpp"
+#include "mbs/solids/strain_components.hpp"
 
 namespace liesl {
 namespace {
@@ -18,28 +19,6 @@ using Eigen::VectorXd;
 
 constexpr int kEnhanced = 30;            // iterations of alpha
 constexpr double kEnhancedDone = 1e-14;  // last change of the strain, of the largest of the cell
-
-/// Rows of strains: [xx, yy, xy] or [xx, yy, zz, xy, yz, zx], of sym(A^T B), shear twice; A by its
-/// columns: a_i . b_i, a_i . b_j + a_j . b_i.
-template <int D, class A, class B, class Out>
-void symmetric(const A& a, const B& b, Out&& out) {
-  for (int i = 0; i < D; ++i) out[i] = a.col(i).dot(b.col(i));
-  constexpr int shear = D == 2 ? 1 : 3;
-  for (int s = 0; s < shear; ++s) {
-    const int i = s, j = (s + 1) % D;
-    out[D + s] = a.col(i).dot(b.col(j)) + a.col(j).dot(b.col(i));
-  }
-}
-
-template <int D, class Stress>
-Eigen::Matrix<double, D, D> as_tensor(const Stress& s) {
-  Eigen::Matrix<double, D, D> S;
-  if constexpr (D == 2)
-    S << s[0], s[2], s[2], s[1];
-  else
-    S << s[0], s[3], s[5], s[3], s[1], s[4], s[5], s[4], s[2];
-  return S;
-}
 
 }  // namespace
 
@@ -90,7 +69,7 @@ void ContinuumCell<D>::strain(const Positions& x, VectorXd& E) const {
   for (int g = 0; g < points(); ++g) {
     const Square F = x.lazyProduct(gradient_[g].transpose());
     auto at = E.template segment<kStrains>(kStrains * g);
-    symmetric<D>(F, F, at);
+    symmetric_components<D>(F, F, at);
     at.template head<D>().array() = 0.5 * (at.template head<D>().array() - 1);
     at.template tail<kStrains - D>() *= 0.5;
   }
@@ -102,7 +81,7 @@ void ContinuumCell<D>::strain_rate(const Positions& x, const Positions& v, Vecto
   for (int g = 0; g < points(); ++g) {
     const Square F = x.lazyProduct(gradient_[g].transpose()),
                  Fdot = v.lazyProduct(gradient_[g].transpose());
-    symmetric<D>(F, Fdot, rate.template segment<kStrains>(kStrains * g));
+    symmetric_components<D>(F, Fdot, rate.template segment<kStrains>(kStrains * g));
   }
 }
 
@@ -132,7 +111,7 @@ void ContinuumCell<D>::respond_linearly(const VectorXd& E, bool tangent, Respons
 template <int D>
 void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Response& out) const {
   const bool enhanced = enhanced_.cols() > 0;
-  VectorXd alpha, step;
+  VectorXd &alpha = out.alpha, step;
   if (enhanced) alpha = to_alpha_ * E;
   MatrixXd weighted = MatrixXd::Zero(strains(), strains()), coupled;
   out.stress.resize(strains());
@@ -226,7 +205,7 @@ double ContinuumCell<D>::smallest_determinant(const Positions& x) const {
 template <int D>
 auto ContinuumCell<D>::green_lagrange(const Square& F) -> Strain {
   Strain E;
-  symmetric<D>(F, F, E);
+  symmetric_components<D>(F, F, E);
   E.template head<D>().array() = 0.5 * (E.template head<D>().array() - 1);
   E.template tail<kStrains - D>() *= 0.5;
   return E;

@@ -32,6 +32,7 @@ class ContinuumCell {
     double energy = 0;        ///< J
     Eigen::VectorXd stress;   ///< w_g S_g, second Piola-Kirchhoff, Pa m^3
     Eigen::MatrixXd tangent;  ///< d(stress)/d(strain), condensed; only where it was asked for
+    Eigen::VectorXd alpha;    ///< of laws that are not linear
     bool converged = true;    ///< false: no alpha was found (neo-Hookean, far from any rest)
   };
 
@@ -61,6 +62,32 @@ class ContinuumCell {
   /// K += sum_g grad N_a . S_g grad N_b I.
   void add_geometric(const Eigen::VectorXd& stress, Eigen::MatrixXd& K) const;
 
+  /// What the reference changes by with a parameter that moves the nodes at rest by dX:
+  /// d(grad N) = -(grad N dX^T) grad N, d(w) = w tr(grad N dX^T), and d(M).
+  struct Variation {
+    std::vector<Positions> gradient;  ///< by point
+    Eigen::VectorXd weight;
+    Eigen::MatrixXd enhanced;
+  };
+  /// @param nodes of this cell at rest or of one of equal shape  @param change dX/dp
+  Variation variation(const Positions& nodes, const Positions& change) const;
+  /// d(strain_rate)/dp of positions x and rates v that change by dx and dv; with v = x and dv = dx
+  /// twice d(strain)/dp.
+  Eigen::VectorXd rate_variation(const Positions& x, const Positions& v, const Positions& dx,
+                                 const Positions& dv, const Variation& by) const;
+  /// d(stress)/dp of a strain that changes by dE, of the law and of the linear one:
+  ///   dsigma = dw S + w D (dE + dM alpha + M dalpha),  sum_g dM^T sigma + M^T dsigma = 0.
+  Eigen::VectorXd stress_variation(const Eigen::VectorXd& E, const Eigen::VectorXd& dE,
+                                   const Variation& by) const;
+  Eigen::VectorXd linear_variation(const Eigen::VectorXd& E, const Eigen::VectorXd& dE,
+                                   const Variation& by) const;
+  /// df += d(add_force)/dp of a stress that changes by dstress.
+  void add_force_variation(const Positions& x, const Eigen::VectorXd& stress, const Positions& dx,
+                           const Eigen::VectorXd& dstress, const Variation& by,
+                           Positions& df) const;
+  SolidLaw law() const { return law_; }
+  const Material& material() const { return material_; }
+
   /// Deformation gradient at the centre, and the smallest determinant of the points of quadrature:
   /// <= 0 where the cell is inverted there (its corners may be before).
   Eigen::Matrix<double, D, D> central_gradient(const Positions& x) const;
@@ -78,6 +105,8 @@ class ContinuumCell {
   static Strain green_lagrange(const Square& F);
   void respond_linearly(const Eigen::VectorXd& E, bool tangent, Response& out) const;
   void respond_iterated(const Eigen::VectorXd& E, bool tangent, Response& out) const;
+  Eigen::VectorXd variation_of(SolidLaw law, const Eigen::VectorXd& E, const Eigen::VectorXd& alpha,
+                               const Eigen::VectorXd& dE, const Variation& by) const;
 
   Material material_;
   SolidLaw law_;

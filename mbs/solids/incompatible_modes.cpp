@@ -32,4 +32,13 @@ MatrixXd IncompatibleModes::strains(const Eigen::Vector3d& xi, double det) const
   return strain_matrix(dim, det0_ / det * J0inverse_ * modes);
 }
 
+/// d(J0^-1) = -J0^-1 dJ0 J0^-1, d(det J0) = det J0 tr(J0^-1 dJ0).
+MatrixXd IncompatibleModes::strains_variation(const Eigen::Vector3d& xi, double det,
+                                              const MatrixXd& dJ0, double relative) const {
+  const int dim = static_cast<int>(J0inverse_.rows());
+  const MatrixXd modes = (-2 * xi.head(dim)).asDiagonal(), turned = J0inverse_ * dJ0;
+  return strain_matrix(
+      dim, det0_ / det * ((turned.trace() - relative) * J0inverse_ - turned * J0inverse_) * modes);
+}
+
 }  // namespace liesl

@@ -26,6 +26,9 @@ class IncompatibleModes {
   explicit IncompatibleModes(const Eigen::MatrixXd& J0);
   /// Their strains at xi, where det J = det: strain_count x dim^2.
   Eigen::MatrixXd strains(const Eigen::Vector3d& xi, double det) const;
+  /// Their derivative where J0 changes by dJ0 and det J by det times `relative`.
+  Eigen::MatrixXd strains_variation(const Eigen::Vector3d& xi, double det,
+                                    const Eigen::MatrixXd& dJ0, double relative) const;
   const Eigen::MatrixXd& inverse() const { return J0inverse_; }  ///< J0^-1
 
  private:

@@ -11,6 +11,7 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
   gap = compliance = estimate = phi;
   if (m.penalty.form == ConstraintForm::Penalty) compliance = m.penalty.weight.cwiseInverse();
   scales_.resize(m.bodies.size());
+  left_out_.resize(m.bodies.size());
   for (const auto& c : m.couplings) {
     CouplingData data;
     data.B.setZero(c.acting, 2 * dim);
@@ -50,6 +51,7 @@ void Equations<G>::add_bodies(const State<G>& s, const LoadLevel& level,
                               const SectionForces* stress) {
   const typename Model<G>::Vector gravity = level.factor * model.gravity_at(level.t);
   for (size_t b = 0; b < model.bodies.size(); ++b) {
+    if (left_out_[b]) continue;
     BodyState<G> state = model.body_state(s, static_cast<int>(b));
     state.work = work_[b].get();
     if (stress && !(*stress)[b].empty()) state.stress = (*stress)[b].front().data();

@@ -34,6 +34,9 @@ class Equations {
   void evaluate(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                 const SectionForces* stress = nullptr);
 
+  /// Leaves the forces of a body out of r from now on; its loads and joints stay.
+  void leave_out(int body) { left_out_[static_cast<std::size_t>(body)] = true; }
+
   /// Values of all coupling rows at a state, into `rows`.
   void observe(const State<G>& s, const Eigen::VectorXd& previous, Eigen::VectorXd& rows) const;
 
@@ -85,6 +88,7 @@ class Equations {
   void add_compliance(const State<G>& s, double t);
   double norm_of(int first, int nodes) const;
   std::vector<ForceScale> scales_;                    ///< by body
+  std::vector<bool> left_out_;                        ///< by body
   std::vector<std::unique_ptr<BodyWorkspace>> work_;  ///< by body
   double scale_ = 0, round_off_ = 0;
 };

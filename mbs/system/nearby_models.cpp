@@ -71,7 +71,8 @@ NearbyModels<G>::Neighbour::Neighbour(double of_p, const Mechanism& neighbour, c
     : weight(of_p), mechanism(neighbour), model(built(neighbour, of)), equations(model) {}
 
 template <FrameGroup G>
-NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model) {
+NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model)
+    : model_(model) {
   if (has_amplitudes(model))
     throw std::invalid_argument(
         "by geometry there are no derivatives of bodies in floating frames, whose modes change "
@@ -86,8 +87,9 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
           "the joints repeat other rows at neighbouring values: expected a place where the number "
           "of independent rows does not change");
   }
+  set_shapes();
   if (has_carriers(model)) {
-    set_lift(model);
+    set_lift();
     return;
   }
   for (const auto& neighbour : models_)
@@ -96,11 +98,11 @@ NearbyModels<G>::NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>
 }
 
 template <FrameGroup G>
-void NearbyModels<G>::set_lift(const Model<G>& model) {
-  Eigen::VectorXd lift = Eigen::VectorXd::Zero(model.size());
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const Body<G>& body = *model.bodies[b];
-    const int first = model.first_node(static_cast<int>(b));
+void NearbyModels<G>::set_lift() {
+  Eigen::VectorXd lift = Eigen::VectorXd::Zero(model_.size());
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+    const Body<G>& body = *model_.bodies[b];
+    const int first = model_.first_node(static_cast<int>(b));
     for (int k = 0; k < body.nodes(); ++k) {
       carriers_.push_back(body.kind(k) == NodeKind::Position ? first : first + k);
       for (const auto& neighbour : models_) {
@@ -114,6 +116,42 @@ void NearbyModels<G>::set_lift(const Model<G>& model) {
 }
 
 template <FrameGroup G>
+void NearbyModels<G>::set_shapes() {
+  for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+    std::vector<NearbyBody<G>> nearby;
+    for (const auto& neighbour : models_)
+      nearby.push_back({neighbour->weight, neighbour->model.bodies[b].get()});
+    auto forces = model_.bodies[b]->by_shape(nearby);
+    if (!forces) continue;
+    const int body = static_cast<int>(b);
+    shapes_.push_back({body, std::move(forces), model_.bodies[b]->make_workspace()});
+    for (const auto& neighbour : models_) neighbour->equations.leave_out(body);
+  }
+}
+
+template <FrameGroup G>
+void NearbyModels<G>::add_shapes(const State<G>& s, const LoadLevel& level, bool lifted,
+                                 Eigen::VectorXd& r_p) const {
+  if (shapes_.empty()) return;
+  typename Model<G>::Vector dgravity = Model<G>::Vector::Zero();
+  for (const auto& neighbour : models_)
+    dgravity += neighbour->weight * level.factor * neighbour->model.gravity_at(level.t);
+  for (const Shape& shape : shapes_) {
+    const int first = model_.first_node(shape.body), n = model_.bodies[shape.body]->nodes();
+    Eigen::MatrixXd d = Eigen::MatrixXd::Zero(G::dim * n, 3);
+    for (int k = 0; lifted && k < n; ++k) {
+      const NodeDirection of = direction(s, s.vdot, first + k);
+      d.middleRows<G::dim>(G::dim * k) << of.eta, of.v, of.rate;
+    }
+    BodyState<G> state = model_.body_state(s, shape.body);
+    state.work = shape.work.get();
+    shape.forces->add(state, {d.col(0).data(), d.col(1).data(), d.col(2).data()},
+                      level.factor * model_.gravity_at(level.t), dgravity,
+                      r_p.data() + G::dim * first);
+  }
+}
+
+template <FrameGroup G>
 void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                           const LoadLevel& level, Eigen::VectorXd& r_p,
                           Eigen::VectorXd& phi_p) const {
@@ -122,6 +160,29 @@ void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
     r_p += neighbour->weight * neighbour->equations.r;
     phi_p += neighbour->weight * neighbour->equations.phi;
   }
+  add_shapes(s, level, false, r_p);
+}
+
+/// eta = xi, ad(v) xi, ad(rate) xi; of positions those of points that are fixed to their carrier.
+template <FrameGroup G>
+auto NearbyModels<G>::direction(const State<G>& s, const Eigen::VectorXd& rates, int node) const
+    -> NodeDirection {
+  constexpr int sd = G::space_dim;
+  using Tangent = typename G::Tangent;
+  const int carrier = carriers_[static_cast<std::size_t>(node)];
+  const auto of = [](const Eigen::VectorXd& x, int k) -> Tangent {
+    return x.template segment<G::dim>(G::dim * k);
+  };
+  const Tangent xi = of(lift_, node), v = of(s.v, carrier), rate = of(rates, carrier);
+  if (carrier == node) return {xi, G::ad(v) * xi, G::ad(rate) * xi};
+  const CarriedRates<G> carried(v, rate, xi.template head<sd>());
+  const SquareMatrix<sd> R =
+      s.H[static_cast<std::size_t>(node)].R.transpose() * s.H[static_cast<std::size_t>(carrier)].R;
+  NodeDirection out{Tangent::Zero(), Tangent::Zero(), Tangent::Zero()};
+  out.eta.template head<sd>() = R * xi.template head<sd>();
+  out.v.template head<sd>() = R * carried.v;
+  out.rate.template head<sd>() = R * carried.vdot;
+  return out;
 }
 
 template <FrameGroup G>
@@ -159,6 +220,7 @@ void NearbyModels<G>::add_lifted(const State<G>& s, const Eigen::VectorXd& previ
     r_p += neighbour->weight * neighbour->equations.r;
     phi_p += neighbour->weight * neighbour->equations.phi;
   }
+  add_shapes(s, level, true, r_p);
 }
 
 template <FrameGroup G>

@@ -10,7 +10,8 @@
 
 namespace liesl {
 
-/// Derivatives by p at constant state, as sums of weights times what the nearby models have.
+/// Derivatives by p at constant state, as sums of weights times what the nearby models have; of
+/// bodies that have a derivative by their shape (`Body::by_shape`) that instead.
 template <FrameGroup G>
 class NearbyModels {
  public:
@@ -26,7 +27,7 @@ class NearbyModels {
   };
 
   /// @throws std::invalid_argument if they have other unknowns or rows than the model, or bodies in
-  /// floating frames, whose modes change with p
+  /// floating frames, whose modes change with p  @param model outlives this
   NearbyModels(const NearbyMechanisms& mechanisms, const Model<G>& model);
 
   const std::vector<std::unique_ptr<Neighbour>>& models() const { return models_; }
@@ -49,15 +50,32 @@ class NearbyModels {
   /// body times xi, not xi. @pre lift() is not empty
   void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                   Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
+  /// d/dp of the state of one node that goes with the geometry: its increment, that of v and that
+  /// of a rate of v, `rates` (vdot, or the acceleration-like variable). @pre lift() is not empty
+  struct NodeDirection {
+    typename G::Tangent eta, v, rate;
+  };
+  NodeDirection direction(const State<G>& s, const Eigen::VectorXd& rates, int node) const;
   /// The state that goes with the geometry to a nearby model. @param lifted as large as s
   void lift(const Neighbour& neighbour, const State<G>& s, State<G>& lifted) const;
   /// A state as a nearby model sees it: its rows, and the frames that follow.
   static State<G> seen_by(const Neighbour& neighbour, const State<G>& s);
 
  private:
-  void set_lift(const Model<G>& model);
+  /// A body whose forces are not differenced.
+  struct Shape {
+    int body;
+    std::unique_ptr<ShapeDerivative<G>> forces;
+    std::unique_ptr<BodyWorkspace> work;
+  };
+  void set_lift();
+  void set_shapes();
+  void add_shapes(const State<G>& s, const LoadLevel& level, bool lifted,
+                  Eigen::VectorXd& r_p) const;
 
+  const Model<G>& model_;
   std::vector<std::unique_ptr<Neighbour>> models_;
+  std::vector<Shape> shapes_;
   Eigen::VectorXd lift_;
   std::vector<int> carriers_;
   bool strains_ = false;

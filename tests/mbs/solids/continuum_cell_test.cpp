@@ -183,6 +183,53 @@ TYPED_TEST(ContinuumCellTest, RatesAreThoseOfTheStrain) {
             1e-12 * rate.norm());
 }
 
+/// Of nodes at rest that move while the cell does: against differences of fourth order.
+TYPED_TEST(ContinuumCellTest, ByItsReferenceIsThatOfDifferences) {
+  constexpr int D = TypeParam::value;
+  using Cell = typename TestFixture::Cell;
+  using Positions = typename TestFixture::Positions;
+  Random random(5);
+  const Positions rest = skewed<TypeParam>().template topRows<D>(), x = this->moved();
+  const int n = static_cast<int>(rest.cols());
+  const Positions dX = random.matrix(D, n), dx = random.matrix(D, n), v = random.matrix(D, n),
+                  dv = random.matrix(D, n);
+  for (const SolidLaw law : kLaws) {
+    // force, viscous force without its factor
+    const auto forces = [&](double p) {
+      const Positions at = x + p * dx, rates = v + p * dv;
+      const Cell cell(rest + p * dX, kRubber, kThick, law);
+      std::array<Positions, 2> f = {this->force(cell, at), Positions::Zero(D, n)};
+      VectorXd rate;
+      cell.strain_rate(at, rates, rate);
+      cell.add_force(at, cell.stiffness() * rate, f[1]);
+      return f;
+    };
+    const Cell cell(rest, kRubber, kThick, law);
+    const auto by = cell.variation(rest, dX);
+    VectorXd E, rate;
+    cell.strain(x, E);
+    cell.strain_rate(x, v, rate);
+    const VectorXd dE = 0.5 * cell.rate_variation(x, x, dx, dx, by);
+    std::array<Positions, 2> exact = {Positions::Zero(D, n), Positions::Zero(D, n)};
+    cell.add_force_variation(x, this->response(cell, x).stress, dx,
+                             cell.stress_variation(E, dE, by), by, exact[0]);
+    cell.add_force_variation(x, cell.stiffness() * rate, dx,
+                             cell.linear_variation(rate, cell.rate_variation(x, v, dx, dv, by), by),
+                             by, exact[1]);
+    std::array<double, 2> coarse{}, fine{};
+    for (auto [off, h] : {std::pair{&coarse, 1e-3}, {&fine, 2.5e-4}}) {
+      const auto a = forces(-2 * h), b = forces(-h), c = forces(h), d = forces(2 * h);
+      for (std::size_t i = 0; i < 2; ++i)
+        (*off)[i] =
+            ((a[i] - 8 * b[i] + 8 * c[i] - d[i]) / (12 * h) - exact[i]).norm() / exact[i].norm();
+    }
+    for (std::size_t i = 0; i < 2; ++i) {
+      EXPECT_LT(fine[i], 1e-8) << to_string(law) << " " << i;
+      EXPECT_LT(fine[i], std::max(coarse[i] / 100, 1e-11)) << to_string(law) << " " << i;
+    }
+  }
+}
+
 template <class K>
 class ContinuumPatch : public ContinuumCellTest<K> {};
 using EnhancedKinds = ::testing::Types<Cells<2, 4>, Cells<3, 8>>;
