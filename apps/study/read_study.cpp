@@ -551,9 +551,10 @@ void read_cycle(StudyReader& reader) {
              : method == "direct" ? CycleMethod::Direct
                                   : CycleMethod::Auto;
   const std::string approximation = text(*table, "approximation");
-  o.approximation = approximation == "linear" ? Approximation::Linear
-                    : approximation == "mma"  ? Approximation::Mma
-                                              : Approximation::Power;
+  o.approximation = approximation == "linear"     ? Approximation::Linear
+                    : approximation == "mma"      ? Approximation::Mma
+                    : approximation == "additive" ? Approximation::Additive
+                                                  : Approximation::Power;
   const std::string check = text(*table, "optimality");
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never

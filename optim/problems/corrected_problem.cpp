@@ -16,12 +16,13 @@ constexpr double kRoundOff = 1e-12;  // of the objective
 constexpr double kAsymptote = 2;     // of the distance of the farther bound
 constexpr double kHeld = 1e-6;       // of a variable: it has no room
 
-/// 1 + p, of powers e^p; beyond p = 1 its Taylor polynomial of second order there: a long step
-/// overflows no row.
+/// 1 + p, of powers e^p, of a term 1; beyond p = 1 its Taylor polynomial of second order there: a
+/// long step overflows no row.
 struct Growth {
   double value, first = 1, second = 0;
 
   Growth(double p, Approximation approximation) : value(1 + p) {
+    if (approximation == Approximation::Additive) value = 1, first = 0;
     if (approximation != Approximation::Power) return;
     value = first = second = std::exp(std::min(p, 1.0));
     if (p <= 1) return;
@@ -110,13 +111,14 @@ double CorrectedProblem::correct_rows() {
   double f = 0;
   VectorXd df(n);
   inner_->values(x_k_, f, g_);
+  v_k_ = g_.array() + 1;
   if (!g_.allFinite()) return f;
   inner_->gradients(x_k_, df, dg_);
   const std::vector<RowImage> image = images();
   for (int i = 0; i < m; ++i) {
     const int response = image[static_cast<std::size_t>(i)].response;
     const int record = image[static_cast<std::size_t>(i)].record;
-    const double v_s = g_[i] + 1;  // of the limit
+    const double v_s = v_k_[i];  // of the limit
     if (response < 0 || v_s <= 0) continue;
     int at = 0;
     const VectorXd* dv = motion_.nearest_gradient(response, record, &at);
@@ -138,7 +140,8 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   g_ = g;
   const VectorXd power = exponents(steps(x));
   for (int i = 0; i < g.size(); ++i)
-    if (power[i] != 0) g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
+    if (power[i] != 0)
+      g[i] = (g[i] + 1) * Growth(power[i], approximation_).value + term(i) * power[i] - 1;
 }
 
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
@@ -149,12 +152,12 @@ void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg)
   for (int i = 0; i < dg.rows(); ++i) {
     const VectorXd c = c_.row(i), q = c.cwiseProduct(t.of(c).first);
     const Growth e(power[i], approximation_);
-    dg.row(i) = e.value * dg_.row(i) + e.first * (g_[i] + 1) * q.transpose();
+    dg.row(i) = e.value * dg_.row(i) + (e.first * (g_[i] + 1) + term(i)) * q.transpose();
   }
 }
 
-/// Of v^ = v_s e(p), dp = q = c s':
-///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T.
+/// Of v^ = v_s e(p) + v_k p, dp = q = c s', v_k = 0 but for a term:
+///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T + v_k diag(c s'').
 void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
                                MatrixXd& h) {
   const BothSteps t = steps(x);
@@ -171,7 +174,7 @@ void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& 
     const double v = g_[i] + 1;
     MatrixXd add = e.first * dv * q.transpose();
     add += e.first * q * dv.transpose() + e.second * v * q * q.transpose();
-    add.diagonal() += e.first * v * c.cwiseProduct(of_row.second);
+    add.diagonal() += (e.first * v + term(i)) * c.cwiseProduct(of_row.second);
     h.triangularView<Eigen::Lower>() += lambda[i] * add;
   }
 }

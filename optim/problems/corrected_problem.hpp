@@ -19,7 +19,8 @@ namespace liesl {
 /// constant, of
 ///   s_i = (U_i - x_ki)^2 [1/(U_i - x_i) - 1/(U_i - x_ki)]   if c_i > 0,
 ///   s_i = (x_ki - L_i)^2 [1/(x_ki - L_i) - 1/(x_i - L_i)]   else,
-/// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region.
+/// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region;
+/// or by a term, v^ = v_s(x) + b . (x - x_k), b = dv/dx - dv_s/dx at x_k.
 /// A row without size has no correction.
 class CorrectedProblem final : public StaticProblem {
  public:
@@ -65,16 +66,19 @@ class CorrectedProblem final : public StaticProblem {
   Steps reciprocals(const Eigen::VectorXd& x, double side) const;
   Eigen::VectorXd exponents(const BothSteps& t) const;
   double correct_rows();
+  /// Of a row: what p = c . s is multiplied by, beside its place in the factor.
+  double term(int row) const { return approximation_ == Approximation::Additive ? v_k_[row] : 0; }
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
   const Eigen::VectorXd x_k_;
   const Approximation approximation_;
   std::vector<NlpVariable> variables_;
-  double rest_ = 0;    ///< of the objective, which `inner` lacks
-  RowMatrix c_;        ///< rows x variables
-  Eigen::VectorXd g_;  ///< of `inner`, at the latest x
-  RowMatrix dg_;       ///< of `inner`, at the latest x
+  double rest_ = 0;      ///< of the objective, which `inner` lacks
+  RowMatrix c_;          ///< rows x variables
+  Eigen::VectorXd v_k_;  ///< g + 1 of `inner` at x_k
+  Eigen::VectorXd g_;    ///< of `inner`, at the latest x
+  RowMatrix dg_;         ///< of `inner`, at the latest x
 };
 
 }  // namespace liesl

@@ -222,11 +222,13 @@ enum class CycleMethod {
   Direct  ///< no approximation: the optimiser is given the motion itself and its sensitivities
 };
 
-/// The factor that makes rows of a trust region agree with the motion to first order at x_k.
+/// What makes rows of a trust region agree with the motion to first order at x_k: a factor of the
+/// static image, or a term beside it.
 enum class Approximation {
-  Power,   ///< prod (x_i/x_ki)^c_i: linear between logarithms
-  Linear,  ///< 1 + c . (x - x_k)
-  Mma      ///< 1 + c . s with steps s of reciprocals between moving asymptotes: convex
+  Power,    ///< prod (x_i/x_ki)^c_i: linear between logarithms
+  Linear,   ///< 1 + c . (x - x_k)
+  Mma,      ///< 1 + c . s with steps s of reciprocals between moving asymptotes: convex
+  Additive  ///< + b . (x - x_k)
 };
 
 /// Whether the end of a cycle is checked against the optimality conditions of the motion itself.

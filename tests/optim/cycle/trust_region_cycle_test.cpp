@@ -103,7 +103,7 @@ TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   const Simulated s(rod());
   const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
   for (const auto approximation :
-       {Approximation::Power, Approximation::Linear, Approximation::Mma}) {
+       {Approximation::Power, Approximation::Linear, Approximation::Mma, Approximation::Additive}) {
     SCOPED_TRACE(static_cast<int>(approximation));
     expect_agreement(s, x, approximation);
   }
