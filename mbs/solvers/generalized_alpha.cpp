@@ -10,7 +10,7 @@ namespace {
 constexpr double kSlow = 0.51;        // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
-constexpr double kClosed = 1e-9;      // m or rad: largest opening that augmentations leave
+constexpr double kClosed = 1e-9;      // m: largest opening that augmentations leave, angles too
 constexpr int kAugmentations = 10;    // a step
 constexpr double kStalled = 0.1;      // of the opening left by an augmentation: weights grow
 constexpr double kHeavier = 1e3;      // by which they do at least, for the rest of the step
@@ -196,7 +196,8 @@ double GeneralizedAlpha<G>::imbalance(bool of_all_nodes) const {
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::augment(StepResult& result) {
   if (model_.penalty.form != ConstraintForm::Augmented) return false;
-  const double closed = std::min(kClosed, kConstraint * options_.tolerance * model_.length);
+  const double closed = std::min(kClosed / std::max(1.0, model_.length),
+                                 kConstraint * options_.tolerance * model_.length);
   const double open = equations_.opening();
   if (open <= closed) return false;
   equations_.phi += equations_.compliance.cwiseProduct(trial_.lambda - equations_.estimate);

@@ -291,6 +291,7 @@ TEST_F(Stability, PenaltiesShareRedundantRows) {
     EXPECT_LE(penalty["most_augmentations"].get<int>(), 3);
     const double open = summary_["max_constraint_residual"];
     EXPECT_LE(open, form == "penalty" ? 1e-5 : 1e-9);
+    EXPECT_LE(penalty["largest_opening"].get<double>(), form == "penalty" ? 1e-5 : 1e-9);
   }
 }
 
