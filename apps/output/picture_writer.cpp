@@ -170,8 +170,10 @@ class PartLines {
 };
 
 /// Records of the pictured instants: evenly spread among those of frames.csv, first and last too.
-std::vector<int> pictured(int records) {
-  const std::vector<int> frames = spread_records(records, kFrames);
+/// Of modes, each of which has a panel, all of those.
+std::vector<int> pictured(int records, bool modes) {
+  std::vector<int> frames = spread_records(records, kFrames);
+  if (modes) return frames;
   std::vector<int> out;
   for (const int i : spread_records(static_cast<int>(frames.size()), kPictured))
     out.push_back(frames[static_cast<std::size_t>(i)]);
@@ -206,7 +208,8 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
                                    [&](const BodyResult& b) { return b.name == mesh.name; });
     if (body == results.bodies.end() || mesh.reference.empty()) continue;
     const PartLines lines(mesh, *body);
-    for (const int record : pictured(static_cast<int>(results.times.size())))
+    for (const int record :
+         pictured(static_cast<int>(results.times.size()), results.abscissa == "frequency"))
       lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
                 std::size_t(record), results.row(record));
   }

@@ -1,6 +1,10 @@
 #include "apps/output/result_summary.hpp"
 
+#include <algorithm>
+
+#include "apps/output/data_tree.hpp"
 #include "apps/output/file.hpp"
+#include "apps/output/hdf5_input.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
 #include "apps/output/summary_types.hpp"
@@ -20,6 +24,22 @@ bool is_needed(const fs::path& name, const std::string& command) {
   if (command == "batch") return name == "results.csv";
   if (command == "compare") return name == "rows.csv";
   return name.extension() == ".csv" || name.extension() == ".h5";
+}
+
+constexpr const char* kHint = "; copy the whole folder, or run it again";
+
+/// What results.h5 of one motion lacks of what its summary tells of; empty: nothing.
+std::string missing_set(const Hdf5Input& file, const Json& summary) {
+  std::vector<std::string> sets = {"/time"};
+  const Json responses = summary.value("responses", Json::object());
+  for (const auto& [name, response] : responses.items())
+    sets.push_back("/responses/" + hdf5_name(name));
+  for (const std::string& body : file.children("/bodies"))
+    for (const char* set : {"/position", "/rotation", "/reference_position"})
+      sets.push_back("/bodies/" + body + set);
+  const auto it =
+      std::find_if(sets.begin(), sets.end(), [&](const auto& set) { return !file.has(set); });
+  return it == sets.end() ? "" : it->substr(1);
 }
 
 }  // namespace
@@ -53,10 +73,26 @@ nlohmann::ordered_json read_whole_summary(const fs::path& folder, const std::str
   const std::string command = summary.value("command", "");
   for (const fs::path name : missing_files(folder))
     if (name == kMark || is_needed(name, command))
-      throw IoError(
-          verb, folder,
-          "its " + name.string() + " is not there; copy the whole folder, or run it again");
+      throw IoError(verb, folder, "its " + name.string() + " is not there" + kHint);
+  check_hdf5_files(folder, summary, verb);
   return summary;
+}
+
+void check_hdf5_files(const fs::path& folder, const Json& summary, const std::string& verb) {
+  for (const char* name : {"results.h5", "loads.h5", "map.h5", "sensitivities.h5"}) {
+    const fs::path path = folder / name;
+    if (!fs::exists(path)) continue;
+    std::string wrong;
+    try {
+      const Hdf5Input file(path);
+      if (path.filename() == "results.h5" && summary.value("command", "") != "batch")
+        if (const std::string set = missing_set(file, summary); !set.empty())
+          wrong = "it has no '" + set + "'";
+    } catch (const IoError& error) {
+      wrong = error.reason();
+    }
+    if (!wrong.empty()) throw IoError(verb, path, wrong + kHint);
+  }
 }
 
 }  // namespace liesl::output

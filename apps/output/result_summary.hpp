@@ -17,4 +17,9 @@ nlohmann::ordered_json read_summary(const std::filesystem::path& folder, const s
 nlohmann::ordered_json read_whole_summary(const std::filesystem::path& folder,
                                           const std::string& verb);
 
+/// The HDF5 files that are there can be read; results.h5 has times, bodies and the responses of the
+/// summary. @throws IoError that names the file
+void check_hdf5_files(const std::filesystem::path& folder, const nlohmann::ordered_json& summary,
+                      const std::string& verb);
+
 }  // namespace liesl::output

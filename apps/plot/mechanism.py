@@ -13,6 +13,7 @@ from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 from style import BLUE, GREEN, ORANGE, PURPLE, label
 from tables import HalfResult, NothingToDraw, Table, table
 
+MODE_COLUMNS = 3  # panels beside each other
 INSTANTS = 5  # more hide each other
 COLOURS = ("#9a9a9a", GREEN, ORANGE, PURPLE, BLUE)  # the last one on top
 VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
@@ -87,7 +88,7 @@ def read_shapes(folder, instants):
     return Shapes(sections, read_part_lines(folder))
 
 
-def draw_mechanism(folder, pictures, _summary):
+def draw_mechanism(folder, pictures, summary):
     if not (folder / "frames.csv").exists():
         return
     instants, abscissa = read_frames(folder / "frames.csv")
@@ -95,17 +96,46 @@ def draw_mechanism(folder, pictures, _summary):
         return
     shapes = read_shapes(folder, instants)
     axes = shown_axes(instants, shapes)
+    if abscissa.startswith("frequency"):
+        draw_modes(pictures, instants, axes, shapes, summary.get("frequencies_hz", []))
+        return
     figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
     ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
     ax.set_anchor("N")  # below the heading; what stays free is cut off
-    scale = 1 if abscissa.startswith("frequency") else bending_scale(instants, shapes.parts)
+    scale = bending_scale(instants, shapes.parts)
     shapes.parts = scaled_parts(shapes.parts, scale)
     shown = few(instants)
     marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
-    what = "shapes of vibration" if abscissa.startswith("frequency") else "instants"
-    heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} {what}"
+    heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} instants"
     pictures.save(figure, "mechanism", heading + (f", bending × {scale:g}" if scale != 1 else ""))
+
+
+def draw_modes(pictures, instants, axes, shapes, frequencies):
+    """Shapes of vibration, each in a panel of its own; all panels show the same box.
+    @param frequencies of all modes, of which frames.csv has some"""
+    drawn = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    drawn += [x[:3] for lines in shapes.parts.values() for line in lines for x in line]
+    shapes.parts = scaled_parts(shapes.parts, 1)
+    columns = min(MODE_COLUMNS, len(instants))
+    rows = -(-len(instants) // columns)
+    figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", figsize=(3.4 * columns, 0.9 + 3 * rows),
+                                  subplot_kw={"projection": "3d" if len(axes) == 3 else None})
+    for ax in list(panels.flat)[len(instants):]:
+        ax.set_axis_off()
+    for number, (ax, instant) in enumerate(zip(panels.flat, instants), 1):
+        marks = mechanism(ax, [instant], [instant], axes, 1, "", shapes)[1:]  # it is named by its heading
+        frame_axes(ax, axes, drawn)
+        ax.tick_params(labelsize=7)
+        for axis in (ax.xaxis, ax.yaxis, ax.zaxis) if len(axes) == 3 else ():
+            axis.labelpad = 1  # which the box about the figure does not count
+            axis.label.set_fontsize(8)
+        if instant[0] in frequencies:
+            number = frequencies.index(instant[0]) + 1
+        ax.set_title(f"{number}: {instant[0]:.5g} Hz", fontsize=10)
+    figure.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3)
+    heading = "shape of vibration" if len(instants) == 1 else f"{len(instants)} shapes of vibration"
+    pictures.save(figure, "mechanism", heading)
 
 
 def few(instants):

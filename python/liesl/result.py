@@ -233,6 +233,7 @@ class _Folder:
         _liesl.require_result(folder)
         self.folder = folder
         self._require_whole()
+        _liesl.check_hdf5_files(folder)
         self._sets: dict[str, Any] = {}
         files = sorted(folder.glob("*.h5"), key=lambda f: (f.name != "results.h5", f.name))
         self._files = [_liesl.Hdf5Sets(file) for file in files]

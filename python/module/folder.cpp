@@ -5,6 +5,7 @@
 #include "apps/output/hdf5_input.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/own_files.hpp"
+#include "apps/output/result_summary.hpp"
 #include "apps/report/report.hpp"
 #include "python/module/outcome.hpp"
 
@@ -70,6 +71,10 @@ void bind_folders(py::module_& module) {
       .def("unit", &Hdf5Sets::unit)
       .def("attribute", &Hdf5Sets::attribute);
   module.def("require_result", &require_result);
+  module.def("check_hdf5_files", [](const std::filesystem::path& folder) {
+    const auto text = output::read_file(folder / "summary.json");
+    output::check_hdf5_files(folder, nlohmann::ordered_json::parse(text), "open");
+  });
   module.def("read_file",
              [](const std::filesystem::path& path) { return output::read_file(path); });
   module.def("write_file", [](const std::filesystem::path& path, const std::string& text) {

@@ -7,6 +7,7 @@ plot_test.py [DIR]  keeps the pictures in DIR, to be looked at.
 import csv
 import json
 import math
+import re
 import subprocess
 import sys
 import tempfile
@@ -379,6 +380,23 @@ class Plot(unittest.TestCase):
     def test_nothing_to_draw(self):
         (self.folder / "summary.json").write_text("{}")
         self.refuses("no table")
+
+    def test_each_mode_has_a_panel(self):
+        """Ten of them, with number and frequency, each alone in its axes."""
+        rows = [[100.0 * n, "rod", "beam", k, k / 8, 0.1 * math.sin(math.pi * n * k / 8), 0]
+                for n in range(1, 11) for k in range(9)]
+        write_csv(self.folder / "frames.csv", ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
+        (self.folder / "summary.json").write_text(json.dumps(
+            {"name": "rod", "frequencies_hz": [100.0 * n for n in range(1, 11)]}))
+        self.assertEqual(plot(self.folder).returncode, 0)
+        svg = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+        titles = [text for n in range(1, 11) for text in re.findall(rf"<!-- {n}: {100 * n:g} Hz -->", svg)]
+        self.assertEqual(len(titles), 10)
+        self.assertIn("10 shapes of vibration", svg)
+        write_csv(self.folder / "frames.csv", ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"],
+                  [row for row in rows if row[0] != 200])
+        self.assertEqual(plot(self.folder).returncode, 0)
+        self.assertIn("<!-- 3: 300 Hz -->", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
 
     def test_bending_of_parts_and_beams_has_one_scale(self):
         import mechanism as drawn  # noqa: PLC0415

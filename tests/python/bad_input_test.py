@@ -59,9 +59,13 @@ def test_half_a_result(pendulum, tmp_path):
     liesl.Scene(pendulum).run().save(tmp_path / "out")
     results = tmp_path / "out/results.h5"
     whole = results.read_bytes()
-    results.write_bytes(whole[: len(whole) // 2])
-    with pytest.raises(liesl.IoError, match="results.h5"):
-        liesl.open(tmp_path / "out")["time"]
+    for spoilt in (whole[: len(whole) // 2], b"no numbers", b""):
+        results.write_bytes(spoilt)
+        with pytest.raises(liesl.IoError, match="results.h5': it is no HDF5 file, or not a whole one; copy the whole folder"):
+            liesl.open(tmp_path / "out")
+    results.write_bytes(whole.replace(b"time\0", b"tine\0"))  # the name of its link
+    with pytest.raises(liesl.IoError, match="results.h5': it has no 'time'; copy the whole folder"):
+        liesl.open(tmp_path / "out")
     results.unlink()
     with pytest.raises(liesl.IoError, match="results.h5 is not there"):
         liesl.open(tmp_path / "out")

@@ -1,9 +1,12 @@
 /// @file
 /// Input that was accepted in silence, or refused with poor words: each with its exit code and the
 /// words that tell it, with its place.
+#include <hdf5.h>
 #include <sys/resource.h>
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 #include "apps/program.hpp"
 #include "mbs/linalg/sanitized.hpp"
@@ -343,6 +346,47 @@ TEST_F(Drawing, RefusesHalfAResult) {
     EXPECT_FALSE(fs::exists(results() / "plots") || fs::exists(deck)) << name;
     fs::rename(aside, results() / name);
   }
+}
+
+/// A results.h5 that was cut off, is something else or lacks a data set is refused by its name.
+TEST_F(Drawing, RefusesResultsThatAreNotWhole) {
+  const fs::path path = results() / "results.h5", deck = results().parent_path() / "deck";
+  const std::string whole = text_of(path);
+  const auto lose = [&](const char* set) {
+    std::ofstream(path, std::ios::binary) << whole;
+    const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    EXPECT_GE(H5Ldelete(file, set, H5P_DEFAULT), 0) << set;
+    H5Fclose(file);
+  };
+  const auto put = [&](const std::string& text) { std::ofstream(path, std::ios::binary) << text; };
+  const std::pair<std::function<void()>, const char*> cases[] = {
+      {[&] { put(whole.substr(0, whole.size() / 2)); }, "it is no HDF5 file, or not a whole one"},
+      {[&] { put("no numbers\n"); }, "it is no HDF5 file, or not a whole one"},
+      {[&] { put(""); }, "it is no HDF5 file, or not a whole one"},
+      {[&] { lose("/time"); }, "it has no 'time'"},
+      {[&] { lose("/responses/bend"); }, "it has no 'responses/bend'"},
+      {[&] { lose("/bodies/rod/position"); }, "it has no 'bodies/rod/position'"}};
+  std::set<fs::path> before;
+  for (const auto& entry : fs::directory_iterator(results())) before.insert(entry.path());
+  for (const auto& [spoil, reason] : cases) {
+    spoil();
+    for (const Outcome& out :
+         {run({"plot", results()}), run({"report", results()}),
+          run({"export", results(), "--part", "rod", "--to", "calculix", "-o", deck}),
+          run({"export", results(), "--to", "xdmf"})}) {
+      EXPECT_EQ(out.code, 3) << reason;
+      EXPECT_NE(out.err.find("'" + path.string() + "': " + reason +
+                             "; copy the whole folder, or run it again"),
+                std::string::npos)
+          << out.err;
+    }
+    std::set<fs::path> after;
+    for (const auto& entry : fs::directory_iterator(results())) after.insert(entry.path());
+    EXPECT_EQ(after, before) << reason;
+    EXPECT_FALSE(fs::exists(deck)) << reason;
+  }
+  put(whole);
+  EXPECT_EQ(run({"report", results()}).code, 0);
 }
 
 /// The command line is in the summary as it was given.

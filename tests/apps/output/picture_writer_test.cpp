@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <set>
+#include <sstream>
 
 #include "apps/output/file.hpp"
 #include "tests/apps/output_sample.hpp"
@@ -46,9 +48,9 @@ TEST(PictureWriter, ThicknessIsThatAcrossTheLineOfSight) {
 
 /// Two squares side by side in a frame at (5, 0, 0), turned by 90 degrees about z; the amplitude
 /// stretches them, the level set takes half of the right one.
-Results moved_plate() {
+Results moved_plate(int records = 3) {
   Results r;
-  for (int n = 0; n < 3; ++n) r.times.push_back(0.5 * n);
+  for (int n = 0; n < records; ++n) r.times.push_back(0.5 * n);
   BodyResult frame;
   frame.name = "plate";
   frame.nodes = 1;
@@ -59,7 +61,7 @@ Results moved_plate() {
   mesh.reference = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 1, 0, 1, 1, 0, 2, 1, 0};
   mesh.level = {1, 1, -1, 1, 1, -1};
   mesh.basis = {0, 0, 0, 1, 0, 0, 2, 0, 0, 0, 0, 0, 1, 0, 0, 2, 0, 0};
-  for (int n = 0; n < 3; ++n) {
+  for (int n = 0; n < records; ++n) {
     for (const double x : {5., 0., 0.}) frame.positions.push_back(x);
     for (const double x : {0., -1., 0., 1., 0., 0., 0., 0., 1.}) frame.rotations.push_back(x);
     mesh.amplitudes.push_back(0.1 * n);
@@ -82,6 +84,24 @@ TEST(PictureWriter, LinesOfAPartAreItsDeformedOutline) {
     EXPECT_NE(text.find(std::string("\n") + corner + "\n"), std::string::npos) << text;
   EXPECT_EQ(text.find(",plate,1,"), std::string::npos) << "one closed line";
   EXPECT_EQ(text.find(",2,0\n"), std::string::npos) << "nothing where there is no material";
+}
+
+/// Five instants of a motion are pictured, but every mode.
+TEST(PictureWriter, EveryModeHasTheLinesOfItsParts) {
+  const TemporaryFolder folder;
+  Results r = moved_plate(10);
+  const auto pictured = [&] {
+    write_part_lines_csv(folder.path() / "lines.csv", r);
+    std::set<std::string> records;
+    std::istringstream lines(read_file(folder.path() / "lines.csv"));
+    std::string line;
+    std::getline(lines, line);  // heading
+    while (std::getline(lines, line)) records.insert(line.substr(0, line.find(',')));
+    return records.size();
+  };
+  EXPECT_EQ(pictured(), 5u);
+  r.abscissa = "frequency";
+  EXPECT_EQ(pictured(), 10u);
 }
 
 TEST(PictureWriter, NoFileWithoutMeshedParts) {
