@@ -139,9 +139,12 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   f += rest_;
   g_ = g;
   const VectorXd power = exponents(steps(x));
-  for (int i = 0; i < g.size(); ++i)
-    if (power[i] != 0)
-      g[i] = (g[i] + 1) * Growth(power[i], approximation_).value + term(i) * power[i] - 1;
+  for (int i = 0; i < g.size(); ++i) {
+    if (approximation_ == Approximation::Additive)
+      g[i] += v_k_[i] * power[i];
+    else if (power[i] != 0)
+      g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
+  }
 }
 
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {

@@ -89,7 +89,7 @@ void expect_exact(const Case& of, bool lifted) {
       near.add(s, s.rows, kLevel, exact, phi_p);
     return (by_differences(model, near, s, lifted) - exact).norm() / exact.norm();
   };
-  const double coarse = off(4e-3), fine = off(1e-3);
+  const double coarse = off(8e-3), fine = off(2e-3);  // above round-off
   EXPECT_LT(fine, 3e-8) << coarse;
   EXPECT_LT(fine, std::max(coarse / 100, 1e-11)) << coarse;  // 256 of fourth order
 }
@@ -104,12 +104,11 @@ TEST_P(ContinuumShape, ForcesAreThoseOfDifferences) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    All, ContinuumShape,
-    ::testing::Values(Case{"linear", SolidLaw::StVenantKirchhoff, Tie::Rigid},
-                      Case{"neo_hookean", SolidLaw::NeoHookean, Tie::Rigid},
-                      Case{"averaged", SolidLaw::NeoHookean, Tie::Averaged}),
-    [](const auto& of) { return std::string(of.param.name); });
+INSTANTIATE_TEST_SUITE_P(All, ContinuumShape,
+                         ::testing::Values(Case{"linear", SolidLaw::StVenantKirchhoff, Tie::Rigid},
+                                           Case{"neo_hookean", SolidLaw::NeoHookean, Tie::Rigid},
+                                           Case{"averaged", SolidLaw::NeoHookean, Tie::Averaged}),
+                         [](const auto& of) { return std::string(of.param.name); });
 
 /// Of another stiffness or damping the forces are differenced: no shape says what they change by.
 TEST(ContinuumShapes, OfAnotherMaterialHaveNoDerivative) {
