@@ -216,7 +216,8 @@ class Body {
   virtual std::unique_ptr<Body<G>> derivative(const LawDerivative<G>& law) const = 0;
 
   /// d(forces)/dp by the nodes at rest of bodies of the same law and the same mesh; null: none is
-  /// known but by differences of the forces of the nearby bodies. Outlives neither.
+  /// known but by differences of the forces of the nearby bodies. This body outlives what is
+  /// returned; the nearby ones need not.
   virtual std::unique_ptr<ShapeDerivative<G>> by_shape(
       const std::vector<NearbyBody<G>>& /*nearby*/) const {
     return nullptr;

@@ -9,15 +9,16 @@
 
 namespace liesl {
 
-/// One parameter on a model: what its derivative needs, made once; `add` allocates nothing. Not for
-/// several threads at once: it computes in workspaces of its own.
+/// One parameter on a model: what its derivative needs, made once; `add` allocates
+/// nothing but by nearby mechanisms. Not for several threads at once: it computes in workspaces of
+/// its own.
 ///
 /// Bodies give dr/dp by `Body::derivative`, the same kernels with the derivative of the law. Force
 /// laws give B^T df/dp with f = k (q - q_0) + c dq/dt - F(t): df/dk = q - q_0, df/dc = dq/dt,
 /// df/dq_0 = -k, -F(t) for its factor, -dF/dp. A load gives the load itself for its factor, or that
 /// of its components; a drive -target(t), or -d(target)/dp; the weight alpha of a penalty, whose
 /// row is Phi - lambda/alpha, lambda/alpha^2. Nearby mechanisms give differences of the whole
-/// residual.
+/// residual; of bodies with a derivative by their shape (`Body::by_shape`) that is taken.
 template <FrameGroup G>
 class ParameterResidual {
  public:
