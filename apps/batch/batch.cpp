@@ -145,7 +145,8 @@ void read_every_case(Batch& batch, Problems& problems) {
 }  // namespace
 
 std::vector<std::string> Batch::changes(std::size_t row) const {
-  std::vector<std::string> all = set;
+  std::vector<std::string> all = defaults;
+  all.insert(all.end(), set.begin(), set.end());
   for (std::string& change : overrides(cases, row)) all.push_back(std::move(change));
   return all;
 }

@@ -14,14 +14,15 @@ namespace liesl {
 
 struct Batch {
   std::string name;
-  std::string file;              ///< where it was read
-  bool optimize = false;         ///< each case sizes a study; else it simulates a scene
-  std::filesystem::path of;      ///< the study or scene
-  std::vector<std::string> set;  ///< changes to all cases
-  CaseList cases;                ///< one or more
-  std::optional<double> time;    ///< s, wall time of a case
-  std::optional<double> memory;  ///< MB, address space of a case
-  std::string input;             ///< texts of study and scene, and all cases, for the input's hash
+  std::string file;                   ///< where it was read
+  bool optimize = false;              ///< each case sizes a study; else it simulates a scene
+  std::filesystem::path of;           ///< the study or scene
+  std::vector<std::string> defaults;  ///< changes to all cases that `set` and cases come after
+  std::vector<std::string> set;       ///< changes to all cases
+  CaseList cases;                     ///< one or more
+  std::optional<double> time;         ///< s, wall time of a case
+  std::optional<double> memory;       ///< MB, address space of a case
+  std::string input;  ///< texts of study and scene, and all cases, for the input's hash
 
   /// All changes of a case, those to all cases first.
   std::vector<std::string> changes(std::size_t row) const;

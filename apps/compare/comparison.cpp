@@ -127,6 +127,18 @@ Scene read_scene_of(const toml::table& root, Comparison& comparison, Problems& p
   return {};
 }
 
+/// Beams of which the scene does not say the order, which would depend on the formalism: of order 2.
+std::vector<std::string> default_orders(const fs::path& scene) {
+  Document document = load_document(scene);
+  std::vector<std::string> changes;
+  for (const Entry& body : entries_at(document.root, "bodies")) {
+    const toml::table* beam = (*body.table)["beam"].as_table();
+    if (beam && !beam->contains("order"))
+      changes.push_back(fmt::format("bodies.{}.beam.order=2", body.name));
+  }
+  return changes;
+}
+
 void check_quantity(const toml::table& root, const Scene& scene, Problems& problems) {
   const std::string name = text(*root["quantity"].as_table(), "response");
   std::vector<std::string> known;
@@ -234,7 +246,8 @@ std::vector<std::string> Comparison::physics(std::size_t row) const {
 
 std::vector<ReferenceRun> Comparison::reference_runs(std::size_t row, int side) const {
   const auto run = [&](double weight, int coarser_mesh, int coarser_step) {
-    ReferenceRun r{weight, rows.set};
+    ReferenceRun r{weight, rows.defaults};
+    r.changes.insert(r.changes.end(), rows.set.begin(), rows.set.end());
     for (std::string& change : physics(row)) r.changes.push_back(std::move(change));
     r.changes.push_back("simulation.formalism=" +
                         reference->formalisms[static_cast<std::size_t>(side)]);
@@ -293,6 +306,7 @@ Comparison load_comparison(const fs::path& path, const std::vector<std::string>&
   problems.throw_if_any();
   rows.of = (path.parent_path() / text(root, "scene")).lexically_normal();
   const Scene scene = read_scene_of(root, comparison, problems);
+  rows.defaults = default_orders(rows.of);
   const toml::table& quantity = *root["quantity"].as_table();
   comparison.response = text(quantity, "response");
   comparison.norm = norm_of(text(quantity, "norm"));

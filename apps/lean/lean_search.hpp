@@ -4,8 +4,9 @@
 ///
 /// A run costs time, so the search goes from cheap to costly and measures only what decides:
 ///   1. the scene as given; planar if a plane holds it;
-///   2. a reference: mesh and step refined together until Richardson's estimate of its error is a
-///      fifth of the tolerance, r = |R_ref - R_exact| <= tol / 5;
+///   2. a reference: mesh and step, with beams of order 2 whatever the scene has, refined together
+///      until Richardson's estimate of its error is a fifth of the tolerance,
+///      r = |R_ref - R_exact| <= tol / 5;
 ///   3. beams made rigid one at a time, then those that hardly matter together;
 ///   4. mesh and step: Richardson's estimates of each say where to start (`cheapest`); from there
 ///      every number is made coarser until |R - R_ref| <= tol - r fails;

@@ -58,35 +58,6 @@ BeamModel beam_model_of(const std::string& as) {
   return as == "segments" ? BeamModel::Segments : BeamModel::AsFormalism;
 }
 
-/// Order of the elements; what a beam of fourth order cannot be is refused. @returns false if so
-bool read_order(Reader& reader, const std::string& name, const toml::table& table, BeamSpec& beam) {
-  beam.order = integer(table, "order");
-  if (beam.order == 2) return true;
-  const Formalism formalism = reader.scene.mechanism.formalism;
-  bool ok = true;
-  const auto refuse = [&](const std::string& what, const std::string& expected) {
-    reader.problems.add(*table.get("order"), fmt::format("beam '{}' {}", name, what), expected);
-    ok = false;
-  };
-  if (beam.order != 4) refuse(fmt::format("has order {}", beam.order), "2 or 4");
-  if (formalism != Formalism::SE3)
-    refuse(fmt::format("of order 4 in the formalism {}", to_string(formalism)),
-           "order = 2, or simulation.formalism = \"se3\"");
-  if (beam.as != BeamModel::AsFormalism)
-    refuse(fmt::format("of order 4 as \"{}\"", text(table, "as")), "order = 2");
-  if (beam.damping > 0) refuse("of order 4 has damping", "order = 2, or damping = 0");
-  for (const Section& section : beam.sections) {
-    const auto* full = std::get_if<FullSection>(&section.shape);
-    if (!full || full->inertia.topRightCorner<3, 3>().isZero(0)) continue;
-    refuse(fmt::format("of order 4 has the section '{}', whose inertia couples translation and "
-                       "rotation",
-                       section.name),
-           "order = 2, or an axis through the centres of mass");
-    break;
-  }
-  return ok;
-}
-
 /// Reads one beam; `ok` turns false if it cannot be built.
 class BeamReader {
  public:
@@ -109,7 +80,6 @@ class BeamReader {
                            fmt::format("beam '{}' as \"{}\" is for motions only", name_, as),
                            "simulation.type = \"dynamic\", or as = \"formalism\"");
     sections(beam);
-    ok_ = read_order(reader_, name_, table_, beam) && ok_;
     material(beam);
     check_axis();
     if (ok_) beam.nodes = nodes();

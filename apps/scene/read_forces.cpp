@@ -124,12 +124,6 @@ void read_loads(Reader& reader) {
       const auto beam = reader.beam(*table.get("over"));
       if (!beam) continue;
       load.spread = true;
-      const auto& spec = std::get<BeamSpec>(reader.scene.mechanism.bodies[*beam].kind);
-      if (spec.order == 4 && (load.follower || load.moment.norm() > 0))
-        reader.problems.add(*table.get("over"),
-                            fmt::format("load '{}' over a beam of order 4 {}", load.name,
-                                        load.follower ? "follows it" : "has a moment"),
-                            "a force in inertial axes, or order = 2 of the beam");
       load.port.body = *beam;
     }
     reader.scene.mechanism.loads.push_back(std::move(load));

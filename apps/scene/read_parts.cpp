@@ -101,6 +101,7 @@ void read_parts(Reader& reader) {
   read_gears(reader);
   read_forces(reader);
   read_loads(reader);
+  read_orders(reader);
   read_responses(reader);
   check_movers(reader);
   check_plane(reader);

@@ -78,6 +78,9 @@ void read_joints(Reader& reader);
 void read_gears(Reader& reader);
 void read_forces(Reader& reader);
 void read_loads(Reader& reader);
+/// The order of the elements of beams: as given, else the default. An order 4 that a beam or a load
+/// over it cannot have is refused.
+void read_orders(Reader& reader);
 void read_responses(Reader& reader);
 /// One response from its table; empty (and reported) if something is wrong with it.
 std::optional<ResponseSpec> read_response(Reader& reader, const std::string& name,

@@ -35,7 +35,7 @@ struct SimulationOptions {
   double rho_inf = 0.8;   ///< spectral radius at infinity, [0, 1]
   TangentStrategy tangent = TangentStrategy::Auto;
   bool rescale = true;            ///< classical: rotation vectors are kept below pi
-  double tolerance = 1e-6;        ///< of the residual, relative to the forces, (0, 1e-2]
+  double tolerance = 1e-5;        ///< of the residual, relative to the forces, (0, 1e-2]
   int max_iterations = 12;        ///< corrections a step before the step is halved, [3, 100]
   bool adaptive = false;          ///< choose the step from a local error estimate
   double error_tolerance = 1e-4;  ///< adaptive: local error relative to the scene's size, per step

@@ -9,6 +9,7 @@
 #include "mbs/bodies/segment_beam.hpp"
 #include "mbs/bodies/solid_body.hpp"
 #include "mbs/bodies/spatial_segment_beam.hpp"
+#include "mbs/model/beam_order.hpp"
 #include "mbs/model/parameter.hpp"
 #include "mbs/sections/section_law.hpp"
 #include "mbs/system/body_law.hpp"
@@ -17,28 +18,12 @@ namespace liesl {
 namespace {
 
 /// What a beam of fourth order cannot be is refused.
-template <class G>
-std::unique_ptr<Body<G>> fourth_order(const std::string& name, const BeamSpec& beam,
-                                      std::vector<G> nodes,
-                                      const std::vector<ElementSection<G>>& sections,
-                                      Formalism formalism) {
-  const auto refuse = [&name](const std::string& why) {
-    throw std::invalid_argument("beam '" + name + "' of order 4: " + why + "; expected order = 2");
-  };
-  if (formalism != Formalism::SE3)
-    refuse(std::string("not in the formalism ") + to_string(formalism));
-  if (beam.as != BeamModel::AsFormalism) refuse("not as a rigid or modal body");
-  for (const ElementSection<G>& section : sections) {
-    if (section.K.llt().info() != Eigen::Success)
-      refuse("the stiffness of a section is not positive definite");
-    if (!section.M.template topRightCorner<G::space_dim, G::rotation_dim>().isZero(0))
-      refuse("its axis is not through the centres of mass of the sections");
-    const auto mass = section.M.template topLeftCorner<G::space_dim, G::space_dim>();
-    if (!mass.isApprox(mass(0, 0) * SquareMatrix<G::space_dim>::Identity()))
-      refuse("the mass of a section is not the same in all directions");
-  }
-  if (beam.damping > 0) refuse("with damping, which could bring energy in where elements bend");
-  return std::make_unique<FourthOrderBeam<G>>(name, std::move(nodes), sections, beam.damping);
+void refuse_order_4(const std::string& name, const BeamSpec& beam, Formalism formalism) {
+  const auto objections = against_order_4(beam, formalism);
+  if (objections.empty()) return;
+  const OrderObjection& first = objections.front();
+  throw std::invalid_argument("beam '" + name + "' of order 4 " + first.what + "; expected " +
+                              first.expected);
 }
 
 template <class G>
@@ -58,7 +43,10 @@ std::unique_ptr<Body<G>> make(const std::string& name, const BeamSpec& beam, con
   for (const Section& section : beam.sections) laws.push_back(section_law(section, beam.material));
   const std::vector<ElementSection<G>> sections = reduce_laws(beam, laws, space);
   const BeamModel as = model_of(beam, formalism);
-  if (beam.order == 4) return fourth_order(name, beam, std::move(nodes), sections, formalism);
+  if (beam.order == 4) {
+    refuse_order_4(name, beam, formalism);
+    return std::make_unique<FourthOrderBeam<G>>(name, std::move(nodes), sections, beam.damping);
+  }
   if (as == BeamModel::Rigid || as == BeamModel::Modal) {
     auto linear = std::make_unique<Beam<G>>(name, std::move(nodes), sections, beam.damping);
     if (as == BeamModel::Rigid) return std::make_unique<Rigid<G>>(name, std::move(linear));

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "mbs/bodies/body.hpp"
+#include "mbs/model/beam_order.hpp"
 #include "mbs/system/build_port.hpp"
 
 namespace liesl {
@@ -23,9 +24,10 @@ Load<G> build_load(const LoadSpec& l, const Mechanism& mechanism, const Model<G>
                            : space.reduce_wrench(l.force, l.moment);
   if (l.spread) {
     const Body<G>& body = *model.bodies[l.port.body];
-    if (!body.takes_any_spread_load() && (l.follower || l.moment.norm() > 0))
+    if (const auto against = against_order_4(l); against && !body.takes_any_spread_load())
       throw std::invalid_argument("load '" + l.name + "' over beam '" + body.name +
-                                  "' of order 4: expected a force in inertial axes");
+                                  "' of order 4 " + against->what + "; expected " +
+                                  against->expected);
     load.distribution = body.load_distribution();
     load.share = body.load_share(l.follower);
   }

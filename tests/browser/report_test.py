@@ -287,7 +287,7 @@ class Pages(BrowserTest):
         self.slide("cycle", 0)
         first = self.browser.run(figure)
         self.assertNotEqual(first, last)
-        self.assertIn("11.38", first, "every group starts at 11.38 mm")
+        self.assertIn("11.46", first, "every group starts at 11.46 mm")
 
     def test_dark_and_narrow(self):
         self.show(rod())

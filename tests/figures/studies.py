@@ -90,7 +90,7 @@ def expectations(study):
         return [100 * s["above_continuous"], Fresh(s["continuous"], relative=MASS)]
 
     def frequencies():
-        limit = 0.21026  # kg, of rod_frequency
+        limit = 0.21515  # kg, of rod_frequency
         uniform = math.sqrt(limit / uniform_mass(1))
         start = study("rod_frequency", f"design.rod_diameters.start={uniform!r}", "cycle.max=1", words=("--no-verify",)).summary
         return [Fresh(study("rod_frequency").summary["terms"]["lowest frequency"]["final"], relative=MASS),

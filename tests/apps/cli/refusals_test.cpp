@@ -435,7 +435,8 @@ using LeanEnd = Program;
 /// A lean model that was not found is not named as a file.
 TEST_F(LeanEnd, NamesNoFileThatItDidNotWrite) {
   const Outcome out = run({"lean", scene("pendulum"), "--response", "tip", "-o", results(), "--set",
-                           "simulation.step=0.5", "--set", "simulation.max_iterations=3"});
+                           "simulation.step=0.5", "--set", "simulation.max_iterations=3", "--set",
+                           "simulation.tolerance=1e-6"});
   EXPECT_EQ(out.code, 1) << out.err;
   EXPECT_FALSE(fs::exists(results() / "lean.toml"));
   EXPECT_EQ(out.out.find("lean.toml"), std::string::npos) << out.out;

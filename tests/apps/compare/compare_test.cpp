@@ -76,6 +76,34 @@ const std::string kTopReference =
     "[reference]\nformalisms = [\"r3so3\", \"se3\"]\nstep = 5e-5\nextrapolate = \"step\"\n"
     "[set]\n\"simulation.duration\" = 0.1\n";
 
+/// Formalisms are compared with elements of one order unless the comparison says otherwise.
+TEST_F(Compare, BeamsAreOfOrderTwoUnlessAskedFor) {
+  const auto orders = [this](const std::string& text, const std::vector<std::string>& set = {}) {
+    const Comparison comparison =
+        load_comparison(write("study.toml", head("slider_crank", "bend") + text), set);
+    std::vector<int> found;
+    const auto add = [&](const std::vector<std::string>& changes) {
+      const Mechanism m = load_scene(comparison.rows.of, changes).mechanism;
+      for (const BodySpec& body : m.bodies)
+        if (const auto* beam = std::get_if<BeamSpec>(&body.kind)) found.push_back(beam->order);
+    };
+    for (std::size_t row = 0; row < comparison.rows.cases.rows.size(); ++row)
+      add(comparison.rows.changes(row));
+    if (comparison.reference)
+      for (const ReferenceRun& run : comparison.reference_runs(0, 1)) add(run.changes);
+    return found;
+  };
+  const std::string grid = "[grid]\nformalism = [\"se3\", \"r3so3\"]\n";
+  const std::string reference = "[reference]\nformalisms = [\"r3so3\", \"se3\"]\nstep = 1e-4\n";
+  EXPECT_EQ(orders(grid), (std::vector<int>{2, 2, 2, 2}));
+  EXPECT_EQ(orders(grid + reference), (std::vector<int>{2, 2, 2, 2, 2, 2}));
+  const std::string one = "[grid]\nformalism = [\"se3\"]\n";
+  EXPECT_EQ(orders(one + "[set]\n\"bodies.rod.beam.order\" = 4\n"), (std::vector<int>{2, 4}));
+  EXPECT_EQ(orders(one, {"bodies.crank.beam.order=4"}), (std::vector<int>{4, 2}));
+  EXPECT_EQ(orders(one + "[vary]\norder = { key = \"bodies.rod.beam.order\", values = [2, 4] }\n"),
+            (std::vector<int>{2, 2, 2, 4}));
+}
+
 TEST_F(Compare, RowsAreEveryCombination) {
   const fs::path file = write("study.toml", head("slider_crank", "bend") +
                                                 "[grid]\nelements = [2, 4]\nstep = [1e-3, 5e-4]\n"

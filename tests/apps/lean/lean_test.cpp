@@ -176,9 +176,9 @@ TEST_F(Lean, SliderCrankWithAFlexibleCrank) {
   EXPECT_EQ(text.rfind("# Lean model of slider_crank.toml", 0), 0u);
   EXPECT_NE(text.find("# Start: cycloidal ramp of 0.04 s."), std::string::npos);
   const std::vector<std::string> lean_model = s["changes"];
-  const std::vector<std::string> fine = {"simulation.step=1.25e-05", "simulation.output_every=2",
-                                         "bodies.rod.beam.elements=64",
-                                         "bodies.crank.beam.elements=64"};
+  const std::vector<std::string> fine = {
+      "simulation.step=1.25e-05",      "simulation.output_every=2", "bodies.rod.beam.elements=64",
+      "bodies.crank.beam.elements=64", "bodies.rod.beam.order=2",   "bodies.crank.beam.order=2"};
   EXPECT_NEAR(off(scene("slider_crank"), "bend", lean_model, fine), s["error"], 1e-9);
 }
 
@@ -191,6 +191,7 @@ TEST_F(Lean, OrderFourIsTakenWhereItIsFaster) {
   EXPECT_EQ((*order)["choice"], "order 4: taken") << *order;
   EXPECT_EQ(s["lean"]["beams"]["rod"]["order"], 4);
   EXPECT_EQ(s["reference"]["beams"]["rod"]["order"], 2);
+  EXPECT_EQ(s["given"]["beams"]["rod"]["order"], 4) << "by default";
   EXPECT_LT(s["lean"]["beams"]["rod"]["elements"], 12);
 }
 
@@ -257,7 +258,8 @@ TEST_F(Lean, MeshOfTheSliderCrankIsTheCoarsest) {
   ASSERT_EQ(lean(scene("slider_crank"), "bend").code, 0);
   const Json s = summary();
   const std::vector<std::string> reference = {
-      "simulation.step=2.5e-05", "bodies.rod.beam.elements=32", "bodies.crank.beam.elements=32"};
+      "simulation.step=2.5e-05", "bodies.rod.beam.elements=32", "bodies.crank.beam.elements=32",
+      "bodies.rod.beam.order=2", "bodies.crank.beam.order=2"};
   const double budget = 0.01 - s["reference_error"].get<double>();
   const auto order = [&](const std::string& beam) {
     return fmt::format("bodies.{}.beam.order={}", beam,

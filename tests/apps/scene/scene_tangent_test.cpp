@@ -11,6 +11,7 @@
 #include <set>
 
 #include "apps/scene/load_scene.hpp"
+#include "mbs/model/beam_order.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/solvers/statics.hpp"
 #include "mbs/step_tangent.hpp"
@@ -97,6 +98,9 @@ class SceneTangent : public ::testing::TestWithParam<std::string> {
     const auto left_out = kLeftOut.find(what);
     Mechanism m = scene.mechanism;
     m.formalism = formalism;
+    for (std::size_t b = 0; b < m.bodies.size(); ++b)
+      if (auto* beam = std::get_if<BeamSpec>(&m.bodies[b].kind))
+        beam->order = default_order(m, static_cast<int>(b));
     try {
       const auto model = Model<G>::build(m, space);
       if (scene.simulation.type == SimulationType::Dynamic)

@@ -30,12 +30,14 @@ FinerModel finer(const Changes& given, const VerifiedLimit& limit) {
   return finer_model(read({}), {limit}, 1e-3, {}, read);
 }
 
+const Changes kOrder2 = {"bodies.crank.beam.order=2", "bodies.rod.beam.order=2"};
 const Changes kOrder4 = {"bodies.crank.beam.order=4", "bodies.rod.beam.order=4"};
 
 TEST(FinerModel, BeamsTakeOrderFourFirst) {
-  const FinerModel m = finer({}, {"bending", 0, 2e-2, 1e-5});
+  const FinerModel m = finer(kOrder2, {"bending", 0, 2e-2, 1e-5});
   EXPECT_EQ(m.changes, kOrder4);
   EXPECT_FALSE(m.mesh || m.step) << "an order is no finer mesh";
+  EXPECT_TRUE(finer({}, {"bending", 0, 2e-2, 1e-5}).mesh) << "they are of order 4 by themselves";
 }
 
 /// 16 times too large is a factor of two of order 4; of what is observed as order 2, of four.
@@ -93,7 +95,7 @@ TEST(NotConverging, IsSaidWithTheOrderObserved) {
 /// The rod on finer models until it is certain.
 class RefinedRod : public testing::Test {
  protected:
-  const ReadStudy read_ = reader("slider_crank_rod", {"cycle.refine=auto"});
+  const ReadStudy read_ = reader("slider_crank_rod", {"cycle.refine=auto", kOrder2[0], kOrder2[1]});
   const Study study_ = read_({});
   const ChosenSpace space_ = choose_space(study_.scene);
   ModelHistory cycles_ = {{}};
