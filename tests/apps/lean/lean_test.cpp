@@ -198,7 +198,10 @@ TEST_F(Lean, OrderFourIsTakenWhereItIsFaster) {
 /// A damped beam has no elements of order 4; segments are as good, at half the time as a rule. What
 /// is taken is what the two times that stand beside the choice say, also on a busy machine.
 TEST_F(Lean, SegmentsAreTakenWhereTheyAreFaster) {
-  ASSERT_EQ(lean(scene("pendulum"), "tip", {"--set", "bodies.beam.beam.damping=1e-5"}).code, 0);
+  ASSERT_EQ(lean(scene("pendulum"), "tip",
+                 {"--set", "bodies.beam.beam.damping=1e-5", "--set", "simulation.tolerance=1e-8"})
+                .code,
+            0);
   const Json s = summary();
   const Json* segments = decision(s, "segments");
   ASSERT_NE(segments, nullptr);
