@@ -2,6 +2,8 @@
 /// Beams and loads over them are refused order 4 for the reasons that the default is taken from.
 #include "mbs/model/beam_order.hpp"
 
+#include <functional>
+
 #include "mbs/run.hpp"
 #include "mbs/static_cases.hpp"
 
