@@ -114,10 +114,11 @@ TEST_F(Compare, RowsAreEveryCombination) {
   ASSERT_EQ(c.rows.cases.rows.size(), 24u);
   EXPECT_EQ(c.repeats, 7);
   EXPECT_EQ(c.smallest_step, 5e-4);
-  EXPECT_EQ(c.rows.changes(0),
-            (Words{"simulation.duration=0.01", "bodies.crank.beam.elements=2",
-                   "bodies.rod.beam.elements=2", "simulation.step=0.001",
-                   "simulation.formalism='rigid'", "joints.motor.drive.rate=50"}));
+  EXPECT_EQ(
+      c.rows.changes(0),
+      (Words{"bodies.crank.beam.order=2", "bodies.rod.beam.order=2", "simulation.duration=0.01",
+             "bodies.crank.beam.elements=2", "bodies.rod.beam.elements=2", "simulation.step=0.001",
+             "simulation.formalism='rigid'", "joints.motor.drive.rate=50"}));
   EXPECT_EQ(c.physics(23), Words{"joints.motor.drive.rate=100"})
       << "what is numerical does not ask for another reference";
 }
