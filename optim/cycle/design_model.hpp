@@ -65,6 +65,12 @@ class DesignModel {
   /// @throws NoSensitivities
   virtual Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
                               double active) const = 0;
+  /// |values| of responses over the records of an analysed design, as rows of a surrogate have
+  /// them; empty where they are not known.
+  virtual std::vector<Eigen::VectorXd> response_values(const DesignAnalysis&,
+                                                       const std::vector<LimitedResponse>&) const {
+    return {};
+  }
   /// From now on surrogates without static images of the limits, if they had any and may do
   /// without: where those led to no optimum. False: nothing changes.
   virtual bool drop_images() { return false; }

@@ -105,6 +105,32 @@ void aggregate(const StudySpec& study, int r, MotionGradients& gradients) {
   gradients.aggregate(r, aggregates_of(limit, times, values));
 }
 
+/// The same of values alone.
+VectorXd aggregated(const ConstraintSpec& limit, const std::vector<double>& times,
+                    const VectorXd& v) {
+  const std::vector<Aggregate> by = aggregates_of(limit, times, {v.begin(), v.end()});
+  VectorXd out(static_cast<Eigen::Index>(by.size()));
+  for (Eigen::Index k = 0; k < out.size(); ++k) out[k] = by[static_cast<std::size_t>(k)].value;
+  return out;
+}
+
+/// |values| of those `responses` that `asked` says, over a motion; the others stay.
+template <FrameGroup G>
+void read_values(const DesignRun<G>& run, const std::vector<LimitedResponse>& responses,
+                 const std::vector<bool>& asked, std::vector<VectorXd>& out) {
+  const auto& trajectory = run.simulation.trajectory;
+  const ResponseValues<G> values(run.mechanism, *run.model);
+  State<G> state = run.model->initial_state();
+  for (int n = 0; n < trajectory.size(); ++n) {
+    trajectory.read(n, state);
+    for (std::size_t r = 0; r < responses.size(); ++r) {
+      if (!asked[r]) continue;
+      if (n == 0) out[r].resize(trajectory.size());
+      out[r][n] = values(responses[r].response, state).norm();
+    }
+  }
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -259,7 +285,7 @@ bool MotionModel<G>::drop_images() {
     if (!may_drop_images_ || !study_.shapes.empty() || !any) continue;
     c.has_image = false;
     c.surrogate = SurrogateKind::Auto;
-    if (c.treatment == Treatment::Auto) c.treatment = Treatment::Maxima;
+    if (c.treatment == Treatment::Auto) c.treatment = Treatment::Neighbours;
     dropped = true;
   }
   return dropped;
@@ -381,6 +407,29 @@ Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd&
   if (gradients.reason().empty())
     out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
                                                      at.objective, study_.cycle.approximation);
+  return out;
+}
+
+/// Of motions; limits of meshed parts themselves are not known.
+template <FrameGroup G>
+std::vector<VectorXd> MotionModel<G>::response_values(
+    const DesignAnalysis& given, const std::vector<LimitedResponse>& of) const {
+  const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
+  std::vector<VectorXd> out(of.size());
+  for (std::size_t s = 0; s < at.runs.size(); ++s) {
+    const DesignRun<G>& run = at.runs[s];
+    if (run.statics) continue;
+    std::vector<bool> asked;
+    for (const LimitedResponse& r : of)
+      asked.push_back(r.scenario == static_cast<int>(s) && r.constraint >= 0 && r.part_limit < 0);
+    read_values(run, of, asked, out);
+    for (std::size_t r = 0; r < of.size(); ++r) {
+      if (!asked[r]) continue;
+      const ConstraintSpec& limit = study_.constraints[static_cast<std::size_t>(of[r].constraint)];
+      if (!limit.has_image && aggregates(limit.treatment))
+        out[r] = aggregated(limit, run.times(), out[r]);
+    }
+  }
   return out;
 }
 

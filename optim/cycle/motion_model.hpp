@@ -58,7 +58,10 @@ class MotionModel final : public DesignModel {
                                                 double move) const override;
   Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
                       double active) const override;
-  /// Limits become what their treatment makes of the motion itself, the maxima by default.
+  std::vector<Eigen::VectorXd> response_values(
+      const DesignAnalysis& at, const std::vector<LimitedResponse>& of) const override;
+  /// Limits become what their treatment makes of the motion itself, by default the maxima
+  /// and their neighbours.
   bool drop_images() override;
   DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                const Progress& progress) const override;

@@ -58,6 +58,7 @@ Step TrustRegionRule::repeat(CycleRecord& record, const std::vector<Cycle>& reje
       return propose(record, nullptr);
     }
     judge(merit(c));
+    if (const auto again = record.analyse(c.x); again->good()) learn(record, *again, c.x);
     step = propose(record, nullptr);
   }
   return step;
@@ -76,8 +77,16 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
     at_ = analysis;
     surrogate_ = {};
     record.keep(at_, x_);
+  } else {
+    learn(record, *analysis, cycle.x);
   }
   return propose(record, &cycle);
+}
+
+void TrustRegionRule::learn(CycleRecord& record, const DesignAnalysis& rejected,
+                            const Eigen::VectorXd& x) {
+  CorrectedProblem& problem = *surrogate_.problem;
+  problem.make_conservative(x, record.model().response_values(rejected, problem.responses()));
 }
 
 Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
@@ -158,7 +167,11 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
       radius_ *= kShrink;
       continue;
     }
-    if (auto end = settled(record, predicted_)) return {x_, std::move(end)};
+    if (auto end = settled(record, predicted_)) {
+      // Of rows that are conservative: they say how far to go, not that there is nothing to gain.
+      if (!is_optimal(record) && surrogate_.problem->forget_rejected()) continue;
+      return {x_, std::move(end)};
+    }
     if (auto end = used_up(record.history(), record.options()))
       return {x_, is_optimal(record) ? stalled(record) : std::move(*end)};
     return {answer_.x, {}};

@@ -15,9 +15,10 @@ namespace liesl {
 ///   minimise  m(x)/m_0 + sigma t  subject to  v^_rn(x)/limit_r - 1 <= t,  t >= 0,
 ///             |x - x_k| within the radius
 /// and analyse the answer. It is taken if the merit phi = m/m_0 + sigma max(0, worst violation)
-/// falls by a tenth of what was predicted; the radius follows the ratio. Ends Optimal if the KKT
-/// conditions hold at x_k and no decrease is predicted that counts; Converged if only the latter;
-/// Infeasible if limits are still exceeded then. Throws NoSensitivities as the surrogate does.
+/// falls by a tenth of what was predicted, else the surrogate becomes conservative there; the
+/// radius follows the ratio. Ends Optimal if the KKT conditions hold at x_k and no decrease is
+/// predicted that counts; Converged if only the latter; Infeasible if limits are still exceeded
+/// then. Throws NoSensitivities as the surrogate does.
 class TrustRegionRule final : public StepRule {
  public:
   explicit TrustRegionRule(const CycleOptions& options);
@@ -34,7 +35,10 @@ class TrustRegionRule final : public StepRule {
   double scale() const { return objective_0_ == 0 ? 1 : std::abs(objective_0_); }
   /// Judges the answer by what it really brings: taken? @param merit none: it has no analysis
   bool judge(std::optional<double> merit);
-  /// Solves and judges again what an interrupted run did from x_k on; no design is analysed.
+  /// Makes the surrogate conservative at a design that was rejected.
+  void learn(CycleRecord& record, const DesignAnalysis& rejected, const Eigen::VectorXd& x);
+  /// Solves and judges again what an interrupted run did from x_k on, and analyses the designs that
+  /// it rejected.
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
   Step with_surrogate(CycleRecord& record, Cycle* cycle);

@@ -59,6 +59,18 @@ int CombinedProblem::add_violated(const VectorXd& x, double tolerance) {
   return added;
 }
 
+int CombinedProblem::add_records(const std::vector<std::set<int>>& records) {
+  int added = 0;
+  auto next = records.begin();
+  for (const Member& m : members_) {
+    const auto end = next + static_cast<std::ptrdiff_t>(m.problem->responses().size());
+    added += m.problem->add_records({next, end});
+    next = end;
+  }
+  take_constraints();
+  return added;
+}
+
 int CombinedProblem::load_cases() const {
   int cases = 0;
   for (const Member& m : members_) cases += m.problem->load_cases();

@@ -22,6 +22,7 @@ class CombinedProblem final : public StaticProblem {
   explicit CombinedProblem(std::vector<Member> members);
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
+  int add_records(const std::vector<std::set<int>>& records) override;
   int load_cases() const override;
   std::vector<LimitedResponse> responses() const override;
   std::vector<RowImage> images() const override;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+
+#include "optim/problems/treatment.hpp"
 
 namespace liesl {
 
@@ -44,6 +47,13 @@ CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionG
       variables_(inner_->variables()) {
   const double lacking = objective - correct_rows();
   if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
+}
+
+std::vector<LimitedResponse> CorrectedProblem::responses() const {
+  if (motion_.responses() == 0) return inner_->responses();
+  std::vector<LimitedResponse> out;
+  for (int r = 0; r < motion_.responses(); ++r) out.push_back(motion_.response(r));
+  return out;
 }
 
 void CorrectedProblem::narrow(double share) {
@@ -128,9 +138,66 @@ double CorrectedProblem::correct_rows() {
   return f;
 }
 
+VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
+  VectorXd out = x - x_k_;
+  const auto& widest = inner_->variables();
+  for (int i = 0; i < out.size(); ++i) {
+    const auto& bounds = widest[static_cast<std::size_t>(i)];
+    const double w = bounds.upper - bounds.lower;
+    out[i] = w > 0 ? out[i] / std::pow(w, power) : 0;
+  }
+  return out;
+}
+
+void CorrectedProblem::make_conservative(const VectorXd& x_t, std::vector<VectorXd> values) {
+  if (values.empty()) return;
+  std::vector<std::set<int>> maxima;
+  for (const VectorXd& v : values)
+    maxima.push_back(v.size() == 0 ? std::set<int>()
+                                   : treated_records(Treatment::Maxima, {v.begin(), v.end()}));
+  if (inner_->add_records(maxima) > 0) correct_rows();
+  rejected_.push_back({x_t, std::move(values)});
+  raise_rows();
+}
+
+bool CorrectedProblem::forget_rejected() {
+  const bool any = !rejected_.empty();
+  rejected_.clear();
+  kappa_.resize(0);
+  return any;
+}
+
+void CorrectedProblem::raise_rows() {
+  if (rejected_.empty()) return;
+  kappa_.setZero(static_cast<Eigen::Index>(constraints().size()));
+  for (const Rejected& r : rejected_) raise_rows_at(r.x, r.values);
+}
+
+/// The limit that a row is relative to follows from value and v^ at x_k.
+void CorrectedProblem::raise_rows_at(const VectorXd& x_t, const std::vector<VectorXd>& v) {
+  const double d = step_by_width(x_t, 1).squaredNorm();
+  double f = 0;
+  VectorXd g(kappa_.size());
+  values(x_t, f, g);
+  if (!(d > 0) || !g.allFinite()) return;
+  const std::vector<RowImage> image = images();
+  for (int i = 0; i < kappa_.size(); ++i) {
+    const int response = image[static_cast<std::size_t>(i)].response;
+    const int record = image[static_cast<std::size_t>(i)].record;
+    if (response < 0) continue;
+    const VectorXd& at_t = v[static_cast<std::size_t>(response)];
+    const double at_k = motion_.value(response, record);
+    if (record >= at_t.size() || !(at_k > 0)) continue;
+    kappa_[i] += std::max(0.0, v_k_[i] * at_t[record] / at_k - 1 - g[i]) / d;
+  }
+}
+
 int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
   const int added = inner_->add_violated(x, (1 + tolerance) * (1 - kLift) - 1);
-  if (added > 0) correct_rows();
+  if (added > 0) {
+    correct_rows();
+    raise_rows();
+  }
   return added;
 }
 
@@ -145,6 +212,7 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
     else if (power[i] != 0)
       g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
   }
+  if (kappa_.size() > 0) g += kappa_ * step_by_width(x, 1).squaredNorm();
 }
 
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
@@ -157,6 +225,7 @@ void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg)
     const Growth e(power[i], approximation_);
     dg.row(i) = e.value * dg_.row(i) + (e.first * (g_[i] + 1) + term(i)) * q.transpose();
   }
+  if (kappa_.size() > 0) dg += 2 * kappa_ * step_by_width(x, 2).transpose();
 }
 
 /// Of v^ = v_s e(p) + v_k p, dp = q = c s', v_k = 0 but for a term:
@@ -180,6 +249,8 @@ void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& 
     add.diagonal() += (e.first * v + term(i)) * c.cwiseProduct(of_row.second);
     h.triangularView<Eigen::Lower>() += lambda[i] * add;
   }
+  if (kappa_.size() > 0)
+    h.diagonal() += 2 * lambda.dot(kappa_) * step_by_width(x_k_ + VectorXd::Ones(x.size()), 2);
 }
 
 }  // namespace liesl

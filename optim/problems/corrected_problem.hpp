@@ -22,6 +22,13 @@ namespace liesl {
 /// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region;
 /// or by a term, v^ = v_s(x) + b . (x - x_k), b = dv/dx - dv_s/dx at x_k.
 /// A row without size has no correction.
+///
+/// A design x_t near x_k that was rejected makes rows conservative (K. Svanberg 2002, "A class of
+/// globally convergent optimization methods based on conservative convex separable approximations",
+/// SIAM J. Optim. 12): each gets a term kappa d(x),
+///   d = sum_i ((x_i - x_ki)/w_i)^2,   w the widths of the bounds of the static problem,
+/// with the least kappa >= 0 for which v^(x_t) is not below v(x_t); value and gradient at x_k stay.
+/// The records of its maxima, to which those of x_k may move, get rows, too.
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
@@ -31,12 +38,20 @@ class CorrectedProblem final : public StaticProblem {
                    const Eigen::VectorXd& x_k, double objective,
                    Approximation approximation = Approximation::Power);
 
+  /// Makes rows conservative at x_t.
+  /// @param values of the responses there, by record; an empty one is not known
+  void make_conservative(const Eigen::VectorXd& x_t, std::vector<Eigen::VectorXd> values);
+
+  /// Takes these terms off again. @returns whether there were any
+  bool forget_rejected();
+
   /// Narrows the bounds to this share, in (0, 1], of those of `inner` about x_k.
   void narrow(double share);
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
   int load_cases() const override { return inner_->load_cases(); }
-  std::vector<LimitedResponse> responses() const override { return inner_->responses(); }
+  /// Those of the motion, with their scenarios; without one those of `inner`.
+  std::vector<LimitedResponse> responses() const override;
   std::vector<RowImage> images() const override { return inner_->images(); }
   std::vector<ObjectiveTerm> objective_terms() const override { return inner_->objective_terms(); }
   std::string undefined_reason() const override { return inner_->undefined_reason(); }
@@ -66,8 +81,17 @@ class CorrectedProblem final : public StaticProblem {
   Steps reciprocals(const Eigen::VectorXd& x, double side) const;
   Eigen::VectorXd exponents(const BothSteps& t) const;
   double correct_rows();
+  void raise_rows();
+  void raise_rows_at(const Eigen::VectorXd& x_t, const std::vector<Eigen::VectorXd>& values);
+  /// (x_i - x_ki)/w_i^power, 0 where w_i is.
+  Eigen::VectorXd step_by_width(const Eigen::VectorXd& x, int power) const;
   /// Of a row: what p = c . s is multiplied by, beside its place in the factor.
   double term(int row) const { return approximation_ == Approximation::Additive ? v_k_[row] : 0; }
+
+  struct Rejected {
+    Eigen::VectorXd x;                    ///< x_t
+    std::vector<Eigen::VectorXd> values;  ///< by response and record
+  };
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
@@ -77,8 +101,10 @@ class CorrectedProblem final : public StaticProblem {
   double rest_ = 0;      ///< of the objective, which `inner` lacks
   RowMatrix c_;          ///< rows x variables
   Eigen::VectorXd v_k_;  ///< g + 1 of `inner` at x_k
-  Eigen::VectorXd g_;    ///< of `inner`, at the latest x
-  RowMatrix dg_;         ///< of `inner`, at the latest x
+  std::vector<Rejected> rejected_;
+  Eigen::VectorXd kappa_;  ///< by row; empty: no design was rejected
+  Eigen::VectorXd g_;      ///< of `inner`, at the latest x
+  RowMatrix dg_;           ///< of `inner`, at the latest x
 };
 
 }  // namespace liesl

@@ -39,37 +39,61 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
   for (int r = first; r < first + count; ++r) ++of_constraint[motion.response(r).constraint];
   for (int r = first; r < first + count; ++r) {
     const int c = motion.response(r).constraint;
+    const ConstraintSpec& limit = study.constraints[c];
     responses_.push_back(motion.response(r));
-    limits.push_back({c, 0, of_constraint[c] > 1, study.constraints[c].limit});
-    auto& v = values.emplace_back();
-    for (int n = 0; n < motion.records(r); ++n) v.push_back(motion.value(r, n));
+    limits.push_back({c, 0, of_constraint[c] > 1, limit.limit});
+    const bool term = limit.weight > 0;
+    Series& s =
+        series_.emplace_back(Series{limit.response.name,
+                                    limit.limit,
+                                    aggregates(limit.treatment),
+                                    ObjectiveTerm{term ? c : -1, limit.weight * limit.limit},
+                                    {},
+                                    {}});
+    for (int n = 0; n < motion.records(r); ++n) {
+      s.times.push_back(motion.time(r, n));
+      s.values.push_back(motion.value(r, n));
+    }
+    values.push_back(s.values);
   }
   const CasesByLimit screened = near_largest(values, limits, study.cycle);
-  std::vector<double> g;
-  for (int l = 0; l < count; ++l) {
-    const ConstraintSpec& limit = study.constraints[limits[l].constraint];
-    for (const int n :
-         records_of(limit, study.cycle.method, limits[l].many, screened[l], values[l])) {
-      const auto id = (static_cast<ConstraintId>(l) << 32) | static_cast<ConstraintId>(n);
-      constraints_.push_back(
-          {id,
-           fmt::format("{} at t = {:.6g} s", study.constraints[limits[l].constraint].response.name,
-                       motion.time(first + l, n)),
-           1});
-      images_.push_back({l, n});
-      terms_.push_back({limit.weight > 0 ? limits[l].constraint : -1, limit.weight * limit.limit});
-      g.push_back(values[l][n] / limits[l].limit - 1);
-    }
-  }
-  if (std::all_of(terms_.begin(), terms_.end(),
-                  [](const ObjectiveTerm& o) { return o.number < 0; }))
-    terms_.clear();
-  g_ = Eigen::Map<const VectorXd>(g.data(), static_cast<Eigen::Index>(g.size()));
+  for (int l = 0; l < count; ++l)
+    for (const int n : records_of(study.constraints[limits[l].constraint], study.cycle.method,
+                                  limits[l].many, screened[l], values[l]))
+      add_row(l, n);
+}
+
+void MotionRows::add_row(int response, int record) {
+  const Series& s = series_[static_cast<std::size_t>(response)];
+  const auto n = static_cast<std::size_t>(record);
+  constraints_.push_back(
+      {(static_cast<ConstraintId>(response) << 32) | static_cast<ConstraintId>(n),
+       fmt::format("{} at t = {:.6g} s", s.name, s.times[n]), 1});
+  images_.push_back({response, record});
+  terms_.push_back(s.term);
+  g_.push_back(s.values[n] / s.limit - 1);
+}
+
+int MotionRows::add_records(const std::vector<std::set<int>>& records) {
+  const std::size_t before = images_.size();
+  for (std::size_t l = 0; l < series_.size(); ++l)
+    for (const int n : records[l])
+      if (!series_[l].aggregated && std::ranges::none_of(images_, [&](const RowImage& i) {
+            return i.response == static_cast<int>(l) && i.record == n;
+          }))
+        add_row(static_cast<int>(l), n);
+  return static_cast<int>(images_.size() - before);
+}
+
+std::vector<ObjectiveTerm> MotionRows::objective_terms() const {
+  const bool any =
+      std::ranges::any_of(terms_, [](const ObjectiveTerm& o) { return o.number >= 0; });
+  return any ? terms_ : std::vector<ObjectiveTerm>();
 }
 
 void MotionRows::values(const VectorXd&, double& f, VectorXd& g) {
   f = 0;
-  g = g_;
+  g = Eigen::Map<const VectorXd>(g_.data(), static_cast<Eigen::Index>(g_.size()));
 }
 
 void MotionRows::gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) {

@@ -25,15 +25,27 @@ class MotionRows final : public CaselessProblem {
   int load_cases() const override { return static_cast<int>(constraints_.size()); }
   std::vector<LimitedResponse> responses() const override { return responses_; }
   std::vector<RowImage> images() const override { return images_; }
-  std::vector<ObjectiveTerm> objective_terms() const override { return terms_; }
+  std::vector<ObjectiveTerm> objective_terms() const override;
+  int add_records(const std::vector<std::set<int>>& records) override;
   void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override;
   void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override;
 
  private:
+  /// What rows are made of, by response.
+  struct Series {
+    std::string name;  ///< of the limit
+    double limit = 0;
+    bool aggregated = false;
+    ObjectiveTerm term;
+    std::vector<double> times, values;  ///< by record
+  };
+  void add_row(int response, int record);
+
+  std::vector<Series> series_;
   std::vector<LimitedResponse> responses_;
   std::vector<RowImage> images_;
   std::vector<ObjectiveTerm> terms_;
-  Eigen::VectorXd g_;
+  std::vector<double> g_;
 };
 
 /// A response that is the largest over several points, as one response a point: the inner nodes of

@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 
 #include "optim/nlp/elastic.hpp"
@@ -66,6 +67,9 @@ class StaticProblem : public Problem {
   /// Checks all load cases at x and adds those that violate a limit by more than `tolerance`.
   /// @returns how many were added
   virtual int add_violated(const Eigen::VectorXd& x, double tolerance) = 0;
+  /// Adds rows for records of responses, by response, where it has none; none in problems that find
+  /// their cases themselves. @returns how many were added
+  virtual int add_records(const std::vector<std::set<int>>&) { return 0; }
   virtual int load_cases() const = 0;  ///< retained
   /// Of a problem whose load cases are the records of a motion: what its rows are images of.
   virtual std::vector<LimitedResponse> responses() const { return {}; }

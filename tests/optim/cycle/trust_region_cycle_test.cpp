@@ -143,6 +143,61 @@ TEST(CorrectedProblem, MovingAsymptotesAreConvexWithinTheTrustRegion) {
   }
 }
 
+/// Of the motion itself, so that the surrogate errs: linear rows are too low at thinner rods.
+TEST(CorrectedProblem, IsConservativeAtDesignsThatWereRejected) {
+  Simulated s(rod());
+  s.study.spec.cycle.method = CycleMethod::Full;
+  s.study.spec.cycle.approximation = Approximation::Linear;
+  const std::vector<Scenario<SE2>> motion{
+      {s.study.scene.mechanism, s.space, s.study.scene.simulation}};
+  MotionModel<SE2> model(motion, s.study.spec);
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  const auto surrogate = model.surrogate(*model.analyse(x, {}), x, 0.5, 1e-2);
+  CorrectedProblem& problem = *surrogate.problem;
+  const auto rows_at = [&](const VectorXd& at) {
+    double f = 0;
+    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+    problem.values(at, f, g);
+    return g;
+  };
+  const auto slopes = [&] {
+    VectorXd df(4);
+    RowMatrix dg(static_cast<Eigen::Index>(problem.constraints().size()), 4);
+    problem.gradients(x, df, dg);
+    return dg;
+  };
+  const auto exact = [&](const VectorXd& x_t) {
+    const LimitSeries limit = s.simulator->run(x_t).limits[0];
+    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+    for (Eigen::Index k = 0; k < g.size(); ++k) {
+      const int record = problem.images()[static_cast<std::size_t>(k)].record;
+      g[k] = limit.values[static_cast<std::size_t>(record)] / limit.limit - 1;
+    }
+    return g;
+  };
+  const VectorXd at_x = rows_at(x);
+  const RowMatrix slope = slopes();
+  const VectorXd first = x.cwiseProduct(Eigen::Vector4d(0.95, 0.9, 0.97, 1)),
+                 second = x.cwiseProduct(Eigen::Vector4d(0.9, 1.02, 0.9, 1));
+  for (const VectorXd& x_t : {first, second}) {
+    EXPECT_GT((exact(x_t) - rows_at(x_t)).maxCoeff(), 0.01) << "nothing to be learnt";
+    problem.make_conservative(x_t,
+                              model.response_values(*model.analyse(x_t, {}), problem.responses()));
+    EXPECT_LT((rows_at(x_t) - exact(x_t)).minCoeff(), 1e-9) << "more than asked for in every row";
+  }
+  for (const VectorXd& x_t : {first, second})
+    EXPECT_GT((rows_at(x_t) - exact(x_t)).minCoeff(), -1e-9);
+  EXPECT_EQ(rows_at(x).head(at_x.size()), at_x);
+  EXPECT_EQ(slopes().topRows(slope.rows()), slope);
+  EXPECT_LT((rows_at(x) - exact(x)).lpNorm<Eigen::Infinity>(), 1e-9);
+  DerivativeCheckOptions options;
+  options.every_variable = true;
+  const DerivativeReport report = check_derivatives(problem, first, options);
+  EXPECT_TRUE(report.right) << report.text();
+  EXPECT_TRUE(problem.forget_rejected());
+  EXPECT_LT((rows_at(first) - exact(first)).minCoeff(), -0.01);
+}
+
 /// Corrections belong to rows: looking for violated cases where there is none changes nothing.
 TEST(CorrectedProblem, IsTheSameAfterAllCasesWereLookedAt) {
   Simulated s(rod());
