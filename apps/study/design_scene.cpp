@@ -129,15 +129,13 @@ void write_outline(toml::table& scene, const std::string& part,
   scene["bodies"][part]["solid"].as_table()->insert_or_assign("outline", table);
 }
 
-/// A run of the design resolves what its limits were met to: responses differ by a few times the
-/// tolerance of Newton's method.
-void write_tolerance(toml::table& scene, double feasibility) {
-  constexpr double kApart = 0.1, kResolved = 0.01;  // of the feasibility
-  constexpr double kFinest = 1e-8;  // to which an optimisation converges its motions
+/// A run of the design is converged as far as the optimisation converged its motions.
+void write_tolerance(toml::table& scene, CycleMethod method) {
+  constexpr double kOfDesigns = 1e-8;
   const double given = scene["simulation"]["tolerance"].value_or(SimulationOptions().tolerance);
-  if (given <= kApart * feasibility || given <= kFinest) return;
+  if (given <= kOfDesigns || method == CycleMethod::Esl) return;
   toml::table& simulation = *scene.insert("simulation", toml::table{}).first->second.as_table();
-  simulation.insert_or_assign("tolerance", std::max(kResolved * feasibility, kFinest));
+  simulation.insert_or_assign("tolerance", kOfDesigns);
 }
 
 }  // namespace
@@ -158,7 +156,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
     if (c.quantity < ConstantQuantity::DriveValue) write_constant(document.root, c, final);
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
-  write_tolerance(document.root, study.spec.cycle.feasibility);
+  write_tolerance(document.root, study.spec.cycle.method);
   return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
                      ordered_text(document.root));
 }

@@ -26,8 +26,7 @@ constexpr double kConverged = 1e-8;
 
 SimulationOptions options_of(SimulationOptions options, CycleMethod method) {
   options.output_every = 1;
-  if (method == CycleMethod::Esl1 || method == CycleMethod::Full || method == CycleMethod::Direct)
-    options.tolerance = std::min(options.tolerance, kConverged);
+  if (method != CycleMethod::Esl) options.tolerance = std::min(options.tolerance, kConverged);
   return options;
 }
 

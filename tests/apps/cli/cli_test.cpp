@@ -408,22 +408,20 @@ TEST_F(Cli, ResumesWithMoreCyclesAndOtherTolerances) {
   }
 }
 
-/// A design asks for a tolerance that resolves what its limits were met to, as fine as motions of
-/// an optimisation are converged at most.
-TEST_F(Cli, FinalDesignResolvesItsLimits) {
-  const auto tolerance = [&](const std::string& feasibility) {
+/// A design asks for the tolerance of the motions it was found with.
+TEST_F(Cli, FinalDesignIsConvergedAsTheOptimisationWas) {
+  const auto tolerance = [&](const std::string& method, const std::string& of_scene) {
     run({"optimize", study("slider_crank_rod"), "-o", results(), "--force", "--no-verify",
          "--no-report", "--set", "cycle.max=1", "--set", "simulation.duration=0.02", "--set",
-         "cycle.feasibility=" + feasibility});
+         "simulation.tolerance=" + of_scene, "--method", method});
     return read_scene(text_of(results() / "design.toml"), "design.toml").simulation.tolerance;
   };
-  EXPECT_EQ(tolerance("1e-3"), SimulationOptions().tolerance);
-  EXPECT_DOUBLE_EQ(tolerance("5e-6"), 5e-8);
-  EXPECT_DOUBLE_EQ(tolerance("1e-9"), 1e-8);
+  EXPECT_DOUBLE_EQ(tolerance("auto", "1e-5"), 1e-8);
+  EXPECT_DOUBLE_EQ(tolerance("auto", "1e-9"), 1e-9);
+  EXPECT_DOUBLE_EQ(tolerance("esl", "1e-5"), 1e-5);
 }
 
-/// The final design is a scene that runs at once, with the figures of the optimisation, as far as
-/// simulation.tolerance, 1e-6, lets two simulations agree.
+/// The final design is a scene that runs at once, with the figures of the optimisation.
 TEST_F(Cli, FinalDesignIsAScene) {
   const Words shorter = {"--set", "simulation.duration=0.02"};
   for (const char* name : {"slider_crank_rod", "connecting_rod"}) {
