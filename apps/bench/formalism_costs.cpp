@@ -33,19 +33,25 @@ const std::vector<std::string> kBeam = {"materials.steel.E", "materials.steel.rh
                                         "sections.rod.diameter", "bodies.slider.rigid.mass"};
 const std::vector<std::string> kMesh = {"materials.steel.E", "materials.steel.rho",
                                         "bodies.rod.solid.thickness", "bodies.slider.rigid.mass"};
+const std::vector<std::string> kMeshInSpace = {"materials.steel.E", "materials.steel.rho",
+                                               "sections.crank.diameter",
+                                               "bodies.slider.rigid.mass"};
 /// The rod as a mesh, in the place of the beam of the scene.
 const std::string kBeamLine = "rod    = { beam ";
 const std::string kMeshLine =
     "rod = { solid = { mesh = { from = [0, -0.005], to = [0.3, 0.005], cells = [30, 2] }, "
     "at = [0.15, 0, 0], material = \"steel\", thickness = 0.008, ";
-const std::string kInterfaces =
-    "interfaces = { start = { set = \"x_min\" }, mid = { nodes = [16, 47, 78] }, end = { set = "
-    "\"x_max\" } } } }";
+const std::string kMeshInSpaceLine =
+    "rod = { solid = { mesh = { from = [0, -0.005, -0.004], to = [0.3, 0.005, 0.004], cells = "
+    "[30, 2, 2] }, at = [0.15, 0, 0], material = \"steel\", ";
+const std::string kInterfaces = "interfaces = { start = { set = \"x_min\" }, mid = { nodes = [";
+const std::string kEnds = "] }, end = { set = \"x_max\" } } } }";
 
 struct Case {
   std::string name;
   std::vector<std::string> changes;
   std::string mesh;  ///< further keys of the meshed rod; empty: it is a beam
+  bool in_space() const { return name.ends_with(",space"); }
   /// Amplitudes of modes mean something else at another value of a parameter.
   bool has_modes() const { return name.starts_with("floating") || name.starts_with("reduced"); }
 };
@@ -60,7 +66,6 @@ std::vector<Case> cases() {
   all.push_back({"continuum", {}, "as = \"continuum\","});
   const std::size_t planar = all.size();
   for (std::size_t i = 0; i < planar; ++i) {
-    if (all[i].name == "segments" || !all[i].mesh.empty()) continue;
     all.push_back(all[i]);
     all.back().name += ",space";
     all.back().changes.push_back("simulation.space=spatial");
@@ -71,11 +76,14 @@ std::vector<Case> cases() {
 SensitivityProblem problem_of(const Case& row) {
   SceneText scene{load_text(kScene, "a scene in TOML"), kScene, row.changes};
   scene.changes.push_back("simulation.duration=0.02");
-  if (!row.mesh.empty()) {
-    const auto from = scene.text.find(kBeamLine), to = scene.text.find('\n', from);
-    scene.text.replace(from, to - from, kMeshLine + row.mesh + kInterfaces);
-  }
-  return scene_problem(scene, row.mesh.empty() ? kBeam : kMesh);
+  if (row.mesh.empty()) return scene_problem(scene, kBeam);
+  const auto from = scene.text.find(kBeamLine), to = scene.text.find('\n', from);
+  std::string middle;
+  for (int i = 16; i <= (row.in_space() ? 264 : 78); i += 31) middle += fmt::format("{}, ", i);
+  scene.text.replace(
+      from, to - from,
+      (row.in_space() ? kMeshInSpaceLine : kMeshLine) + row.mesh + kInterfaces + middle + kEnds);
+  return scene_problem(scene, row.in_space() ? kMeshInSpace : kMesh);
 }
 
 template <FrameGroup G>

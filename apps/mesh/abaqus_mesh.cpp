@@ -90,9 +90,12 @@ class AbaqusReader {
  public:
   AbaqusReader(std::string_view text, Problems& problems)
       : text_(text),
-        mesh_(problems, {"", "an element may be in two *ELEMENT blocks",
-                         "reverse the order of its nodes", "*ELEMENT, TYPE=C3D10 or another",
-                         "let the preprocessor mesh with one element type"}) {}
+        mesh_(problems,
+              {"", "an element may be in two *ELEMENT blocks", "reverse the order of its nodes",
+               "move it there, straighten the edges, make elements smaller where the "
+               "outline is curved, or mesh without nodes at edges",
+               "*ELEMENT, TYPE=C3D10 or another",
+               "let the preprocessor mesh with one element type"}) {}
 
   SolidMesh read() {
     for (std::size_t at = 0; at < text_.size(); ++line_) {

@@ -124,6 +124,9 @@ class Reader {
         mesh_(problems, {"Coherence Mesh of Gmsh unites nodes",
                          "a surface in two physical groups may be saved twice",
                          "reverse the surface's orientation",
+                         "move it there, straighten edges with Mesh.SecondOrderLinear = 1, make "
+                         "cells smaller where the outline is curved, or mesh without nodes at "
+                         "edges, Mesh.ElementOrder = 1",
                          "physical groups must include the surface or volume",
                          "set Mesh.RecombineAll to 1 or 0, so that all cells are alike"}) {}
 

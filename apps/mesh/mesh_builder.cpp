@@ -20,6 +20,25 @@ struct SideOfCell {
   bool forward;
 };
 
+/// An edge of a cell whose node is off the middle between its corners.
+struct EdgeOffMiddle {
+  int edge = 0;
+  double share = 0;  ///< how far, of its length
+};
+
+/// The one that is farthest off, of a cell of order 2. @param x 3 x nodes of the cell
+EdgeOffMiddle farthest_off_middle(const CellKind& kind, const Eigen::Matrix3Xd& x) {
+  EdgeOffMiddle farthest;
+  const auto edges = cell_edges(kind);
+  for (int e = 0; e < static_cast<int>(edges.size()); ++e) {
+    const auto [a, b] = edges[static_cast<std::size_t>(e)];
+    const double off = (x.col(kind.corners + e) - (x.col(a) + x.col(b)) / 2).norm(),
+                 share = off / (x.col(b) - x.col(a)).norm();
+    if (share > farthest.share) farthest = {e, share};
+  }
+  return farthest;
+}
+
 /// All sides of all cells, those with the same corners in a row.
 std::vector<SideOfCell> sides_by_corners(const SolidMesh& mesh) {
   const int n = side_kind(mesh.kind()).corners;
@@ -114,15 +133,32 @@ void MeshBuilder::add_cells(SolidMesh& mesh) {
               "each cell once", hints_.twice_cell);
     for (int c = 0; c < nodes_per_cell; ++c)
       mesh.cells(c, number) = number_.at(cell.nodes[static_cast<std::size_t>(c)]);
-    if (!(smallest_jacobian(mesh.dim, mesh.nodes_of(number)) > 0))
-      problem(cell.line, "the cell is inverted or flat",
-              mesh.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
-              : cell.kind->family == CellFamily::Simplex
-                  ? "the fourth corner where the first three are counter-clockwise seen from it"
-                  : "corners of the lower side counter-clockwise seen from above",
-              mesh.dim == 2 ? hints_.inverted : "");
+    require_shape(cell, mesh.nodes_of(number));
     ++number;
   }
+}
+
+/// Its Jacobian is positive. If that of its corners alone is, nodes at its edges fold it.
+void MeshBuilder::require_shape(const Cell& cell, const Eigen::Matrix3Xd& x) {
+  const CellKind& kind = *cell.kind;
+  if (smallest_jacobian(kind.dim, x) > 0) return;
+  if (kind.order == 2 && smallest_jacobian(kind.dim, x.leftCols(kind.corners)) > 0) {
+    const EdgeOffMiddle worst = farthest_off_middle(kind, x);
+    const auto [a, b] = cell_edges(kind)[static_cast<std::size_t>(worst.edge)];
+    const auto tag = [&cell](int node) { return cell.nodes[static_cast<std::size_t>(node)]; };
+    problem(cell.line,
+            fmt::format("the cell is folded by its nodes at edges: node {} is {:.2g} of the edge "
+                        "between nodes {} and {} off its middle",
+                        tag(kind.corners + worst.edge), worst.share, tag(a), tag(b)),
+            "nodes at edges in their middle or near it", hints_.folded);
+    return;
+  }
+  problem(cell.line, "the cell is inverted or flat",
+          kind.dim == 2 ? "corners counter-clockwise, angles below 180 degrees"
+          : kind.family == CellFamily::Simplex
+              ? "the fourth corner where the first three are counter-clockwise seen from it"
+              : "corners of the lower side counter-clockwise seen from above",
+          kind.dim == 2 ? hints_.inverted : "");
 }
 
 /// Cells that share a side lie beyond it of each other: they have its corners in opposite order.

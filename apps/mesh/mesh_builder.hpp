@@ -19,7 +19,7 @@ class MeshBuilder {
  public:
   /// Hints that differ between formats.
   struct Hints {
-    std::string twice_node, twice_cell, inverted, no_cells, several_kinds;
+    std::string twice_node, twice_cell, inverted, folded, no_cells, several_kinds;
   };
   MeshBuilder(Problems& problems, Hints hints) : problems_(problems), hints_(std::move(hints)) {}
 
@@ -33,7 +33,8 @@ class MeshBuilder {
 
   /// In space if there are cells in space; planar cells are their sides then.
   /// @throws InputError: no cells, cells of several kinds, cells that are there twice, inverted or
-  /// flat, folded over each other, nodes that do not exist, planar cells that do not lie in z = 0
+  /// flat, folded by nodes at their edges or over each other, nodes that do not exist, planar cells
+  /// that do not lie in z = 0
   SolidMesh build();
 
  private:
@@ -45,6 +46,7 @@ class MeshBuilder {
   void choose_kind(SolidMesh& mesh);
   void number_nodes(SolidMesh& mesh);
   void add_cells(SolidMesh& mesh);
+  void require_shape(const Cell& cell, const Eigen::Matrix3Xd& x);
   void find_folds(const SolidMesh& mesh);
 
   Problems& problems_;

@@ -137,6 +137,9 @@ class ContinuumBody final : public Body<G> {
     f(static_cast<Room&>(s.work ? *s.work : *own));
   }
   bool held(int i) const { return node_of(i) < ports_; }
+  bool holds(int e) const {
+    return cells_.col(e).unaryExpr([this](int i) { return held(i); }).any();
+  }
   Lever lever(int i) const;
   Levers levers(const G* H) const;
   const Cell& cell(int e) const {

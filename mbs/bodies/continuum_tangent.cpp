@@ -1,6 +1,9 @@
 /// @file
 /// Matrices of meshed parts whose nodes all move: at rest, and the exact tangent.
 
+#include <algorithm>
+#include <type_traits>
+
 #include "mbs/bodies/continuum.hpp"
 
 namespace liesl {
@@ -58,24 +61,32 @@ void ContinuumBody<G>::add_shares(const G* H, const std::vector<Share>& shares, 
                                   const OfPorts& of_ports, SparseAssembly& assembly) const {
   assembly.begin();
   const Levers rows = levers(H);
+  const bool held_only = std::ranges::all_of(shares, &Share::held_only);
   std::vector<MatrixXd> of_cell(shares.size(), MatrixXd(sd * cells_.rows(), sd * cells_.rows()));
-  typename G::Matrix block;
+  constexpr std::integral_constant<int, sd> position;
+  constexpr std::integral_constant<int, dim> frame;
   for (int e = 0; e < cells_.cols(); ++e) {
-    for (std::size_t t = 0; t < shares.size(); ++t) shares[t].cell(e, of_cell[t]);
-    for (int b = 0; b < cells_.rows(); ++b) {
-      const int j = cells_(b, e), columns = held(j) ? dim : sd;
+    if (!held_only || holds(e))
+      for (std::size_t t = 0; t < shares.size(); ++t) shares[t].cell(e, of_cell[t]);
+    const auto add = [&](int a, int b, auto row_count, auto column_count) {
+      constexpr int m = decltype(row_count)::value, n = decltype(column_count)::value;
+      const int i = cells_(a, e), j = cells_(b, e);
+      Eigen::Matrix<double, sd, n> moved = Eigen::Matrix<double, sd, n>::Zero();
+      for (std::size_t t = 0; t < shares.size(); ++t)
+        if (n == dim || !shares[t].held_only)
+          moved.noalias() += of_cell[t].template block<sd, sd>(sd * a, sd * b) *
+                             shares[t].columns[j].template leftCols<n>();
+      const Eigen::Matrix<double, m, n> block = rows[i].template leftCols<m>().transpose() * moved;
+      assembly.add_block(dim * node_of(i), dim * node_of(j), block);
+    };
+    for (int b = 0; b < cells_.rows(); ++b)
       for (int a = 0; a < cells_.rows(); ++a) {
-        const int i = cells_(a, e);
-        Lever moved = Lever::Zero();
-        for (std::size_t t = 0; t < shares.size(); ++t)
-          if (held(j) || !shares[t].held_only)
-            moved.noalias() +=
-                of_cell[t].template block<sd, sd>(sd * a, sd * b) * shares[t].columns[j];
-        block.noalias() = rows[i].transpose() * moved;
-        assembly.add_block(dim * node_of(i), dim * node_of(j),
-                           block.topLeftCorner(held(i) ? dim : sd, columns));
+        const bool by_frame = held(cells_(b, e));
+        if (held(cells_(a, e)))
+          by_frame ? add(a, b, frame, frame) : add(a, b, frame, position);
+        else
+          by_frame ? add(a, b, position, frame) : add(a, b, position, position);
       }
-    }
   }
   for (int k = ports_; k < this->nodes(); ++k)
     for (int i = sd; i < dim; ++i) assembly.add(dim * k + i, dim * k + i, dead);

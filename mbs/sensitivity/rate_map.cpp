@@ -1,10 +1,23 @@
 #include "mbs/sensitivity/rate_map.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace liesl {
 
 using Eigen::MatrixXd;
+
+namespace {
+
+/// In all that the matrices depend on.
+template <FrameGroup G>
+bool same(const State<G>& s, const State<G>& other) {
+  return s.v == other.v && s.vdot == other.vdot && s.a == other.a && s.w == other.w &&
+         std::ranges::equal(s.H, other.H,
+                            [](const G& H, const G& K) { return H.R == K.R && H.x == K.x; });
+}
+
+}  // namespace
 
 template <FrameGroup G>
 typename RateTangents<G>::Blocks increments(const Model<G>& model,
@@ -47,14 +60,15 @@ void undo_rescale(const Model<G>& model, const NodeCoordinates<G>& coordinates, 
 }
 
 template <FrameGroup G>
-RateMap<G>::RateMap(const Model<G>& model) : model_(model) {}
+RateMap<G>::RateMap(const Model<G>& model) : model_(&model) {}
 
 /// Rates of coordinates that change by e, and frames by delta: `rate_tangents` with weights 0 has
 /// V and W, with a weight of u it adds D, which multiplies B u' there, as e = B^-1 delta.
 template <FrameGroup G>
 void RateMap<G>::take(const NodeCoordinates<G>& coordinates, const State<G>& s) {
-  if (model_.update == NodeUpdate::Screw) return;
-  const Eigen::VectorXd still = Eigen::VectorXd::Zero(model_.size());
+  if (model_->update == NodeUpdate::Screw || (at_ && same(*at_, s))) return;
+  at_ = s;
+  const Eigen::VectorXd still = Eigen::VectorXd::Zero(model_->size());
   Eigen::VectorXd u, udot;
   coordinates.rates(s, u, udot);
   const TangentWeights none{0, 0}, first{0, 1};
@@ -66,9 +80,9 @@ void RateMap<G>::take(const NodeCoordinates<G>& coordinates, const State<G>& s) 
   coordinates.rate_tangents(s, still, u, udot, none, at);
   V_ = at.v;
   W_ = at.vdot;
-  inverse_ = increments(model_, coordinates, s, still);
+  inverse_ = increments(*model_, coordinates, s, still);
   B_ = inverse_;
-  for (const int k : model_.frames()) {
+  for (const int k : model_->frames()) {
     D_[k] -= W_[k];
     B_[k] = inverse_[k].inverse().eval();
   }
@@ -77,8 +91,8 @@ void RateMap<G>::take(const NodeCoordinates<G>& coordinates, const State<G>& s) 
 template <FrameGroup G>
 template <class Each>
 void RateMap<G>::each_frame(Each each) const {
-  if (model_.update == NodeUpdate::Screw) return;
-  for (const int k : model_.frames()) each(k, dim * static_cast<Eigen::Index>(k));
+  if (model_->update == NodeUpdate::Screw) return;
+  for (const int k : model_->frames()) each(k, dim * static_cast<Eigen::Index>(k));
 }
 
 template <FrameGroup G>

@@ -8,6 +8,8 @@
 /// rescaled. R^3 x SO(3): v = R^T u, hence B = R^T, V = [v~]; classical: B = T(psi) of rotations.
 /// On the group the two are one: B = I, the rest zero, and nothing is done.
 
+#include <optional>
+
 #include "mbs/sensitivity/state_sensitivity.hpp"
 #include "mbs/solvers/node_coordinates.hpp"
 
@@ -30,7 +32,7 @@ class RateMap {
  public:
   explicit RateMap(const Model<G>& model);
 
-  /// The matrices at a state.
+  /// The matrices at a state; at once if it is the one before.
   void take(const NodeCoordinates<G>& coordinates, const State<G>& s);
 
   /// v', w', a' of a state in local frames from those of the coordinates, and back.
@@ -50,7 +52,8 @@ class RateMap {
   template <class Each>
   void each_frame(Each each) const;
 
-  const Model<G>& model_;
+  const Model<G>* model_;
+  std::optional<State<G>> at_;
   Blocks B_, inverse_, D_, V_, W_, A_;
 };
 

@@ -261,6 +261,7 @@ bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& 
   } else {
     ahead_ = increments(model_, coordinates_, after, dq);
     back_ = increments(model_, coordinates_, before, -dq);
+    std::swap(before_, after_);  // one end of the step that was linearised before is that of this
     before_.take(coordinates_, before);
     after_.take(coordinates_, after);
   }

@@ -242,14 +242,23 @@ auto IterationMatrix<G>::mass() -> const Matrix& {
 template <FrameGroup G>
 void IterationMatrix<G>::add_bodies_product(const BodyMatrices& K, const Eigen::MatrixXd& x,
                                             bool transposed, Eigen::MatrixXd& y) const {
-  for (size_t b = 0; b < K.size(); ++b)
-    each_block(K[b], dim * model_.first_node(static_cast<int>(b)),
-               [&](int row, int column, const auto& block) {
-                 if (transposed)
-                   add_block_product(block.transpose(), x, row, y, column);
-                 else
-                   add_block_product(block, x, column, y, row);
-               });
+  for (size_t b = 0; b < K.size(); ++b) {
+    const int first = dim * model_.first_node(static_cast<int>(b));
+    if (const Matrix& A = K[b].sparse; K[b].is_sparse()) {
+      const auto of_body = x.middleRows(first, A.cols());
+      if (transposed)
+        y.middleRows(first, A.rows()).noalias() += A.transpose() * of_body;
+      else
+        y.middleRows(first, A.rows()).noalias() += A * of_body;
+      continue;
+    }
+    each_block(K[b], first, [&](int row, int column, const auto& block) {
+      if (transposed)
+        add_block_product(block.transpose(), x, row, y, column);
+      else
+        add_block_product(block, x, column, y, row);
+    });
+  }
 }
 
 template <FrameGroup G>

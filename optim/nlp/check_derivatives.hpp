@@ -30,11 +30,17 @@ struct DerivativeCheckOptions {
 ///     e(h) = | (r(x + h D d) - r(x - h D d)) / (2 h) - dr/dx D d | / |dr/dx D|_2,
 /// with 1e-3 |r| in the place of a norm below 1e-9 |r|: a function that does not change, as the
 /// prescribed coordinate of a joint, differs by round-off.
+/// Differences of neighbouring steps are extrapolated to h = 0, too, once and twice: their errors
+/// are O(h^4) and O(h^6), so that larger steps do, by which round-off is divided. Which of them is
+/// taken does not depend on the derivative: the one that differs least from those it comes from (C.
+/// J. F. Ridders, Accurate computation of F'(x) and F'(x) F''(x), Adv. Eng. Software 4 (1982)
+/// 75-76).
 struct DerivativeCheck {
-  std::string function;         ///< "objective", name of a constraint, "Hessian of the Lagrangian"
-  std::string direction;        ///< name of a variable, or "random"
-  double best_error = 0;        ///< smallest e(h); infinite if no step gave a finite value
-  double best_step = 0;         ///< h of it
+  std::string function;   ///< "objective", name of a constraint, "Hessian of the Lagrangian"
+  std::string direction;  ///< name of a variable, or "random"
+  double best_error = 0;  ///< smallest e(h); infinite if no step gave a finite value
+  double best_step = 0;   ///< h of it
+  double extrapolated_error = 0;  ///< e of the extrapolated difference; infinite without any
   std::optional<double> slope;  ///< of log e over log h where truncation rules: 2 if right; none if
                                 ///< the error is round-off at every step (linear functions)
   bool right = false;           ///< best_error <= tolerance

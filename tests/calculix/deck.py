@@ -5,7 +5,7 @@ import shutil
 import subprocess
 import sys
 
-BLOCK = re.compile(r"displacements \(vx,vy,vz\) for set NODES and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)")
+BLOCK = r"displacements \(vx,vy,vz\) for set {} and time\s+(\S+)\n\n((?:\s+\d+.*\n)+)"
 
 
 def need_calculix():
@@ -26,10 +26,10 @@ def run_deck(program, scene, part, folder, options):
     return True
 
 
-def displacements(folder, part):
-    """Time -> node -> displacement, as CalculiX prints them."""
+def displacements(folder, part, nodes="NODES"):
+    """Time -> node -> displacement of a set of nodes, as CalculiX prints them."""
     out = {}
-    for time, lines in BLOCK.findall((folder / f"{part}.dat").read_text()):
+    for time, lines in re.findall(BLOCK.format(nodes), (folder / f"{part}.dat").read_text()):
         rows = [line.split() for line in lines.splitlines() if line.strip()]
         out[float(time)] = {int(r[0]): [float(x) for x in r[1:]] for r in rows}
     return out

@@ -161,6 +161,47 @@ TEST(Gmsh, InvertedTetrahedraAreNamedByTheirLine) {
   EXPECT_NE(problems[0].text().find("the fourth corner"), std::string::npos);
 }
 
+/// A triangle with a node in the last quarter of its edge, a tetrahedron with two nodes at edges
+/// exchanged: not the corners are wrong, which would be said.
+TEST(Gmsh, CellsFoldedByNodesAtTheirEdgesAreToldFromInvertedOnes) {
+  const std::string triangle = R"($MeshFormat
+4.1 0 8
+$EndMeshFormat
+$Entities
+0 0 1 0
+1 0 0 0 1 1 0 0 0
+$EndEntities
+$Nodes
+1 6 11 16
+2 1 0 6
+11 12 13 14 15 16
+0 0 0 1 0 0 0 1 0
+0.8 0 0 0.5 0.5 0 0 0.5 0
+$EndNodes
+$Elements
+1 1 1 1
+2 1 9 1
+1 11 12 13 14 15 16
+$EndElements
+)";
+  const auto folded = [](const std::vector<InputProblem>& problems, const std::string& where) {
+    EXPECT_EQ(problems.size(), 1u);
+    const std::string said = problems.empty() ? "" : problems[0].text();
+    EXPECT_NE(said.find("the cell is folded by its nodes at edges: node " + where),
+              std::string::npos)
+        << said;
+    EXPECT_NE(said.find("; expected nodes at edges in their middle"), std::string::npos) << said;
+    EXPECT_NE(said.find("Mesh.SecondOrderLinear = 1"), std::string::npos) << said;
+    EXPECT_EQ(said.find("corner"), std::string::npos) << said;
+  };
+  folded(problems_of(triangle), "14 is 0.3 of the edge between nodes 11 and 12 off its middle");
+  folded(problems_of(tetrahedra(11, "1 2 3 4 6 5 7 8 9 10")),
+         "6 is 0.5 of the edge between nodes 1 and 2 off its middle");
+  const auto inverted = problems_of(tetrahedra(11, "2 1 3 4 5 7 6 9 8 10"));
+  ASSERT_EQ(inverted.size(), 1u);
+  EXPECT_NE(inverted[0].text().find("the fourth corner"), std::string::npos);
+}
+
 TEST(Gmsh, NodesThatAreNowhereAndNodesThereTwiceAreNamedByTheirLines) {
   const auto problems = problems_of(with("2 1.2 0\n9 9 0", "2 nan 0\n-inf 9 0"));
   ASSERT_EQ(problems.size(), 2u);   // all of them, and no cells that follow from them

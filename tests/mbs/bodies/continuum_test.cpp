@@ -1,9 +1,14 @@
 /// @file
-/// Identities of a meshed part whose nodes all move: power, rigid motions, tangents, mass.
+/// Identities of a meshed part whose nodes all move: power, rigid motions, tangents, mass, patch
+/// test.
 
 #include "mbs/bodies/continuum.hpp"
 
+#include <Eigen/LU>
+
 #include "mbs/bodies/driven_block.hpp"
+#include "mbs/bodies/nodal_statics.hpp"
+#include "mbs/solids/meshes.hpp"
 #include "mbs/solids/solid_model.hpp"
 #include "mbs/step_tangent.hpp"
 #include "reference/ties.hpp"
@@ -170,6 +175,104 @@ TYPED_TEST(ContinuumTest, NamesACellWithoutStress) {
   EXPECT_NE(neo.bodies[0]->no_forces(at.H.data()).find("of 'block' has no stress"),
             std::string::npos);
 }
+
+/// Stress of Cauchy of a deformation F, Pa: F S F^T/J with S = lambda tr(E) 1 + 2 mu E, or
+/// (mu (F F^T - 1) + lambda ln J 1)/J.
+Mat3 cauchy_stress(const Mat3& F, SolidLaw law, const Material& m) {
+  const double mu = m.G(), lambda = 2 * mu * m.nu / (1 - 2 * m.nu), J = F.determinant();
+  const Mat3 one = Mat3::Identity(), E = (F.transpose() * F - one) / 2;
+  if (law == SolidLaw::NeoHookean)
+    return (mu * (F * F.transpose() - one) + lambda * std::log(J) * one) / J;
+  return F * (lambda * E.trace() * one + 2 * mu * E) * F.transpose() / J;
+}
+
+/// With the thickness at which there is no stress across the plane.
+Mat3 without_stress_across(Mat3 F, SolidLaw law, const Material& m) {
+  double low = 0.5, high = 2;
+  for (int i = 0; i < 60; ++i) {
+    F(2, 2) = (low + high) / 2;
+    (cauchy_stress(F, law, m)(2, 2) > 0 ? high : low) = F(2, 2);
+  }
+  return F;
+}
+
+/// Stretches in axes askew to the mesh, turned.
+template <class G>
+Mat3 homogeneous(const Vec3& stretches, SolidLaw law, const Material& m) {
+  constexpr bool flat = G::space_dim == 2;
+  const auto turn = [](double angle) {
+    return SO3::exp(angle * (flat ? Vec3(0, 0, 1) : Vec3(0.6, 0, 0.8))).R;
+  };
+  const Mat3 F = turn(0.8) * stretches.asDiagonal() * turn(-0.3);
+  return flat ? without_stress_across(F, law, m) : F;
+}
+
+/// A kind of cells, with edges bent or not.
+struct PatchOf {
+  int dim, nodes;
+  bool bent = false;
+};
+
+class ContinuumPatch : public ::testing::TestWithParam<PatchOf> {
+ protected:
+  template <class G>
+  static void expect_passed(const Vec3& stretches) {
+    const auto [dim, nodes, bent] = GetParam();
+    const SolidMesh straight = distorted(cell_kind(dim, nodes)),
+                    mesh = bent ? with_bent_edges(straight) : straight;
+    for (const SolidLaw law : {SolidLaw::StVenantKirchhoff, SolidLaw::NeoHookean}) {
+      const Mat3 F = homogeneous<G>(stretches, law, kSoftBlock),
+                 exact = cauchy_stress(F, law, kSoftBlock);
+      const auto taken = [&](int i) {
+        return (F * mesh.nodes.col(i)).template head<G::space_dim>();
+      };
+      std::vector<int> free;
+      for (int i = 0; i < mesh.node_count(); ++i)
+        if (inside(mesh, i)) free.push_back(i);
+      ASSERT_FALSE(free.empty());
+      NodalStatics<G> patch(mesh, kSoftBlock, law, 0.1, free);
+      Random random(9);
+      for (int i = 0; i < mesh.node_count(); ++i) patch.place(i) = taken(i);
+      for (const int i : free) patch.place(i) += 0.01 * random.vector(G::space_dim);
+      patch.solve(2);
+      for (const int i : free) EXPECT_LT((patch.place(i) - taken(i)).norm(), 2e-12) << i;
+      const Eigen::MatrixXd stress = patch.body.stresses_at(patch.places());
+      double off = 0;
+      for (int e = 0; e < stress.cols(); ++e)
+        for (int i = 0; i < dim; ++i) {
+          off = std::max(off, std::abs(stress(i, e) - exact(i, i)));
+          if (i < stress.rows() - dim)
+            off = std::max(off, std::abs(stress(dim + i, e) - exact(i, (i + 1) % dim)));
+        }
+      EXPECT_LT(off, 1e-12 * kSoftBlock.E) << to_string(law);
+    }
+  }
+  static void expect_passed_in_its_space(const Vec3& stretches) {
+    if (GetParam().dim == 2)
+      expect_passed<SE2>(stretches);
+    else
+      expect_passed<SE3>(stretches);
+  }
+};
+
+/// Patch test: an irregular mesh whose boundary follows a homogeneous deformation follows it
+/// inside, with the stress of the law in all cells.
+TEST_P(ContinuumPatch, IsPassedBySmallDeformations) {
+  expect_passed_in_its_space({1.001, 0.9995, 1.0003});
+}
+TEST_P(ContinuumPatch, IsPassedByLargeDeformations) { expect_passed_in_its_space({1.5, 0.8, 1.1}); }
+
+/// Tetrahedra of 10 nodes have a quadrature for straight edges.
+INSTANTIATE_TEST_SUITE_P(Cells, ContinuumPatch,
+                         ::testing::Values(PatchOf{2, 3}, PatchOf{2, 4}, PatchOf{2, 6},
+                                           PatchOf{2, 8}, PatchOf{3, 4}, PatchOf{3, 8},
+                                           PatchOf{3, 10}, PatchOf{3, 20}, PatchOf{2, 6, true},
+                                           PatchOf{2, 8, true}, PatchOf{3, 20, true}),
+                         [](const auto& info) {
+                           return "Of" + std::to_string(info.param.nodes) + "NodesIn" +
+                                  std::to_string(info.param.dim) + "D" +
+                                  (info.param.bent ? "Bent" : "");
+                         });
 
 std::string refusal(const SolidSpec& part) {
   const Mechanism m = clamped(part);

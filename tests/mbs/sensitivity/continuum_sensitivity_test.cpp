@@ -5,6 +5,7 @@
 
 #include <map>
 
+#include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/sensitivity/forms.hpp"
 #include "mbs/sensitivity/meshed_quantities.hpp"
 #include "mbs/sensitivity/response_sensitivity.hpp"
@@ -232,78 +233,159 @@ TEST(ContinuumSensitivity, ByAnOutlineWithAveragedInterfaces) {
 
 constexpr double kSide = 0.01;
 
-/// The pendulum as a mesh of n x 2 quadrilaterals.
-void mesh_pendulum(Mechanism& m, int n, double length, double height) {
-  SolidSpec s = continuum_block({length, height, kSide}, n, 2, 0, {"soft", 5e8, 0.3, 7800});
-  m.bodies[0].kind = s;
+/// The pendulum as a mesh of n x 2 quadrilaterals, or of n hexahedra as thick as high.
+template <class G>
+void mesh_pendulum(Mechanism& m, int n, double length, double side) {
+  const Material soft{"soft", 5e8, 0.3, 7800};
+  m.bodies[0].kind = G::space_dim == 2 ? continuum_block({length, side, kSide}, n, 2, 0, soft)
+                                       : continuum_block({length, side, side}, n, 1, 1, soft);
 }
 
-Mechanism swinging(int n, Formalism formalism, bool meshed) {
+/// In space on a spherical joint, pushed out of its plane at its end. @param slender so many times
+/// as thin, as stiff for its weight
+template <class G>
+Mechanism swinging(int n, Formalism formalism, bool meshed, double slender) {
   Mechanism m = pendulum(n);
+  auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
+  for (Section& s : beam.sections) {
+    s.shape = Rectangle{kSide / slender, kSide / slender};
+    s.torsion_constant /= std::pow(slender, 4);
+  }
+  beam.material.E *= slender * slender;
   m.formalism = formalism;
   m.gravity_scale = TimeFunction::expression("t < 0.2 ? sin(2.5*pi*t)^2 : 1");
-  if (meshed) mesh_pendulum(m, n, 1, kSide);
+  if (meshed) mesh_pendulum<G>(m, n, 1, kSide);
+  if (G::space_dim == 2) return m;
+  m.joints[0].type = JointType::Spherical;
+  LoadSpec push;
+  push.name = "push";
+  push.port = {0, meshed ? 1 : n};
+  push.force = {0, 0, 0.5 / (slender * slender)};
+  push.scale = TimeFunction::expression("sin(5*pi*t)^2");
+  m.loads = {push};
   return m;
 }
 
-/// E, rho, the side of the section in the plane, the length.
+/// E, rho, the side of the section (in the plane its height), the length.
+template <class G>
 std::vector<Quantity> of_the_pendulum(const Mechanism& m, int n, bool meshed) {
   const auto nothing = [](Mechanism&, double) {};
-  if (!meshed)
-    return {{5e8, nothing, {"E", {by_youngs_modulus(m, 0)}}},
-            {7800, nothing, {"rho", {by_density(m, 0)}}},
-            {kSide, nothing, {"side", {by_dimension(m, 0, {}, "width")}}},
+  if (!meshed) {
+    BeamDerivative side = by_dimension(m, 0, {}, "width");
+    if (G::space_dim == 3) side += by_dimension(m, 0, {}, "height");
+    const auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
+    return {{beam.material.E, nothing, {"E", {by_youngs_modulus(m, 0)}}},
+            {beam.material.rho, nothing, {"rho", {by_density(m, 0)}}},
+            {dimension(beam.sections[0].shape, "width"), nothing, {"side", {side}}},
             by_nearby("length", m, 1, [n](Mechanism& c, double p) {
               std::get<BeamSpec>(c.bodies[0].kind).nodes = straight({0, 0, 0}, {p, 0, 0}, n);
             })};
+  }
   return {
       {5e8, nothing, {"E", {SolidScale{0, 1 / 5e8, 0}}}},
       {7800, nothing, {"rho", {SolidScale{0, 0, 1 / 7800.}}}},
-      by_nearby("side", m, kSide, [n](Mechanism& c, double p) { mesh_pendulum(c, n, 1, p); }),
-      by_nearby("length", m, 1, [n](Mechanism& c, double p) { mesh_pendulum(c, n, p, kSide); })};
+      by_nearby("side", m, kSide, [n](Mechanism& c, double p) { mesh_pendulum<G>(c, n, 1, p); }),
+      by_nearby("length", m, 1, [n](Mechanism& c, double p) { mesh_pendulum<G>(c, n, p, kSide); })};
 }
 
 /// p dy/dp of the tip at the end, a column each of `of_the_pendulum`.
-MatrixXd of_the_tip(int n, Formalism formalism, bool meshed = false) {
-  const Taped<SE2> run(swinging(n, formalism, meshed), tight(0.3, 2e-3));
-  const auto all = of_the_pendulum(run.mechanism, n, meshed);
+template <class G>
+MatrixXd of_the_tip(int n, Formalism formalism, bool meshed = false, double slender = 1) {
+  const Taped<G> run(swinging<G>(n, formalism, meshed, slender), tight(0.3, 2e-3));
+  const auto all = of_the_pendulum<G>(run.mechanism, n, meshed);
   const auto tip = std::size_t(meshed ? 1 : n);
   const auto parameters = run.parameters(all);
   MatrixXd out;
-  const auto end = direct_sensitivity<SE2>(
-      run.model, run.tape, parameters, [&](long, const State<SE2>& s, const auto& ds) {
-        out = s.H[tip].R * ds.eta.middleRows(3 * Eigen::Index(tip), 2);
+  const auto end = direct_sensitivity<G>(
+      run.model, run.tape, parameters, [&](long, const State<G>& s, const auto& ds) {
+        out = s.H[tip].R * ds.eta.middleRows(G::dim * Eigen::Index(tip), G::space_dim);
       });
   EXPECT_TRUE(end.complete()) << end.reason;
   for (std::size_t p = 0; p < all.size(); ++p) out.col(Eigen::Index(p)) *= all[p].nominal;
   return out;
 }
 
-/// A table of docs/sensitivities.md: segments, the beam on the group and the continuum come to one
-/// value, with the square of the length of their elements.
-TEST(ContinuumSensitivities, ComeToThoseOfBeams) {
-  const auto record = [](const std::string& name, const MatrixXd& by) {
-    for (int p = 0; p < by.cols(); ++p)
-      RecordProperty(name + "_" + std::to_string(p),
-                     std::to_string(by(0, p)) + " " + std::to_string(by(1, p)));
-  };
-  const MatrixXd limit = (4 * of_the_tip(32, Formalism::SE3) - of_the_tip(16, Formalism::SE3)) / 3;
-  record("limit", limit);
-  const auto off = [&](const std::string& name, const MatrixXd& found) {
+/// How far p dy/dp of chains and continua is from that of the beam on the group, 16 and 32 elements
+/// extrapolated; recorded.
+template <class G>
+class FromTheBeam {
+ public:
+  FromTheBeam()
+      : limit_((4 * of_the_tip<G>(32, Formalism::SE3) - of_the_tip<G>(16, Formalism::SE3)) / 3) {
+    record("limit", limit_);
+  }
+  double chain(int n) const {
+    return off("segments_" + std::to_string(n), of_the_tip<G>(n, Formalism::Segments));
+  }
+  double continuum(int n) const {
+    return off("continuum_" + std::to_string(n), of_the_tip<G>(n, Formalism::SE3, true));
+  }
+
+ private:
+  static void record(const std::string& name, const MatrixXd& by) {
+    for (int p = 0; p < by.cols(); ++p) {
+      std::string components;
+      for (int i = 0; i < by.rows(); ++i) components += std::to_string(by(i, p)) + " ";
+      ::testing::Test::RecordProperty(name + "_" + std::to_string(p), components);
+    }
+  }
+  /// Of the parameter by which it is farthest off, of its norm.
+  double off(const std::string& name, const MatrixXd& found) const {
     const Eigen::RowVectorXd share =
-        (found - limit).colwise().norm().cwiseQuotient(limit.colwise().norm());
+        (found - limit_).colwise().norm().cwiseQuotient(limit_.colwise().norm());
     record(name, found);
     for (int p = 0; p < found.cols(); ++p)
-      RecordProperty("off_" + name + "_" + std::to_string(p), std::to_string(1e6 * share[p]));
+      ::testing::Test::RecordProperty("off_" + name + "_" + std::to_string(p),
+                                      std::to_string(1e6 * share[p]));
     return share.maxCoeff();
-  };
-  off("segments_16", of_the_tip(16, Formalism::Segments));
-  EXPECT_LT(off("segments_32", of_the_tip(32, Formalism::Segments)), 1e-3);
-  off("continuum_20", of_the_tip(20, Formalism::SE3, true));
-  const double coarse = off("continuum_40", of_the_tip(40, Formalism::SE3, true)),
-               fine = off("continuum_80", of_the_tip(80, Formalism::SE3, true));
+  }
+  MatrixXd limit_;
+};
+
+/// Tables of docs/sensitivities.md: segments, the beam on the group and the continuum come to one
+/// value, with the square of the length of their elements.
+TEST(ContinuumSensitivities, ComeToThoseOfBeams) {
+  const FromTheBeam<SE2> off;
+  off.chain(16);
+  EXPECT_LT(off.chain(32), 1e-3);
+  off.continuum(20);
+  const double coarse = off.continuum(40), fine = off.continuum(80);
   EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
   EXPECT_LT(fine, 5e-4);
+}
+
+/// What a chain has not, shear and rotary inertia, goes with (radius/length)^2.
+TEST(ContinuumSensitivities, InSpaceChainsDifferBySlendernessSquared) {
+  const auto off = [](double slender) {
+    const auto limit = [slender](Formalism formalism) -> MatrixXd {
+      return (4 * of_the_tip<SE3>(64, formalism, false, slender) -
+              of_the_tip<SE3>(32, formalism, false, slender)) /
+             3;
+    };
+    const MatrixXd beam = limit(Formalism::SE3);
+    return VectorXd((limit(Formalism::Segments) - beam)
+                        .colwise()
+                        .norm()
+                        .cwiseQuotient(beam.colwise().norm())
+                        .transpose());
+  };
+  const VectorXd thick = off(1), thin = off(2);
+  for (int p = 0; p < 3; ++p) {  // by the length it is little
+    RecordProperty("slender_" + std::to_string(p), std::to_string(1e6 * thin[p]));
+    EXPECT_NEAR(std::log2(thick[p] / thin[p]), 2, 0.5) << p;
+  }
+}
+
+/// One hexahedron thick, it has further to come.
+TEST(ContinuumSensitivities, InSpaceComeToThoseOfBeams) {
+  const FromTheBeam<SE3> off;
+  const double chain = off.chain(16), longer = off.chain(32);
+  EXPECT_LT(longer, chain);
+  EXPECT_LT(longer, 1.5e-3);
+  off.continuum(20);
+  const double coarse = off.continuum(40), fine = off.continuum(80);
+  EXPECT_NEAR(std::log2(coarse / fine), 2, 0.4);
+  EXPECT_LT(fine, 1.5e-3);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 #include <vector>
@@ -64,6 +65,54 @@ inline SolidMesh of_order_two(SolidMesh mesh) {
 inline SolidMesh in_cells(SolidMesh grid, const CellKind& kind) {
   if (kind.family == CellFamily::Simplex) grid = split(std::move(grid));
   return kind.order == 2 ? of_order_two(std::move(grid)) : grid;
+}
+
+/// Cook's membrane (R. D. Cook, Improved two-dimensional finite element, J. Struct. Div. ASCE 100
+/// (1974)), n x n quadrilaterals in cells of a kind: 48 wide, clamped at x = 0, 0 <= y <= 44,
+/// loaded at x = 48, 44 <= y <= 60.
+inline SolidMesh cooks_membrane(const CellKind& kind, int n) {
+  SolidMesh mesh = quad_grid({0, 0}, {48, 1}, n, n);
+  for (int i = 0; i < mesh.node_count(); ++i) {
+    const double x = mesh.nodes(0, i) / 48;
+    mesh.nodes(1, i) = 44 * x + mesh.nodes(1, i) * (44 - 28 * x);
+  }
+  return in_cells(std::move(mesh), kind);
+}
+/// Its node at the middle of the loaded side. @pre n is even
+inline int middle_of_its_side(const SolidMesh& membrane) {
+  return nodes_where(membrane,
+                     [](const Eigen::Vector3d& x) {
+                       return std::abs(x[0] - 48) + std::abs(x[1] - 52) < 1e-9;
+                     })
+      .at(0);
+}
+
+/// Is a node of `distorted` off the sides of the box?
+inline bool inside(const SolidMesh& mesh, int node) {
+  const Eigen::Vector3d x = mesh.nodes.col(node), to(2, 1, 1);
+  bool off = true;
+  for (int a = 0; a < mesh.dim; ++a) off = off && x[a] > 0 && x[a] < to[a];
+  return off;
+}
+
+/// A box of 2 m x 1 m (x 1 m) from the origin in cells of a kind, as irregular as patch tests need
+/// it: its inner corners are moved about.
+inline SolidMesh distorted(const CellKind& kind) {
+  SolidMesh mesh =
+      kind.dim == 2 ? quad_grid({0, 0}, {2, 1}, 4, 3) : hex_grid({0, 0, 0}, {2, 1, 1}, 3, 3, 3);
+  for (int i = 0; i < mesh.node_count(); ++i)
+    if (inside(mesh, i))
+      for (int a = 0; a < kind.dim; ++a) mesh.nodes(a, i) += 0.07 * std::sin(3.0 * i + 2 * a + 1);
+  return in_cells(mesh, kind);
+}
+
+/// Its inner edges bent, of cells with nodes at their edges.
+inline SolidMesh with_bent_edges(SolidMesh mesh) {
+  const int corners = mesh.cells.topRows(mesh.corners()).maxCoeff() + 1;
+  for (int i = corners; i < mesh.node_count(); ++i)
+    if (inside(mesh, i))
+      for (int a = 0; a < mesh.dim; ++a) mesh.nodes(a, i) += 0.02 * std::sin(5.0 * i + 3 * a);
+  return mesh;
 }
 
 }  // namespace liesl::test

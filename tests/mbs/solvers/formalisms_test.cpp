@@ -49,6 +49,35 @@ TEST(Formalisms, PendulumConvergesToTheSameMotion) {
   }
 }
 
+/// A pendulum as a chain of segments comes with order 2 to its limit, which is that of beams with
+/// shear and rotary inertia by rotations and displacements of their own but for (radius/length)^2:
+/// bending stiffness and weight held, a quarter of it at half the side.
+TEST(Formalisms, ChainsOfSegmentsComeToR3SO3) {
+  const auto tip = [](Formalism f, double side, int n) -> Eigen::Vector2d {
+    Mechanism m = with(test::pendulum(n), f);
+    auto& beam = std::get<BeamSpec>(m.bodies[0].kind);
+    for (Section& s : beam.sections) s.shape = Rectangle{side, side};
+    beam.material.E *= std::pow(0.01 / side, 2);
+    m.gravity_scale = TimeFunction::expression("t < 0.2 ? sin(2.5*pi*t)^2 : 1");
+    const auto r = test::run_planar(m, test::options(0.5, 1e-3, 0.8, 1e-9));
+    EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    return r.trajectory().frames(r.last())[n].x;
+  };
+  const auto chain = [&](double side, int n) { return tip(Formalism::Segments, side, n); };
+  const auto apart = [&](double side) {
+    const Eigen::Vector2d limit = (4 * chain(side, 64) - chain(side, 32)) / 3,
+                          beam = (4 * tip(Formalism::R3SO3, side, 128) -
+                                  tip(Formalism::R3SO3, side, 64)) /
+                                 3;
+    return (limit - beam).norm();
+  };
+  const double thick = apart(0.04), thin = apart(0.02);
+  EXPECT_NEAR(std::log2(thick / thin), 2, 0.2);
+  EXPECT_LT(thin, 2e-4);
+  const Eigen::Vector2d a = chain(0.01, 16), b = chain(0.01, 32), c = chain(0.01, 64);
+  EXPECT_NEAR(std::log2((a - b).norm() / (b - c).norm()), 2, 0.1);
+}
+
 TEST(Formalisms, ClassicalIsR3SO3InAPlane) {
   const auto a = pendulum_tip(Formalism::R3SO3, 8, 1e-3);
   const auto b = pendulum_tip(Formalism::Classical, 8, 1e-3);

@@ -283,6 +283,67 @@ TEST(SegmentBeam, ModesAreThoseOfItsPositions) {
     EXPECT_NEAR(chain.omega[i] / (kL[i] * kL[i] * radius * speed), 1, 0.02) << i;
 }
 
+/// Circular frequencies of a straight beam that bends, hardly with rotary inertia, clamped at its
+/// start or pinned at both ends.
+std::vector<double> bending_frequencies(int n, bool pinned, bool lumped, double EI, double mass) {
+  constexpr double kStiff = 1e6, kRotary = 1e-8;
+  Mechanism m = cantilever(
+      beam(straight({0, 0, 0}, {1, 0, 0}, n),
+           section(diagonal(kStiff, kStiff, EI, EI), diagonal(mass, mass, kRotary, kRotary))));
+  if (pinned) {
+    m.joints[0].type = JointType::Revolute;
+    m.joints.push_back(
+        {"other", JointType::Revolute, {-1, 0, SE3(Mat3::Identity(), {1, 0, 0})}, {0, n}});
+  }
+  SimulationOptions o;
+  o.modes = 4;
+  const auto found = solve_modes(Model<SE2>::build(segments(m, {AxialPotential::Linear, lumped}),
+                                                   *find_plane(roll_up(4)).plane),
+                                 o);
+  EXPECT_EQ(found.report.status, SolveStatus::Converged) << found.report.reason;
+  return {found.omega.begin(), found.omega.end()};
+}
+
+/// Pinned, closed form of the chain itself: omega_j^2 = EI/(rho A h^4) (2 - 2 cos theta)^2/g with
+/// theta = j pi/n, g = (2 + cos theta)/3 of consistent mass, whose error is of fourth order, and 1
+/// of lumped mass, of second order.
+TEST(SegmentBeam, PinnedItVibratesAsItsClosedForm) {
+  constexpr double EI = 3, mass = 0.7;
+  for (const bool lumped : {false, true}) {
+    std::vector<double> off;  // of the highest mode
+    for (const int n : {8, 16, 32}) {
+      const auto omega = bending_frequencies(n, true, lumped, EI, mass);
+      ASSERT_EQ(omega.size(), 4u);
+      for (std::size_t j = 0; j < 4; ++j) {
+        const double mode = double(j + 1), theta = mode * M_PI / n,
+                     g = lumped ? 1 : (2 + std::cos(theta)) / 3,
+                     of_chain = std::sqrt(EI / mass / g) * (2 - 2 * std::cos(theta)) * n * n;
+        EXPECT_NEAR(omega[j] / of_chain, 1, 2e-6) << n << ", mode " << mode;
+      }
+      off.push_back(std::abs(omega[3] / (std::pow(4 * M_PI, 2) * std::sqrt(EI / mass)) - 1));
+    }
+    EXPECT_NEAR(std::log2(off[1] / off[2]), lumped ? 2 : 4, 0.2);
+  }
+}
+
+/// Clamped, with order 2 as Euler and Bernoulli say: cosh(kL) cos(kL) = -1.
+TEST(SegmentBeam, ClampedItVibratesAsEulerAndBernoulliSayWithOrderTwo) {
+  constexpr double EI = 3, mass = 0.7;
+  const double kL[] = {1.87510406871196, 4.69409113297418, 7.85475743823761, 10.9955407348755};
+  for (const bool lumped : {false, true}) {
+    const auto a = bending_frequencies(16, false, lumped, EI, mass),
+               b = bending_frequencies(32, false, lumped, EI, mass),
+               c = bending_frequencies(64, false, lumped, EI, mass);
+    ASSERT_EQ(c.size(), 4u);
+    for (std::size_t j = 0; j < 4; ++j) {
+      const double exact = kL[j] * kL[j] * std::sqrt(EI / mass);
+      EXPECT_NEAR(std::log2((a[j] - exact) / (b[j] - exact)), 2, 0.1) << j;
+      EXPECT_NEAR(std::log2((b[j] - exact) / (c[j] - exact)), 2, 0.1) << j;
+      EXPECT_NEAR(richardson(b[j], c[j]) / exact, 1, 1e-4) << j;
+    }
+  }
+}
+
 TEST(SegmentBeam, WhatItCannotDoIsRefused) {
   Mechanism bolted = segments(pendulum(4));  // to a node that has no rotation
   bolted.bodies.push_back({"disc", block({0.5, 0, 0}, 1, 1)});

@@ -215,6 +215,40 @@ TEST(CheckDerivatives, RoundOffIsNoKinkAndExcusesNoWrongDerivative) {
   }
 }
 
+/// Of a function with round-off extrapolated differences come nearer, and no nearer to a derivative
+/// that is wrong.
+TEST(CheckDerivatives, ExtrapolatedDifferencesAreFartherFromRoundOff) {
+  struct Noisy : SvanbergBeam {
+    double error = 0;
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      SvanbergBeam::values(x, f, g);
+      g[0] = std::sin(x[0]) + 1e-10 * std::sin(1e13 * x[0]);
+    }
+    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+      SvanbergBeam::gradients(x, df, dg);
+      dg.row(0).setZero();
+      dg(0, 0) = std::cos(x[0]) * (1 + error);
+    }
+  } noisy;
+  DerivativeCheckOptions o;
+  o.every_variable = true;
+  o.hessian = false;
+  const auto judged = [&] {
+    const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
+    EXPECT_NE(report.text().find("extrapolated"), std::string::npos);
+    for (const DerivativeCheck& c : report.checks)
+      if (c.direction == "x1" && c.function != "objective") return c;
+    return DerivativeCheck();
+  };
+  const DerivativeCheck right = judged();
+  ASSERT_TRUE(right.slope);
+  EXPECT_NEAR(*right.slope, 2, 0.1);
+  EXPECT_LT(right.best_error, 1e-6);
+  EXPECT_LT(right.extrapolated_error, right.best_error / 5);
+  noisy.error = 1e-4;
+  EXPECT_NEAR(judged().extrapolated_error, 1e-4, 1e-6);
+}
+
 TEST(CheckDerivatives, StaysWithinTheBounds) {
   class Guarded : public SvanbergBeam {
    public:
