@@ -112,7 +112,6 @@ Json to_json(const Cycle& c) {
                 {"iterations", c.iterations},
                 {"move", c.move},
                 {"taken", c.taken},
-                {"images", c.images},
                 {"penalty", c.penalty},
                 {"warm", to_json(c.warm)},
                 {"effort", to_json(c.effort)},
@@ -144,7 +143,6 @@ Cycle read_cycle(const Json& j) {
   c.iterations = j.at("iterations");
   c.move = j.at("move");
   c.taken = j.at("taken");
-  c.images = j.at("images");
   c.penalty = j.at("penalty");
   c.warm = read_warm(j.at("warm"));
   const Json& effort = j.at("effort");

@@ -55,7 +55,6 @@ struct Cycle : LimitExcesses {
   Eigen::VectorXd answer;  ///< optimum of the static problem; empty in the last cycle
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
   bool taken = true;       ///< trust region: the next cycle starts from here
-  bool images = true;      ///< trust region: from here on with static images
   double penalty = 0;      ///< trust region: of the merit function
   /// Multipliers that the optimiser starts from: trust region: in this cycle; else in the next one.
   NlpWarmStart warm;

@@ -71,9 +71,6 @@ class DesignModel {
                                                        const std::vector<LimitedResponse>&) const {
     return {};
   }
-  /// From now on surrogates without static images of the limits, if they had any and may do
-  /// without: where those led to no optimum. False: nothing changes.
-  virtual bool drop_images() { return false; }
   /// The optimality conditions at x where the loop has not evaluated them.
   virtual DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                        const Progress& progress) const = 0;

@@ -75,9 +75,8 @@ template <FrameGroup G>
 CycleResult<G> run_with(const std::vector<Scenario<G>>& scenarios, StudySpec study,
                         CycleMethod method, const CycleHooks& hooks,
                         const std::vector<Cycle>& resume) {
-  const bool automatic = study.cycle.method == CycleMethod::Auto;
   study.cycle.method = method;
-  MotionModel<G> model(scenarios, study, automatic);
+  MotionModel<G> model(scenarios, study);
   if (method == CycleMethod::Direct)
     return described(model, optimise_directly(model, study.cycle, hooks, resume));
   std::unique_ptr<StepRule> rule;

@@ -34,9 +34,7 @@ void start_with(CycleResult<G>& result, const LoopResult& first) {
 }
 
 /// Runs the study by the method that study.cycle.method asks for (trust_region_rule.hpp,
-/// fixed_point_rule.hpp). With CycleMethod::Auto a study of sections whose static images lead to no
-/// optimum continues with the maxima of the motion itself and their neighbours
-/// (DesignModel::drop_images). `resume`: the cycles of an interrupted run with the same study.
+/// fixed_point_rule.hpp). `resume`: the cycles of an interrupted run with the same study.
 /// @param scenarios one or more with the same bodies; more need sensitivities
 /// @throws std::invalid_argument for a study that does not fit the mechanism, or a motion that has
 /// no sensitivities where they are asked for

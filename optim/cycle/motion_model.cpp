@@ -142,10 +142,8 @@ std::shared_ptr<DesignAnalysis> MotionAnalysis<G>::figures() const {
 }
 
 template <FrameGroup G>
-MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
-                            bool may_drop_images)
-    : study_(with_images<G>(study, scenarios.front().mechanism)),
-      may_drop_images_(may_drop_images) {
+MotionModel<G>::MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study)
+    : study_(with_images<G>(study, scenarios.front().mechanism)) {
   for (const Scenario<G>& s : scenarios)
     simulators_.push_back(
         std::make_unique<DesignSimulator<G>>(s.mechanism, s.space, s.simulation, study_));
@@ -275,20 +273,6 @@ std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalys
   for (std::size_t s = 0; s < simulators_.size(); ++s)
     for (auto& member : static_members(study_, s, at, x, move)) all.push_back(std::move(member));
   return combined(std::move(all));
-}
-
-template <FrameGroup G>
-bool MotionModel<G>::drop_images() {
-  bool dropped = false;
-  for (ConstraintSpec& c : study_.constraints) {
-    const bool any = c.has_image || c.surrogate == SurrogateKind::Mechanism;
-    if (!may_drop_images_ || !study_.shapes.empty() || !any) continue;
-    c.has_image = false;
-    c.surrogate = SurrogateKind::Auto;
-    if (c.treatment == Treatment::Auto) c.treatment = Treatment::Neighbours;
-    dropped = true;
-  }
-  return dropped;
 }
 
 /// dJ/dx of J = T sum_n w_n v_n^2, T the duration.

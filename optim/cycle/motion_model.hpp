@@ -46,9 +46,7 @@ class MotionModel final : public DesignModel {
   /// Designs start from the mechanism of the first scenario. Scenarios and study outlive this.
   /// @throws std::invalid_argument for a study that does not fit a mechanism, or limits without a
   /// static image where the method has nothing else
-  /// @param may_drop_images whether `drop_images` may do so, of a study of sections
-  MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study,
-              bool may_drop_images = false);
+  MotionModel(const std::vector<Scenario<G>>& scenarios, const StudySpec& study);
 
   const std::vector<NlpVariable>& variables() const override { return design().variables(); }
   Eigen::VectorXd unit(const Eigen::VectorXd& x) const override { return design().unit(x); }
@@ -60,9 +58,6 @@ class MotionModel final : public DesignModel {
                       double active) const override;
   std::vector<Eigen::VectorXd> response_values(
       const DesignAnalysis& at, const std::vector<LimitedResponse>& of) const override;
-  /// Limits become what their treatment makes of the motion itself, by default the maxima
-  /// and their neighbours.
-  bool drop_images() override;
   DynamicOptimality optimality(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                const Progress& progress) const override;
   std::optional<double> load_change(const DesignAnalysis& now,
@@ -92,7 +87,6 @@ class MotionModel final : public DesignModel {
                                                 MotionGradients& gradients) const;
 
   StudySpec study_;  ///< with what its method takes from static problems
-  const bool may_drop_images_;
   std::vector<std::unique_ptr<DesignSimulator<G>>> simulators_;
 };
 

@@ -12,10 +12,11 @@ constexpr double kTake = 0.1;   // share of the predicted decrease that a step m
 constexpr double kGood = 0.75;  // share from which the radius may grow
 constexpr double kShrink = 0.3, kGrow = 2;
 constexpr double kSmallestRadius = 1e-6;
-constexpr double kPenalty = 10;                // sigma at first; the objective counts 1
-constexpr double kMargin = 2, kLeast = 1;      // penalty over the sum of the multipliers; at least
-constexpr double kStronger = 5;                // penalty against the one before
-constexpr double kClose = 0.1, kCloser = 0.9;  // of the allowed violation; of the one before
+constexpr double kPenalty = 10;            // sigma at first; the objective counts 1
+constexpr double kMargin = 2, kLeast = 1;  // penalty over the sum of the multipliers; at least
+constexpr double kStronger = 5;            // penalty against the one before
+constexpr double kClose = 0.1;             // of the allowed violation
+constexpr double kMore = 0.5;  // share of a decrease of the violation that a penalty must not miss
 constexpr double kCounts = 0.1;    // share of objective_tolerance that a decrease must have
 constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
 constexpr double kActive = 2e-3;   // limits that may carry a multiplier
@@ -40,7 +41,6 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   radius_ = taken->move;
   penalty_ = taken->penalty;
   warm_ = taken->warm;
-  images_ = taken->images || !record.model().drop_images();
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
@@ -71,7 +71,6 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.penalty = penalty_;
   cycle.warm = warm_;
   cycle.move = radius_;
-  cycle.images = images_;
   if (cycle.taken) {
     x_ = cycle.x;
     at_ = analysis;
@@ -118,26 +117,8 @@ bool TrustRegionRule::on_bound() const {
   return false;
 }
 
-/// The answer of the surrogate at x_k, or the end; static images that led to no optimum are
-/// dropped.
+/// The answer of the surrogate at x_k, or the end.
 Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
-  Step step = with_surrogate(record, cycle);
-  const bool no_optimum = step.end && (step.end->status == CycleStatus::Infeasible ||
-                                       step.end->status == CycleStatus::Converged);
-  if (!no_optimum || used_up(record.history(), record.options()) || !record.model().drop_images())
-    return step;
-  record.warn("static images led to no optimum; the cycle went on with the motion itself: " +
-              step.end->reason);
-  record.certify({});
-  images_ = false;
-  surrogate_ = {};
-  radius_ = largest_;
-  penalty_ = kPenalty;
-  warm_ = {};
-  return with_surrogate(record, cycle);
-}
-
-Step TrustRegionRule::with_surrogate(CycleRecord& record, Cycle* cycle) {
   if (!surrogate_.problem) {
     surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
     built_ = radius_;
@@ -147,9 +128,7 @@ Step TrustRegionRule::with_surrogate(CycleRecord& record, Cycle* cycle) {
   } else if (radius_ < kSmallestRadius) {
     return {x_, stalled(record)};
   }
-  Step step = trial_step(record, cycle);
-  if (step.end) surrogate_ = {};
-  return step;
+  return trial_step(record, cycle);
 }
 
 Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
@@ -162,24 +141,24 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
     }
     if (record.asked_to_stop()) return {x_, record.stopped()};
     predicted_ = merit(*at_) - answer_.merit;
+    // Rows that are conservative say how far to go, not that there is nothing to gain.
+    if (predicted_ <= kNothing && !is_optimal(record) && surrogate_.problem->forget_rejected())
+      continue;
     // The optimum of a problem that is not convex, and no better than here.
     if (predicted_ <= 0 && !surrogate_.optimality.holds() && radius_ > kSmallestRadius) {
       radius_ *= kShrink;
       continue;
     }
-    if (auto end = settled(record, predicted_)) {
-      // Of rows that are conservative: they say how far to go, not that there is nothing to gain.
-      if (!is_optimal(record) && surrogate_.problem->forget_rejected()) continue;
-      return {x_, std::move(end)};
-    }
+    if (auto end = settled(record, predicted_)) return {x_, std::move(end)};
     if (auto end = used_up(record.history(), record.options()))
       return {x_, is_optimal(record) ? stalled(record) : std::move(*end)};
     return {answer_.x, {}};
   }
 }
 
-/// The surrogate within its bounds, with a penalty that is large enough for it: one that a larger
-/// one does not bring closer to the limits.
+/// The surrogate within its bounds, with a penalty that is large enough for it: a larger one brings
+/// it hardly closer to the limits, by what it comes closer at all (R. H. Byrd, J. Nocedal,
+/// R. A. Waltz 2008, "Steering exact penalty methods", Optim. Methods Softw. 23).
 void TrustRegionRule::solve(CycleRecord& record) {
   const double allowed = record.options().feasibility;
   const auto at = [&](double penalty) {
@@ -193,7 +172,8 @@ void TrustRegionRule::solve(CycleRecord& record) {
   }
   while (answer_.violation > kClose * allowed) {
     ElasticAnswer closer = at(kStronger * penalty_);
-    if (closer.violation > kCloser * answer_.violation) return;
+    const double gained = answer_.violation - closer.violation, all = at_->worst - closer.violation;
+    if (gained <= std::max(kMore * all, kNothing)) return;
     penalty_ *= kStronger;
     answer_ = std::move(closer);
   }

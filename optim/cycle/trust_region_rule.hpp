@@ -41,7 +41,6 @@ class TrustRegionRule final : public StepRule {
   /// it rejected.
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
-  Step with_surrogate(CycleRecord& record, Cycle* cycle);
   Step trial_step(CycleRecord& record, Cycle* cycle);
   void solve(CycleRecord& record);
   bool on_bound() const;
@@ -61,7 +60,6 @@ class TrustRegionRule final : public StepRule {
   CycleRecord::Analysis at_;   ///< of x_k
   Surrogate surrogate_;        ///< at x_k
   ElasticAnswer answer_;
-  bool images_ = true;    ///< surrogates have what static images they may have
   double predicted_ = 0;  ///< decrease of the merit by the answer
   NlpWarmStart warm_;
 };

@@ -402,45 +402,6 @@ TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
   }
 }
 
-/// A rod that vibrates: its static images end beside a design that meets the limit.
-TEST(TrustRegionCycle, GoesOnWithTheMaximaWhereStaticImagesLeadNowhere) {
-  StudyCase study = rod({motor(150), slider_mass(0.4)});
-  const Space<SE2> space = space_of<SE2>(study.scene.mechanism);
-  const auto run = [&](CycleMethod method, const CycleHooks& hooks = {}) {
-    study.spec.cycle.method = method;
-    return run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, hooks);
-  };
-  const auto images = run(CycleMethod::Esl1);
-  ASSERT_EQ(images.status, CycleStatus::Infeasible) << "the case shows nothing any more";
-  std::size_t seen = 0;
-  CycleHooks hooks;
-  hooks.on_cycle = [&](const std::vector<Cycle>& history) { seen = history.size(); };
-  const auto r = run(CycleMethod::Auto, hooks);
-  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
-  EXPECT_LE(r.worst, 1e-3);
-  EXPECT_GT(r.history.size(), images.history.size());
-  EXPECT_EQ(seen, r.history.size());
-  for (std::size_t i = 0; i < r.history.size(); ++i)
-    EXPECT_EQ(r.history[i].number, static_cast<int>(i) + 1);
-  EXPECT_EQ(r.mass_initial, images.mass_initial);
-  EXPECT_GT(r.effort.steps, images.effort.steps);
-  ASSERT_FALSE(r.warnings.empty());
-  EXPECT_NE(r.warnings.front().find("static images led to no optimum"), std::string::npos);
-
-  // Interrupted after images were dropped, it says so; resumed, it ends at the same design.
-  std::vector<Cycle> kept;
-  CycleHooks stopping;
-  stopping.on_cycle = [&](const std::vector<Cycle>& history) { kept = history; };
-  stopping.keep_going = [&] { return kept.empty() || kept.back().images; };
-  EXPECT_EQ(run(CycleMethod::Auto, stopping).status, CycleStatus::Interrupted);
-  ASSERT_FALSE(kept.back().images);
-  study.spec.cycle.method = CycleMethod::Auto;
-  const auto resumed =
-      run_cycle<SE2>(study.scene.mechanism, space, study.scene.simulation, study.spec, {}, kept);
-  EXPECT_EQ(resumed.status, r.status) << resumed.reason;
-  EXPECT_EQ(resumed.x, r.x);
-}
-
 TEST(TrustRegionCycle, InfeasibleLimitIsNamed) {
   Simulated s(rod({limit(1e-5)}));
   const auto r = s.optimise();
