@@ -113,6 +113,7 @@ Json to_json(const Cycle& c) {
                 {"move", c.move},
                 {"taken", c.taken},
                 {"penalty", c.penalty},
+                {"maxima", c.maxima},
                 {"warm", to_json(c.warm)},
                 {"effort", to_json(c.effort)},
                 {"seconds", c.seconds}};
@@ -144,6 +145,7 @@ Cycle read_cycle(const Json& j) {
   c.move = j.at("move");
   c.taken = j.at("taken");
   c.penalty = j.at("penalty");
+  c.maxima = j.at("maxima").get<std::vector<std::set<int>>>();
   c.warm = read_warm(j.at("warm"));
   const Json& effort = j.at("effort");
   c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),

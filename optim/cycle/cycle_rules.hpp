@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -56,6 +57,8 @@ struct Cycle : LimitExcesses {
   Eigen::VectorXd next;    ///< what is simulated next: the answer, accelerated
   bool taken = true;       ///< trust region: the next cycle starts from here
   double penalty = 0;      ///< trust region: of the merit function
+  /// Trust region: records of the maxima of all designs taken before, by response.
+  std::vector<std::set<int>> maxima;
   /// Multipliers that the optimiser starts from: trust region: in this cycle; else in the next one.
   NlpWarmStart warm;
   SimulationEffort effort;  ///< of all simulations so far

@@ -41,6 +41,7 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   radius_ = taken->move;
   penalty_ = taken->penalty;
   warm_ = taken->warm;
+  before_ = taken->maxima;
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
@@ -72,6 +73,8 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.warm = warm_;
   cycle.move = radius_;
   if (cycle.taken) {
+    if (at_) remember(record, *at_);
+    cycle.maxima = before_;
     x_ = cycle.x;
     at_ = analysis;
     surrogate_ = {};
@@ -80,6 +83,12 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
     learn(record, *analysis, cycle.x);
   }
   return propose(record, &cycle);
+}
+
+void TrustRegionRule::remember(CycleRecord& record, const DesignAnalysis& left) {
+  auto maxima = maxima_of(record.model().response_values(left, surrogate_.problem->responses()));
+  before_.resize(maxima.size());
+  for (std::size_t r = 0; r < maxima.size(); ++r) before_[r].merge(maxima[r]);
 }
 
 void TrustRegionRule::learn(CycleRecord& record, const DesignAnalysis& rejected,
@@ -125,6 +134,7 @@ Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
     if (!surrogate_.problem)
       return {x_, CycleEnd{CycleStatus::SimulationFailed,
                            "there are no sensitivities: " + surrogate_.optimality.reason}};
+    if (!before_.empty()) surrogate_.problem->add_records(before_);
   } else if (radius_ < kSmallestRadius) {
     return {x_, stalled(record)};
   }

@@ -35,6 +35,8 @@ class TrustRegionRule final : public StepRule {
   double scale() const { return objective_0_ == 0 ? 1 : std::abs(objective_0_); }
   /// Judges the answer by what it really brings: taken? @param merit none: it has no analysis
   bool judge(std::optional<double> merit);
+  /// Keeps the records at which a design that is left has its maxima: to these designs may go back.
+  void remember(CycleRecord& record, const DesignAnalysis& left);
   /// Makes the surrogate conservative at a design that was rejected.
   void learn(CycleRecord& record, const DesignAnalysis& rejected, const Eigen::VectorXd& x);
   /// Solves and judges again what an interrupted run did from x_k on, and analyses the designs that
@@ -58,7 +60,8 @@ class TrustRegionRule final : public StepRule {
   double objective_0_ = 0;     ///< m_0; 0: no design yet
   Eigen::VectorXd x_;          ///< x_k
   CycleRecord::Analysis at_;   ///< of x_k
-  Surrogate surrogate_;        ///< at x_k
+  std::vector<std::set<int>> before_;  ///< Cycle::maxima of x_k
+  Surrogate surrogate_;                ///< at x_k
   ElasticAnswer answer_;
   double predicted_ = 0;  ///< decrease of the merit by the answer
   NlpWarmStart warm_;

@@ -151,11 +151,7 @@ VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
 
 void CorrectedProblem::make_conservative(const VectorXd& x_t, std::vector<VectorXd> values) {
   if (values.empty()) return;
-  std::vector<std::set<int>> maxima;
-  for (const VectorXd& v : values)
-    maxima.push_back(v.size() == 0 ? std::set<int>()
-                                   : treated_records(Treatment::Maxima, {v.begin(), v.end()}));
-  if (inner_->add_records(maxima) > 0) correct_rows();
+  add_records(maxima_of(values));
   rejected_.push_back({x_t, std::move(values)});
   raise_rows();
 }
@@ -190,6 +186,15 @@ void CorrectedProblem::raise_rows_at(const VectorXd& x_t, const std::vector<Vect
     if (record >= at_t.size() || !(at_k > 0)) continue;
     kappa_[i] += std::max(0.0, v_k_[i] * at_t[record] / at_k - 1 - g[i]) / d;
   }
+}
+
+int CorrectedProblem::add_records(const std::vector<std::set<int>>& records) {
+  const int added = inner_->add_records(records);
+  if (added > 0) {
+    correct_rows();
+    raise_rows();
+  }
+  return added;
 }
 
 int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {

@@ -49,6 +49,7 @@ class CorrectedProblem final : public StaticProblem {
   void narrow(double share);
 
   int add_violated(const Eigen::VectorXd& x, double tolerance) override;
+  int add_records(const std::vector<std::set<int>>& records) override;
   int load_cases() const override { return inner_->load_cases(); }
   /// Those of the motion, with their scenarios; without one those of `inner`.
   std::vector<LimitedResponse> responses() const override;

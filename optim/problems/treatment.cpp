@@ -99,6 +99,14 @@ std::set<int> treated_records(Treatment treatment, const std::vector<double>& v)
   return out;
 }
 
+std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series) {
+  std::vector<std::set<int>> out;
+  for (const Eigen::VectorXd& v : series)
+    out.push_back(v.size() == 0 ? std::set<int>()
+                                : treated_records(Treatment::Maxima, {v.begin(), v.end()}));
+  return out;
+}
+
 double treated_value(const ConstraintSpec& limit, const std::vector<double>& times,
                      const std::vector<double>& v) {
   if (v.empty()) return 0;

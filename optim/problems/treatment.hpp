@@ -3,6 +3,7 @@
 /// Limits over all of a motion as constraints (thesis section 3.3.2; Kreisselmeier & Steinhauser
 /// 1979 for KS): which records count, and functions of all of them.
 
+#include <Eigen/Core>
 #include <map>
 #include <set>
 #include <vector>
@@ -23,6 +24,9 @@ std::vector<double> time_weights(const std::vector<double>& times);
 
 /// The records of a limit that become rows. @param v values, not empty
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v);
+
+/// The maxima of each series; of an empty one none.
+std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series);
 
 /// What a limit is compared with: the largest value, or the number that stands for all.
 double treated_value(const ConstraintSpec& limit, const std::vector<double>& times,

@@ -198,6 +198,23 @@ TEST(MotionVariables, AFineMeshStartsAtRest) {
   EXPECT_EQ(motion.reason(), "");
 }
 
+/// The torques hold the duration in several steps at once, between which their maxima go to and fro:
+/// a kink of the largest value, on which steps that see one of its sides creep.
+TEST(MotionVariables, MaximaThatGoToAndFroEndAtAnOptimum) {
+  const std::string held = ".bounds=[0.0019999, 0.0020001]";  // the walls stay
+  const Study study =
+      shipped_study("robot_codesign", {"design.arm1_walls" + held, "design.arm2_walls" + held});
+  const auto r = run_cycle<SE2>(study.scene.mechanism, space_of<SE2>(study.scene.mechanism),
+                                study.scene.simulation, study.spec);
+  EXPECT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  ASSERT_TRUE(r.optimality && r.optimality->holds());
+  int held_by = 0;  // steps of the motion that carry the optimum
+  for (const LimitPrice& price : r.optimality->prices)
+    held_by += price.name == "shoulder" || price.name == "elbow";
+  EXPECT_GE(held_by, 2);
+  EXPECT_LT(r.x[r.x.size() - 1], 0.48) << "s; 0.4991 where rows of one step alone crept to";
+}
+
 TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
   const auto refused = [](const Changes& changes, const std::string& why, std::size_t places = 1) {
     try {
