@@ -198,8 +198,8 @@ TEST(MotionVariables, AFineMeshStartsAtRest) {
   EXPECT_EQ(motion.reason(), "");
 }
 
-/// The torques hold the duration in several steps at once, between which their maxima go to and fro:
-/// a kink of the largest value, on which steps that see one of its sides creep.
+/// The torques hold the duration in several steps at once, between which their maxima go to and
+/// fro: a kink of the largest value, on which steps that see one of its sides creep.
 TEST(MotionVariables, MaximaThatGoToAndFroEndAtAnOptimum) {
   const std::string held = ".bounds=[0.0019999, 0.0020001]";  // the walls stay
   const Study study =
