@@ -290,13 +290,13 @@ TEST(MechanismStaticsSlow, SaveNoMoreThanStaticsOfPartsWhereALimitIsOnAPart) {
   }
 }
 
-/// Limits on several bodies: they save cycles where the bodies bend as the loads ask for, and none
-/// where they vibrate.
+/// Limits on several bodies: they save a third of the cycles, where the bodies bend as the loads ask
+/// for and where they vibrate.
 TEST(MechanismStaticsSlow, SaveCyclesWhereSeveralBodiesBendTogether) {
   const Cycles bent = cycles_of("bent", bent_arms(1.5e-3), false);
   EXPECT_LE(3 * bent.mechanism, 2 * bent.powers);
   const Cycles tip = cycles_of("tip", tip_of_arms(3e-3), false);
-  EXPECT_LE(2 * tip.powers, 3 * tip.mechanism);
+  EXPECT_LE(3 * tip.mechanism, 2 * tip.powers);
 }
 
 }  // namespace
