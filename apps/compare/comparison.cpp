@@ -127,7 +127,8 @@ Scene read_scene_of(const toml::table& root, Comparison& comparison, Problems& p
   return {};
 }
 
-/// Beams of which the scene does not say the order, which would depend on the formalism: of order 2.
+/// Beams of which the scene does not say the order, which would depend on the formalism: of
+/// order 2.
 std::vector<std::string> default_orders(const fs::path& scene) {
   Document document = load_document(scene);
   std::vector<std::string> changes;

@@ -290,8 +290,8 @@ TEST(MechanismStaticsSlow, SaveNoMoreThanStaticsOfPartsWhereALimitIsOnAPart) {
   }
 }
 
-/// Limits on several bodies: they save a third of the cycles, where the bodies bend as the loads ask
-/// for and where they vibrate.
+/// Limits on several bodies: they save a third of the cycles, where the bodies bend as the loads
+/// ask for and where they vibrate.
 TEST(MechanismStaticsSlow, SaveCyclesWhereSeveralBodiesBendTogether) {
   const Cycles bent = cycles_of("bent", bent_arms(1.5e-3), false);
   EXPECT_LE(3 * bent.mechanism, 2 * bent.powers);
