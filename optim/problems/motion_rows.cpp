@@ -77,11 +77,14 @@ void MotionRows::add_row(int response, int record) {
 int MotionRows::add_records(const std::vector<std::set<int>>& records) {
   const std::size_t before = images_.size();
   for (std::size_t l = 0; l < series_.size(); ++l)
-    for (const int n : records[l])
-      if (!series_[l].aggregated && std::ranges::none_of(images_, [&](const RowImage& i) {
-            return i.response == static_cast<int>(l) && i.record == n;
-          }))
-        add_row(static_cast<int>(l), n);
+    for (const int n : records[l]) {
+      if (series_[l].aggregated || n >= static_cast<int>(series_[l].values.size()))
+        continue;  // a motion whose steps are chosen may have had more records
+      const bool there = std::ranges::any_of(images_, [&](const RowImage& i) {
+        return i.response == static_cast<int>(l) && i.record == n;
+      });
+      if (!there) add_row(static_cast<int>(l), n);
+    }
   return static_cast<int>(images_.size() - before);
 }
 
