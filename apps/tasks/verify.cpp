@@ -20,6 +20,7 @@ namespace {
 constexpr double kHalf = 0.5;         // an observed order this close to the expected one is it
 constexpr double kLeastOrder = 0.5;   // below, nothing converges
 constexpr double kResolution = 1e-9;  // of the largest value: differences below are rounding
+constexpr double kIterated = 1e-8;    // tolerance that leaves nothing of the iterations to see
 
 using Peaks = std::map<std::string, double>;
 
@@ -66,6 +67,8 @@ class Verification {
       overrides_.push_back(fmt::format("simulation.space=\"{}\"", summary.space));
     for (const auto& r : summary.responses) peaks_[r.name] = r.max_abs;
     adaptive_ = scene.simulation.type == SimulationType::Dynamic && scene.simulation.adaptive;
+    if (scene.simulation.tolerance > kIterated)
+      iterated_.push_back(fmt::format("simulation.tolerance={}", kIterated));
     keep_named_places(scene);
     name_what_stays(scene);
     find_order(scene);
@@ -75,13 +78,13 @@ class Verification {
     const Setting fine_mesh = with_mesh(2), fine_step = with_steps(2);
     const bool by_mesh = differs(fine_mesh), by_step = differs(fine_step) && !adaptive_;
     const Peaks mesh = by_mesh ? peaks(fine_mesh, "mesh") : Peaks{};
-    const Peaks step = by_step ? peaks(fine_step, "step") : Peaks{};
+    const Peaks step = by_step ? peaks(fine_step, "step", iterated_) : Peaks{};
     const bool mesh_costs_more = largest_change(mesh) >= largest_change(step);
     Peaks coarse_mesh, coarse_step;
     if (!mesh.empty() && mesh_costs_more && halves(with_mesh(0.5)))
       coarse_mesh = peaks(with_mesh(0.5), "mesh");
     else if (!step.empty() && !mesh_costs_more && given_.steps % 2 == 0)
-      coarse_step = peaks(with_steps(0.5), "step");
+      coarse_step = peaks(with_steps(0.5), "step", iterated_);
     auto& json = summary_.more["verification"];
     json["runs"] = runs_ + 1;
     for (auto& r : summary_.responses) {
@@ -97,7 +100,8 @@ class Verification {
     }
     if (adaptive_)
       summary_.warnings.push_back(
-          "no error of the step: its length is adapted to simulation.error_tolerance");
+          "no error of the step and its iterations: its length is adapted to "
+          "simulation.error_tolerance");
   }
 
  private:
@@ -188,10 +192,12 @@ class Verification {
 
   /// Empty if the run does not reach its end, or the scene does not allow it (sections by element
   /// have no coarser mesh).
-  Peaks peaks(const Setting& s, const char* of) {
+  Peaks peaks(const Setting& s, const char* of, const std::vector<std::string>& more = {}) {
+    auto changed = changes(s, given_);
+    changed.insert(changed.end(), more.begin(), more.end());
     Scene scene;
     try {
-      scene = read(changes(s, given_));
+      scene = read(changed);
     } catch (const InputError&) {
       return {};
     }
@@ -201,7 +207,7 @@ class Verification {
     if (out.status != SolveStatus::Converged) {
       summary_.warnings.push_back(
           fmt::format("the error of the {} is not known: the run with {} did not reach its end: {}",
-                      of, fmt::join(changes(s, given_), ", "), out.summary.reason));
+                      of, fmt::join(changed, ", "), out.summary.reason));
       return found;
     }
     for (const auto& r : out.summary.responses) found[r.name] = r.max_abs;
@@ -252,6 +258,7 @@ class Verification {
   output::RunSummary& summary_;
   const Progress& progress_;
   Setting given_;
+  std::vector<std::string> iterated_;  ///< what runs of other steps change besides
   Peaks peaks_;
   int mesh_order_ = 2, runs_ = 0;
   bool adaptive_ = false;

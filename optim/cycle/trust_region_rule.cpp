@@ -134,7 +134,9 @@ Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
     if (!surrogate_.problem)
       return {x_, CycleEnd{CycleStatus::SimulationFailed,
                            "there are no sensitivities: " + surrogate_.optimality.reason}};
-    if (!before_.empty()) surrogate_.problem->add_records(before_);
+    if (!before_.empty())
+      surrogate_.problem->add_records(near_maxima(
+          before_, record.model().response_values(*at_, surrogate_.problem->responses())));
   } else if (radius_ < kSmallestRadius) {
     return {x_, stalled(record)};
   }

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <set>
 
-#include "optim/problems/treatment.hpp"
-
 namespace liesl {
 
 using Eigen::MatrixXd;
@@ -151,7 +149,6 @@ VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
 
 void CorrectedProblem::make_conservative(const VectorXd& x_t, std::vector<VectorXd> values) {
   if (values.empty()) return;
-  add_records(maxima_of(values));
   rejected_.push_back({x_t, std::move(values)});
   raise_rows();
 }

@@ -28,7 +28,6 @@ namespace liesl {
 /// SIAM J. Optim. 12): each gets a term kappa d(x),
 ///   d = sum_i ((x_i - x_ki)/w_i)^2,   w the widths of the bounds of the static problem,
 /// with the least kappa >= 0 for which v^(x_t) is not below v(x_t); value and gradient at x_k stay.
-/// The records of its maxima, to which those of x_k may move, get rows, too.
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases

@@ -8,6 +8,8 @@ namespace liesl {
 namespace {
 
 constexpr int kNeighbours = 3;  // records on either side of a maximum
+constexpr double kLeast = 0.5;  // of the largest maximum: those that count
+constexpr double kNear = 0.9;   // of a maximum
 constexpr double kRho = 500;    // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
 
 int largest(const std::vector<double>& v) {
@@ -18,12 +20,23 @@ int largest(const std::vector<double>& v) {
 std::vector<int> maxima(const std::vector<double>& v) {
   std::vector<int> out;
   const int size = static_cast<int>(v.size());
-  const double least = 0.5 * v[static_cast<std::size_t>(largest(v))];
+  const double least = kLeast * v[static_cast<std::size_t>(largest(v))];
   for (int n = 0; n < size; ++n) {
     const bool rises = n == 0 || v[n] >= v[n - 1], falls = n + 1 == size || v[n] > v[n + 1];
     if (rises && falls && v[n] >= least) out.push_back(n);
   }
   return out;
+}
+
+/// From record n uphill.
+Eigen::Index maximum_above(const Eigen::VectorXd& v, Eigen::Index n) {
+  for (;;) {
+    const Eigen::Index left = std::max<Eigen::Index>(n - 1, 0),
+                       right = std::min(n + 1, v.size() - 1),
+                       up = v[left] > v[right] ? left : right;
+    if (v[up] <= v[n]) return n;
+    n = up;
+  }
 }
 
 /// Records about a maximum, the nearest maxima on both sides not passed.
@@ -85,7 +98,7 @@ std::vector<double> time_weights(const std::vector<double>& t) {
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v) {
   std::set<int> out;
   if (treatment == Treatment::Worst) return {largest(v)};
-  const double least = 0.5 * v[static_cast<std::size_t>(largest(v))];
+  const double least = kLeast * v[static_cast<std::size_t>(largest(v))];
   if (treatment == Treatment::All || aggregates(treatment)) {
     for (std::size_t n = 0; n < v.size(); ++n)
       if (v[n] >= least || aggregates(treatment)) out.insert(static_cast<int>(n));
@@ -105,6 +118,19 @@ std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series)
     out.push_back(v.size() == 0 ? std::set<int>()
                                 : treated_records(Treatment::Maxima, {v.begin(), v.end()}));
   return out;
+}
+
+std::vector<std::set<int>> near_maxima(std::vector<std::set<int>> records,
+                                       const std::vector<Eigen::VectorXd>& series) {
+  for (std::size_t r = 0; r < records.size(); ++r) {
+    const Eigen::VectorXd& v = series[r];
+    std::erase_if(records[r], [&](int n) {
+      if (n >= v.size()) return true;  // a motion whose steps are chosen may have had more
+      const double top = v[maximum_above(v, n)];
+      return v[n] < kNear * top || top < kLeast * v.maxCoeff();
+    });
+  }
+  return records;
 }
 
 double treated_value(const ConstraintSpec& limit, const std::vector<double>& times,
