@@ -8,8 +8,8 @@ namespace liesl {
 namespace {
 
 constexpr int kNeighbours = 3;  // records on either side of a maximum
+constexpr int kNear = 10;       // records beside a maximum where one of another design counts
 constexpr double kLeast = 0.5;  // of the largest maximum: those that count
-constexpr double kNear = 0.9;   // of a maximum
 constexpr double kRho = 500;    // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
 
 int largest(const std::vector<double>& v) {
@@ -26,17 +26,6 @@ std::vector<int> maxima(const std::vector<double>& v) {
     if (rises && falls && v[n] >= least) out.push_back(n);
   }
   return out;
-}
-
-/// From record n uphill.
-Eigen::Index maximum_above(const Eigen::VectorXd& v, Eigen::Index n) {
-  for (;;) {
-    const Eigen::Index left = std::max<Eigen::Index>(n - 1, 0),
-                       right = std::min(n + 1, v.size() - 1),
-                       up = v[left] > v[right] ? left : right;
-    if (v[up] <= v[n]) return n;
-    n = up;
-  }
 }
 
 /// Records about a maximum, the nearest maxima on both sides not passed.
@@ -122,14 +111,12 @@ std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series)
 
 std::vector<std::set<int>> near_maxima(std::vector<std::set<int>> records,
                                        const std::vector<Eigen::VectorXd>& series) {
-  for (std::size_t r = 0; r < records.size(); ++r) {
-    const Eigen::VectorXd& v = series[r];
+  const std::vector<std::set<int>> now = maxima_of(series);
+  for (std::size_t r = 0; r < records.size(); ++r)
     std::erase_if(records[r], [&](int n) {
-      if (n >= v.size()) return true;  // a motion whose steps are chosen may have had more
-      const double top = v[maximum_above(v, n)];
-      return v[n] < kNear * top || top < kLeast * v.maxCoeff();
+      const auto next = now[r].lower_bound(n - kNear);
+      return n >= series[r].size() || next == now[r].end() || *next > n + kNear;
     });
-  }
   return records;
 }
 

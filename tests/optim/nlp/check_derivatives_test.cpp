@@ -177,76 +177,65 @@ TEST(CheckDerivatives, ABendDoesNotExcuseAWrongDerivative) {
   EXPECT_GT(*wrong.slope, 0.3) << "what a bend alone has, too";
 }
 
-/// A function that hardly changes, with round-off that its differences do not get below: no kink,
-/// and not judged. A derivative that is off by more than this round-off hides is wrong.
-TEST(CheckDerivatives, RoundOffIsNoKinkAndExcusesNoWrongDerivative) {
-  struct Noisy : SvanbergBeam {
-    double noise = 0, error = 0;
-    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
-      SvanbergBeam::values(x, f, g);
-      g[0] = 1 + 1e-3 * (std::sin(x[0]) + noise * std::sin(1e13 * x[0]));
-    }
-    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
-      SvanbergBeam::gradients(x, df, dg);
-      dg.row(0).setZero();
-      dg(0, 0) = 1e-3 * std::cos(x[0]) * (1 + error);
-    }
-  } noisy;
+/// base + size (sin x_1 + round-off), with a derivative that is off by `error`.
+struct Noisy : SvanbergBeam {
+  double base = 0, size = 1, noise = 0, error = 0;
+  void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+    SvanbergBeam::values(x, f, g);
+    g[0] = base + size * (std::sin(x[0]) + noise * std::sin(1e13 * x[0]));
+  }
+  void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
+    SvanbergBeam::gradients(x, df, dg);
+    dg.row(0).setZero();
+    dg(0, 0) = size * std::cos(x[0]) * (1 + error);
+  }
+};
+
+/// Of the function with the round-off.
+DerivativeCheck judged(Noisy& noisy) {
   DerivativeCheckOptions o;
   o.every_variable = true;
   o.hessian = false;
-  const auto judged = [&] {
-    const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
-    EXPECT_TRUE(report.kinks.empty()) << report.text();
-    EXPECT_EQ(report.right, report.text().find("WRONG") == std::string::npos);
-    for (const DerivativeCheck& c : report.checks)
-      if (c.direction == "x1" && c.function != "objective") return c;
-    return DerivativeCheck();
-  };
-  EXPECT_TRUE(judged().right);
+  const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
+  EXPECT_TRUE(report.kinks.empty()) << report.text();
+  EXPECT_EQ(report.right, report.text().find("WRONG") == std::string::npos);
+  EXPECT_NE(report.text().find("extrapolated"), std::string::npos);
+  for (const DerivativeCheck& c : report.checks)
+    if (c.direction == "x1" && c.function != "objective") return c;
+  ADD_FAILURE() << report.text();
+  return {};
+}
+
+/// A function that hardly changes, with round-off that its differences do not get below: no kink,
+/// and not judged. A derivative that is off by more than this round-off hides is wrong.
+TEST(CheckDerivatives, RoundOffIsNoKinkAndExcusesNoWrongDerivative) {
+  Noisy noisy;
+  noisy.base = 1;
+  noisy.size = 1e-3;
+  EXPECT_TRUE(judged(noisy).right);
   for (const double noise : {1e-7, 1e-6, 1e-5}) {
     noisy.noise = noise;
     noisy.error = 0;
-    EXPECT_FALSE(judged().right) << noise;
-    EXPECT_TRUE(judged().round_off) << noise;
+    EXPECT_FALSE(judged(noisy).right) << noise;
+    EXPECT_TRUE(judged(noisy).round_off) << noise;
     noisy.error = 3e3 * noise;
-    EXPECT_FALSE(judged().right) << noise;
-    EXPECT_FALSE(judged().round_off) << noise;
+    EXPECT_FALSE(judged(noisy).right) << noise;
+    EXPECT_FALSE(judged(noisy).round_off) << noise;
   }
 }
 
 /// Of a function with round-off extrapolated differences come nearer, and no nearer to a derivative
 /// that is wrong.
 TEST(CheckDerivatives, ExtrapolatedDifferencesAreFartherFromRoundOff) {
-  struct Noisy : SvanbergBeam {
-    double error = 0;
-    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
-      SvanbergBeam::values(x, f, g);
-      g[0] = std::sin(x[0]) + 1e-10 * std::sin(1e13 * x[0]);
-    }
-    void gradients(const Eigen::VectorXd& x, Eigen::VectorXd& df, RowMatrix& dg) override {
-      SvanbergBeam::gradients(x, df, dg);
-      dg.row(0).setZero();
-      dg(0, 0) = std::cos(x[0]) * (1 + error);
-    }
-  } noisy;
-  DerivativeCheckOptions o;
-  o.every_variable = true;
-  o.hessian = false;
-  const auto judged = [&] {
-    const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
-    EXPECT_NE(report.text().find("extrapolated"), std::string::npos);
-    for (const DerivativeCheck& c : report.checks)
-      if (c.direction == "x1" && c.function != "objective") return c;
-    return DerivativeCheck();
-  };
-  const DerivativeCheck right = judged();
+  Noisy noisy;
+  noisy.noise = 1e-10;
+  const DerivativeCheck right = judged(noisy);
   ASSERT_TRUE(right.slope);
   EXPECT_NEAR(*right.slope, 2, 0.1);
   EXPECT_LT(right.best_error, 1e-6);
   EXPECT_LT(right.extrapolated_error, right.best_error / 5);
   noisy.error = 1e-4;
-  EXPECT_NEAR(judged().extrapolated_error, 1e-4, 1e-6);
+  EXPECT_NEAR(judged(noisy).extrapolated_error, 1e-4, 1e-6);
 }
 
 TEST(CheckDerivatives, StaysWithinTheBounds) {
