@@ -7,8 +7,8 @@
 ///
 ///   error of R by the mesh = |R - R_m| / (1 - 2^-p), by the step = |R - R_s| / (1 - 2^-2).
 ///
-/// R_s and the run of the coarser step are converged to a tolerance of 1e-8, where that of the scene
-/// is larger, so that the error by the step has that of its iterations in it.
+/// R_s and the run of the coarser step are converged to a tolerance of 1e-8, where that of the
+/// scene is larger, so that the error by the step has that of its iterations in it.
 ///
 /// A peak between two steps adds what it is higher than both (output::Peak::missed) to the error by
 /// the step, if that is more. Both together have the signs of R - R_m and R - R_s (missed:
