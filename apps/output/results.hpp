@@ -97,6 +97,8 @@ struct Energies {
   /// Over every accepted step, recorded or not: largest kinetic + elastic, largest |potential|, and
   /// the `dissipated` that is largest in size.
   double turned_over = 0, largest_potential = 0, lost = 0;
+  /// Kinetic energy of all masses if they went once across the mechanism in the time simulated.
+  double crossing = 0;
 };
 
 /// Largest |value|, the norm for vectors, and where on the abscissa that is.

@@ -195,6 +195,13 @@ double above_the_middle(double before, double middle, double after) {
   return bend < 0 ? -std::pow(after - before, 2) / (8 * bend) : 0;
 }
 
+template <FrameGroup G>
+double total_mass(const Model<G>& model) {
+  double mass = 0;
+  for (const auto& body : model.bodies) mass += body->total_mass();
+  return mass;
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -205,7 +212,8 @@ StepRecorder<G>::StepRecorder(const Scene& scene, const Mechanism& mechanism, co
       values_(mechanism, model),
       equations_(model),
       responses_(empty_responses(scene.responses, mechanism, values_)),
-      neighbours_(responses_.size()) {}
+      neighbours_(responses_.size()),
+      crossing_(0.5 * total_mass(model) * std::pow(mechanism.size(), 2)) {}
 
 template <FrameGroup G>
 void StepRecorder<G>::operator()(const State<G>& s, bool recorded) {
@@ -263,6 +271,7 @@ void StepRecorder<G>::add_energies(const State<G>& s, bool recorded) {
   }
   output::Energies& out = energies_;
   out.turned_over = std::max(out.turned_over, e.kinetic + e.elastic);
+  if (s.t > 0) out.crossing = crossing_ / (s.t * s.t);
   out.largest_potential = std::max(out.largest_potential, std::abs(e.potential));
   if (std::abs(dissipated) > std::abs(out.lost)) out.lost = dissipated;
   if (!recorded) return;

@@ -41,10 +41,13 @@ SolveStatus doubt(output::RunSummary& summary, const std::string& why, SolveStat
 SolveStatus describe_energy(output::RunSummary& summary, const output::Results& results,
                             SolveStatus status) {
   constexpr double kLost = 0.02, kTooMuch = 0.1;
-  constexpr double kNothing = 1e-16;   // J: at rest
-  constexpr double kRoundOff = 1e-12;  // of the potential: what does not move trembles by it
+  constexpr double kNothing = 1e-16;  // J: at rest
+  // Of the potential, and of speeds squared of one size of the mechanism in the whole time: what
+  // does not move trembles by it.
+  constexpr double kRoundOff = 1e-12;
   const output::Energies& e = results.energies;
-  if (e.dissipated.empty() || e.turned_over <= kNothing + kRoundOff * e.largest_potential)
+  if (e.dissipated.empty() ||
+      e.turned_over <= kNothing + kRoundOff * (e.largest_potential + e.crossing))
     return status;
   const double share = std::abs(e.lost) / e.turned_over;
   if (share <= kLost) return status;
