@@ -44,7 +44,7 @@ class StepRecorder {
   double scale_before_ = 1, weight_before_ = 0;
   std::vector<output::ResponseResult> responses_;
   std::vector<Neighbours> neighbours_;  ///< by response
-  const double crossing_;  ///< m size^2/2 of all of it, kg m^2
+  const double crossing_;               ///< m size^2/2 of all of it, kg m^2
   output::Energies energies_;
 };
 
