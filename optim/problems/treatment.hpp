@@ -28,8 +28,7 @@ std::set<int> treated_records(Treatment treatment, const std::vector<double>& v)
 /// The maxima of each series; of an empty one none.
 std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series);
 
-/// Of these records of each series those on the flank of one of its maxima, at most a tenth below
-/// it.
+/// Of these records of each series those at most ten records from one of its maxima.
 std::vector<std::set<int>> near_maxima(std::vector<std::set<int>> records,
                                        const std::vector<Eigen::VectorXd>& series);
 
