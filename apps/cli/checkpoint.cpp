@@ -45,6 +45,7 @@ NlpWarmStart read_warm(const Json& j) {
 Json to_json(const SimulationEffort& e) {
   return {{"steps", e.steps},
           {"newton_iterations", e.newton_iterations},
+          {"sensitivities", e.sensitivities},
           {"stepping_s", e.stepping_s},
           {"factorizations", e.factorizations}};
 }
@@ -149,7 +150,7 @@ Cycle read_cycle(const Json& j) {
   c.warm = read_warm(j.at("warm"));
   const Json& effort = j.at("effort");
   c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),
-              effort.at("factorizations")};
+              effort.at("factorizations"), effort.value("sensitivities", 0L)};
   c.seconds = j.at("seconds");
   if (j.contains("end")) c.end = cycle_status(j.at("end"));
   return c;

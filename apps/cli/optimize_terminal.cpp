@@ -92,9 +92,12 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
       s.more.contains("worst_constraint_error")
           ? fmt::format(" +- {:.2g} %", 100 * s.more["worst_constraint_error"].get<double>())
           : "";
-  fmt::print("  mass {:.6g} kg -> {:.6g} kg ({}), worst limit {}{}, {:.3g} s\n", s.mass_initial,
-             s.mass_final, signed_percent(s.mass_final / s.mass_initial - 1),
-             signed_percent(s.worst_constraint), error, s.wall_s);
+  if (s.mass_initial > 0)
+    fmt::print("  mass {:.6g} kg -> {:.6g} kg ({}), worst limit {}{}, {:.3g} s\n", s.mass_initial,
+               s.mass_final, signed_percent(s.mass_final / s.mass_initial - 1),
+               signed_percent(s.worst_constraint), error, s.wall_s);
+  else
+    fmt::print("  no design was analysed, {:.3g} s\n", s.wall_s);
   const std::string kkt = s.more.value("kkt", "not checked");
   if (s.reason.find(kkt) == std::string::npos) fmt::print("  KKT conditions: {}\n", kkt);
   if (s.more.contains("prices"))

@@ -22,37 +22,17 @@ MeasuredMethod measure_method(const Comparison& comparison, const Study&) {
 #include "apps/tasks/optimize.hpp"
 
 namespace liesl {
-namespace {
-
-/// The plain cycle differentiates the motion of its last design, for the certificate; trust regions
-/// that of every design that they take.
-int differentiated(const Study& study, const RoundHistory& rounds, const OptimizeOutcome& out) {
-  int designs = 0;
-  if (study.spec.cycle.method == CycleMethod::Esl)
-    designs =
-        out.summary.more.contains("kkt_residual") && !out.summary.more["kkt_residual"].is_null();
-  else
-    for (const auto& round : rounds)
-      for (const Cycle& cycle : round) designs += cycle.taken;
-  return designs;
-}
-
-}  // namespace
 
 MeasuredMethod measure_method(const Comparison& comparison, const Study& study) {
   const std::clock_t begin = std::clock();
   const auto seconds = [begin] {
     return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
   };
-  RoundHistory rounds;
   OptimizeHooks hooks;
   hooks.keep_going = [&] {
     return output::interrupted() == 0 && seconds() <= comparison.time_limit;
   };
   hooks.progress = [](double) { return output::interrupted() == 0; };
-  hooks.on_cycle = [&](const output::OptimizeSummary&, const RoundHistory& so_far) {
-    rounds = so_far;
-  };
   const OptimizeOutcome out = optimize_task(study, choose_space(study.scene), {}, 0, hooks);
   output::check_interrupt();
   MeasuredMethod m;
@@ -65,7 +45,8 @@ MeasuredMethod measure_method(const Comparison& comparison, const Study& study) 
   }
   const int motions = 1 + static_cast<int>(study.scenarios.size());
   m.simulations = motions * static_cast<int>(out.summary.history.size());
-  m.sensitivities = motions * differentiated(study, rounds, out);
+  if (const auto& more = out.summary.more; more.contains("sensitivities"))
+    m.sensitivities = more["sensitivities"].get<int>();
   if (!out.simulated) return m;
   m.mass = out.summary.mass_final;
   m.violation = out.summary.worst_constraint;

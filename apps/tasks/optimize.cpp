@@ -148,6 +148,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   summary.steps = static_cast<int>(r.effort.steps);
   summary.newton_iterations = r.effort.newton_iterations;
   summary.stepping_s = r.effort.stepping_s;
+  summary.more["sensitivities"] = r.effort.sensitivities;
   summary.mass_initial = r.mass_initial;
   summary.mass_final = r.mass;
   if (!study.spec.motion_objective.only_mass() && r.first && r.best)

@@ -45,6 +45,9 @@ void join_summary(const output::OptimizeSummary& first, output::OptimizeSummary&
   last.steps += first.steps;
   last.newton_iterations += first.newton_iterations;
   last.stepping_s += first.stepping_s;
+  if (last.more.contains("sensitivities"))
+    last.more["sensitivities"] =
+        last.more["sensitivities"].get<long>() + first.more.value("sensitivities", 0L);
   for (auto& [body, count] : last.factorizations)
     for (const auto& [name, before] : first.factorizations)
       if (name == body) count += before;

@@ -132,6 +132,28 @@ void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity
 }
 
 template <FrameGroup G, class E>
+void ChainBeam<G, E>::exact_tangents(const BodyState<G>& s, const Vector& gravity,
+                                     const Tangent* stress, Matrices& K, Matrices& C,
+                                     Matrices& M) const {
+  for (Matrices* A : {&K, &C, &M}) A->set_zero();
+  Pair acceleration;
+  acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
+  for (int e = 0; e < elements(); ++e) {
+    const Element& element = this->element(e);
+    const G &a = s.H[e], &b = s.H[e + 1];
+    const double* v = s.v + dim * e;
+    acceleration.template head<dim>() = acceleration.template tail<dim>();
+    acceleration.template tail<dim>() = apparent_acceleration<G>(s, e + 1, gravity);
+    K.add_element(e, element.inertia_stiffness(a, b, v, acceleration, gravity));
+    K.add_element(
+        e, element.damped_tangent(a, b, stress ? stress[e] : element.stress(a, b), v, damping_));
+    C.add_element(e, element.gyroscopic_tangent(a, b, v));
+    if (damping_ > 0) C.add_element(e, element.damping_tangent(a, b, v, damping_));
+    M.add_element(e, element.mass(a, b));
+  }
+}
+
+template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_spread_curvature(const BodyState<G>& s, const Vector& q,
                                            double* r) const {
   if constexpr (Element::kTurnsSpreadLoads)

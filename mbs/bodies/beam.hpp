@@ -72,6 +72,8 @@ class ChainBeam final : public BeamChain<G> {
                                      ForceScale& scale) const override;
   void exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                      const Tangent* stress, Matrices& A) const override;
+  void exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent* stress,
+                      Matrices& K, Matrices& C, Matrices& M) const override;
   Matrices load_distribution() const override;
   bool takes_any_spread_load() const override {
     return !std::is_same_v<Element, FourthOrderElement<G>>;

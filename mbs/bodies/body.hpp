@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "liegroup/concepts.hpp"
+#include "liegroup/rotation.hpp"
 #include "mbs/bodies/body_matrix.hpp"
 #include "mbs/bodies/law_derivative.hpp"
 #include "mbs/bodies/shape_derivative.hpp"
@@ -271,12 +271,8 @@ template <FrameGroup G>
 inline typename G::Matrix weight_tangent(const G& H, const typename Body<G>::Vector& gravity) {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   typename G::Matrix D = G::Matrix::Zero();
-  const auto g = (H.R.transpose() * gravity).eval();
-  for (int j = 0; j < rd; ++j)  // -d(R^T g) = w x (R^T g): minus the translation part of -ad
-    D.template block<sd, 1>(0, sd + j) =
-        (G::ad(G::Tangent::Unit(sd + j)) *
-         (typename G::Tangent() << g, Eigen::Matrix<double, rd, 1>::Zero()).finished())
-            .template head<sd>();
+  D.template topRightCorner<sd, rd>() =  // -d(R^T g) = w x (R^T g)
+      -RotationOf<G>::cross(H.R.transpose().lazyProduct(gravity));
   return D;
 }
 

@@ -25,7 +25,7 @@ CondensedLaw<G>::CondensedLaw(const Tangent& d0, const Matrix& K)
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   uncoupled_ = K.template topRightCorner<sd, rd>().isZero(0);
   varied_ = W_ * Kinv_ * W_.transpose();
-  C0_ = flexibility(d0_).inverse();
+  C0_ = stiffness(d0_);
 }
 
 template <FrameGroup G>
@@ -33,6 +33,24 @@ auto CondensedLaw<G>::flexibility(const Tangent& d) const -> Matrix {
   const Matrix a = G::ad(d);
   const Matrix half = a.lazyProduct(Kinv_);
   return varied_ + half.lazyProduct(a.transpose()) / 12;
+}
+
+/// In space by 3 x 3 blocks: [P Q; Q^T R]^-1 with the Schur complement P - Q R^-1 Q^T.
+template <FrameGroup G>
+auto CondensedLaw<G>::stiffness(const Tangent& d) const -> Matrix {
+  const Matrix F = flexibility(d);
+  if constexpr (G::space_dim == 2) {
+    return F.inverse();
+  } else {
+    using Block = Eigen::Matrix3d;
+    const Block Q = F.template topRightCorner<3, 3>(),
+                Ri = F.template bottomRightCorner<3, 3>().inverse(), QRi = Q.lazyProduct(Ri);
+    const Block schur = F.template topLeftCorner<3, 3>() - QRi.lazyProduct(Q.transpose());
+    const Block S = schur.inverse(), T = -S.lazyProduct(QRi);
+    Matrix C;
+    C << S, T, T.transpose(), Ri - QRi.transpose().lazyProduct(T);
+    return C;
+  }
 }
 
 /// F n = e. In a plane ad has no last row; in space ad = [w~ u~; 0 w~], and where K^-1 has no
@@ -97,16 +115,16 @@ auto CondensedLaw<G>::force_operator(const Tangent& n) -> Matrix {
 
 template <FrameGroup G>
 auto CondensedLaw<G>::Y(const Tangent& d, const Tangent& n) const -> Matrix {
-  const Matrix a = G::ad(d), N = force_operator(n);
-  const Tangent z = Kinv_ * (a.transpose() * n);
-  return Matrix::Identity() + (L_ / 12) * (G::ad(z) - a * Kinv_ * N);
+  const Matrix a = G::ad(d), KN = Kinv_.lazyProduct(force_operator(n));
+  const Tangent z = Kinv_.lazyProduct(-BeamElement<G>::minus_ad_transpose(d, n));
+  return Matrix::Identity() + (L_ / 12) * (G::ad(z) - a.lazyProduct(KN));
 }
 
 template <FrameGroup G>
 auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n) const -> Matrix {
   const Matrix y = Y(d, n), N = force_operator(n);
-  const Matrix c = flexibility(d).llt().solve(y);
-  return y.transpose() * c / L_ - (L_ / 12) * N.transpose() * Kinv_ * N;
+  const Matrix c = stiffness(d).lazyProduct(y), KN = Kinv_.lazyProduct(N);
+  return y.transpose().lazyProduct(c) / L_ - (L_ / 12) * N.transpose().lazyProduct(KN);
 }
 
 /// K^-1' = -K^-1 K' K^-1 = -D.

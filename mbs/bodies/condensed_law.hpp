@@ -41,6 +41,8 @@ class CondensedLaw {
 
   /// F(d); F(d0)^-1, constant.
   Matrix flexibility(const Tangent& d) const;
+  /// F(d)^-1
+  Matrix stiffness(const Tangent& d) const;
   const Matrix& stiffness_at_rest() const { return C0_; }
   /// n of F(d) n = e for a strain e (of (d - d0)/L, of its rate too where there is damping).
   Tangent stress(const Tangent& d, const Tangent& e) const;

@@ -81,15 +81,12 @@ auto FourthOrderElement<G>::conjugate(const G& A, const G& B) const -> Tangent {
   return conjugate_to(d, (d - d0()) / length());
 }
 
-/// Column by column: F dn = Y dd/L.
+/// F dn = Y dd/L.
 template <FrameGroup G>
 auto FourthOrderElement<G>::stress_gradient(const G& A, const G& B) const -> Matrix {
   need_law("gradient of its section force");
   const Tangent d = relative(A, B);
-  const Matrix y = law_.Y(d, law_.stress(d, (d - d0()) / length()));
-  Matrix out;
-  for (int j = 0; j < dim; ++j) out.col(j) = law_.stress(d, y.col(j)) / length();
-  return out;
+  return law_.stiffness(d) * law_.Y(d, law_.stress(d, (d - d0()) / length())) / length();
 }
 
 template <FrameGroup G>
@@ -137,37 +134,47 @@ auto FourthOrderElement<G>::constant_tangent() const -> PairMatrix {
   return p.transpose() * C0_ * p / length();
 }
 
+/// d and P(d), T^-1(-d) = T^-1(d) - ad(d).
+template <FrameGroup G>
+auto FourthOrderElement<G>::relative_motion(const G& A, const G& B) -> RelativeMotion {
+  Tangent d;
+  Matrix Ti;
+  G::log_and_Tinv(A.inverse() * B, d, Ti);
+  RelativeMotion out{d, {}};
+  out.P << G::ad(d) - Ti, Ti;
+  return out;
+}
+
 template <FrameGroup G>
 auto FourthOrderElement<G>::damping_tangent(const G& A, const G& B, const double* v,
                                             double damping) const -> PairMatrix {
   need_law("tangent");
-  const Tangent d = relative(A, B);
-  const Tangent n = law_.stress(d, (d - d0()) / length() + damping * strain_rate(d, v));
-  const Gradient p = P(d);
-  const Matrix y = law_.Y(d, n);
-  Gradient n_by_v;
-  for (int j = 0; j < 2 * dim; ++j) n_by_v.col(j) = law_.stress(d, p.col(j)) * (damping / length());
-  return p.transpose() * y.transpose() * n_by_v;
+  const auto [d, p] = relative_motion(A, B);
+  const Tangent rate = p.lazyProduct(Eigen::Map<const Pair>(v)) / length();
+  const Tangent n = law_.stress(d, (d - d0()) / length() + damping * rate);
+  const Matrix C = law_.Y(d, n).transpose().lazyProduct(law_.stiffness(d));
+  const Gradient n_by_v = C.lazyProduct(p) * (damping / length());
+  return p.transpose().lazyProduct(n_by_v);
 }
 
 template <FrameGroup G>
 auto FourthOrderElement<G>::damped_tangent(const G& A, const G& B, const Tangent& elastic,
                                            const double* v, double damping) const -> PairMatrix {
   need_law("tangent");
-  const Tangent d = relative(A, B);
-  const Gradient p = P(d);
+  const auto [d, p] = relative_motion(A, B);
   Tangent n = elastic;
-  if (damping > 0) n += law_.stress(d, damping * strain_rate(d, v));
+  if (damping > 0)
+    n += law_.stress(d, p.lazyProduct(Eigen::Map<const Pair>(v)) * (damping / length()));
   Matrix H = law_.hessian(d, n);
   if (damping > 0) {
-    const Matrix turning = dP(d, v), y = law_.Y(d, n);
-    for (int j = 0; j < dim; ++j)
-      H.col(j) += y.transpose() * law_.stress(d, turning.col(j)) * (damping / length());
+    const Matrix C = law_.Y(d, n).transpose().lazyProduct(law_.stiffness(d));
+    H += C.lazyProduct(dP(d, v)) * (damping / length());
   }
   const Tangent force = law_.conjugate(d, n);
-  PairMatrix k = p.transpose() * H * p;
-  k.template topRows<dim>() += G::dTinvT(-d, force) * p;
-  k.template bottomRows<dim>() += G::dTinvT(d, force) * p;
+  const Gradient Hp = H.lazyProduct(p);
+  PairMatrix k = p.transpose().lazyProduct(Hp);
+  k.template topRows<dim>() += G::dTinvT(-d, force).lazyProduct(p);
+  k.template bottomRows<dim>() += G::dTinvT(d, force).lazyProduct(p);
   return k;
 }
 
@@ -190,10 +197,12 @@ auto FourthOrderElement<G>::inertia_stiffness(const G& A, const G& B, const doub
     -> PairMatrix {
   PairMatrix k = inertia_.stiffness(A, B, v, a);
   if (gravity.squaredNorm() == 0) return k;
-  PairMatrix D = PairMatrix::Zero();
-  D.template topLeftCorner<dim, dim>() = liesl::weight_tangent<G>(A, gravity);
-  D.template bottomRightCorner<dim, dim>() = liesl::weight_tangent<G>(B, gravity);
-  return k + mass(A, B) * D;
+  const PairMatrix M = mass(A, B);
+  k.template leftCols<dim>() +=
+      M.template leftCols<dim>().lazyProduct(liesl::weight_tangent<G>(A, gravity));
+  k.template rightCols<dim>() +=
+      M.template rightCols<dim>().lazyProduct(liesl::weight_tangent<G>(B, gravity));
+  return k;
 }
 
 template class FourthOrderElement<SE2>;

@@ -100,7 +100,12 @@ class FourthOrderElement {
 
  private:
   using Share = typename HermiteInertia<G>::Share;
+  struct RelativeMotion {
+    Tangent d;
+    Gradient P;
+  };
 
+  static RelativeMotion relative_motion(const G& A, const G& B);
   Share bending_share() const;
   Share bending_share_by(const Matrix& dK) const;
   /// The section force that works on d for a strain e, or its derivative.

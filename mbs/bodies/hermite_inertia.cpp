@@ -58,7 +58,8 @@ auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, 
 }
 
 template <FrameGroup G>
-HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c) : L_(L), m_(c.M(0, 0)), D_(c.D) {
+HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
+    : L_(L), m_(c.M(0, 0)), D_(c.D), X_(turning()), DX_(c.D.asDiagonal() * X_) {
   const double m = m_ * L, mL = m * L, mLL = mL * L;
   AA_ << 5 * m / 12, mL / 12, -0.5, mL / 12, mLL / 32, -L / 4, -0.5, -L / 4, 0;
   BB_ << 5 * m / 12, -mL / 12, 0.5, -mL / 12, mLL / 32, -L / 4, 0.5, -L / 4, 0;
@@ -69,6 +70,10 @@ HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c) : L_(L), m_(c
   for (int i = 1; i < sd; ++i) moved(bends<rd>(i), bends<rd>(i)) = c.shear[i] / 12;
   Ja_ = L * (J / 3 + moved);
   Jc_ = L * (J / 6 - moved);
+  M_AA_ = block(AA_, Rotation::Identity(), by_rates());
+  M_BB_ = block(BB_, Rotation::Identity(), by_rates());
+  M_AA_.template bottomRightCorner<rd, rd>() += Ja_;
+  M_BB_.template bottomRightCorner<rd, rd>() += Ja_;
 }
 
 /// w x e_1 = (0, w_z, -w_y), of a plane (0, w).
@@ -149,81 +154,77 @@ void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pai
   }
 }
 
+/// N^T (c x R) dp, N the derivatives by rates and dp these.
 template <FrameGroup G>
-auto HermiteInertia<G>::by_node() const -> ThreeByNode {
-  ThreeByNode N;
-  for (int j = 0; j < dim; ++j) N.col(j) = of_node(Tangent::Unit(j)).reshaped();
-  return N;
-}
-
-/// The two coupled blocks N^T (c x S) N.
-template <FrameGroup G>
-auto HermiteInertia<G>::coupled(const Rotation& S) const -> PairMatrix {
-  const ThreeByNode N = by_node();
-  Eigen::Matrix<double, 3 * sd, 3 * sd> C;
-  PairMatrix M = PairMatrix::Zero();
-  const auto block = [&](const Eigen::Matrix3d& c, const Rotation& R) {
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j) C.template block<sd, sd>(sd * i, sd * j) = c(i, j) * R;
-    return Matrix(N.transpose() * C * N);
+auto HermiteInertia<G>::block(const Eigen::Matrix3d& c, const Rotation& R,
+                              const Derivatives& by) const -> Matrix {
+  const Rotation Ru = R.lazyProduct(by.uu);
+  const auto turned = [&](int i) -> Turning {
+    const Turning sum = c(i, 0) * by.uw + c(i, 1) * by.w1 + c(i, 2) * by.w2;
+    return R.lazyProduct(sum);
   };
-  M.template topLeftCorner<dim, dim>() = block(AA_, Rotation::Identity());
-  M.template bottomRightCorner<dim, dim>() = block(BB_, Rotation::Identity());
-  M.template topRightCorner<dim, dim>() = block(AB_, S);
-  M.template bottomLeftCorner<dim, dim>() = M.template topRightCorner<dim, dim>().transpose();
+  Matrix M;
+  M.template topLeftCorner<sd, sd>() = c(0, 0) * Ru;
+  M.template topRightCorner<sd, rd>() = turned(0);
+  const Turning XDX = c(1, 0) * X_ + c(2, 0) * DX_;
+  M.template bottomLeftCorner<rd, sd>() = XDX.transpose().lazyProduct(Ru);
+  M.template bottomRightCorner<rd, rd>() =
+      X_.transpose().lazyProduct(turned(1)) + DX_.transpose().lazyProduct(turned(2));
   return M;
 }
 
 template <FrameGroup G>
 auto HermiteInertia<G>::mass(const G& A, const G& B) const -> PairMatrix {
-  PairMatrix M = coupled(A.R.transpose() * B.R);
-  M.template block<rd, rd>(sd, sd) += Ja_;
-  M.template bottomRightCorner<rd, rd>() += Ja_;
-  M.template block<rd, rd>(sd, dim + sd) += Jc_;
-  M.template block<rd, rd>(dim + sd, sd) += Jc_.transpose();
+  Matrix M_AB = block(AB_, A.R.transpose().lazyProduct(B.R), by_rates());
+  M_AB.template bottomRightCorner<rd, rd>() += Jc_;
+  PairMatrix M;
+  M << M_AA_, M_AB, M_AB.transpose(), M_BB_;
   return M;
 }
 
 /// D_v acceleration(v, a): d(w x q) = w x dq - q x dw.
 template <FrameGroup G>
-auto HermiteInertia<G>::gyroscopic_columns(const Tangent& v) const -> ThreeByNode {
-  ThreeByNode C;
+auto HermiteInertia<G>::gyroscopic(const Tangent& v) const -> Derivatives {
+  using Rot = RotationOf<G>;
   const Three q = of_node(v);
-  const Angular w = v.template tail<rd>();
-  for (int j = 0; j < dim; ++j) {
-    const Tangent e = Tangent::Unit(j);
-    const Three dq = of_node(e);
-    const Angular dw = e.template tail<rd>();
-    Three column;
-    for (int i = 0; i < 3; ++i)
-      column.col(i) = -RotationOf<G>::cross(Vector(dq.col(i))) * w -
-                      RotationOf<G>::cross(Vector(q.col(i))) * dw;
-    C.col(j) = column.reshaped();
-  }
-  return C;
+  Rotation W;  // w x
+  if constexpr (sd == 2)
+    W << 0, -v[2], v[2], 0;
+  else
+    W = hat(v.template tail<3>());
+  return {W, -Rot::cross(q.col(0)), W.lazyProduct(X_) - Rot::cross(q.col(1)),
+          W.lazyProduct(DX_) - Rot::cross(q.col(2))};
 }
 
 template <FrameGroup G>
 auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const double* v) const
     -> PairMatrix {
   const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
-  const Rotation S = A.R.transpose() * B.R;
-  const ThreeByNode by_A = gyroscopic_columns(v_A), by_B = gyroscopic_columns(v_B);
+  const Rotation I = Rotation::Identity(), S = A.R.transpose().lazyProduct(B.R);
+  const Derivatives by_A = gyroscopic(v_A), by_B = gyroscopic(v_B);
   PairMatrix c;
-  for (int j = 0; j < dim; ++j) {
-    const Three p = by_A.col(j).reshaped(sd, 3), q = by_B.col(j).reshaped(sd, 3);
-    c.col(j) << collect(p * AA_), collect(S.transpose() * (p * AB_));
-    c.col(dim + j) << collect(S * (q * AB_.transpose())), collect(q * BB_);
-  }
+  c << block(AA_, I, by_A), block(AB_, S, by_B),  //
+      block(AB_.transpose(), S.transpose(), by_A), block(BB_, I, by_B);
   if constexpr (rd == 3) {
+    const Inertia W_A = hat(v_A.template tail<3>()), W_B = hat(v_B.template tail<3>());
     const Angular w_A = v_A.template tail<3>(), w_B = v_B.template tail<3>();
-    c.template block<3, 3>(3, 3) += hat(w_A) * Ja_ - hat(Angular(Ja_ * w_A + Jc_ * w_B));
-    c.template block<3, 3>(3, 9) += hat(w_A) * Jc_;
-    c.template block<3, 3>(9, 9) +=
-        hat(w_B) * Ja_ - hat(Angular(Ja_ * w_B + Jc_.transpose() * w_A));
-    c.template block<3, 3>(9, 3) += hat(w_B) * Jc_.transpose();
+    const Angular L_A = Ja_.lazyProduct(w_A) + Jc_.lazyProduct(w_B),
+                  L_B = Ja_.lazyProduct(w_B) + Jc_.transpose().lazyProduct(w_A);
+    c.template block<3, 3>(3, 3) += W_A.lazyProduct(Ja_) - hat(L_A);
+    c.template block<3, 3>(3, 9) += W_A.lazyProduct(Jc_);
+    c.template block<3, 3>(9, 9) += W_B.lazyProduct(Ja_) - hat(L_B);
+    c.template block<3, 3>(9, 3) += W_B.lazyProduct(Jc_.transpose());
   }
   return c;
+}
+
+/// N^T of three matrices on(i) that act on the rotation of the node at `column`.
+template <FrameGroup G>
+template <class F>
+void HermiteInertia<G>::add_turned(const F& on, int row, int column, PairMatrix& k) const {
+  k.template block<sd, rd>(row, column + sd) += on(0);
+  k.template block<rd, rd>(row + sd, column + sd) +=
+      X_.transpose().lazyProduct(on(1)) + DX_.transpose().lazyProduct(on(2));
 }
 
 /// dS = -w_A~ S + S w_B~ on what each node has of the other.
@@ -231,22 +232,16 @@ template <FrameGroup G>
 auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const Pair& a) const
     -> PairMatrix {
   using Rot = RotationOf<G>;
-  const Rotation S = A.R.transpose() * B.R;
+  const Rotation S = A.R.transpose().lazyProduct(B.R), St = S.transpose();
   const Three p = acceleration(Eigen::Map<const Tangent>(v), a.template head<dim>()),
               q = acceleration(Eigen::Map<const Tangent>(v + dim), a.template tail<dim>());
-  const Three y = q * AB_.transpose(), z = p * AB_;
+  const Three y = q.lazyProduct(AB_.transpose()), z = p.lazyProduct(AB_);
+  const Three Sy = S.lazyProduct(y), Sz = St.lazyProduct(z);
   PairMatrix k = PairMatrix::Zero();
-  for (int j = 0; j < rd; ++j) {
-    Three on_A, on_B, by_B_on_A, by_B_on_B;
-    for (int i = 0; i < 3; ++i) {
-      on_A.col(i) = Rot::cross(Vector(S * y.col(i))).col(j);
-      by_B_on_A.col(i) = -S * Rot::cross(Vector(y.col(i))).col(j);
-      on_B.col(i) = -S.transpose() * Rot::cross(Vector(z.col(i))).col(j);
-      by_B_on_B.col(i) = Rot::cross(Vector(S.transpose() * z.col(i))).col(j);
-    }
-    k.col(sd + j) << collect(on_A), collect(on_B);
-    k.col(dim + sd + j) << collect(by_B_on_A), collect(by_B_on_B);
-  }
+  add_turned([&](int i) -> Turning { return Rot::cross(Sy.col(i)); }, 0, 0, k);
+  add_turned([&](int i) -> Turning { return -S.lazyProduct(Rot::cross(y.col(i))); }, 0, dim, k);
+  add_turned([&](int i) -> Turning { return -St.lazyProduct(Rot::cross(z.col(i))); }, dim, 0, k);
+  add_turned([&](int i) -> Turning { return Rot::cross(Sz.col(i)); }, dim, dim, k);
   return k;
 }
 

@@ -71,19 +71,29 @@ class HermiteInertia {
 
  private:
   using Three = Eigen::Matrix<double, sd, 3>;  ///< [u, w x e_1, D (w x e_1)] of a node
-  using ThreeByNode = Eigen::Matrix<double, 3 * sd, dim>;
+  using Turning = Eigen::Matrix<double, sd, rd>;
+  using Inertia = Eigen::Matrix<double, rd, rd>;
+  /// Derivatives of the three vectors of a node by [u; w]: [uu uw; 0 w1; 0 w2].
+  struct Derivatives {
+    Rotation uu;
+    Turning uw, w1, w2;
+  };
 
   Three of_node(const Tangent& v) const;
   Three acceleration(const Tangent& v, const Tangent& a) const;
   Tangent collect(const Three& f) const;
-  ThreeByNode by_node() const;
-  ThreeByNode gyroscopic_columns(const Tangent& v) const;
-  PairMatrix coupled(const Rotation& S) const;
+  Derivatives by_rates() const { return {Rotation::Identity(), Turning::Zero(), X_, DX_}; }
+  Derivatives gyroscopic(const Tangent& v) const;
+  Matrix block(const Eigen::Matrix3d& c, const Rotation& R, const Derivatives& by) const;
+  template <class F>
+  void add_turned(const F& on, int row, int column, PairMatrix& k) const;
 
   double L_, m_;
   Share D_;
-  Eigen::Matrix<double, rd, rd> Ja_, Jc_;  ///< rotation: L J (1/3 + ...), L J (1/6 - ...)
+  Turning X_, DX_;   ///< w x e_1 = X w, and D X
+  Inertia Ja_, Jc_;  ///< rotation: L J (1/3 + ...), L J (1/6 - ...)
   Eigen::Matrix3d AA_, AB_, BB_;
+  Matrix M_AA_, M_BB_;  ///< blocks of the mass matrix, constant
 };
 
 extern template class HermiteInertia<SE2>;

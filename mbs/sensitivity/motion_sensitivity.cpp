@@ -242,6 +242,15 @@ struct StepEnd {
 }  // namespace
 
 template <FrameGroup G>
+void require_sensitivities(const Model<G>& model, const Tape<G>& tape,
+                           const Parameters<G>& parameters) {
+  Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
+  require_given_start(model, tape, derivatives);
+  const StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
+  start_derivatives(model, tape, parameters, in_inertial_axes(model, tape.checkpoints.at(0).s));
+}
+
+template <FrameGroup G>
 SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at) {
   Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
@@ -343,6 +352,8 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   return {};
 }
 
+template void require_sensitivities(const Model<SE2>&, const Tape<SE2>&, const Parameters<SE2>&);
+template void require_sensitivities(const Model<SE3>&, const Tape<SE3>&, const Parameters<SE3>&);
 template SensitivityEnd direct_sensitivity(const Model<SE2>&, const Tape<SE2>&,
                                            const Parameters<SE2>&, const SensitivityAt<SE2>&);
 template SensitivityEnd direct_sensitivity(const Model<SE3>&, const Tape<SE3>&,

@@ -33,6 +33,11 @@ constexpr bool adjoint_is_faster(int parameters, int functionals) {
   return parameters > functionals + 4;
 }
 
+/// @throws std::invalid_argument if there are no sensitivities, as the forms below, at once
+template <FrameGroup G>
+void require_sensitivities(const Model<G>& model, const Tape<G>& tape,
+                           const Parameters<G>& parameters);
+
 /// Direct form: one factorisation and n_p solutions a step.
 /// @throws std::invalid_argument if the start depends on the parameters: it was moved onto joints
 /// or drives, or a drive that depends on them does not start from zero and from rest. A static
@@ -65,6 +70,10 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                    const Parameters<G>& parameters, int functionals,
                                    const CotangentsAt<G>& at, Eigen::MatrixXd& gradient);
 
+extern template void require_sensitivities(const Model<SE2>&, const Tape<SE2>&,
+                                           const Parameters<SE2>&);
+extern template void require_sensitivities(const Model<SE3>&, const Tape<SE3>&,
+                                           const Parameters<SE3>&);
 extern template SensitivityEnd direct_sensitivity(const Model<SE2>&, const Tape<SE2>&,
                                                   const Parameters<SE2>&,
                                                   const SensitivityAt<SE2>&);

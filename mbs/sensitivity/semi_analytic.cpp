@@ -111,6 +111,8 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
   Residuals<G> residuals(model, perturbed);
   FrozenFactor<G> frozen(model);
   StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
+  typename StepSensitivity<G>::Known k;
+  typename StepSensitivity<G>::RateChange change;
   StateSensitivity ds;
   SensitivityEnd end;
   const auto fail = [&end](double t) {
@@ -127,8 +129,8 @@ SensitivityEnd semi_analytic_sensitivity(const Model<G>& model, const Tape<G>& t
     const State<G> before = in_inertial_axes(model, from), after = in_inertial_axes(model, to);
     if (!sensitivity.step(before, after, h, !factor.frozen)) return fail(after.t);
     const TangentWeights w = sensitivity.weights();
-    const auto k = sensitivity.known(ds);
-    const auto change = sensitivity.at_held_frames(k);
+    sensitivity.take_known(ds, k);
+    sensitivity.take_at_held_frames(k, change);
     MatrixXd x = residuals.right_side(after, before.rows, change.v, change.vdot);
     const bool solved = factor.frozen ? frozen.solve(sensitivity.matrix(), w, factor.corrections,
                                                      to, residuals.equations(to, from.rows), x)

@@ -12,84 +12,7 @@ using Eigen::MatrixXd;
 
 namespace {
 
-constexpr int kRefinements = 2;
 constexpr double kShared = 1e-10;  // of B M^-1 B^T: rows that repeat others share forces
-
-using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-
-constexpr Eigen::Index kAtOnce = 4;  // columns: those of one AVX register
-
-/// (to + rest) -= a x of `kAtOnce` numbers in twice the precision, error-free products and sums
-/// (Ogita, Rump, Oishi 2005, "Accurate sum and dot product", SIAM J. Sci. Comput. 26). A function
-/// of its own: inlined, the compiler forgets that nothing overlaps and takes one number at a time.
-[[gnu::noinline]] void subtract(double a, const double* __restrict x, double* __restrict to,
-                                double* __restrict rest) {
-  for (Eigen::Index k = 0; k < kAtOnce; ++k) {
-    const double product = a * x[k], product_error = std::fma(a, x[k], -product);
-    const double sum = to[k] - product, part = sum - to[k];
-    rest[k] += ((to[k] - (sum - part)) - (product + part)) - product_error;
-    to[k] = sum;
-  }
-}
-
-/// b - A x, or b - A^T x, in twice the precision; by rows, so that the columns of x lie side by
-/// side, filled up to a multiple of `kAtOnce`.
-MatrixXd residual(const Eigen::SparseMatrix<double>& A, bool transposed, const MatrixXd& x,
-                  const MatrixXd& b) {
-  const auto columns = (b.cols() + kAtOnce - 1) / kAtOnce * kAtOnce;
-  Rows y = Rows::Zero(x.rows(), columns), r = y, rest = y;
-  y.leftCols(x.cols()) = x;
-  r.leftCols(b.cols()) = b;
-  for (int j = 0; j < A.outerSize(); ++j)
-    for (Eigen::SparseMatrix<double>::InnerIterator it(A, j); it; ++it) {
-      const auto from = columns * (transposed ? it.row() : it.col()),
-                 to = columns * (transposed ? it.col() : it.row());
-      for (Eigen::Index k = 0; k < columns; k += kAtOnce)
-        subtract(it.value(), y.data() + from + k, r.data() + to + k, rest.data() + to + k);
-    }
-  return (r + rest).leftCols(b.cols());
-}
-
-/// Is the next correction below round-off, in displacements and in multipliers? Corrections shrink
-/// by the ratio of the first one to the solution.
-bool exact(const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
-  constexpr double kSmall = 1e-10;  // its square is far below 1e-16
-  for (Eigen::Index j = 0; j < x.cols(); ++j) {
-    const auto c = correction.col(j), of = x.col(j);
-    const auto m = x.rows() - n;
-    if (c.head(n).template lpNorm<Eigen::Infinity>() >
-        kSmall * of.head(n).template lpNorm<Eigen::Infinity>())
-      return false;
-    if (m > 0 && c.tail(m).template lpNorm<Eigen::Infinity>() >
-                     kSmall * of.tail(m).template lpNorm<Eigen::Infinity>())
-      return false;
-  }
-  return true;
-}
-
-/// x <- A^-1 x or A^-T x with iterative refinement (N. J. Higham, Accuracy and Stability of
-/// Numerical Algorithms, SIAM 2002, ch. 12). Rows of S range from 1 (joints) to 1e9 (EA/L, beta'
-/// M), and the pivots that KLU keeps from step to step may cost half of the digits; w' = beta' x +
-/// w0 takes as many again.
-/// @param n number of displacements, the first rows of x
-/// @returns false if the solution is not finite
-bool solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
-           Eigen::Index n, MatrixXd& x) {
-  const MatrixXd b = x;
-  MatrixXd correction = b;
-  x.setZero();
-  for (int i = 0; i <= kRefinements; ++i) {
-    if (i > 0) correction = residual(A, transposed, x, b);
-    if (transposed)
-      lu.solve_transposed(correction);
-    else
-      lu.solve(correction);
-    x += correction;
-    if (!x.allFinite()) return false;
-    if (i > 0 && exact(correction, x, n)) break;
-  }
-  return true;
-}
 
 /// diag(T_k) x or diag(T_k^T) x.
 template <class Blocks>
@@ -174,8 +97,8 @@ template <FrameGroup G>
 bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& previous,
                                    const RateTangents<G>& rates, bool factor) {
   equations_.damping = at_start_ ? 0 : damping_;
-  equations_.evaluate(s, previous, {s.t, 1});
-  matrix_.take_prestress(equations_, s);
+  equations_.evaluate_couplings(s, previous, {s.t, 1});
+  matrix_.take_own_stress(equations_);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
   return !factor || matrix_.factor();
 }
@@ -221,8 +144,8 @@ template <FrameGroup G>
 bool StepSensitivity<G>::equilibrium(const State<G>& s, const LoadLevel& level) {
   at_start_ = in_equilibrium_ = true;
   equations_.damping = 0;
-  equations_.evaluate(s, s.rows, level);
-  matrix_.take_prestress(equations_, s);
+  equations_.evaluate_couplings(s, s.rows, level);
+  matrix_.take_own_stress(equations_);
   start_matrix_ = matrix_.assemble(equations_, s, level);
   start_lu_ = SparseLu();
   return start_lu_.factor(start_matrix_);
@@ -269,7 +192,7 @@ bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& 
 }
 
 template <FrameGroup G>
-auto StepSensitivity<G>::known(const StateSensitivity& local) const -> Known {
+void StepSensitivity<G>::take_known(const StateSensitivity& local, Known& k) const {
   const auto& [am, af, gamma, beta] = weights_;
   StateSensitivity copy;
   if (model_.update != NodeUpdate::Screw) {
@@ -277,19 +200,18 @@ auto StepSensitivity<G>::known(const StateSensitivity& local) const -> Known {
     before_.to_coordinates(copy);
   }
   const StateSensitivity& s = model_.update == NodeUpdate::Screw ? local : copy;
-  Known k;
   k.x0 = scaled(back_, s.eta);
   k.a0 = -s.v / (beta * h_) - (1 / (2 * beta) - 1) * s.a;
   k.v0 = (1 - gamma / beta) * s.v + h_ * (1 - gamma / (2 * beta)) * s.a;
   k.w0 = ((1 - am) * k.a0 + am * s.a - af * s.w) / (1 - af);
-  return k;
 }
 
 template <FrameGroup G>
 StateSensitivity StepSensitivity<G>::lag(const StateSensitivity& before,
                                          const StateSensitivity& after) const {
   const TangentWeights w = weights_.at(h_);
-  const Known k = known(before);
+  Known k;
+  take_known(before, k);
   const MatrixXd x = scaled(ahead_, after.eta) - k.x0;
   StateSensitivity out;
   out.a = x / (weights_.beta * h_ * h_) + k.a0 - after.a;
@@ -312,11 +234,11 @@ void StepSensitivity<G>::add_step(const ResidualDerivative& by_p, Known& k) cons
 }
 
 template <FrameGroup G>
-auto StepSensitivity<G>::at_held_frames(const Known& k) const -> RateChange {
+void StepSensitivity<G>::take_at_held_frames(const Known& k, RateChange& change) const {
   const TangentWeights w = weights_.at(h_);
-  RateChange change{k.v0 - w.damping * k.x0, k.w0 - w.mass * k.x0};
+  change.v = k.v0 - w.damping * k.x0;
+  change.vdot = k.w0 - w.mass * k.x0;
   after_.at_held_frames(change.v, change.vdot);
-  return change;
 }
 
 template <FrameGroup G>
@@ -345,27 +267,27 @@ void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
 }
 
 template <FrameGroup G>
-bool StepSensitivity<G>::solve(MatrixXd& x) const {
-  return liesl::solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
+bool StepSensitivity<G>::solve(MatrixXd& x) {
+  return refined_.solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
 }
 
 template <FrameGroup G>
 bool StepSensitivity<G>::forward(const ResidualDerivative& by_p, StateSensitivity& s) {
   if (at_start_) return start_forward(by_p, s);
-  Known k = known(s);
-  add_step(by_p, k);
-  const RateChange change = at_held_frames(k);
+  take_known(s, known_);
+  add_step(by_p, known_);
+  take_at_held_frames(known_, change_);
   const auto n = model_.size();
-  MatrixXd force = by_p.r;
-  matrix_.add_mass_product(change.vdot, false, force);
-  matrix_.add_damping_product(change.v, false, force);
-  MatrixXd rhs(n + model_.constraints(), by_p.r.cols());
-  rhs << -force, -by_p.phi;
+  force_ = by_p.r;
+  matrix_.add_mass_product(change_.vdot, false, force_);
+  matrix_.add_damping_product(change_.v, false, force_);
+  rhs_.resize(n + model_.constraints(), by_p.r.cols());
+  rhs_ << -force_, -by_p.phi;
   each_damped_block([&](int row, int column, const auto& block) {
-    rhs.middleRows(n + row, block.rows()) -= block * change.v.template middleRows<dim>(column);
+    rhs_.middleRows(n + row, block.rows()) -= block * change_.v.template middleRows<dim>(column);
   });
-  if (!solve(rhs)) return false;
-  finish(k, rhs, s);
+  if (!solve(rhs_)) return false;
+  finish(known_, rhs_, s);
   return true;
 }
 
@@ -380,7 +302,7 @@ bool StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  if (!liesl::solve(matrix_.lu(), matrix_.matrix(), true, n, rhs)) return false;
+  if (!refined_.solve(matrix_.lu(), matrix_.matrix(), true, n, rhs)) return false;
   const MatrixXd mu = rhs.topRows(n);
   MatrixXd Mmu = MatrixXd::Zero(n, mu.cols()), Cmu = Mmu;
   matrix_.add_mass_product(mu, true, Mmu);
@@ -413,7 +335,7 @@ bool StepSensitivity<G>::start_forward(const ResidualDerivative& by_p, StateSens
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, by_p.r.cols());
   rhs << -MatrixXd(by_p.r), -by_p.phi;
-  if (!liesl::solve(start_lu_, start_matrix_, false, n, rhs)) return false;
+  if (!refined_.solve(start_lu_, start_matrix_, false, n, rhs)) return false;
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
   (in_equilibrium_ ? s.eta : s.w) = rhs.topRows(n);
   s.a = s.w;
@@ -427,7 +349,7 @@ bool StepSensitivity<G>::start_backward(const ResidualDerivative& by_p, StateSen
   const auto n = model_.size(), m = model_.constraints();
   MatrixXd rhs(n + m, s.w.cols());
   rhs << (in_equilibrium_ ? s.eta : MatrixXd(s.w + s.a)), s.lambda;
-  if (!liesl::solve(start_lu_, start_matrix_, true, n, rhs)) return false;
+  if (!refined_.solve(start_lu_, start_matrix_, true, n, rhs)) return false;
   p -= by_p.r.transpose() * rhs.topRows(n) + by_p.phi.transpose() * rhs.bottomRows(m);
   s = StateSensitivity::zero(n, m, static_cast<int>(rhs.cols()));
   return p.allFinite();

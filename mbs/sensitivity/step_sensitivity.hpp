@@ -25,6 +25,7 @@
 #include <Eigen/Core>
 #include <optional>
 
+#include "mbs/linalg/refined_solve.hpp"
 #include "mbs/sensitivity/rate_map.hpp"
 #include "mbs/solvers/generalized_alpha.hpp"
 
@@ -69,7 +70,7 @@ class StepSensitivity {
   struct Known {
     Eigen::MatrixXd x0, a0, v0, w0;
   };
-  Known known(const StateSensitivity& before) const;
+  void take_known(const StateSensitivity& before, Known& k) const;
   /// v', a', w' that the step makes of `before` and eta of `after`, less those of `after`: zero if
   /// these are derivatives of states along the step. @pre nodes move along the group
   StateSensitivity lag(const StateSensitivity& before, const StateSensitivity& after) const;
@@ -80,11 +81,11 @@ class StepSensitivity {
   struct RateChange {
     Eigen::MatrixXd v, vdot;
   };
-  RateChange at_held_frames(const Known& k) const;
+  void take_at_held_frames(const Known& k, RateChange& change) const;
   /// The state after from the solution [eta; lambda'] of its equations.
   void finish(const Known& k, const Eigen::MatrixXd& solution, StateSensitivity& x) const;
   /// x <- S^-1 x, not finite where it returns false
-  bool solve(Eigen::MatrixXd& x) const;
+  bool solve(Eigen::MatrixXd& x);
   TangentWeights weights() const { return weights_.at(h_); }
   bool at_start() const { return at_start_; }
 
@@ -118,6 +119,10 @@ class StepSensitivity {
   RateMap<G> before_, after_;
   Eigen::VectorXd by_step_a_, by_step_v_;  ///< what s multiplies in a0 and v0
   RateTangents<G> rates_;
+  Known known_;
+  RateChange change_;
+  Eigen::MatrixXd force_, rhs_;
+  RefinedSolve refined_;
   Eigen::SparseMatrix<double> start_matrix_;
   SparseLu start_lu_;
 };

@@ -144,7 +144,7 @@ bool GeneralizedAlpha<G>::refresh(Factored& factors) {
   const TangentPoint<G>& at = factors.at;
   for (auto& n : factorizations_) ++n;
   coordinates_.rate_tangents(at.s, at.dq, at.u, at.udot, weights_.at(at.h), rate_tangents_);
-  tangent_at_.take_prestress(equations_, at.s);
+  tangent_at_.take_own_stress(equations_);
   tangent_at_.linearise(equations_, at.s, {at.s.t, 1}, &rate_tangents_);
   factors.exact = factors.system.factor_exact(tangent_at_);
   if (!factors.exact) factors.system.factor(weights_.at(at.h));

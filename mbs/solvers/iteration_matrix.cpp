@@ -60,8 +60,15 @@ void IterationMatrix<G>::take_prestress(const Equations<G>& eq, const State<G>& 
 }
 
 template <FrameGroup G>
+void IterationMatrix<G>::take_own_stress(const Equations<G>& eq) {
+  own_stress_ = true;
+  for (size_t c = 0; c < eq.couplings.size(); ++c) prestress_.force[c] = eq.couplings[c].force;
+}
+
+template <FrameGroup G>
 void IterationMatrix<G>::extrapolate_prestress(const Equations<G>& eq, const State<G>& s,
                                                const Eigen::VectorXd& delta) {
+  own_stress_ = false;
   for (size_t b = 0; b < model_.bodies.size(); ++b) {
     const int index = static_cast<int>(b);
     model_.bodies[b]->extrapolate_stress(model_.body_state(s, index),
@@ -101,7 +108,7 @@ void IterationMatrix<G>::linearise_bodies(const State<G>& s, const LoadLevel& le
     const Body<G>& body = *model_.bodies[b];
     const BodyState<G> state = model_.body_state(s, static_cast<int>(b));
     const int first = model_.first_node(static_cast<int>(b));
-    const auto* stress = prestress_.section[b].data();
+    const auto* stress = own_stress_ ? nullptr : prestress_.section[b].data();
     if (!rates) {
       body.exact_tangent(state, gravity, {}, stress, A_[b]);
       continue;

@@ -36,6 +36,8 @@ class IterationMatrix {
   /// Prestress of the state itself.
   /// @pre eq was evaluated at s, here and below
   void take_prestress(const Equations<G>& eq, const State<G>& s);
+  /// The same where no increment is to be added to it: bodies know the stress of a state.
+  void take_own_stress(const Equations<G>& eq);
   /// Prestress of the state extrapolated by an increment: sigma + (K/L) P delta for elements,
   /// f + k B delta for springs (mixed-integration-point Newton: Magisano, Leonetti, Garcea 2017,
   /// "How to improve efficiency and robustness of the Newton method in geometrically non-linear
@@ -93,8 +95,9 @@ class IterationMatrix {
 
   const Model<G>& model_;
   Prestress<G> prestress_;
-  Eigen::VectorXd still_;   ///< no increment
-  BodyMatrices A_, C_, M_;  ///< by body
+  bool own_stress_ = false;  ///< `prestress_` has none of bodies
+  Eigen::VectorXd still_;    ///< no increment
+  BodyMatrices A_, C_, M_;   ///< by body
   std::vector<CouplingBlock, Eigen::aligned_allocator<CouplingBlock>> couplings_;
   std::vector<Rates> rates_;
   bool damped_ = false;

@@ -142,7 +142,7 @@ Eigen::SparseMatrix<double> PlaneStability::out_of_plane() const {
 std::optional<double> PlaneStability::growth(const State<SE2>& s) {
   if (!frames_only_ || !take(s)) return {};
   take_rates();
-  matrix_.take_prestress(equations_, s_);
+  matrix_.take_own_stress(equations_);
   const Eigen::SparseMatrix<double> A = matrix_.assemble(equations_, s_, {s_.t, 1}, &rates_);
   const int n = model_.size(), m = model_.constraints();
   const Eigen::SparseMatrix<double>& N = out_of_plane_;

@@ -29,21 +29,39 @@ Equations<G>::Equations(const Model<G>& m) : model(m) {
 template <FrameGroup G>
 void Equations<G>::evaluate(const State<G>& s, const Eigen::VectorXd& previous,
                             const LoadLevel& level, const SectionForces* stress) {
-  for (auto& scale : scales_) scale = {};
-  r.setZero();
-  phi.setZero();
+  clear();
   add_bodies(s, level, stress);
   add_loads(s, level);
-  for (size_t c = 0; c < couplings.size(); ++c)
-    add_coupling(model.couplings[c], couplings[c], s, previous, level);
-  gap = phi;
-  if (model.penalty.form != ConstraintForm::Multipliers) add_compliance(s, level.t);
+  add_couplings(s, previous, level);
   ForceScale sum;
   for (const auto& scale : scales_) {
     sum.force += scale.force;
     sum.moment += scale.moment;
   }
   scale_ = sum.norm(model.length);
+}
+
+template <FrameGroup G>
+void Equations<G>::evaluate_couplings(const State<G>& s, const Eigen::VectorXd& previous,
+                                      const LoadLevel& level) {
+  clear();
+  add_couplings(s, previous, level);
+}
+
+template <FrameGroup G>
+void Equations<G>::clear() {
+  for (auto& scale : scales_) scale = {};
+  r.setZero();
+  phi.setZero();
+}
+
+template <FrameGroup G>
+void Equations<G>::add_couplings(const State<G>& s, const Eigen::VectorXd& previous,
+                                 const LoadLevel& level) {
+  for (size_t c = 0; c < couplings.size(); ++c)
+    add_coupling(model.couplings[c], couplings[c], s, previous, level);
+  gap = phi;
+  if (model.penalty.form != ConstraintForm::Multipliers) add_compliance(s, level.t);
 }
 
 template <FrameGroup G>

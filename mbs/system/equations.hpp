@@ -34,6 +34,11 @@ class Equations {
   void evaluate(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                 const SectionForces* stress = nullptr);
 
+  /// What linearisations take from it and no more: phi, B and the forces of couplings; r has no
+  /// forces of bodies and loads.
+  void evaluate_couplings(const State<G>& s, const Eigen::VectorXd& previous,
+                          const LoadLevel& level);
+
   /// Leaves the forces of a body out of r from now on; its loads and joints stay.
   void leave_out(int body) { left_out_[static_cast<std::size_t>(body)] = true; }
 
@@ -83,6 +88,8 @@ class Equations {
  private:
   void add_bodies(const State<G>& s, const LoadLevel& level, const SectionForces* stress);
   void add_loads(const State<G>& s, const LoadLevel& level);
+  void clear();
+  void add_couplings(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level);
   void add_coupling(const Coupling<G>& c, CouplingData& data, const State<G>& s,
                     const Eigen::VectorXd& previous, const LoadLevel& level);
   void add_compliance(const State<G>& s, double t);

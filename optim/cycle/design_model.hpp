@@ -61,6 +61,13 @@ class DesignModel {
   virtual std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at,
                                                         const Eigen::VectorXd& x,
                                                         double move) const = 0;
+  /// That problem where it tells every limit and the objective, in the place of a surrogate whose
+  /// gradients are not worth their time yet: without optimality conditions. Else no problem.
+  /// @throws NoSensitivities if there will be none
+  virtual Surrogate uncorrected(const DesignAnalysis&, const Eigen::VectorXd& /*x*/,
+                                double /*move*/) const {
+    return {};
+  }
   /// @param active limits this near may carry a multiplier
   /// @throws NoSensitivities
   virtual Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
@@ -83,7 +90,7 @@ class DesignModel {
   void take_over(SimulationEffort effort) { effort_ = std::move(effort); }
 
  protected:
-  SimulationEffort effort_;
+  mutable SimulationEffort effort_;  ///< surrogates count their gradients
 };
 
 /// The motion cannot be differentiated.

@@ -164,7 +164,7 @@ std::shared_ptr<DesignAnalysis> MotionModel<G>::analyse(const VectorXd& x,
                     [&](std::size_t s) { out->runs[s] = simulators_[s]->run(x, shared); });
   for (const DesignRun<G>& run : out->runs) {
     const Report& r = run.simulation.report;
-    effort_ += {r.steps, r.newton_iterations, r.stepping_s, r.factorizations};
+    effort_ += {r.steps, r.newton_iterations, r.stepping_s, r.factorizations, 0};
   }
   judge(*out, x);
   return out;
@@ -314,6 +314,7 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
     MotionGradients effort;
   };
   std::vector<Part> parts(simulators_.size());
+  effort_.sensitivities += static_cast<long>(parts.size());
   tbb::parallel_for(std::size_t{0}, parts.size(), [&](std::size_t s) {
     Part& p = parts[s];
     const DesignRun<G>& run = at.runs[s];
@@ -372,6 +373,28 @@ std::unique_ptr<StaticProblem> MotionModel<G>::with_gradients(const MotionAnalys
   return combined(std::move(members));
 } catch (const MechanismMoves& error) {
   throw NoStaticsOfMechanism(error.what());
+} catch (const std::invalid_argument& error) {
+  throw NoSensitivities(error.what());
+}
+
+template <FrameGroup G>
+Surrogate MotionModel<G>::uncorrected(const DesignAnalysis& given, const VectorXd& x,
+                                      double move) const try {
+  const auto& at = dynamic_cast<const MotionAnalysis<G>&>(given);
+  const auto told = [](const ConstraintSpec& c) { return c.has_image; };
+  if (!std::ranges::all_of(study_.constraints, told) || !study_.motion_objective.only_mass() ||
+      at.runs.front().statics)
+    return {};
+  Members all;
+  for (std::size_t s = 0; s < simulators_.size(); ++s)
+    for (auto& member : static_members(scaled(at), s, at, x, move)) {
+      MotionGradients::require(simulators_[s]->design(), at.runs[s], x,
+                               member.problem->responses());
+      all.push_back(std::move(member));
+    }
+  return {std::make_unique<CorrectedProblem>(combined(std::move(all)), MotionGradients(), x,
+                                             at.objective, study_.cycle.approximation),
+          {}};
 } catch (const std::invalid_argument& error) {
   throw NoSensitivities(error.what());
 }

@@ -54,6 +54,8 @@ class MotionModel final : public DesignModel {
                                           const Progress& progress) override;
   std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis& at, const Eigen::VectorXd& x,
                                                 double move) const override;
+  Surrogate uncorrected(const DesignAnalysis& at, const Eigen::VectorXd& x,
+                        double move) const override;
   Surrogate surrogate(const DesignAnalysis& at, const Eigen::VectorXd& x, double move,
                       double active) const override;
   std::vector<Eigen::VectorXd> response_values(

@@ -42,6 +42,7 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   penalty_ = taken->penalty;
   warm_ = taken->warm;
   before_ = taken->maxima;
+  plain_ = taken->number == history.front().number;
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
@@ -59,7 +60,10 @@ Step TrustRegionRule::repeat(CycleRecord& record, const std::vector<Cycle>& reje
       return propose(record, nullptr);
     }
     judge(merit(c));
-    if (const auto again = record.analyse(c.x); again->good()) learn(record, *again, c.x);
+    if (plain_)
+      correct();
+    else if (const auto again = record.analyse(c.x); again->good())
+      learn(record, *again, c.x);
     step = propose(record, nullptr);
   }
   return step;
@@ -73,12 +77,15 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.warm = warm_;
   cycle.move = radius_;
   if (cycle.taken) {
-    if (at_) remember(record, *at_);
+    if (at_ && !plain_) remember(record, *at_);
+    plain_ = !at_;
     cycle.maxima = before_;
     x_ = cycle.x;
     at_ = analysis;
     surrogate_ = {};
     record.keep(at_, x_);
+  } else if (plain_) {
+    correct();
   } else {
     learn(record, *analysis, cycle.x);
   }
@@ -104,13 +111,14 @@ Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
                         "a design cannot be analysed: " + failed.reason}};
   record.warn("a design could not be analysed: " + failed.reason);
   judge({});
+  if (plain_) correct();
   return propose(record, nullptr);
 }
 
 bool TrustRegionRule::judge(std::optional<double> trial) {
   const double ratio = trial ? (merit(*at_) - *trial) / predicted_ : -1;
   if (ratio < kTake)
-    radius_ *= kShrink;
+    radius_ *= plain_ ? 1 : kShrink;
   else if (ratio > kGood && on_bound())
     radius_ = std::min(largest_, kGrow * radius_);
   return ratio >= kTake;
@@ -129,18 +137,29 @@ bool TrustRegionRule::on_bound() const {
 /// The answer of the surrogate at x_k, or the end.
 Step TrustRegionRule::propose(CycleRecord& record, Cycle* cycle) {
   if (!surrogate_.problem) {
-    surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
-    built_ = radius_;
+    make_surrogate(record);
     if (!surrogate_.problem)
       return {x_, CycleEnd{CycleStatus::SimulationFailed,
                            "there are no sensitivities: " + surrogate_.optimality.reason}};
-    if (!before_.empty())
-      surrogate_.problem->add_records(near_maxima(
-          before_, record.model().response_values(*at_, surrogate_.problem->responses())));
   } else if (radius_ < kSmallestRadius) {
     return {x_, stalled(record)};
   }
   return trial_step(record, cycle);
+}
+
+void TrustRegionRule::make_surrogate(CycleRecord& record) {
+  if (plain_) surrogate_ = record.model().uncorrected(*at_, x_, radius_);
+  plain_ = surrogate_.problem != nullptr;
+  if (!plain_) surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
+  built_ = radius_;
+  if (surrogate_.problem && !before_.empty())
+    surrogate_.problem->add_records(near_maxima(
+        before_, record.model().response_values(*at_, surrogate_.problem->responses())));
+}
+
+void TrustRegionRule::correct() {
+  plain_ = false;
+  surrogate_ = {};
 }
 
 Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
@@ -153,6 +172,11 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
     }
     if (record.asked_to_stop()) return {x_, record.stopped()};
     predicted_ = merit(*at_) - answer_.merit;
+    const auto limit = used_up(record.history(), record.options());
+    if (plain_ && (limit || predicted_ <= record.options().objective_tolerance)) {
+      correct();
+      return propose(record, cycle);
+    }
     // Rows that are conservative say how far to go, not that there is nothing to gain.
     if (predicted_ <= kNothing && !is_optimal(record) && surrogate_.problem->forget_rejected())
       continue;
@@ -162,8 +186,7 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
       continue;
     }
     if (auto end = settled(record, predicted_)) return {x_, std::move(end)};
-    if (auto end = used_up(record.history(), record.options()))
-      return {x_, is_optimal(record) ? stalled(record) : std::move(*end)};
+    if (limit) return {x_, is_optimal(record) ? stalled(record) : *limit};
     return {answer_.x, {}};
   }
 }

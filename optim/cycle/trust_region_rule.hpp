@@ -14,11 +14,13 @@ namespace liesl {
 /// From the design x_k and its surrogate (design_model.hpp):
 ///   minimise  m(x)/m_0 + sigma t  subject to  v^_rn(x)/limit_r - 1 <= t,  t >= 0,
 ///             |x - x_k| within the radius
-/// and analyse the answer. It is taken if the merit phi = m/m_0 + sigma max(0, worst violation)
-/// falls by a tenth of what was predicted, else the surrogate becomes conservative there; the
-/// radius follows the ratio. Ends Optimal if the KKT conditions hold at x_k and no decrease is
-/// predicted that counts; Converged if only the latter; Infeasible if limits are still exceeded
-/// then. Throws NoSensitivities as the surrogate does.
+/// and analyse the answer. At the first design v^ is what the static problems say, if they tell all
+/// limits: far from the optimum the gradients of the motion save no cycle. They follow if that step
+/// is rejected, or has nothing to gain. An answer is taken if the merit phi = m/m_0 + sigma max(0,
+/// worst violation) falls by a tenth of what was predicted, else the surrogate becomes conservative
+/// there; the radius follows the ratio. Ends Optimal if the KKT conditions hold at x_k and no
+/// decrease is predicted that counts; Converged if only the latter; Infeasible if limits are still
+/// exceeded then. Throws NoSensitivities as the surrogate does.
 class TrustRegionRule final : public StepRule {
  public:
   explicit TrustRegionRule(const CycleOptions& options);
@@ -43,6 +45,9 @@ class TrustRegionRule final : public StepRule {
   /// it rejected.
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
+  void make_surrogate(CycleRecord& record);
+  /// The next surrogate has gradients of the motion.
+  void correct();
   Step trial_step(CycleRecord& record, Cycle* cycle);
   void solve(CycleRecord& record);
   bool on_bound() const;
@@ -61,6 +66,7 @@ class TrustRegionRule final : public StepRule {
   Eigen::VectorXd x_;          ///< x_k
   CycleRecord::Analysis at_;   ///< of x_k
   std::vector<std::set<int>> before_;  ///< Cycle::maxima of x_k
+  bool plain_ = true;                  ///< no gradients yet, those of the surrogate among them
   Surrogate surrogate_;                ///< at x_k
   ElasticAnswer answer_;
   double predicted_ = 0;  ///< decrease of the merit by the answer

@@ -120,7 +120,7 @@ double CorrectedProblem::correct_rows() {
   VectorXd df(n);
   inner_->values(x_k_, f, g_);
   v_k_ = g_.array() + 1;
-  if (!g_.allFinite()) return f;
+  if (!g_.allFinite() || motion_.responses() == 0) return f;
   inner_->gradients(x_k_, df, dg_);
   const std::vector<RowImage> image = images();
   for (int i = 0; i < m; ++i) {
@@ -148,7 +148,7 @@ VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
 }
 
 void CorrectedProblem::make_conservative(const VectorXd& x_t, std::vector<VectorXd> values) {
-  if (values.empty()) return;
+  if (values.empty() || motion_.responses() == 0) return;
   rejected_.push_back({x_t, std::move(values)});
   raise_rows();
 }

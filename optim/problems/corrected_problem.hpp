@@ -31,7 +31,8 @@ namespace liesl {
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
-  /// @param gradients of the motion at x_k, of inner.responses(); none needed if it has no images
+  /// @param gradients of the motion at x_k, of inner.responses(); of no response: rows stay those
+  /// of `inner`
   /// @param objective at x_k: `inner` may lack the mass of what no variable changes
   CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
                    const Eigen::VectorXd& x_k, double objective,

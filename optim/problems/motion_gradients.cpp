@@ -49,20 +49,36 @@ std::set<int> about_maxima(const VectorXd& v, double least) {
   return out;
 }
 
+template <FrameGroup G>
+Parameters<G> parameters_of(const Design& design, const DesignRun<G>& run, const VectorXd& x) {
+  Parameters<G> parameters;
+  for (const Parameter& p : design.parameters(run.mechanism, x))
+    parameters.emplace_back(run.mechanism, *run.model, p);
+  return parameters;
+}
+
 }  // namespace
 
 template <FrameGroup G>
 MotionGradients::MotionGradients(const Design& design, const DesignRun<G>& run, const VectorXd& x,
                                  const std::vector<LimitedResponse>& responses) {
   const auto times = std::make_shared<const std::vector<double>>(run.times());
-  Parameters<G> parameters;
-  for (const Parameter& p : design.parameters(run.mechanism, x))
-    parameters.emplace_back(run.mechanism, *run.model, p);
+  const Parameters<G> parameters = parameters_of(design, run, x);
   const ResponseValues<G> values(run.mechanism, *run.model);
   for (const auto& r : responses)
     series_.push_back({r, times, VectorXd::Zero(static_cast<Eigen::Index>(times->size())), {}});
   if (run.statics || parameters.size() < kFew || !differentiate_maxima(run, values, parameters))
     differentiate(run, values, parameters);
+}
+
+template <FrameGroup G>
+void MotionGradients::require(const Design& design, const DesignRun<G>& run, const VectorXd& x,
+                              const std::vector<LimitedResponse>& responses) {
+  const Parameters<G> parameters = parameters_of(design, run, x);
+  const ResponseValues<G> values(run.mechanism, *run.model);
+  for (const auto& r : responses)
+    ResponseSensitivity<G>(*run.model, values, r.response, parameters);
+  require_sensitivities(*run.model, run.tape, parameters);
 }
 
 template <FrameGroup G>
@@ -222,6 +238,10 @@ const VectorXd* MotionGradients::nearest_gradient(int response, int record, int*
   return &next->second;
 }
 
+template void MotionGradients::require(const Design&, const DesignRun<SE2>&, const VectorXd&,
+                                       const std::vector<LimitedResponse>&);
+template void MotionGradients::require(const Design&, const DesignRun<SE3>&, const VectorXd&,
+                                       const std::vector<LimitedResponse>&);
 template MotionGradients::MotionGradients(const Design&, const DesignRun<SE2>&, const VectorXd&,
                                           const std::vector<LimitedResponse>&);
 template MotionGradients::MotionGradients(const Design&, const DesignRun<SE3>&, const VectorXd&,

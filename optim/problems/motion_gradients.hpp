@@ -28,6 +28,11 @@ class MotionGradients {
   MotionGradients(const Design& design, const DesignRun<G>& run, const Eigen::VectorXd& x,
                   const std::vector<LimitedResponse>& responses);
 
+  /// @throws std::invalid_argument as the constructor where there are none, without their work
+  template <FrameGroup G>
+  static void require(const Design& design, const DesignRun<G>& run, const Eigen::VectorXd& x,
+                      const std::vector<LimitedResponse>& responses);
+
   bool by_adjoint() const { return by_adjoint_; }
 
   /// Puts those of another motion of the same design behind these.

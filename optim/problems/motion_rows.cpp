@@ -28,6 +28,10 @@ std::set<int> records_of(const ConstraintSpec& limit, CycleMethod method, bool m
   return treated_records(Treatment::Maxima, v);
 }
 
+bool joined_by_neighbours(Treatment t) {
+  return t == Treatment::Auto || t == Treatment::Neighbours;
+}
+
 }  // namespace
 
 MotionRows::MotionRows(const MotionGradients& motion, int first, int count, const StudySpec& study,
@@ -46,7 +50,7 @@ MotionRows::MotionRows(const MotionGradients& motion, int first, int count, cons
     Series& s =
         series_.emplace_back(Series{limit.response.name,
                                     limit.limit,
-                                    aggregates(limit.treatment),
+                                    joined_by_neighbours(limit.treatment),
                                     ObjectiveTerm{term ? c : -1, limit.weight * limit.limit},
                                     {},
                                     {}});
@@ -78,7 +82,7 @@ int MotionRows::add_records(const std::vector<std::set<int>>& records) {
   const std::size_t before = images_.size();
   for (std::size_t l = 0; l < series_.size(); ++l)
     for (const int n : records[l]) {
-      if (series_[l].aggregated || n >= static_cast<int>(series_[l].values.size()))
+      if (!series_[l].joined || n >= static_cast<int>(series_[l].values.size()))
         continue;  // a motion whose steps are chosen may have had more records
       const bool there = std::ranges::any_of(images_, [&](const RowImage& i) {
         return i.response == static_cast<int>(l) && i.record == n;

@@ -11,10 +11,10 @@ namespace liesl {
 /// Rows v_rn/limit_r - 1 that keep the value of the analysed design whatever x is; a
 /// CorrectedProblem gives them their slope. Retained: every
 /// maximum over time above half of the largest (of hundreds of points the records near the largest,
-/// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Records beside a
-/// maximum bound the design before the maximum moves away from them. Rows of constraints with a
-/// weight are those of a term of the objective, the number of the constraint. The objective is 0
-/// without them.
+/// case_screen.hpp), or what the treatment of the limit says (treatment.hpp). Neighbours of a
+/// maximum, which `add_records` joins, bound the design before the maximum moves to them. Rows of
+/// constraints with a weight are those of a term of the objective, the number of the constraint.
+/// The objective is 0 without them.
 class MotionRows final : public CaselessProblem {
  public:
   /// @param motion gradients that contain those of these rows
@@ -35,7 +35,7 @@ class MotionRows final : public CaselessProblem {
   struct Series {
     std::string name;  ///< of the limit
     double limit = 0;
-    bool aggregated = false;
+    bool joined = false;  ///< by neighbours of its maxima
     ObjectiveTerm term;
     std::vector<double> times, values;  ///< by record
   };

@@ -8,6 +8,7 @@ SimulationEffort& SimulationEffort::operator+=(const SimulationEffort& more) {
   steps += more.steps;
   newton_iterations += more.newton_iterations;
   stepping_s += more.stepping_s;
+  sensitivities += more.sensitivities;
   factorizations.resize(std::max(factorizations.size(), more.factorizations.size()));
   for (std::size_t b = 0; b < more.factorizations.size(); ++b)
     factorizations[b] += more.factorizations[b];

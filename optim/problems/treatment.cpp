@@ -7,7 +7,7 @@
 namespace liesl {
 namespace {
 
-constexpr int kNeighbours = 3;  // records on either side of a maximum
+constexpr int kBeside = 3;      // records on either side of a maximum that KS sums up
 constexpr int kNear = 10;       // records beside a maximum where one of another design counts
 constexpr double kLeast = 0.5;  // of the largest maximum: those that count
 constexpr double kRho = 500;    // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
@@ -30,7 +30,7 @@ std::vector<int> maxima(const std::vector<double>& v) {
 
 /// Records about a maximum, the nearest maxima on both sides not passed.
 std::pair<int, int> window(int n, std::size_t size) {
-  return {std::max(0, n - kNeighbours), std::min(static_cast<int>(size) - 1, n + kNeighbours)};
+  return {std::max(0, n - kBeside), std::min(static_cast<int>(size) - 1, n + kBeside)};
 }
 
 /// limit (1 + mean of <v/limit - 1>).
@@ -93,12 +93,8 @@ std::set<int> treated_records(Treatment treatment, const std::vector<double>& v)
       if (v[n] >= least || aggregates(treatment)) out.insert(static_cast<int>(n));
     return out;
   }
-  for (const int n : maxima(v)) {
-    auto [first, last] = window(n, v.size());
-    if (treatment == Treatment::Maxima) first = last = n;
-    for (int k = first; k <= last; ++k) out.insert(k);
-  }
-  return out;
+  const std::vector<int> largest_nearby = maxima(v);
+  return {largest_nearby.begin(), largest_nearby.end()};
 }
 
 std::vector<std::set<int>> maxima_of(const std::vector<Eigen::VectorXd>& series) {

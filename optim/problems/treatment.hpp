@@ -22,7 +22,8 @@ struct Aggregate {
 /// Trapezoidal weights of the records over the duration, sum 1.
 std::vector<double> time_weights(const std::vector<double>& times);
 
-/// The records of a limit that become rows. @param v values, not empty
+/// The records of a limit that become rows; of Neighbours the maxima, which `near_maxima` joins.
+/// @param v values, not empty
 std::set<int> treated_records(Treatment treatment, const std::vector<double>& v);
 
 /// The maxima of each series; of an empty one none.

@@ -85,12 +85,13 @@ inline double& constant_of(const ConstantSpec& c, Mechanism& m) {
 /// static problem tells the limit, rows of the motion itself with its gradients. The aggregates are
 /// always of the motion.
 enum class Treatment {
-  Auto,    ///< of static problems All; of the motion Maxima, of one of many points the records
-           ///< near the largest
+  Auto,    ///< of static problems All; of the motion Neighbours, of one of many points with the
+           ///< records near the largest for maxima
   All,     ///< of static problems an active set of all records, at first those near the largest;
            ///< of the motion every record above half of the largest
   Maxima,  ///< local maxima over time above half of the largest
-  Neighbours,  ///< the same with three records on either side
+  Neighbours,  ///< the same, and of the motion records at most ten from one at which designs taken
+               ///< before had theirs
   Worst,       ///< the largest alone
   Functional,  ///< mean excess, (1/T) int <v/limit - 1> dt <= 0
   PNorm,       ///< (mean of v^p)^(1/p) <= limit; p = 2: root mean square

@@ -357,6 +357,20 @@ TEST(TrustRegionCycle, AnOptimalDesignAtTheCycleLimitIsOptimal) {
   EXPECT_EQ(s.optimise().status, CycleStatus::CycleLimit);
 }
 
+/// The first step is that of the static problems; from the optimum of the motion it leads away and
+/// is not taken.
+TEST(TrustRegionCycle, FirstStepNeedsNoGradients) {
+  Simulated s(rod());
+  const auto r = s.optimise();
+  ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
+  EXPECT_EQ(r.effort.sensitivities, static_cast<long>(r.history.size()) - 1);
+  const auto again = Simulated(rod({start({r.x.begin(), r.x.end()})})).optimise();
+  EXPECT_EQ(again.status, CycleStatus::Optimal) << again.reason;
+  EXPECT_NEAR(again.mass, r.mass, 1e-4 * r.mass);
+  ASSERT_GE(again.history.size(), 2u);
+  EXPECT_FALSE(again.history[1].taken) << "to where the plain cycle ends, 1 % heavier";
+}
+
 TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
   Simulated s(rod());
   const auto r = s.optimise();
