@@ -217,6 +217,7 @@ class ModelSequence {
     Study study = options_.read(changes_);
     study.spec = starting_at(std::move(study.spec), final_design());
     study.spec.cycle.feasibility = kForTheDesign * feasibility_;
+    study.spec.cycle.from_optimum = true;
     return study;
   }
 

@@ -25,7 +25,10 @@ constexpr double kSame = 1e-6;     // two answers of one surrogate
 }  // namespace
 
 TrustRegionRule::TrustRegionRule(const CycleOptions& options)
-    : largest_(options.move_limit), radius_(largest_), penalty_(kPenalty) {}
+    : largest_(options.move_limit),
+      radius_(largest_),
+      penalty_(kPenalty),
+      plain_(!options.from_optimum) {}
 
 template <class Figures>
 double TrustRegionRule::merit(const Figures& a) const {
@@ -42,7 +45,7 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   penalty_ = taken->penalty;
   warm_ = taken->warm;
   before_ = taken->maxima;
-  plain_ = taken->number == history.front().number;
+  plain_ = plain_ && taken->number == history.front().number;
   x_ = taken->x;
   at_ = record.analyse(x_);
   if (!at_->good()) return retreat(record, *at_, x_);
@@ -78,7 +81,7 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.move = radius_;
   if (cycle.taken) {
     if (at_ && !plain_) remember(record, *at_);
-    plain_ = !at_;
+    plain_ = plain_ && !at_;
     cycle.maxima = before_;
     x_ = cycle.x;
     at_ = analysis;

@@ -66,7 +66,7 @@ class TrustRegionRule final : public StepRule {
   Eigen::VectorXd x_;          ///< x_k
   CycleRecord::Analysis at_;   ///< of x_k
   std::vector<std::set<int>> before_;  ///< Cycle::maxima of x_k
-  bool plain_ = true;                  ///< no gradients yet, those of the surrogate among them
+  bool plain_;                         ///< no gradients yet, those of the surrogate among them
   Surrogate surrogate_;                ///< at x_k
   ElasticAnswer answer_;
   double predicted_ = 0;  ///< decrease of the merit by the answer

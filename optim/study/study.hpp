@@ -267,6 +267,7 @@ struct CycleOptions {
                          ///< kMostStages; 0: none
   double move_cells =
       2;  ///< the outline of a meshed part moves by so many cells in a cycle, at most
+  bool from_optimum = false;  ///< the start is the optimum of a model that differs little
 
   /// Options out of range, with name, expected and got; empty: none.
   std::vector<std::string> errors() const;
