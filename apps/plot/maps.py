@@ -55,7 +55,10 @@ def draw_path(ax, stops, names, factors, summary):
         ax.plot(*places, "o-", color="black", markersize=4, linewidth=1.1)
         for cycle, x, y in zip(stops.text("cycle"), *places):
             if cycle in (stops.text("cycle")[0], stops.text("cycle")[-1]):
-                ax.annotate(cycle, (x, y), xytext=(5, 5), textcoords="offset points", fontsize=8)
+                right, above = x > sum(ax.get_xlim()) / 2, y > sum(ax.get_ylim()) / 2
+                ax.annotate(cycle, (x, y), textcoords="offset points", fontsize=8,
+                            xytext=(-5 if right else 5, -5 if above else 5),
+                            ha="right" if right else "left", va="top" if above else "bottom")
     centre = [summary["centre"][name] * f for name, f in zip(names, factors)]
     ax.plot(*centre, "*", color=ORANGE, markeredgecolor="black", markersize=13)
 
