@@ -99,7 +99,7 @@ TEST_P(FormalismSensitivity, DirectEqualsAdjointInAPlane) {
     expect_direct_equals_adjoint<SE2>(steps, m, quantities_of(m));
 }
 
-/// Rounding grows with EA (StiffnessSlow): with E = 7e9 1.07e-10 of one output by r3so3.
+/// Rounding grows with EA (StiffnessSlow): with E = 7e9 up to 1.0e-10 of one output (classical).
 TEST_P(FormalismSensitivity, DirectEqualsAdjointInSpace) {
   const Mechanism m = out_of_plane(GetParam(), 3.5e9);
   for (const int steps : {10, 100, 1000})
