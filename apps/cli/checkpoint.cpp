@@ -115,6 +115,7 @@ Json to_json(const Cycle& c) {
                 {"taken", c.taken},
                 {"penalty", c.penalty},
                 {"maxima", c.maxima},
+                {"before", numbers(c.before)},
                 {"warm", to_json(c.warm)},
                 {"effort", to_json(c.effort)},
                 {"seconds", c.seconds}};
@@ -147,6 +148,7 @@ Cycle read_cycle(const Json& j) {
   c.taken = j.at("taken");
   c.penalty = j.at("penalty");
   c.maxima = j.at("maxima").get<std::vector<std::set<int>>>();
+  if (j.contains("before")) c.before = vector(j.at("before"));
   c.warm = read_warm(j.at("warm"));
   const Json& effort = j.at("effort");
   c.effort = {effort.at("steps"), effort.at("newton_iterations"), effort.at("stepping_s"),

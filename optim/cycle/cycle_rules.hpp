@@ -59,6 +59,8 @@ struct Cycle : LimitExcesses {
   double penalty = 0;      ///< trust region: of the merit function
   /// Trust region: records of the maxima of all designs taken before, by response.
   std::vector<std::set<int>> maxima;
+  /// Trust region: the design before, whose values the surrogate has, too; empty: none.
+  Eigen::VectorXd before;
   /// Multipliers that the optimiser starts from: trust region: in this cycle; else in the next one.
   NlpWarmStart warm;
   SimulationEffort effort;  ///< of all simulations so far

@@ -44,7 +44,8 @@ Step TrustRegionRule::resume(CycleRecord& record) {
   radius_ = taken->move;
   penalty_ = taken->penalty;
   warm_ = taken->warm;
-  before_ = taken->maxima;
+  maxima_ = taken->maxima;
+  before_ = {taken->before, {}};
   plain_ = plain_ && taken->number == history.front().number;
   x_ = taken->x;
   at_ = record.analyse(x_);
@@ -80,9 +81,10 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
   cycle.warm = warm_;
   cycle.move = radius_;
   if (cycle.taken) {
-    if (at_ && !plain_) remember(record, *at_);
+    if (at_) remember(record, *at_);
     plain_ = plain_ && !at_;
-    cycle.maxima = before_;
+    cycle.maxima = maxima_;
+    cycle.before = before_.x;
     x_ = cycle.x;
     at_ = analysis;
     surrogate_ = {};
@@ -96,15 +98,22 @@ Step TrustRegionRule::next(CycleRecord& record, const CycleRecord::Analysis& ana
 }
 
 void TrustRegionRule::remember(CycleRecord& record, const DesignAnalysis& left) {
-  auto maxima = maxima_of(record.model().response_values(left, surrogate_.problem->responses()));
-  before_.resize(maxima.size());
-  for (std::size_t r = 0; r < maxima.size(); ++r) before_[r].merge(maxima[r]);
+  before_ = known(record, left, x_);
+  auto maxima = maxima_of(before_.values);
+  maxima_.resize(plain_ ? 0 : maxima.size());
+  for (std::size_t r = 0; r < maxima_.size(); ++r) maxima_[r].merge(maxima[r]);
+  if (on_bound()) before_ = {};
+}
+
+CorrectedProblem::KnownDesign TrustRegionRule::known(CycleRecord& record,
+                                                     const DesignAnalysis& analysis,
+                                                     const Eigen::VectorXd& x) const {
+  return {x, record.model().response_values(analysis, surrogate_.problem->responses())};
 }
 
 void TrustRegionRule::learn(CycleRecord& record, const DesignAnalysis& rejected,
                             const Eigen::VectorXd& x) {
-  CorrectedProblem& problem = *surrogate_.problem;
-  problem.make_conservative(x, record.model().response_values(rejected, problem.responses()));
+  surrogate_.problem->make_conservative(known(record, rejected, x));
 }
 
 Step TrustRegionRule::retreat(CycleRecord& record, const DesignAnalysis& failed,
@@ -155,9 +164,20 @@ void TrustRegionRule::make_surrogate(CycleRecord& record) {
   plain_ = surrogate_.problem != nullptr;
   if (!plain_) surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
   built_ = radius_;
-  if (surrogate_.problem && !before_.empty())
-    surrogate_.problem->add_records(near_maxima(
-        before_, record.model().response_values(*at_, surrogate_.problem->responses())));
+  if (surrogate_.problem) take_history(record);
+}
+
+void TrustRegionRule::take_history(CycleRecord& record) {
+  CorrectedProblem& problem = *surrogate_.problem;
+  if (!maxima_.empty())
+    problem.add_records(
+        near_maxima(maxima_, record.model().response_values(*at_, problem.responses())));
+  if (before_.x.size() == 0 || plain_) return;
+  if (before_.values.empty()) {
+    if (const auto analysis = record.analyse(before_.x); analysis->good())
+      before_ = known(record, *analysis, before_.x);
+  }
+  problem.pass_through(before_);
 }
 
 void TrustRegionRule::correct() {

@@ -18,9 +18,10 @@ namespace liesl {
 /// limits: far from the optimum the gradients of the motion save no cycle. They follow if that step
 /// is rejected, or has nothing to gain. An answer is taken if the merit phi = m/m_0 + sigma max(0,
 /// worst violation) falls by a tenth of what was predicted, else the surrogate becomes conservative
-/// there; the radius follows the ratio. Ends Optimal if the KKT conditions hold at x_k and no
-/// decrease is predicted that counts; Converged if only the latter; Infeasible if limits are still
-/// exceeded then. Throws NoSensitivities as the surrogate does.
+/// there; the radius follows the ratio. A surrogate has the values of the design before, too,
+/// unless its answer was cut off by the radius or had no gradients. Ends Optimal if the KKT
+/// conditions hold at x_k and no decrease is predicted that counts; Converged if only the latter;
+/// Infeasible if limits are still exceeded then. Throws NoSensitivities as the surrogate does.
 class TrustRegionRule final : public StepRule {
  public:
   explicit TrustRegionRule(const CycleOptions& options);
@@ -46,6 +47,11 @@ class TrustRegionRule final : public StepRule {
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
   void make_surrogate(CycleRecord& record);
+  /// Lets the surrogate remember designs before x_k.
+  void take_history(CycleRecord& record);
+  /// What the surrogate is told of an analysis.
+  CorrectedProblem::KnownDesign known(CycleRecord& record, const DesignAnalysis& analysis,
+                                      const Eigen::VectorXd& x) const;
   /// The next surrogate has gradients of the motion.
   void correct();
   Step trial_step(CycleRecord& record, Cycle* cycle);
@@ -65,9 +71,10 @@ class TrustRegionRule final : public StepRule {
   double objective_0_ = 0;     ///< m_0; 0: no design yet
   Eigen::VectorXd x_;          ///< x_k
   CycleRecord::Analysis at_;   ///< of x_k
-  std::vector<std::set<int>> before_;  ///< Cycle::maxima of x_k
-  bool plain_;                         ///< no gradients yet, those of the surrogate among them
-  Surrogate surrogate_;                ///< at x_k
+  std::vector<std::set<int>> maxima_;     ///< Cycle::maxima of x_k
+  CorrectedProblem::KnownDesign before_;  ///< Cycle::before of x_k; without values: not asked yet
+  bool plain_;                            ///< no gradients yet, those of the surrogate among them
+  Surrogate surrogate_;                   ///< at x_k
   ElasticAnswer answer_;
   double predicted_ = 0;  ///< decrease of the merit by the answer
   NlpWarmStart warm_;

@@ -16,6 +16,7 @@ constexpr double kLift = 0.02;
 constexpr double kRoundOff = 1e-12;  // of the objective
 constexpr double kAsymptote = 2;     // of the distance of the farther bound
 constexpr double kHeld = 1e-6;       // of a variable: it has no room
+constexpr double kCurved = 0.02;     // of the limit: what curvature along one step may tell
 
 /// 1 + p, of powers e^p, of a term 1; beyond p = 1 its Taylor polynomial of second order there: a
 /// long step overflows no row.
@@ -136,8 +137,8 @@ double CorrectedProblem::correct_rows() {
   return f;
 }
 
-VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
-  VectorXd out = x - x_k_;
+VectorXd CorrectedProblem::by_width(const VectorXd& step, int power) const {
+  VectorXd out = step;
   const auto& widest = inner_->variables();
   for (int i = 0; i < out.size(); ++i) {
     const auto& bounds = widest[static_cast<std::size_t>(i)];
@@ -147,10 +148,25 @@ VectorXd CorrectedProblem::step_by_width(const VectorXd& x, int power) const {
   return out;
 }
 
-void CorrectedProblem::make_conservative(const VectorXd& x_t, std::vector<VectorXd> values) {
-  if (values.empty() || motion_.responses() == 0) return;
-  rejected_.push_back({x_t, std::move(values)});
-  raise_rows();
+bool CorrectedProblem::reaches(const VectorXd& x) const {
+  const auto& widest = inner_->variables();
+  for (int i = 0; i < x.size(); ++i) {
+    const auto& bounds = widest[static_cast<std::size_t>(i)];
+    if (x[i] < bounds.lower || x[i] > bounds.upper) return false;
+  }
+  return true;
+}
+
+void CorrectedProblem::make_conservative(KnownDesign rejected) {
+  if (rejected.values.empty() || motion_.responses() == 0) return;
+  rejected_.push_back(std::move(rejected));
+  curve_rows();
+}
+
+void CorrectedProblem::pass_through(KnownDesign before) {
+  if (before.values.empty() || motion_.responses() == 0 || !reaches(before.x)) return;
+  before_ = std::move(before);
+  curve_rows();
 }
 
 bool CorrectedProblem::forget_rejected() {
@@ -160,36 +176,46 @@ bool CorrectedProblem::forget_rejected() {
   return any;
 }
 
-void CorrectedProblem::raise_rows() {
+void CorrectedProblem::curve_rows() {
+  kappa_.resize(0);
+  beta_.resize(0);
+  if (before_) {
+    const VectorXd step = by_width(before_->x - x_k_, 1);
+    const double d = step.squaredNorm();
+    u_ = d > 0 ? VectorXd(step / d) : step;
+    beta_ = missed(*before_).unaryExpr([](double v) { return std::abs(v) <= kCurved ? v : 0.0; });
+  }
   if (rejected_.empty()) return;
   kappa_.setZero(static_cast<Eigen::Index>(constraints().size()));
-  for (const Rejected& r : rejected_) raise_rows_at(r.x, r.values);
+  for (const KnownDesign& r : rejected_) {
+    const double d = by_width(r.x - x_k_, 1).squaredNorm();
+    if (d > 0) kappa_ += missed(r).cwiseMax(0) / d;
+  }
 }
 
 /// The limit that a row is relative to follows from value and v^ at x_k.
-void CorrectedProblem::raise_rows_at(const VectorXd& x_t, const std::vector<VectorXd>& v) {
-  const double d = step_by_width(x_t, 1).squaredNorm();
+VectorXd CorrectedProblem::missed(const KnownDesign& at) {
+  VectorXd out = VectorXd::Zero(static_cast<Eigen::Index>(constraints().size())), g = out;
   double f = 0;
-  VectorXd g(kappa_.size());
-  values(x_t, f, g);
-  if (!(d > 0) || !g.allFinite()) return;
+  values(at.x, f, g);
+  if (!g.allFinite()) return out;
   const std::vector<RowImage> image = images();
-  for (int i = 0; i < kappa_.size(); ++i) {
+  for (int i = 0; i < out.size(); ++i) {
     const int response = image[static_cast<std::size_t>(i)].response;
     const int record = image[static_cast<std::size_t>(i)].record;
     if (response < 0) continue;
-    const VectorXd& at_t = v[static_cast<std::size_t>(response)];
+    const VectorXd& v = at.values[static_cast<std::size_t>(response)];
     const double at_k = motion_.value(response, record);
-    if (record >= at_t.size() || !(at_k > 0)) continue;
-    kappa_[i] += std::max(0.0, v_k_[i] * at_t[record] / at_k - 1 - g[i]) / d;
+    if (record < v.size() && at_k > 0) out[i] = v_k_[i] * v[record] / at_k - 1 - g[i];
   }
+  return out;
 }
 
 int CorrectedProblem::add_records(const std::vector<std::set<int>>& records) {
   const int added = inner_->add_records(records);
   if (added > 0) {
     correct_rows();
-    raise_rows();
+    curve_rows();
   }
   return added;
 }
@@ -198,7 +224,7 @@ int CorrectedProblem::add_violated(const VectorXd& x, double tolerance) {
   const int added = inner_->add_violated(x, (1 + tolerance) * (1 - kLift) - 1);
   if (added > 0) {
     correct_rows();
-    raise_rows();
+    curve_rows();
   }
   return added;
 }
@@ -214,7 +240,8 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
     else if (power[i] != 0)
       g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
   }
-  if (kappa_.size() > 0) g += kappa_ * step_by_width(x, 1).squaredNorm();
+  if (kappa_.size() > 0) g += kappa_ * by_width(x - x_k_, 1).squaredNorm();
+  if (beta_.size() > 0) g += beta_ * std::pow(u_.dot(by_width(x - x_k_, 1)), 2);
 }
 
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
@@ -227,7 +254,9 @@ void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg)
     const Growth e(power[i], approximation_);
     dg.row(i) = e.value * dg_.row(i) + (e.first * (g_[i] + 1) + term(i)) * q.transpose();
   }
-  if (kappa_.size() > 0) dg += 2 * kappa_ * step_by_width(x, 2).transpose();
+  if (kappa_.size() > 0) dg += 2 * kappa_ * by_width(x - x_k_, 2).transpose();
+  if (beta_.size() > 0)
+    dg += 2 * u_.dot(by_width(x - x_k_, 1)) * beta_ * by_width(u_, 1).transpose();
 }
 
 /// Of v^ = v_s e(p) + v_k p, dp = q = c s', v_k = 0 but for a term:
@@ -251,8 +280,11 @@ void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& 
     add.diagonal() += (e.first * v + term(i)) * c.cwiseProduct(of_row.second);
     h.triangularView<Eigen::Lower>() += lambda[i] * add;
   }
+  if (beta_.size() > 0)
+    h.triangularView<Eigen::Lower>() +=
+        2 * lambda.dot(beta_) * by_width(u_, 1) * by_width(u_, 1).transpose();
   if (kappa_.size() > 0)
-    h.diagonal() += 2 * lambda.dot(kappa_) * step_by_width(x_k_ + VectorXd::Ones(x.size()), 2);
+    h.diagonal() += 2 * lambda.dot(kappa_) * by_width(VectorXd::Ones(x.size()), 2);
 }
 
 }  // namespace liesl

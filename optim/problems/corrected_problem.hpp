@@ -3,6 +3,7 @@
 /// A static problem that agrees with the motion to first order at the analysed design.
 
 #include <memory>
+#include <optional>
 
 #include "optim/problems/motion_gradients.hpp"
 
@@ -28,6 +29,12 @@ namespace liesl {
 /// SIAM J. Optim. 12): each gets a term kappa d(x),
 ///   d = sum_i ((x_i - x_ki)/w_i)^2,   w the widths of the bounds of the static problem,
 /// with the least kappa >= 0 for which v^(x_t) is not below v(x_t); value and gradient at x_k stay.
+///
+/// The design x_b that x_k followed after may tell rows their curvature between both (L. Wang,
+/// R. V. Grandhi 1995, "Improved two-point function approximation for design optimization", AIAA J.
+/// 33): each that misses v(x_b) by 2 % of its limit at most gets a term
+///   beta (u . (x - x_k)/w)^2,   u . (x_b - x_k)/w = 1,   u along (x_b - x_k)/w,
+/// beta = v(x_b) - v^(x_b), so that it passes through v(x_b).
 class CorrectedProblem final : public StaticProblem {
  public:
   /// @param inner at x_k; its rows are re-corrected when it takes more cases
@@ -38,9 +45,16 @@ class CorrectedProblem final : public StaticProblem {
                    const Eigen::VectorXd& x_k, double objective,
                    Approximation approximation = Approximation::Power);
 
+  /// Values v of the responses at another design than x_k, by response and record; an empty series
+  /// is not known.
+  struct KnownDesign {
+    Eigen::VectorXd x;
+    std::vector<Eigen::VectorXd> values;
+  };
   /// Makes rows conservative at x_t.
-  /// @param values of the responses there, by record; an empty one is not known
-  void make_conservative(const Eigen::VectorXd& x_t, std::vector<Eigen::VectorXd> values);
+  void make_conservative(KnownDesign rejected);
+  /// Lets rows pass through the values at x_b, if it is within the bounds of `inner`.
+  void pass_through(KnownDesign before);
 
   /// Takes these terms off again. @returns whether there were any
   bool forget_rejected();
@@ -82,17 +96,16 @@ class CorrectedProblem final : public StaticProblem {
   Steps reciprocals(const Eigen::VectorXd& x, double side) const;
   Eigen::VectorXd exponents(const BothSteps& t) const;
   double correct_rows();
-  void raise_rows();
-  void raise_rows_at(const Eigen::VectorXd& x_t, const std::vector<Eigen::VectorXd>& values);
-  /// (x_i - x_ki)/w_i^power, 0 where w_i is.
-  Eigen::VectorXd step_by_width(const Eigen::VectorXd& x, int power) const;
+  /// Is x within the bounds of `inner`, beyond which moving asymptotes have no values?
+  bool reaches(const Eigen::VectorXd& x) const;
+  /// beta and kappa of all rows, anew.
+  void curve_rows();
+  /// v - v^ of each row at a design, of its limit; 0 where v is not known.
+  Eigen::VectorXd missed(const KnownDesign& at);
+  /// step_i/w_i^power, 0 where w_i is.
+  Eigen::VectorXd by_width(const Eigen::VectorXd& step, int power) const;
   /// Of a row: what p = c . s is multiplied by, beside its place in the factor.
   double term(int row) const { return approximation_ == Approximation::Additive ? v_k_[row] : 0; }
-
-  struct Rejected {
-    Eigen::VectorXd x;                    ///< x_t
-    std::vector<Eigen::VectorXd> values;  ///< by response and record
-  };
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
@@ -102,10 +115,12 @@ class CorrectedProblem final : public StaticProblem {
   double rest_ = 0;      ///< of the objective, which `inner` lacks
   RowMatrix c_;          ///< rows x variables
   Eigen::VectorXd v_k_;  ///< g + 1 of `inner` at x_k
-  std::vector<Rejected> rejected_;
+  std::vector<KnownDesign> rejected_;
   Eigen::VectorXd kappa_;  ///< by row; empty: no design was rejected
-  Eigen::VectorXd g_;      ///< of `inner`, at the latest x
-  RowMatrix dg_;           ///< of `inner`, at the latest x
+  std::optional<KnownDesign> before_;
+  Eigen::VectorXd beta_, u_;  ///< by row, by variable; empty: no design before is known
+  Eigen::VectorXd g_;         ///< of `inner`, at the latest x
+  RowMatrix dg_;              ///< of `inner`, at the latest x
 };
 
 }  // namespace liesl

@@ -143,59 +143,123 @@ TEST(CorrectedProblem, MovingAsymptotesAreConvexWithinTheTrustRegion) {
   }
 }
 
-/// Of the motion itself, so that the surrogate errs: linear rows are too low at thinner rods.
-TEST(CorrectedProblem, IsConservativeAtDesignsThatWereRejected) {
-  Simulated s(rod());
-  s.study.spec.cycle.method = CycleMethod::Full;
-  s.study.spec.cycle.approximation = Approximation::Linear;
-  const std::vector<Scenario<SE2>> motion{
-      {s.study.scene.mechanism, s.space, s.study.scene.simulation}};
-  MotionModel<SE2> model(motion, s.study.spec);
-  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
-  const auto surrogate = model.surrogate(*model.analyse(x, {}), x, 0.5, 1e-2);
-  CorrectedProblem& problem = *surrogate.problem;
-  const auto rows_at = [&](const VectorXd& at) {
+/// Rows of the motion itself about a design, linear, so that they err: too low at thinner rods.
+struct LinearRows {
+  LinearRows() : s(rod()) {
+    s.study.spec.cycle.method = CycleMethod::Full;
+    s.study.spec.cycle.approximation = Approximation::Linear;
+    motion.push_back({s.study.scene.mechanism, s.space, s.study.scene.simulation});
+    model = std::make_unique<MotionModel<SE2>>(motion, s.study.spec);
+    surrogate = model->surrogate(*model->analyse(x, {}), x, 0.5, 1e-2);
+    problem = surrogate.problem.get();
+  }
+  Eigen::Index size() const { return static_cast<Eigen::Index>(problem->constraints().size()); }
+  VectorXd at(const VectorXd& y) {
     double f = 0;
-    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
-    problem.values(at, f, g);
+    VectorXd g(size());
+    problem->values(y, f, g);
     return g;
-  };
-  const auto slopes = [&] {
+  }
+  RowMatrix slopes() {
     VectorXd df(4);
-    RowMatrix dg(static_cast<Eigen::Index>(problem.constraints().size()), 4);
-    problem.gradients(x, df, dg);
+    RowMatrix dg(size(), 4);
+    problem->gradients(x, df, dg);
     return dg;
-  };
-  const auto exact = [&](const VectorXd& x_t) {
-    const LimitSeries limit = s.simulator->run(x_t).limits[0];
-    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+  }
+  VectorXd exact(const VectorXd& y) {
+    const LimitSeries limit = s.simulator->run(y).limits[0];
+    VectorXd g(size());
     for (Eigen::Index k = 0; k < g.size(); ++k) {
-      const int record = problem.images()[static_cast<std::size_t>(k)].record;
+      const int record = problem->images()[static_cast<std::size_t>(k)].record;
       g[k] = limit.values[static_cast<std::size_t>(record)] / limit.limit - 1;
     }
     return g;
-  };
-  const VectorXd at_x = rows_at(x);
-  const RowMatrix slope = slopes();
-  const VectorXd first = x.cwiseProduct(Eigen::Vector4d(0.95, 0.9, 0.97, 1)),
-                 second = x.cwiseProduct(Eigen::Vector4d(0.9, 1.02, 0.9, 1));
+  }
+  CorrectedProblem::KnownDesign known(const VectorXd& y) {
+    return {y, model->response_values(*model->analyse(y, {}), problem->responses())};
+  }
+  void expect_right_derivatives(const VectorXd& y) {
+    DerivativeCheckOptions options;
+    options.every_variable = true;
+    const DerivativeReport report = check_derivatives(*problem, y, options);
+    EXPECT_TRUE(report.right) << report.text();
+  }
+
+  Simulated s;
+  VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
+  std::vector<Scenario<SE2>> motion;
+  std::unique_ptr<MotionModel<SE2>> model;
+  Surrogate surrogate;
+  CorrectedProblem* problem = nullptr;
+};
+
+TEST(CorrectedProblem, IsConservativeAtDesignsThatWereRejected) {
+  LinearRows rows;
+  const VectorXd at_x = rows.at(rows.x);
+  const RowMatrix slope = rows.slopes();
+  const VectorXd first = rows.x.cwiseProduct(Eigen::Vector4d(0.95, 0.9, 0.97, 1)),
+                 second = rows.x.cwiseProduct(Eigen::Vector4d(0.9, 1.02, 0.9, 1));
   for (const VectorXd& x_t : {first, second}) {
-    EXPECT_GT((exact(x_t) - rows_at(x_t)).maxCoeff(), 0.01) << "nothing to be learnt";
-    problem.make_conservative(x_t,
-                              model.response_values(*model.analyse(x_t, {}), problem.responses()));
-    EXPECT_LT((rows_at(x_t) - exact(x_t)).minCoeff(), 1e-9) << "more than asked for in every row";
+    EXPECT_GT((rows.exact(x_t) - rows.at(x_t)).maxCoeff(), 0.01) << "nothing to be learnt";
+    rows.problem->make_conservative(rows.known(x_t));
+    EXPECT_LT((rows.at(x_t) - rows.exact(x_t)).minCoeff(), 1e-9)
+        << "more than asked for in every row";
   }
   for (const VectorXd& x_t : {first, second})
-    EXPECT_GT((rows_at(x_t) - exact(x_t)).minCoeff(), -1e-9);
-  EXPECT_EQ(rows_at(x).head(at_x.size()), at_x);
-  EXPECT_EQ(slopes().topRows(slope.rows()), slope);
-  EXPECT_LT((rows_at(x) - exact(x)).lpNorm<Eigen::Infinity>(), 1e-9);
-  DerivativeCheckOptions options;
-  options.every_variable = true;
-  const DerivativeReport report = check_derivatives(problem, first, options);
-  EXPECT_TRUE(report.right) << report.text();
-  EXPECT_TRUE(problem.forget_rejected());
-  EXPECT_LT((rows_at(first) - exact(first)).minCoeff(), -0.01);
+    EXPECT_GT((rows.at(x_t) - rows.exact(x_t)).minCoeff(), -1e-9);
+  EXPECT_EQ(rows.at(rows.x).head(at_x.size()), at_x);
+  EXPECT_EQ(rows.slopes().topRows(slope.rows()), slope);
+  EXPECT_LT((rows.at(rows.x) - rows.exact(rows.x)).lpNorm<Eigen::Infinity>(), 1e-9);
+  rows.expect_right_derivatives(first);
+  EXPECT_TRUE(rows.problem->forget_rejected());
+  EXPECT_LT((rows.at(first) - rows.exact(first)).minCoeff(), -0.01);
+}
+
+/// Along the step from there, before and beyond x_k, rows err of third order instead of second;
+/// across it they are as they were.
+TEST(CorrectedProblem, PassesThroughTheDesignBefore) {
+  LinearRows rows;
+  const VectorXd step = rows.x.cwiseProduct(Eigen::Vector4d(0.005, 0.0025, -0.00375, 0.0025));
+  VectorXd w(4);
+  for (int i = 0; i < 4; ++i) {
+    const NlpVariable& bounds = rows.problem->variables()[static_cast<std::size_t>(i)];
+    w[i] = bounds.upper - bounds.lower;
+  }
+  const VectorXd xi = step.cwiseQuotient(w),
+                 across = rows.x + w.cwiseProduct(Eigen::Vector4d(xi[1], -xi[0], xi[3], -xi[2]));
+  const auto error = [&](double share) {
+    const VectorXd y = rows.x - share * step;
+    return (rows.at(y) - rows.exact(y)).lpNorm<Eigen::Infinity>();
+  };
+  const VectorXd at_x = rows.at(rows.x), at_across = rows.at(across);
+  const RowMatrix slope = rows.slopes();
+  EXPECT_NEAR(std::log2(error(1) / error(0.5)), 2, 0.1);
+  const double second = error(1);
+  double third[2];
+  for (const int k : {0, 1}) {
+    const VectorXd x_b = rows.x + (k == 0 ? 1 : 0.5) * step;
+    rows.problem->pass_through(rows.known(x_b));
+    EXPECT_LT((rows.at(x_b) - rows.exact(x_b)).lpNorm<Eigen::Infinity>(), 1e-12);
+    third[k] = error(k == 0 ? 1 : 0.5);
+    EXPECT_EQ(rows.at(rows.x), at_x);
+    EXPECT_EQ(rows.slopes(), slope);
+    EXPECT_LT((rows.at(across) - at_across).lpNorm<Eigen::Infinity>(), 1e-12);
+  }
+  EXPECT_LT(third[0], 0.3 * second);
+  EXPECT_GT(std::log2(third[0] / third[1]), 2.7);
+  rows.expect_right_derivatives(rows.x - 3 * step);
+  EXPECT_FALSE(rows.problem->forget_rejected());
+}
+
+/// Curvature is told by steps near enough: by none that a row misses by more than 2 %.
+TEST(CorrectedProblem, LearnsNothingFromADesignTooFarAway) {
+  LinearRows rows;
+  const VectorXd far = 0.85 * rows.x, at_far = rows.at(far), missed = rows.exact(far) - at_far;
+  ASSERT_GT(missed.maxCoeff(), 0.02);
+  rows.problem->pass_through(rows.known(far));
+  const VectorXd now = rows.at(far);
+  for (Eigen::Index k = 0; k < now.size(); ++k)
+    EXPECT_NEAR(now[k] - at_far[k], std::abs(missed[k]) > 0.02 ? 0 : missed[k], 1e-12) << k;
 }
 
 /// Corrections belong to rows: looking for violated cases where there is none changes nothing.
