@@ -19,9 +19,9 @@ namespace liesl {
 /// is rejected, or has nothing to gain. An answer is taken if the merit phi = m/m_0 + sigma max(0,
 /// worst violation) falls by a tenth of what was predicted, else the surrogate becomes conservative
 /// there; the radius follows the ratio. A surrogate has the values of the design before, too,
-/// unless its answer was cut off by the radius or had no gradients. Ends Optimal if the KKT
-/// conditions hold at x_k and no decrease is predicted that counts; Converged if only the latter;
-/// Infeasible if limits are still exceeded then. Throws NoSensitivities as the surrogate does.
+/// unless the answer from there was cut off by a bound. Ends Optimal if the KKT conditions hold at
+/// x_k and no decrease is predicted that counts; Converged if only the latter; Infeasible if limits
+/// are still exceeded then. Throws NoSensitivities as the surrogate does.
 class TrustRegionRule final : public StepRule {
  public:
   explicit TrustRegionRule(const CycleOptions& options);
@@ -47,7 +47,7 @@ class TrustRegionRule final : public StepRule {
   Step repeat(CycleRecord& record, const std::vector<Cycle>& rejected);
   Step propose(CycleRecord& record, Cycle* cycle);
   void make_surrogate(CycleRecord& record);
-  /// Lets the surrogate remember designs before x_k.
+  /// Gives the surrogate what is known of the designs before x_k.
   void take_history(CycleRecord& record);
   /// What the surrogate is told of an analysis.
   CorrectedProblem::KnownDesign known(CycleRecord& record, const DesignAnalysis& analysis,
