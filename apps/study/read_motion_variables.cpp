@@ -71,18 +71,23 @@ bool read_bounds(StudyReader& reader, const toml::table& table, double value, Co
   return problems.count() == before;
 }
 
-/// "drive.table.3" -> 3; -1 (and said) if it is no row of the table.
-int row_of(StudyReader& reader, const toml::node& node, const std::string& joint, int rows) {
+/// "drive.table.3" -> 3; -1 (and said) if it is no row of the table, or the value at the start.
+int row_of(StudyReader& reader, const toml::node& node, const std::string& joint,
+           const DriveTable& table) {
+  const int first = table.t.front() >= 0 ? 1 : 0, rows = static_cast<int>(table.t.size());
   const std::string property = node.value_or(std::string());
   int row = -1;
   const char* const begin = property.data() + std::min(property.size(), kRow.size());
   const char* const end = property.data() + property.size();
   const auto read = std::from_chars(begin, end, row);
-  if (begin != end && read.ec == std::errc() && read.ptr == end && row >= 0 && row < rows)
+  if (begin != end && read.ec == std::errc() && read.ptr == end && row >= first && row < rows)
     return row;
   reader.scene.problems.add(
-      node, fmt::format("'{}' is no row of the table of the drive on '{}'", property, joint),
-      fmt::format("{}0 to {}{}", kRow, kRow, rows - 1), "rows count from 0");
+      node,
+      fmt::format("'{}' is no row of the table of the drive on '{}' that can vary", property,
+                  joint),
+      fmt::format("{}{} to {}{}", kRow, first, kRow, rows - 1),
+      first == 0 ? "rows count from 0" : "row 0 is where the motion starts");
   return -1;
 }
 
@@ -99,12 +104,12 @@ void read_drive_value(StudyReader& reader, const Entry& entry, ConstantSpec c) {
                                      fmt::format("joint '{}' has no drive with a table", joint),
                                      "a joint with drive = { table = [[t, q], ...] }");
   c.drive = table_of(reader, static_cast<int>(drive - mechanism.drives.begin()), *from);
-  const auto& values = reader.spec.drives[static_cast<std::size_t>(c.drive)].q;
-  c.row = row_of(reader, property, joint, static_cast<int>(values.size()));
+  const DriveTable& drive_table = reader.spec.drives[static_cast<std::size_t>(c.drive)];
+  c.row = row_of(reader, property, joint, drive_table);
   if (c.row < 0) return;
   const JointKind& kind = kind_of(mechanism.joints[static_cast<std::size_t>(number)].type);
   c.turns = std::string(kind.unit(drive->coordinate)) == "rad";
-  if (!read_bounds(reader, *entry.table, values[static_cast<std::size_t>(c.row)], c)) return;
+  if (!read_bounds(reader, *entry.table, drive_table.q[static_cast<std::size_t>(c.row)], c)) return;
   for (const ConstantSpec& other : reader.spec.constants)
     if (other.quantity == c.quantity && other.drive == c.drive && other.row == c.row)
       return reader.scene.problems.add(

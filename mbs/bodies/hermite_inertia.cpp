@@ -18,6 +18,9 @@ constexpr double kMost = 0.9;  // of the largest D that leaves the kinetic energ
 /// there; inertia that is set without it may.
 double most(double L, double m, double J) { return kMost * L * std::sqrt(m * J / 12); }
 
+/// sqrt(1 - eta)
+double root_of_shear(double eta) { return std::sqrt(std::max(0.0, 1 - eta)); }
+
 }  // namespace
 
 template <FrameGroup G>
@@ -30,10 +33,9 @@ auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta
   Coefficients c{M, Share::Zero(), Share::Zero()};
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
-    const double J = M(r, r), shear = 1 - eta[i];
-    c.D[i] = eta[i] * J - 0.5 * eta[i] * shear * J + L * L / 24 * M(0, 0) * shear;
-    c.D[i] = std::min(c.D[i], most(L, M(0, 0), J));
-    c.shear[i] = shear * J;
+    const double J = M(r, r), s = root_of_shear(eta[i]);
+    c.D[i] = std::min((1 - s) * J + L * L / 24 * M(0, 0) * s * s, most(L, M(0, 0), J));
+    c.shear[i] = 2 * s / (1 + s) * J;
   }
   return c;
 }
@@ -46,13 +48,13 @@ auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, 
   const double m = M(0, 0), dm = dM(0, 0);
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
-    const double J = M(r, r), dJ = dM(r, r), shear = 1 - eta[i], largest = most(L, m, J);
+    const double J = M(r, r), dJ = dM(r, r), largest = most(L, m, J);
+    const double s = root_of_shear(eta[i]), ds = s > 0 ? -deta[i] / (2 * s) : 0;
     if (at.D[i] == largest)  // 0: of a section without mass, or without inertia
       c.D[i] = largest == 0 ? 0 : 0.5 * largest * (dm / m + dJ / J);
     else
-      c.D[i] = eta[i] * dJ - 0.5 * eta[i] * shear * dJ + L * L / 24 * dm * shear +
-               deta[i] * (J - 0.5 * (1 - 2 * eta[i]) * J - L * L / 24 * m);
-    c.shear[i] = shear * dJ - deta[i] * J;
+      c.D[i] = (1 - s) * dJ - ds * J + L * L / 24 * s * (s * dm + 2 * ds * m);
+    c.shear[i] = 2 / (1 + s) * (s * dJ + ds / (1 + s) * J);
   }
   return c;
 }

@@ -11,10 +11,10 @@
 ///
 /// The second term makes waves along the axis of fourth order (masses 5/12, 1/12 of a linear
 /// element), the third is the rotation of sections in the middle by bending and the same for shear,
-/// D = eta J - eta(1 - eta) J/2 + m L^2 (1 - eta)/24 with eta the share of bending in the
-/// flexibility L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1), at most what leaves T
-/// positive. Rotation of sections: (5/12, 1/12) of J L for torsion, (1/3, 1/6) and what eta leaves
-/// for bending.
+/// D = (1 - s) J + s^2 m L^2/24 with s^2 = 1 - eta and eta the share of bending in the flexibility
+/// L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1), at most what leaves T positive. Rotation
+/// of sections: (5/12, 1/12) of J L for torsion, (1/3 + j, 1/6 - j) with j = s/(6 (1 + s)) for
+/// bending. With these D and j bending waves are of fourth order whatever eta is (docs/theory.md).
 ///
 /// T depends on x_B - x_A and S = R_A^T R_B only and is exact for translations: linear momentum
 /// and energy are kept, and so is the weight exact. Forces are virtual work of accelerations,
@@ -45,7 +45,7 @@ class HermiteInertia {
   struct Coefficients {
     Matrix M;     ///< kg/m, kg m
     Share D;      ///< kg m
-    Share shear;  ///< (1 - eta) J, kg m
+    Share shear;  ///< 12 j J, kg m
   };
   /// @param eta share of bending by direction
   static Coefficients coefficients(double L, const Matrix& M, const Share& eta);

@@ -183,7 +183,7 @@ struct PenaltySpec {
 
 /// How a step moves the frames of the nodes (see NodeCoordinates).
 enum class NodeUpdate {
-  AsFormalism,     ///< Screw for se3, floating and rigid, R3SO3 for r3so3
+  AsFormalism,     ///< Screw for se3 and floating, R3SO3 for r3so3 and where no body deforms
   Screw,           ///< H <- H exp(dq): translation and rotation as one screw motion
   R3SO3,           ///< x <- x + dx, R <- R exp(dphi): keeps linear momentum
   RotationVector,  ///< x <- x + dx, psi <- psi + dpsi: the classical formalism and no other

@@ -60,13 +60,26 @@ void require_held_by_place(const Model<G>& model) {
     }
 }
 
+bool deforms(const BodySpec& body) {
+  const auto* beam = std::get_if<BeamSpec>(&body.kind);
+  return beam ? beam->as != BeamModel::Rigid : !std::holds_alternative<RigidSpec>(body.kind);
+}
+
+/// Where no body deforms there are no strains that ask for screw motions: R^3 x SO(3).
+NodeUpdate update_of(const Mechanism& m) {
+  const bool rigid = m.formalism == Formalism::Rigid ||
+                     (m.formalism == Formalism::SE3 && std::ranges::none_of(m.bodies, deforms));
+  return rigid && m.update == NodeUpdate::AsFormalism ? NodeUpdate::R3SO3
+                                                      : update_of(m.update, m.formalism);
+}
+
 }  // namespace
 
 template <FrameGroup G>
 Model<G> Model<G>::build(const Mechanism& mechanism, const Space<G>& space) {
   Model model;
   model.formalism = mechanism.formalism;
-  model.update = update_of(mechanism.update, mechanism.formalism);
+  model.update = update_of(mechanism);
   model.space = space;
   model.gravity = space.reduce_vector(mechanism.gravity);
   model.gravity_scale = mechanism.gravity_scale;

@@ -33,15 +33,19 @@ std::pair<int, int> window(int n, std::size_t size) {
   return {std::max(0, n - kBeside), std::min(static_cast<int>(size) - 1, n + kBeside)};
 }
 
-/// limit (1 + mean of <v/limit - 1>).
+/// limit (1 + e^(2/3)), e the mean of <v/limit - 1>: of a maximum that exceeds the limit by d, e is
+/// of order d^(3/2), so that the value is as far above the limit as the maximum, and as smooth.
 Aggregate mean_excess(const std::vector<double>& t, const std::vector<double>& v, double limit) {
   Aggregate out{largest(v), limit, {}};
   const std::vector<double> w = time_weights(t);
+  double e = 0;
   for (std::size_t n = 0; n < v.size(); ++n)
-    if (v[n] > limit) {
-      out.value += w[n] * (v[n] - limit);
-      out.weight[static_cast<int>(n)] = w[n];
-    }
+    if (v[n] > limit) e += w[n] * (v[n] / limit - 1);
+  if (!(e > 0)) return out;
+  const double root = std::cbrt(e);
+  out.value += limit * root * root;
+  for (std::size_t n = 0; n < v.size(); ++n)
+    if (v[n] > limit) out.weight[static_cast<int>(n)] = 2.0 / 3 / root * w[n];
   return out;
 }
 

@@ -226,7 +226,8 @@ TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
     }
   };
   refused({"design.elbow_3.property=drive.table.9"}, "is no row of the table of the drive");
-  refused({"design.elbow_3.property=drive.table.x"}, "drive.table.0 to drive.table.5");
+  refused({"design.elbow_3.property=drive.table.x"}, "drive.table.1 to drive.table.5");
+  refused({"design.elbow_3.property=drive.table.0"}, "row 0 is where the motion starts");
   refused({"design.elbow_4.property=drive.table.3", "design.elbow_4.bounds=[0.5, 0.9]"},
           "is already varied by 'elbow_3'");
   refused({"design.elbow_3.bounds=[0.8, 1]"}, "outside the bounds");

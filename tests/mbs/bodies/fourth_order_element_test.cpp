@@ -244,34 +244,54 @@ TYPED_TEST(FourthOrderElementTest, EnergyOfInertiaAndWeight) {
                             Eigen::VectorXd::Constant(1, std::abs(power)), 1e-2, 1e-10, "power");
 }
 
-/// The derivative by a parameter of the section against differences of elements.
+/// The derivative by a parameter of the section against differences of elements; with 100 times the
+/// rotary inertia, too, where it sets q.
 TYPED_TEST(FourthOrderElementTest, DerivativeByTheSection) {
   using Pair = PairOf<TypeParam>;
   using Element = FourthOrderElement<TypeParam>;
-  const auto dK = this->random.spd(TypeParam::dim);
-  const typename TypeParam::Matrix dM = 0.3 * this->mass;
-  const Element derivative(this->element, dK, dM);
-  const auto of = [&, this](double p) {
-    return Element(this->A_at_rest, this->B_at_rest, this->section + p * dK, this->mass + p * dM);
-  };
-  const auto all = [&, this](const Element& e) {
-    Eigen::VectorXd out(4 * Pair::RowsAtCompileTime + 2 + TypeParam::dim);
-    Pair g;
-    e.inertia_force(this->A_now, this->B_now, this->v.data(), this->a, g);
-    const Pair constant = e.constant_tangent() * this->a, inertia = e.mass() * this->a;
-    out << this->force(e, Pair::Zero(), this->v, 0.2), g, constant, inertia,
-        e.elastic_energy(this->A_now, this->B_now),
-        e.dissipation(this->A_now, this->B_now, this->v.data(), 0.2),
-        e.stress(this->A_now, this->B_now);
-    return out;
-  };
-  const Eigen::VectorXd exact = all(derivative);
-  const test::VectorOf difference = [&](double h) -> Eigen::VectorXd {
-    return (all(of(h)) - all(of(-h))) / (2 * h);
-  };
-  test::expect_second_order(difference, exact,
-                            Eigen::VectorXd::Constant(exact.size(), exact.norm()), 1e-3, 1e-9,
-                            "by the section");
+  constexpr int rd = TypeParam::rotation_dim;
+  for (const double rotary : {1.0, 100.0}) {
+    auto mass = this->mass;
+    mass.template bottomRightCorner<rd, rd>() *= rotary;
+    typename TypeParam::Matrix dM = 0.3 * mass;
+    dM.template bottomRightCorner<rd, rd>() *= 1.7;
+    const auto dK = this->random.spd(TypeParam::dim);
+    const Element derivative(Element(this->A_at_rest, this->B_at_rest, this->section, mass), dK,
+                             dM);
+    const auto of = [&, this](double p) {
+      return Element(this->A_at_rest, this->B_at_rest, this->section + p * dK, mass + p * dM);
+    };
+    const auto all = [&, this](const Element& e) {
+      Eigen::VectorXd out(4 * Pair::RowsAtCompileTime + 2 + TypeParam::dim);
+      Pair g;
+      e.inertia_force(this->A_now, this->B_now, this->v.data(), this->a, g);
+      const Pair constant = e.constant_tangent() * this->a, inertia = e.mass() * this->a;
+      out << this->force(e, Pair::Zero(), this->v, 0.2), g, constant, inertia,
+          e.elastic_energy(this->A_now, this->B_now),
+          e.dissipation(this->A_now, this->B_now, this->v.data(), 0.2),
+          e.stress(this->A_now, this->B_now);
+      return out;
+    };
+    const Eigen::VectorXd exact = all(derivative);
+    const test::VectorOf difference = [&](double h) -> Eigen::VectorXd {
+      return (all(of(h)) - all(of(-h))) / (2 * h);
+    };
+    test::expect_second_order(difference, exact,
+                              Eigen::VectorXd::Constant(exact.size(), exact.norm()), 1e-3, 1e-9,
+                              "by the section");
+  }
+}
+
+/// Whatever the rotary inertia is, the kinetic energy is positive.
+TYPED_TEST(FourthOrderElementTest, MassIsPositiveForAnyRotaryInertia) {
+  for (const double rotary : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    auto mass = this->mass;
+    constexpr int rd = TypeParam::rotation_dim;
+    mass.template bottomRightCorner<rd, rd>() *= rotary;
+    const FourthOrderElement<TypeParam> e(this->A_at_rest, this->B_at_rest, this->section, mass);
+    for (const auto& M : {e.mass(), e.mass(this->A_now, this->B_now)})
+      EXPECT_TRUE(Eigen::MatrixXd(M).llt().info() == Eigen::Success) << rotary;
+  }
 }
 
 /// Exact for Timoshenko's cantilever under a force at its tip, whatever the mesh.

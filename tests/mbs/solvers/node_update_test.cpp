@@ -18,13 +18,15 @@ TEST(NodeUpdate, RigidBodyUpdatedAsR3SO3IsR3SO3) {
   const SimulationOptions o = test::options(1, 1e-3, 0.9, 1e-9);
   Mechanism other = test::heavy_top();
   other.formalism = Formalism::R3SO3;
-  const auto screw = test::run_spatial(test::heavy_top(), o);
+  const auto screw = test::run_spatial(updated(test::heavy_top(), NodeUpdate::Screw), o);
   const auto decoupled = test::run_spatial(updated(test::heavy_top(), NodeUpdate::R3SO3), o);
+  const auto chosen = test::run_spatial(test::heavy_top(), o);
   const auto formalism = test::run_spatial(other, o);
-  for (const auto* r : {&screw, &decoupled, &formalism})
+  for (const auto* r : {&screw, &decoupled, &chosen, &formalism})
     ASSERT_EQ(r->report().status, SolveStatus::Converged) << r->report().reason;
   const auto x = [](const auto& r) { return r.trajectory().frames(r.last())->x; };
   EXPECT_LT((x(decoupled) - x(formalism)).norm(), 1e-6);
+  EXPECT_EQ((x(decoupled) - x(chosen)).norm(), 0);
   const double off = (x(decoupled) - test::heavy_top_one.x).norm();
   EXPECT_LT(10 * off, (x(screw) - test::heavy_top_one.x).norm());
   EXPECT_EQ(decoupled.report().factorizations.size(), screw.report().factorizations.size());
@@ -56,6 +58,10 @@ TEST(NodeUpdate, IsWhatTheFormalismTakesUnlessChosen) {
   EXPECT_EQ(update_of(NodeUpdate::AsFormalism, Formalism::R3SO3), NodeUpdate::R3SO3);
   EXPECT_EQ(update_of(NodeUpdate::AsFormalism, Formalism::Classical), NodeUpdate::RotationVector);
   EXPECT_EQ(update_of(NodeUpdate::R3SO3, Formalism::SE3), NodeUpdate::R3SO3);
+  EXPECT_EQ(Model<SE3>::build(test::flying_beam(2), {}).update, NodeUpdate::Screw);
+  Mechanism m = test::flying_beam(2);
+  m.formalism = Formalism::Rigid;
+  EXPECT_EQ(Model<SE3>::build(m, {}).update, NodeUpdate::R3SO3);
 }
 
 }  // namespace

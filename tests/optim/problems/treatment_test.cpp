@@ -60,10 +60,22 @@ TEST(Treatment, FunctionalIsTheMeanExcessAndZeroWhereTheLimitHolds) {
   const double c = 0.5;  // mean of <sin - 1/2>: (2 cos(pi/6) - (pi - 2 pi/6)/2) / pi
   const double mean =
       (2 * std::cos(std::numbers::pi / 6) - std::numbers::pi / 3) / std::numbers::pi;
-  EXPECT_NEAR(treated_value(limited(Treatment::Functional, c), w.t, w.v), c + mean, 1e-5);
+  EXPECT_NEAR(treated_value(limited(Treatment::Functional, c), w.t, w.v),
+              c * (1 + std::pow(mean / c, 2.0 / 3)), 1e-5);
   const auto held = aggregates_of(limited(Treatment::Functional, 1.1), w.t, w.v);
   EXPECT_EQ(held[0].value, 1.1);
   EXPECT_TRUE(held[0].weight.empty());
+}
+
+/// Where the mean excess is of the order d^(3/2), and would be within any tolerance of the limit.
+TEST(Treatment, FunctionalExceedsTheLimitInProportionToTheMaximum) {
+  const Wave w(40000);
+  const auto excess = [&](double d) {
+    const double c = 1 / (1 + d);
+    return treated_value(limited(Treatment::Functional, c), w.t, w.v) / c - 1;
+  };
+  EXPECT_NEAR(std::log2(excess(2e-3) / excess(1e-3)), 1, 0.01);
+  EXPECT_GT(excess(1e-3), 2e-4);
 }
 
 TEST(Treatment, KsWeightsAboutEachMaximumSumToOne) {
