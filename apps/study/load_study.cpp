@@ -1,6 +1,7 @@
 #include "apps/study/load_study.hpp"
 
 #include <algorithm>
+#include <functional>
 #include <sstream>
 
 #include "apps/input/document.hpp"
@@ -91,8 +92,11 @@ std::vector<ScenarioText> scenarios_of(Document& study, const fs::path& folder,
   return out;
 }
 
+constexpr const char* kOneType = "one simulation.type for all, \"dynamic\" or \"static\"";
+
 /// One design fits all scenarios: the same bodies with the same nodes.
-bool same_bodies(const Mechanism& a, const Mechanism& b) {
+bool same_bodies(const Scene& scene_a, const Scene& scene_b) {
+  const Mechanism &a = scene_a.mechanism, &b = scene_b.mechanism;
   const auto same = [](const BodySpec& x, const BodySpec& y) {
     const auto *beam_x = std::get_if<BeamSpec>(&x.kind), *beam_y = std::get_if<BeamSpec>(&y.kind);
     return x.name == y.name && x.kind.index() == y.kind.index() &&
@@ -138,17 +142,36 @@ std::string set_otherwise(const StudySpec& spec, Mechanism a, Mechanism b) {
   return "";
 }
 
+/// The scene without scenarios, read where one of two has to be blamed.
+using Plain = std::function<Scene()>;
+
+/// What two scenes have in common.
+using Alike = std::function<bool(const Scene&, const Scene&)>;
+
+/// Of scenario s and the first, which are not alike, the one that is not as the scene is either.
+const ScenarioText& odd_one(const std::vector<ScenarioText>& texts, std::size_t s,
+                            const Study& study, const Plain& plain, const Alike& alike) {
+  const Scene scene = plain();
+  const bool first = !alike(scene, study.scene) && alike(scene, study.scenarios[s - 1]);
+  return texts[first ? 0 : s];
+}
+
 /// What the design varies is its own in every scenario. @pre all is read
-void check_scenarios(const std::vector<ScenarioText>& texts, Problems& problems,
-                     const Study& study) {
-  for (std::size_t s = 1; s < texts.size() && problems.count() == 0; ++s)
-    if (const std::string name =
-            set_otherwise(study.spec, study.scene.mechanism, study.scenarios[s - 1].mechanism);
-        !name.empty())
-      problems.add(
-          *texts[s].node,
-          "scenario '" + texts[s].name + "' changes what the design varies: '" + name + "'",
-          "other keys", "one design stands all scenarios; start and bounds are in [design]");
+void check_scenarios(const std::vector<ScenarioText>& texts, Problems& problems, const Study& study,
+                     const Plain& plain) {
+  const auto varied = [&](const Scene& a, const Scene& b) {
+    return set_otherwise(study.spec, a.mechanism, b.mechanism);
+  };
+  for (std::size_t s = 1; s < texts.size() && problems.count() == 0; ++s) {
+    const std::string name = varied(study.scene, study.scenarios[s - 1]);
+    if (name.empty()) continue;
+    const ScenarioText& odd = odd_one(texts, s, study, plain, [&](const Scene& a, const Scene& b) {
+      return varied(a, b).empty();
+    });
+    problems.add(*odd.node,
+                 "scenario '" + odd.name + "' changes what the design varies: '" + name + "'",
+                 "other keys", "one design stands all scenarios; start and bounds are in [design]");
+  }
 }
 
 /// Limits and objective on what is always 0 in a scenario after the first, which was asked when
@@ -199,25 +222,35 @@ Scene read_scenario(ScenarioText& from, Problems& problems) {
   return scene;
 }
 
+bool same_type(const Scene& a, const Scene& b) { return a.simulation.type == b.simulation.type; }
+
 /// The scenarios after the first, which is read.
-void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study& study) {
+void read_scenarios(std::vector<ScenarioText>& texts, Problems& problems, Study& study,
+                    const Plain& plain) {
   for (std::size_t s = 0; s < texts.size(); ++s) {
     if (texts[s].node) study.spec.scenarios.push_back(texts[s].name);
     if (texts.size() == 1 || problems.count() > 0) continue;  // what is wrong in one is said once
     if (s > 0) study.scenarios.push_back(read_scenario(texts[s], problems));
     const Scene& scene = s > 0 ? study.scenarios.back() : study.scene;
-    if (!same_bodies(scene.mechanism, study.scene.mechanism))
-      problems.add(*texts[s].node,
-                   "scenario '" + texts[s].name + "' has other bodies than '" + texts[0].name + "'",
+    if (!same_bodies(scene, study.scene)) {
+      const ScenarioText& odd = odd_one(texts, s, study, plain, same_bodies);
+      const ScenarioText& other = texts[&odd == texts.data() ? s : 0];
+      problems.add(*odd.node,
+                   "scenario '" + odd.name + "' has other bodies than '" + other.name + "'",
                    "speeds, masses, loads, times; the same beams with the same elements");
-    if (scene.simulation.type == SimulationType::Modes ||
-        scene.simulation.type != study.scene.simulation.type)
-      problems.add(
-          *texts[s].node,
-          "scenario '" + texts[s].name + "' is no " +
-              (study.scene.simulation.type == SimulationType::Static ? "equilibrium" : "motion") +
-              ", as the first one is",
-          "one simulation.type for all, \"dynamic\" or \"static\"");
+    }
+    if (scene.simulation.type == SimulationType::Modes) {
+      problems.add(*texts[s].node,
+                   "scenario '" + texts[s].name + "' is neither motion nor equilibrium", kOneType);
+    } else if (!same_type(scene, study.scene)) {
+      const ScenarioText& odd = odd_one(texts, s, study, plain, same_type);
+      const bool moves =
+          (&odd == texts.data() ? scene : study.scene).simulation.type != SimulationType::Static;
+      problems.add(*odd.node,
+                   "scenario '" + odd.name + "' is no " + (moves ? "motion" : "equilibrium") +
+                       ", as the others are",
+                   kOneType);
+    }
   }
 }
 
@@ -274,11 +307,19 @@ Study read_document(Document document, const fs::path& folder,
   for (const NamedInput& file : study.scene.files) study.resumable += file.sha256;
   for (std::size_t s = 1; s < scenarios.size(); ++s)
     study.resumable += content(scenarios[s].scene.root);
-  read_scenarios(scenarios, problems, study);
+  const Plain plain = [&] {
+    Problems unsaid(document.file);
+    ScenarioText scene{"", *scene_of(document.root, folder, unsaid)};
+    if (toml::table* set = document.root["set"].as_table())
+      apply_set(*set, scene.scene.root, unsaid);
+    apply_overrides(scene.scene.root, FileKind::Scene, parts.scene, unsaid);
+    return read_scenario(scene, unsaid);
+  };
+  read_scenarios(scenarios, problems, study, plain);
   add_files(study);
   StudyReader reader{document.root, broken, scene, study.spec};
   read_study_parts(reader);
-  check_scenarios(scenarios, problems, study);
+  check_scenarios(scenarios, problems, study, plain);
   check_rigid_bodies(scenarios, problems, study);
   const toml::table* cycle = document.root["cycle"].as_table();
   study.refine = !cycle || broken.contains("cycle") || text(*cycle, "refine") == "auto";

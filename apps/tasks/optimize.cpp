@@ -428,7 +428,7 @@ void describe_optimality(output::OptimizeSummary& summary,
     for (const LimitPrice& p : optimality->prices) prices[p.name] = p.price;
   summary.more["kkt"] = optimality ? optimality->brief() : "not checked";
   if (!exceeds) return;
-  summary.more["kkt"] = optimality->brief() + ", but limits are exceeded";
+  if (kkt) summary.more["kkt"] = optimality->brief() + ", but limits are exceeded";
   const ViolationCertificate& v = *optimality->violation;
   auto limits = nlohmann::ordered_json::object();
   for (const LimitPrice& p : v.held_by) limits[p.name] = p.price;

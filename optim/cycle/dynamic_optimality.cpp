@@ -21,6 +21,7 @@ struct Peak {
   std::string limit;
   double time = 0, g = 0;   ///< g = value/limit - 1
   VectorXd dg;              ///< by the variables
+  double by_limit = 1;      ///< -dg/d(ln limit)
   ObjectiveTerm term = {};  ///< where it is no limit
 };
 
@@ -47,7 +48,8 @@ void add_peaks_of_records(const MotionGradients& motion, int r, const std::strin
     const int record = static_cast<int>(n);
     if (v[n] < (1 - active) * limit || !touches_peak(v, n)) continue;
     if (const VectorXd* dv = motion.gradient(r, record))
-      peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, *dv / limit});
+      peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, *dv / limit,
+                       motion.by_limit(r, record)});
   }
 }
 
@@ -70,7 +72,8 @@ void add_peaks_between(const MotionGradients& motion, int r, const std::string& 
       const double s = (v[n - 1] - v[n + 1]) / (2 * bend);  // in steps from the record
       dg = (s * (s - 1) / 2 * *before + (1 - s * s) * *dv + s * (s + 1) / 2 * *after) / limit;
     }
-    peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, std::move(dg)});
+    peaks.push_back({name, motion.time(r, record), v[n] / limit - 1, std::move(dg),
+                     motion.by_limit(r, record)});
   }
 }
 
@@ -134,12 +137,18 @@ class TermBounds {
   std::map<int, double> weights_;  ///< by the number of the term
 };
 
-/// Sums of the multipliers of what has one name, largest first; none: a term of the objective.
-std::vector<LimitPrice> prices(const std::vector<std::string>& names, const KktResidual& kkt) {
+/// What a row is a part of, and what its multiplier counts there; no name: a term of the objective.
+struct Share {
+  std::string limit;
+  double by_limit = 1;
+};
+
+/// Sums of the multipliers of what has one name, largest first.
+std::vector<LimitPrice> prices(const std::vector<Share>& shares, const KktResidual& kkt) {
   std::map<std::string, double> sum;
   double most = 0;
   for (const auto& [id, multiplier] : kkt.multipliers)
-    most = std::max(most, sum[names[id]] += multiplier);
+    most = std::max(most, sum[shares[id].limit] += multiplier * shares[id].by_limit);
   std::vector<LimitPrice> out;
   for (const auto& [name, price] : sum)
     if (!name.empty() && price > kPaid * most) out.push_back({name, price});
@@ -162,9 +171,9 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
   bounds.extend(extended, point);
   RowProblem problem(extended);
   point.dg.resize(0, point.x.size());
-  std::vector<std::string> names;
+  std::vector<Share> shares;
   for (const Peak& p : peaks) {
-    names.push_back(p.term.number >= 0 ? "" : p.limit);
+    shares.push_back({p.term.number >= 0 ? "" : p.limit, p.by_limit});
     problem.add(point, fmt::format("{} at t = {:.6g} s", p.limit, p.time), p.g,
                 bounds.row(p.dg, p.term));
   }
@@ -173,14 +182,14 @@ void evaluate(const std::vector<NlpVariable>& variables, const VectorXd& x,
     if (image[static_cast<std::size_t>(i)].response >= 0) continue;
     const std::string& name = statics.constraints()[static_cast<std::size_t>(i)].name;
     const ObjectiveTerm term = terms.empty() ? ObjectiveTerm() : terms[static_cast<std::size_t>(i)];
-    names.push_back(term.number >= 0 ? "" : name);
+    shares.push_back({term.number >= 0 ? "" : name});
     problem.add(point, name, g[i], bounds.row(dg.row(i), term));
   }
   KktOptions options;
   options.active = active;
   options.active_bound = kActiveBound;
   out.residual = kkt_residual(problem, point, options);
-  out.prices = prices(names, *out.residual);
+  out.prices = prices(shares, *out.residual);
 }
 
 /// Of all limited responses, by the names of their limits.
@@ -266,13 +275,13 @@ ViolationCertificate stationary_violation(const std::vector<Peak>& exceeded,
   out.residual = r.cwiseAbs().maxCoeff(&worst);
   out.worst_variable = variables[static_cast<std::size_t>(worst)].name;
   out.worst_slope = r[worst];
-  std::vector<std::string> names;
-  KktResidual shares;
+  std::vector<Share> shares;
+  KktResidual of_violation;
   for (std::size_t k = 0; k < limits; ++k) {
-    names.push_back(exceeded[k].limit);
-    shares.multipliers[static_cast<ConstraintId>(k)] = z[static_cast<Eigen::Index>(k)] / sum;
+    shares.push_back({exceeded[k].limit});
+    of_violation.multipliers[static_cast<ConstraintId>(k)] = z[static_cast<Eigen::Index>(k)] / sum;
   }
-  out.held_by = prices(names, shares);
+  out.held_by = prices(shares, of_violation);
   return out;
 }
 

@@ -191,9 +191,11 @@ void MotionGradients::aggregate(int response, const std::vector<Aggregate>& by) 
   Series& to = series_[static_cast<std::size_t>(response)];
   to.value.resize(static_cast<Eigen::Index>(by.size()));
   to.gradient.clear();
+  to.by_limit.clear();
   for (std::size_t k = 0; k < by.size(); ++k) {
     times->push_back((*of.times)[static_cast<std::size_t>(by[k].record)]);
     to.value[static_cast<Eigen::Index>(k)] = by[k].value;
+    to.by_limit.push_back(by[k].by_limit);
     for (const auto& [record, weight] : by[k].weight) {
       const auto dv = of.gradient.find(record);
       if (dv == of.gradient.end()) continue;

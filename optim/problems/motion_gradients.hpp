@@ -53,6 +53,11 @@ class MotionGradients {
     return (*at(response).times)[static_cast<std::size_t>(record)];
   }
   double value(int response, int record) const { return at(response).value[record]; }
+  /// -d(value/limit)/d(ln limit): 1 but of some aggregates.
+  double by_limit(int response, int record) const {
+    const auto& of = at(response).by_limit;
+    return of.empty() ? 1 : of[static_cast<std::size_t>(record)];
+  }
   /// By the variables; null where it was not kept.
   const Eigen::VectorXd* gradient(int response, int record) const;
   /// The same, or that at the nearest record that has one; null: there is none.
@@ -64,6 +69,7 @@ class MotionGradients {
     std::shared_ptr<const std::vector<double>> times;
     Eigen::VectorXd value;                    ///< by record
     std::map<int, Eigen::VectorXd> gradient;  ///< by record
+    std::vector<double> by_limit = {};        ///< by record of an aggregate
   };
   const Series& at(int response) const { return series_[static_cast<std::size_t>(response)]; }
   template <FrameGroup G>

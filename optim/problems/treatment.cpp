@@ -7,10 +7,11 @@
 namespace liesl {
 namespace {
 
-constexpr int kBeside = 3;      // records on either side of a maximum that KS sums up
-constexpr int kNear = 10;       // records beside a maximum where one of another design counts
-constexpr double kLeast = 0.5;  // of the largest maximum: those that count
-constexpr double kRho = 500;    // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
+constexpr int kBeside = 3;        // records on either side of a maximum that KS sums up
+constexpr int kNear = 10;         // records beside a maximum where one of another design counts
+constexpr double kLeast = 0.5;    // of the largest maximum: those that count
+constexpr double kSmooth = 1e-8;  // e_0 of a mean excess: of a maximum about 1e-5 above the limit
+constexpr double kRho = 500;  // of KS: with 7 records at most ln(7)/500 = 0.4 % above the largest
 
 int largest(const std::vector<double>& v) {
   return static_cast<int>(std::max_element(v.begin(), v.end()) - v.begin());
@@ -33,19 +34,24 @@ std::pair<int, int> window(int n, std::size_t size) {
   return {std::max(0, n - kBeside), std::min(static_cast<int>(size) - 1, n + kBeside)};
 }
 
-/// limit (1 + e^(2/3)), e the mean of <v/limit - 1>: of a maximum that exceeds the limit by d, e is
-/// of order d^(3/2), so that the value is as far above the limit as the maximum, and as smooth.
+/// limit (1 + e/(e + e_0)^(1/3)), e the mean of <v/limit - 1>. Of a maximum that exceeds the limit
+/// by d, e is of order d^(3/2): e^(2/3) is as far above the limit as the maximum, and e_0 keeps it
+/// smooth where the limit begins to be exceeded.
 Aggregate mean_excess(const std::vector<double>& t, const std::vector<double>& v, double limit) {
   Aggregate out{largest(v), limit, {}};
   const std::vector<double> w = time_weights(t);
   double e = 0;
   for (std::size_t n = 0; n < v.size(); ++n)
     if (v[n] > limit) e += w[n] * (v[n] / limit - 1);
-  if (!(e > 0)) return out;
-  const double root = std::cbrt(e);
-  out.value += limit * root * root;
-  for (std::size_t n = 0; n < v.size(); ++n)
-    if (v[n] > limit) out.weight[static_cast<int>(n)] = 2.0 / 3 / root * w[n];
+  const double root = std::cbrt(e + kSmooth);
+  out.value += limit * e / root;
+  const double slope = (2 * e / 3 + kSmooth) / ((e + kSmooth) * root);
+  out.by_limit = 0;
+  for (std::size_t n = 0; n < v.size(); ++n) {
+    if (v[n] <= limit) continue;
+    out.weight[static_cast<int>(n)] = slope * w[n];
+    out.by_limit += slope * w[n] * v[n] / limit;
+  }
   return out;
 }
 

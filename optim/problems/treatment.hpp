@@ -17,6 +17,7 @@ struct Aggregate {
   int record = 0;
   double value = 0;
   std::map<int, double> weight;  ///< by record
+  double by_limit = 1;           ///< -d(value/limit)/d(ln limit) where the limit is met
 };
 
 /// Trapezoidal weights of the records over the duration, sum 1.
