@@ -274,7 +274,7 @@ std::string TrustRegionRule::certificate() const {
 
 CycleEnd TrustRegionRule::infeasible(CycleRecord& record) const {
   DynamicOptimality none;
-  none.reason = "the design exceeds limits";
+  none.reason = "limits are exceeded";
   none.violation = surrogate_.optimality.violation;
   record.certify(none);
   return {CycleStatus::Infeasible,
