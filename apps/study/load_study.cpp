@@ -309,11 +309,11 @@ Study read_document(Document document, const fs::path& folder,
     study.resumable += content(scenarios[s].scene.root);
   const Plain plain = [&] {
     Problems unsaid(document.file);
-    ScenarioText scene{"", *scene_of(document.root, folder, unsaid)};
+    ScenarioText bare{"", *scene_of(document.root, folder, unsaid)};
     if (toml::table* set = document.root["set"].as_table())
-      apply_set(*set, scene.scene.root, unsaid);
-    apply_overrides(scene.scene.root, FileKind::Scene, parts.scene, unsaid);
-    return read_scenario(scene, unsaid);
+      apply_set(*set, bare.scene.root, unsaid);
+    apply_overrides(bare.scene.root, FileKind::Scene, parts.scene, unsaid);
+    return read_scenario(bare, unsaid);
   };
   read_scenarios(scenarios, problems, study, plain);
   add_files(study);
