@@ -61,8 +61,8 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
   if (h.back().number <= o.max) return {};
-  std::string reason = fmt::format("cycle.max = {} is used up", o.max);
-  if (const auto change = h.back().load_change)
+  std::string reason = fmt::format("cycle.max = {} designs after the first are used up", o.max);
+  if (const auto change = h.back().load_change; change && *change > 0)
     reason += fmt::format("; loads still changed by {:.2g}", *change);
   return CycleEnd{CycleStatus::CycleLimit, reason};
 }

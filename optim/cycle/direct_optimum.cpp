@@ -61,17 +61,19 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const DesignAnalysis& a = *at.analysis();
   const DynamicOptimality& kkt = at.surrogate().optimality;
   const bool meets = a.worst <= options.feasibility;
+  const bool cut = analyses_used_up(record);  // the optimiser has no reason of its own then
+  const std::string by = cut ? "" : "; " + r.reason;
   const std::string of =
-      fmt::format("KKT conditions: {}; worst limit at {:+.2g} %; ", kkt.brief(), 100 * a.worst);
-  if (meets && kkt.holds()) return {CycleStatus::Optimal, of + r.reason};
+      fmt::format("KKT conditions: {}; worst limit at {:+.2g} %", kkt.brief(), 100 * a.worst);
+  if (meets && kkt.holds()) return {CycleStatus::Optimal, of + by};
   const std::string beyond =
       fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,
                   a.worst_at.empty() ? "" : " at " + a.worst_at);
-  if (analyses_used_up(record) || r.status == NlpStatus::IterationLimit)
+  if (cut || r.status == NlpStatus::IterationLimit)
     return {CycleStatus::CycleLimit,
-            fmt::format("{} cycle{} used up; ", options.max, options.max == 1 ? " is" : "s are") +
-                of + (meets ? r.reason : beyond)};
-  if (meets) return {CycleStatus::Converged, of + r.reason};
+            fmt::format("cycle.max = {} designs after the first are used up; ", options.max) + of +
+                (meets ? by : "; " + beyond)};
+  if (meets) return {CycleStatus::Converged, of + by};
   return {CycleStatus::Infeasible, beyond + ": " + r.reason};
 }
 

@@ -247,7 +247,7 @@ bool Evaluator::proceed(int iteration) {
   const NlpPoint& p = point();
   return guard([&] {
     if (options_.progress({iteration, p.f, largest_violation(p.g, scaling_.g)})) return true;
-    failure_ = "stopped by the progress function";
+    failure_ = "stopped as asked";
     return false;
   });
 }
