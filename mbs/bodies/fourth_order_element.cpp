@@ -182,7 +182,7 @@ template <FrameGroup G>
 auto FourthOrderElement<G>::load_shares() const -> PairMatrix {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   const double L = length();
-  const auto X = HermiteInertia<G>::turning();
+  const auto X = SectionRotation<G>::turning();
   PairMatrix W = PairMatrix::Zero();
   W.template block<sd, sd>(0, 0).diagonal().setConstant(L / 2);
   W.template block<sd, sd>(dim, dim).diagonal().setConstant(L / 2);

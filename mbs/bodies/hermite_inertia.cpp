@@ -12,11 +12,9 @@ constexpr int bends(int i) {
   return rd == 1 ? 0 : 3 - i;
 }
 
-constexpr double kMost = 0.9;  // of the largest D that leaves the kinetic energy positive
-
-/// The largest D: J w^2 + 2 D w rdot + (m L^2/12) rdot^2 > 0. No section of solid material gets
-/// there; inertia that is set without it may.
-double most(double L, double m, double J) { return kMost * L * std::sqrt(m * J / 12); }
+/// The most that s^2 m L^2/24 may be, below what it is in any section of solid material: it needs
+/// rotary inertia to act on.
+double most(double L, double m, double J) { return 0.9 * L * std::sqrt(m * J / 12); }
 
 /// sqrt(1 - eta)
 double root_of_shear(double eta) { return std::sqrt(std::max(0.0, 1 - eta)); }
@@ -24,17 +22,13 @@ double root_of_shear(double eta) { return std::sqrt(std::max(0.0, 1 - eta)); }
 }  // namespace
 
 template <FrameGroup G>
-auto HermiteInertia<G>::turning() -> Eigen::Matrix<double, sd, rd> {
-  return -RotationOf<G>::cross(Vector::Unit(0));
-}
-
-template <FrameGroup G>
 auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta) -> Coefficients {
-  Coefficients c{M, Share::Zero(), Share::Zero()};
+  Coefficients c{M, Share::Zero(), Share::Zero(), Share::Zero()};
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
-    const double J = M(r, r), s = root_of_shear(eta[i]);
-    c.D[i] = std::min((1 - s) * J + L * L / 24 * M(0, 0) * s * s, most(L, M(0, 0), J));
+    const double m = M(0, 0), J = M(r, r), s = root_of_shear(eta[i]);
+    c.D[i] = (1 - s) * J + std::min(L * L / 24 * m * s * s, most(L, m, J));
+    c.square[i] = J > 0 ? c.D[i] * c.D[i] / J : 0;
     c.shear[i] = 2 * s / (1 + s) * J;
   }
   return c;
@@ -43,66 +37,74 @@ auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta
 template <FrameGroup G>
 auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
                                    const Share& deta) -> Coefficients {
-  Coefficients c{dM, Share::Zero(), Share::Zero()};
-  const Coefficients at = coefficients(L, M, eta);
+  Coefficients c{dM, Share::Zero(), Share::Zero(), Share::Zero()};
+  const Share D = coefficients(L, M, eta).D;
   const double m = M(0, 0), dm = dM(0, 0);
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
     const double J = M(r, r), dJ = dM(r, r), largest = most(L, m, J);
     const double s = root_of_shear(eta[i]), ds = s > 0 ? -deta[i] / (2 * s) : 0;
-    if (at.D[i] == largest)  // 0: of a section without mass, or without inertia
-      c.D[i] = largest == 0 ? 0 : 0.5 * largest * (dm / m + dJ / J);
-    else
-      c.D[i] = (1 - s) * dJ - ds * J + L * L / 24 * s * (s * dm + 2 * ds * m);
+    c.D[i] = (1 - s) * dJ - ds * J;
+    if (L * L / 24 * m * s * s <= largest)
+      c.D[i] += L * L / 24 * s * (s * dm + 2 * ds * m);
+    else if (largest > 0)  // 0: of a section without mass, or without inertia
+      c.D[i] += 0.5 * largest * (dm / m + dJ / J);
+    c.square[i] = J > 0 ? D[i] / J * (2 * c.D[i] - D[i] / J * dJ) : 0;
     c.shear[i] = 2 / (1 + s) * (s * dJ + ds / (1 + s) * J);
   }
   return c;
 }
 
-template <FrameGroup G>
-HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
-    : L_(L), m_(c.M(0, 0)), D_(c.D), X_(turning()), DX_(c.D.asDiagonal() * X_) {
-  const double m = m_ * L, mL = m * L, mLL = mL * L;
-  AA_ << 5 * m / 12, mL / 12, -0.5, mL / 12, mLL / 32, -L / 4, -0.5, -L / 4, 0;
-  BB_ << 5 * m / 12, -mL / 12, 0.5, -mL / 12, mLL / 32, -L / 4, 0.5, -L / 4, 0;
-  AB_ << m / 12, 0, -0.5, 0, mLL / 96, -L / 4, 0.5, -L / 4, 0;
-  const auto J = c.M.template bottomRightCorner<rd, rd>().eval();
+namespace {
+
+/// Inertia by rotation, (1/3 + j) and (1/6 - j) of J L.
+template <class G>
+SectionRotation<G> rotation_of_sections(double L,
+                                        const typename HermiteInertia<G>::Coefficients& c) {
+  constexpr int sd = G::space_dim, rd = G::rotation_dim;
+  const Eigen::Matrix<double, rd, rd> J = c.M.template bottomRightCorner<rd, rd>();
   Eigen::Matrix<double, rd, rd> moved = Eigen::Matrix<double, rd, rd>::Zero();
   if (rd == 3) moved(0, 0) = J(0, 0) / 12;
   for (int i = 1; i < sd; ++i) moved(bends<rd>(i), bends<rd>(i)) = c.shear[i] / 12;
-  Ja_ = L * (J / 3 + moved);
-  Jc_ = L * (J / 6 - moved);
+  return {L, L * (J / 3 + moved), L * (J / 6 - moved), c.D, L * c.square};
+}
+
+}  // namespace
+
+template <FrameGroup G>
+HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
+    : L_(L),
+      m_(c.M(0, 0)),
+      X_(SectionRotation<G>::turning()),
+      sections_(rotation_of_sections<G>(L, c)) {
+  const double m = m_ * L, mL = m * L, mLL = mL * L;
+  AA_ << 5 * m / 12, mL / 12, mL / 12, mLL / 32;
+  BB_ << 5 * m / 12, -mL / 12, -mL / 12, mLL / 32;
+  AB_ << m / 12, 0, 0, mLL / 96;
   M_AA_ = block(AA_, Rotation::Identity(), by_rates());
   M_BB_ = block(BB_, Rotation::Identity(), by_rates());
-  M_AA_.template bottomRightCorner<rd, rd>() += Ja_;
-  M_BB_.template bottomRightCorner<rd, rd>() += Ja_;
 }
 
 /// w x e_1 = (0, w_z, -w_y), of a plane (0, w).
 template <FrameGroup G>
-auto HermiteInertia<G>::of_node(const Tangent& v) const -> Three {
-  Three p;
+auto HermiteInertia<G>::of_node(const Tangent& v) const -> Two {
+  Two p;
   p.col(0) = v.template head<sd>();
-  p(0, 1) = p(0, 2) = 0;
+  p(0, 1) = 0;
   p(1, 1) = v[dim - 1];
-  p(1, 2) = D_[1] * v[dim - 1];
-  if constexpr (sd == 3) {
-    p(2, 1) = -v[4];
-    p(2, 2) = -D_[2] * v[4];
-  }
+  if constexpr (sd == 3) p(2, 1) = -v[4];
   return p;
 }
 
-/// N a + w x (N v), N v by column: rates of R u, R (w x e_1), R D (w x e_1) in the axes of R.
+/// N a + w x (N v), N v by column: rates of R u and R (w x e_1) in the axes of R.
 template <FrameGroup G>
-auto HermiteInertia<G>::acceleration(const Tangent& v, const Tangent& a) const -> Three {
-  Three p = of_node(a);
+auto HermiteInertia<G>::acceleration(const Tangent& v, const Tangent& a) const -> Two {
+  Two p = of_node(a);
   if constexpr (sd == 2) {
     const double w = v[2];
     p(0, 0) -= w * v[1];
     p(1, 0) += w * v[0];
     p(0, 1) = -w * w;
-    p(0, 2) = -D_[1] * w * w;
   } else {
     const double x = v[3], y = v[4], z = v[5], xy = x * y, xz = x * z, yy = y * y, zz = z * z;
     p(0, 0) += y * v[2] - z * v[1];
@@ -111,22 +113,19 @@ auto HermiteInertia<G>::acceleration(const Tangent& v, const Tangent& a) const -
     p(0, 1) = -yy - zz;
     p(1, 1) += xy;
     p(2, 1) += xz;
-    p(0, 2) = -D_[2] * yy - D_[1] * zz;
-    p(1, 2) += D_[2] * xy;
-    p(2, 2) += D_[1] * xz;
   }
   return p;
 }
 
 /// N^T f
 template <FrameGroup G>
-auto HermiteInertia<G>::collect(const Three& f) const -> Tangent {
+auto HermiteInertia<G>::collect(const Two& f) const -> Tangent {
   Tangent g;
   g.template head<sd>() = f.col(0);
-  g[dim - 1] = f(1, 1) + D_[1] * f(1, 2);
+  g[dim - 1] = f(1, 1);
   if constexpr (sd == 3) {
     g[3] = 0;
-    g[4] = -f(2, 1) - D_[2] * f(2, 2);
+    g[4] = -f(2, 1);
   }
   return g;
 }
@@ -136,51 +135,40 @@ void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pai
                               Pair& g) const {
   const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
   const Rotation S = A.R.transpose() * B.R;
-  const Three p = acceleration(v_A, a.template head<dim>()),
-              q = acceleration(v_B, a.template tail<dim>());
-  const Three from_B = q.lazyProduct(AB_.transpose()), from_A = p.lazyProduct(AB_);
-  Three on_A = p.lazyProduct(AA_), on_B = q.lazyProduct(BB_);
+  const Two p = acceleration(v_A, a.template head<dim>()),
+            q = acceleration(v_B, a.template tail<dim>());
+  const Two from_B = q.lazyProduct(AB_.transpose()), from_A = p.lazyProduct(AB_);
+  Two on_A = p.lazyProduct(AA_), on_B = q.lazyProduct(BB_);
   on_A += S.lazyProduct(from_B);
   on_B += S.transpose().lazyProduct(from_A);
   g.template head<dim>() = collect(on_A);
   g.template tail<dim>() = collect(on_B);
-  const Angular b_A = a.template segment<rd>(sd), b_B = a.template tail<rd>();
-  g.template segment<rd>(sd) += Ja_.lazyProduct(b_A) + Jc_.lazyProduct(b_B);
-  g.template tail<rd>() += Ja_.lazyProduct(b_B) + Jc_.transpose().lazyProduct(b_A);
-  if constexpr (rd == 3) {
-    const Angular w_A = v_A.template tail<3>(), w_B = v_B.template tail<3>();
-    const Angular L_A = Ja_.lazyProduct(w_A) + Jc_.lazyProduct(w_B),
-                  L_B = Ja_.lazyProduct(w_B) + Jc_.transpose().lazyProduct(w_A);
-    g.template segment<3>(sd) += w_A.cross(L_A);
-    g.template tail<3>() += w_B.cross(L_B);
-  }
+  sections_.add_force(A, B, v, a, g);
 }
 
 /// N^T (c x R) dp, N the derivatives by rates and dp these.
 template <FrameGroup G>
-auto HermiteInertia<G>::block(const Eigen::Matrix3d& c, const Rotation& R,
+auto HermiteInertia<G>::block(const Eigen::Matrix2d& c, const Rotation& R,
                               const Derivatives& by) const -> Matrix {
   const Rotation Ru = R.lazyProduct(by.uu);
   const auto turned = [&](int i) -> Turning {
-    const Turning sum = c(i, 0) * by.uw + c(i, 1) * by.w1 + c(i, 2) * by.w2;
+    const Turning sum = c(i, 0) * by.uw + c(i, 1) * by.w1;
     return R.lazyProduct(sum);
   };
   Matrix M;
   M.template topLeftCorner<sd, sd>() = c(0, 0) * Ru;
   M.template topRightCorner<sd, rd>() = turned(0);
-  const Turning XDX = c(1, 0) * X_ + c(2, 0) * DX_;
-  M.template bottomLeftCorner<rd, sd>() = XDX.transpose().lazyProduct(Ru);
-  M.template bottomRightCorner<rd, rd>() =
-      X_.transpose().lazyProduct(turned(1)) + DX_.transpose().lazyProduct(turned(2));
+  M.template bottomLeftCorner<rd, sd>() = c(1, 0) * X_.transpose().lazyProduct(Ru);
+  M.template bottomRightCorner<rd, rd>() = X_.transpose().lazyProduct(turned(1));
   return M;
 }
 
 template <FrameGroup G>
 auto HermiteInertia<G>::mass(const G& A, const G& B) const -> PairMatrix {
-  Matrix M_AB = block(AB_, A.R.transpose().lazyProduct(B.R), by_rates());
-  M_AB.template bottomRightCorner<rd, rd>() += Jc_;
+  const Matrix M_AB = block(AB_, A.R.transpose().lazyProduct(B.R), by_rates());
   PairMatrix M;
   M << M_AA_, M_AB, M_AB.transpose(), M_BB_;
+  sections_.add_mass(A, B, M);
   return M;
 }
 
@@ -188,14 +176,13 @@ auto HermiteInertia<G>::mass(const G& A, const G& B) const -> PairMatrix {
 template <FrameGroup G>
 auto HermiteInertia<G>::gyroscopic(const Tangent& v) const -> Derivatives {
   using Rot = RotationOf<G>;
-  const Three q = of_node(v);
+  const Two q = of_node(v);
   Rotation W;  // w x
   if constexpr (sd == 2)
     W << 0, -v[2], v[2], 0;
   else
     W = hat(v.template tail<3>());
-  return {W, -Rot::cross(q.col(0)), W.lazyProduct(X_) - Rot::cross(q.col(1)),
-          W.lazyProduct(DX_) - Rot::cross(q.col(2))};
+  return {W, -Rot::cross(q.col(0)), W.lazyProduct(X_) - Rot::cross(q.col(1))};
 }
 
 template <FrameGroup G>
@@ -207,26 +194,16 @@ auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const double*
   PairMatrix c;
   c << block(AA_, I, by_A), block(AB_, S, by_B),  //
       block(AB_.transpose(), S.transpose(), by_A), block(BB_, I, by_B);
-  if constexpr (rd == 3) {
-    const Inertia W_A = hat(v_A.template tail<3>()), W_B = hat(v_B.template tail<3>());
-    const Angular w_A = v_A.template tail<3>(), w_B = v_B.template tail<3>();
-    const Angular L_A = Ja_.lazyProduct(w_A) + Jc_.lazyProduct(w_B),
-                  L_B = Ja_.lazyProduct(w_B) + Jc_.transpose().lazyProduct(w_A);
-    c.template block<3, 3>(3, 3) += W_A.lazyProduct(Ja_) - hat(L_A);
-    c.template block<3, 3>(3, 9) += W_A.lazyProduct(Jc_);
-    c.template block<3, 3>(9, 9) += W_B.lazyProduct(Ja_) - hat(L_B);
-    c.template block<3, 3>(9, 3) += W_B.lazyProduct(Jc_.transpose());
-  }
+  sections_.add_gyroscopic_tangent(A, B, v, c);
   return c;
 }
 
-/// N^T of three matrices on(i) that act on the rotation of the node at `column`.
+/// N^T of two matrices on(i) that act on the rotation of the node at `column`.
 template <FrameGroup G>
 template <class F>
 void HermiteInertia<G>::add_turned(const F& on, int row, int column, PairMatrix& k) const {
   k.template block<sd, rd>(row, column + sd) += on(0);
-  k.template block<rd, rd>(row + sd, column + sd) +=
-      X_.transpose().lazyProduct(on(1)) + DX_.transpose().lazyProduct(on(2));
+  k.template block<rd, rd>(row + sd, column + sd) += X_.transpose().lazyProduct(on(1));
 }
 
 /// dS = -w_A~ S + S w_B~ on what each node has of the other.
@@ -235,15 +212,16 @@ auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const
     -> PairMatrix {
   using Rot = RotationOf<G>;
   const Rotation S = A.R.transpose().lazyProduct(B.R), St = S.transpose();
-  const Three p = acceleration(Eigen::Map<const Tangent>(v), a.template head<dim>()),
-              q = acceleration(Eigen::Map<const Tangent>(v + dim), a.template tail<dim>());
-  const Three y = q.lazyProduct(AB_.transpose()), z = p.lazyProduct(AB_);
-  const Three Sy = S.lazyProduct(y), Sz = St.lazyProduct(z);
+  const Two p = acceleration(Eigen::Map<const Tangent>(v), a.template head<dim>()),
+            q = acceleration(Eigen::Map<const Tangent>(v + dim), a.template tail<dim>());
+  const Two y = q.lazyProduct(AB_.transpose()), z = p.lazyProduct(AB_);
+  const Two Sy = S.lazyProduct(y), Sz = St.lazyProduct(z);
   PairMatrix k = PairMatrix::Zero();
   add_turned([&](int i) -> Turning { return Rot::cross(Sy.col(i)); }, 0, 0, k);
   add_turned([&](int i) -> Turning { return -S.lazyProduct(Rot::cross(y.col(i))); }, 0, dim, k);
   add_turned([&](int i) -> Turning { return -St.lazyProduct(Rot::cross(z.col(i))); }, dim, 0, k);
   add_turned([&](int i) -> Turning { return Rot::cross(Sz.col(i)); }, dim, dim, k);
+  sections_.add_stiffness(A, B, v, a, k);
   return k;
 }
 
@@ -252,13 +230,14 @@ template <FrameGroup G>
 auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const double* v) const -> Pair {
   using Rot = RotationOf<G>;
   const Rotation S = A.R.transpose() * B.R;
-  const Three p = of_node(Eigen::Map<const Tangent>(v)),
-              y = of_node(Eigen::Map<const Tangent>(v + dim)) * AB_.transpose();
+  const Two p = of_node(Eigen::Map<const Tangent>(v)),
+            y = of_node(Eigen::Map<const Tangent>(v + dim)) * AB_.transpose();
   Pair g = Pair::Zero();
-  for (int i = 0; i < 3; ++i) {
+  for (int i = 0; i < 2; ++i) {
     g.template segment<rd>(sd) += Rot::cross(Vector(S * y.col(i))).transpose() * p.col(i);
     g.template tail<rd>() -= Rot::cross(Vector(y.col(i))).transpose() * (S.transpose() * p.col(i));
   }
+  sections_.add_kinetic_gradient(A, B, v, g);
   return g;
 }
 
@@ -271,8 +250,8 @@ template <FrameGroup G>
 auto HermiteInertia<G>::weight_gradient(const G& A, const G& B, const Vector& a) const -> Pair {
   const Vector at_A = A.R.transpose() * a, at_B = B.R.transpose() * a;
   Pair g;
-  g << 0.5 * at_A, L_ / 12 * (turning().transpose() * at_A), 0.5 * at_B,
-      -L_ / 12 * (turning().transpose() * at_B);
+  g << 0.5 * at_A, L_ / 12 * (X_.transpose() * at_A), 0.5 * at_B,
+      -L_ / 12 * (X_.transpose() * at_B);
   return -m_ * L_ * g;
 }
 

@@ -5,24 +5,21 @@
 /// Kinetic energy of translation by Simpson's rule, the middle where the cubic through both nodes
 /// with tangents b_k = R_k e_1 is, x_m = (x_A + x_B)/2 + (L/8)(b_A - b_B), in inertial axes:
 ///
-///   T = m L [|xdot_A|^2 + 4 |xdot_m|^2 + |xdot_B|^2]/12 + (m L^3/24)|rdot|^2
-///     + (L/2) rdot . Pdot + rotation,
-///   r = (x_B - x_A)/L - (b_A + b_B)/2,   Pdot = sum_k R_k D (w_k x e_1).
+///   T = m L [|xdot_A|^2 + 4 |xdot_m|^2 + |xdot_B|^2]/12 + (m L^3/24)|rdot|^2 + rotation,
+///   r = (x_B - x_A)/L - (b_A + b_B)/2.
 ///
 /// The second term makes waves along the axis of fourth order (masses 5/12, 1/12 of a linear
-/// element), the third is the rotation of sections in the middle by bending and the same for shear,
-/// D = (1 - s) J + s^2 m L^2/24 with s^2 = 1 - eta and eta the share of bending in the flexibility
-/// L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1), at most what leaves T positive. Rotation
-/// of sections: (5/12, 1/12) of J L for torsion, (1/3 + j, 1/6 - j) with j = s/(6 (1 + s)) for
-/// bending. With these D and j bending waves are of fourth order whatever eta is (docs/theory.md).
+/// element). Rotation of sections (SectionRotation): (5/12, 1/12) of J L for torsion, (1/3 + j,
+/// 1/6 - j) for bending, j = s/(6 (1 + s)), and how far those in the middle turn beyond the mean by
+/// bending and the same for shear, D = (1 - s) J + s^2 m L^2/24, s^2 = 1 - eta and eta the share of
+/// bending in the flexibility L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1). With these D
+/// and j bending waves are of fourth order whatever eta is (docs/theory.md).
 ///
 /// T depends on x_B - x_A and S = R_A^T R_B only and is exact for translations: linear momentum
 /// and energy are kept, and so is the weight exact. Forces are virtual work of accelerations,
-/// sum_k (dV_k)^T Vdot. Of fourth order for small deformations of any straight beam; what turns
-/// with the sections of a bent or curved one is of second order times (radius of inertia x
-/// curvature)^2.
+/// sum_k (dV_k)^T Vdot.
 
-#include "liegroup/rotation.hpp"
+#include "mbs/bodies/section_rotation.hpp"
 
 namespace liesl {
 
@@ -36,16 +33,15 @@ class HermiteInertia {
   using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
   using Vector = Eigen::Matrix<double, sd, 1>;
   using Rotation = Eigen::Matrix<double, sd, sd>;
-  using Angular = Eigen::Matrix<double, rd, 1>;
   using Share = Eigen::Matrix<double, sd, 1>;
 
   /// What T is linear in: the inertia per length M_s (without coupling of translation and
-  /// rotation), and the products of J, m and eta that go with bending along y and z (component 0
-  /// is unused).
+  /// rotation), and what J, m and eta make of bending along y and z (component 0 is unused).
   struct Coefficients {
-    Matrix M;     ///< kg/m, kg m
-    Share D;      ///< kg m
-    Share shear;  ///< 12 j J, kg m
+    Matrix M;      ///< kg/m, kg m
+    Share D;       ///< kg m
+    Share square;  ///< D^2/J, kg m
+    Share shear;   ///< 12 j J, kg m
   };
   /// @param eta share of bending by direction
   static Coefficients coefficients(double L, const Matrix& M, const Share& eta);
@@ -66,34 +62,29 @@ class HermiteInertia {
   double weight_potential(const G& A, const G& B, const Vector& a) const;
   Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
 
-  /// X w = w x e_1.
-  static Eigen::Matrix<double, sd, rd> turning();
-
  private:
-  using Three = Eigen::Matrix<double, sd, 3>;  ///< [u, w x e_1, D (w x e_1)] of a node
+  using Two = Eigen::Matrix<double, sd, 2>;  ///< [u, w x e_1] of a node
   using Turning = Eigen::Matrix<double, sd, rd>;
-  using Inertia = Eigen::Matrix<double, rd, rd>;
-  /// Derivatives of the three vectors of a node by [u; w]: [uu uw; 0 w1; 0 w2].
+  /// Derivatives of both vectors of a node by [u; w]: [uu uw; 0 w1].
   struct Derivatives {
     Rotation uu;
-    Turning uw, w1, w2;
+    Turning uw, w1;
   };
 
-  Three of_node(const Tangent& v) const;
-  Three acceleration(const Tangent& v, const Tangent& a) const;
-  Tangent collect(const Three& f) const;
-  Derivatives by_rates() const { return {Rotation::Identity(), Turning::Zero(), X_, DX_}; }
+  Two of_node(const Tangent& v) const;
+  Two acceleration(const Tangent& v, const Tangent& a) const;
+  Tangent collect(const Two& f) const;
+  Derivatives by_rates() const { return {Rotation::Identity(), Turning::Zero(), X_}; }
   Derivatives gyroscopic(const Tangent& v) const;
-  Matrix block(const Eigen::Matrix3d& c, const Rotation& R, const Derivatives& by) const;
+  Matrix block(const Eigen::Matrix2d& c, const Rotation& R, const Derivatives& by) const;
   template <class F>
   void add_turned(const F& on, int row, int column, PairMatrix& k) const;
 
   double L_, m_;
-  Share D_;
-  Turning X_, DX_;   ///< w x e_1 = X w, and D X
-  Inertia Ja_, Jc_;  ///< rotation: L J (1/3 + ...), L J (1/6 - ...)
-  Eigen::Matrix3d AA_, AB_, BB_;
-  Matrix M_AA_, M_BB_;  ///< blocks of the mass matrix, constant
+  Turning X_;  ///< w x e_1 = X w
+  Eigen::Matrix2d AA_, AB_, BB_;
+  Matrix M_AA_, M_BB_;  ///< of translation, constant
+  SectionRotation<G> sections_;
 };
 
 extern template class HermiteInertia<SE2>;
