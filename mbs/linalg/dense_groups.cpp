@@ -126,7 +126,8 @@ bool DenseGroups::factor(Group& g) const {
   g.U = (g.scale.asDiagonal() * g.U).eval();
   g.lu.compute(g.D);
   if (!(g.lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastGroupPivot)) return false;
-  g.X = g.lu.solve(g.U);
+  g.X = g.U;
+  if (g.X.cols() > 0) g.X = g.lu.solve(g.U);  // Eigen's refers to the first number, there or not
   return true;
 }
 
