@@ -126,7 +126,10 @@ bool DenseGroups::factor(Group& g) const {
   g.U = (g.scale.asDiagonal() * g.U).eval();
   g.lu.compute(g.D);
   if (!(g.lu.matrixLU().diagonal().cwiseAbs().minCoeff() > kLeastGroupPivot)) return false;
-  g.X = g.lu.solve(g.U);
+  if (g.U.cols() > 0)
+    g.X = g.lu.solve(g.U);
+  else
+    g.X = g.U;  // Eigen would dereference a null pointer
   return true;
 }
 
