@@ -216,8 +216,7 @@ BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity)
   BodyEnergy energy;
   for (int e = 0; e < elements(); ++e) {
     const Element& element = this->element(e);
-    const Eigen::Map<const Pair> v(s.v + dim * e);
-    energy.kinetic += 0.5 * v.dot(element.mass(s.H[e], s.H[e + 1]) * v);
+    energy.kinetic += element.kinetic_energy(s.H[e], s.H[e + 1], s.v + dim * e);
     energy.elastic += element.elastic_energy(s.H[e], s.H[e + 1]);
     energy.potential += element.weight_potential(s.H[e], s.H[e + 1], gravity);
   }

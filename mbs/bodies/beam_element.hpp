@@ -105,6 +105,10 @@ class BeamElement : public LinearLaw<BeamElement<G>, G> {
   /// is constant.
   Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
   Pair kinetic_gradient(const G&, const G&, const double*) const { return Pair::Zero(); }
+  double kinetic_energy(const G&, const G&, const double* v) const {
+    const Eigen::Map<const Pair> V(v);
+    return 0.5 * V.dot(mass_ * V);
+  }
 
   /// -ad(v)^T p for a momentum p: the force that turns momentum with the frame.
   /// [w x p_u; u x p_u + w x p_w] in space.

@@ -77,7 +77,8 @@ auto CondensedLaw<G>::stress(const Tangent& d, const Tangent& e) const -> Tangen
     const Block ub = u.lazyProduct(b), wb = w.lazyProduct(b);
     Block P = varied_.template topLeftCorner<3, 3>(), Q = varied_.template topRightCorner<3, 3>(),
           R = varied_.template bottomRightCorner<3, 3>();
-    P -= wa.lazyProduct(w) + ub.lazyProduct(u);  // w~^T = -w~
+    P -= wa.lazyProduct(w);  // w~^T = -w~
+    P -= ub.lazyProduct(u);
     Q -= ub.lazyProduct(w);
     R -= wb.lazyProduct(w);
     const Block Ri = R.inverse(), QRi = Q.lazyProduct(Ri);

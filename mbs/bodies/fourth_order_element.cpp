@@ -22,8 +22,9 @@ FourthOrderElement<G>::FourthOrderElement(const FourthOrderElement& of, const Ma
       M_s_(dM_s),
       C0_(law_.stiffness_at_rest_by(dK)),
       dK_(dK),
-      inertia_(length(), HermiteInertia<G>::derivative(length(), of.M_s_, of.bending_share(), dM_s,
-                                                       bending_share_by(dK))),
+      inertia_(length(), HermiteInertia<G>::coefficients(length(), of.M_s_, of.bending_share()),
+               HermiteInertia<G>::derivative(length(), of.M_s_, of.bending_share(), dM_s,
+                                             bending_share_by(dK))),
       mass_(inertia_.mass(G::identity(), G::exp(d0()))) {}
 
 /// eta = (L^2/12)(K^-1)_rr C_ii: shear i, and the rotation r that bends along i.
@@ -98,7 +99,8 @@ auto FourthOrderElement<G>::extrapolated(const G& A, const G& B, const Tangent& 
 
 template <FrameGroup G>
 double FourthOrderElement<G>::elastic_energy(const G& A, const G& B) const {
-  return 0.5 * length() * strain(A, B).dot(stress(A, B));
+  const Tangent d = relative(A, B), e = (d - d0()) / length(), n = law_.stress(d, e);
+  return 0.5 * length() * e.dot(dK_ ? law_.stress_by(d, n, *dK_) : n);
 }
 
 template <FrameGroup G>

@@ -94,6 +94,9 @@ class FourthOrderElement {
   Pair weight_gradient(const G& A, const G& B, const Vector& a) const {
     return inertia_.weight_gradient(A, B, a);
   }
+  double kinetic_energy(const G& A, const G& B, const double* v) const {
+    return inertia_.kinetic_energy(A, B, v);
+  }
   Pair kinetic_gradient(const G& A, const G& B, const double* v) const {
     return inertia_.kinetic_gradient(A, B, v);
   }

@@ -23,13 +23,12 @@ double root_of_shear(double eta) { return std::sqrt(std::max(0.0, 1 - eta)); }
 
 template <FrameGroup G>
 auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta) -> Coefficients {
-  Coefficients c{M, Share::Zero(), Share::Zero(), Share::Zero()};
+  Coefficients c{M, Share::Zero(), Share::Zero()};
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
     const double m = M(0, 0), J = M(r, r), s = root_of_shear(eta[i]);
-    c.D[i] = (1 - s) * J + std::min(L * L / 24 * m * s * s, most(L, m, J));
-    c.square[i] = J > 0 ? c.D[i] * c.D[i] / J : 0;
     c.shear[i] = 2 * s / (1 + s) * J;
+    if (J > 0) c.beta[i] = 1 - s + std::min(L * L / 24 * m * s * s, most(L, m, J)) / J;
   }
   return c;
 }
@@ -37,20 +36,20 @@ auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta
 template <FrameGroup G>
 auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
                                    const Share& deta) -> Coefficients {
-  Coefficients c{dM, Share::Zero(), Share::Zero(), Share::Zero()};
-  const Share D = coefficients(L, M, eta).D;
+  Coefficients c{dM, Share::Zero(), Share::Zero()};
   const double m = M(0, 0), dm = dM(0, 0);
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
     const double J = M(r, r), dJ = dM(r, r), largest = most(L, m, J);
     const double s = root_of_shear(eta[i]), ds = s > 0 ? -deta[i] / (2 * s) : 0;
-    c.D[i] = (1 - s) * dJ - ds * J;
-    if (L * L / 24 * m * s * s <= largest)
-      c.D[i] += L * L / 24 * s * (s * dm + 2 * ds * m);
-    else if (largest > 0)  // 0: of a section without mass, or without inertia
-      c.D[i] += 0.5 * largest * (dm / m + dJ / J);
-    c.square[i] = J > 0 ? D[i] / J * (2 * c.D[i] - D[i] / J * dJ) : 0;
     c.shear[i] = 2 / (1 + s) * (s * dJ + ds / (1 + s) * J);
+    if (!(J > 0)) continue;
+    c.beta[i] = -ds;
+    const double by_mass = L * L / 24 * m * s * s;
+    if (by_mass <= largest)
+      c.beta[i] += L * L / 24 * s * (s * dm + 2 * ds * m) / J - by_mass / J * dJ / J;
+    else if (largest > 0)  // 0: of a section without mass
+      c.beta[i] += 0.5 * largest / J * (dm / m - dJ / J);
   }
   return c;
 }
@@ -59,14 +58,15 @@ namespace {
 
 /// Inertia by rotation, (1/3 + j) and (1/6 - j) of J L.
 template <class G>
-SectionRotation<G> rotation_of_sections(double L,
-                                        const typename HermiteInertia<G>::Coefficients& c) {
+SectionRotation<G> rotation_of_sections(double L, const typename HermiteInertia<G>::Coefficients& c,
+                                        const typename HermiteInertia<G>::Share& beta,
+                                        double factor = 1) {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   const Eigen::Matrix<double, rd, rd> J = c.M.template bottomRightCorner<rd, rd>();
   Eigen::Matrix<double, rd, rd> moved = Eigen::Matrix<double, rd, rd>::Zero();
   if (rd == 3) moved(0, 0) = J(0, 0) / 12;
   for (int i = 1; i < sd; ++i) moved(bends<rd>(i), bends<rd>(i)) = c.shear[i] / 12;
-  return {L, L * (J / 3 + moved), L * (J / 6 - moved), c.D, L * c.square};
+  return {L, factor * L * (J / 3 + moved), factor * L * (J / 6 - moved), beta};
 }
 
 }  // namespace
@@ -76,8 +76,29 @@ HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
     : L_(L),
       m_(c.M(0, 0)),
       X_(SectionRotation<G>::turning()),
-      sections_(rotation_of_sections<G>(L, c)) {
-  const double m = m_ * L, mL = m * L, mLL = mL * L;
+      sections_{rotation_of_sections<G>(L, c, c.beta)} {
+  set_translation();
+}
+
+/// Of a quadratic function the difference about its middle is the derivative, for any step t; this
+/// one is of the size of beta.
+template <FrameGroup G>
+HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c, const Coefficients& dc)
+    : L_(L),
+      m_(dc.M(0, 0)),
+      X_(SectionRotation<G>::turning()),
+      sections_{rotation_of_sections<G>(L, dc, c.beta)} {
+  set_translation();
+  const double size = c.beta.norm(), change = dc.beta.norm();
+  if (change == 0) return;
+  const double t = size > 0 ? size / change : 1;
+  for (const double step : {t, -t})
+    sections_.push_back(rotation_of_sections<G>(L, c, c.beta + step * dc.beta, 1 / (2 * step)));
+}
+
+template <FrameGroup G>
+void HermiteInertia<G>::set_translation() {
+  const double L = L_, m = m_ * L, mL = m * L, mLL = mL * L;
   AA_ << 5 * m / 12, mL / 12, mL / 12, mLL / 32;
   BB_ << 5 * m / 12, -mL / 12, -mL / 12, mLL / 32;
   AB_ << m / 12, 0, 0, mLL / 96;
@@ -143,7 +164,7 @@ void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pai
   on_B += S.transpose().lazyProduct(from_A);
   g.template head<dim>() = collect(on_A);
   g.template tail<dim>() = collect(on_B);
-  sections_.add_force(A, B, v, a, g);
+  for (const auto& s : sections_) s.add_force(A, B, v, a, g);
 }
 
 /// N^T (c x R) dp, N the derivatives by rates and dp these.
@@ -168,7 +189,7 @@ auto HermiteInertia<G>::mass(const G& A, const G& B) const -> PairMatrix {
   const Matrix M_AB = block(AB_, A.R.transpose().lazyProduct(B.R), by_rates());
   PairMatrix M;
   M << M_AA_, M_AB, M_AB.transpose(), M_BB_;
-  sections_.add_mass(A, B, M);
+  for (const auto& s : sections_) s.add_mass(A, B, M);
   return M;
 }
 
@@ -194,7 +215,7 @@ auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const double*
   PairMatrix c;
   c << block(AA_, I, by_A), block(AB_, S, by_B),  //
       block(AB_.transpose(), S.transpose(), by_A), block(BB_, I, by_B);
-  sections_.add_gyroscopic_tangent(A, B, v, c);
+  for (const auto& s : sections_) s.add_gyroscopic_tangent(A, B, v, c);
   return c;
 }
 
@@ -221,8 +242,18 @@ auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const
   add_turned([&](int i) -> Turning { return -S.lazyProduct(Rot::cross(y.col(i))); }, 0, dim, k);
   add_turned([&](int i) -> Turning { return -St.lazyProduct(Rot::cross(z.col(i))); }, dim, 0, k);
   add_turned([&](int i) -> Turning { return Rot::cross(Sz.col(i)); }, dim, dim, k);
-  sections_.add_stiffness(A, B, v, a, k);
+  for (const auto& s : sections_) s.add_stiffness(A, B, v, a, k);
   return k;
+}
+
+template <FrameGroup G>
+double HermiteInertia<G>::kinetic_energy(const G& A, const G& B, const double* v) const {
+  const Two p = of_node(Eigen::Map<const Tangent>(v)),
+            q = of_node(Eigen::Map<const Tangent>(v + dim));
+  const Two from_B = A.R.transpose() * (B.R * (q * AB_.transpose()));
+  double T = p.cwiseProduct(from_B + 0.5 * p * AA_).sum() + 0.5 * q.cwiseProduct(q * BB_).sum();
+  for (const auto& s : sections_) T += s.kinetic_energy(A, B, v);
+  return T;
 }
 
 /// p_A . dS y, y = c p_B.
@@ -237,7 +268,7 @@ auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const double* v
     g.template segment<rd>(sd) += Rot::cross(Vector(S * y.col(i))).transpose() * p.col(i);
     g.template tail<rd>() -= Rot::cross(Vector(y.col(i))).transpose() * (S.transpose() * p.col(i));
   }
-  sections_.add_kinetic_gradient(A, B, v, g);
+  for (const auto& s : sections_) s.add_kinetic_gradient(A, B, v, g);
   return g;
 }
 

@@ -19,6 +19,8 @@
 /// and energy are kept, and so is the weight exact. Forces are virtual work of accelerations,
 /// sum_k (dV_k)^T Vdot.
 
+#include <vector>
+
 #include "mbs/bodies/section_rotation.hpp"
 
 namespace liesl {
@@ -35,13 +37,12 @@ class HermiteInertia {
   using Rotation = Eigen::Matrix<double, sd, sd>;
   using Share = Eigen::Matrix<double, sd, 1>;
 
-  /// What T is linear in: the inertia per length M_s (without coupling of translation and
-  /// rotation), and what J, m and eta make of bending along y and z (component 0 is unused).
+  /// The inertia per length M_s (without coupling of translation and rotation), and what J, m and
+  /// eta make of bending along y and z (component 0 is unused).
   struct Coefficients {
-    Matrix M;      ///< kg/m, kg m
-    Share D;       ///< kg m
-    Share square;  ///< D^2/J, kg m
-    Share shear;   ///< 12 j J, kg m
+    Matrix M;     ///< kg/m, kg m
+    Share shear;  ///< 12 j J, kg m
+    Share beta;   ///< D/J
   };
   /// @param eta share of bending by direction
   static Coefficients coefficients(double L, const Matrix& M, const Share& eta);
@@ -50,6 +51,8 @@ class HermiteInertia {
                                  const Share& deta);
 
   HermiteInertia(double L, const Coefficients& c);
+  /// dT/dp: T is linear in M and shear, quadratic in beta.
+  HermiteInertia(double L, const Coefficients& c, const Coefficients& dc);
 
   void force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
   PairMatrix mass(const G& A, const G& B) const;
@@ -57,6 +60,7 @@ class HermiteInertia {
   PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
   /// d force/d[h_A; h_B] at constant v and a, without what turns in a.
   PairMatrix stiffness(const G& A, const G& B, const double* v, const Pair& a) const;
+  double kinetic_energy(const G& A, const G& B, const double* v) const;
   /// dT/d[h_A; h_B] at constant v.
   Pair kinetic_gradient(const G& A, const G& B, const double* v) const;
   double weight_potential(const G& A, const G& B, const Vector& a) const;
@@ -71,6 +75,7 @@ class HermiteInertia {
     Turning uw, w1;
   };
 
+  void set_translation();
   Two of_node(const Tangent& v) const;
   Two acceleration(const Tangent& v, const Tangent& a) const;
   Tangent collect(const Two& f) const;
@@ -83,8 +88,8 @@ class HermiteInertia {
   double L_, m_;
   Turning X_;  ///< w x e_1 = X w
   Eigen::Matrix2d AA_, AB_, BB_;
-  Matrix M_AA_, M_BB_;  ///< of translation, constant
-  SectionRotation<G> sections_;
+  Matrix M_AA_, M_BB_;                        ///< of translation, constant
+  std::vector<SectionRotation<G>> sections_;  ///< one, or the terms of a derivative
 };
 
 extern template class HermiteInertia<SE2>;

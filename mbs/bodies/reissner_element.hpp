@@ -79,6 +79,10 @@ class ReissnerElement : public LinearLaw<ReissnerElement<G>, G> {
   /// changes with R = R_A^T R_B by m u_A . R u_B.
   Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
   Pair kinetic_gradient(const G& A, const G& B, const double* v) const;
+  double kinetic_energy(const G& A, const G& B, const double* v) const {
+    const Eigen::Map<const Pair> V(v);
+    return 0.5 * V.dot(mass(A, B) * V);
+  }
 
   /// K_t = P(d0)^T K P(d0)/L at reference.
   PairMatrix constant_tangent() const;

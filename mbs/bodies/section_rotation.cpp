@@ -49,17 +49,23 @@ Jet<n, K> free_at(int column, const V& v) {
 template <FrameGroup G>
 struct SectionRotation<G>::Values {
   using Space = Vector;
-  using Angular = Eigen::Matrix<double, rd, 1>;
+  using Angular = SectionRotation<G>::Angular;
   using Frame = Rotation;
 
   static Space turned(const Frame& S, const Space& z) { return S.lazyProduct(z); }
   /// w x z
   static Space cross(const Angular& w, const Space& z) {
-    return -RotationOf<G>::cross(z).lazyProduct(w);
+    if constexpr (rd == 1)
+      return {-w[0] * z[1], w[0] * z[0]};
+    else
+      return w.cross(z);
   }
   /// a x b, about the axes of rotation
   static Angular moment(const Space& a, const Space& b) {
-    return RotationOf<G>::cross(b).transpose().lazyProduct(a);
+    if constexpr (rd == 1)
+      return Angular(a[0] * b[1] - a[1] * b[0]);
+    else
+      return a.cross(b);
   }
 };
 
@@ -97,14 +103,35 @@ struct SectionRotation<G>::Jets {
   }
 };
 
-/// The motion of a node as the other one sees it: S turns what is in the axes of the other one.
+/// The motion of a node as the other one sees it, and what is its own in r' and r'' in its axes.
 template <FrameGroup G>
 template <class Q>
 struct SectionRotation<G>::Node {
   double sign;  ///< of x in r
   typename Q::Frame S;
-  typename Q::Space rho, u, udot;
+  typename Q::Space rho, r_dot, r_ddot;
   typename Q::Angular w, wdot;
+};
+
+template <FrameGroup G>
+template <class Q>
+struct SectionRotation<G>::Motion {
+  typename Q::Space u, udot;
+  typename Q::Angular w, wdot;
+};
+
+/// y of the section of a node, and with it what the other one needs: rates as seen at rest.
+template <FrameGroup G>
+template <class Q>
+struct SectionRotation<G>::Turn {
+  typename Q::Angular y, ydot, Jy, y_rate, Jy_rate;
+};
+
+/// p' and p' + w x p - dT/dh, p = dT/dy.
+template <FrameGroup G>
+template <class Q>
+struct SectionRotation<G>::Momentum {
+  typename Q::Angular rate, moment;
 };
 
 template <FrameGroup G>
@@ -115,9 +142,14 @@ struct SectionRotation<G>::Force {
 };
 
 template <FrameGroup G>
-SectionRotation<G>::SectionRotation(double L, const Inertia& Ja, const Inertia& Jc, const Vector& D,
-                                    const Vector& c)
-    : L_(L), Ja_(Ja), Jc_(Jc), c_(c), X_(turning()), E_(D.asDiagonal() * X_) {}
+SectionRotation<G>::SectionRotation(double L, const Inertia& Ja, const Inertia& Jc,
+                                    const Vector& beta)
+    : L_(L),
+      Ja_(Ja),
+      Jc_(Jc),
+      X_(turning()),
+      B_(X_.transpose() * beta.asDiagonal()),
+      Bt_(B_.transpose()) {}
 
 template <FrameGroup G>
 auto SectionRotation<G>::places(const G& A, const G& B) const -> std::array<Place, 2> {
@@ -127,94 +159,101 @@ auto SectionRotation<G>::places(const G& A, const G& B) const -> std::array<Plac
           Place{dim, 0, 1, S.transpose(), B.R.transpose().lazyProduct(r)}};
 }
 
+template <FrameGroup G>
+template <class Q>
+auto SectionRotation<G>::node(const Place& me, typename Q::Frame S, typename Q::Space rho,
+                              const Motion<Q>& q) const -> Node<Q> {
+  const typename Q::Space dot = (me.sign / L_) * q.u - 0.5 * times(X_, q.w),
+                          ddot = (me.sign / L_) * q.udot - 0.5 * times(X_, q.wdot);
+  return {me.sign, S, rho, dot, ddot + Q::cross(q.w, dot), q.w, q.wdot};
+}
+
 /// rho' = R^T r' - w x rho.
 template <FrameGroup G>
 template <class Q>
 typename Q::Space SectionRotation<G>::rate(const Node<Q>& me, const Node<Q>& other) const {
-  const typename Q::Space nodes = (other.sign / L_) * other.u - 0.5 * times(X_, other.w),
-                          here = (me.sign / L_) * me.u - 0.5 * times(X_, me.w);
-  return Q::turned(me.S, nodes) + here - Q::cross(me.w, me.rho);
+  return Q::turned(me.S, other.r_dot) + me.r_dot - Q::cross(me.w, me.rho);
 }
 
-/// rho'' = R^T r'' - 2 w x rho' - w' x rho - w x (w x rho).
+/// By rho' and rho'' = R^T r'' - w x (2 rho' + w x rho) - w' x rho.
 template <FrameGroup G>
 template <class Q>
-typename Q::Space SectionRotation<G>::second_rate(const Node<Q>& me, const Node<Q>& other,
-                                                  const typename Q::Space& rate) const {
-  const auto in_own_axes = [this](const Node<Q>& n) -> typename Q::Space {
-    const typename Q::Space moving = (n.sign / L_) * n.u - 0.5 * times(X_, n.w);
-    const typename Q::Space faster = (n.sign / L_) * n.udot - 0.5 * times(X_, n.wdot);
-    return faster + Q::cross(n.w, moving);
-  };
-  const typename Q::Space turning = 2.0 * rate + Q::cross(me.w, me.rho);
-  return Q::turned(me.S, in_own_axes(other)) + in_own_axes(me) - Q::cross(me.w, turning) -
-         Q::cross(me.wdot, me.rho);
-}
-
-/// d/dt (dT/dw) + w x dT/dw - dT/dh of the rotation of the nodes themselves.
-template <FrameGroup G>
-template <class Q>
-typename Q::Angular SectionRotation<G>::momentum_rate(const Node<Q>& me,
-                                                      const Node<Q>& other) const {
-  using Angular = typename Q::Angular;
-  const Angular own = times(Ja_, me.wdot);
+auto SectionRotation<G>::turn(const Node<Q>& me, const Node<Q>& other) const -> Turn<Q> {
+  const typename Q::Space dot = rate<Q>(me, other), turning = 2.0 * dot + Q::cross(me.w, me.rho),
+                          ddot = Q::turned(me.S, other.r_ddot) + me.r_ddot -
+                                 Q::cross(me.w, turning) - Q::cross(me.wdot, me.rho);
+  Turn<Q> t{me.w + times(B_, dot), me.wdot + times(B_, ddot), {}, {}, {}};
+  t.Jy = times(Jc_, t.y);
   if constexpr (rd == 1) {
-    return own + times(Jc_, other.wdot);
+    t.y_rate = t.ydot;
+    t.Jy_rate = times(Jc_, t.ydot);
   } else {
-    const Angular w = Q::turned(me.S, other.w), wdot = Q::turned(me.S, other.wdot),
-                  Jw = Q::turned(me.S, times(Jc_, other.w)),
-                  Jwdot = Q::turned(me.S, times(Jc_, other.wdot)),
-                  gyro = Q::turned(me.S, Q::cross(other.w, times(Jc_, other.w)));
-    const Angular moved = times(Jc_, wdot) + Jwdot + gyro - times(Jc_, Q::cross(me.w, w)) +
-                          Q::cross(me.w, times(Jc_, w)) - Q::cross(me.w, Jw) -
-                          Q::cross(times(Jc_, me.w), w);
-    return own + Q::cross(me.w, times(Ja_, me.w)) + 0.5 * moved;
+    t.y_rate = t.ydot + Q::cross(me.w, t.y);
+    t.Jy_rate = times(Jc_, t.ydot) + Q::cross(me.w, t.Jy);
+  }
+  return t;
+}
+
+template <FrameGroup G>
+template <class Q>
+auto SectionRotation<G>::momentum(const Node<Q>& me, const Turn<Q>& my, const Turn<Q>& its) const
+    -> Momentum<Q> {
+  if constexpr (rd == 1) {
+    const typename Q::Angular rate = times(Ja_, my.ydot) + its.Jy_rate;
+    return {rate, rate};
+  } else {
+    const typename Q::Angular y = Q::turned(me.S, its.y), Jy = Q::turned(me.S, its.Jy),
+                              y_rate = Q::turned(me.S, its.y_rate) - Q::cross(me.w, y),
+                              Jy_rate = Q::turned(me.S, its.Jy_rate) - Q::cross(me.w, Jy),
+                              p = times(Ja_, my.y) + 0.5 * (times(Jc_, y) + Jy);
+    Momentum<Q> m;
+    m.rate = times(Ja_, my.ydot) + 0.5 * (times(Jc_, y_rate) + Jy_rate);
+    m.moment = m.rate + Q::cross(me.w, p) - 0.5 * (Q::cross(my.Jy, y) + Q::cross(my.y, Jy));
+    return m;
   }
 }
 
-/// (d rho')^T (c rho''/2 + L E w'/2) and (L/2) (E^T rho'' + w x E^T rho').
+/// p' + w x p - dT/dh on w, and (d rho')^T B^T p'.
 template <FrameGroup G>
 template <class Q>
-void SectionRotation<G>::add_force_of(const Node<Q>& me, const Node<Q>& other, Force<Q>& on_me,
+void SectionRotation<G>::add_force_of(const Node<Q>& me, const Turn<Q>& my, const Node<Q>& other,
+                                      const Turn<Q>& its, Force<Q>& on_me,
                                       Force<Q>& on_other) const {
-  using Space = typename Q::Space;
-  using Angular = typename Q::Angular;
-  const Eigen::Matrix<double, rd, sd> Et = E_.transpose(), Xt = X_.transpose();
-  const Rotation c = c_.asDiagonal();
-  const Space dot = rate<Q>(me, other), ddot = second_rate<Q>(me, other, dot);
-  const Space p = 0.5 * times(c, ddot) + (L_ / 2) * times(E_, me.wdot);
-  const Space on = Q::turned(other.S, p);
-  on_me.f = on_me.f + (me.sign / L_) * p;
-  on_me.m = on_me.m + Q::moment(p, me.rho) - 0.5 * times(Xt, p) + (L_ / 2) * times(Et, ddot) +
-            momentum_rate<Q>(me, other);
-  if constexpr (rd == 3) {
-    const Angular turned = Q::cross(me.w, times(Et, dot));
-    on_me.m = on_me.m + (L_ / 2) * turned;
-  }
+  const Eigen::Matrix<double, rd, sd> Xt = X_.transpose();
+  const Momentum<Q> p = momentum<Q>(me, my, its);
+  const typename Q::Space q = times(Bt_, p.rate), on = Q::turned(other.S, q);
+  on_me.f = on_me.f + (me.sign / L_) * q;
+  on_me.m = on_me.m + p.moment + Q::moment(q, me.rho) - 0.5 * times(Xt, q);
   on_other.f = on_other.f + (other.sign / L_) * on;
   on_other.m = on_other.m - 0.5 * times(Xt, on);
+}
+
+template <FrameGroup G>
+template <class Q>
+void SectionRotation<G>::add_force_of(const Node<Q>& A, const Node<Q>& B, Force<Q>& on_A,
+                                      Force<Q>& on_B) const {
+  const Turn<Q> y_A = turn<Q>(A, B), y_B = turn<Q>(B, A);
+  add_force_of<Q>(A, y_A, B, y_B, on_A, on_B);
+  add_force_of<Q>(B, y_B, A, y_A, on_B, on_A);
+}
+
+template <FrameGroup G>
+auto SectionRotation<G>::motion(const Place& me, const double* v, const Pair& a) -> Motion<Values> {
+  const Eigen::Map<const Pair> rates(v);
+  return {rates.template segment<sd>(me.at), a.template segment<sd>(me.at),
+          rates.template segment<rd>(me.at + sd), a.template segment<rd>(me.at + sd)};
 }
 
 template <FrameGroup G>
 void SectionRotation<G>::add_force(const G& A, const G& B, const double* v, const Pair& a,
                                    Pair& g) const {
   using Q = Values;
-  const Eigen::Map<const Pair> rates(v);
-  const auto node = [&](const Place& me) {
-    return Node<Q>{me.sign,
-                   me.S,
-                   me.rho,
-                   rates.template segment<sd>(me.at),
-                   a.template segment<sd>(me.at),
-                   rates.template segment<rd>(me.at + sd),
-                   a.template segment<rd>(me.at + sd)};
-  };
   const auto at = places(A, B);
-  const Node<Q> n_A = node(at[0]), n_B = node(at[1]);
+  const Node<Q> n_A = node<Q>(at[0], at[0].S, at[0].rho, motion(at[0], v, a)),
+                n_B = node<Q>(at[1], at[1].S, at[1].rho, motion(at[1], v, a));
   Force<Q> on_A{g.template head<sd>(), g.template segment<rd>(sd)},
       on_B{g.template segment<sd>(dim), g.template tail<rd>()};
   add_force_of<Q>(n_A, n_B, on_A, on_B);
-  add_force_of<Q>(n_B, n_A, on_B, on_A);
   g << on_A.f, on_A.m, on_B.f, on_B.m;
 }
 
@@ -229,48 +268,49 @@ auto SectionRotation<G>::gradient(const Place& me) const -> Gradient {
   return P;
 }
 
+/// (J_c S + S J_c)/2, in a plane J_c.
+template <FrameGroup G>
+auto SectionRotation<G>::coupling(const Place& me) const -> Inertia {
+  if constexpr (rd == 1)
+    return Jc_;
+  else
+    return 0.5 * (Jc_.lazyProduct(me.S) + me.S.lazyProduct(Jc_));
+}
+
+/// y = Y [v_A; v_B].
+template <FrameGroup G>
+auto SectionRotation<G>::turn_gradient(const Place& me) const -> TurnGradient {
+  TurnGradient Y = B_.lazyProduct(gradient(me));
+  Y.template middleCols<rd>(me.at + sd) += Inertia::Identity();
+  return Y;
+}
+
 template <FrameGroup G>
 void SectionRotation<G>::add_mass(const G& A, const G& B, PairMatrix& M) const {
-  for (const Place& me : places(A, B)) {
-    const Gradient P = gradient(me), cP = (0.5 * c_).asDiagonal() * P;
-    M += P.transpose().lazyProduct(cP);
-    const Eigen::Matrix<double, rd, 2 * dim> EP = (L_ / 2) * E_.transpose().lazyProduct(P);
-    M.template middleRows<rd>(me.at + sd) += EP;
-    M.template middleCols<rd>(me.at + sd) += EP.transpose();
-    M.template block<rd, rd>(me.at + sd, me.at + sd) += Ja_;
-    auto coupling = M.template block<rd, rd>(me.at + sd, me.other + sd);
-    if constexpr (rd == 1)
-      coupling += Jc_;
-    else
-      coupling += 0.5 * (Jc_.lazyProduct(me.S) + me.S.lazyProduct(Jc_));
-  }
+  const auto at = places(A, B);
+  const TurnGradient Y_A = turn_gradient(at[0]), Y_B = turn_gradient(at[1]);
+  const TurnGradient p_A = Ja_.lazyProduct(Y_A) + coupling(at[0]).lazyProduct(Y_B),
+                     p_B = Ja_.lazyProduct(Y_B) + coupling(at[1]).lazyProduct(Y_A);
+  M += Y_A.transpose().lazyProduct(p_A) + Y_B.transpose().lazyProduct(p_B);
 }
 
 template <FrameGroup G>
 auto SectionRotation<G>::by_rates(const Place& me, const double* v) const -> Node<Jets> {
   constexpr int K = 2 * dim;
-  const Eigen::Map<const Pair> rates(v);
-  return {me.sign,
-          {me.S},
-          fixed<sd, K>(me.rho),
-          free_at<sd, K>(me.at, rates.template segment<sd>(me.at)),
-          fixed<sd, K>(Vector::Zero()),
-          free_at<rd, K>(me.at + sd, rates.template segment<rd>(me.at + sd)),
-          fixed<rd, K>(Eigen::Matrix<double, rd, 1>::Zero())};
+  const Motion<Values> q = motion(me, v, Pair::Zero());
+  return node<Jets>(me, {me.S}, fixed<sd, K>(me.rho),
+                    {free_at<sd, K>(me.at, q.u), fixed<sd, K>(q.udot),
+                     free_at<rd, K>(me.at + sd, q.w), fixed<rd, K>(q.wdot)});
 }
 
 template <FrameGroup G>
 auto SectionRotation<G>::by_frames(const Place& me, const double* v, const Pair& a) const
     -> Node<Jets> {
   constexpr int K = 2 * dim;
-  const Eigen::Map<const Pair> rates(v);
-  return {me.sign,
-          {me.S, me.at, me.other},
-          {me.rho, gradient(me)},
-          fixed<sd, K>(rates.template segment<sd>(me.at)),
-          fixed<sd, K>(a.template segment<sd>(me.at)),
-          fixed<rd, K>(rates.template segment<rd>(me.at + sd)),
-          fixed<rd, K>(a.template segment<rd>(me.at + sd))};
+  const Motion<Values> q = motion(me, v, a);
+  return node<Jets>(
+      me, {me.S, me.at, me.other}, {me.rho, gradient(me)},
+      {fixed<sd, K>(q.u), fixed<sd, K>(q.udot), fixed<rd, K>(q.w), fixed<rd, K>(q.wdot)});
 }
 
 template <FrameGroup G>
@@ -278,11 +318,9 @@ void SectionRotation<G>::add_derivative(const Node<Jets>& A, const Node<Jets>& B
                                         PairMatrix& K) const {
   using Q = Jets;
   constexpr int n = 2 * dim;
-  const Force<Q> none{fixed<sd, n>(Vector::Zero()),
-                      fixed<rd, n>(Eigen::Matrix<double, rd, 1>::Zero())};
+  const Force<Q> none{fixed<sd, n>(Vector::Zero()), fixed<rd, n>(Angular::Zero())};
   Force<Q> on_A = none, on_B = none;
   add_force_of<Q>(A, B, on_A, on_B);
-  add_force_of<Q>(B, A, on_B, on_A);
   K.template topRows<sd>() += on_A.f.d;
   K.template middleRows<rd>(sd) += on_A.m.d;
   K.template middleRows<sd>(dim) += on_B.f.d;
@@ -303,20 +341,32 @@ void SectionRotation<G>::add_stiffness(const G& A, const G& B, const double* v, 
   add_derivative(by_frames(at[0], v, a), by_frames(at[1], v, a), K);
 }
 
-/// (L E w + c rho')/2 . d rho' of each node, and what S does to J_c.
+template <FrameGroup G>
+double SectionRotation<G>::kinetic_energy(const G& A, const G& B, const double* v) const {
+  using Q = Values;
+  const auto at = places(A, B);
+  const Node<Q> n_A = node<Q>(at[0], at[0].S, at[0].rho, motion(at[0], v, Pair::Zero())),
+                n_B = node<Q>(at[1], at[1].S, at[1].rho, motion(at[1], v, Pair::Zero()));
+  const Angular y_A = n_A.w + B_ * rate<Q>(n_A, n_B), y_B = n_B.w + B_ * rate<Q>(n_B, n_A);
+  return 0.5 * (y_A.dot(Ja_ * y_A) + y_B.dot(Ja_ * y_B)) + y_A.dot(coupling(at[0]) * y_B);
+}
+
+/// p . B d rho' of each node, and what S does to J_c.
 template <FrameGroup G>
 void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const double* v,
                                               Pair& g) const {
   using Q = Jets;
+  constexpr int n = 2 * dim;
   const auto at = places(A, B);
   const Node<Q> nodes[] = {by_frames(at[0], v, Pair::Zero()), by_frames(at[1], v, Pair::Zero())};
+  const Gradient dots[] = {rate<Q>(nodes[0], nodes[1]).d, rate<Q>(nodes[1], nodes[0]).d};
+  const Eigen::Map<const Pair> rates(v);
+  const Angular y[] = {turn_gradient(at[0]) * rates, turn_gradient(at[1]) * rates};
   for (int k = 0; k < 2; ++k) {
-    const Node<Q>&me = nodes[k], &other = nodes[1 - k];
-    const auto dot = rate<Q>(me, other);
-    const Vector p = (L_ / 2) * (E_ * me.w.v) + 0.5 * c_.cwiseProduct(dot.v);
-    g += dot.d.transpose() * p;
-    if constexpr (rd == 3)  // w_A . (J_c S + S J_c) w_B/2, a half by each node
-      g += 0.5 * Q::turned(me.S, times(Jc_, other.w)).d.transpose() * me.w.v;
+    const Angular p = Ja_ * y[k] + coupling(at[k]) * y[1 - k];
+    g += dots[k].transpose() * (Bt_ * p);
+    if constexpr (rd == 3)
+      g += 0.5 * Q::turned(nodes[k].S, fixed<rd, n>(Angular(Jc_ * y[1 - k]))).d.transpose() * y[k];
   }
 }
 

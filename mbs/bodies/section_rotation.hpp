@@ -2,16 +2,16 @@
 /// @file
 /// Kinetic energy of the rotation of sections in a two-node element of fourth order:
 ///
-///   T = [w_A . J_a w_A + w_B . J_a w_B + w_A . (J_c S + S J_c) w_B]/2
-///     + sum_k [(L/2) w_k . E^T rho_k' + rho_k' . c rho_k'/4],
-///   E w = D (w x e_1),  c = L D^2/J,  S = R_A^T R_B,
+///   T = [y_A . J_a y_A + y_B . J_a y_B + y_A . (J_c S + S J_c) y_B]/2,  y_k = w_k + B rho_k',
 ///
-/// k = A, B, rho_k = R_k^T r how far the middle turns beyond the mean of both nodes (by bending and
-/// by shear, r in hermite_inertia.hpp) in the axes of node k, and rho_k' its rate there: what a
-/// rigid motion of the element does not change. With J_a + J_c = J L/2 a straight element has
-/// (J L/2) |w_mean + (D/J) rho'|^2 and (J_a - J_c)/4 |w_B - w_A|^2: positive whatever D is.
+/// S = R_A^T R_B, rho_k = R_k^T r how far the middle turns beyond the mean of both nodes (by
+/// bending and by shear, r in hermite_inertia.hpp) in the axes of node k, rho_k' its rate there,
+/// which a rigid motion of the element does not change, and B rho = e_1 x (beta rho) the part beta
+/// of it, as a rotation. y_k is what the section of node k, if it moved like those between the
+/// nodes, would turn with.
 ///
-/// Forces follow from Hamilton's principle in body axes, with w_k' = (d h_k/dt) + w_k x h_k.
+/// By Hamilton's principle in body axes p' + w x p - dT/dh is on w_k and B^T p' on rho_k, p =
+/// dT/dy.
 
 #include <array>
 
@@ -33,9 +33,8 @@ class SectionRotation {
   static Turning turning() { return -RotationOf<G>::cross(Vector::Unit(0)); }
 
   /// @param Ja,Jc kg m^2
-  /// @param D     kg m
-  /// @param c     kg m^2
-  SectionRotation(double L, const Inertia& Ja, const Inertia& Jc, const Vector& D, const Vector& c);
+  /// @param beta  share by direction (component 0 is unused)
+  SectionRotation(double L, const Inertia& Ja, const Inertia& Jc, const Vector& beta);
 
   void add_force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
   void add_mass(const G& A, const G& B, PairMatrix& M) const;
@@ -43,12 +42,15 @@ class SectionRotation {
   void add_gyroscopic_tangent(const G& A, const G& B, const double* v, PairMatrix& C) const;
   /// d force/d[h_A; h_B] at constant v and a.
   void add_stiffness(const G& A, const G& B, const double* v, const Pair& a, PairMatrix& K) const;
+  double kinetic_energy(const G& A, const G& B, const double* v) const;
   /// dT/d[h_A; h_B] at constant v.
   void add_kinetic_gradient(const G& A, const G& B, const double* v, Pair& g) const;
 
  private:
   using Rotation = Eigen::Matrix<double, sd, sd>;
+  using Angular = Eigen::Matrix<double, rd, 1>;
   using Gradient = Eigen::Matrix<double, sd, 2 * dim>;
+  using TurnGradient = Eigen::Matrix<double, rd, 2 * dim>;
   /// A node as the other one sees it.
   struct Place {
     int at, other;  ///< first of their unknowns
@@ -61,28 +63,42 @@ class SectionRotation {
   template <class Q>
   struct Node;
   template <class Q>
+  struct Motion;
+  template <class Q>
+  struct Turn;
+  template <class Q>
+  struct Momentum;
+  template <class Q>
   struct Force;
 
   std::array<Place, 2> places(const G& A, const G& B) const;
   Gradient gradient(const Place& me) const;
+  TurnGradient turn_gradient(const Place& me) const;
+  Inertia coupling(const Place& me) const;
+  static Motion<Values> motion(const Place& me, const double* v, const Pair& a);
+  template <class Q>
+  Node<Q> node(const Place& me, typename Q::Frame S, typename Q::Space rho,
+               const Motion<Q>& q) const;
   Node<Jets> by_rates(const Place& me, const double* v) const;
   Node<Jets> by_frames(const Place& me, const double* v, const Pair& a) const;
   template <class Q>
   typename Q::Space rate(const Node<Q>& me, const Node<Q>& other) const;
   template <class Q>
-  typename Q::Space second_rate(const Node<Q>& me, const Node<Q>& other,
-                                const typename Q::Space& rate) const;
+  Turn<Q> turn(const Node<Q>& me, const Node<Q>& other) const;
   template <class Q>
-  typename Q::Angular momentum_rate(const Node<Q>& me, const Node<Q>& other) const;
+  Momentum<Q> momentum(const Node<Q>& me, const Turn<Q>& my, const Turn<Q>& its) const;
   template <class Q>
-  void add_force_of(const Node<Q>& me, const Node<Q>& other, Force<Q>& on_me,
-                    Force<Q>& on_other) const;
+  void add_force_of(const Node<Q>& me, const Turn<Q>& my, const Node<Q>& other, const Turn<Q>& its,
+                    Force<Q>& on_me, Force<Q>& on_other) const;
+  template <class Q>
+  void add_force_of(const Node<Q>& A, const Node<Q>& B, Force<Q>& on_A, Force<Q>& on_B) const;
   void add_derivative(const Node<Jets>& A, const Node<Jets>& B, PairMatrix& K) const;
 
   double L_;
   Inertia Ja_, Jc_;
-  Vector c_;
-  Turning X_, E_;
+  Turning X_;
+  Eigen::Matrix<double, rd, sd> B_;
+  Turning Bt_;
 };
 
 extern template class SectionRotation<SE2>;

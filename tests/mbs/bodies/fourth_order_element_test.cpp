@@ -215,6 +215,9 @@ TYPED_TEST(FourthOrderElementTest, EnergyOfInertiaAndWeight) {
                                              this->moved(this->B_now, h, 1)) *
                           rate);
   };
+  const double T_now = kinetic(Pair::Zero(), this->v);
+  EXPECT_NEAR(this->element.kinetic_energy(this->A_now, this->B_now, this->v.data()), T_now,
+              1e-13 * T_now);
   const auto T = [&, this](const Pair& h) -> Eigen::VectorXd {
     return Eigen::VectorXd::Constant(1, kinetic(h, this->v));
   };

@@ -127,8 +127,8 @@ TEST(FourthOrder, FrequenciesConvergeWithTheFourthPower) {
   const Cantilever cases[] = {{1, six(1e4, 3e3, 3e3, 2, 2, 3), six(1, 1, 1, 5e-4, 2e-4, 3e-4)},
                               {1, six(1e4, 3e3, 3e3, 2, 2, 2.2), six(1, 1, 1, 4e-3, 2e-3, 2e-3)}};
   for (const Cantilever& of : cases) {
-    const Eigen::VectorXd limit = frequencies(96, of), coarse = frequencies(6, of),
-                          middle = frequencies(12, of), fine = frequencies(24, of);
+    const Eigen::VectorXd limit = frequencies(192, of), coarse = frequencies(6, of),
+                          middle = frequencies(24, of), fine = frequencies(48, of);
     for (int i = 0; i < 6; ++i) {
       const double before = std::abs(middle[i] - limit[i]), after = std::abs(fine[i] - limit[i]);
       EXPECT_GE(std::log2(before / after), 3.8) << "mode " << i << " at " << limit[i];
