@@ -194,13 +194,16 @@ typename Body<G>::Strains ChainBeam<G, E>::strains_at_rest(const Eigen::VectorXd
 template <FrameGroup G, class E>
 typename ChainBeam<G, E>::Tangent ChainBeam<G, E>::section_force(const BodyState<G>& s, int e,
                                                                  ElementPlace at) const {
-  const Element& element = this->element(e);
-  const G &A = s.H[e], &B = s.H[e + 1];
-  if (at == ElementPlace::Middle) return element.stress(A, B);
-  const Tangent n = element.conjugate(A, B);
-  const auto P = Element::P(Element::relative(A, B));
-  if (at == ElementPlace::First) return -P.template leftCols<dim>().transpose() * n;
-  return P.template rightCols<dim>().transpose() * n;
+  if (at == ElementPlace::Middle) return element(e).stress(s.H[e], s.H[e + 1]);
+  return end_forces(s, e)[static_cast<std::size_t>(node_of(at))];
+}
+
+/// -g_A and g_B.
+template <FrameGroup G, class E>
+auto ChainBeam<G, E>::end_forces(const BodyState<G>& s, int e) const -> std::array<Tangent, 2> {
+  Pair g;
+  element(e).internal_force(s.H[e], s.H[e + 1], nullptr, 0, g);
+  return {-g.template head<dim>(), g.template tail<dim>()};
 }
 
 template <FrameGroup G, class E>

@@ -84,6 +84,7 @@ class ChainBeam final : public BeamChain<G> {
                                     Matrices& A) const override;
   Tangent strain(const BodyState<G>& s, int e) const override;
   Tangent section_force(const BodyState<G>& s, int e, ElementPlace at) const override;
+  std::array<Tangent, 2> end_forces(const BodyState<G>& s, int e) const override;
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;

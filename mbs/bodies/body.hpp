@@ -3,6 +3,7 @@
 /// What a body is to the model: nodes with frames, inertia and elasticity in local frames.
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -167,6 +168,10 @@ class Body {
   virtual Tangent strain(const BodyState<G>&, int /*e*/) const { return Tangent::Zero(); }
   virtual Tangent section_force(const BodyState<G>&, int /*e*/, ElementPlace) const {
     return Tangent::Zero();
+  }
+  /// Those at both nodes of element e.
+  virtual std::array<Tangent, 2> end_forces(const BodyState<G>& s, int e) const {
+    return {section_force(s, e, ElementPlace::First), section_force(s, e, ElementPlace::Last)};
   }
   /// stress[e] = section force + its first-order change by the nodal increments `delta` (dim a
   /// node), one an element: n = K (eps + P(d) delta / L). On entry the stress that the increments

@@ -10,10 +10,10 @@
 ///
 /// The second term makes waves along the axis of fourth order (masses 5/12, 1/12 of a linear
 /// element). Rotation of sections (SectionRotation): (5/12, 1/12) of J L for torsion, (1/3 + j,
-/// 1/6 - j) for bending, j = s/(6 (1 + s)), and how far those in the middle turn beyond the mean by
-/// bending and the same for shear, D = (1 - s) J + s^2 m L^2/24, s^2 = 1 - eta and eta the share of
-/// bending in the flexibility L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1). With these D
-/// and j bending waves are of fourth order whatever eta is (docs/theory.md).
+/// 1/6 - j) for bending, j = s/(6 (1 + s)), and the part beta = D/J of how far the middle turns
+/// beyond the mean, D = (1 - s) J + s^2 m L^2/24, s^2 = 1 - eta and eta the share of bending in the
+/// flexibility L^2/(12 EI) + 1/(GA) (from 0 on short elements to 1). With these beta and j bending
+/// waves are of fourth order whatever eta is (docs/theory.md).
 ///
 /// T depends on x_B - x_A and S = R_A^T R_B only and is exact for translations: linear momentum
 /// and energy are kept, and so is the weight exact. Forces are virtual work of accelerations,

@@ -53,6 +53,21 @@ struct SectionRotation<G>::Values {
   using Frame = Rotation;
 
   static Space turned(const Frame& S, const Space& z) { return S.lazyProduct(z); }
+  /// X w
+  static Space about(const Angular& w) {
+    if constexpr (rd == 1)
+      return {0, w[0]};
+    else
+      return {0, w[2], -w[1]};
+  }
+  /// X^T z
+  static Angular onto(const Space& z) {
+    if constexpr (rd == 1)
+      return Angular(z[1]);
+    else
+      return {0, -z[2], z[1]};
+  }
+  static Space scaled(const Vector& by, const Space& z) { return by.cwiseProduct(z); }
   /// w x z
   static Space cross(const Angular& w, const Space& z) {
     if constexpr (rd == 1)
@@ -85,6 +100,13 @@ struct SectionRotation<G>::Jets {
     out.d.template middleCols<rd>(f.me + sd) += RotationOf<G>::cross(out.v);
     out.d.template middleCols<rd>(f.other + sd) -= f.S.lazyProduct(RotationOf<G>::cross(z.v));
     return out;
+  }
+  static Space about(const Angular& w) { return {Values::about(w.v), turning().lazyProduct(w.d)}; }
+  static Angular onto(const Space& z) {
+    return {Values::onto(z.v), turning().transpose().lazyProduct(z.d)};
+  }
+  static Space scaled(const Vector& by, const Space& z) {
+    return {by.cwiseProduct(z.v), by.asDiagonal() * z.d};
   }
   static Space cross(const Angular& w, const Space& z) {
     Rotation spin;
@@ -144,12 +166,7 @@ struct SectionRotation<G>::Force {
 template <FrameGroup G>
 SectionRotation<G>::SectionRotation(double L, const Inertia& Ja, const Inertia& Jc,
                                     const Vector& beta)
-    : L_(L),
-      Ja_(Ja),
-      Jc_(Jc),
-      X_(turning()),
-      B_(X_.transpose() * beta.asDiagonal()),
-      Bt_(B_.transpose()) {}
+    : L_(L), Ja_(Ja), Jc_(Jc), beta_(beta) {}
 
 template <FrameGroup G>
 auto SectionRotation<G>::places(const G& A, const G& B) const -> std::array<Place, 2> {
@@ -163,8 +180,8 @@ template <FrameGroup G>
 template <class Q>
 auto SectionRotation<G>::node(const Place& me, typename Q::Frame S, typename Q::Space rho,
                               const Motion<Q>& q) const -> Node<Q> {
-  const typename Q::Space dot = (me.sign / L_) * q.u - 0.5 * times(X_, q.w),
-                          ddot = (me.sign / L_) * q.udot - 0.5 * times(X_, q.wdot);
+  const typename Q::Space dot = (me.sign / L_) * q.u - 0.5 * Q::about(q.w),
+                          ddot = (me.sign / L_) * q.udot - 0.5 * Q::about(q.wdot);
   return {me.sign, S, rho, dot, ddot + Q::cross(q.w, dot), q.w, q.wdot};
 }
 
@@ -182,7 +199,8 @@ auto SectionRotation<G>::turn(const Node<Q>& me, const Node<Q>& other) const -> 
   const typename Q::Space dot = rate<Q>(me, other), turning = 2.0 * dot + Q::cross(me.w, me.rho),
                           ddot = Q::turned(me.S, other.r_ddot) + me.r_ddot -
                                  Q::cross(me.w, turning) - Q::cross(me.wdot, me.rho);
-  Turn<Q> t{me.w + times(B_, dot), me.wdot + times(B_, ddot), {}, {}, {}};
+  Turn<Q> t{
+      me.w + Q::onto(Q::scaled(beta_, dot)), me.wdot + Q::onto(Q::scaled(beta_, ddot)), {}, {}, {}};
   t.Jy = times(Jc_, t.y);
   if constexpr (rd == 1) {
     t.y_rate = t.ydot;
@@ -219,13 +237,12 @@ template <class Q>
 void SectionRotation<G>::add_force_of(const Node<Q>& me, const Turn<Q>& my, const Node<Q>& other,
                                       const Turn<Q>& its, Force<Q>& on_me,
                                       Force<Q>& on_other) const {
-  const Eigen::Matrix<double, rd, sd> Xt = X_.transpose();
   const Momentum<Q> p = momentum<Q>(me, my, its);
-  const typename Q::Space q = times(Bt_, p.rate), on = Q::turned(other.S, q);
+  const typename Q::Space q = Q::scaled(beta_, Q::about(p.rate)), on = Q::turned(other.S, q);
   on_me.f = on_me.f + (me.sign / L_) * q;
-  on_me.m = on_me.m + p.moment + Q::moment(q, me.rho) - 0.5 * times(Xt, q);
+  on_me.m = on_me.m + p.moment + Q::moment(q, me.rho) - 0.5 * Q::onto(q);
   on_other.f = on_other.f + (other.sign / L_) * on;
-  on_other.m = on_other.m - 0.5 * times(Xt, on);
+  on_other.m = on_other.m - 0.5 * Q::onto(on);
 }
 
 template <FrameGroup G>
@@ -262,9 +279,9 @@ template <FrameGroup G>
 auto SectionRotation<G>::gradient(const Place& me) const -> Gradient {
   Gradient P;
   P.template middleCols<sd>(me.at) = Rotation::Identity() * (me.sign / L_);
-  P.template middleCols<rd>(me.at + sd) = RotationOf<G>::cross(me.rho) - 0.5 * X_;
+  P.template middleCols<rd>(me.at + sd) = RotationOf<G>::cross(me.rho) - 0.5 * turning();
   P.template middleCols<sd>(me.other) = me.S * (-me.sign / L_);
-  P.template middleCols<rd>(me.other + sd) = -0.5 * me.S.lazyProduct(X_);
+  P.template middleCols<rd>(me.other + sd) = -0.5 * me.S.lazyProduct(turning());
   return P;
 }
 
@@ -280,7 +297,8 @@ auto SectionRotation<G>::coupling(const Place& me) const -> Inertia {
 /// y = Y [v_A; v_B].
 template <FrameGroup G>
 auto SectionRotation<G>::turn_gradient(const Place& me) const -> TurnGradient {
-  TurnGradient Y = B_.lazyProduct(gradient(me));
+  const Turning B = beta_.asDiagonal() * turning();
+  TurnGradient Y = B.transpose().lazyProduct(gradient(me));
   Y.template middleCols<rd>(me.at + sd) += Inertia::Identity();
   return Y;
 }
@@ -347,7 +365,8 @@ double SectionRotation<G>::kinetic_energy(const G& A, const G& B, const double* 
   const auto at = places(A, B);
   const Node<Q> n_A = node<Q>(at[0], at[0].S, at[0].rho, motion(at[0], v, Pair::Zero())),
                 n_B = node<Q>(at[1], at[1].S, at[1].rho, motion(at[1], v, Pair::Zero()));
-  const Angular y_A = n_A.w + B_ * rate<Q>(n_A, n_B), y_B = n_B.w + B_ * rate<Q>(n_B, n_A);
+  const Angular y_A = n_A.w + Q::onto(beta_.cwiseProduct(rate<Q>(n_A, n_B))),
+                y_B = n_B.w + Q::onto(beta_.cwiseProduct(rate<Q>(n_B, n_A)));
   return 0.5 * (y_A.dot(Ja_ * y_A) + y_B.dot(Ja_ * y_B)) + y_A.dot(coupling(at[0]) * y_B);
 }
 
@@ -364,7 +383,7 @@ void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const doub
   const Angular y[] = {turn_gradient(at[0]) * rates, turn_gradient(at[1]) * rates};
   for (int k = 0; k < 2; ++k) {
     const Angular p = Ja_ * y[k] + coupling(at[k]) * y[1 - k];
-    g += dots[k].transpose() * (Bt_ * p);
+    g += dots[k].transpose() * beta_.cwiseProduct(Values::about(p));
     if constexpr (rd == 3)
       g += 0.5 * Q::turned(nodes[k].S, fixed<rd, n>(Angular(Jc_ * y[1 - k]))).d.transpose() * y[k];
   }

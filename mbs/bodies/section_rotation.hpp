@@ -96,9 +96,7 @@ class SectionRotation {
 
   double L_;
   Inertia Ja_, Jc_;
-  Turning X_;
-  Eigen::Matrix<double, rd, sd> B_;
-  Turning Bt_;
+  Vector beta_;
 };
 
 extern template class SectionRotation<SE2>;

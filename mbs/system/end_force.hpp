@@ -56,9 +56,7 @@ class EndForce {
   /// Of both ends of all elements, each evaluated once.
   std::vector<std::array<Tangent, 2>> all(const Body<G>& body, const BodyState<G>& s) const {
     std::vector<std::array<Tangent, 2>> raw;
-    for (int e = 0; e < elements_; ++e)
-      raw.push_back({body.section_force(s, e, ElementPlace::First),
-                     body.section_force(s, e, ElementPlace::Last)});
+    for (int e = 0; e < elements_; ++e) raw.push_back(body.end_forces(s, e));
     auto n = raw;
     for (int e = 0; e < elements_; ++e)
       for (const ElementPlace place : {ElementPlace::First, ElementPlace::Last})
