@@ -68,13 +68,18 @@ void print_holes(const Holes& holes, int most) {
 
 namespace {
 
+/// " unit" of the objective, nothing of a number.
+std::string unit_of_objective(const output::OptimizeSummary& s) {
+  const auto unit = s.more["objective"]["unit"].get<std::string>();
+  return unit == "-" ? "" : " " + unit;
+}
+
 /// What a hundredth more of a limit is worth.
 void print_price(const output::OptimizeSummary& s, const std::string& name, double price) {
   if (!s.more.contains("objective") || s.more["objective"]["quantity"] == "mass")
     fmt::print("  {}: 1 % more allowed saves {:.3g} g\n", name, 10 * price);
   else
-    fmt::print("  {}: 1 % more allowed saves {:.3g} {}\n", name, 0.01 * price,
-               s.more["objective"]["unit"].get<std::string>());
+    fmt::print("  {}: 1 % more allowed saves {:.3g}{}\n", name, 0.01 * price, unit_of_objective(s));
 }
 
 }  // namespace
@@ -84,9 +89,9 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
   fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
   if (s.more.contains("objective") && s.more["objective"]["quantity"] != "mass") {
     const auto& o = s.more["objective"];
-    const auto text = [&o](const char* key) { return o[key].get<std::string>(); };
-    fmt::print("  {} {:.7g} {} -> {:.7g} {}\n", text("quantity"), o["initial"].get<double>(),
-               text("unit"), o["final"].get<double>(), text("unit"));
+    const std::string unit = unit_of_objective(s);
+    fmt::print("  {} {:.7g}{} -> {:.7g}{}\n", o["quantity"].get<std::string>(),
+               o["initial"].get<double>(), unit, o["final"].get<double>(), unit);
   }
   const std::string error =
       s.more.contains("worst_constraint_error")

@@ -84,7 +84,7 @@ std::vector<ScenarioText> scenarios_of(Document& study, const fs::path& folder,
     if (const std::string name(key.str());
         !broken.contains("scenarios." + name) && (out.empty() || problems.count() == 0))
       add(name, &value);
-  if (table->empty())
+  if (table->empty() && problems.count() == 0)  // else one that could not be set may be missing
     problems.add(*table, "there is no scenario", "an entry in [scenarios], or no such table");
   if (table->size() > 1 && study.root.contains("loads"))
     problems.add(*table, "fixed loads move nothing, in no scenario",

@@ -21,6 +21,7 @@ class CaseTable {
     const units = data.summary.input_units ?? {};
     const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: plainUnit(c.unit || units[c.name]) }));
     Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
+    this.certified = columns.some((c) => c.name.startsWith('kkt'));
     this.count = columns.length ? columns[0].cells.length : 0;
     this.rows = [...Array(this.count).keys()];
   }
@@ -86,7 +87,7 @@ class CaseTable {
     const opens = this.address(row);
     return el('tr', { class: opens || !this.compare ? 'opens' : '', onclick: () => this.open(row) }, this.columns.map((c, i) => {
       const text = this.cell(c, row);
-      const content = c.name === 'status' ? badge(text) : i === 0 && opens ? el('a', { href: opens }, text) : text;
+      const content = c.name === 'status' ? badge(text, this.certified) : i === 0 && opens ? el('a', { href: opens }, text) : text;
       return el('td', { class: c.number ? 'n' : 'text', title: c.number ? null : text }, content);
     }));
   }

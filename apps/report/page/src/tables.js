@@ -5,10 +5,12 @@ import { leanTiles } from './lean.js';
 import { excess, isOwn, number, percent, prose, quantities, quantity, tick, worstLimit } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
-const kMiddling = ['recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
+const kMiddling = ['converged', 'recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
 
-export function badge(status) {
-  const kind = kGood.includes(status) ? 'good' : kMiddling.includes(status) ? 'fair' : 'poor';
+/** `certified`: results that have a KKT residual, of which what converged need not be optimal. */
+export function badge(status, certified = false) {
+  const good = kGood.includes(status) && !(certified && status === 'converged');
+  const kind = good ? 'good' : kMiddling.includes(status) ? 'fair' : 'poor';
   return el('span', { class: `badge ${kind}` }, status);
 }
 
@@ -57,7 +59,7 @@ export function head(data) {
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
-    el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status)),
+    el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status, 'kkt_residual' in s)),
     el('p', { class: 'reason' }, sentence(reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(data))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
     tiles.length ? el('div', { class: 'tiles' }, tiles) : null);
