@@ -60,6 +60,7 @@ class HermiteInertia {
   PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
   /// d force/d[h_A; h_B] at constant v and a, without what turns in a.
   PairMatrix stiffness(const G& A, const G& B, const double* v, const Pair& a) const;
+  /// T, J.
   double kinetic_energy(const G& A, const G& B, const double* v) const;
   /// dT/d[h_A; h_B] at constant v.
   Pair kinetic_gradient(const G& A, const G& B, const double* v) const;

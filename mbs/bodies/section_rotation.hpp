@@ -36,12 +36,16 @@ class SectionRotation {
   /// @param beta  share by direction (component 0 is unused)
   SectionRotation(double L, const Inertia& Ja, const Inertia& Jc, const Vector& beta);
 
+  /// g += what T asks for at velocities v and accelerations a of both nodes, 2 dim each: M a and
+  /// the gyroscopic force, N and N m in the axes of the nodes.
   void add_force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
+  /// M of T = v . M v/2, at these frames.
   void add_mass(const G& A, const G& B, PairMatrix& M) const;
   /// d (force without M vdot)/dv.
   void add_gyroscopic_tangent(const G& A, const G& B, const double* v, PairMatrix& C) const;
   /// d force/d[h_A; h_B] at constant v and a.
   void add_stiffness(const G& A, const G& B, const double* v, const Pair& a, PairMatrix& K) const;
+  /// T, J.
   double kinetic_energy(const G& A, const G& B, const double* v) const;
   /// dT/d[h_A; h_B] at constant v.
   void add_kinetic_gradient(const G& A, const G& B, const double* v, Pair& g) const;
