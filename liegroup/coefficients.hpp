@@ -8,15 +8,15 @@
 
 namespace liesl {
 
-template <int N>
-using SquareMatrix = Eigen::Matrix<double, N, N>;
-template <int N>
-using ColumnVector = Eigen::Matrix<double, N, 1>;
+template <int N, class S = double>
+using SquareMatrix = Eigen::Matrix<S, N, N>;
+template <int N, class S = double>
+using ColumnVector = Eigen::Matrix<S, N, 1>;
 
 /// A B
-template <int N>
-SquareMatrix<N> product(const SquareMatrix<N>& A, const SquareMatrix<N>& B) {
-  SquareMatrix<N> C;
+template <int N, class S>
+SquareMatrix<N, S> product(const SquareMatrix<N, S>& A, const SquareMatrix<N, S>& B) {
+  SquareMatrix<N, S> C;
   for (int j = 0; j < N; ++j)
     for (int i = 0; i < N; ++i) {
       C(i, j) = A(i, 0) * B(0, j);
@@ -26,12 +26,12 @@ SquareMatrix<N> product(const SquareMatrix<N>& A, const SquareMatrix<N>& B) {
 }
 
 /// A a + b
-template <int N>
-ColumnVector<N> product_plus(const SquareMatrix<N>& A, const ColumnVector<N>& a,
-                             const ColumnVector<N>& b) {
-  ColumnVector<N> c;
+template <int N, class S>
+ColumnVector<N, S> product_plus(const SquareMatrix<N, S>& A, const ColumnVector<N, S>& a,
+                                const ColumnVector<N, S>& b) {
+  ColumnVector<N, S> c;
   for (int i = 0; i < N; ++i) {
-    double sum = A(i, 0) * a[0];
+    S sum = A(i, 0) * a[0];
     for (int k = 1; k < N; ++k) sum += A(i, k) * a[k];
     c[i] = sum + b[i];
   }
@@ -39,20 +39,21 @@ ColumnVector<N> product_plus(const SquareMatrix<N>& A, const ColumnVector<N>& a,
 }
 
 /// A'
-template <int N>
-SquareMatrix<N> transpose(const SquareMatrix<N>& A) {
-  SquareMatrix<N> C;
+template <int N, class S>
+SquareMatrix<N, S> transpose(const SquareMatrix<N, S>& A) {
+  SquareMatrix<N, S> C;
   for (int j = 0; j < N; ++j)
     for (int i = 0; i < N; ++i) C(i, j) = A(j, i);
   return C;
 }
 
 /// -A' a
-template <int N>
-ColumnVector<N> minus_transposed_product(const SquareMatrix<N>& A, const ColumnVector<N>& a) {
-  ColumnVector<N> c;
+template <int N, class S>
+ColumnVector<N, S> minus_transposed_product(const SquareMatrix<N, S>& A,
+                                            const ColumnVector<N, S>& a) {
+  ColumnVector<N, S> c;
   for (int i = 0; i < N; ++i) {
-    double sum = A(0, i) * a[0];
+    S sum = A(0, i) * a[0];
     for (int k = 1; k < N; ++k) sum += A(k, i) * a[k];
     c[i] = -sum;
   }
@@ -60,9 +61,9 @@ ColumnVector<N> minus_transposed_product(const SquareMatrix<N>& A, const ColumnV
 }
 
 /// One Newton step R <- R (3 I - R'R)/2 towards the nearest rotation (polar factor).
-template <int N>
-void newton_step_to_rotation(SquareMatrix<N>& R) {
-  SquareMatrix<N> C = product<N>(transpose<N>(R), R);
+template <int N, class S>
+void newton_step_to_rotation(SquareMatrix<N, S>& R) {
+  SquareMatrix<N, S> C = product<N>(transpose<N>(R), R);
   for (int j = 0; j < N; ++j)
     for (int i = 0; i < N; ++i) C(i, j) = (i == j ? 1.5 : 0) - 0.5 * C(i, j);
   R = product<N>(R, C);

@@ -11,10 +11,10 @@ namespace liesl {
 template <FrameGroup G>
 struct RotationOf;
 
-template <>
-struct RotationOf<SE3> {
-  using Vector = Eigen::Vector3d;
-  using Matrix = Eigen::Matrix3d;
+template <class S>
+struct RotationOf<SE3Of<S>> {
+  using Vector = Eigen::Matrix<S, 3, 1>;
+  using Matrix = Eigen::Matrix<S, 3, 3>;
   static Matrix exp(const Vector& w) { return SO3::exp(w).R; }
   static Vector log(const Matrix& R) { return SO3::log(R); }
   static Matrix T(const Vector& w) { return SO3::T(w); }
@@ -32,10 +32,10 @@ struct RotationOf<SE3> {
   static Matrix cross(const Vector& a) { return hat(a); }
 };
 
-template <>
-struct RotationOf<SE2> {
-  using Vector = Eigen::Matrix<double, 1, 1>;
-  using Matrix = Eigen::Matrix<double, 1, 1>;
+template <class S>
+struct RotationOf<SE2Of<S>> {
+  using Vector = Eigen::Matrix<S, 1, 1>;
+  using Matrix = Eigen::Matrix<S, 1, 1>;
   static Eigen::Matrix2d exp(const Vector& w) { return SE2::exp({0, 0, w[0]}).R; }
   static Vector log(const Eigen::Matrix2d& R) {
     return SE2::log({R, Eigen::Vector2d::Zero()}).tail<1>();
@@ -46,7 +46,7 @@ struct RotationOf<SE2> {
   static Matrix DT(const Vector&, const Vector&) { return Matrix::Zero(); }
   static Matrix d2T(const Vector&, const Vector&, const Vector&) { return Matrix::Zero(); }
   static Matrix dTinvT(const Vector&, const Vector&) { return Matrix::Zero(); }
-  static Eigen::Vector2d cross(const Eigen::Vector2d& a) { return {a.y(), -a.x()}; }
+  static Eigen::Matrix<S, 2, 1> cross(const Eigen::Matrix<S, 2, 1>& a) { return {a.y(), -a.x()}; }
 };
 
 }  // namespace liesl

@@ -3,7 +3,10 @@
 /// Rotations SO(3). R maps local to inertial components; tangent w [3], local frame.
 
 #include <Eigen/Core>
+#include <array>
 #include <cmath>
+#include <concepts>
+#include <functional>
 
 #include "liegroup/coefficients.hpp"
 #include "liegroup/concepts.hpp"
@@ -38,11 +41,18 @@ struct SO3 {
   /// returned; up to there the error is a few units of rounding.
   static Tangent log(const SO3& H) { return log(H.R); }
   static Tangent log(const Eigen::Matrix3d& R) {
-    const Eigen::Vector3d s = vee(R);  // sin|w| n
-    const double sine2 = s.squaredNorm();
-    if (sine2 <= trig::kArcsineSwitch && R(0, 0) + R(1, 1) + R(2, 2) > 1)
-      return trig::angle_over_sine(sine2) * s;
-    return log_by_quaternion(R);
+    Tangent w;
+    return log_of_small(R, w) ? w : log_by_quaternion(R);
+  }
+  /// The same of four at once: one by one where one of them is large.
+  template <std::same_as<Lanes> S>
+  static Eigen::Matrix<S, 3, 1> log(const Eigen::Matrix<S, 3, 3>& R) {
+    Eigen::Matrix<S, 3, 1> w;
+    if (log_of_small(R, w)) return w;
+    std::array<Tangent, Lanes::size> one;
+    for (int lane = 0; lane < Lanes::size; ++lane)
+      one[lane] = log(R.unaryExpr([lane](const S& r) { return r[lane]; }).eval());
+    return gather(Four<Tangent>{&one[0], &one[1], &one[2], &one[3]}, std::identity());
   }
 
   /// Ad(R) = R
@@ -75,6 +85,16 @@ struct SO3 {
   void orthonormalize() { newton_step_to_rotation<3>(R); }
 
  private:
+  /// Whether all angles are small enough for w = (asin s/s) sin|w| n, and then w.
+  template <class S>
+  static bool log_of_small(const Eigen::Matrix<S, 3, 3>& R, Eigen::Matrix<S, 3, 1>& w) {
+    const Eigen::Matrix<S, 3, 1> s = vee(R);  // sin|w| n
+    const S sine2 = s.squaredNorm();
+    if (!all_at_most(sine2, trig::kArcsineSwitch) || !all_above(R(0, 0) + R(1, 1) + R(2, 2), 1))
+      return false;
+    w = trig::angle_over_sine(sine2) * s;
+    return true;
+  }
   /// Quaternion (W, V) up to scale from the row of 4 q q' with the largest pivot [Shepperd 1978];
   /// then w = 2 atan2(|V|, W) V/|V|, without cancellation for every angle. @pre R is not I.
   static Tangent log_by_quaternion(const Eigen::Matrix3d& R) {

@@ -22,10 +22,10 @@
 namespace liesl::trig {
 
 /// p(z) = sum_i a[i] z^i, even and odd powers in two independent chains.
-template <std::size_t N>
-constexpr double polynomial(const std::array<double, N>& a, double z) {
-  const double zz = z * z;
-  double even = 0, odd = 0;
+template <std::size_t N, class S>
+constexpr S polynomial(const std::array<double, N>& a, const S& z) {
+  const S zz = z * z;
+  S even = 0, odd = 0;
   for (std::size_t i = N + N % 2; i >= 2; i -= 2) {
     even = even * zz + a[i - 2];
     odd = odd * zz + (i - 1 < N ? a[i - 1] : 0.0);
@@ -116,8 +116,9 @@ inline Stumpff7 stumpff7(double z) {
 }
 
 /// e(z) and its derivatives by z; e = 1/12 + z/720 + z^2/30240 + ...
+template <class S>
 struct InverseTangentSeries {
-  double e, de, dde;
+  S e, de, dde;
 };
 
 /// sum_{n>=4} 2 / ((2 pi n)^2 - z) = sum_k a_k z^k, a_k = 2 sum_{n>=4} (2 pi n)^-(2k+2).
@@ -133,16 +134,18 @@ inline constexpr double kPole1 = 39.47841760435743447534, kPole2 = 4 * kPole1,
 
 /// e(z) alone: what log and T^-1 in the plane and of a rotation need.
 /// @pre 0 <= z < (2 pi)^2, where T^-1 exists. To rounding over all of it.
-inline double inverse_tangent_value(double z) {
+template <class S>
+S inverse_tangent_value(const S& z) {
   return 2 * (1 / (kPole1 - z) + 1 / (kPole2 - z) + 1 / (kPole3 - z)) +
          polynomial(kPartialFractionTail, z);
 }
 
 /// @pre 0 <= z < (2 pi)^2, where T^-1 exists. To rounding over all of it.
-inline InverseTangentSeries inverse_tangent_series(double z) {
+template <class S>
+InverseTangentSeries<S> inverse_tangent_series(const S& z) {
   constexpr auto d_tail = derivative(kPartialFractionTail);
   constexpr auto dd_tail = derivative(d_tail);
-  const double r1 = 1 / (kPole1 - z), r2 = 1 / (kPole2 - z), r3 = 1 / (kPole3 - z);
+  const S r1 = 1 / (kPole1 - z), r2 = 1 / (kPole2 - z), r3 = 1 / (kPole3 - z);
   return {2 * (r1 + r2 + r3) + polynomial(kPartialFractionTail, z),
           2 * (r1 * r1 + r2 * r2 + r3 * r3) + polynomial(d_tail, z),
           4 * (r1 * r1 * r1 + r2 * r2 * r2 + r3 * r3 * r3) + polynomial(dd_tail, z)};
@@ -152,7 +155,8 @@ inline InverseTangentSeries inverse_tangent_series(double z) {
 inline constexpr double kArcsineSwitch = 0.0625;
 
 /// asin(s)/s at y = s^2 <= kArcsineSwitch: sum_k (2k)! / (4^k k!^2 (2k+1)) y^k.
-inline double angle_over_sine(double y) {
+template <class S>
+S angle_over_sine(const S& y) {
   constexpr std::array<double, 13> a = [] {
     std::array<double, 13> c{};
     long double binomial = 1;  // (2k)! / (4^k k!^2)

@@ -8,6 +8,7 @@
 #include "apps/scene/read_functions.hpp"
 #include "apps/study/study_reader.hpp"
 #include "mbs/model/joint_kind.hpp"
+#include "mbs/solvers/stretched.hpp"
 
 namespace liesl {
 namespace {
@@ -179,14 +180,8 @@ void check_motion_variables(StudyReader& reader) {
       problems.add(at, fmt::format("the drive on '{}' has no table to stretch", joint),
                    "drives with tables", "drive = { table = [[t, q], ...] }");
   }
-  const auto refuse = [&](const std::string& what) {
+  for (const std::string& what : follows_time(mechanism))
     problems.add(at, what + " follows time, and not the duration", "what does not follow time");
-  };
-  for (const LoadSpec& load : mechanism.loads)
-    if (!load.scale.is_constant()) refuse("load '" + load.name + "'");
-  if (!mechanism.gravity_scale.is_constant()) refuse("gravity_scale");
-  for (const ForceSpec& force : mechanism.forces)
-    if (!force.force.is_constant()) refuse("force '" + force.name + "'");
 }
 
 }  // namespace liesl

@@ -1,6 +1,7 @@
 #include "apps/tasks/sensitivity.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <chrono>
@@ -14,6 +15,7 @@
 #include "apps/tasks/motion_gradient.hpp"
 #include "apps/tasks/outline_kinks.hpp"
 #include "apps/tasks/run_summary.hpp"
+#include "mbs/solvers/stretched.hpp"
 
 #ifdef LIESL_OPTIM
 #include "optim/design/design.hpp"
@@ -26,6 +28,7 @@ using Eigen::VectorXd;
 
 constexpr const char* kWithDerivative = "a parameter with a derivative";
 constexpr const char* kList = "docs/sensitivities.md lists them";
+constexpr const char* kDuration = "simulation.duration";
 constexpr double kDifference = 1. / 1024;  // of a number of the scene, or of 1 where it is 0
 
 [[noreturn]] void refuse(const std::string& file, std::string what, std::string expected,
@@ -73,6 +76,11 @@ Numbers numbers_at(const SceneText& text, const std::string& keys) {
       refuse(text.file, fmt::format("--by {}: {} is named twice", keys, key), "each number once",
              "");
     const SceneNumber number = number_named(text, key);
+    if (keys != key && (key == kDuration || numbers.keys == std::vector<std::string>{kDuration}))
+      refuse(text.file,
+             fmt::format("--by {}: the duration changes together with {}", keys,
+                         key == kDuration ? "another number" : key),
+             "the duration by itself", "a comma between parameters");
     if (!numbers.keys.empty() && number.unit != numbers.unit)
       refuse(text.file,
              fmt::format("--by {}: {} is in {}, {} in {}", keys, numbers.keys[0], numbers.unit, key,
@@ -83,6 +91,18 @@ Numbers numbers_at(const SceneText& text, const std::string& keys) {
     numbers.unit = number.unit;
   }
   return numbers;
+}
+
+/// The motion in another duration, its drives stretched with it.
+/// @throws InputError where something else follows time
+Parameter by_duration(const Scene& scene) {
+  const std::vector<std::string> others = follows_time(scene.mechanism);
+  if (!others.empty())
+    refuse(scene.file,
+           fmt::format("--by {}: {} follows time, and not the duration", kDuration,
+                       fmt::join(others, ", ")),
+           "what does not follow time", "drives are stretched with the duration");
+  return {kDuration, {StepDerivative{1 / scene.simulation.duration}}};
 }
 
 /// The changes, and those to the values p; a number may belong to several parameters.
@@ -166,15 +186,26 @@ SensitivityProblem scene_problem(const SceneText& text, const std::vector<std::s
     numbers.push_back(numbers_at(text, key));
     problem.names.push_back({key, numbers.back().unit, numbers.back().values.at(0)});
   }
-  problem.mechanism_at = [text, numbers](const VectorXd& p) {
-    return read_scene(text.text, text.file, with(text.changes, numbers, p)).mechanism;
-  };
-  problem.options_at = [options = problem.scene.simulation](const VectorXd&) { return options; };
   const VectorXd p = problem.values();
+  const auto named = std::find(keys.begin(), keys.end(), kDuration) - keys.begin();
+  const auto stretch = [p, named](const VectorXd& at) {
+    return named < p.size() ? at[named] / p[named] : 1;
+  };
+  problem.mechanism_at = [text, numbers, stretch](const VectorXd& at) {
+    return stretched(read_scene(text.text, text.file, with(text.changes, numbers, at)).mechanism,
+                     stretch(at));
+  };
+  problem.options_at = [options = problem.scene.simulation, stretch](const VectorXd& at) {
+    return stretched(options, stretch(at));
+  };
   std::vector<NearbyOutlines> nearby;
   for (int i = 0; i < p.size(); ++i) {
     const std::string& key = keys[static_cast<std::size_t>(i)];
     NearbyOutlines& latest = nearby.emplace_back();
+    if (key == kDuration) {
+      problem.parameters.push_back(by_duration(problem.scene));
+      continue;
+    }
     const auto changed = [&](double by) {
       VectorXd at = p;
       at[i] += by;

@@ -23,6 +23,18 @@ ChainBeam<G, E>::ChainBeam(std::string body_name, std::vector<G> nodes_at_rest,
     if (acts) acting_.push_back(e);
   }
   assemble_constant_matrices();
+  group_elements();
+}
+
+/// Those of fourth order, where each has a law.
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::group_elements() {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>) {
+    if (acting_.size() != slot_.size() ||
+        !std::all_of(elements_.begin(), elements_.end(), FourElements<G>::takes))
+      return;
+    for (int e = 0; e < elements(); e += Lanes::size) groups_.emplace_back(elements_, e);
+  }
 }
 
 template <FrameGroup G, class E>
@@ -78,6 +90,8 @@ auto ChainBeam<G, E>::rest_stiffness_second(int e, const Matrix& K, const Matrix
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,
                                   ForceScale& scale) const {
+  for (const auto& four : groups_) four.add_inertia(s, gravity, r, scale);
+  if (!groups_.empty()) return;
   Pair acceleration, g;
   const bool heavy = gravity.squaredNorm() > 0;
   int known = -1;  // node whose acceleration is the second one
@@ -96,6 +110,10 @@ void ChainBeam<G, E>::add_inertia(const BodyState<G>& s, const Vector& gravity, 
 
 template <FrameGroup G, class E>
 void ChainBeam<G, E>::add_internal(const BodyState<G>& s, double* r, ForceScale& scale) const {
+  const bool grouped = !groups_.empty() && !s.stress;
+  if (grouped)
+    for (const auto& four : groups_) four.add_internal(s, damping_, r, scale);
+  if (grouped) return;
   Pair g;
   for (const int e : acting_) {
     element(e).internal_force(s.H[e], s.H[e + 1], s.v + dim * e, damping_, g,
@@ -109,6 +127,8 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::exact_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
                                     const Tangent* stress, Matrices& A) const {
   A.set_zero();
+  for (const auto& four : groups_) four.add_tangent(s, gravity, w, damping_, stress, A);
+  if (!groups_.empty()) return;
   for (int e = 0; e < elements(); ++e) {
     const Element& element = this->element(e);
     const G &a = s.H[e], &b = s.H[e + 1];
@@ -135,6 +155,7 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::exact_tangents(const BodyState<G>& s, const Vector& gravity,
                                      const Tangent* stress, Matrices& K, Matrices& C,
                                      Matrices& M) const {
+  if (!groups_.empty()) return Body<G>::exact_tangents(s, gravity, stress, K, C, M);
   for (Matrices* A : {&K, &C, &M}) A->set_zero();
   Pair acceleration;
   acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
@@ -217,6 +238,8 @@ void ChainBeam<G, E>::extrapolate_stress(const BodyState<G>& s, const double* de
 template <FrameGroup G, class E>
 BodyEnergy ChainBeam<G, E>::energy(const BodyState<G>& s, const Vector& gravity) const {
   BodyEnergy energy;
+  for (const auto& four : groups_) four.add_energy(s, gravity, energy);
+  if (!groups_.empty()) return energy;
   for (int e = 0; e < elements(); ++e) {
     const Element& element = this->element(e);
     energy.kinetic += element.kinetic_energy(s.H[e], s.H[e + 1], s.v + dim * e);

@@ -4,6 +4,7 @@
 
 #include "mbs/bodies/beam_element.hpp"
 #include "mbs/bodies/body.hpp"
+#include "mbs/bodies/four_elements.hpp"
 #include "mbs/bodies/fourth_order_element.hpp"
 #include "mbs/bodies/reissner_element.hpp"
 
@@ -102,11 +103,13 @@ class ChainBeam final : public BeamChain<G> {
   /// The body whose elements are the derivatives of those of `of`.
   ChainBeam(const ChainBeam& of, const std::vector<ElementSection<G>>& derivative);
   void assemble_constant_matrices();
+  void group_elements();
 
   /// Those without a law, of which a derivative by a section has many, share one.
   std::vector<Element, Eigen::aligned_allocator<Element>> elements_;
   std::vector<int> slot_;    ///< by element of the chain: in elements_
   std::vector<int> acting_;  ///< elements with a law: in a derivative by a section, those it is of
+  std::vector<FourElements<G>> groups_;  ///< of all elements, or none
   double damping_;
 };
 

@@ -37,25 +37,20 @@ auto BeamElement<G>::P(const Tangent& d) -> Gradient {
 template <FrameGroup G>
 auto BeamElement<G>::internal_force(const G& A, const G& B, const double* v, double damping,
                                     Pair& g, const double* /*about*/) const -> Tangent {
-  Tangent d;
-  Matrix Ti;
-  G::log_and_Tinv(A.inverse() * B, d, Ti);
-  Tangent strain = (d - d0_) / L_;
-  if (damping > 0) {
-    using Map = Eigen::Map<const Tangent>;
-    const Matrix Tm = Ti - G::ad(d);  // T^-1(-d)
-    strain += (damping / L_) * (Ti * Map(v + dim) - Tm * Map(v));
-  }
-  const Tangent n = K_.lazyProduct(strain);
-  const Tangent on_B = Ti.transpose().lazyProduct(n);
-  // -T^-T(-d) n = -T^-T(d) n + ad(d)^T n
-  g.template head<dim>() = -on_B - minus_ad_transpose(d, n);
-  g.template tail<dim>() = on_B;
+  Tangent n;
+  transmit(
+      A, B,
+      [&](const Tangent& d, const Matrix& Ti) {
+        Tangent strain = (d - d0_) / L_;
+        if (damping > 0) strain += (damping / L_) * relative_rate(d, Ti, v);
+        return n = K_.lazyProduct(strain);
+      },
+      g);
   return n;
 }
 
 template <FrameGroup G>
-auto BeamElement<G>::dP(const Tangent& d, const double* v) -> Matrix {
+auto BeamElement<G>::dP(const Tangent& d, const Scalar* v) -> Matrix {
   using Map = Eigen::Map<const Tangent>;
   return G::dTinv(-d, Map(v)) + G::dTinv(d, Map(v + dim));
 }
@@ -222,5 +217,11 @@ auto BeamElement<G>::curvature_tangent(const Bubble& bubble, const G& A, const G
 
 template class BeamElement<SE2>;
 template class BeamElement<SE3>;
+template auto BeamElement<SE2Of<Lanes>>::dP(const Tangent&, const Lanes*) -> Matrix;
+template auto BeamElement<SE3Of<Lanes>>::dP(const Tangent&, const Lanes*) -> Matrix;
+template auto BeamElement<SE2Of<Lanes>>::minus_ad_transpose(const Tangent&, const Tangent&)
+    -> Tangent;
+template auto BeamElement<SE3Of<Lanes>>::minus_ad_transpose(const Tangent&, const Tangent&)
+    -> Tangent;
 
 }  // namespace liesl

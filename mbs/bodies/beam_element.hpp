@@ -20,13 +20,14 @@ template <FrameGroup G>
 class BeamElement : public LinearLaw<BeamElement<G>, G> {
  public:
   static constexpr int dim = G::dim;
+  using Scalar = typename G::Scalar;
   using Tangent = typename G::Tangent;
   using Matrix = typename G::Matrix;
-  using Pair = Eigen::Matrix<double, 2 * dim, 1>;
-  using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
-  using Gradient = Eigen::Matrix<double, dim, 2 * dim>;
-  using Vector = Eigen::Matrix<double, G::space_dim, 1>;
-  using Rotation = Eigen::Matrix<double, G::space_dim, G::space_dim>;
+  using Pair = Eigen::Matrix<Scalar, 2 * dim, 1>;
+  using PairMatrix = Eigen::Matrix<Scalar, 2 * dim, 2 * dim>;
+  using Gradient = Eigen::Matrix<Scalar, dim, 2 * dim>;
+  using Vector = Eigen::Matrix<Scalar, G::space_dim, 1>;
+  using Rotation = Eigen::Matrix<Scalar, G::space_dim, G::space_dim>;
 
   /// Element between the frames A and B at rest; its length is the translation of d0, m.
   /// @param K section stiffness  @param M_s section inertia per length
@@ -45,7 +46,24 @@ class BeamElement : public LinearLaw<BeamElement<G>, G> {
   /// P(d) = [-T^-1(-d), T^-1(d)]: dd = P(d) [dh_A; dh_B].
   static Gradient P(const Tangent& d);
   /// D_d [P(d) v] for velocities v = [v_A; v_B].
-  static Matrix dP(const Tangent& d, const double* v);
+  static Matrix dP(const Tangent& d, const Scalar* v);
+
+  /// P(d) v, T^-1(d) given.
+  static Tangent relative_rate(const Tangent& d, const Matrix& Tinv_d, const Scalar* v) {
+    const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
+    return Tinv_d.lazyProduct(Tangent(v_B - v_A)) + G::ad(d).lazyProduct(v_A);
+  }
+  /// g = P(d)^T n, n = section_force(d, T^-1(d)).
+  template <class F>
+  static void transmit(const G& A, const G& B, const F& section_force, Pair& g) {
+    Tangent d;
+    Matrix Ti;
+    G::log_and_Tinv(A.inverse() * B, d, Ti);
+    const Tangent n = section_force(d, Ti), on_B = Ti.transpose().lazyProduct(n);
+    // -T^-T(-d) n = -T^-T(d) n + ad(d)^T n
+    g.template head<dim>() = -on_B - minus_ad_transpose(d, n);
+    g.template tail<dim>() = on_B;
+  }
 
   /// g = P(d)^T n with n = K eps + damping K d(eps)/dt; returns n.
   /// @param v velocities [v_A; v_B]; used only if damping > 0 (stiffness-proportional, s)

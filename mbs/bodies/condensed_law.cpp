@@ -42,9 +42,9 @@ auto CondensedLaw<G>::stiffness(const Tangent& d) const -> Matrix {
   if constexpr (G::space_dim == 2) {
     return F.inverse();
   } else {
-    using Block = Eigen::Matrix3d;
-    const Block Q = F.template topRightCorner<3, 3>(),
-                Ri = F.template bottomRightCorner<3, 3>().inverse(), QRi = Q.lazyProduct(Ri);
+    using Block = typename G::Rotation;
+    const Block Q = F.template topRightCorner<3, 3>(), R = F.template bottomRightCorner<3, 3>(),
+                Ri = R.inverse(), QRi = Q.lazyProduct(Ri);
     const Block schur = F.template topLeftCorner<3, 3>() - QRi.lazyProduct(Q.transpose());
     const Block S = schur.inverse(), T = -S.lazyProduct(QRi);
     Matrix C;
@@ -60,18 +60,19 @@ auto CondensedLaw<G>::stress(const Tangent& d, const Tangent& e) const -> Tangen
   if constexpr (G::space_dim == 2) {
     const Tangent y(0, -d[2], d[1]), x(d[2], 0, -d[0]);  // rows of ad
     const Tangent fy = Kinv_.lazyProduct(y) / 12, fx = Kinv_.lazyProduct(x) / 12;
-    const double a = varied_(0, 0) + y.dot(fy), b = varied_(0, 1) + y.dot(fx), c = varied_(0, 2),
+    const Scalar a = varied_(0, 0) + y.dot(fy), b = varied_(0, 1) + y.dot(fx), c = varied_(0, 2),
                  p = varied_(1, 1) + x.dot(fx), q = varied_(1, 2), r = varied_(2, 2);
-    const double A = p * r - q * q, B = c * q - b * r, C = b * q - c * p;  // cofactors
+    const Scalar A = p * r - q * q, B = c * q - b * r, C = b * q - c * p;  // cofactors
     const Tangent n(A * e[0] + B * e[1] + C * e[2],
                     B * e[0] + (a * r - c * c) * e[1] + (b * c - a * q) * e[2],
                     C * e[0] + (b * c - a * q) * e[1] + (a * p - b * b) * e[2]);
     return n / (a * A + b * B + c * C);
   } else {
-    if (!uncoupled_) return flexibility(d).llt().solve(e);
-    using Block = Eigen::Matrix3d;
-    using Vector = Eigen::Vector3d;
-    const Block w = hat(d.template tail<3>()), u = hat(d.template head<3>());
+    if constexpr (std::is_same_v<Scalar, double>)
+      if (!uncoupled_) return flexibility(d).llt().solve(e);
+    using Block = typename G::Rotation;
+    using Vector = typename G::Vector;
+    const Block w = hat(Vector(d.template tail<3>())), u = hat(Vector(d.template head<3>()));
     const Block b = Kinv_.template bottomRightCorner<3, 3>() / 12;
     const Block wa = w.lazyProduct(Kinv_.template topLeftCorner<3, 3>() / 12);
     const Block ub = u.lazyProduct(b), wb = w.lazyProduct(b);
@@ -106,10 +107,11 @@ auto CondensedLaw<G>::force_operator(const Tangent& n) -> Matrix {
     N(2, 0) = -n[1];
     N(2, 1) = n[0];
   } else {
-    const Eigen::Matrix3d f = hat(n.template head<3>());
+    using Vector = typename G::Vector;
+    const typename G::Rotation f = hat(Vector(n.template head<3>()));
     N.template topRightCorner<3, 3>() = f;
     N.template bottomLeftCorner<3, 3>() = f;
-    N.template bottomRightCorner<3, 3>() = hat(n.template tail<3>());
+    N.template bottomRightCorner<3, 3>() = hat(Vector(n.template tail<3>()));
   }
   return N;
 }
@@ -126,6 +128,60 @@ auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n) const -> Matri
   const Matrix y = Y(d, n), N = force_operator(n);
   const Matrix c = stiffness(d).lazyProduct(y), KN = Kinv_.lazyProduct(N);
   return y.transpose().lazyProduct(c) / L_ - (L_ / 12) * N.transpose().lazyProduct(KN);
+}
+
+template <FrameGroup G>
+void CondensedLaw<G>::force(const G& A, const G& B, const Scalar* v, double damping,
+                            Pair& g) const {
+  BeamElement<G>::transmit(
+      A, B,
+      [&](const Tangent& d, const Matrix& Ti) -> Tangent {
+        Tangent e = (d - d0_) / L_;
+        if (damping > 0) e += (damping / L_) * BeamElement<G>::relative_rate(d, Ti, v);
+        return conjugate(d, stress(d, e));
+      },
+      g);
+}
+
+/// d and P(d), T^-1(-d) = T^-1(d) - ad(d).
+template <FrameGroup G>
+auto CondensedLaw<G>::relative_motion(const G& A, const G& B) -> RelativeMotion {
+  Tangent d;
+  Matrix Ti;
+  G::log_and_Tinv(A.inverse() * B, d, Ti);
+  RelativeMotion out{d, {}};
+  out.P << G::ad(d) - Ti, Ti;
+  return out;
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::damping_tangent(const G& A, const G& B, const Scalar* v, double damping) const
+    -> PairMatrix {
+  const auto [d, p] = relative_motion(A, B);
+  const Tangent rate = p.lazyProduct(Eigen::Map<const Pair>(v)) / L_;
+  const Tangent n = stress(d, (d - d0_) / L_ + damping * rate);
+  const Matrix C = Y(d, n).transpose().lazyProduct(stiffness(d));
+  const Gradient n_by_v = C.lazyProduct(p) * (damping / L_);
+  return p.transpose().lazyProduct(n_by_v);
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::tangent(const G& A, const G& B, const Tangent& elastic, const Scalar* v,
+                              double damping) const -> PairMatrix {
+  const auto [d, p] = relative_motion(A, B);
+  Tangent n = elastic;
+  if (damping > 0) n += stress(d, p.lazyProduct(Eigen::Map<const Pair>(v)) * (damping / L_));
+  Matrix H = hessian(d, n);
+  if (damping > 0) {
+    const Matrix C = Y(d, n).transpose().lazyProduct(stiffness(d));
+    H += C.lazyProduct(BeamElement<G>::dP(d, v)) * (damping / L_);
+  }
+  const Tangent force = conjugate(d, n);
+  const Gradient Hp = H.lazyProduct(p);
+  PairMatrix k = p.transpose().lazyProduct(Hp);
+  k.template topRows<G::dim>() += G::dTinvT(-d, force).lazyProduct(p);
+  k.template bottomRows<G::dim>() += G::dTinvT(d, force).lazyProduct(p);
+  return k;
 }
 
 /// K^-1' = -K^-1 K' K^-1 = -D.
@@ -172,5 +228,21 @@ auto CondensedLaw<G>::stiffness_at_rest_second(const Matrix& K_p, const Matrix& 
 
 template class CondensedLaw<SE2>;
 template class CondensedLaw<SE3>;
+template auto CondensedLaw<SE2Of<Lanes>>::stress(const Tangent&, const Tangent&) const -> Tangent;
+template void CondensedLaw<SE2Of<Lanes>>::force(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                const Lanes*, double, Pair&) const;
+template auto CondensedLaw<SE2Of<Lanes>>::damping_tangent(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                          const Lanes*, double) const -> PairMatrix;
+template auto CondensedLaw<SE2Of<Lanes>>::tangent(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                  const Tangent&, const Lanes*, double) const
+    -> PairMatrix;
+template auto CondensedLaw<SE3Of<Lanes>>::stress(const Tangent&, const Tangent&) const -> Tangent;
+template void CondensedLaw<SE3Of<Lanes>>::force(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                const Lanes*, double, Pair&) const;
+template auto CondensedLaw<SE3Of<Lanes>>::damping_tangent(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                          const Lanes*, double) const -> PairMatrix;
+template auto CondensedLaw<SE3Of<Lanes>>::tangent(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                  const Tangent&, const Lanes*, double) const
+    -> PairMatrix;
 
 }  // namespace liesl

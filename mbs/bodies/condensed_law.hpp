@@ -26,18 +26,31 @@ namespace liesl {
 template <FrameGroup G>
 class CondensedLaw {
  public:
+  using Scalar = typename G::Scalar;
   using Tangent = typename G::Tangent;
   using Matrix = typename G::Matrix;
+  using Pair = typename BeamElement<G>::Pair;
+  using PairMatrix = typename BeamElement<G>::PairMatrix;
 
   /// @param d0 relative motion of the nodes at rest, x along the axis at both
   /// @param K section stiffness
   CondensedLaw(const Tangent& d0, const Matrix& K);
+  /// Four laws at once, for `stress` and `conjugate`. @pre each `uncoupled`
+  template <class One>
+  explicit CondensedLaw(const Four<CondensedLaw<One>>& laws)
+      : d0_(gather(laws, &CondensedLaw<One>::d0_)),
+        L_(gather(laws, &CondensedLaw<One>::L_)),
+        Kinv_(gather(laws, &CondensedLaw<One>::Kinv_)),
+        varied_(gather(laws, &CondensedLaw<One>::varied_)),
+        uncoupled_(true) {}
 
   /// Length along the axis, m.
-  double length() const { return L_; }
+  Scalar length() const { return L_; }
   const Tangent& d0() const { return d0_; }
   const Matrix& section_stiffness() const { return K_; }
   const Matrix& section_flexibility() const { return Kinv_; }
+  /// K has no blocks that couple translation and rotation.
+  bool uncoupled() const { return uncoupled_; }
 
   /// F(d); F(d0)^-1, constant.
   Matrix flexibility(const Tangent& d) const;
@@ -56,6 +69,13 @@ class CondensedLaw {
   /// N(n): N x = ad(x)^T n, antisymmetric.
   static Matrix force_operator(const Tangent& n);
 
+  /// g = P(d)^T (conjugate force) of eps + damping deps/dt, frames A and B of the nodes.
+  void force(const G& A, const G& B, const Scalar* v, double damping, Pair& g) const;
+  /// dg/dv, and dg/d[h_A; h_B] about the elastic stress n. @param v used only if damping > 0
+  PairMatrix damping_tangent(const G& A, const G& B, const Scalar* v, double damping) const;
+  PairMatrix tangent(const G& A, const G& B, const Tangent& n, const Scalar* v,
+                     double damping) const;
+
   /// By a parameter of the section, K' = dK/dp, at constant d and e.
   /// dn/dp = F^-1 [W K^-1 K' K^-1 W^T n + ad(d) K^-1 K' z / 12]
   Tangent stress_by(const Tangent& d, const Tangent& n, const Matrix& dK) const;
@@ -67,17 +87,27 @@ class CondensedLaw {
   Matrix stiffness_at_rest_second(const Matrix& K_p, const Matrix& K_q, const Matrix& K_pq) const;
 
  private:
+  template <FrameGroup>
+  friend class CondensedLaw;
+  using Gradient = typename BeamElement<G>::Gradient;
+  struct RelativeMotion {
+    Tangent d;
+    Gradient P;
+  };
+
+  static RelativeMotion relative_motion(const G& A, const G& B);
+
   /// F(d0) as a linear function of the flexibility X of the section.
   Matrix of_flexibility(const Matrix& X) const;
   /// -dF(d)/dp n
   Tangent minus_flexibility_by(const Tangent& d, const Tangent& n, const Matrix& dK) const;
 
   Tangent d0_;
-  double L_;
+  Scalar L_;
   Matrix K_, Kinv_, C0_;
-  Matrix W_;        ///< I - (L^2/12) ad(a_r)
-  Matrix varied_;   ///< W K^-1 W^T
-  bool uncoupled_;  ///< K has no blocks that couple translation and rotation
+  Matrix W_;       ///< I - (L^2/12) ad(a_r)
+  Matrix varied_;  ///< W K^-1 W^T
+  bool uncoupled_;
 };
 
 extern template class CondensedLaw<SE2>;

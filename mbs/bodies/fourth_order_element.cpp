@@ -113,21 +113,17 @@ double FourthOrderElement<G>::dissipation(const G& A, const G& B, const double* 
 template <FrameGroup G>
 void FourthOrderElement<G>::internal_force(const G& A, const G& B, const double* v, double damping,
                                            Pair& g, const double* about) const {
-  Tangent d;
-  Matrix Ti;
-  G::log_and_Tinv(A.inverse() * B, d, Ti);
-  Tangent e = (d - d0()) / length();
-  if (damping > 0) e += damping * strain_rate(d, v);
-  Tangent n;
-  if (about) {
-    const Tangent at = Eigen::Map<const Tangent>(about);
-    n = law_.conjugate(d, at) + law_.Y(d, at).transpose() * (law_.stress(d, e) - at);
-  } else {
-    n = conjugate_to(d, e);
-  }
-  const Tangent on_B = Ti.transpose().lazyProduct(n);
-  g.template head<dim>() = -on_B - Second::minus_ad_transpose(d, n);
-  g.template tail<dim>() = on_B;
+  if (!about && !dK_) return law_.force(A, B, v, damping, g);
+  Second::transmit(
+      A, B,
+      [&](const Tangent& d, const Matrix& Ti) -> Tangent {
+        Tangent e = (d - d0()) / length();
+        if (damping > 0) e += (damping / length()) * Second::relative_rate(d, Ti, v);
+        if (!about) return conjugate_to(d, e);
+        const Tangent at = Eigen::Map<const Tangent>(about);
+        return law_.conjugate(d, at) + law_.Y(d, at).transpose() * (law_.stress(d, e) - at);
+      },
+      g);
 }
 
 template <FrameGroup G>
@@ -136,48 +132,18 @@ auto FourthOrderElement<G>::constant_tangent() const -> PairMatrix {
   return p.transpose() * C0_ * p / length();
 }
 
-/// d and P(d), T^-1(-d) = T^-1(d) - ad(d).
-template <FrameGroup G>
-auto FourthOrderElement<G>::relative_motion(const G& A, const G& B) -> RelativeMotion {
-  Tangent d;
-  Matrix Ti;
-  G::log_and_Tinv(A.inverse() * B, d, Ti);
-  RelativeMotion out{d, {}};
-  out.P << G::ad(d) - Ti, Ti;
-  return out;
-}
-
 template <FrameGroup G>
 auto FourthOrderElement<G>::damping_tangent(const G& A, const G& B, const double* v,
                                             double damping) const -> PairMatrix {
   need_law("tangent");
-  const auto [d, p] = relative_motion(A, B);
-  const Tangent rate = p.lazyProduct(Eigen::Map<const Pair>(v)) / length();
-  const Tangent n = law_.stress(d, (d - d0()) / length() + damping * rate);
-  const Matrix C = law_.Y(d, n).transpose().lazyProduct(law_.stiffness(d));
-  const Gradient n_by_v = C.lazyProduct(p) * (damping / length());
-  return p.transpose().lazyProduct(n_by_v);
+  return law_.damping_tangent(A, B, v, damping);
 }
 
 template <FrameGroup G>
-auto FourthOrderElement<G>::damped_tangent(const G& A, const G& B, const Tangent& elastic,
+auto FourthOrderElement<G>::damped_tangent(const G& A, const G& B, const Tangent& n,
                                            const double* v, double damping) const -> PairMatrix {
   need_law("tangent");
-  const auto [d, p] = relative_motion(A, B);
-  Tangent n = elastic;
-  if (damping > 0)
-    n += law_.stress(d, p.lazyProduct(Eigen::Map<const Pair>(v)) * (damping / length()));
-  Matrix H = law_.hessian(d, n);
-  if (damping > 0) {
-    const Matrix C = law_.Y(d, n).transpose().lazyProduct(law_.stiffness(d));
-    H += C.lazyProduct(dP(d, v)) * (damping / length());
-  }
-  const Tangent force = law_.conjugate(d, n);
-  const Gradient Hp = H.lazyProduct(p);
-  PairMatrix k = p.transpose().lazyProduct(Hp);
-  k.template topRows<dim>() += G::dTinvT(-d, force).lazyProduct(p);
-  k.template bottomRows<dim>() += G::dTinvT(d, force).lazyProduct(p);
-  return k;
+  return law_.tangent(A, B, n, v, damping);
 }
 
 template <FrameGroup G>
@@ -198,12 +164,7 @@ auto FourthOrderElement<G>::inertia_stiffness(const G& A, const G& B, const doub
                                               const Pair& a, const Vector& gravity) const
     -> PairMatrix {
   PairMatrix k = inertia_.stiffness(A, B, v, a);
-  if (gravity.squaredNorm() == 0) return k;
-  const PairMatrix M = mass(A, B);
-  k.template leftCols<dim>() +=
-      M.template leftCols<dim>().lazyProduct(liesl::weight_tangent<G>(A, gravity));
-  k.template rightCols<dim>() +=
-      M.template rightCols<dim>().lazyProduct(liesl::weight_tangent<G>(B, gravity));
+  if (gravity.squaredNorm() > 0) inertia_.add_weight_tangent(A, B, gravity, k);
   return k;
 }
 

@@ -33,6 +33,9 @@ class FourthOrderElement {
 
   double length() const { return law_.length(); }
   const Tangent& d0() const { return law_.d0(); }
+  const CondensedLaw<G>& law() const { return law_; }
+  const HermiteInertia<G>& inertia() const { return inertia_; }
+  bool is_derivative() const { return dK_.has_value(); }
   const Matrix& section_inertia() const { return M_s_; }
   /// F(d0)^-1 (or its derivative): linear section forces are that times (d - d0)/L.
   const Matrix& stiffness_at_rest() const { return C0_; }
@@ -103,12 +106,6 @@ class FourthOrderElement {
 
  private:
   using Share = typename HermiteInertia<G>::Share;
-  struct RelativeMotion {
-    Tangent d;
-    Gradient P;
-  };
-
-  static RelativeMotion relative_motion(const G& A, const G& B);
   Share bending_share() const;
   Share bending_share_by(const Matrix& dK) const;
   /// The section force that works on d for a strain e, or its derivative.

@@ -22,7 +22,8 @@ double root_of_shear(double eta) { return std::sqrt(std::max(0.0, 1 - eta)); }
 }  // namespace
 
 template <FrameGroup G>
-auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta) -> Coefficients {
+auto HermiteInertia<G>::coefficients(const Scalar& L, const Matrix& M, const Share& eta)
+    -> Coefficients {
   Coefficients c{M, Share::Zero(), Share::Zero()};
   for (int i = 1; i < sd; ++i) {
     const int r = sd + bends<rd>(i);
@@ -34,8 +35,8 @@ auto HermiteInertia<G>::coefficients(double L, const Matrix& M, const Share& eta
 }
 
 template <FrameGroup G>
-auto HermiteInertia<G>::derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
-                                   const Share& deta) -> Coefficients {
+auto HermiteInertia<G>::derivative(const Scalar& L, const Matrix& M, const Share& eta,
+                                   const Matrix& dM, const Share& deta) -> Coefficients {
   Coefficients c{dM, Share::Zero(), Share::Zero()};
   const double m = M(0, 0), dm = dM(0, 0);
   for (int i = 1; i < sd; ++i) {
@@ -72,7 +73,7 @@ SectionRotation<G> rotation_of_sections(double L, const typename HermiteInertia<
 }  // namespace
 
 template <FrameGroup G>
-HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
+HermiteInertia<G>::HermiteInertia(const Scalar& L, const Coefficients& c)
     : L_(L),
       m_(c.M(0, 0)),
       X_(SectionRotation<G>::turning()),
@@ -83,7 +84,7 @@ HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c)
 /// Of a quadratic function the difference about its middle is the derivative, for any step t; this
 /// one is of the size of beta.
 template <FrameGroup G>
-HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c, const Coefficients& dc)
+HermiteInertia<G>::HermiteInertia(const Scalar& L, const Coefficients& c, const Coefficients& dc)
     : L_(L),
       m_(dc.M(0, 0)),
       X_(SectionRotation<G>::turning()),
@@ -98,7 +99,7 @@ HermiteInertia<G>::HermiteInertia(double L, const Coefficients& c, const Coeffic
 
 template <FrameGroup G>
 void HermiteInertia<G>::set_translation() {
-  const double L = L_, m = m_ * L, mL = m * L, mLL = mL * L;
+  const Scalar L = L_, m = m_ * L, mL = m * L, mLL = mL * L;
   AA_ << 5 * m / 12, mL / 12, mL / 12, mLL / 32;
   BB_ << 5 * m / 12, -mL / 12, -mL / 12, mLL / 32;
   AB_ << m / 12, 0, 0, mLL / 96;
@@ -122,12 +123,12 @@ template <FrameGroup G>
 auto HermiteInertia<G>::acceleration(const Tangent& v, const Tangent& a) const -> Two {
   Two p = of_node(a);
   if constexpr (sd == 2) {
-    const double w = v[2];
+    const Scalar w = v[2];
     p(0, 0) -= w * v[1];
     p(1, 0) += w * v[0];
     p(0, 1) = -w * w;
   } else {
-    const double x = v[3], y = v[4], z = v[5], xy = x * y, xz = x * z, yy = y * y, zz = z * z;
+    const Scalar x = v[3], y = v[4], z = v[5], xy = x * y, xz = x * z, yy = y * y, zz = z * z;
     p(0, 0) += y * v[2] - z * v[1];
     p(1, 0) += z * v[0] - x * v[2];
     p(2, 0) += x * v[1] - y * v[0];
@@ -152,7 +153,7 @@ auto HermiteInertia<G>::collect(const Two& f) const -> Tangent {
 }
 
 template <FrameGroup G>
-void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pair& a,
+void HermiteInertia<G>::force(const G& A, const G& B, const Scalar* v, const Pair& a,
                               Pair& g) const {
   const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
   const Rotation S = A.R.transpose() * B.R;
@@ -169,8 +170,8 @@ void HermiteInertia<G>::force(const G& A, const G& B, const double* v, const Pai
 
 /// N^T (c x R) dp, N the derivatives by rates and dp these.
 template <FrameGroup G>
-auto HermiteInertia<G>::block(const Eigen::Matrix2d& c, const Rotation& R,
-                              const Derivatives& by) const -> Matrix {
+auto HermiteInertia<G>::block(const Square& c, const Rotation& R, const Derivatives& by) const
+    -> Matrix {
   const Rotation Ru = R.lazyProduct(by.uu);
   const auto turned = [&](int i) -> Turning {
     const Turning sum = c(i, 0) * by.uw + c(i, 1) * by.w1;
@@ -202,12 +203,12 @@ auto HermiteInertia<G>::gyroscopic(const Tangent& v) const -> Derivatives {
   if constexpr (sd == 2)
     W << 0, -v[2], v[2], 0;
   else
-    W = hat(v.template tail<3>());
+    W = hat(Vector(v.template tail<3>()));
   return {W, -Rot::cross(q.col(0)), W.lazyProduct(X_) - Rot::cross(q.col(1))};
 }
 
 template <FrameGroup G>
-auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const double* v) const
+auto HermiteInertia<G>::gyroscopic_tangent(const G& A, const G& B, const Scalar* v) const
     -> PairMatrix {
   const Eigen::Map<const Tangent> v_A(v), v_B(v + dim);
   const Rotation I = Rotation::Identity(), S = A.R.transpose().lazyProduct(B.R);
@@ -229,7 +230,7 @@ void HermiteInertia<G>::add_turned(const F& on, int row, int column, PairMatrix&
 
 /// dS = -w_A~ S + S w_B~ on what each node has of the other.
 template <FrameGroup G>
-auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const Pair& a) const
+auto HermiteInertia<G>::stiffness(const G& A, const G& B, const Scalar* v, const Pair& a) const
     -> PairMatrix {
   using Rot = RotationOf<G>;
   const Rotation S = A.R.transpose().lazyProduct(B.R), St = S.transpose();
@@ -247,18 +248,30 @@ auto HermiteInertia<G>::stiffness(const G& A, const G& B, const double* v, const
 }
 
 template <FrameGroup G>
-double HermiteInertia<G>::kinetic_energy(const G& A, const G& B, const double* v) const {
+void HermiteInertia<G>::add_weight_tangent(const G& A, const G& B, const Vector& gravity,
+                                           PairMatrix& k) const {
+  using Rot = RotationOf<G>;
+  const PairMatrix M = mass(A, B);
+  const auto turned = [&](const G& H) -> Turning {  // -d(R^T g) = w x (R^T g)
+    return -Rot::cross(Vector(H.R.transpose().lazyProduct(gravity)));
+  };
+  k.template middleCols<rd>(sd) += M.template leftCols<sd>().lazyProduct(turned(A));
+  k.template rightCols<rd>() += M.template middleCols<sd>(dim).lazyProduct(turned(B));
+}
+
+template <FrameGroup G>
+auto HermiteInertia<G>::kinetic_energy(const G& A, const G& B, const Scalar* v) const -> Scalar {
   const Two p = of_node(Eigen::Map<const Tangent>(v)),
             q = of_node(Eigen::Map<const Tangent>(v + dim));
   const Two from_B = A.R.transpose() * (B.R * (q * AB_.transpose()));
-  double T = p.cwiseProduct(from_B + 0.5 * p * AA_).sum() + 0.5 * q.cwiseProduct(q * BB_).sum();
+  Scalar T = p.cwiseProduct(from_B + 0.5 * p * AA_).sum() + 0.5 * q.cwiseProduct(q * BB_).sum();
   for (const auto& s : sections_) T += s.kinetic_energy(A, B, v);
   return T;
 }
 
 /// p_A . dS y, y = c p_B.
 template <FrameGroup G>
-auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const double* v) const -> Pair {
+auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const Scalar* v) const -> Pair {
   using Rot = RotationOf<G>;
   const Rotation S = A.R.transpose() * B.R;
   const Two p = of_node(Eigen::Map<const Tangent>(v)),
@@ -273,7 +286,7 @@ auto HermiteInertia<G>::kinetic_gradient(const G& A, const G& B, const double* v
 }
 
 template <FrameGroup G>
-double HermiteInertia<G>::weight_potential(const G& A, const G& B, const Vector& a) const {
+auto HermiteInertia<G>::weight_potential(const G& A, const G& B, const Vector& a) const -> Scalar {
   return -m_ * L_ * a.dot(0.5 * (A.x + B.x) + L_ / 12 * (A.R.col(0) - B.R.col(0)));
 }
 
@@ -288,5 +301,41 @@ auto HermiteInertia<G>::weight_gradient(const G& A, const G& B, const Vector& a)
 
 template class HermiteInertia<SE2>;
 template class HermiteInertia<SE3>;
+template void HermiteInertia<SE2Of<Lanes>>::force(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                  const Lanes*, const Pair&, Pair&) const;
+template auto HermiteInertia<SE2Of<Lanes>>::mass(const SE2Of<Lanes>&, const SE2Of<Lanes>&) const
+    -> PairMatrix;
+template auto HermiteInertia<SE2Of<Lanes>>::gyroscopic_tangent(const SE2Of<Lanes>&,
+                                                               const SE2Of<Lanes>&,
+                                                               const Lanes*) const -> PairMatrix;
+template auto HermiteInertia<SE2Of<Lanes>>::stiffness(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                      const Lanes*, const Pair&) const
+    -> PairMatrix;
+template void HermiteInertia<SE2Of<Lanes>>::add_weight_tangent(const SE2Of<Lanes>&,
+                                                               const SE2Of<Lanes>&, const Vector&,
+                                                               PairMatrix&) const;
+template auto HermiteInertia<SE2Of<Lanes>>::kinetic_energy(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                           const Lanes*) const -> Scalar;
+template auto HermiteInertia<SE2Of<Lanes>>::weight_potential(const SE2Of<Lanes>&,
+                                                             const SE2Of<Lanes>&,
+                                                             const Vector&) const -> Scalar;
+template void HermiteInertia<SE3Of<Lanes>>::force(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                  const Lanes*, const Pair&, Pair&) const;
+template auto HermiteInertia<SE3Of<Lanes>>::mass(const SE3Of<Lanes>&, const SE3Of<Lanes>&) const
+    -> PairMatrix;
+template auto HermiteInertia<SE3Of<Lanes>>::gyroscopic_tangent(const SE3Of<Lanes>&,
+                                                               const SE3Of<Lanes>&,
+                                                               const Lanes*) const -> PairMatrix;
+template auto HermiteInertia<SE3Of<Lanes>>::stiffness(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                      const Lanes*, const Pair&) const
+    -> PairMatrix;
+template void HermiteInertia<SE3Of<Lanes>>::add_weight_tangent(const SE3Of<Lanes>&,
+                                                               const SE3Of<Lanes>&, const Vector&,
+                                                               PairMatrix&) const;
+template auto HermiteInertia<SE3Of<Lanes>>::kinetic_energy(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                           const Lanes*) const -> Scalar;
+template auto HermiteInertia<SE3Of<Lanes>>::weight_potential(const SE3Of<Lanes>&,
+                                                             const SE3Of<Lanes>&,
+                                                             const Vector&) const -> Scalar;
 
 }  // namespace liesl

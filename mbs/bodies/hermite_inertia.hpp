@@ -29,13 +29,15 @@ template <FrameGroup G>
 class HermiteInertia {
  public:
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
+  using Scalar = typename G::Scalar;
   using Tangent = typename G::Tangent;
   using Matrix = typename G::Matrix;
-  using Pair = Eigen::Matrix<double, 2 * dim, 1>;
-  using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
-  using Vector = Eigen::Matrix<double, sd, 1>;
-  using Rotation = Eigen::Matrix<double, sd, sd>;
-  using Share = Eigen::Matrix<double, sd, 1>;
+  using Pair = Eigen::Matrix<Scalar, 2 * dim, 1>;
+  using PairMatrix = Eigen::Matrix<Scalar, 2 * dim, 2 * dim>;
+  using Vector = Eigen::Matrix<Scalar, sd, 1>;
+  using Rotation = Eigen::Matrix<Scalar, sd, sd>;
+  using Square = Eigen::Matrix<Scalar, 2, 2>;
+  using Share = Eigen::Matrix<Scalar, sd, 1>;
 
   /// The inertia per length M_s (without coupling of translation and rotation), and what J, m and
   /// eta make of bending along y and z (component 0 is unused).
@@ -45,31 +47,48 @@ class HermiteInertia {
     Share beta;   ///< D/J
   };
   /// @param eta share of bending by direction
-  static Coefficients coefficients(double L, const Matrix& M, const Share& eta);
+  static Coefficients coefficients(const Scalar& L, const Matrix& M, const Share& eta);
   /// d(coefficients)/dp.
-  static Coefficients derivative(double L, const Matrix& M, const Share& eta, const Matrix& dM,
-                                 const Share& deta);
+  static Coefficients derivative(const Scalar& L, const Matrix& M, const Share& eta,
+                                 const Matrix& dM, const Share& deta);
 
-  HermiteInertia(double L, const Coefficients& c);
+  HermiteInertia(const Scalar& L, const Coefficients& c);
+  /// Four at once, for `force`, energies and weight; none a derivative.
+  template <class One>
+  explicit HermiteInertia(const Four<HermiteInertia<One>>& four)
+      : L_(gather(four, &HermiteInertia<One>::L_)),
+        m_(gather(four, &HermiteInertia<One>::m_)),
+        X_(SectionRotation<G>::turning()),
+        AA_(gather(four, &HermiteInertia<One>::AA_)),
+        AB_(gather(four, &HermiteInertia<One>::AB_)),
+        BB_(gather(four, &HermiteInertia<One>::BB_)),
+        sections_{SectionRotation<G>(
+            Four<SectionRotation<One>>{&four[0]->sections_[0], &four[1]->sections_[0],
+                                       &four[2]->sections_[0], &four[3]->sections_[0]})} {}
   /// dT/dp: T is linear in M and shear, quadratic in beta.
-  HermiteInertia(double L, const Coefficients& c, const Coefficients& dc);
+  HermiteInertia(const Scalar& L, const Coefficients& c, const Coefficients& dc);
 
-  void force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
+  void force(const G& A, const G& B, const Scalar* v, const Pair& a, Pair& g) const;
   PairMatrix mass(const G& A, const G& B) const;
   /// d (force without M vdot)/dv.
-  PairMatrix gyroscopic_tangent(const G& A, const G& B, const double* v) const;
+  PairMatrix gyroscopic_tangent(const G& A, const G& B, const Scalar* v) const;
   /// d force/d[h_A; h_B] at constant v and a, without what turns in a.
-  PairMatrix stiffness(const G& A, const G& B, const double* v, const Pair& a) const;
+  PairMatrix stiffness(const G& A, const G& B, const Scalar* v, const Pair& a) const;
+  /// k += M d[-R^T gravity]/dh of both nodes: what turns in `a` of weight.
+  void add_weight_tangent(const G& A, const G& B, const Vector& gravity, PairMatrix& k) const;
   /// T, J.
-  double kinetic_energy(const G& A, const G& B, const double* v) const;
+  Scalar kinetic_energy(const G& A, const G& B, const Scalar* v) const;
   /// dT/d[h_A; h_B] at constant v.
-  Pair kinetic_gradient(const G& A, const G& B, const double* v) const;
-  double weight_potential(const G& A, const G& B, const Vector& a) const;
+  Pair kinetic_gradient(const G& A, const G& B, const Scalar* v) const;
+  Scalar weight_potential(const G& A, const G& B, const Vector& a) const;
   Pair weight_gradient(const G& A, const G& B, const Vector& a) const;
 
  private:
-  using Two = Eigen::Matrix<double, sd, 2>;  ///< [u, w x e_1] of a node
-  using Turning = Eigen::Matrix<double, sd, rd>;
+  template <FrameGroup>
+  friend class HermiteInertia;
+
+  using Two = Eigen::Matrix<Scalar, sd, 2>;  ///< [u, w x e_1] of a node
+  using Turning = Eigen::Matrix<Scalar, sd, rd>;
   /// Derivatives of both vectors of a node by [u; w]: [uu uw; 0 w1].
   struct Derivatives {
     Rotation uu;
@@ -82,13 +101,13 @@ class HermiteInertia {
   Tangent collect(const Two& f) const;
   Derivatives by_rates() const { return {Rotation::Identity(), Turning::Zero(), X_}; }
   Derivatives gyroscopic(const Tangent& v) const;
-  Matrix block(const Eigen::Matrix2d& c, const Rotation& R, const Derivatives& by) const;
+  Matrix block(const Square& c, const Rotation& R, const Derivatives& by) const;
   template <class F>
   void add_turned(const F& on, int row, int column, PairMatrix& k) const;
 
-  double L_, m_;
+  Scalar L_, m_;
   Turning X_;  ///< w x e_1 = X w
-  Eigen::Matrix2d AA_, AB_, BB_;
+  Square AA_, AB_, BB_;
   Matrix M_AA_, M_BB_;                        ///< of translation, constant
   std::vector<SectionRotation<G>> sections_;  ///< one, or the terms of a derivative
 };

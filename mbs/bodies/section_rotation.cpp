@@ -1,45 +1,46 @@
 #include "mbs/bodies/section_rotation.hpp"
 
+#include <type_traits>
+
 namespace liesl {
 namespace {
 
 /// A vector and its derivative by the increments of both nodes.
-template <int n, int K>
+template <class S, int n, int K>
 struct Jet {
-  Eigen::Matrix<double, n, 1> v;
-  Eigen::Matrix<double, n, K> d;
+  Eigen::Matrix<S, n, 1> v;
+  Eigen::Matrix<S, n, K> d;
 };
 
-template <int n, int K>
-Jet<n, K> operator+(const Jet<n, K>& a, const Jet<n, K>& b) {
+template <class S, int n, int K>
+Jet<S, n, K> operator+(const Jet<S, n, K>& a, const Jet<S, n, K>& b) {
   return {a.v + b.v, a.d + b.d};
 }
-template <int n, int K>
-Jet<n, K> operator-(const Jet<n, K>& a, const Jet<n, K>& b) {
+template <class S, int n, int K>
+Jet<S, n, K> operator-(const Jet<S, n, K>& a, const Jet<S, n, K>& b) {
   return {a.v - b.v, a.d - b.d};
 }
-template <int n, int K>
-Jet<n, K> operator*(double s, const Jet<n, K>& a) {
+template <class S, int n, int K>
+Jet<S, n, K> operator*(const std::type_identity_t<S>& s, const Jet<S, n, K>& a) {
   return {s * a.v, s * a.d};
 }
-template <int m, int n, int K>
-Jet<m, K> times(const Eigen::Matrix<double, m, n>& M, const Jet<n, K>& a) {
+template <class S, int m, int n, int K>
+Jet<S, m, K> times(const Eigen::Matrix<S, m, n>& M, const Jet<S, n, K>& a) {
   return {M.lazyProduct(a.v), M.lazyProduct(a.d)};
 }
-template <int m, int n>
-Eigen::Matrix<double, m, 1> times(const Eigen::Matrix<double, m, n>& M,
-                                  const Eigen::Matrix<double, n, 1>& a) {
+template <class S, int m, int n>
+Eigen::Matrix<S, m, 1> times(const Eigen::Matrix<S, m, n>& M, const Eigen::Matrix<S, n, 1>& a) {
   return M.lazyProduct(a);
 }
 
 /// A vector that does not change, and one that is among the increments.
 template <int n, int K, class V>
-Jet<n, K> fixed(const V& v) {
-  return {v, Eigen::Matrix<double, n, K>::Zero()};
+Jet<typename V::Scalar, n, K> fixed(const V& v) {
+  return {v, Eigen::Matrix<typename V::Scalar, n, K>::Zero()};
 }
 template <int n, int K, class V>
-Jet<n, K> free_at(int column, const V& v) {
-  Jet<n, K> out = fixed<n, K>(v);
+Jet<typename V::Scalar, n, K> free_at(int column, const V& v) {
+  Jet<typename V::Scalar, n, K> out = fixed<n, K>(v);
   out.d.template middleCols<n>(column).setIdentity();
   return out;
 }
@@ -86,8 +87,8 @@ struct SectionRotation<G>::Values {
 
 template <FrameGroup G>
 struct SectionRotation<G>::Jets {
-  using Space = Jet<sd, 2 * dim>;
-  using Angular = Jet<rd, 2 * dim>;
+  using Space = Jet<Scalar, sd, 2 * dim>;
+  using Angular = Jet<Scalar, rd, 2 * dim>;
   /// S, and where h_me and h_other are among the increments (-1: S does not turn).
   struct Frame {
     Rotation S;
@@ -113,7 +114,7 @@ struct SectionRotation<G>::Jets {
     if constexpr (rd == 1)
       spin << 0, -w.v[0], w.v[0], 0;
     else
-      spin = hat(w.v);
+      spin = hat(Vector(w.v));
     Space out{Values::cross(w.v, z.v), spin.lazyProduct(z.d)};
     out.d -= RotationOf<G>::cross(z.v).lazyProduct(w.d);
     return out;
@@ -164,7 +165,7 @@ struct SectionRotation<G>::Force {
 };
 
 template <FrameGroup G>
-SectionRotation<G>::SectionRotation(double L, const Inertia& Ja, const Inertia& Jc,
+SectionRotation<G>::SectionRotation(const Scalar& L, const Inertia& Ja, const Inertia& Jc,
                                     const Vector& beta)
     : L_(L), Ja_(Ja), Jc_(Jc), beta_(beta) {}
 
@@ -255,14 +256,14 @@ void SectionRotation<G>::add_force_of(const Node<Q>& A, const Node<Q>& B, Force<
 }
 
 template <FrameGroup G>
-auto SectionRotation<G>::motion(const Place& me, const double* v, const Pair& a) -> Motion<Values> {
+auto SectionRotation<G>::motion(const Place& me, const Scalar* v, const Pair& a) -> Motion<Values> {
   const Eigen::Map<const Pair> rates(v);
   return {rates.template segment<sd>(me.at), a.template segment<sd>(me.at),
           rates.template segment<rd>(me.at + sd), a.template segment<rd>(me.at + sd)};
 }
 
 template <FrameGroup G>
-void SectionRotation<G>::add_force(const G& A, const G& B, const double* v, const Pair& a,
+void SectionRotation<G>::add_force(const G& A, const G& B, const Scalar* v, const Pair& a,
                                    Pair& g) const {
   using Q = Values;
   const auto at = places(A, B);
@@ -313,7 +314,7 @@ void SectionRotation<G>::add_mass(const G& A, const G& B, PairMatrix& M) const {
 }
 
 template <FrameGroup G>
-auto SectionRotation<G>::by_rates(const Place& me, const double* v) const -> Node<Jets> {
+auto SectionRotation<G>::by_rates(const Place& me, const Scalar* v) const -> Node<Jets> {
   constexpr int K = 2 * dim;
   const Motion<Values> q = motion(me, v, Pair::Zero());
   return node<Jets>(me, {me.S}, fixed<sd, K>(me.rho),
@@ -322,7 +323,7 @@ auto SectionRotation<G>::by_rates(const Place& me, const double* v) const -> Nod
 }
 
 template <FrameGroup G>
-auto SectionRotation<G>::by_frames(const Place& me, const double* v, const Pair& a) const
+auto SectionRotation<G>::by_frames(const Place& me, const Scalar* v, const Pair& a) const
     -> Node<Jets> {
   constexpr int K = 2 * dim;
   const Motion<Values> q = motion(me, v, a);
@@ -346,21 +347,21 @@ void SectionRotation<G>::add_derivative(const Node<Jets>& A, const Node<Jets>& B
 }
 
 template <FrameGroup G>
-void SectionRotation<G>::add_gyroscopic_tangent(const G& A, const G& B, const double* v,
+void SectionRotation<G>::add_gyroscopic_tangent(const G& A, const G& B, const Scalar* v,
                                                 PairMatrix& C) const {
   const auto at = places(A, B);
   add_derivative(by_rates(at[0], v), by_rates(at[1], v), C);
 }
 
 template <FrameGroup G>
-void SectionRotation<G>::add_stiffness(const G& A, const G& B, const double* v, const Pair& a,
+void SectionRotation<G>::add_stiffness(const G& A, const G& B, const Scalar* v, const Pair& a,
                                        PairMatrix& K) const {
   const auto at = places(A, B);
   add_derivative(by_frames(at[0], v, a), by_frames(at[1], v, a), K);
 }
 
 template <FrameGroup G>
-double SectionRotation<G>::kinetic_energy(const G& A, const G& B, const double* v) const {
+auto SectionRotation<G>::kinetic_energy(const G& A, const G& B, const Scalar* v) const -> Scalar {
   using Q = Values;
   const auto at = places(A, B);
   const Node<Q> n_A = node<Q>(at[0], at[0].S, at[0].rho, motion(at[0], v, Pair::Zero())),
@@ -372,7 +373,7 @@ double SectionRotation<G>::kinetic_energy(const G& A, const G& B, const double* 
 
 /// p . B d rho' of each node, and what S does to J_c.
 template <FrameGroup G>
-void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const double* v,
+void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const Scalar* v,
                                               Pair& g) const {
   using Q = Jets;
   constexpr int n = 2 * dim;
@@ -391,5 +392,33 @@ void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const doub
 
 template class SectionRotation<SE2>;
 template class SectionRotation<SE3>;
+template void SectionRotation<SE2Of<Lanes>>::add_force(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                       const Lanes*, const Pair&, Pair&) const;
+template void SectionRotation<SE2Of<Lanes>>::add_mass(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                      PairMatrix&) const;
+template void SectionRotation<SE2Of<Lanes>>::add_gyroscopic_tangent(const SE2Of<Lanes>&,
+                                                                    const SE2Of<Lanes>&,
+                                                                    const Lanes*,
+                                                                    PairMatrix&) const;
+template void SectionRotation<SE2Of<Lanes>>::add_stiffness(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
+                                                           const Lanes*, const Pair&,
+                                                           PairMatrix&) const;
+template auto SectionRotation<SE2Of<Lanes>>::kinetic_energy(const SE2Of<Lanes>&,
+                                                            const SE2Of<Lanes>&, const Lanes*) const
+    -> Scalar;
+template void SectionRotation<SE3Of<Lanes>>::add_force(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                       const Lanes*, const Pair&, Pair&) const;
+template void SectionRotation<SE3Of<Lanes>>::add_mass(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                      PairMatrix&) const;
+template void SectionRotation<SE3Of<Lanes>>::add_gyroscopic_tangent(const SE3Of<Lanes>&,
+                                                                    const SE3Of<Lanes>&,
+                                                                    const Lanes*,
+                                                                    PairMatrix&) const;
+template void SectionRotation<SE3Of<Lanes>>::add_stiffness(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
+                                                           const Lanes*, const Pair&,
+                                                           PairMatrix&) const;
+template auto SectionRotation<SE3Of<Lanes>>::kinetic_energy(const SE3Of<Lanes>&,
+                                                            const SE3Of<Lanes>&, const Lanes*) const
+    -> Scalar;
 
 }  // namespace liesl

@@ -23,38 +23,49 @@ template <FrameGroup G>
 class SectionRotation {
  public:
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
-  using Pair = Eigen::Matrix<double, 2 * dim, 1>;
-  using PairMatrix = Eigen::Matrix<double, 2 * dim, 2 * dim>;
-  using Vector = Eigen::Matrix<double, sd, 1>;
-  using Inertia = Eigen::Matrix<double, rd, rd>;
-  using Turning = Eigen::Matrix<double, sd, rd>;
+  using Scalar = typename G::Scalar;
+  using Pair = Eigen::Matrix<Scalar, 2 * dim, 1>;
+  using PairMatrix = Eigen::Matrix<Scalar, 2 * dim, 2 * dim>;
+  using Vector = Eigen::Matrix<Scalar, sd, 1>;
+  using Inertia = Eigen::Matrix<Scalar, rd, rd>;
+  using Turning = Eigen::Matrix<Scalar, sd, rd>;
 
   /// X w = w x e_1.
   static Turning turning() { return -RotationOf<G>::cross(Vector::Unit(0)); }
 
   /// @param Ja,Jc kg m^2
   /// @param beta  share by direction (component 0 is unused)
-  SectionRotation(double L, const Inertia& Ja, const Inertia& Jc, const Vector& beta);
+  SectionRotation(const Scalar& L, const Inertia& Ja, const Inertia& Jc, const Vector& beta);
+  /// Four at once, for `add_force` and `kinetic_energy`.
+  template <class One>
+  explicit SectionRotation(const Four<SectionRotation<One>>& four)
+      : L_(gather(four, &SectionRotation<One>::L_)),
+        Ja_(gather(four, &SectionRotation<One>::Ja_)),
+        Jc_(gather(four, &SectionRotation<One>::Jc_)),
+        beta_(gather(four, &SectionRotation<One>::beta_)) {}
 
   /// g += what T asks for at velocities v and accelerations a of both nodes, 2 dim each: M a and
   /// the gyroscopic force, N and N m in the axes of the nodes.
-  void add_force(const G& A, const G& B, const double* v, const Pair& a, Pair& g) const;
+  void add_force(const G& A, const G& B, const Scalar* v, const Pair& a, Pair& g) const;
   /// M of T = v . M v/2, at these frames.
   void add_mass(const G& A, const G& B, PairMatrix& M) const;
   /// d (force without M vdot)/dv.
-  void add_gyroscopic_tangent(const G& A, const G& B, const double* v, PairMatrix& C) const;
+  void add_gyroscopic_tangent(const G& A, const G& B, const Scalar* v, PairMatrix& C) const;
   /// d force/d[h_A; h_B] at constant v and a.
-  void add_stiffness(const G& A, const G& B, const double* v, const Pair& a, PairMatrix& K) const;
+  void add_stiffness(const G& A, const G& B, const Scalar* v, const Pair& a, PairMatrix& K) const;
   /// T, J.
-  double kinetic_energy(const G& A, const G& B, const double* v) const;
+  Scalar kinetic_energy(const G& A, const G& B, const Scalar* v) const;
   /// dT/d[h_A; h_B] at constant v.
-  void add_kinetic_gradient(const G& A, const G& B, const double* v, Pair& g) const;
+  void add_kinetic_gradient(const G& A, const G& B, const Scalar* v, Pair& g) const;
 
  private:
-  using Rotation = Eigen::Matrix<double, sd, sd>;
-  using Angular = Eigen::Matrix<double, rd, 1>;
-  using Gradient = Eigen::Matrix<double, sd, 2 * dim>;
-  using TurnGradient = Eigen::Matrix<double, rd, 2 * dim>;
+  template <FrameGroup>
+  friend class SectionRotation;
+
+  using Rotation = Eigen::Matrix<Scalar, sd, sd>;
+  using Angular = Eigen::Matrix<Scalar, rd, 1>;
+  using Gradient = Eigen::Matrix<Scalar, sd, 2 * dim>;
+  using TurnGradient = Eigen::Matrix<Scalar, rd, 2 * dim>;
   /// A node as the other one sees it.
   struct Place {
     int at, other;  ///< first of their unknowns
@@ -79,12 +90,12 @@ class SectionRotation {
   Gradient gradient(const Place& me) const;
   TurnGradient turn_gradient(const Place& me) const;
   Inertia coupling(const Place& me) const;
-  static Motion<Values> motion(const Place& me, const double* v, const Pair& a);
+  static Motion<Values> motion(const Place& me, const Scalar* v, const Pair& a);
   template <class Q>
   Node<Q> node(const Place& me, typename Q::Frame S, typename Q::Space rho,
                const Motion<Q>& q) const;
-  Node<Jets> by_rates(const Place& me, const double* v) const;
-  Node<Jets> by_frames(const Place& me, const double* v, const Pair& a) const;
+  Node<Jets> by_rates(const Place& me, const Scalar* v) const;
+  Node<Jets> by_frames(const Place& me, const Scalar* v, const Pair& a) const;
   template <class Q>
   typename Q::Space rate(const Node<Q>& me, const Node<Q>& other) const;
   template <class Q>
@@ -98,7 +109,7 @@ class SectionRotation {
   void add_force_of(const Node<Q>& A, const Node<Q>& B, Force<Q>& on_A, Force<Q>& on_B) const;
   void add_derivative(const Node<Jets>& A, const Node<Jets>& B, PairMatrix& K) const;
 
-  double L_;
+  Scalar L_;
   Inertia Ja_, Jc_;
   Vector beta_;
 };

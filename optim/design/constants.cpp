@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 
+#include "mbs/solvers/stretched.hpp"
 #include "optim/design/drive_tables.hpp"
 
 namespace liesl {
@@ -65,11 +66,7 @@ void Constants::apply(const Eigen::VectorXd& x, Mechanism& mechanism) const {
 
 SimulationOptions Constants::simulation(SimulationOptions options, const Eigen::VectorXd& x) const {
   if (duration() < 0) return options;
-  const double stretch = x[duration()] / options.duration;
-  options.duration *= stretch;
-  options.step *= stretch;
-  options.step_min *= stretch;
-  return options;
+  return stretched(options, x[duration()] / options.duration);
 }
 
 /// d(motion)/d(value): differences of fourth order. Linear tables have it exactly; slopes of cubic
