@@ -35,7 +35,7 @@ class CondensedLaw {
   /// @param d0 relative motion of the nodes at rest, x along the axis at both
   /// @param K section stiffness
   CondensedLaw(const Tangent& d0, const Matrix& K);
-  /// Four laws at once, for `stress` and `conjugate`. @pre each `uncoupled`
+  /// Four laws at once, for what depends on d. @pre each `uncoupled`
   template <class One>
   explicit CondensedLaw(const Four<CondensedLaw<One>>& laws)
       : d0_(gather(laws, &CondensedLaw<One>::d0_)),

@@ -53,7 +53,7 @@ class HermiteInertia {
                                  const Matrix& dM, const Share& deta);
 
   HermiteInertia(const Scalar& L, const Coefficients& c);
-  /// Four at once, for `force`, energies and weight; none a derivative.
+  /// Four at once. @pre none is a derivative
   template <class One>
   explicit HermiteInertia(const Four<HermiteInertia<One>>& four)
       : L_(gather(four, &HermiteInertia<One>::L_)),
@@ -62,6 +62,8 @@ class HermiteInertia {
         AA_(gather(four, &HermiteInertia<One>::AA_)),
         AB_(gather(four, &HermiteInertia<One>::AB_)),
         BB_(gather(four, &HermiteInertia<One>::BB_)),
+        M_AA_(gather(four, &HermiteInertia<One>::M_AA_)),
+        M_BB_(gather(four, &HermiteInertia<One>::M_BB_)),
         sections_{SectionRotation<G>(
             Four<SectionRotation<One>>{&four[0]->sections_[0], &four[1]->sections_[0],
                                        &four[2]->sections_[0], &four[3]->sections_[0]})} {}

@@ -36,7 +36,7 @@ class SectionRotation {
   /// @param Ja,Jc kg m^2
   /// @param beta  share by direction (component 0 is unused)
   SectionRotation(const Scalar& L, const Inertia& Ja, const Inertia& Jc, const Vector& beta);
-  /// Four at once, for `add_force` and `kinetic_energy`.
+  /// Four at once.
   template <class One>
   explicit SectionRotation(const Four<SectionRotation<One>>& four)
       : L_(gather(four, &SectionRotation<One>::L_)),

@@ -64,17 +64,19 @@ struct Chain {
     Eigen::VectorXd inertia, internal;
     ForceScale of_inertia, of_internal;
     BodyEnergy energy;
+
+    explicit Sums(Eigen::Index unknowns)
+        : inertia(Eigen::VectorXd::Zero(unknowns)), internal(Eigen::VectorXd::Zero(unknowns)) {}
   };
-  Sums none() const { return {Eigen::VectorXd::Zero(v.size()), Eigen::VectorXd::Zero(v.size())}; }
   Sums of_body() const {
-    Sums s = none();
+    Sums s(v.size());
     body.add_inertia(state(), gravity, s.inertia.data(), s.of_inertia);
     body.add_internal(state(), s.internal.data(), s.of_internal);
     s.energy = body.energy(state(), gravity);
     return s;
   }
   Sums by_elements() const {
-    Sums s = none();
+    Sums s(v.size());
     for (int e = 0; e < body.elements(); ++e) {
       const auto& element = body.element(e);
       const double* rates = v.data() + size * e;
@@ -82,12 +84,12 @@ struct Chain {
       a << apparent_acceleration<G>(state(), e, gravity),
           apparent_acceleration<G>(state(), e + 1, gravity);
       element.inertia_force(H[e], H[e + 1], rates, a, g);
-      s.inertia.segment<2 * size>(size * e) += g;
-      s.of_inertia.add<G>(g.template head<size>());
-      s.of_inertia.add<G>(g.template tail<size>());
+      s.inertia.template segment<2 * size>(size * e) += g;
+      s.of_inertia.template add<G>(g.template head<size>());
+      s.of_inertia.template add<G>(g.template tail<size>());
       element.internal_force(H[e], H[e + 1], rates, damping, g);
-      s.internal.segment<2 * size>(size * e) += g;
-      s.of_internal.add<G>(g.template head<size>());
+      s.internal.template segment<2 * size>(size * e) += g;
+      s.of_internal.template add<G>(g.template head<size>());
       s.energy.kinetic += element.kinetic_energy(H[e], H[e + 1], rates);
       s.energy.elastic += element.elastic_energy(H[e], H[e + 1]);
       s.energy.potential += element.weight_potential(H[e], H[e + 1], gravity);
@@ -95,6 +97,46 @@ struct Chain {
     return s;
   }
 };
+
+/// K, C and M with these weights, by the elements; about section forces that are given, or their
+/// own.
+template <class G>
+BodyMatrix<G::dim> tangent_by_elements(const Chain<G>& chain, TangentWeights w,
+                                       const typename G::Tangent* stress) {
+  constexpr int size = G::dim;
+  BodyMatrix<size> A(chain.body.nodes());
+  for (int e = 0; e < chain.body.elements(); ++e) {
+    const auto& element = chain.body.element(e);
+    const G &first = chain.H[e], &last = chain.H[e + 1];
+    const double* rates = chain.v.data() + size * e;
+    typename Chain<G>::Pair a;
+    a << apparent_acceleration<G>(chain.state(), e, chain.gravity),
+        apparent_acceleration<G>(chain.state(), e + 1, chain.gravity);
+    const typename G::Tangent n = stress ? stress[e] : element.stress(first, last);
+    A.add_element(e, w.stiffness * element.inertia_stiffness(first, last, rates, a, chain.gravity));
+    A.add_element(e, w.stiffness * element.damped_tangent(first, last, n, rates, chain.damping));
+    A.add_element(e, w.damping * element.gyroscopic_tangent(first, last, rates));
+    A.add_element(e, w.damping * element.damping_tangent(first, last, rates, chain.damping));
+    A.add_element(e, w.mass * element.mass(first, last));
+  }
+  return A;
+}
+
+template <int N>
+double largest_difference(const BodyMatrix<N>& A, const BodyMatrix<N>& B) {
+  double difference = 0, size = 0;
+  const auto compare = [&](const auto& a, const auto& b) {
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      difference = std::max(difference, (a[i] - b[i]).norm());
+      size = std::max(size, b[i].norm());
+    }
+  };
+  compare(A.D, B.D);
+  compare(A.U, B.U);
+  compare(A.L, B.L);
+  return difference / size;
+}
 
 template <class G>
 class FourElementsTest : public ::testing::Test {};
@@ -121,6 +163,30 @@ TYPED_TEST(FourElementsTest, EqualTheElementsOneByOne) {
       expect_equal(grouped.energy.kinetic, one_by_one.energy.kinetic);
       expect_equal(grouped.energy.elastic, one_by_one.energy.elastic);
       expect_equal(grouped.energy.potential, one_by_one.energy.potential);
+    }
+}
+
+TYPED_TEST(FourElementsTest, HaveTheTangentsOfTheElements) {
+  using G = TypeParam;
+  using Stress = const typename G::Tangent*;
+  for (const double angle : {0.01, 0.3})
+    for (const int elements : {1, 4, 6}) {
+      Chain<G> chain(elements, angle);
+      typename Body<G>::Stresses given(static_cast<std::size_t>(elements));
+      for (auto& n : given) n = chain.random.vector(G::dim);
+      for (const typename G::Tangent* stress : {Stress(nullptr), Stress(given.data())}) {
+        for (const TangentWeights w :
+             {TangentWeights{1, 0, 0}, {0, 1, 0}, {0, 0, 1}, {2., 0.7, 0.3}}) {
+          BodyMatrix<G::dim> A(chain.body.nodes());
+          chain.body.exact_tangent(chain.state(), chain.gravity, w, stress, A);
+          EXPECT_LE(largest_difference(A, tangent_by_elements(chain, w, stress)), 1e-13);
+        }
+        BodyMatrix<G::dim> K(chain.body.nodes()), C = K, M = K;
+        chain.body.exact_tangents(chain.state(), chain.gravity, stress, K, C, M);
+        EXPECT_LE(largest_difference(K, tangent_by_elements(chain, {0, 0, 1}, stress)), 1e-13);
+        EXPECT_LE(largest_difference(C, tangent_by_elements(chain, {0, 1, 0}, stress)), 1e-13);
+        EXPECT_LE(largest_difference(M, tangent_by_elements(chain, {1, 0, 0}, stress)), 1e-13);
+      }
     }
 }
 
