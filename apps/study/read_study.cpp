@@ -363,7 +363,7 @@ void read_mass_limit(StudyReader& reader, const Entry& entry) {
     problems.add(*entry.table->get("mass"),
                  fmt::format("no design variable changes the mass of limit '{}'", limit.name),
                  "a body of [design]");
-  for (const char* key : {"side", "treatment", "surrogate"})
+  for (const char* key : {"side", "treatment", "surrogate", "approximation"})
     if (const toml::node* node = entry.table->get(key); node && written(*node))
       problems.add(*node, fmt::format("a mass has no '{}'", key), "'mass' and 'limit'");
   if (reader.root.contains("loads"))
@@ -402,6 +402,13 @@ void check_stress_limit(StudyReader& reader, const std::string& name, const Cons
                     limit.limit, E);
 }
 
+Approximation read_approximation(const toml::table& table) {
+  const auto names = words("auto power linear mma additive");  // in the order of Approximation
+  const auto found = std::find(names.begin(), names.end(), text(table, "approximation"));
+  return found == names.end() ? Approximation::Auto
+                              : static_cast<Approximation>(found - names.begin());
+}
+
 void read_constraint(StudyReader& reader, const Entry& entry) {
   auto response = response_of(reader, entry);
   if (!response) return;
@@ -415,6 +422,7 @@ void read_constraint(StudyReader& reader, const Entry& entry) {
   limit.surrogate = surrogate == "mechanism" ? SurrogateKind::Mechanism
                     : surrogate == "motion"  ? SurrogateKind::Motion
                                              : SurrogateKind::Auto;
+  limit.approximation = read_approximation(*entry.table);
   check_stress_limit(reader, entry.name, limit);
   reader.spec.constraints.push_back(std::move(limit));
 }
@@ -550,11 +558,7 @@ void read_cycle(StudyReader& reader) {
              : method == "full"   ? CycleMethod::Full
              : method == "direct" ? CycleMethod::Direct
                                   : CycleMethod::Auto;
-  const std::string approximation = text(*table, "approximation");
-  o.approximation = approximation == "linear"     ? Approximation::Linear
-                    : approximation == "mma"      ? Approximation::Mma
-                    : approximation == "additive" ? Approximation::Additive
-                                                  : Approximation::Power;
+  o.approximation = read_approximation(*table);
   const std::string check = text(*table, "optimality");
   o.optimality = check == "always"  ? OptimalityCheck::Always
                  : check == "never" ? OptimalityCheck::Never

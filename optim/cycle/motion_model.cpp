@@ -35,6 +35,14 @@ void check_direct(ConstraintSpec& c) {
         "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
 }
 
+/// Torques and inertia forces are powers of the duration: of motions that vary no asymptotes.
+Approximations approximations(const StudySpec& study) {
+  Approximations out{study.cycle.approximation};
+  if (std::ranges::any_of(study.constants, sets_motion)) out.without_image = Approximation::Power;
+  for (const ConstraintSpec& c : study.constraints) out.own.push_back(c.approximation);
+  return out;
+}
+
 /// @throws std::invalid_argument if the limit has no static problem of the whole mechanism
 void check_mechanism(const StudySpec& study, const ConstraintSpec& c, const Mechanism& mechanism) {
   if (const auto none = without_mechanism_statics(study, c, mechanism))
@@ -275,25 +283,30 @@ std::unique_ptr<StaticProblem> MotionModel<G>::static_problem(const DesignAnalys
   return combined(std::move(all));
 }
 
-/// dJ/dx of J = T sum_n w_n v_n^2, T the duration.
+/// dJ/dx of J = T sum_n w_n v_n^2, T the duration, and T sum_n w_n (dv_n/dx) (dv_n/dx)^T.
 template <FrameGroup G>
 ObjectiveModel MotionModel<G>::objective_model(const MotionAnalysis<G>& at,
                                                const MotionGradients& effort) const {
   const DesignRun<G>& run = at.runs.front();
   const int duration = design().duration();
+  const auto size = static_cast<Eigen::Index>(variables().size());
   ObjectiveModel out{duration,
                      study_.motion_objective.duration,
                      study_.motion_objective.effort,
                      run.effort,
-                     VectorXd::Zero(static_cast<Eigen::Index>(variables().size())),
+                     VectorXd::Zero(size),
+                     Eigen::MatrixXd::Zero(size, size),
                      extremes(at)};
   for (int r = 0; r < effort.responses(); ++r) {
     std::vector<double> times;
     for (int n = 0; n < effort.records(r); ++n) times.push_back(effort.time(r, n));
     const std::vector<double> weights = time_weights(times);
     for (int n = 0; n < effort.records(r); ++n)
-      if (const VectorXd* dv = effort.gradient(r, n))
-        out.by_effort += 2 * run.duration * weights[std::size_t(n)] * effort.value(r, n) * *dv;
+      if (const VectorXd* dv = effort.gradient(r, n)) {
+        const double weight = run.duration * weights[std::size_t(n)];
+        out.by_effort += 2 * weight * effort.value(r, n) * *dv;
+        out.curvature.noalias() += weight * *dv * dv->transpose();
+      }
   }
   if (duration >= 0) out.by_effort[duration] += run.effort / run.duration;
   return out;
@@ -393,7 +406,7 @@ Surrogate MotionModel<G>::uncorrected(const DesignAnalysis& given, const VectorX
       all.push_back(std::move(member));
     }
   return {std::make_unique<CorrectedProblem>(combined(std::move(all)), MotionGradients(), x,
-                                             at.objective, study_.cycle.approximation),
+                                             at.objective, approximations(study_)),
           {}};
 } catch (const std::invalid_argument& error) {
   throw NoSensitivities(error.what());
@@ -413,7 +426,7 @@ Surrogate MotionModel<G>::surrogate(const DesignAnalysis& given, const VectorXd&
         check_violation(study, variables(), x, gradients, *statics, at.worst, active);
   if (gradients.reason().empty())
     out.problem = std::make_unique<CorrectedProblem>(std::move(statics), std::move(gradients), x,
-                                                     at.objective, study_.cycle.approximation);
+                                                     at.objective, approximations(study_));
   return out;
 }
 

@@ -21,10 +21,7 @@ void take_start(Entry& v, const Eigen::VectorXd& x, Eigen::Index& j) {
   v.start = x[j++];
 }
 
-/// Does it set the motion itself?
-bool of_the_motion(const ConstantSpec& c) {
-  return c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration;
-}
+bool of_the_motion(const ConstantSpec& c) { return sets_motion(c); }
 template <class Entry>
 bool of_the_motion(const Entry&) {
   return false;

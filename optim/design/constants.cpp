@@ -10,9 +10,7 @@ namespace {
 
 constexpr double kDifference = 1. / 1024;  // of the range of a value of a table
 
-bool in_mechanism(const ConstantSpec& c) {
-  return c.quantity != ConstantQuantity::DriveValue && c.quantity != ConstantQuantity::Duration;
-}
+bool in_mechanism(const ConstantSpec& c) { return !sets_motion(c); }
 
 std::vector<double> list(const Eigen::VectorXd& x) { return {x.data(), x.data() + x.size()}; }
 

@@ -38,14 +38,21 @@ struct Growth {
 
 CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
                                    const VectorXd& x_k, double objective,
-                                   Approximation approximation)
+                                   Approximations approximations)
     : inner_(std::move(inner)),
       motion_(std::move(gradients)),
       x_k_(x_k),
-      approximation_(approximation),
+      approximations_(std::move(approximations)),
       variables_(inner_->variables()) {
   const double lacking = objective - correct_rows();
   if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
+}
+
+Approximation Approximations::of(const LimitedResponse& response) const {
+  const int i = response.constraint;
+  const bool has_own = response.part_limit < 0 && i >= 0 && i < static_cast<int>(own.size()) &&
+                       own[i] != Approximation::Auto;
+  return has_own ? own[i] : general;
 }
 
 std::vector<LimitedResponse> CorrectedProblem::responses() const {
@@ -64,10 +71,13 @@ void CorrectedProblem::narrow(double share) {
   }
 }
 
-auto CorrectedProblem::continuations(const VectorXd& x) const -> Steps {
-  const auto n = x.size();
-  Steps t{x - x_k_, VectorXd::Ones(n), VectorXd::Zero(n)};
-  for (int i = 0; i < n && approximation_ == Approximation::Power; ++i) {
+auto CorrectedProblem::differences(const VectorXd& x) const -> Steps {
+  return {x - x_k_, VectorXd::Ones(x.size()), VectorXd::Zero(x.size())};
+}
+
+auto CorrectedProblem::logarithms(const VectorXd& x) const -> Steps {
+  Steps t = differences(x);
+  for (int i = 0; i < x.size(); ++i) {
     if (variables_[static_cast<std::size_t>(i)].lower <= 0 || x_k_[i] <= 0) continue;
     t.s[i] = x_k_[i] * std::log(x[i] / x_k_[i]);
     t.first[i] = x_k_[i] / x[i];
@@ -93,21 +103,28 @@ auto CorrectedProblem::reciprocals(const VectorXd& x, double side) const -> Step
   return t;
 }
 
-auto CorrectedProblem::steps(const VectorXd& x) const -> BothSteps {
-  if (approximation_ == Approximation::Mma) return {reciprocals(x, 1), reciprocals(x, -1)};
-  const Steps same = continuations(x);
-  return {same, same};
+auto CorrectedProblem::steps(const VectorXd& x) const -> AllSteps {
+  return {differences(x), logarithms(x), reciprocals(x, 1), reciprocals(x, -1)};
 }
 
-auto CorrectedProblem::BothSteps::of(const VectorXd& c) const -> Steps {
+auto CorrectedProblem::AllSteps::of(Approximation approximation, const VectorXd& c) const -> Steps {
+  if (approximation == Approximation::Power) return power;
+  if (approximation != Approximation::Mma) return linear;
   const auto rises = c.array() > 0;
   return {rises.select(rising.s, falling.s), rises.select(rising.first, falling.first),
           rises.select(rising.second, falling.second)};
 }
 
-VectorXd CorrectedProblem::exponents(const BothSteps& t) const {
-  if (approximation_ != Approximation::Mma) return c_ * t.rising.s;
-  return c_.cwiseMax(0) * t.rising.s + c_.cwiseMin(0) * t.falling.s;
+VectorXd CorrectedProblem::exponents(const AllSteps& t) const {
+  VectorXd p(c_.rows());
+  for (int i = 0; i < p.size(); ++i) {
+    const auto c = c_.row(i);
+    p[i] = approximation_[i] == Approximation::Power ? c.dot(t.power.s)
+           : approximation_[i] != Approximation::Mma
+               ? c.dot(t.linear.s)
+               : c.cwiseMax(0).dot(t.rising.s) + c.cwiseMin(0).dot(t.falling.s);
+  }
+  return p;
 }
 
 /// @pre `inner` has just been made, or has taken cases
@@ -115,6 +132,7 @@ VectorXd CorrectedProblem::exponents(const BothSteps& t) const {
 double CorrectedProblem::correct_rows() {
   const auto m = static_cast<int>(constraints().size()), n = static_cast<int>(x_k_.size());
   c_.setZero(m, n);
+  approximation_.assign(m, Approximation::Power);
   g_.resize(m);
   dg_.resize(m, n);
   double f = 0;
@@ -133,6 +151,10 @@ double CorrectedProblem::correct_rows() {
     const VectorXd* dv = motion_.nearest_gradient(response, record, &at);
     if (!dv) continue;
     c_.row(i) = dv->transpose() / motion_.value(response, at) - dg_.row(i) / v_s;
+    approximation_[i] = approximations_.of(motion_.response(response));
+    if (approximation_[i] == Approximation::Auto)
+      approximation_[i] =
+          dg_.row(i).isZero(0) ? approximations_.without_image : Approximation::Power;
   }
   return f;
 }
@@ -235,10 +257,10 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
   g_ = g;
   const VectorXd power = exponents(steps(x));
   for (int i = 0; i < g.size(); ++i) {
-    if (approximation_ == Approximation::Additive)
+    if (approximation_[i] == Approximation::Additive)
       g[i] += v_k_[i] * power[i];
     else if (power[i] != 0)
-      g[i] = (g[i] + 1) * Growth(power[i], approximation_).value - 1;
+      g[i] = (g[i] + 1) * Growth(power[i], approximation_[i]).value - 1;
   }
   if (kappa_.size() > 0) g += kappa_ * by_width(x - x_k_, 1).squaredNorm();
   if (beta_.size() > 0) g += beta_ * std::pow(u_.dot(by_width(x - x_k_, 1)), 2);
@@ -247,11 +269,11 @@ void CorrectedProblem::values(const VectorXd& x, double& f, VectorXd& g) {
 void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg) {
   inner_->gradients(x, df, dg);
   dg_ = dg;
-  const BothSteps t = steps(x);
+  const AllSteps t = steps(x);
   const VectorXd power = exponents(t);
   for (int i = 0; i < dg.rows(); ++i) {
-    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.of(c).first);
-    const Growth e(power[i], approximation_);
+    const VectorXd c = c_.row(i), q = c.cwiseProduct(t.of(approximation_[i], c).first);
+    const Growth e(power[i], approximation_[i]);
     dg.row(i) = e.value * dg_.row(i) + (e.first * (g_[i] + 1) + term(i)) * q.transpose();
   }
   if (kappa_.size() > 0) dg += 2 * kappa_ * by_width(x - x_k_, 2).transpose();
@@ -263,16 +285,16 @@ void CorrectedProblem::gradients(const VectorXd& x, VectorXd& df, RowMatrix& dg)
 ///   e d2v_s + e' (dv_s q^T + q dv_s^T + v_s diag(c s'')) + e'' v_s q q^T + v_k diag(c s'').
 void CorrectedProblem::hessian(const VectorXd& x, double sigma, const VectorXd& lambda,
                                MatrixXd& h) {
-  const BothSteps t = steps(x);
+  const AllSteps t = steps(x);
   const VectorXd power = exponents(t);
   VectorXd weight = lambda;
-  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], approximation_).value;
+  for (int i = 0; i < lambda.size(); ++i) weight[i] *= Growth(power[i], approximation_[i]).value;
   inner_->hessian(x, sigma, weight, h);
   for (int i = 0; i < lambda.size(); ++i) {
     if (lambda[i] == 0) continue;
-    const Growth e(power[i], approximation_);
+    const Growth e(power[i], approximation_[i]);
     const VectorXd c = c_.row(i), dv = dg_.row(i);
-    const Steps of_row = t.of(c);
+    const Steps of_row = t.of(approximation_[i], c);
     const VectorXd q = c.cwiseProduct(of_row.first);
     const double v = g_[i] + 1;
     MatrixXd add = e.first * dv * q.transpose();

@@ -9,6 +9,16 @@
 
 namespace liesl {
 
+/// Which of these continues a response.
+struct Approximations {
+  Approximation general = Approximation::Auto;
+  std::vector<Approximation> own = {};  ///< by constraint of the study; Auto: the general one
+  /// What Auto is of a response without a static image; of one with an image it is Power.
+  Approximation without_image = Approximation::Mma;
+
+  Approximation of(const LimitedResponse& response) const;
+};
+
 /// The static problem sees how sections carry constant loads, not how the loads follow the design.
 /// Each row v_s(x) that is the image of a response v of the motion is corrected by
 ///   v^(x) = v_s(x) prod_i exp(c_i s_i(x)),   c = dv/dx / v - dv_s/dx / v_s  at x_k,
@@ -43,7 +53,7 @@ class CorrectedProblem final : public StaticProblem {
   /// @param objective at x_k: `inner` may lack the mass of what no variable changes
   CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionGradients gradients,
                    const Eigen::VectorXd& x_k, double objective,
-                   Approximation approximation = Approximation::Power);
+                   Approximations approximations = {});
 
   /// Values v of the responses at another design than x_k, by response and record; an empty series
   /// is not known.
@@ -84,17 +94,17 @@ class CorrectedProblem final : public StaticProblem {
   struct Steps {
     Eigen::VectorXd s, first, second;
   };
-  /// What each row goes by: steps where its c is positive, and where not.
-  struct BothSteps {
-    Steps rising, falling;
-    /// Of a row: each entry by the sign of its c.
-    Steps of(const Eigen::VectorXd& c) const;
+  /// What rows go by: differences, logarithms, reciprocals where c is positive, and where not.
+  struct AllSteps {
+    Steps linear, power, rising, falling;
+    Steps of(Approximation approximation, const Eigen::VectorXd& c) const;
   };
-  BothSteps steps(const Eigen::VectorXd& x) const;
-  Steps continuations(const Eigen::VectorXd& x) const;
+  AllSteps steps(const Eigen::VectorXd& x) const;
+  Steps differences(const Eigen::VectorXd& x) const;
+  Steps logarithms(const Eigen::VectorXd& x) const;
   /// @param side 1: between x and U, -1: between L and x
   Steps reciprocals(const Eigen::VectorXd& x, double side) const;
-  Eigen::VectorXd exponents(const BothSteps& t) const;
+  Eigen::VectorXd exponents(const AllSteps& t) const;
   double correct_rows();
   /// Is x within the bounds of `inner`, beyond which moving asymptotes have no values?
   bool reaches(const Eigen::VectorXd& x) const;
@@ -105,16 +115,19 @@ class CorrectedProblem final : public StaticProblem {
   /// step_i/w_i^power, 0 where w_i is.
   Eigen::VectorXd by_width(const Eigen::VectorXd& step, int power) const;
   /// Of a row: what p = c . s is multiplied by, beside its place in the factor.
-  double term(int row) const { return approximation_ == Approximation::Additive ? v_k_[row] : 0; }
+  double term(int row) const {
+    return approximation_[row] == Approximation::Additive ? v_k_[row] : 0;
+  }
 
   std::unique_ptr<StaticProblem> inner_;
   const MotionGradients motion_;
   const Eigen::VectorXd x_k_;
-  const Approximation approximation_;
+  const Approximations approximations_;
   std::vector<NlpVariable> variables_;
-  double rest_ = 0;      ///< of the objective, which `inner` lacks
-  RowMatrix c_;          ///< rows x variables
-  Eigen::VectorXd v_k_;  ///< g + 1 of `inner` at x_k
+  double rest_ = 0;                           ///< of the objective, which `inner` lacks
+  RowMatrix c_;                               ///< rows x variables
+  std::vector<Approximation> approximation_;  ///< by row, none Auto
+  Eigen::VectorXd v_k_;                       ///< g + 1 of `inner` at x_k
   std::vector<KnownDesign> rejected_;
   Eigen::VectorXd kappa_;  ///< by row; empty: no design was rejected
   std::optional<KnownDesign> before_;

@@ -53,6 +53,11 @@ struct ConstantSpec {
   std::vector<double> values = {};  ///< of a catalogue, increasing; empty: any within the bounds
 };
 
+/// Does it set the motion itself, as a value of a drive or the duration?
+inline bool sets_motion(const ConstantSpec& c) {
+  return c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration;
+}
+
 /// The table that a drive follows, q_i at t_i.
 struct DriveTable {
   int drive = -1;  ///< number in Mechanism::drives
@@ -100,10 +105,21 @@ enum class Treatment {
 /// One number, or one a maximum, instead of many records.
 inline bool aggregates(Treatment t) { return t >= Treatment::Functional; }
 
+/// What makes a row of a trust region agree with the motion to first order at x_k: a factor of the
+/// static image, or a term beside it.
+enum class Approximation {
+  Auto,     ///< of a limit: as of the cycle; else Power with a static image or where variables set
+            ///< the motion itself, Mma without
+  Power,    ///< prod (x_i/x_ki)^c_i: linear between logarithms
+  Linear,   ///< 1 + c . (x - x_k)
+  Mma,      ///< 1 + c . s with steps s of reciprocals between moving asymptotes: convex
+  Additive  ///< + b . (x - x_k)
+};
+
 /// What tells how a limit follows the design within a step of the cycle.
 enum class SurrogateKind {
   Auto,      ///< the static problem of the part it is on, if one tells it; else as Motion
-  Motion,    ///< its own values and gradients, continued by CycleOptions::approximation
+  Motion,    ///< its own values and gradients, continued by an Approximation
   Mechanism  ///< the static problem of the whole mechanism, drives held (thesis section 5.2)
 };
 
@@ -115,6 +131,7 @@ struct ConstraintSpec {
   Treatment treatment = Treatment::Auto;
   double p = 2;  ///< exponent of Treatment::PNorm
   SurrogateKind surrogate = SurrogateKind::Auto;
+  Approximation approximation = Approximation::Auto;
   /// Above 0: no limit, but this times the largest value over all motions in the objective; `limit`
   /// is then a size of it, has_image false in studies of motions.
   double weight = 0;
@@ -223,15 +240,6 @@ enum class CycleMethod {
   Direct  ///< no approximation: the optimiser is given the motion itself and its sensitivities
 };
 
-/// What makes rows of a trust region agree with the motion to first order at x_k: a factor of the
-/// static image, or a term beside it.
-enum class Approximation {
-  Power,    ///< prod (x_i/x_ki)^c_i: linear between logarithms
-  Linear,   ///< 1 + c . (x - x_k)
-  Mma,      ///< 1 + c . s with steps s of reciprocals between moving asymptotes: convex
-  Additive  ///< + b . (x - x_k)
-};
-
 /// Whether the end of a cycle is checked against the optimality conditions of the motion itself.
 /// By sensitivities; where the motion has none by two simulations a variable.
 enum class OptimalityCheck {
@@ -248,7 +256,7 @@ constexpr int kMostRestarts = 5, kMostStages = 20;
 
 struct CycleOptions {
   CycleMethod method = CycleMethod::Auto;
-  Approximation approximation = Approximation::Power;
+  Approximation approximation = Approximation::Auto;
   int max = 30;                       ///< cycles
   double tolerance = 1e-3;            ///< of the relative change of the loads (thesis eq. 3.25)
   double objective_tolerance = 1e-3;  ///< of the relative change of the objective
@@ -335,8 +343,7 @@ inline std::string without_speed(const StudySpec& study, const Mechanism& mechan
   if (simulation.type != SimulationType::Dynamic) return "equilibria have no speed";
   if (mechanism.drives.empty()) return "no drive gives the motion its speed";
   for (const ConstantSpec& c : study.constants)
-    if (c.quantity == ConstantQuantity::DriveValue || c.quantity == ConstantQuantity::Duration)
-      return "the variable '" + c.name + "' changes the motion itself";
+    if (sets_motion(c)) return "the variable '" + c.name + "' changes the motion itself";
   return has_catalogue(study) ? "sizes of catalogues are not followed" : "";
 }
 

@@ -141,6 +141,17 @@ TEST_F(Sensitivity, IntegralsGrowWithTheDuration) {
   }
 }
 
+/// By the duration of a scene its drives are stretched, whatever their kind.
+TEST_F(Sensitivity, DurationOfAScene) {
+  for (const char* name : {"two_link_robot_path", "slider_crank", "four_bar"}) {
+    SCOPED_TRACE(name);
+    const Outcome o = run({"sensitivity", scene(name), "--by", "simulation.duration", "--check",
+                           "--functionals", "peak,rms"});
+    EXPECT_EQ(o.code, 0) << o.out << o.err;
+    EXPECT_NE(o.out.find(" 0 wrong"), std::string::npos) << o.out;
+  }
+}
+
 TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
   const Outcome o = run({"sensitivity", scene("slider_crank"), "--by", "sections.rod.diameter",
                          "--check", "--set", "simulation.duration=0.02"});
@@ -230,6 +241,9 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "simulation.step"}, "changes nothing that has a derivative");
   refused({rod, "--by", "bodies.crank.beam.to.0"}, "opens joints: bodies were moved by");
   refused({rod, "--by", "bodies.rod.beam.to.0+bodies.slider.rigid.mass"}, "numbers of one unit");
+  refused({rod, "--by", "simulation.duration+simulation.step"}, "the duration by itself");
+  refused({scene("flying_beam"), "--by", "simulation.duration"},
+          "load 'throw' follows time, and not the duration");
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "peek"}, "did you mean 'peak'?");
   refused({rod, "--by", "sections.rod.diameter", "--functionals", "at=99"},
           "--functionals at=99: the motion ends at");

@@ -68,14 +68,14 @@ double lightest_by_search(const Simulated& s, VectorXd x) {
 }
 
 /// At x the value and gradient of the motion, and its own derivatives away from it.
-void expect_agreement(const Simulated& s, const VectorXd& x, Approximation approximation) {
+void expect_agreement(const Simulated& s, const VectorXd& x, Approximations approximations) {
   const auto run = s.simulator->run(x);
   ASSERT_TRUE(run.good());
   auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
   const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
   ASSERT_TRUE(motion.reason().empty()) << motion.reason();
   const auto images = inner->images();
-  CorrectedProblem problem(std::move(inner), motion, x, run.mass, approximation);
+  CorrectedProblem problem(std::move(inner), motion, x, run.mass, std::move(approximations));
   const auto m = static_cast<int>(problem.constraints().size());
   ASSERT_GT(m, 0);
   double f = 0;
@@ -102,11 +102,33 @@ void expect_agreement(const Simulated& s, const VectorXd& x, Approximation appro
 TEST(CorrectedProblem, AgreesWithTheMotionToFirstOrderAndDifferentiatesRight) {
   const Simulated s(rod());
   const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished();
-  for (const auto approximation :
-       {Approximation::Power, Approximation::Linear, Approximation::Mma, Approximation::Additive}) {
+  for (const auto approximation : {Approximation::Auto, Approximation::Power, Approximation::Linear,
+                                   Approximation::Mma, Approximation::Additive}) {
     SCOPED_TRACE(static_cast<int>(approximation));
-    expect_agreement(s, x, approximation);
+    expect_agreement(s, x, {approximation});
+    expect_agreement(s, x, {Approximation::Power, {approximation}});
   }
+}
+
+/// A limit has the approximation of the cycle, or its own.
+TEST(CorrectedProblem, EachLimitIsContinuedInItsOwnWay) {
+  const Simulated s(rod());
+  const VectorXd x = (VectorXd(4) << 0.0095, 0.012, 0.0125, 0.009).finished(),
+                 away = x.cwiseProduct((VectorXd(4) << 1.05, 0.97, 1.02, 1.04).finished());
+  const auto run = s.simulator->run(x);
+  const auto rows = [&](const Approximations& approximations) {
+    auto inner = motion_problem(s.study.spec, *s.simulator, run, x, 0.5);
+    const MotionGradients motion(s.simulator->design(), run, x, inner->responses());
+    CorrectedProblem problem(std::move(inner), motion, x, run.mass, approximations);
+    double f = 0;
+    VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+    problem.values(away, f, g);
+    return g;
+  };
+  EXPECT_EQ(rows({Approximation::Power, {Approximation::Mma}}), rows({Approximation::Mma}));
+  EXPECT_EQ(rows({Approximation::Linear, {Approximation::Auto}}), rows({Approximation::Linear}));
+  EXPECT_EQ(rows({}), rows({Approximation::Power})) << "a static image is continued by powers";
+  EXPECT_GT((rows({Approximation::Power}) - rows({Approximation::Mma})).norm(), 1e-6);
 }
 
 /// Rows without a static image, by reciprocals: convex, above their tangent, and finite up to the
