@@ -155,8 +155,9 @@ template <FrameGroup G, class E>
 void ChainBeam<G, E>::exact_tangents(const BodyState<G>& s, const Vector& gravity,
                                      const Tangent* stress, Matrices& K, Matrices& C,
                                      Matrices& M) const {
-  if (!groups_.empty()) return Body<G>::exact_tangents(s, gravity, stress, K, C, M);
   for (Matrices* A : {&K, &C, &M}) A->set_zero();
+  for (const auto& four : groups_) four.add_tangents(s, gravity, damping_, stress, K, C, M);
+  if (!groups_.empty()) return;
   Pair acceleration;
   acceleration.template tail<dim>() = apparent_acceleration<G>(s, 0, gravity);
   for (int e = 0; e < elements(); ++e) {

@@ -97,28 +97,52 @@ void FourElements<G>::add_internal(const BodyState<G>& s, double damping, double
 }
 
 template <FrameGroup G>
-void FourElements<G>::add_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
-                                  double damping, const typename G::Tangent* stress,
-                                  typename Body<G>::Matrices& A) const {
-  const Frame first = frames(s, 0), last = frames(s, 1);
-  const Pair v = pairs(s.v);
-  PairMatrix k = PairMatrix::Zero();
-  if (w.stiffness != 0) {
-    const Space weight = gravity.template cast<Lanes>();
-    const Tangent d = Frame::log(first.inverse() * last);
-    const Tangent n = stress ? section_forces(stress) : law_.stress(d, strain(d));
-    k = inertia_.stiffness(first, last, v.data(), apparent(s, first, last, weight));
-    if (gravity.squaredNorm() > 0) inertia_.add_weight_tangent(first, last, weight, k);
-    k += law_.tangent(first, last, n, v.data(), damping);
-    k *= w.stiffness;
-  }
-  if (w.damping != 0) {
-    k += w.damping * inertia_.gyroscopic_tangent(first, last, v.data());
-    if (damping > 0) k += w.damping * law_.damping_tangent(first, last, v.data(), damping);
-  }
-  if (w.mass != 0) k += w.mass * inertia_.mass(first, last);
+auto FourElements<G>::stiffness(const Motion& m, const BodyState<G>& s, const Vector& gravity,
+                                double damping, const typename G::Tangent* stress,
+                                const PairMatrix& M) const -> PairMatrix {
+  const Space weight = gravity.template cast<Lanes>();
+  const Tangent d = Frame::log(m.A.inverse() * m.B);
+  const Tangent n = stress ? section_forces(stress) : law_.stress(d, strain(d));
+  PairMatrix k = inertia_.stiffness(m.A, m.B, m.v.data(), apparent(s, m.A, m.B, weight));
+  if (gravity.squaredNorm() > 0) inertia_.add_weight_tangent(m.A, m.B, weight, M, k);
+  k += law_.tangent(m.A, m.B, n, m.v.data(), damping);
+  return k;
+}
+
+template <FrameGroup G>
+auto FourElements<G>::damping_matrix(const Motion& m, double damping) const -> PairMatrix {
+  PairMatrix c = inertia_.gyroscopic_tangent(m.A, m.B, m.v.data());
+  if (damping > 0) c += law_.damping_tangent(m.A, m.B, m.v.data(), damping);
+  return c;
+}
+
+template <FrameGroup G>
+void FourElements<G>::add(const PairMatrix& k, Matrices& A) const {
   for (int lane = 0; lane < count_; ++lane)
     A.add_element(first_ + lane, k.unaryExpr([lane](const Lanes& x) { return x[lane]; }).eval());
+}
+
+template <FrameGroup G>
+void FourElements<G>::add_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w,
+                                  double damping, const typename G::Tangent* stress,
+                                  Matrices& A) const {
+  const Motion m = motion(s);
+  const PairMatrix M = inertia_.mass(m.A, m.B);
+  PairMatrix k = w.mass * M;
+  if (w.stiffness != 0) k += w.stiffness * stiffness(m, s, gravity, damping, stress, M);
+  if (w.damping != 0) k += w.damping * damping_matrix(m, damping);
+  add(k, A);
+}
+
+template <FrameGroup G>
+void FourElements<G>::add_tangents(const BodyState<G>& s, const Vector& gravity, double damping,
+                                   const typename G::Tangent* stress, Matrices& K, Matrices& C,
+                                   Matrices& M) const {
+  const Motion m = motion(s);
+  const PairMatrix mass = inertia_.mass(m.A, m.B);
+  add(mass, M);
+  add(stiffness(m, s, gravity, damping, stress, mass), K);
+  add(damping_matrix(m, damping), C);
 }
 
 template <FrameGroup G>

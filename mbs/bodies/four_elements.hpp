@@ -16,6 +16,7 @@ class FourElements {
  public:
   using Element = FourthOrderElement<G>;
   using Vector = typename Body<G>::Vector;
+  using Matrices = typename Body<G>::Matrices;
 
   /// Elements e, ..., e + 3 of a chain, the last one again where there are fewer.
   /// @pre `takes` each
@@ -35,7 +36,9 @@ class FourElements {
   void add_internal(const BodyState<G>& s, double damping, double* r, ForceScale& scale) const;
   /// A += w.mass M + w.damping C + w.stiffness K. @param stress by element, or null
   void add_tangent(const BodyState<G>& s, const Vector& gravity, TangentWeights w, double damping,
-                   const typename G::Tangent* stress, typename Body<G>::Matrices& A) const;
+                   const typename G::Tangent* stress, Matrices& A) const;
+  void add_tangents(const BodyState<G>& s, const Vector& gravity, double damping,
+                    const typename G::Tangent* stress, Matrices& K, Matrices& C, Matrices& M) const;
   void add_energy(const BodyState<G>& s, const Vector& gravity, BodyEnergy& energy) const;
 
  private:
@@ -62,6 +65,16 @@ class FourElements {
   Frame frames(const BodyState<G>& s, int shift) const;
   Pair pairs(const double* x) const;
   Pair apparent(const BodyState<G>& s, const Frame& A, const Frame& B, const Space& gravity) const;
+  struct Motion {
+    Frame A, B;
+    Pair v;
+  };
+  Motion motion(const BodyState<G>& s) const { return {frames(s, 0), frames(s, 1), pairs(s.v)}; }
+  PairMatrix stiffness(const Motion& m, const BodyState<G>& s, const Vector& gravity,
+                       double damping, const typename G::Tangent* stress,
+                       const PairMatrix& M) const;
+  PairMatrix damping_matrix(const Motion& m, double damping) const;
+  void add(const PairMatrix& k, Matrices& A) const;
   void add(const Pair& g, double* r) const;
   /// Of all elements of the chain those of these.
   Tangent section_forces(const typename G::Tangent* of_chain) const;

@@ -164,7 +164,7 @@ auto FourthOrderElement<G>::inertia_stiffness(const G& A, const G& B, const doub
                                               const Pair& a, const Vector& gravity) const
     -> PairMatrix {
   PairMatrix k = inertia_.stiffness(A, B, v, a);
-  if (gravity.squaredNorm() > 0) inertia_.add_weight_tangent(A, B, gravity, k);
+  if (gravity.squaredNorm() > 0) inertia_.add_weight_tangent(A, B, gravity, mass(A, B), k);
   return k;
 }
 

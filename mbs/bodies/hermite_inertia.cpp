@@ -249,9 +249,8 @@ auto HermiteInertia<G>::stiffness(const G& A, const G& B, const Scalar* v, const
 
 template <FrameGroup G>
 void HermiteInertia<G>::add_weight_tangent(const G& A, const G& B, const Vector& gravity,
-                                           PairMatrix& k) const {
+                                           const PairMatrix& M, PairMatrix& k) {
   using Rot = RotationOf<G>;
-  const PairMatrix M = mass(A, B);
   const auto turned = [&](const G& H) -> Turning {  // -d(R^T g) = w x (R^T g)
     return -Rot::cross(Vector(H.R.transpose().lazyProduct(gravity)));
   };
@@ -313,7 +312,7 @@ template auto HermiteInertia<SE2Of<Lanes>>::stiffness(const SE2Of<Lanes>&, const
     -> PairMatrix;
 template void HermiteInertia<SE2Of<Lanes>>::add_weight_tangent(const SE2Of<Lanes>&,
                                                                const SE2Of<Lanes>&, const Vector&,
-                                                               PairMatrix&) const;
+                                                               const PairMatrix&, PairMatrix&);
 template auto HermiteInertia<SE2Of<Lanes>>::kinetic_energy(const SE2Of<Lanes>&, const SE2Of<Lanes>&,
                                                            const Lanes*) const -> Scalar;
 template auto HermiteInertia<SE2Of<Lanes>>::weight_potential(const SE2Of<Lanes>&,
@@ -331,7 +330,7 @@ template auto HermiteInertia<SE3Of<Lanes>>::stiffness(const SE3Of<Lanes>&, const
     -> PairMatrix;
 template void HermiteInertia<SE3Of<Lanes>>::add_weight_tangent(const SE3Of<Lanes>&,
                                                                const SE3Of<Lanes>&, const Vector&,
-                                                               PairMatrix&) const;
+                                                               const PairMatrix&, PairMatrix&);
 template auto HermiteInertia<SE3Of<Lanes>>::kinetic_energy(const SE3Of<Lanes>&, const SE3Of<Lanes>&,
                                                            const Lanes*) const -> Scalar;
 template auto HermiteInertia<SE3Of<Lanes>>::weight_potential(const SE3Of<Lanes>&,

@@ -77,7 +77,9 @@ class HermiteInertia {
   /// d force/d[h_A; h_B] at constant v and a, without what turns in a.
   PairMatrix stiffness(const G& A, const G& B, const Scalar* v, const Pair& a) const;
   /// k += M d[-R^T gravity]/dh of both nodes: what turns in `a` of weight.
-  void add_weight_tangent(const G& A, const G& B, const Vector& gravity, PairMatrix& k) const;
+  /// @param M mass(A, B)
+  static void add_weight_tangent(const G& A, const G& B, const Vector& gravity, const PairMatrix& M,
+                                 PairMatrix& k);
   /// T, J.
   Scalar kinetic_energy(const G& A, const G& B, const Scalar* v) const;
   /// dT/d[h_A; h_B] at constant v.

@@ -21,6 +21,18 @@ Jet<S, n, K> operator-(const Jet<S, n, K>& a, const Jet<S, n, K>& b) {
   return {a.v - b.v, a.d - b.d};
 }
 template <class S, int n, int K>
+Jet<S, n, K> operator+(const Jet<S, n, K>& a, const Eigen::Matrix<S, n, 1>& b) {
+  return {a.v + b, a.d};
+}
+template <class S, int n, int K>
+Jet<S, n, K> operator+(const Eigen::Matrix<S, n, 1>& a, const Jet<S, n, K>& b) {
+  return b + a;
+}
+template <class S, int n, int K>
+Jet<S, n, K> operator-(const Jet<S, n, K>& a, const Eigen::Matrix<S, n, 1>& b) {
+  return {a.v - b, a.d};
+}
+template <class S, int n, int K>
 Jet<S, n, K> operator*(const std::type_identity_t<S>& s, const Jet<S, n, K>& a) {
   return {s * a.v, s * a.d};
 }
@@ -52,6 +64,9 @@ struct SectionRotation<G>::Values {
   using Space = Vector;
   using Angular = SectionRotation<G>::Angular;
   using Frame = Rotation;
+  using Turned = Space;  ///< what frames turn
+  using Rate = Space;
+  using Spin = Angular;
 
   static Space turned(const Frame& S, const Space& z) { return S.lazyProduct(z); }
   /// X w
@@ -85,23 +100,16 @@ struct SectionRotation<G>::Values {
   }
 };
 
+/// Vectors that do not change have no derivative, and cost none.
 template <FrameGroup G>
+template <int K>
 struct SectionRotation<G>::Jets {
-  using Space = Jet<Scalar, sd, 2 * dim>;
-  using Angular = Jet<Scalar, rd, 2 * dim>;
-  /// S, and where h_me and h_other are among the increments (-1: S does not turn).
-  struct Frame {
-    Rotation S;
-    int me = -1, other = -1;
-  };
+  static constexpr int columns = K;
+  using Space = Jet<Scalar, sd, K>;
+  using Angular = Jet<Scalar, rd, K>;
+  using StillAngular = SectionRotation<G>::Angular;
 
-  static Space turned(const Frame& f, const Space& z) {
-    Space out = times(f.S, z);
-    if (f.me < 0) return out;
-    out.d.template middleCols<rd>(f.me + sd) += RotationOf<G>::cross(out.v);
-    out.d.template middleCols<rd>(f.other + sd) -= f.S.lazyProduct(RotationOf<G>::cross(z.v));
-    return out;
-  }
+  static Vector about(const StillAngular& w) { return Values::about(w); }
   static Space about(const Angular& w) { return {Values::about(w.v), turning().lazyProduct(w.d)}; }
   static Angular onto(const Space& z) {
     return {Values::onto(z.v), turning().transpose().lazyProduct(z.d)};
@@ -109,41 +117,108 @@ struct SectionRotation<G>::Jets {
   static Space scaled(const Vector& by, const Space& z) {
     return {by.cwiseProduct(z.v), by.asDiagonal() * z.d};
   }
+  static Vector cross(const StillAngular& w, const Vector& z) { return Values::cross(w, z); }
+  static Space cross(const StillAngular& w, const Space& z) {
+    return {Values::cross(w, z.v), spin(w).lazyProduct(z.d)};
+  }
+  static Space cross(const Angular& w, const Vector& z) {
+    return {Values::cross(w.v, z), -RotationOf<G>::cross(z).lazyProduct(w.d)};
+  }
   static Space cross(const Angular& w, const Space& z) {
-    Rotation spin;
-    if constexpr (rd == 1)
-      spin << 0, -w.v[0], w.v[0], 0;
-    else
-      spin = hat(Vector(w.v));
-    Space out{Values::cross(w.v, z.v), spin.lazyProduct(z.d)};
+    Space out = cross(w.v, z);
     out.d -= RotationOf<G>::cross(z.v).lazyProduct(w.d);
     return out;
   }
+  static Angular moment(const Space& a, const Vector& b) {
+    return {Values::moment(a.v, b), RotationOf<G>::cross(b).transpose().lazyProduct(a.d)};
+  }
   static Angular moment(const Space& a, const Space& b) {
-    Angular out{Values::moment(a.v, b.v), RotationOf<G>::cross(b.v).transpose().lazyProduct(a.d)};
+    Angular out = moment(a, b.v);
     out.d -= RotationOf<G>::cross(a.v).transpose().lazyProduct(b.d);
     return out;
   }
+
+ private:
+  /// w x
+  static Rotation spin(const StillAngular& w) {
+    Rotation W;
+    if constexpr (rd == 1)
+      W << 0, -w[0], w[0], 0;
+    else
+      W = hat(Vector(w));
+    return W;
+  }
 };
 
-/// The motion of a node as the other one sees it, and what is its own in r' and r'' in its axes.
+template <FrameGroup G>
+struct SectionRotation<G>::ByRates
+    : SectionRotation<G>::template Jets<2 * SectionRotation<G>::dim> {
+  using Base = Jets<2 * dim>;
+  using typename Base::Space;
+  using Frame = Rotation;
+  using Turned = Vector;
+  using Rate = Space;
+  using Spin = typename Base::Angular;
+
+  static Space turned(const Frame& S, const Space& z) { return times(S, z); }
+};
+
+template <FrameGroup G>
+struct SectionRotation<G>::ByFrames
+    : SectionRotation<G>::template Jets<SectionRotation<G>::relative> {
+  using Base = Jets<relative>;
+  using typename Base::Space;
+  /// S, and where w_me and w_other are among [q; w_A; w_B].
+  struct Frame {
+    Rotation S;
+    int me, other;
+  };
+  using Turned = Space;
+  using Rate = Vector;
+  using Spin = typename Base::StillAngular;
+
+  static Space turned(const Frame& f, const Vector& z) {
+    Space out = fixed<sd, relative>(Vector(f.S.lazyProduct(z)));
+    add_turn(f, z, out);
+    return out;
+  }
+  static Space turned(const Frame& f, const Space& z) {
+    Space out = times(f.S, z);
+    add_turn(f, z.v, out);
+    return out;
+  }
+
+ private:
+  static void add_turn(const Frame& f, const Vector& z, Space& out) {
+    out.d.template middleCols<rd>(f.me) += RotationOf<G>::cross(out.v);
+    out.d.template middleCols<rd>(f.other) -= f.S.lazyProduct(RotationOf<G>::cross(z));
+  }
+};
+
+/// The motion of a node as the other one sees it, and what is its own in r' and
+/// r'' in its axes.
 template <FrameGroup G>
 template <class Q>
 struct SectionRotation<G>::Node {
   double sign;  ///< of x in r
   typename Q::Frame S;
-  typename Q::Space rho, r_dot, r_ddot;
-  typename Q::Angular w, wdot;
+  typename Q::Turned rho;
+  typename Q::Rate r_dot, r_ddot;
+  typename Q::Spin w;
+  SectionRotation<G>::Angular wdot;
 };
 
 template <FrameGroup G>
 template <class Q>
 struct SectionRotation<G>::Motion {
-  typename Q::Space u, udot;
-  typename Q::Angular w, wdot;
+  typename Q::Rate u;
+  Vector udot;
+  typename Q::Spin w;
+  SectionRotation<G>::Angular wdot;
 };
 
-/// y of the section of a node, and with it what the other one needs: rates as seen at rest.
+/// y of the section of a node, and with it what the other one needs: rates as
+/// seen at rest.
 template <FrameGroup G>
 template <class Q>
 struct SectionRotation<G>::Turn {
@@ -179,11 +254,11 @@ auto SectionRotation<G>::places(const G& A, const G& B) const -> std::array<Plac
 
 template <FrameGroup G>
 template <class Q>
-auto SectionRotation<G>::node(const Place& me, typename Q::Frame S, typename Q::Space rho,
+auto SectionRotation<G>::node(const Place& me, typename Q::Frame S, typename Q::Turned rho,
                               const Motion<Q>& q) const -> Node<Q> {
-  const typename Q::Space dot = (me.sign / L_) * q.u - 0.5 * Q::about(q.w),
-                          ddot = (me.sign / L_) * q.udot - 0.5 * Q::about(q.wdot);
-  return {me.sign, S, rho, dot, ddot + Q::cross(q.w, dot), q.w, q.wdot};
+  const typename Q::Rate dot = (me.sign / L_) * q.u - 0.5 * Q::about(q.w);
+  const Vector ddot = (me.sign / L_) * q.udot - 0.5 * Values::about(q.wdot);
+  return {me.sign, S, rho, dot, Q::cross(q.w, dot) + ddot, q.w, q.wdot};
 }
 
 /// rho' = R^T r' - w x rho.
@@ -277,13 +352,33 @@ void SectionRotation<G>::add_force(const G& A, const G& B, const Scalar* v, cons
 
 /// P: d rho = P [h_A; h_B], rho' = P [v_A; v_B].
 template <FrameGroup G>
-auto SectionRotation<G>::gradient(const Place& me) const -> Gradient {
-  Gradient P;
-  P.template middleCols<sd>(me.at) = Rotation::Identity() * (me.sign / L_);
-  P.template middleCols<rd>(me.at + sd) = RotationOf<G>::cross(me.rho) - 0.5 * turning();
-  P.template middleCols<sd>(me.other) = me.S * (-me.sign / L_);
-  P.template middleCols<rd>(me.other + sd) = -0.5 * me.S.lazyProduct(turning());
+auto SectionRotation<G>::relative_gradient(const Place& me) const -> RelativeGradient {
+  RelativeGradient P;
+  if (me.at == 0)
+    P.template leftCols<sd>().setIdentity();
+  else
+    P.template leftCols<sd>() = me.S;
+  P.template middleCols<rd>(turn_of(me.at)) = RotationOf<G>::cross(me.rho) - 0.5 * turning();
+  P.template middleCols<rd>(turn_of(me.other)) = -0.5 * me.S.lazyProduct(turning());
   return P;
+}
+
+template <FrameGroup G>
+template <int n>
+auto SectionRotation<G>::by_increments(const Eigen::Matrix<Scalar, n, relative>& D,
+                                       const Rotation& S) const
+    -> Eigen::Matrix<Scalar, n, 2 * dim> {
+  const Eigen::Matrix<Scalar, n, sd> by_q = D.template leftCols<sd>() / L_;
+  Eigen::Matrix<Scalar, n, 2 * dim> out;
+  out << -by_q, D.template middleCols<rd>(turn_of(0)), by_q.lazyProduct(S),
+      D.template middleCols<rd>(turn_of(dim));
+  return out;
+}
+
+template <FrameGroup G>
+auto SectionRotation<G>::gradient(const Place& me) const -> Gradient {
+  const Rotation S = me.at == 0 ? me.S : Rotation(me.S.transpose());
+  return by_increments<sd>(relative_gradient(me), S);
 }
 
 /// (J_c S + S J_c)/2, in a plane J_c.
@@ -314,50 +409,50 @@ void SectionRotation<G>::add_mass(const G& A, const G& B, PairMatrix& M) const {
 }
 
 template <FrameGroup G>
-auto SectionRotation<G>::by_rates(const Place& me, const Scalar* v) const -> Node<Jets> {
+auto SectionRotation<G>::by_rates(const Place& me, const Scalar* v) const -> Node<ByRates> {
   constexpr int K = 2 * dim;
   const Motion<Values> q = motion(me, v, Pair::Zero());
-  return node<Jets>(me, {me.S}, fixed<sd, K>(me.rho),
-                    {free_at<sd, K>(me.at, q.u), fixed<sd, K>(q.udot),
-                     free_at<rd, K>(me.at + sd, q.w), fixed<rd, K>(q.wdot)});
+  return node<ByRates>(
+      me, me.S, me.rho,
+      {free_at<sd, K>(me.at, q.u), q.udot, free_at<rd, K>(me.at + sd, q.w), q.wdot});
 }
 
 template <FrameGroup G>
 auto SectionRotation<G>::by_frames(const Place& me, const Scalar* v, const Pair& a) const
-    -> Node<Jets> {
-  constexpr int K = 2 * dim;
+    -> Node<ByFrames> {
   const Motion<Values> q = motion(me, v, a);
-  return node<Jets>(
-      me, {me.S, me.at, me.other}, {me.rho, gradient(me)},
-      {fixed<sd, K>(q.u), fixed<sd, K>(q.udot), fixed<rd, K>(q.w), fixed<rd, K>(q.wdot)});
+  return node<ByFrames>(me, {me.S, turn_of(me.at), turn_of(me.other)},
+                        {me.rho, relative_gradient(me)}, {q.u, q.udot, q.w, q.wdot});
 }
 
 template <FrameGroup G>
-void SectionRotation<G>::add_derivative(const Node<Jets>& A, const Node<Jets>& B,
+template <class Q>
+void SectionRotation<G>::add_derivative(const Node<Q>& A, const Node<Q>& B, const Rotation& S,
                                         PairMatrix& K) const {
-  using Q = Jets;
-  constexpr int n = 2 * dim;
-  const Force<Q> none{fixed<sd, n>(Vector::Zero()), fixed<rd, n>(Angular::Zero())};
+  constexpr int n = Q::columns;
+  const Force<Q> none{fixed<sd, n>(Vector(Vector::Zero())), fixed<rd, n>(Angular(Angular::Zero()))};
   Force<Q> on_A = none, on_B = none;
   add_force_of<Q>(A, B, on_A, on_B);
-  K.template topRows<sd>() += on_A.f.d;
-  K.template middleRows<rd>(sd) += on_A.m.d;
-  K.template middleRows<sd>(dim) += on_B.f.d;
-  K.template bottomRows<rd>() += on_B.m.d;
+  Eigen::Matrix<Scalar, 2 * dim, n> D;
+  D << on_A.f.d, on_A.m.d, on_B.f.d, on_B.m.d;
+  if constexpr (n == relative)
+    K += by_increments<2 * dim>(D, S);
+  else
+    K += D;
 }
 
 template <FrameGroup G>
 void SectionRotation<G>::add_gyroscopic_tangent(const G& A, const G& B, const Scalar* v,
                                                 PairMatrix& C) const {
   const auto at = places(A, B);
-  add_derivative(by_rates(at[0], v), by_rates(at[1], v), C);
+  add_derivative<ByRates>(by_rates(at[0], v), by_rates(at[1], v), at[0].S, C);
 }
 
 template <FrameGroup G>
 void SectionRotation<G>::add_stiffness(const G& A, const G& B, const Scalar* v, const Pair& a,
                                        PairMatrix& K) const {
   const auto at = places(A, B);
-  add_derivative(by_frames(at[0], v, a), by_frames(at[1], v, a), K);
+  add_derivative<ByFrames>(by_frames(at[0], v, a), by_frames(at[1], v, a), at[0].S, K);
 }
 
 template <FrameGroup G>
@@ -375,19 +470,20 @@ auto SectionRotation<G>::kinetic_energy(const G& A, const G& B, const Scalar* v)
 template <FrameGroup G>
 void SectionRotation<G>::add_kinetic_gradient(const G& A, const G& B, const Scalar* v,
                                               Pair& g) const {
-  using Q = Jets;
-  constexpr int n = 2 * dim;
+  using Q = ByFrames;
   const auto at = places(A, B);
   const Node<Q> nodes[] = {by_frames(at[0], v, Pair::Zero()), by_frames(at[1], v, Pair::Zero())};
-  const Gradient dots[] = {rate<Q>(nodes[0], nodes[1]).d, rate<Q>(nodes[1], nodes[0]).d};
+  const RelativeGradient dots[] = {rate<Q>(nodes[0], nodes[1]).d, rate<Q>(nodes[1], nodes[0]).d};
+  Eigen::Matrix<Scalar, 1, relative> by = Eigen::Matrix<Scalar, 1, relative>::Zero();
   const Eigen::Map<const Pair> rates(v);
   const Angular y[] = {turn_gradient(at[0]) * rates, turn_gradient(at[1]) * rates};
   for (int k = 0; k < 2; ++k) {
     const Angular p = Ja_ * y[k] + coupling(at[k]) * y[1 - k];
-    g += dots[k].transpose() * beta_.cwiseProduct(Values::about(p));
+    by += beta_.cwiseProduct(Values::about(p)).transpose() * dots[k];
     if constexpr (rd == 3)
-      g += 0.5 * Q::turned(nodes[k].S, fixed<rd, n>(Angular(Jc_ * y[1 - k]))).d.transpose() * y[k];
+      by += 0.5 * y[k].transpose() * Q::turned(nodes[k].S, Angular(Jc_ * y[1 - k])).d;
   }
+  g += by_increments<1>(by, at[0].S).transpose();
 }
 
 template class SectionRotation<SE2>;

@@ -1,17 +1,20 @@
 #pragma once
 /// @file
-/// Kinetic energy of the rotation of sections in a two-node element of fourth order:
+/// Kinetic energy of the rotation of sections in a two-node element of fourth
+/// order:
 ///
-///   T = [y_A . J_a y_A + y_B . J_a y_B + y_A . (J_c S + S J_c) y_B]/2,  y_k = w_k + B rho_k',
+///   T = [y_A . J_a y_A + y_B . J_a y_B + y_A . (J_c S + S J_c) y_B]/2,  y_k =
+///   w_k + B rho_k',
 ///
-/// S = R_A^T R_B, rho_k = R_k^T r how far the middle turns beyond the mean of both nodes (by
-/// bending and by shear, r in hermite_inertia.hpp) in the axes of node k, rho_k' its rate there,
-/// which a rigid motion of the element does not change, and B rho = e_1 x (beta rho) the part beta
-/// of it, as a rotation. y_k is what the section of node k, if it moved like those between the
-/// nodes, would turn with.
+/// S = R_A^T R_B, rho_k = R_k^T r how far the middle turns beyond the mean of
+/// both nodes (by bending and by shear, r in hermite_inertia.hpp) in the axes
+/// of node k, rho_k' its rate there, which a rigid motion of the element does
+/// not change, and B rho = e_1 x (beta rho) the part beta of it, as a rotation.
+/// y_k is what the section of node k, if it moved like those between the nodes,
+/// would turn with.
 ///
-/// By Hamilton's principle in body axes p' + w x p - dT/dh is on w_k and B^T p' on rho_k, p =
-/// dT/dy.
+/// By Hamilton's principle in body axes p' + w x p - dT/dh is on w_k and B^T p'
+/// on rho_k, p = dT/dy.
 
 #include <array>
 
@@ -44,8 +47,9 @@ class SectionRotation {
         Jc_(gather(four, &SectionRotation<One>::Jc_)),
         beta_(gather(four, &SectionRotation<One>::beta_)) {}
 
-  /// g += what T asks for at velocities v and accelerations a of both nodes, 2 dim each: M a and
-  /// the gyroscopic force, N and N m in the axes of the nodes.
+  /// g += what T asks for at velocities v and accelerations a of both nodes, 2
+  /// dim each: M a and the gyroscopic force, N and N m in the axes of the
+  /// nodes.
   void add_force(const G& A, const G& B, const Scalar* v, const Pair& a, Pair& g) const;
   /// M of T = v . M v/2, at these frames.
   void add_mass(const G& A, const G& B, PairMatrix& M) const;
@@ -65,6 +69,9 @@ class SectionRotation {
   using Rotation = Eigen::Matrix<Scalar, sd, sd>;
   using Angular = Eigen::Matrix<Scalar, rd, 1>;
   using Gradient = Eigen::Matrix<Scalar, sd, 2 * dim>;
+  /// By [q; w_A; w_B], q = R_A^T (x_B - x_A)/L.
+  static constexpr int relative = sd + 2 * rd;
+  using RelativeGradient = Eigen::Matrix<Scalar, sd, relative>;
   using TurnGradient = Eigen::Matrix<Scalar, rd, 2 * dim>;
   /// A node as the other one sees it.
   struct Place {
@@ -74,7 +81,10 @@ class SectionRotation {
     Vector rho;
   };
   struct Values;  ///< vectors, of which forces are made
-  struct Jets;    ///< vectors with their derivatives, of which tangents are made
+  template <int K>
+  struct Jets;      ///< vectors with their derivatives, of which tangents are made:
+  struct ByRates;   ///< by rates, frames constant
+  struct ByFrames;  ///< by frames, rates constant
   template <class Q>
   struct Node;
   template <class Q>
@@ -87,15 +97,22 @@ class SectionRotation {
   struct Force;
 
   std::array<Place, 2> places(const G& A, const G& B) const;
+  /// Where w of the node whose unknowns begin there is among [q; w_A; w_B].
+  static constexpr int turn_of(int at) { return at == 0 ? sd : sd + rd; }
+  RelativeGradient relative_gradient(const Place& me) const;
   Gradient gradient(const Place& me) const;
+  /// D by q, w_A and w_B as one by the increments of both nodes. @param S of node A
+  template <int n>
+  Eigen::Matrix<Scalar, n, 2 * dim> by_increments(const Eigen::Matrix<Scalar, n, relative>& D,
+                                                  const Rotation& S) const;
   TurnGradient turn_gradient(const Place& me) const;
   Inertia coupling(const Place& me) const;
   static Motion<Values> motion(const Place& me, const Scalar* v, const Pair& a);
   template <class Q>
-  Node<Q> node(const Place& me, typename Q::Frame S, typename Q::Space rho,
+  Node<Q> node(const Place& me, typename Q::Frame S, typename Q::Turned rho,
                const Motion<Q>& q) const;
-  Node<Jets> by_rates(const Place& me, const Scalar* v) const;
-  Node<Jets> by_frames(const Place& me, const Scalar* v, const Pair& a) const;
+  Node<ByRates> by_rates(const Place& me, const Scalar* v) const;
+  Node<ByFrames> by_frames(const Place& me, const Scalar* v, const Pair& a) const;
   template <class Q>
   typename Q::Space rate(const Node<Q>& me, const Node<Q>& other) const;
   template <class Q>
@@ -107,7 +124,8 @@ class SectionRotation {
                     Force<Q>& on_me, Force<Q>& on_other) const;
   template <class Q>
   void add_force_of(const Node<Q>& A, const Node<Q>& B, Force<Q>& on_A, Force<Q>& on_B) const;
-  void add_derivative(const Node<Jets>& A, const Node<Jets>& B, PairMatrix& K) const;
+  template <class Q>
+  void add_derivative(const Node<Q>& A, const Node<Q>& B, const Rotation& S, PairMatrix& K) const;
 
   Scalar L_;
   Inertia Ja_, Jc_;

@@ -13,6 +13,8 @@ namespace liesl {
 namespace {
 
 constexpr double kSmallestGrowth = 1e-8;  // reciprocal pivot growth that kept pivots may have
+constexpr double kShrunk =
+    0.1;  // of what a pivot was when it was chosen: from here growth is asked
 
 /// +1 for an even permutation, -1 for an odd one.
 int parity(const int* permutation, int n) {
@@ -36,6 +38,7 @@ struct SparseLu::Factors {
   klu_numeric* numeric = nullptr;
   int singular = -1;
   bool analysed = false;
+  Eigen::VectorXd chosen;  ///< sizes of the pivots when they were chosen
   DenseGroups groups;
 
   Factors() { klu_defaults(&common); }
@@ -46,11 +49,17 @@ struct SparseLu::Factors {
   Factors(const Factors&) = delete;
   Factors& operator=(const Factors&) = delete;
 
+  /// Growth is asked for where a pivot has shrunk, of which it comes.
   bool refactor(int* columns, int* rows, double* values) {
     if (!numeric || !klu_refactor(columns, rows, values, symbolic, numeric, &common)) return false;
-    return common.status == KLU_OK &&
-           klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
+    if (common.status != KLU_OK) return false;
+    if ((pivots().cwiseAbs().array() > kShrunk * chosen.array()).all()) return true;
+    return klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
            common.rgrowth > kSmallestGrowth && zero_pivot() < 0;
+  }
+  /// Relative to the largest of their rows, as KLU scales them.
+  Eigen::Map<const Eigen::VectorXd> pivots() const {
+    return {static_cast<const double*>(numeric->Udiag), symbolic->n};
   }
   bool factor(const Matrix& A) {
     const int n = static_cast<int>(A.cols());
@@ -69,7 +78,9 @@ struct SparseLu::Factors {
       return drop(column >= 0 && column < n ? column : 0);
     }
     const int zero = zero_pivot();
-    return zero < 0 || drop(zero);
+    if (zero >= 0) return drop(zero);
+    chosen = pivots().cwiseAbs();
+    return true;
   }
   /// All unknowns are KLU's from now on, whose pivots come from any group.
   void leave_groups() {

@@ -98,7 +98,7 @@ bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& pre
                                    const RateTangents<G>& rates, bool factor) {
   equations_.damping = at_start_ ? 0 : damping_;
   equations_.evaluate_couplings(s, previous, {s.t, 1});
-  matrix_.take_prestress(equations_, s);
+  matrix_.take_own_stress(equations_);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
   return !factor || matrix_.factor();
 }
