@@ -19,7 +19,10 @@ namespace liesl {
 
 struct Lanes {
   static constexpr int size = 4;
-  typedef double Vector __attribute__((vector_size(size * sizeof(double))));
+  /// Of less alignment, where Eigen's arrays have less.
+  static constexpr int alignment =
+      EIGEN_MAX_STATIC_ALIGN_BYTES > 0 ? EIGEN_MAX_STATIC_ALIGN_BYTES : 16;
+  typedef double Vector __attribute__((vector_size(size * sizeof(double)), aligned(alignment)));
 
   Vector v;
 

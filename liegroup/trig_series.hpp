@@ -18,6 +18,7 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <type_traits>
 
 namespace liesl::trig {
 
@@ -118,6 +119,7 @@ inline Stumpff7 stumpff7(double z) {
 /// e(z) and its derivatives by z; e = 1/12 + z/720 + z^2/30240 + ...
 template <class S>
 struct InverseTangentSeries {
+  static_assert(!std::is_integral_v<S>, "0.0, not 0");
   S e, de, dde;
 };
 
@@ -136,6 +138,7 @@ inline constexpr double kPole1 = 39.47841760435743447534, kPole2 = 4 * kPole1,
 /// @pre 0 <= z < (2 pi)^2, where T^-1 exists. To rounding over all of it.
 template <class S>
 S inverse_tangent_value(const S& z) {
+  static_assert(!std::is_integral_v<S>, "0.0, not 0");
   return 2 * (1 / (kPole1 - z) + 1 / (kPole2 - z) + 1 / (kPole3 - z)) +
          polynomial(kPartialFractionTail, z);
 }
@@ -157,6 +160,7 @@ inline constexpr double kArcsineSwitch = 0.0625;
 /// asin(s)/s at y = s^2 <= kArcsineSwitch: sum_k (2k)! / (4^k k!^2 (2k+1)) y^k.
 template <class S>
 S angle_over_sine(const S& y) {
+  static_assert(!std::is_integral_v<S>, "0.0, not 0");
   constexpr std::array<double, 13> a = [] {
     std::array<double, 13> c{};
     long double binomial = 1;  // (2k)! / (4^k k!^2)

@@ -377,7 +377,8 @@ auto SectionRotation<G>::by_increments(const Eigen::Matrix<Scalar, n, relative>&
 
 template <FrameGroup G>
 auto SectionRotation<G>::gradient(const Place& me) const -> Gradient {
-  const Rotation S = me.at == 0 ? me.S : Rotation(me.S.transpose());
+  Rotation S = me.S;
+  if (me.at != 0) S.transposeInPlace();
   return by_increments<sd>(relative_gradient(me), S);
 }
 

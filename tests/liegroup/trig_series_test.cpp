@@ -151,8 +151,8 @@ TEST(TrigSeries, InverseTangentAgainstLongDouble) {
 
 /// The published small-angle coefficients: (1-g)/z and (1/b + g - 2)/z^2 = 2 de/dz.
 TEST(TrigSeries, SmallAngleCoefficients) {
-  EXPECT_EQ(inverse_tangent_series(0).e, 1. / 12);
-  EXPECT_NEAR(inverse_tangent_series(0).de, 1. / 720, kEps / 720);
+  EXPECT_EQ(inverse_tangent_series(0.0).e, 1. / 12);
+  EXPECT_NEAR(inverse_tangent_series(0.0).de, 1. / 720, kEps / 720);
   for (double angle : {1e-12, 1e-6, 1e-3, 0.02}) {
     const double z = angle * angle;
     const InverseTangentSeries s = inverse_tangent_series(z);
