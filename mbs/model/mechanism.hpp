@@ -146,6 +146,8 @@ struct LoadSpec {
   TimeFunction scale = TimeFunction::constant(1);
 };
 
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wshadow"  // enumerators with a scope of their own hide nothing
 /// Which unknowns and which kind of body a mechanism is simulated with; all else is shared.
 enum class Formalism {
   SE3,        ///< SE(3), or SE(2) in a plane: beams on the group, local frames
@@ -155,6 +157,7 @@ enum class Formalism {
   Rigid,      ///< flexible bodies rigid
   Segments    ///< beams are chains of points without shear and torsion, with frames at their ends
 };
+#pragma GCC diagnostic pop
 /// "se3", "r3so3", "classical", "floating", "rigid", "segments": as a scene calls it.
 const char* to_string(Formalism formalism);
 /// What a beam is simulated as under a formalism; AsFormalism: as the elements of that.
