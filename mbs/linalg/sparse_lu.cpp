@@ -13,8 +13,6 @@ namespace liesl {
 namespace {
 
 constexpr double kSmallestGrowth = 1e-8;  // reciprocal pivot growth that kept pivots may have
-constexpr double kShrunk =
-    0.1;  // of what a pivot was when it was chosen: from here growth is asked
 
 /// +1 for an even permutation, -1 for an odd one.
 int parity(const int* permutation, int n) {
@@ -38,7 +36,6 @@ struct SparseLu::Factors {
   klu_numeric* numeric = nullptr;
   int singular = -1;
   bool analysed = false;
-  Eigen::VectorXd chosen;  ///< sizes of the pivots when they were chosen
   DenseGroups groups;
 
   Factors() { klu_defaults(&common); }
@@ -49,17 +46,11 @@ struct SparseLu::Factors {
   Factors(const Factors&) = delete;
   Factors& operator=(const Factors&) = delete;
 
-  /// Growth is asked for where a pivot has shrunk, of which it comes.
   bool refactor(int* columns, int* rows, double* values) {
     if (!numeric || !klu_refactor(columns, rows, values, symbolic, numeric, &common)) return false;
-    if (common.status != KLU_OK) return false;
-    if ((pivots().cwiseAbs().array() > kShrunk * chosen.array()).all()) return true;
-    return klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
+    return common.status == KLU_OK &&
+           klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
            common.rgrowth > kSmallestGrowth && zero_pivot() < 0;
-  }
-  /// Relative to the largest of their rows, as KLU scales them.
-  Eigen::Map<const Eigen::VectorXd> pivots() const {
-    return {static_cast<const double*>(numeric->Udiag), symbolic->n};
   }
   bool factor(const Matrix& A) {
     const int n = static_cast<int>(A.cols());
@@ -78,9 +69,7 @@ struct SparseLu::Factors {
       return drop(column >= 0 && column < n ? column : 0);
     }
     const int zero = zero_pivot();
-    if (zero >= 0) return drop(zero);
-    chosen = pivots().cwiseAbs();
-    return true;
+    return zero < 0 || drop(zero);
   }
   /// All unknowns are KLU's from now on, whose pivots come from any group.
   void leave_groups() {
