@@ -2,7 +2,7 @@
 /// @file
 /// Four numbers that go through the same formulas at once, a lane of the processor's vectors each.
 /// A group over them, SE3Of<Lanes>, is four frames; what is written for frames then computes four
-/// elements in the time of little more than one.
+/// elements at once.
 
 #include <Eigen/Core>
 #include <array>
