@@ -8,6 +8,24 @@
 #include "apps/tasks/verify.hpp"
 
 namespace liesl {
+namespace {
+
+/// Of a run that reached its end, of what it was asked for.
+void add_errors(const CommandOptions& options, const Scene& scene, const Progress& progress,
+                RunOutcome& out) {
+  std::string why;
+  if (out.status != SolveStatus::Converged)
+    why = "the run ended with status '" + out.summary.status + "'";
+  else if (scene.responses.empty())
+    why = "the scene asks for no responses";
+  if (why.empty())
+    verify({load_document(options.file).text, options.file, options.set}, scene, out.summary,
+           progress);
+  else
+    out.summary.warnings.push_back("not verified: " + why);
+}
+
+}  // namespace
 
 int run_command(const CommandOptions& options) {
   const Stopwatch clock;
@@ -18,9 +36,7 @@ int run_command(const CommandOptions& options) {
   SimulationLine line(scene.simulation, options.quiet);
   output::Hdf5Writer numbers(folder.path() / "results.h5");
   RunOutcome out = run_task(scene, space, std::ref(line), &numbers);
-  if (options.verify && out.status == SolveStatus::Converged)
-    verify({load_document(options.file).text, options.file, options.set}, scene, out.summary,
-           std::ref(line));
+  if (options.verify) add_errors(options, scene, std::ref(line), out);
   line.clear();
   out.summary.overrides = options.set;
   out.summary.more["input"] = options.file;

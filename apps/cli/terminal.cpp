@@ -27,13 +27,25 @@ void print_frequencies(const output::RunSummary& summary) {
   if (list.size() > kMostModes) fmt::print("  {} more in summary.json\n", list.size() - kMostModes);
 }
 
+/// What the verification of a run could not refine: "without part rod"; else empty.
+std::string left_out(const output::RunSummary& summary) {
+  const auto found = summary.more.find("verification");
+  if (found == summary.more.end() || !found->contains("mesh") ||
+      !(*found)["mesh"].contains("left_out"))
+    return "";
+  const auto names = (*found)["mesh"]["left_out"].get<std::vector<std::string>>();
+  return fmt::format("without {}", fmt::join(names, ", "));
+}
+
 /// " +- 2.3e-05" where the response was verified.
-std::string verified_error(const output::ResponseFigure& r) {
+std::string verified_error(const output::ResponseFigure& r, const std::string& left_out) {
   if (!r.error_mesh && !r.error_step) return "";
+  std::vector<std::string> what;
+  if (!r.error_mesh) what.push_back("step alone");
+  if (!r.error_step) what.push_back("mesh alone");
+  if (r.error_mesh && !left_out.empty()) what.push_back(left_out);
   return fmt::format(" +- {:.2g}{}", r.error_mesh.value_or(0) + r.error_step.value_or(0),
-                     !r.error_mesh   ? " (step alone)"
-                     : !r.error_step ? " (mesh alone)"
-                                     : "");
+                     what.empty() ? "" : fmt::format(" ({})", fmt::join(what, ", ")));
 }
 
 }  // namespace
@@ -72,7 +84,7 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
   for (const auto& r : summary.responses)
     if (!r.final.empty())
       fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}\n", r.name, r.max_abs,
-                 verified_error(r), r.unit, r.at_time,
+                 verified_error(r, left_out(summary)), r.unit, r.at_time,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);

@@ -44,6 +44,7 @@ BodySeries<G>::BodySeries(const Mechanism& mechanism, const Model<G>& model, std
       (block_[b].*output::kBodySeries[i]).resize(most_ * sizes_[b][i]);
       (results.bodies[b].*output::kBodySeries[i]).reserve(held * sizes_[b][i]);
     }
+  if (sink) given_ = block_;
 }
 
 template <FrameGroup G>
@@ -107,24 +108,33 @@ void BodySeries<G>::add_elements(const State<G>& s, std::size_t b) {
 template <FrameGroup G>
 void BodySeries<G>::hand_over() {
   for (std::size_t b = 0; b < block_.size(); ++b)
-    for (std::size_t i = 0; i < sizes_[b].size(); ++i)
-      (block_[b].*output::kBodySeries[i]).resize(filled_ * sizes_[b][i]);
-  if (sink_) sink_->put(block_, first_, filled_, records_);
-  for (std::size_t b = 0; b < block_.size(); ++b)
     for (std::size_t i = 0; i < sizes_[b].size(); ++i) {
-      const std::size_t size = sizes_[b][i];
-      const auto& from = block_[b].*output::kBodySeries[i];
-      auto& to = results_.bodies[b].*output::kBodySeries[i];
-      if (!sink_) to.insert(to.end(), from.begin(), from.end());
-      for (const int record : results_.kept) {
-        const std::size_t row = static_cast<std::size_t>(record) - first_;  // huge before the block
-        if (row >= filled_) continue;
-        const double* const at = from.data() + row * size;
-        to.insert(to.end(), at, at + size);
-      }
+      (block_[b].*output::kBodySeries[i]).resize(filled_ * sizes_[b][i]);
+      keep(b, i);
     }
+  if (taken_.valid()) taken_.get();
+  const std::size_t first = first_, filled = filled_;
   first_ += filled_;
   filled_ = 0;
+  if (!sink_) return;
+  block_.swap(given_);
+  taken_ = std::async([this, first, filled] { sink_->put(given_, first, filled, records_); });
+  if (first_ == records_) taken_.get();
+}
+
+/// Of the block's records, those that the results hold.
+template <FrameGroup G>
+void BodySeries<G>::keep(std::size_t b, std::size_t i) {
+  const std::size_t size = sizes_[b][i];
+  const auto& from = block_[b].*output::kBodySeries[i];
+  auto& to = results_.bodies[b].*output::kBodySeries[i];
+  if (!sink_) to.insert(to.end(), from.begin(), from.end());
+  for (const int record : results_.kept) {
+    const std::size_t row = static_cast<std::size_t>(record) - first_;  // huge before the block
+    if (row >= filled_) continue;
+    const double* const at = from.data() + row * size;
+    to.insert(to.end(), at, at + size);
+  }
 }
 
 template class BodySeries<SE2>;

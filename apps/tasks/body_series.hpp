@@ -3,10 +3,11 @@
 /// The series of the bodies of a simulation, record after record.
 
 #include <array>
+#include <future>
 #include <vector>
 
 #include "apps/output/results.hpp"
-#include "apps/tasks/collect_reference.hpp"
+#include "apps/tasks/section_stress.hpp"
 #include "mbs/system/end_force.hpp"
 #include "mbs/system/spatial_view.hpp"
 
@@ -14,7 +15,7 @@ namespace liesl {
 
 /// Positions, rotations, velocities, strains, section forces and stresses of all bodies. They are
 /// made by blocks of records: for the results, or for a sink, beside which the results keep only
-/// the records that tables show (Results::kept).
+/// the records that tables show (Results::kept). A sink takes a block while the next is made.
 template <FrameGroup G>
 class BodySeries {
  public:
@@ -32,6 +33,7 @@ class BodySeries {
   void add_elements(const State<G>& s, std::size_t b);
   /// The block to the sink or the results.
   void hand_over();
+  void keep(std::size_t b, std::size_t i);
 
   const Model<G>& model_;
   SpatialView<G> view_;
@@ -40,8 +42,10 @@ class BodySeries {
   std::vector<Sizes> sizes_;           ///< by body: numbers of a record
   std::size_t records_, first_ = 0, filled_ = 0, most_ = 1;
   std::vector<output::BodyResult> block_;  ///< records first_ ... first_ + filled_ - 1 of most_
+  std::vector<output::BodyResult> given_;  ///< to the sink
   output::BodySink* sink_;
   output::Results& results_;
+  std::future<void> taken_;  ///< the block given; the last member, so that it is waited for first
 };
 
 extern template class BodySeries<SE2>;

@@ -48,30 +48,6 @@ void add_ports(const Mechanism& mechanism, const JointSpec& joint, output::Joint
 
 }  // namespace
 
-SectionStress::SectionStress(const BodySpec& body) {
-  const auto* beam = std::get_if<BeamSpec>(&body.kind);
-  if (!beam) return;
-  for (std::size_t e = 0; e < beam->sections.size(); ++e) {
-    auto& rows = points_.emplace_back();
-    for (const StressPoint& point : element_stress_points(*beam, e)) rows.push_back(point.S);
-    if (!rows.empty()) continue;
-    points_.clear();
-    return;
-  }
-}
-
-double SectionStress::operator()(std::size_t element, ElementPlace end,
-                                 const SE3::Tangent& force) const {
-  double largest = 0;
-  const std::size_t half = points_[element].size() / 2;
-  const std::size_t first = static_cast<std::size_t>(node_of(end)) * half;
-  for (std::size_t i = first; i < first + half; ++i) {
-    const Eigen::Vector3d s = points_[element][i] * force;
-    largest = std::max(largest, s[0] * s[0] + 3 * (s[1] * s[1] + s[2] * s[2]));
-  }
-  return std::sqrt(largest);
-}
-
 template <FrameGroup G>
 void add_reference(const Mechanism& mechanism, const Model<G>& model, const State<G>& rest,
                    output::Results& results) {

@@ -17,19 +17,6 @@ void append(std::vector<double>& out, const Eigen::MatrixBase<Vector>& v) {
   for (Eigen::Index i = first; i < last; ++i) out[static_cast<std::size_t>(i)] = v[i - first];
 }
 
-/// Largest von Mises stress of a section under [N, V_y, V_z, M_x, M_y, M_z], at its stress points;
-/// none for a section without a shape.
-class SectionStress {
- public:
-  /// One an element of a beam; empty for other bodies.
-  explicit SectionStress(const BodySpec& body);
-  bool empty() const { return points_.empty(); }
-  double operator()(std::size_t element, ElementPlace end, const SE3::Tangent& force) const;
-
- private:
-  std::vector<std::vector<Eigen::Matrix<double, 3, 6>>> points_;  ///< by element, both ends
-};
-
 /// Fills in frames at rest (those of the state `rest`), sections, points and ports.
 template <FrameGroup G>
 void add_reference(const Mechanism& mechanism, const Model<G>& model, const State<G>& rest,

@@ -227,6 +227,25 @@ void doubt_final_motion(const Scene& scene, const CycleResult<G>& r, OptimizeOut
                         std::string(to_string(r.status)) + " (" + reason + ")";
 }
 
+/// Of every step the largest values, the records as often as the scene asks for them.
+template <FrameGroup G>
+output::Results recorded(const Scene& scene, const CycleResult<G>& r) {
+  const int every =
+      scene.simulation.type == SimulationType::Dynamic ? scene.simulation.output_every : 1;
+  const Trajectory<G>& all = r.simulation.trajectory;
+  if (every == 1) return collect(scene, r.mechanism, *r.model, all);
+  StepRecorder<G> steps(scene, r.mechanism, *r.model);
+  Trajectory<G> kept;
+  State<G> s = r.model->initial_state();
+  for (int n = 0; n < all.size(); ++n) {
+    all.read(n, s);
+    const bool record = n % every == 0 || n + 1 == all.size();
+    steps(s, record);
+    if (record) kept.record(s);
+  }
+  return collect(scene, r.mechanism, *r.model, kept, &steps);
+}
+
 /// All that a study of a motion leaves behind. `sizing` is that of the start.
 template <FrameGroup G>
 void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr<Design>& design,
@@ -234,7 +253,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   const Scene& scene = study.scene;
   out.simulated = true;
   out.mechanism = r.mechanism;
-  out.results = collect(scene, r.mechanism, *r.model, r.simulation.trajectory);
+  out.results = recorded<G>(scene, r);
   describe_responses(out.summary, out.results);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
   doubt_final_motion(scene, r, out);

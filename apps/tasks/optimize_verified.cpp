@@ -146,6 +146,13 @@ class ModelSequence {
     return false;
   }
 
+  /// Those whose errors are known are certain.
+  bool end_of_known() {
+    for (const VerifiedLimit& l : limits_)
+      if (!l.known) return end(false, "the error of limit " + l.name + " is not known");
+    return end(true, "");
+  }
+
   bool interrupted() {
     if (!hooks_.keep_going || hooks_.keep_going()) return false;
     now_.out.status = CycleStatus::Interrupted;
@@ -161,10 +168,10 @@ class ModelSequence {
       return steps_.empty() ? false : end(false, "the limits of the finer model are not verified");
     if (!closed(now_.out.status))
       return end(false, fmt::format("the study ended with status '{}'", now_.out.summary.status));
-    const VerifiedLimit worst = nearest_limit(limits_);
-    for (const VerifiedLimit& l : limits_)
-      if (!l.known) return end(false, "the error of limit " + l.name + " is not known");
-    if (worst.certain(feasibility_)) return end(true, "");
+    std::vector<VerifiedLimit> known = limits_;
+    std::erase_if(known, [](const VerifiedLimit& l) { return !l.known; });
+    if (known.empty() || nearest_limit(known).certain(feasibility_)) return end_of_known();
+    const VerifiedLimit worst = nearest_limit(known);
     const std::string stays = not_converging(before_, limits_, finer_, feasibility_);
     stalls_ = stays.empty() ? 0 : stalls_ + 1;
     if (stalls_ == kMostStalls) return end(false, stays);

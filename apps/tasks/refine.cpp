@@ -91,7 +91,20 @@ class FinerStudy {
     return some;
   }
 
+  /// A part with other cells is another part of the study, whose outline starts anew.
+  std::string part() const {
+    for (const BodySpec& body : study_.scene.mechanism.bodies)
+      if (std::holds_alternative<SolidSpec>(body.kind)) return body.name;
+    return "";
+  }
+
   void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
+    if (const std::string meshed = part(); !meshed.empty()) {
+      out.exhausted =
+          fmt::format("a study does not refine the cells of part {}: bodies.{}.solid.mesh.cells",
+                      meshed, meshed);
+      return;
+    }
     out.changes = order_4();
     if (!out.changes.empty()) return;
     int order = 4;
@@ -120,7 +133,9 @@ class FinerStudy {
 
   void refine_step(const LargestError& error, double allowed, FinerModel& out) const {
     Setting finer = given_;
-    finer.steps *= refinement_factor(error, allowed, kStepOrder);
+    const int factor = refinement_factor(error, allowed, kStepOrder);
+    finer.steps *= factor;
+    finer.record_every *= factor;
     const Changes step = changes(finer, given_);
     const std::string scenario = keeps_its_step(step);
     if (!scenario.empty()) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <future>
 
 #include "apps/tasks/collect.hpp"
 #include "apps/tasks/collect_reference.hpp"
@@ -143,10 +144,13 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
                       {"after", c.after},
                       {"limit_point", c.limit_point}});
   }
+  auto leaving = std::async([&] {
+    const Unstopped whole;
+    return leaving_plane(scene, model, simulation.trajectory);
+  });
   out.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.summary, out.results);
-  for (auto notes : {leaving_plane(scene, model, simulation.trajectory),
-                     struck_start(scene, model, simulation.trajectory, out.results)})
+  for (auto notes : {leaving.get(), struck_start(scene, model, simulation.trajectory, out.results)})
     out.summary.warnings.insert(out.summary.warnings.end(), notes.begin(), notes.end());
   out.status = describe_doubts(out.summary, scene.mechanism, out.results, out.status);
 }

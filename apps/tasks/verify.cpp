@@ -11,6 +11,7 @@
 #include "apps/lean/setting.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/scene/space.hpp"
+#include "apps/tasks/part_grids.hpp"
 #include "apps/tasks/run.hpp"
 #include "mbs/solvers/richardson.hpp"
 
@@ -20,9 +21,11 @@ namespace {
 constexpr double kHalf = 0.5;         // an observed order this close to the expected one is it
 constexpr double kLeastOrder = 0.5;   // below, nothing converges
 constexpr double kResolution = 1e-9;  // of the largest value: differences below are rounding
+constexpr double kRounding = 1e-12;   // the same, of the largest response of its unit
 constexpr double kIterated = 1e-8;    // tolerance that leaves nothing of the iterations to see
 
 using Peaks = std::map<std::string, double>;
+using Changes = std::vector<std::string>;  // "key.path=value"
 
 /// The same place of a response where beams have `n / before` times as many elements.
 void move_element(ResponseSpec& r, int n, int before) {
@@ -66,42 +69,42 @@ class Verification {
     if (!summary.space.empty())
       overrides_.push_back(fmt::format("simulation.space=\"{}\"", summary.space));
     for (const auto& r : summary.responses) peaks_[r.name] = r.max_abs;
-    adaptive_ = scene.simulation.type == SimulationType::Dynamic && scene.simulation.adaptive;
     if (scene.simulation.tolerance > kIterated)
       iterated_.push_back(fmt::format("simulation.tolerance={}", kIterated));
+    if (scene.simulation.type == SimulationType::Dynamic && scene.simulation.adaptive)
+      error_tolerance_ = scene.simulation.error_tolerance;
     keep_named_places(scene);
-    name_what_stays(scene);
+    find_grids(scene);
     find_order(scene);
   }
 
   void run() {
-    const Setting fine_mesh = with_mesh(2), fine_step = with_steps(2);
-    const bool by_mesh = differs(fine_mesh), by_step = differs(fine_step) && !adaptive_;
+    const Changes fine_mesh = with_mesh(2), fine_step = with_steps(2);
+    const bool by_mesh = !fine_mesh.empty(), by_step = !fine_step.empty();
     const Peaks mesh = by_mesh ? peaks(fine_mesh, "mesh") : Peaks{};
-    const Peaks step = by_step ? peaks(fine_step, "step", iterated_) : Peaks{};
+    const Peaks step = by_step ? peaks(fine_step, "step") : Peaks{};
     const bool mesh_costs_more = largest_change(mesh) >= largest_change(step);
     Peaks coarse_mesh, coarse_step;
-    if (!mesh.empty() && mesh_costs_more && halves(with_mesh(0.5)))
+    if (!mesh.empty() && mesh_costs_more && halves())
       coarse_mesh = peaks(with_mesh(0.5), "mesh");
     else if (!step.empty() && !mesh_costs_more && given_.steps % 2 == 0)
-      coarse_step = peaks(with_steps(0.5), "step", iterated_);
+      coarse_step = peaks(with_steps(0.5), "step");
     auto& json = summary_.more["verification"];
     json["runs"] = runs_ + 1;
+    if (!left_out_.empty()) json["mesh"]["left_out"] = left_out_;
+    for (const auto& r : summary_.responses)
+      largest_[r.unit] = std::max(largest_[r.unit], r.max_abs);
     for (auto& r : summary_.responses) {
-      const auto mesh_error = estimate(r.name, "mesh", mesh, coarse_mesh, mesh_order_, json);
-      auto step_error = estimate(r.name, "step", step, coarse_step, kStepOrder, json);
+      const auto mesh_error = estimate(r, "mesh", mesh, coarse_mesh, mesh_order_, json);
+      auto step_error = estimate(r, "step", step, coarse_step, kStepOrder, json);
       if (step_error && r.missed > step_error->error) {
         step_error->error = r.missed;
         step_error->below = true;
       }
       set_errors(r, mesh_error, step_error,
                  (mesh_error || step_error) && mesh_error.has_value() == by_mesh &&
-                     step_error.has_value() == by_step);
+                     step_error.has_value() == by_step && left_out_.empty());
     }
-    if (adaptive_)
-      summary_.warnings.push_back(
-          "no error of the step and its iterations: its length is adapted to "
-          "simulation.error_tolerance");
   }
 
  private:
@@ -109,7 +112,7 @@ class Verification {
     return fmt::format("bodies.{}.beam.elements={}", beam.name, 2 * beam.elements);
   }
 
-  std::optional<Scene> readable(const std::vector<std::string>& changes) const {
+  std::optional<Scene> readable(const Changes& changes) const {
     try {
       return read(changes);
     } catch (const InputError&) {
@@ -133,22 +136,30 @@ class Verification {
       }
       if (!moved) continue;
       beam.multiple = 0;
-      summary_.warnings.push_back(fmt::format(
-          "the error of the mesh leaves out beam {}: {}", beam.name,
-          2 * beam.elements > kMostElements ? "it has no room for twice its elements"
-                                            : "the scene names nodes or elements by number"));
+      leave_out("beam " + beam.name, 2 * beam.elements > kMostElements
+                                         ? "it has no room for twice its elements"
+                                         : "the scene names nodes or elements by number");
     }
   }
 
-  void name_what_stays(const Scene& scene) {
-    for (const auto& body : scene.mechanism.bodies)
-      if (std::holds_alternative<SolidSpec>(body.kind))
-        summary_.warnings.push_back(fmt::format(
-            "the error of the mesh leaves out part {}: the elements of beams are refined only",
-            body.name));
+  void leave_out(const std::string& what, const std::string& why) {
+    left_out_.push_back(what);
+    summary_.warnings.push_back(fmt::format("the error of the mesh leaves out {}: {}", what, why));
   }
 
-  /// The lowest of the beams: that of their elements, 2 for the constant sections of a taper.
+  /// Of the meshed parts, those that can have twice their cells in each direction.
+  void find_grids(const Scene& scene) {
+    for (const PartGrid& grid :
+         part_grids({source_.text, source_.file, overrides_}, scene.mechanism))
+      if (grid.cells.empty())
+        leave_out("part " + grid.name, "its mesh is not a grid of the scene");
+      else if (!readable(grid_changes({grid}, 2)))
+        leave_out("part " + grid.name, "it has no room for twice its cells");
+      else
+        grids_.push_back(grid);
+  }
+
+  /// The lowest of beams and parts: that of their elements, 2 for the constant sections of a taper.
   void find_order(const Scene& scene) {
     mesh_order_ = 4;
     for (const auto& setting : given_.beams) {
@@ -158,29 +169,43 @@ class Verification {
       if (setting.multiple > 0)
         mesh_order_ = std::min(mesh_order_, beam.ends.empty() ? beam.order : 2);
     }
+    for (const PartGrid& grid : grids_) mesh_order_ = std::min(mesh_order_, grid.order);
   }
 
-  Setting with_mesh(double factor) const {
+  Setting beams(double factor) const {
     Setting s = given_.refined(factor);
     s.steps = given_.steps;
     return s;
   }
-  Setting with_steps(double factor) const {
+  Changes with_mesh(double factor) const {
+    Changes all = changes(beams(factor), given_);
+    const Changes grids = grid_changes(grids_, factor);
+    all.insert(all.end(), grids.begin(), grids.end());
+    return all;
+  }
+  /// A local error, which an adapted step keeps, is of the third order in the step.
+  Changes with_steps(double factor) const {
     Setting s = given_;
     s.steps = std::lround(factor * static_cast<double>(given_.steps));
-    return s;
+    Changes all = changes(s, given_);
+    if (all.empty()) return all;
+    all.insert(all.end(), iterated_.begin(), iterated_.end());
+    if (error_tolerance_)
+      all.push_back(fmt::format("simulation.error_tolerance={:.12g}",
+                                *error_tolerance_ / std::pow(factor, kStepOrder + 1)));
+    return all;
   }
-  bool differs(const Setting& s) const { return !changes(s, given_).empty(); }
 
-  /// Has every mesh that is refined exactly half of its elements?
-  bool halves(const Setting& s) const {
-    for (std::size_t i = 0; i < s.beams.size(); ++i)
-      if (given_.beams[i].multiple > 0 && 2 * s.beams[i].elements != given_.beams[i].elements)
+  /// Can every mesh that is refined have exactly half of its elements?
+  bool halves() const {
+    const Setting half = beams(0.5);
+    for (std::size_t i = 0; i < half.beams.size(); ++i)
+      if (given_.beams[i].multiple > 0 && 2 * half.beams[i].elements != given_.beams[i].elements)
         return false;
-    return true;
+    return grids_.empty() || !grid_changes(grids_, 0.5).empty();
   }
 
-  Scene read(std::vector<std::string> more) const {
+  Scene read(const Changes& more) const {
     auto all = overrides_;
     all.insert(all.end(), more.begin(), more.end());
     Scene scene = read_scene(source_.text, source_.file, all);
@@ -192,9 +217,7 @@ class Verification {
 
   /// Empty if the run does not reach its end, or the scene does not allow it (sections by element
   /// have no coarser mesh).
-  Peaks peaks(const Setting& s, const char* of, const std::vector<std::string>& more = {}) {
-    auto changed = changes(s, given_);
-    changed.insert(changed.end(), more.begin(), more.end());
+  Peaks peaks(const Changes& changed, const char* of) {
     Scene scene;
     try {
       scene = read(changed);
@@ -232,24 +255,34 @@ class Verification {
     if (all_known) r.error_total = std::abs(total);
   }
 
-  std::optional<ErrorEstimate> estimate(const std::string& name, const char* of, const Peaks& finer,
-                                        const Peaks& coarser, double order,
+  std::optional<ErrorEstimate> estimate(const output::ResponseFigure& response, const char* of,
+                                        const Peaks& finer, const Peaks& coarser, double order,
                                         nlohmann::ordered_json& json) {
+    const std::string& name = response.name;
     if (!finer.contains(name)) return {};
     Refinement r{peaks_.at(name), finer.at(name)};
     if (coarser.contains(name)) r.coarser = coarser.at(name);
-    const ErrorEstimate e = estimate_error(r, order, kResolution * std::abs(r.given));
+    const ErrorEstimate e = estimate_error(
+        r, order, std::max(kResolution * std::abs(r.given), kRounding * largest_[response.unit]));
     auto& entry = json[of];
     entry["order"] = order;
     if (e.observed) entry["observed"][name] = *e.observed;
-    if (!e.as_expected)
-      summary_.warnings.push_back(
-          fmt::format("response {}: order {:.2g} of the {} observed, {:g} expected{}", name,
-                      *e.observed, of, order,
-                      *e.observed < kLeastOrder ? ": it does not converge yet, and the error is "
-                                                  "the largest difference seen"
-                                                : ""));
+    if (!e.as_expected) warn_of_order(name, of, *e.observed, order);
     return e;
+  }
+
+  /// The given run has the error of its iterations, those of other steps have not.
+  void warn_of_order(const std::string& name, const std::string& of, double observed,
+                     double order) {
+    summary_.warnings.push_back(
+        fmt::format("response {}: order {:.2g} of the {} observed, {:g} expected{}{}", name,
+                    observed, of, order,
+                    observed < kLeastOrder
+                        ? ": it does not converge yet, and the error is the largest difference seen"
+                        : "",
+                    of == "step" && !iterated_.empty() && observed < kLeastOrder
+                        ? "; or simulation.tolerance hides it"
+                        : ""));
   }
 
   const VerifiedScene& source_;
@@ -258,10 +291,13 @@ class Verification {
   output::RunSummary& summary_;
   const Progress& progress_;
   Setting given_;
-  std::vector<std::string> iterated_;  ///< what runs of other steps change besides
+  std::vector<PartGrid> grids_;            ///< that are refined
+  std::vector<std::string> left_out_;      ///< "part rod"
+  Changes iterated_;                       ///< what runs of other steps change besides
+  std::optional<double> error_tolerance_;  ///< of an adapted step
   Peaks peaks_;
+  std::map<std::string, double> largest_;  ///< by unit
   int mesh_order_ = 2, runs_ = 0;
-  bool adaptive_ = false;
 };
 
 }  // namespace

@@ -56,7 +56,8 @@ ResponseSpec by_name(ResponseSpec r, const Mechanism& from, const Mechanism& to)
   return r;
 }
 
-void name_what_is_left_out(const StudySpec& spec, std::vector<std::string>& warnings) {
+/// Limits that are no largest value of a response of the scene.
+std::vector<std::string> other_limits(const StudySpec& spec) {
   std::vector<std::string> names;
   for (const ConstraintSpec& c : spec.constraints)
     if (!is_peak(c) && !(c.weight > 0)) names.push_back(c.response.name);
@@ -64,9 +65,7 @@ void name_what_is_left_out(const StudySpec& spec, std::vector<std::string>& warn
     if (!(f.weight > 0)) names.push_back(f.name);
   for (const auto& p : spec.part_limits)
     if (!(p.weight > 0)) names.push_back(p.name);
-  if (!names.empty())
-    warnings.push_back(fmt::format("not verified, being no largest value of a response: limit {}",
-                                   fmt::join(names, ", ")));
+  return names;
 }
 
 /// The final design in its scenarios, each run as a scene on finer meshes and steps.
@@ -88,8 +87,9 @@ class LimitVerification {
     } catch (const std::exception& error) {  // the optimum stands
       return not_verified(error.what());
     }
+    add_others();
     if (limits_.empty()) return {};
-    out_.summary.more["verification"] = json_;
+    if (!json_.empty()) out_.summary.more["verification"] = json_;
     if (const VerifiedLimit& nearest = nearest_limit(limits_); nearest.known)
       out_.summary.more["worst_constraint_error"] = nearest.error();
     return std::move(limits_);
@@ -125,16 +125,30 @@ class LimitVerification {
       if (std::find(warnings.begin(), warnings.end(), w) == warnings.end())
         warnings.push_back(std::move(w));  // of all scenarios alike: once
     const auto& verified = given.summary.more["verification"];
+    if (verified.contains("mesh") && verified["mesh"].contains("left_out"))
+      json_["mesh"]["left_out"] = verified["mesh"]["left_out"];
     json_["runs"] = json_.value("runs", 0) + verified["runs"].get<int>();
     for (std::size_t i = 0; i < limits.size(); ++i)
       take(limits[i], given.summary.responses[i], verified);
     return true;
   }
 
+  /// Limits without a verification, whose errors are not known.
+  void add_others() {
+    const std::vector<std::string> names = other_limits(study_.spec);
+    if (names.empty()) return;
+    out_.summary.warnings.push_back(fmt::format(
+        "not verified, being no largest value of a response: limit {}", fmt::join(names, ", ")));
+    for (const auto& figure : out_.summary.constraints)
+      for (const std::string& name : names)
+        if (figure.name == name || figure.name.starts_with(name + " ("))
+          limits_.push_back({.name = figure.name, .violation = figure.violation, .known = false});
+  }
+
   /// Order that was observed of a limit, also into the summary.
   std::optional<double> order(const LimitedPeak& p, const char* of,
                               const nlohmann::ordered_json& verified) {
-    if (!verified.contains(of)) return {};
+    if (!verified.contains(of) || !verified[of].contains("order")) return {};
     json_[of]["order"] = verified[of]["order"];
     const std::string name = response_name(p.name);
     if (!verified[of].contains("observed") || !verified[of]["observed"].contains(name)) return {};
@@ -158,21 +172,16 @@ class LimitVerification {
     }
     figure->error_mesh = found.error_mesh;
     figure->error_step = found.error_step;
-    for (const auto& [part, known] : {std::pair("mesh", found.error_mesh.has_value()),
-                                      std::pair("step", found.error_step.has_value())})
-      if (!known && (std::string_view(part) == "mesh" || steps()))
+    const bool whole = !json_.contains("mesh") || !json_["mesh"].contains("left_out"),
+               steps = study_.scene.simulation.type == SimulationType::Dynamic,
+               mesh = found.error_mesh && whole, step = found.error_step || !steps;
+    for (const auto& [part, known] : {std::pair("mesh", mesh), std::pair("step", step)})
+      if (!known)
         out_.summary.warnings.push_back(
             fmt::format("limit {}: its error by the {} is not known", p.name, part));
     limits_.push_back({p.name, figure->violation, found.error_mesh.value_or(0) / p.limit->limit,
                        found.error_step.value_or(0) / p.limit->limit, order(p, "mesh", verified),
-                       order(p, "step", verified),
-                       found.error_mesh && (found.error_step || !steps())});
-  }
-
-  /// Has the step an error that a smaller one shows?
-  bool steps() const {
-    const SimulationOptions& o = study_.scene.simulation;
-    return o.type == SimulationType::Dynamic && !o.adaptive;
+                       order(p, "step", verified), mesh && step});
   }
 
   OptimizeOutcome& out_;
@@ -202,7 +211,6 @@ std::string VerifiedLimit::text() const {
 
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,
                                          const Progress& progress) {
-  name_what_is_left_out(study.spec, out.summary.warnings);
   return LimitVerification(out, study, progress).run();
 }
 
@@ -210,9 +218,10 @@ void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility
                     const std::string& way, std::vector<std::string>& warnings) {
   for (const VerifiedLimit& l : limits)
     if (l.error() > feasibility && !l.certain(feasibility))
-      warnings.push_back(l.text() +
-                         "; beams of order = 4, more elements or a smaller step make it certain" +
-                         (way.empty() ? "" : " (" + way + ")"));
+      warnings.push_back(
+          l.text() +
+          "; beams of order = 4, more elements or cells, or a smaller step make it certain" +
+          (way.empty() ? "" : " (" + way + ")"));
 }
 
 }  // namespace liesl

@@ -165,6 +165,36 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
       << o.out << o.err;
 }
 
+/// Not silent where there is nothing to verify.
+TEST_F(VerifyCommand, SaysWhyARunIsNotVerified) {
+  const Outcome inaccurate =
+      run({"run", (kData / "stability/buckling_links.toml").string(), "-o", results(), "--verify"});
+  EXPECT_EQ(inaccurate.code, 1);
+  EXPECT_NE(inaccurate.out.find("not verified: the run ended with status 'inaccurate'"),
+            std::string::npos)
+      << inaccurate.out << inaccurate.err;
+  std::string text = text_of(scene("slider_crank"));
+  text.erase(text.find("[responses]"));
+  const Outcome without =
+      run({"run", write("scene.toml", text), "-o", results(), "--verify", "--force"});
+  EXPECT_EQ(without.code, 0) << without.err;
+  EXPECT_NE(without.out.find("not verified: the scene asks for no responses"), std::string::npos)
+      << without.out;
+}
+
+/// What is no largest value of a response has no error: the design is not certain.
+TEST_F(VerifyCommand, AFrequencyIsNotCertain) {
+  std::string text = text_of(study("slider_crank_rod"));
+  const std::string of_scene = "../scenes/slider_crank.toml";
+  text.replace(text.find(of_scene), of_scene.size(), scene("slider_crank"));
+  text += "\n[frequencies]\nlow = { of = \"rod\", least = 200 }\n";
+  const Outcome o = run({"optimize", write("study.toml", text), "-o", results(), "--no-report"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  Json refinement = summary()["refinement"];
+  EXPECT_FALSE(refinement["holds"].get<bool>());
+  EXPECT_EQ(refinement["reason"], "the error of limit low is not known");
+}
+
 TEST_F(VerifyCommand, RefusesModesBeforeTheyAreComputed) {
   expect_refused(
       {"run", scene("slider_crank"), "-o", results(), "--verify", "--set", "simulation.type=modes"},

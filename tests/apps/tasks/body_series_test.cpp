@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 
 #include "apps/scene/load_scene.hpp"
 #include "apps/tasks/run.hpp"
@@ -89,6 +90,24 @@ TEST(BodySeries, BlocksAreTheWhole) {
     }
     const auto& stresses = all.bodies[0].stresses;
     EXPECT_EQ(all.bodies[0].largest_stress, *std::max_element(stresses.begin(), stresses.end()));
+  }
+}
+
+/// Blocks are taken beside the making of the next: what fails then is heard of.
+TEST(BodySeries, AFailingSinkStopsIt) {
+  class Full final : public output::BodySink {
+   public:
+    void put(const std::vector<BodyResult>&, std::size_t first, std::size_t, std::size_t) override {
+      if (first >= from) throw std::runtime_error("no space left");
+    }
+    std::size_t from = 0;
+  };
+  const Scene read = scene("");
+  const ChosenSpace space = choose_space(read);
+  for (const std::size_t from : {0, 100, 390}) {
+    Full sink;
+    sink.from = from;
+    EXPECT_THROW(run_task(read, space, {}, &sink), std::runtime_error) << from;
   }
 }
 

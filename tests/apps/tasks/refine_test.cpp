@@ -50,10 +50,12 @@ TEST(FinerModel, ElementsAndStepsFollowErrorAndOrder) {
   EXPECT_EQ(second.changes,
             (Changes{"bodies.crank.beam.elements=32", "bodies.rod.beam.elements=32"}));
   const FinerModel step = finer(kOrder4, {"bending", 5e-4, 0, 3.9 * 2.5e-4});
-  EXPECT_EQ(step.changes, Changes{"simulation.step=5e-05"});
+  EXPECT_EQ(step.changes, (Changes{"simulation.step=5e-05", "simulation.output_every=2"}))
+      << "as many records";
   EXPECT_TRUE(step.step);
   const FinerModel stalled = finer(kOrder4, {"bending", 0, 0, 15.9 * 2.5e-4, {}, -1.8});
-  EXPECT_EQ(stalled.changes, Changes{"simulation.step=2.5e-05"}) << "as if none were observed";
+  EXPECT_EQ(stalled.changes, (Changes{"simulation.step=2.5e-05", "simulation.output_every=4"}))
+      << "as if none were observed";
 }
 
 TEST(FinerModel, LimitsThatAreCertainAskForNothing) {

@@ -120,6 +120,82 @@ TEST(VerifySlow, TrueErrorIsWithinAFactorOfThree) {
   EXPECT_LE(too_small, 0.05 * all) << "of " << all;
 }
 
+/// A meshed cantilever under its weight and a load that grows within a tenth of a second.
+/// @param more of its part
+std::string plate(const std::string& more) {
+  return R"toml(
+[materials]
+plastic = { E = 2e9, nu = 0.3, rho = 1200 }
+[bodies.plate.solid]
+mesh = { from = [0, -0.02], to = [0.2, 0.02], cells = [20, 4] }
+material = "plastic"
+thickness = 0.01
+at = [0, 0, 0]
+damping = 1e-4
+)toml" + more +
+         R"toml(
+[bodies.plate.solid.interfaces]
+root = { set = "x_min" }
+tip = { set = "x_max" }
+[joints]
+clamp = { fixed = ["ground", "plate.root"] }
+[loads.push]
+at = "plate.tip"
+force = [0, -10, 0]
+scale.table = [[0, 0], [0.1, 1]]
+[simulation]
+duration = 0.1
+step = 1e-3
+start = "equilibrium"
+[responses]
+tip = { response = "position", at = "plate.tip", axis = [0, 1, 0] }
+)toml";
+}
+
+const std::string kHole =
+    "outline = { all = { type = \"half_space\", x = 1 }, hole = { type = \"circle\", x = 0.1, "
+    "radius = 0.0127 }, rest = { type = \"difference\", of = [\"all\", \"hole\"] } }\n";
+
+output::ResponseFigure verified_tip(const std::string& text,
+                                    const std::vector<std::string>& changes) {
+  const Scene scene = read_scene(text, "scene.toml", changes);
+  RunOutcome out = run_task(scene, choose_space(scene));
+  EXPECT_EQ(out.status, SolveStatus::Converged) << out.summary.reason;
+  verify({text, "scene.toml", changes}, scene, out.summary);
+  EXPECT_FALSE(out.summary.more["verification"]["mesh"].contains("left_out"));
+  return out.summary.responses.front();
+}
+
+/// Of the cells, and of the fractions of those that an outline cuts, against a mesh of four and
+/// eight times as many in each direction.
+TEST(Verify, KnowsTheErrorOfThePartsMesh) {
+  for (const std::string& outline : {std::string(), kHole})
+    for (const std::string cells : {"[20,4]", "[40,8]"}) {
+      const std::string text = plate(outline), key = "bodies.plate.solid.mesh.cells=";
+      const output::ResponseFigure tip = verified_tip(text, {key + cells});
+      const Scene fine = read_scene(text, "scene.toml", {key + "[160,32]"});
+      const RunOutcome run = run_task(fine, choose_space(fine));
+      const double error = std::abs(run.summary.responses.front().max_abs - tip.max_abs);
+      ASSERT_TRUE(tip.error_mesh);
+      EXPECT_LT(*tip.error_mesh, 3 * error) << outline << cells;
+      EXPECT_GT(*tip.error_mesh, error / 3) << outline << cells;
+    }
+}
+
+/// Halved steps, whether the scene adapts them or not.
+TEST(Verify, AnAdaptedStepHasAnError) {
+  const std::string file = (kData / "scenes/slider_crank.toml").string();
+  const auto of = [&](const std::vector<std::string>& changes) {
+    return summary_of(file, changes, true).responses.front();
+  };
+  const auto adapted = of({"simulation.adaptive=true", "simulation.error_tolerance=1e-5"}),
+             converged = of({"simulation.step=6.25e-6", "simulation.tolerance=1e-8"});
+  ASSERT_TRUE(adapted.error_step);
+  const double error = std::abs(adapted.max_abs - converged.max_abs);
+  EXPECT_LT(*adapted.error_step, 3 * error);
+  EXPECT_GT(*adapted.error_step, error / 3);
+}
+
 TEST(Verify, RefusesWhatHasNoResponsesAndNamesWhatItLeavesOut) {
   const std::string file = (kData / "scenes/slider_crank.toml").string();
   const Scene modes = load_scene(file, {"simulation.type=\"modes\""});

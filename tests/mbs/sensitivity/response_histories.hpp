@@ -8,6 +8,53 @@
 
 namespace liesl::test {
 
+/// Responses of `sensitive_machine`, of each way to depend on the motion: frames, velocities,
+/// multipliers, the law itself.
+inline std::vector<ResponseSpec> responses_of_the_machine() {
+  const auto of = [](ResponseKind kind, auto set) {
+    ResponseSpec r;
+    r.kind = kind;
+    r.name = name_of(kind);
+    r.body = 1;
+    r.at = {1, 2, SE3(Mat3::Identity(), {0.01, 0.02, 0})};
+    set(r);
+    return r;
+  };
+  const auto plain = [](ResponseSpec&) {};
+  return {of(ResponseKind::Position, plain),
+          of(ResponseKind::Velocity, plain),
+          of(ResponseKind::Acceleration, plain),
+          of(ResponseKind::AngularAcceleration, plain),
+          of(ResponseKind::Deflection, plain),
+          of(ResponseKind::Coordinate, [](ResponseSpec& r) { r.joint = 1; }),
+          of(ResponseKind::JointForce, [](ResponseSpec& r) { r.joint = 1; }),
+          of(ResponseKind::SectionForce, [](ResponseSpec& r) { r.component = 5; }),
+          of(ResponseKind::Energy, plain),
+          of(ResponseKind::Compliance, plain)};
+}
+
+/// Further ones, of which no place or sign is looked for.
+inline std::vector<ResponseSpec> further_responses_of_the_machine() {
+  const auto of_port = [](ResponseKind kind, Axes in) {
+    ResponseSpec r;
+    r.kind = kind;
+    r.name = name_of(kind);
+    r.at = {1, 2, SE3(Mat3::Identity(), {0.01, 0.02, 0})};
+    r.to = {0, 0};
+    r.joint = 0;
+    r.in = in;
+    return r;
+  };
+  std::vector<ResponseSpec> all = {of_port(ResponseKind::Translation, Axes::Inertial),
+                                   of_port(ResponseKind::Elongation, Axes::Inertial),
+                                   of_port(ResponseKind::DriveForce, Axes::Inertial)};
+  for (const auto in : {Axes::Inertial, Axes::Body})
+    for (const auto kind : {ResponseKind::Displacement, ResponseKind::Rotation,
+                            ResponseKind::AngularVelocity, ResponseKind::Velocity})
+      all.push_back(of_port(kind, in));
+  return all;
+}
+
 /// y at all records, components x records.
 template <FrameGroup G>
 MatrixXd response_history(const Taped<G>& of, const ResponseSpec& r) {

@@ -10,52 +10,6 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using test::Taped;
 
-/// Responses of each way to depend on the motion: frames, velocities, multipliers, the law itself.
-std::vector<ResponseSpec> responses() {
-  const auto of = [](ResponseKind kind, auto set) {
-    ResponseSpec r;
-    r.kind = kind;
-    r.name = name_of(kind);
-    r.body = 1;
-    r.at = {1, 2, SE3(Mat3::Identity(), {0.01, 0.02, 0})};
-    set(r);
-    return r;
-  };
-  const auto plain = [](ResponseSpec&) {};
-  return {of(ResponseKind::Position, plain),
-          of(ResponseKind::Velocity, plain),
-          of(ResponseKind::Acceleration, plain),
-          of(ResponseKind::AngularAcceleration, plain),
-          of(ResponseKind::Deflection, plain),
-          of(ResponseKind::Coordinate, [](ResponseSpec& r) { r.joint = 1; }),
-          of(ResponseKind::JointForce, [](ResponseSpec& r) { r.joint = 1; }),
-          of(ResponseKind::SectionForce, [](ResponseSpec& r) { r.component = 5; }),
-          of(ResponseKind::Energy, plain),
-          of(ResponseKind::Compliance, plain)};
-}
-
-/// Further ones, of which no place or sign is looked for.
-std::vector<ResponseSpec> further_responses() {
-  const auto of_port = [](ResponseKind kind, Axes in) {
-    ResponseSpec r;
-    r.kind = kind;
-    r.name = name_of(kind);
-    r.at = {1, 2, SE3(Mat3::Identity(), {0.01, 0.02, 0})};
-    r.to = {0, 0};
-    r.joint = 0;
-    r.in = in;
-    return r;
-  };
-  std::vector<ResponseSpec> all = {of_port(ResponseKind::Translation, Axes::Inertial),
-                                   of_port(ResponseKind::Elongation, Axes::Inertial),
-                                   of_port(ResponseKind::DriveForce, Axes::Inertial)};
-  for (const auto in : {Axes::Inertial, Axes::Body})
-    for (const auto kind : {ResponseKind::Displacement, ResponseKind::Rotation,
-                            ResponseKind::AngularVelocity, ResponseKind::Velocity})
-      all.push_back(of_port(kind, in));
-  return all;
-}
-
 /// A clamped tube under a compressive load that pulses, and a small one across: compressed at all
 /// times, most at its root, where its bending moment is largest.
 Mechanism strut() {
@@ -124,13 +78,13 @@ TYPED_TEST_SUITE(ResponsesOfAMotion, Groups);
 TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
   const Mechanism machine = test::sensitive_machine();
   expect_response_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
-                                       responses());
+                                       responses_of_the_machine());
 }
 
 TYPED_TEST(ResponsesOfAMotion, FurtherOnesHaveThem) {
   const Mechanism machine = test::sensitive_machine();
   expect_response_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
-                                       further_responses());
+                                       further_responses_of_the_machine());
 }
 
 /// From equilibrium: waves from a load that strikes would be largest in other places. What E and

@@ -95,6 +95,9 @@ export const worstLimit = (summary) => Object.values(summary.constraints ?? {}).
 /** Is this limit, an entry of `constraints`, a function of one's own? */
 export const isOwn = (limit) => limit?.response === 'own function';
 
+/** "0.075 %", of what has no sign. */
+export const share = (x) => number(100 * x, 2) + kThin + '%';
+
 /** "+26 %", "\u22120.4 %"; what is next to nothing is "0 %". */
 export function percent(share) {
   if (share === null || share === undefined || Number.isNaN(share)) return '\u2013';

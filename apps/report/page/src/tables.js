@@ -2,7 +2,7 @@
 
 import { breakable, card, el } from './dom.js';
 import { leanTiles } from './lean.js';
-import { excess, isOwn, number, percent, prose, quantities, quantity, tick, worstLimit } from './format.js';
+import { excess, isOwn, number, percent, prose, quantities, quantity, share, tick, worstLimit } from './format.js';
 
 const kGood = ['done', 'optimal', 'converged'];
 const kMiddling = ['converged', 'recovered', 'running', 'incomplete', 'cycle limit', 'interrupted'];
@@ -37,6 +37,10 @@ export function tile(label, value, note, kind) {
   return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
 }
 
+/** Of mesh and step together, where they were verified. */
+const errorOf = ({ error }) => (error ? (error.mesh ?? 0) + (error.step ?? 0) : undefined);
+const plusMinus = (text) => `\u00b1\u00a0${text}`;
+
 /** The reason without what a tile says: the worst limit. */
 const withoutWorst = (reason) => reason?.replace(/(; |, | \()worst limit at [-+]?[\d.]+(e[-+]?\d+)? %\)?/g, '');
 
@@ -49,8 +53,10 @@ export function head(data) {
   if (s.objective && s.objective.quantity !== 'mass')
     tiles.push(tile(s.objective.quantity, `${quantity(s.objective.initial, s.objective.unit)} \u2192 ${quantity(s.objective.final, s.objective.unit)}`,
       percent(s.objective.final / s.objective.initial - 1)));
-  if (s.worst_constraint !== undefined && s.worst_constraint !== null)
-    tiles.push(tile('worst limit', excess(s.worst_constraint, isOwn(worstLimit(s))), s.worst_constraint > 1e-3 ? 'above it' : 'it is met', s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
+  if (s.worst_constraint !== undefined && s.worst_constraint !== null) {
+    const known = s.worst_constraint_error === undefined ? '' : `, ${plusMinus(share(s.worst_constraint_error))} by mesh and step`;
+    tiles.push(tile('worst limit', excess(s.worst_constraint, isOwn(worstLimit(s))), (s.worst_constraint > 1e-3 ? 'above it' : 'it is met') + known, s.worst_constraint > 1e-3 ? 'bad' : 'fine'));
+  }
   if (s.cycles) tiles.push(tile('cycles', s.cycles, `in ${quantity(s.wall_s, 's', 3)}`));
   if (s.kkt_residual !== undefined)
     tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(data)}` : `not optimal for the ${subject(data)}`));
@@ -93,23 +99,24 @@ export function limits(data) {
   const rows = entries.map(([name, c]) => [
     name, quantity(c.limit, c.unit), quantity(c.max_abs_initial, c.unit), quantity(c.max_abs_final, c.unit),
     el('span', { class: c.violation > 1e-3 ? 'bad' : 'fine' }, excess(c.violation, isOwn(c))),
+    errorOf(c) === undefined ? '\u2013' : plusMinus(share(errorOf(c) / c.limit)),
     c.at_time ? quantity(c.at_time, over.unit, 3) : '\u2013',
     price(name) ? quantity(price(name) / 100, unit, 3) : '\u2013',
   ]);
   for (const [of, p] of prices)  // walls, limits of a part
     if (!entries.some(([name]) => of === name || of.startsWith(`${name} at `)))
-      rows.push([of, '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', quantity(p / 100, unit, 3)]);
+      rows.push([of, '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', '\u2013', quantity(p / 100, unit, 3)]);
   return card('Limits',
-    table(['limit', 'allowed', 'before', 'after', 'above it', over.unit === 's' ? 'at' : `at ${over.name}`, '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n']),
+    table(['limit', 'allowed', 'before', 'after', 'above it', 'error', over.unit === 's' ? 'at' : `at ${over.name}`, '1 % more saves'], rows, ['', 'n', 'n', 'n', 'n', 'n', 'n', 'n']),
     s.kkt ? el('p', { class: 'note' }, `Optimality conditions of the ${subject(data)}: ${prose(s.kkt)}.`) : null);
 }
 
 /** Bounds as a line, the start as a tick, the end as a dot. */
 export function boundsBar(d) {
-  const share = (x) => Math.max(0, Math.min(1, (x - d.lower) / (d.upper - d.lower || 1)));
+  const place = (x) => Math.max(0, Math.min(1, (x - d.lower) / (d.upper - d.lower || 1)));
   const start = el('i', { class: 'start' }), end = el('i', { class: 'end' });
-  start.style.left = `${100 * share(d.initial)}%`;
-  end.style.left = `${100 * share(d.final)}%`;
+  start.style.left = `${100 * place(d.initial)}%`;
+  end.style.left = `${100 * place(d.final)}%`;
   return el('span', { class: 'bounds', title: `${quantity(d.lower, d.unit)} \u2026 ${quantity(d.upper, d.unit)}` }, start, end);
 }
 
@@ -127,10 +134,11 @@ export function design(s) {
 export function responses(s, abscissa) {
   const entries = Object.entries(s.responses ?? {});
   if (entries.length === 0) return null;
-  const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit), tick(r.at_time, 4),
+  const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit),
+    errorOf(r) === undefined ? '\u2013' : plusMinus(quantity(errorOf(r), r.unit, 2)), tick(r.at_time, 4),
     quantities([r.final].flat().map((x) => (x !== null && Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit)]);
   const at = abscissa?.abscissa_unit && abscissa.abscissa_unit !== '-' ? `at [${abscissa.abscissa_unit}]` : 'at';
-  return card('Responses', table(['response', 'largest', at, 'at the end'], rows, ['', 'n', 'n', 'n']));
+  return card('Responses', table(['response', 'largest', 'error', at, 'at the end'], rows, ['', 'n', 'n', 'n', 'n']));
 }
 
 /** Derivatives of the figures of a motion: by a percent of each parameter. */
