@@ -27,25 +27,28 @@ void print_frequencies(const output::RunSummary& summary) {
   if (list.size() > kMostModes) fmt::print("  {} more in summary.json\n", list.size() - kMostModes);
 }
 
-/// What the verification of a run could not refine: "without part rod"; else empty.
-std::string left_out(const output::RunSummary& summary) {
-  const auto found = summary.more.find("verification");
-  if (found == summary.more.end() || !found->contains("mesh") ||
-      !(*found)["mesh"].contains("left_out"))
-    return "";
-  const auto names = (*found)["mesh"]["left_out"].get<std::vector<std::string>>();
-  return fmt::format("without {}", fmt::join(names, ", "));
+/// What the errors of a verified run leave out: a mesh or a step, where there is one, whose error
+/// is not known, beams and parts.
+std::vector<std::string> left_out(const output::RunSummary& summary, std::optional<double> mesh,
+                                  std::optional<double> step) {
+  const auto& verified = summary.more["verification"];
+  std::vector<std::string> what;
+  if (!mesh && verified.contains("mesh")) what.push_back("step alone");
+  if (!step && verified.contains("step")) what.push_back("mesh alone");
+  if (mesh && verified["mesh"].contains("left_out"))
+    what.push_back(
+        fmt::format("without {}",
+                    fmt::join(verified["mesh"]["left_out"].get<std::vector<std::string>>(), ", ")));
+  return what;
 }
 
-/// " +- 2.3e-05" where the response was verified.
-std::string verified_error(const output::ResponseFigure& r, const std::string& left_out) {
-  if (!r.error_mesh && !r.error_step) return "";
-  std::vector<std::string> what;
-  if (!r.error_mesh) what.push_back("step alone");
-  if (!r.error_step) what.push_back("mesh alone");
-  if (r.error_mesh && !left_out.empty()) what.push_back(left_out);
-  return fmt::format(" +- {:.2g}{}", r.error_mesh.value_or(0) + r.error_step.value_or(0),
-                     what.empty() ? "" : fmt::format(" ({})", fmt::join(what, ", ")));
+/// " +- 2.3e-05" of what was verified.
+std::string plus_minus(const output::RunSummary& summary, std::optional<double> mesh,
+                       std::optional<double> step) {
+  if (!mesh && !step) return "";
+  const auto without = left_out(summary, mesh, step);
+  return fmt::format(" +- {:.2g}{}", mesh.value_or(0) + step.value_or(0),
+                     without.empty() ? "" : fmt::format(" ({})", fmt::join(without, ", ")));
 }
 
 }  // namespace
@@ -83,10 +86,11 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
   print_frequencies(summary);
   for (const auto& r : summary.responses)
     if (!r.final.empty())
-      fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}\n", r.name, r.max_abs,
-                 verified_error(r, left_out(summary)), r.unit, r.at_time,
+      fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}{}\n", r.name, r.max_abs,
+                 plus_minus(summary, r.error_mesh, r.error_step), r.unit, r.at_time,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
-                                     : fmt::format("({:.6g})", fmt::join(r.final, ", ")));
+                                     : fmt::format("({:.6g})", fmt::join(r.final, ", ")),
+                 plus_minus(summary, r.end_error_mesh, r.end_error_step));
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
   if (!folder.empty()) print_folder(folder);
 }

@@ -13,9 +13,9 @@
 
 namespace liesl::output {
 
-/// To be called before any other function of the library: errors are thrown, not printed, and the
-/// library does nothing at the end of the program, where it does not survive a file that a full
-/// disk kept it from closing.
+/// To be called before any other function of the library, in every thread, of which each has its
+/// own errors: they are thrown, not printed, and the library does nothing at the end of the
+/// program, where it does not survive a file that a full disk kept it from closing.
 inline void prepare_hdf5() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);

@@ -24,6 +24,7 @@ void write_unit(const Hdf5File& file, const DataSet& set) {
 
 void Hdf5Writer::put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,
                      std::size_t n) {
+  prepare_hdf5();
   for (const BodyResult& body : bodies) check_shapes(body, count);
   if (first != records_)
     throw std::invalid_argument("results: blocks of records do not follow each other");

@@ -17,7 +17,7 @@ namespace liesl::output {
 /// attribute `unit`. The file is made when the first numbers come.
 class Hdf5Writer final : public BodySink {
  public:
-  explicit Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) {}
+  explicit Hdf5Writer(std::filesystem::path path) : path_(std::move(path)) { prepare_hdf5(); }
   /// Series of bodies before the rest, blocks in their order.
   /// @throws IoError, std::invalid_argument (shapes, another order)
   void put(const std::vector<BodyResult>& bodies, std::size_t first, std::size_t count,

@@ -25,6 +25,7 @@ struct ResponseFigure {
   std::optional<double> error_mesh = {}, error_step = {};  ///< of max_abs, if it was verified
   std::optional<double> error_total = {};                  ///< of both, with their signs
   double missed = 0;                                       ///< Peak::missed
+  std::optional<double> end_error_mesh = {}, end_error_step = {};  ///< of `final`
 };
 
 /// Of a recorded series; zeros if it is empty.

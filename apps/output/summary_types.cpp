@@ -38,6 +38,7 @@ constexpr struct {
     {Type::Number,
      "steps newton_iterations factorizations.* stepping_s wall_s cpu_s peak_memory_mb "
      "responses.*.max_abs responses.*.at_time responses.*.error.* "
+     "responses.*.error.end.* "
      "tangent_refreshes rejected_steps smallest_step max_constraint_residual mobility "
      "redundant_if_rigid frequencies_hz[] eigenvalues[] critical_loads[].load "
      "parts.*.cells parts.*.modes parts.*.mass parts.*.right_up_to_hz "
@@ -68,7 +69,8 @@ constexpr struct {
      "history[].design load_cases references references[].changes references[].formalisms ratios "
      "decisions changes refinement.steps nucleation.next.place"},
     {Type::Object,
-     "versions files factorizations responses responses.* responses.*.error parts parts.* "
+     "versions files factorizations responses responses.* responses.*.error "
+     "responses.*.error.end parts parts.* "
      "constraints constraints.* constraints.*.error design design_range design_range.* objective "
      "prices history[] identity verification refinement refinement.steps[] nucleation "
      "critical_loads[] parameters parameters.* gradients gradients.* gradients.*.* "

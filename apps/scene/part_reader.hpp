@@ -13,6 +13,8 @@
 
 namespace liesl {
 
+constexpr double kMostCells = 1e6;  ///< of a grid
+
 /// State of reading one meshed part.
 struct PartReader {
   Reader& reader;

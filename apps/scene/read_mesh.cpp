@@ -15,8 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr double kMostCells = 1e6;
-
 void read_file(PartReader& part, const toml::node& node) {
   try {
     const NamedFile file = load_named_file(part, node, "a mesh");

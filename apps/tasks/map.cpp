@@ -23,7 +23,7 @@ constexpr double kActive = 2e-3;   // limits that count as active where the loca
 constexpr int kMostPoints = 1000;  // along an axis
 
 /// What was asked for, checked against the study.
-struct Plan {
+struct MapPlan {
   std::array<int, 2> axes = {};  ///< variables
   std::vector<std::size_t> of;   ///< quantities
   VectorXd centre;               ///< design where the local model is made
@@ -39,7 +39,7 @@ class Planner {
     for (const NlpVariable& v : variables) names_.push_back(v.name);
   }
 
-  Plan plan() {
+  MapPlan plan() {
     plan_axes();
     plan_quantities();
     plan_centre();
@@ -135,10 +135,10 @@ class Planner {
   const MapRequest& request_;
   Problems problems_;
   std::vector<std::string> names_;
-  Plan plan_;
+  MapPlan plan_;
 };
 
-VectorXd point(const Plan& plan, std::size_t i, std::size_t j) {
+VectorXd point(const MapPlan& plan, std::size_t i, std::size_t j) {
   VectorXd x = plan.centre;
   x[plan.axes[0]] = plan.values[0][i];
   x[plan.axes[1]] = plan.values[1][j];
@@ -146,7 +146,7 @@ VectorXd point(const Plan& plan, std::size_t i, std::size_t j) {
 }
 
 /// Simulates all points, a line of the grid a task.
-void add_global(const MakeValues& make, const Plan& plan, const MapHooks& hooks,
+void add_global(const MakeValues& make, const MapPlan& plan, const MapHooks& hooks,
                 output::DesignMap& map) {
   const std::size_t nx = plan.values[0].size(), ny = plan.values[1].size();
   std::atomic<int> done = 0;
@@ -211,7 +211,7 @@ LocalProblem local_problem(const Study& study, DesignModel& model, const VectorX
   return {at, model.static_problem(*at, x, move)};
 }
 
-void add_local(const Study& study, const MakeValues& make, const Plan& plan, MapOutcome& out) {
+void add_local(const Study& study, const MakeValues& make, const MapPlan& plan, MapOutcome& out) {
   if (!study.spec.loads.empty()) {
     out.summary.local = "none: under fixed loads the problem of a step is the study itself";
     return;
@@ -234,7 +234,7 @@ void add_local(const Study& study, const MakeValues& make, const Plan& plan, Map
     }
 }
 
-void describe(const Study& study, const Plan& plan, const std::vector<NlpVariable>& variables,
+void describe(const Study& study, const MapPlan& plan, const std::vector<NlpVariable>& variables,
               const MapRequest& request, MapOutcome& out) {
   for (std::size_t j = 0; j < variables.size(); ++j)
     out.map.centre.emplace_back(variables[j].name, plan.centre[static_cast<Eigen::Index>(j)]);
@@ -267,7 +267,7 @@ MapOutcome map_task(const Study& study, const ChosenSpace& space, const MapReque
   const std::vector<MappedQuantity> known = quantities(study);
   const Design design(study.spec, study.scene.mechanism);
   const std::vector<NlpVariable>& variables = design.variables();
-  const Plan plan = Planner(variables, known, request).plan();
+  const MapPlan plan = Planner(variables, known, request).plan();
   MapOutcome out;
   for (const std::size_t k : {0, 1})
     out.map.axes[k] = {variables[static_cast<std::size_t>(plan.axes[k])].name,

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "apps/input/problem.hpp"
+#include "apps/scene/part_reader.hpp"
 
 namespace liesl {
 namespace {
@@ -25,6 +26,12 @@ std::vector<long> cells_of(const SceneText& text, const std::string& body, int d
 }
 
 }  // namespace
+
+bool PartGrid::has_room() const {
+  double count = 1;
+  for (const long n : cells) count *= 2 * static_cast<double>(n);
+  return count <= kMostCells;
+}
 
 std::vector<PartGrid> part_grids(const SceneText& text, const Mechanism& mechanism) {
   std::vector<PartGrid> grids;

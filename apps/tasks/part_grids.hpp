@@ -15,6 +15,9 @@ struct PartGrid {
   std::vector<long> cells;  ///< in each direction; empty: its mesh is from a file
   /// Of the error of what it deforms: 2, with an outline through its cells 1.
   int order = 2;
+
+  /// For twice the cells in each direction?
+  bool has_room() const;
 };
 
 /// Of the meshed parts of a scene, in their order. @param text what it was read from

@@ -17,42 +17,11 @@
 /// A fourth run, twice as coarse in whichever of the two costs more, shows the order; where it is
 /// lower, it counts.
 
-#include <string>
-#include <vector>
-
 #include "apps/output/summary.hpp"
-#include "apps/scene/scene.hpp"
+#include "apps/tasks/finer_scenes.hpp"
 #include "mbs/solvers/simulation.hpp"
 
 namespace liesl {
-
-constexpr int kMostElements = 10000;  ///< of a beam
-constexpr double kStepOrder = 2;      ///< of the integrator
-
-/// One figure on meshes (or steps) of the given and half the length, and twice it.
-struct Refinement {
-  double given = 0, finer = 0;
-  std::optional<double> coarser = {};
-};
-
-/// What a refinement says of the error of the given figure.
-struct ErrorEstimate {
-  double error = 0;                     ///< >= 0
-  bool below = false;                   ///< the given figure is below the finer one
-  std::optional<double> observed = {};  ///< order, where three figures show one
-  bool as_expected = true;              ///< within a half of the order, or nothing to see
-};
-
-/// @param order expected  @param resolution differences below are rounding
-ErrorEstimate estimate_error(const Refinement& r, double order, double resolution);
-
-/// A scene as text, with what changes it.
-struct VerifiedScene {
-  std::string text, file;
-  std::vector<std::string> overrides;
-  /// Instead of those of the text: responses on its mesh, which move with it where it is refined.
-  std::vector<ResponseSpec> responses = {};
-};
 
 /// @throws InputError for natural frequencies and scenes that trace a path by arc length
 void check_verifiable(const SimulationOptions& options);

@@ -69,6 +69,21 @@ inline Mechanism roll_up(int n) {
   return m;
 }
 
+/// A straight rod bent by an end moment that follows it into two coils of radius 10 and height 50,
+/// of slenderness 1e4 (Harsch).
+inline Mechanism helix(int n, int order = 2) {
+  const double R = 10, c = 50 / (4 * M_PI), L = 4 * M_PI * std::hypot(R, c);
+  const double kappa = R / (R * R + c * c), tau = c / (R * R + c * c);
+  const double w = L / 1e4, E = 1, EI = E * w * w * w * w / 12;
+  Mechanism m = cantilever(
+      beam(straight({0, 0, 0}, {L, 0, 0}, n), section(diagonal(E * w * w, E * w * w / 2, EI, EI))));
+  std::get<BeamSpec>(m.bodies[0].kind).order = order;
+  m.loads.push_back(tip_load(m, Vec3::Zero(), EI * Vec3(tau, 0, kappa)));
+  m.loads.back().follower = true;
+  return m;
+}
+inline Vec3 end_of_helix() { return 50 * Vec3(50 / (4 * M_PI), 0, 10).normalized(); }
+
 /// 45 degree bend (Bathe, Bolourchi 1979): R = 100, unit square section, E = 1e7, nu = 0.
 inline Mechanism bend45(int n, double P, double shear_factor = 1, double J = 1. / 6) {
   const Arc quarter = Arc::with_radius({0, 0, 0}, Vec3::UnitX(), Vec3::UnitZ(), 100, M_PI / 4);

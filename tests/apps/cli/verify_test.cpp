@@ -165,6 +165,18 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
       << o.out << o.err;
 }
 
+/// Beside the largest value, the value at the end, and in a report that is there.
+TEST_F(VerifyCommand, WritesBothErrorsOfAResponse) {
+  const Outcome o = run({"run", scene("bend45"), "-o", results(), "--verify"});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_EQ(o.err, "");
+  const Json error = summary()["responses"]["tip"]["error"];
+  EXPECT_GT(error["end"]["mesh"].get<double>(), 1e-4);
+  EXPECT_FALSE(error["end"].contains("step"));
+  EXPECT_EQ(o.out.find("alone"), std::string::npos) << "there is no step: " << o.out;
+  EXPECT_TRUE(fs::exists(results() / "report.html"));
+}
+
 /// Not silent where there is nothing to verify.
 TEST_F(VerifyCommand, SaysWhyARunIsNotVerified) {
   const Outcome inaccurate =

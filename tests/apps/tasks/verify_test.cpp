@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <set>
@@ -15,6 +16,7 @@
 #include "apps/lean/setting.hpp"
 #include "apps/program.hpp"
 #include "apps/scene/load_scene.hpp"
+#include "apps/tasks/error_estimate.hpp"
 #include "apps/tasks/run.hpp"
 
 namespace liesl::test::verify_test {
@@ -180,6 +182,23 @@ TEST(Verify, KnowsTheErrorOfThePartsMesh) {
       EXPECT_LT(*tip.error_mesh, 3 * error) << outline << cells;
       EXPECT_GT(*tip.error_mesh, error / 3) << outline << cells;
     }
+}
+
+/// The largest position of the bend is where it starts; its error is that of where it ends.
+TEST(Verify, KnowsTheErrorOfTheEnd) {
+  const std::string file = (kData / "scenes/bend45.toml").string();
+  const auto end_of = [&](const std::vector<std::string>& changes, bool verified) {
+    const auto responses = summary_of(file, changes, verified).responses;
+    return *std::find_if(responses.begin(), responses.end(),
+                         [](const auto& r) { return r.final.size() == 3; });
+  };
+  const auto given = end_of({}, true), fine = end_of({"bodies.beam.beam.elements=64"}, false);
+  double square = 0;
+  for (int i = 0; i < 3; ++i) square += std::pow(given.final[i] - fine.final[i], 2);
+  const double error = std::sqrt(square);
+  ASSERT_TRUE(given.end_error_mesh);
+  EXPECT_LT(*given.end_error_mesh, 3 * error);
+  EXPECT_GT(*given.end_error_mesh, error / 3);
 }
 
 /// Halved steps, whether the scene adapts them or not.

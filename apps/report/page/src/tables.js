@@ -38,7 +38,8 @@ export function tile(label, value, note, kind) {
 }
 
 /** Of mesh and step together, where they were verified. */
-const errorOf = ({ error }) => (error ? (error.mesh ?? 0) + (error.step ?? 0) : undefined);
+const both = (error) => (error ? (error.mesh ?? 0) + (error.step ?? 0) : undefined);
+const errorOf = ({ error }) => both(error);
 const plusMinus = (text) => `\u00b1\u00a0${text}`;
 
 /** The reason without what a tile says: the worst limit. */
@@ -136,9 +137,10 @@ export function responses(s, abscissa) {
   if (entries.length === 0) return null;
   const rows = entries.map(([name, r]) => [name, quantity(r.max_abs, r.unit),
     errorOf(r) === undefined ? '\u2013' : plusMinus(quantity(errorOf(r), r.unit, 2)), tick(r.at_time, 4),
-    quantities([r.final].flat().map((x) => (x !== null && Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit)]);
+    quantities([r.final].flat().map((x) => (x !== null && Math.abs(x) < 1e-9 * r.max_abs ? 0 : x)), r.unit),
+    both(r.error?.end) === undefined ? '\u2013' : plusMinus(quantity(both(r.error.end), r.unit, 2))]);
   const at = abscissa?.abscissa_unit && abscissa.abscissa_unit !== '-' ? `at [${abscissa.abscissa_unit}]` : 'at';
-  return card('Responses', table(['response', 'largest', 'error', at, 'at the end'], rows, ['', 'n', 'n', 'n', 'n']));
+  return card('Responses', table(['response', 'largest', 'error', at, 'at the end', 'error'], rows, ['', 'n', 'n', 'n', 'n', 'n']));
 }
 
 /** Derivatives of the figures of a motion: by a percent of each parameter. */
