@@ -23,8 +23,8 @@ struct PartGrid {
 /// Of the meshed parts of a scene, in their order. @param text what it was read from
 std::vector<PartGrid> part_grids(const SceneText& text, const Mechanism& mechanism);
 
-/// "key.path=value" that gives grids `factor` times their cells in each direction (2 or 0.5); empty
-/// where one of them cannot be halved.
+/// "key.path=value" that gives grids `factor` times their cells in each direction (whole, or 0.5);
+/// empty where one of them cannot be halved.
 std::vector<std::string> grid_changes(const std::vector<PartGrid>& grids, double factor);
 
 }  // namespace liesl
