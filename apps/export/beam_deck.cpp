@@ -89,6 +89,7 @@ BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string&
   deck.sections = beam.sections;
   deck.nodes = beam.nodes;
   deck.identity = loads.identity;
+  deck.model = model_of(beam, scene.mechanism.formalism);
   require_shapes(deck);
   for (std::size_t e = 0; e + 1 < beam.nodes.size(); ++e)
     deck.middles.push_back(beam.nodes[e] *
@@ -121,6 +122,21 @@ bool same_dimensions(const Shape& a, const Shape& b) {
   return std::all_of(names.begin(), names.end(), [&](std::string_view name) {
     return dimension(a, name) == dimension(b, name);
   });
+}
+
+/// What the identity of another model than that of the deck does not say.
+std::string own_model(BeamModel model) {
+  if (model == BeamModel::Modal)
+    return ".\n"
+           "  That is by its own model, linear in a floating frame; what axial forces do to the "
+           "bending of the\n"
+           "  deck comes on top, N L^2/(pi^2 EI) of it";
+  if (model == BeamModel::Segments)
+    return ".\n"
+           "  That is by its own model, a chain of segments without shear; the deck differs by the "
+           "error of its\n"
+           "  mesh, which falls with the square of the segments";
+  return "";
 }
 
 }  // namespace
@@ -176,14 +192,14 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
       "- **What they shall give back**: `displacements.csv`, the displacements of the motion. "
       "The strains\n"
       "  that liesl finds under these loads differ from those of the motion, over the largest: {6} "
-      "(linear: {7}).\n"
+      "(linear: {7}){8}.\n"
       "- Gravity and inertia are in the loads; the deck has none of its own.\n\n"
       "| case | time [s] | largest deflection [m] |\n|---|---|---|\n",
       deck.part, deck.scene, program, instants(deck.cases.size()),
       calculix ? "node k of the beam is node 2k + 1, the middle of element e node 2e + 2"
                : "node k of the beam is grid k + 1",
       calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),
-      difference_text(deck.identity.linear));
+      difference_text(deck.identity.linear), own_model(deck.model));
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += fmt::format("| {} | {:.6g} | {:.6g} |\n", n + 1, deck.cases[n].time,
                         deck.cases[n].deflection);

@@ -26,6 +26,7 @@ struct BeamDeck {
   std::vector<SE3> middles;       ///< E, of the elements, at rest
   std::vector<Case> cases;
   Identity identity;  ///< how well the loads give back the deformation, by liesl
+  BeamModel model = BeamModel::AsFormalism;  ///< by which it says so
 };
 
 /// In the frame H_0 of the first node at an instant, a node has H_0^-1 H_k; turned into the frame

@@ -53,6 +53,7 @@ struct MeshMotion {
   std::vector<Eigen::VectorXd> amplitudes;
   /// Of a continuum: stresses of the cells below each other by amplitude, Pa.
   Eigen::MatrixXd stress = {};
+  double largest_stress = 0;  ///< component of a continuum, Pa
 };
 
 /// Of a continuum: displacements with the stresses below them, which do not follow from those by
@@ -77,6 +78,7 @@ MeshMotion motion_of(const ContinuumBody<G>& body, const Model<G>& model,
   const double modulus = body.stresses_at((1 + kStretch) * rest).cwiseAbs().maxCoeff() / kStretch;
   const double scale = tolerance / (kStressTo * std::max(largest, kNoise * modulus));
   MeshMotion out;
+  out.largest_stress = largest;
   const Eigen::MatrixXd none = body.stresses_at(rest);
   DisplacementBasis basis(rest.size() + none.size(), tolerance);
   for (int n = 0; n < trajectory.size(); ++n) {
@@ -106,9 +108,10 @@ MeshMotion motion_of(const SolidBody<G>& body, const Model<G>& model,
 
 /// Positions of the nodes of a meshed part, x_0 + R_0 (s + u), and of that R_0 u with u = phi e, at
 /// the records that are shown.
+/// @param result takes the largest stress of a continuum
 template <FrameGroup G>
 output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
-                           const Trajectory<G>& trajectory, int b) {
+                           const Trajectory<G>& trajectory, int b, output::BodyResult& result) {
   const BodySpec& spec = mechanism.bodies[static_cast<size_t>(b)];
   const SolidMesh& mesh = std::get<SolidSpec>(spec.kind).mesh();
   const Body<G>& body = *model.bodies[static_cast<size_t>(b)];
@@ -122,6 +125,7 @@ output::MeshResult mesh_of(const Mechanism& mechanism, const Model<G>& model,
     for (Eigen::Index k = 0; k < motion.stress.cols(); ++k)
       append(out.stress_basis, motion.stress.col(k));
   }
+  result.largest_stress = motion.largest_stress;
   out.records = output::spread_records(trajectory.size(), output::kShownRecords);
   const SpatialView<G> view(mechanism, model);
   if (48.0 * static_cast<double>(out.records.size()) * mesh.node_count() > output::kMeshBytes)
@@ -314,7 +318,7 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
 
   for (size_t b = 0; b < mechanism.bodies.size(); ++b)
     if (std::holds_alternative<SolidSpec>(mechanism.bodies[b].kind))
-      r.meshes.push_back(mesh_of(mechanism, model, trajectory, static_cast<int>(b)));
+      r.meshes.push_back(mesh_of(mechanism, model, trajectory, static_cast<int>(b), r.bodies[b]));
 
   State<G> s = model.initial_state();
   model.complete(s);

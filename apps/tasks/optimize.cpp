@@ -255,6 +255,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.mechanism = r.mechanism;
   out.results = recorded<G>(scene, r);
   describe_responses(out.summary, out.results);
+  describe(out.summary, r.simulation.report.penalty, r.mechanism.penalty.form);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);
   doubt_final_motion(scene, r, out);
   if (r.status != CycleStatus::Interrupted)  // it may take longer than a cycle

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -9,6 +10,7 @@
 #include "apps/tasks/motion_notes.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/model/beam_ends.hpp"
+#include "mbs/model/joint_kind.hpp"
 #include "mbs/sections/section_law.hpp"
 #include "mbs/system/spatial_view.hpp"
 
@@ -24,6 +26,10 @@ constexpr double kFarBent = 1.5;   // rad
 constexpr double kBuckled = 1;     // what a linear body that is pressed, or spins, cannot carry
 constexpr double kFreeEnd = 0.25;  // of the Euler load between hinges: that of a free end
 constexpr double kEndTurn = 1.6;   // of the first mode of a cantilever, over u/r
+constexpr double kTwist = 0.02;    // of the bending of a chain: torsion that it has not
+constexpr double kTwisted = 0.2;   // of it: nothing to rely on
+constexpr double kNoTwist = 1e-6;  // rad
+constexpr double kAlong = 1e-6;    // rad: an axis along a beam
 
 /// Euler load of a bar that is as soft across the line to its end: C = d(end)/dF, in the axes of
 /// `end`; 0 if there is none.
@@ -104,6 +110,39 @@ std::vector<RangeNote> beam_notes(const BodySpec& body, Formalism formalism,
                 remedy.c_str());
 }
 
+/// Does a joint hold the turn of what is at it about this axis?
+bool holds(const JointSpec& joint, const Vec3& about) {
+  const JointKind& kind = kind_of(joint.type);
+  const auto turns = [](const JointRow& row) {
+    return row.kind == JointRow::Kind::Perpendicular || row.kind == JointRow::Kind::Angle;
+  };
+  if (std::none_of(kind.constraints.begin(), kind.constraints.end(), turns)) return false;
+  const Vec3 axes[] = {joint.axis, joint.axis2, joint.axis.cross(joint.axis2)};
+  return std::none_of(kind.coordinates.begin(), kind.coordinates.end(), [&](const JointRow& row) {
+    return row.kind == JointRow::Kind::Angle &&
+           axes[row.about()].cross(about).norm() < kAlong * axes[row.about()].norm();
+  });
+}
+
+/// Turn about x of the last frame of a chain against the one before it, carried onto it by the
+/// smallest rotation. @param last of at least two nodes
+double twist_of_end(const SE3* last) {
+  const Mat3 &before = last[-1].R, &end = last->R;
+  const Mat3 carried =
+      Eigen::Quaterniond::FromTwoVectors(before.col(0), end.col(0)).toRotationMatrix() * before;
+  const Mat3 rest = carried.transpose() * end;
+  return std::atan2(rest(2, 1), rest(1, 1));
+}
+
+std::vector<RangeNote> chain_notes(const std::string& name, const PartRange& range) {
+  if (range.twist <= std::max(kNoTwist, kTwist * range.bend)) return {};
+  return {
+      {fmt::format("the beam '{}' would be twisted by {:.2g} rad, beside bending by {:.2g} rad, "
+                   "but a chain of segments has no torsion: use formalism se3",
+                   name, range.twist, range.bend),
+       range.twist > kTwisted * range.bend}};
+}
+
 }  // namespace
 
 template <FrameGroup G>
@@ -147,13 +186,14 @@ void PartRanges<G>::add_members() {
     untold = untold || kind(b) == BeamModel::Modal || kind(b) == BeamModel::Segments;
   for (std::size_t b = 0; untold && b < mechanism_.bodies.size(); ++b) {
     if (kind(b) == BeamModel::Rigid) continue;
-    Member beam{model_.bodies[b].get(), nullptr, static_cast<int>(b), 0, 0, {}};
+    Member beam{model_.bodies[b].get(), nullptr, static_cast<int>(b)};
     if (kind(b) == BeamModel::Modal) {
       beam.modal = ModalBody<G>::of(*beam.body);
       if (beam.modal->basis().cols() == beam.modal->padding()) continue;
       beam.euler = euler_load(*beam.modal);
     }
     if (G::space_dim == 2) beam.sideways = sideways_load(beam.index);
+    beam.held = G::space_dim == 3 && kind(b) == BeamModel::Segments && held_about_axis(beam.index);
     members_.push_back(beam);
   }
 }
@@ -176,6 +216,36 @@ double PartRanges<G>::sideways_load(int body) const {
     }
   }
   return length > 0 ? M_PI * M_PI * EI / (length * length) : 0;
+}
+
+template <FrameGroup G>
+bool PartRanges<G>::held_about_axis(int body) const {
+  const auto& nodes =
+      std::get<BeamSpec>(mechanism_.bodies[static_cast<std::size_t>(body)].kind).nodes;
+  const int last = static_cast<int>(nodes.size()) - 1;
+  const auto held = [&](int node) {
+    return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
+                       [&](const JointSpec& joint) {
+                         const bool at = (joint.a.body == body && joint.a.node == node) ||
+                                         (joint.b.body == body && joint.b.node == node);
+                         return at && holds(joint, nodes[1].x - nodes[0].x);
+                       });
+  };
+  return held(0) && held(last);
+}
+
+template <FrameGroup G>
+void PartRanges<G>::measure_twist(Member& chain, const State<G>& s) const {
+  if constexpr (G::space_dim == 3) {
+    const BodyState<G> state = model_.body_state(s, chain.index);
+    const int last = chain.body->nodes() - 1;
+    PartRange& range = chain.range;
+    range.twist = std::max(range.twist, std::abs(twist_of_end(state.H + last)));
+    const Vec3 start = state.H[0].R.col(0);
+    for (int k = 1; k <= last; ++k)
+      range.bend = std::max(range.bend,
+                            std::acos(std::clamp(start.dot(Vec3(state.H[k].R.col(0))), -1., 1.)));
+  }
 }
 
 template <FrameGroup G>
@@ -213,6 +283,7 @@ void PartRanges<G>::measure(Member& beam, const State<G>& s) const {
     for (int k = 1; k < beam.modal->nodes(); ++k)
       range.bend = std::max(range.bend, u.segment(dim * k + sd, rd).norm());
   }
+  if (beam.held) measure_twist(beam, s);
   if (beam.euler == 0 && beam.sideways == 0) return;
   for (int e = 0; e < beam.body->elements(); ++e) {
     const double N = beam.body->section_force(state, e, ElementPlace::Middle)[0];
@@ -251,6 +322,8 @@ std::vector<RangeNote> PartRanges<G>::notes() const {
     if (beam.modal)
       add(beam_notes(mechanism_.bodies[static_cast<std::size_t>(beam.index)], mechanism_.formalism,
                      beam.range));
+  for (const Member& beam : members_)
+    if (beam.held) add(chain_notes(beam.body->name, beam.range));
   for (const Part& part : parts_) add(part_notes(part.body->name, part.body->points(), part.range));
   return all;
 }

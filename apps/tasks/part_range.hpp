@@ -21,6 +21,7 @@ struct PartRange {
   double pull = 0;      ///< tension over it, at the first interface or in an element
   double spin = 0;      ///< (Omega_J/omega_1)^2; parts of one interface
   double sideways = 0;  ///< compression of a beam in a plane over its Euler load out of the plane
+  double twist = 0;     ///< of a chain of segments in space that both ends hold about its axis, rad
 };
 
 /// A note on a range. `beyond`: the result cannot be relied on.
@@ -49,6 +50,10 @@ struct RangeNote {
 /// Beams in floating frames: turns of their nodes, normal forces of their elements, the Euler load
 /// from the softness of the end held at the start.
 ///
+/// Chains of segments in space have no torsion: where a joint at either end holds the turn about
+/// the axis, the turn of the last frame against the first, carried along the chain without twist,
+/// is what torsion would resist; against how far the chain turns by bending.
+///
 /// Out of the plane: pi^2 EI/L^2, EI the least of its elements about the axis in the plane, of all
 /// flexible beams where some are in floating frames or chains of segments (`PlaneStability` knows
 /// neither).
@@ -64,7 +69,7 @@ class PartRanges {
   /// A note for each bound that is passed: a tenth of the Euler load and of (Omega_J/omega_1)^2,
   /// 0.15 rad. Beyond: 1.5 rad, where a cantilever is as far off its line as it is
   /// long, the Euler load in compression, (Omega_J/omega_1)^2 = 1, where the
-  /// part would bend for ever.
+  /// part would bend for ever. Of a chain a twist of a fiftieth of its bending; beyond: a fifth.
   std::vector<RangeNote> notes() const;
   /// A note on the beam that carries most of its Euler load out of the plane, above a fourth of
   /// that between hinges, where one with a free end buckles.
@@ -90,12 +95,15 @@ class PartRanges {
     const ModalBody<G>* modal;  ///< null: not in a floating frame
     int index;
     double euler = 0, sideways = 0;  ///< Euler loads, N; 0: none
-    PartRange range;
+    PartRange range = {};
+    bool held = false;  ///< a chain in space, at both ends about its axis
   };
 
   void add_part(const SolidBody<G>& body, int index);
   void add_members();
   double sideways_load(int body) const;
+  bool held_about_axis(int body) const;
+  void measure_twist(Member& chain, const State<G>& s) const;
   void measure(Part& part, const State<G>& s) const;
   void measure(Member& beam, const State<G>& s) const;
 

@@ -171,6 +171,9 @@ class FinerStudy {
 
 FinerModel finer_model(const Study& study, const std::vector<VerifiedLimit>& limits,
                        double feasibility, const Changes& before, const ReadStudy& read) {
+  for (const VerifiedLimit& l : limits)
+    if (l.joints > kShare * feasibility && !l.certain(feasibility))
+      return {.exhausted = "penalties let the joints open: simulation.constraints = \"augmented\""};
   return FinerStudy(study, before, read)
       .model(largest_error(limits, feasibility, true), largest_error(limits, feasibility, false),
              kShare * feasibility);

@@ -2,7 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "apps/output/file.hpp"
+#include "mbs/solids/solid_model.hpp"
 
 namespace liesl {
 
@@ -19,16 +22,22 @@ void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace
   for (const NamedInput& file : scene.files) summary.more["files"][file.path] = file.sha256;
 }
 
-namespace {
-
 void describe(output::RunSummary& summary, const PenaltyReport& p, ConstraintForm form) {
+  if (!p.used) return;
   auto& json = summary.more["penalty"];
-  json = {{"constraints", to_string(form)},   {"weight", p.displacement},
-          {"weight_rotation", p.rotation},    {"largest_opening", p.opening},
-          {"largest_deformation", nullptr},   {"share", p.share},
-          {"augmentations", p.augmentations}, {"most_augmentations", p.most_augmentations}};
+  json = {{"constraints", to_string(form)},
+          {"weight", p.displacement},
+          {"weight_rotation", p.rotation},
+          {"joint", p.joint},
+          {"largest_opening", p.opening},
+          {"largest_deformation", nullptr},
+          {"share", p.share},
+          {"augmentations", p.augmentations},
+          {"most_augmentations", p.most_augmentations}};
   if (!p.rigid) json["largest_deformation"] = p.deformation;
 }
+
+namespace {
 
 /// A converged run that cannot be relied on. @returns the status, that of the summary too
 SolveStatus doubt(output::RunSummary& summary, const std::string& why, SolveStatus status) {
@@ -59,18 +68,34 @@ SolveStatus describe_energy(output::RunSummary& summary, const output::Results& 
   return share > kTooMuch ? doubt(summary, text, status) : status;
 }
 
+/// A body whose law is for small strains; E = 0: another.
+struct SmallStrain {
+  std::string name, law, remedy;
+  double E = 0;  ///< Pa
+};
+SmallStrain small_strain(const BodySpec& body) {
+  if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+    return {"the beam '" + body.name + "'", "its material is linear",
+            "check the units of E, of its section and of its loads", beam->material.E};
+  const auto* solid = std::get_if<SolidSpec>(&body.kind);
+  if (!solid || solid->as != SolidMotion::Continuum || solid->law != SolidLaw::StVenantKirchhoff)
+    return {};
+  return {"the part '" + body.name + "'",
+          "the law of St. Venant and Kirchhoff is for small strains",
+          "law = \"neo_hookean\", or check the units of E and of its loads",
+          solid->model->material().E};
+}
+
 SolveStatus describe_strains(output::RunSummary& summary, const Mechanism& mechanism,
                              const output::Results& results, SolveStatus status) {
   constexpr double kLinear = 0.05, kTorn = 0.5;
-  for (std::size_t b = 0; b < mechanism.bodies.size(); ++b) {
-    const auto* beam = std::get_if<BeamSpec>(&mechanism.bodies[b].kind);
-    if (!beam || b >= results.bodies.size()) continue;
-    const double share = results.bodies[b].largest_stress / beam->material.E;
+  for (std::size_t b = 0; b < std::min(mechanism.bodies.size(), results.bodies.size()); ++b) {
+    const SmallStrain of = small_strain(mechanism.bodies[b]);
+    const double share = of.E > 0 ? results.bodies[b].largest_stress / of.E : 0;
     if (!(share > kLinear)) continue;
-    const std::string text = fmt::format(
-        "the stress in the beam '{}' reaches {:.2g} of its modulus E, but its material is linear: "
-        "check the units of E, of its section and of its loads",
-        mechanism.bodies[b].name, share);
+    const std::string text =
+        fmt::format("the stress in {} reaches {:.2g} of its modulus E, but {}: {}", of.name, share,
+                    of.law, of.remedy);
     summary.warnings.push_back(text);
     if (share > kTorn) status = doubt(summary, text, status);
   }
@@ -96,7 +121,7 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
   summary.more["rejected_steps"] = report.rejected_steps;
   summary.more["smallest_step"] = report.smallest_step;
   summary.more["max_constraint_residual"] = report.max_constraint_residual;
-  if (report.penalty.used) describe(summary, report.penalty, mechanism.penalty.form);
+  describe(summary, report.penalty, mechanism.penalty.form);
   summary.more["start"] = {{"moved", start.moved}, {"velocity_change", start.velocity_change}};
 }
 

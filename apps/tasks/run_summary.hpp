@@ -13,6 +13,8 @@ namespace liesl {
 void describe(output::RunSummary& summary, const Scene& scene, const ChosenSpace& space);
 void describe(output::RunSummary& summary, const Report& report, const InitialState& start,
               const Mechanism& mechanism, SimulationType type);
+/// The key `penalty`, where there are some.
+void describe(output::RunSummary& summary, const PenaltyReport& p, ConstraintForm form);
 void describe_responses(output::RunSummary& summary, const output::Results& results);
 /// A warning for each beam whose largest stress at the records is above a twentieth of its modulus,
 /// since materials are linear, and if the integrator lost or made more than a few per cent of the

@@ -120,6 +120,9 @@ class LimitVerification {
       return false;
     }
     given.summary.warnings.clear();
+    joints_ = given.summary.more.contains("penalty")
+                  ? given.summary.more["penalty"]["share"].get<double>()
+                  : 0;
     verify(source, scene, given.summary, progress_);
     for (std::string& w : given.summary.warnings)
       if (std::find(warnings.begin(), warnings.end(), w) == warnings.end())
@@ -181,13 +184,14 @@ class LimitVerification {
             fmt::format("limit {}: its error by the {} is not known", p.name, part));
     limits_.push_back({p.name, figure->violation, found.error_mesh.value_or(0) / p.limit->limit,
                        found.error_step.value_or(0) / p.limit->limit, order(p, "mesh", verified),
-                       order(p, "step", verified), mesh && step});
+                       order(p, "step", verified), mesh && step, joints_});
   }
 
   OptimizeOutcome& out_;
   const Study& study_;
   const Progress& progress_;
   std::vector<VerifiedLimit> limits_;
+  double joints_ = 0;  ///< of the scenario: share by which penalties let them open
   nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
 };
 
@@ -205,8 +209,9 @@ std::string VerifiedLimit::text() const {
     return share < 0.995 ? fmt::format("{:.2g} %", 100 * share)
                          : fmt::format("{:.0f} %", 100 * share);
   };
-  return fmt::format("limit {} is known to {} only: mesh {}, step {}", name, percent(error()),
-                     known || mesh > 0 ? percent(mesh) : "not known", percent(step));
+  return fmt::format("limit {} is known to {} only: mesh {}, step {}{}", name, percent(error()),
+                     known || mesh > 0 ? percent(mesh) : "not known", percent(step),
+                     joints > 0 ? ", joints that open " + percent(joints) : "");
 }
 
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,

@@ -14,8 +14,9 @@ struct VerifiedLimit {
   double mesh = 0, step = 0;                               ///< errors, 0 where they are not known
   std::optional<double> mesh_order = {}, step_order = {};  ///< observed
   bool known = true;                                       ///< are both errors?
+  double joints = 0;  ///< share by which penalties let joints open
 
-  double error() const { return mesh + step; }
+  double error() const { return mesh + step + joints; }
   /// Is it met on the converged model as far as the errors tell?
   bool certain(double feasibility) const { return known && violation + error() <= feasibility; }
   /// "limit bending is known to 1.7 % only: mesh 1.7 %, step 0.001 %"

@@ -264,19 +264,21 @@ void report_penalty(const Model<G>& model, const JointOpening<G>& open, Report& 
   p.used = true;
   p.displacement = model.penalty.displacement;
   p.rotation = model.penalty.rotation;
-  p.opening = open.opening();
-  p.deformation = open.deformation();
+  const auto worst = open.worst();
+  p.joint = worst.joint;
+  p.opening = worst.opening;
+  p.deformation = worst.deformation;
+  p.share = worst.share;
   p.rigid = open.rigid();
-  const double against = p.rigid ? model.length : p.deformation;
-  p.share = against > 0 ? p.opening / against : 0;
   const double limit = p.rigid ? kOpenRigid : kOpen;
   if (p.share <= limit) return;
   const std::string text = fmt::format(
-      "the joints open by up to {:.3g} m, {:.2g} % of {}: raise simulation.penalty ({:g} N/m) and "
+      "the joints open by up to {:.3g} m ('{}'), {:.2g} % of {}: raise simulation.penalty ({:g} "
+      "N/m) and "
       "penalty_rotation ({:g} N m), or take simulation.constraints = \"augmented\"",
-      p.opening, 100 * p.share,
+      p.opening, p.joint, 100 * p.share,
       p.rigid ? std::string("the mechanism's length")
-              : fmt::format("the largest deformation of {:.3g} m", p.deformation),
+              : fmt::format("the largest deformation beside it of {:.3g} m", p.deformation),
       p.displacement, p.rotation);
   report.warnings.push_back(text);
   if (p.share <= kApart * limit || report.status != SolveStatus::Converged) return;

@@ -38,8 +38,9 @@ inline const char* to_string(SolveStatus s) {
 struct PenaltyReport {
   bool used = false;
   double displacement = 0, rotation = 0;  ///< weights, N/m and N m
-  double opening = 0;          ///< largest |Phi|, m; angles times the length of the mechanism
-  double deformation = 0;      ///< largest displacement of a node beside its body's first frame, m
+  std::string joint;                      ///< that opens by the largest share
+  double opening = 0;          ///< its largest |Phi|, m; angles times the length of the mechanism
+  double deformation = 0;      ///< farthest of a node beside the middle one of its body, m
   bool rigid = false;          ///< nothing can deform: `share` is that of the mechanism's length
   double share = 0;            ///< opening / deformation
   long augmentations = 0;      ///< of all steps

@@ -4,12 +4,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
 
 namespace liesl {
 namespace {
 
-constexpr double kStiffer = 1000;  // than the bodies
+constexpr double kStiffer = 1000;    // than the bodies
+constexpr double kRounding = 1e-13;  // of the length: openings below are none
 
 /// The largest entries of a body on the diagonal of translations and of rotations.
 struct Largest {
@@ -49,6 +51,21 @@ template <FrameGroup G, class At>
 void for_each_constraint(const Model<G>& model, const At& at) {
   for (const Coupling<G>& c : model.couplings)
     for (int i = 0; i < c.constraints; ++i) at(c, c.rows[static_cast<size_t>(i)], i);
+}
+
+/// By body: the first of the bodies that couplings join with it, not by way of the ground.
+template <FrameGroup G>
+std::vector<int> assemblies(const Model<G>& model) {
+  std::vector<int> first(model.bodies.size());
+  std::iota(first.begin(), first.end(), 0);
+  for (const Coupling<G>& c : model.couplings) {
+    if (c.a.body < 0 || c.b.body < 0) continue;
+    const int a = first[static_cast<size_t>(c.a.body)], b = first[static_cast<size_t>(c.b.body)];
+    const int least = std::min(a, b), other = std::max(a, b);
+    for (int& f : first)
+      if (f == other) f = least;
+  }
+  return first;
 }
 
 }  // namespace
@@ -105,24 +122,56 @@ double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& mo
 template <FrameGroup G>
 JointOpening<G>::JointOpening(const Model<G>& model) : model_(model) {
   lever_.setOnes(model.constraints());
+  opening_.setZero(model.constraints());
   for_each_constraint(model, [&](const Coupling<G>& c, const CouplingRow<G>& row, int i) {
     if (!c.continued && !is_length(row.row)) lever_[c.first_constraint + i] = model.length;
   });
-  for (const auto& body : model.bodies) rigid_ = rigid_ && !deforms(*body);
+  for (const auto& body : model.bodies) deforms_.push_back(deforms(*body));
+  deformation_.assign(model.bodies.size(), 0);
+  assembly_ = assemblies(model);
+  rigid_ = std::none_of(deforms_.begin(), deforms_.end(), [](bool is) { return is; });
 }
 
 template <FrameGroup G>
 void JointOpening<G>::step(const Eigen::VectorXd& gap, const State<G>& s) {
-  if (gap.size() > 0)
-    opening_ = std::max(opening_, gap.cwiseProduct(lever_).template lpNorm<Eigen::Infinity>());
-  if (rigid_) return;
+  opening_ = opening_.cwiseMax(gap.cwiseProduct(lever_).cwiseAbs());
   for (size_t b = 0; b < model_.bodies.size(); ++b) {
+    if (!deforms_[b]) continue;
     const Body<G>& body = *model_.bodies[b];
     const G* H = s.H.data() + model_.first_node(static_cast<int>(b));
-    const G moved = H[0] * body.reference[0].inverse();
-    for (int k = 1; k < body.points(); ++k)
-      deformation_ = std::max(deformation_, (H[k].x - (moved * body.reference[k]).x).norm());
+    const int middle = body.points() / 2;
+    const G moved = H[middle] * body.reference[middle].inverse();
+    for (int k = 0; k < body.points(); ++k)
+      deformation_[b] = std::max(deformation_[b], (H[k].x - (moved * body.reference[k]).x).norm());
   }
+}
+
+/// What deforms beside a joint.
+template <FrameGroup G>
+double JointOpening<G>::beside(const Coupling<G>& c) const {
+  const int of = assembly_[static_cast<size_t>(std::max(c.a.body, c.b.body))];
+  double largest = 0;
+  bool deforming = false;
+  for (size_t b = 0; b < deforms_.size(); ++b) {
+    if (assembly_[b] != of || !deforms_[b]) continue;
+    deforming = true;
+    largest = std::max(largest, deformation_[b]);
+  }
+  return deforming ? largest : *std::max_element(deformation_.begin(), deformation_.end());
+}
+
+template <FrameGroup G>
+auto JointOpening<G>::worst() const -> Worst {
+  Worst found;
+  if (!rigid_) found.deformation = *std::max_element(deformation_.begin(), deformation_.end());
+  for (const Coupling<G>& c : model_.couplings) {
+    if (c.constraints == 0) continue;
+    Worst one{c.name, opening_.segment(c.first_constraint, c.constraints).maxCoeff()};
+    const double against = rigid_ ? model_.length : one.deformation = beside(c);
+    if (one.opening > kRounding * model_.length && against > 0) one.share = one.opening / against;
+    if (found.joint.empty() || one.share > found.share) found = one;
+  }
+  return found;
 }
 
 template Penalty build_penalty(const PenaltySpec&, const Model<SE2>&);

@@ -3,6 +3,9 @@
 /// Constraints by penalties: forces B^T lambda with lambda = alpha (Phi + tau dPhi/dt) (J. C.
 /// Garcia Orden, J. J. Arribas, D. Dopico, F. Gabaldon 2024, eq. 3).
 
+#include <string>
+#include <vector>
+
 #include "mbs/model/parameter.hpp"
 #include "mbs/system/model.hpp"
 
@@ -41,22 +44,35 @@ template <FrameGroup G>
 double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
                                  const State<G>& s);
 
-/// Watches what penalties leave open, against what the bodies deform by.
+/// Watches what penalties leave open, joint by joint, against what the bodies that hang together
+/// with it, not by the ground, deform by.
 template <FrameGroup G>
 class JointOpening {
  public:
+  /// The joint that opens furthest.
+  struct Worst {
+    std::string joint;
+    double opening = 0;      ///< m; angles times the model's length
+    double deformation = 0;  ///< of what hangs together with it, of all where that is rigid, m
+    double share = 0;        ///< of the one in the other; of the model's length if none deforms
+  };
+
   explicit JointOpening(const Model<G>& model);
   /// @param gap Phi by multiplier  @param s completed
   void step(const Eigen::VectorXd& gap, const State<G>& s);
-  double opening() const { return opening_; }          ///< m; angles times the model's length
-  double deformation() const { return deformation_; }  ///< m
-  bool rigid() const { return rigid_; }                ///< no body can deform
+  Worst worst() const;
+  bool rigid() const { return rigid_; }  ///< no body can deform
 
  private:
+  double beside(const Coupling<G>& c) const;
+
   const Model<G>& model_;
-  Eigen::VectorXd lever_;  ///< by multiplier: 1 or the model's length
+  Eigen::VectorXd lever_;    ///< by multiplier: 1 or the model's length
+  Eigen::VectorXd opening_;  ///< by multiplier, the largest so far
+  std::vector<bool> deforms_;
+  std::vector<int> assembly_;        ///< by body: the first of those that hang together
+  std::vector<double> deformation_;  ///< by body: farthest from where its middle node takes it, m
   bool rigid_ = true;
-  double opening_ = 0, deformation_ = 0;
 };
 
 extern template class JointOpening<SE2>;

@@ -377,10 +377,12 @@ std::string DerivativeReport::text(int rows) const {
   });
   std::string out = fmt::format("{:<36} {:<16} {:>10} {:>10} {:>6} {:>12}\n", "function",
                                 "direction", "error", "at step", "slope", "extrapolated");
-  int wrong = 0, kinked = 0, hidden = 0;
+  int wrong = 0, kinked = 0, hidden = 0, unknown = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DerivativeCheck& c = *order[k];
-    wrong += !c.right && !c.kink && !c.round_off;
+    const bool compared = std::isfinite(c.best_error);
+    wrong += !c.right && !c.kink && !c.round_off && compared;
+    unknown += !compared;
     kinked += c.kink;
     hidden += c.round_off;
     if (c.right && static_cast<int>(k) >= rows) continue;
@@ -388,11 +390,17 @@ std::string DerivativeReport::text(int rows) const {
                        c.direction, c.best_error, c.best_step,
                        c.slope ? fmt::format("{:.2f}", *c.slope) : "-", c.extrapolated_error,
                        c.right       ? ""
+                       : !compared   ? "  no difference"
                        : c.kink      ? "  kink, not judged"
                        : c.round_off ? "  round-off, not judged"
                                      : "  WRONG");
   }
   out += fmt::format("{} derivatives checked, {} wrong\n", order.size(), wrong);
+  if (unknown > 0)
+    out += fmt::format(
+        "{} of them could not be compared: at no step were there values on both sides, as where "
+        "simulations do not reach their end\n",
+        unknown);
   if (hidden > 0)
     out += fmt::format(
         "{} of them have more round-off than their differences may be off by: no difference "

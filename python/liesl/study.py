@@ -20,6 +20,7 @@ from .nlp import (Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own
 from .result import Result
 
 _KEPT = 8  # evaluations
+_MOST_WINDOWS = 10_000  # rows of a limit
 
 
 @dataclass(frozen=True)
@@ -209,8 +210,8 @@ class Study:
         for what rows in windows do not have: limits on frequencies, masses, integrals and p-norms,
         sizes of a catalogue, a weighted sum.
         """
-        if isinstance(windows, bool) or not isinstance(windows, int) or windows < 1:
-            raise InputError(f"windows is {windows!r}; expected a whole number, 1 or more")
+        if isinstance(windows, bool) or not isinstance(windows, int) or not 1 <= windows <= _MOST_WINDOWS:
+            raise InputError(f"windows is {windows!r}; expected a whole number, 1 to {_MOST_WINDOWS}")
         loaded = self._study.fixed_loads()
         if objective is not None or limits or not loaded:
             self._require_motion()

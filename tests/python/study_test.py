@@ -53,7 +53,7 @@ def test_rows_of_the_program(rod):
         e = h * np.eye(4)[i]
         difference = (nlp.constraints(nlp.x0 + e) - nlp.constraints(nlp.x0 - e)) / (2 * h)
         assert jacobian[:, i] == pytest.approx(difference, rel=1e-2)
-    for windows in (0, -1, 1.5, True, "2"):
+    for windows in (0, -1, 1.5, True, "2", 10**9):
         with pytest.raises(liesl.InputError, match="windows"):
             rod.nlp(windows=windows)
 

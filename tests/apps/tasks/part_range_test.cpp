@@ -178,5 +178,66 @@ TEST(PartRange, OfSensitivitiesToo) {
   EXPECT_FALSE(end.result.gradients.empty());
 }
 
+/// Two beams, an L with an arm of this length, under its weight along z.
+std::string corner(double arm, const std::string& formalism) {
+  return fmt::format(R"toml(
+gravity = [0, 0, -9.81]
+[materials]
+m = {{ E = 1e8, nu = 0.3, rho = 1000 }}
+[sections]
+s = {{ type = "circle", diameter = 0.02 }}
+[bodies]
+b = {{ beam = {{ from = [0, 0, 0], to = [1, 0, 0], section = "s", material = "m", elements = 8 }} }}
+d = {{ beam = {{ from = [1, 0, 0], to = [{}, {}, 0], section = "s", material = "m", elements = 4 }} }}
+[joints]
+clamp = {{ fixed = ["ground", "b.start"] }}
+corner = {{ fixed = ["b.end", "d.start"] }}
+[simulation]
+duration = 0.2
+space = "spatial"
+formalism = "{}"
+)toml",
+                     arm > 0 ? 1 : 1.5, arm, formalism);
+}
+
+/// What hangs beside a chain twists it, and the chain does not resist.
+TEST(PartRange, TorsionThatAChainHasNot) {
+  const char* const kTwisted = "would be twisted by ";
+  EXPECT_GT(said(corner(0.5, "segments"), kTwisted, SolveStatus::Inaccurate), 0.05);
+  EXPECT_EQ(said(corner(0, "segments"), kTwisted), 0) << "in one line";
+  EXPECT_EQ(said(corner(0.5, "se3"), kTwisted), 0);
+}
+
+/// Stretched by 3 and by 300 times what is small.
+TEST(PartRange, StressOfAContinuumForSmallStrains) {
+  const auto pulled_bar = [](double force, const std::string& law) {
+    return fmt::format(R"toml(
+[materials]
+m = {{ E = 1e7, nu = 0.3, rho = 1000 }}
+[bodies.b.solid]
+mesh = {{ from = [0, -0.05], to = [1, 0.05], cells = [20, 2] }}
+material = "m"
+thickness = 0.1
+as = "continuum"
+law = "{}"
+[bodies.b.solid.interfaces]
+l = {{ set = "x_min" }}
+r = {{ set = "x_max" }}
+[joints]
+c = {{ fixed = ["ground", "b.l"] }}
+[loads]
+f = {{ at = "b.r", force = [{}, 0, 0] }}
+[simulation]
+type = "static"
+)toml",
+                       law, force);
+  };
+  const char* const kReaches = "the stress in the part 'b' reaches ";
+  EXPECT_GT(said(pulled_bar(1e5, "st_venant_kirchhoff"), kReaches, SolveStatus::Inaccurate), 0.5);
+  EXPECT_GT(said(pulled_bar(1e4, "st_venant_kirchhoff"), kReaches), 0.05);
+  EXPECT_EQ(said(pulled_bar(1e3, "st_venant_kirchhoff"), kReaches), 0);
+  EXPECT_EQ(said(pulled_bar(3e4, "neo_hookean"), kReaches), 0);
+}
+
 }  // namespace
 }  // namespace liesl::test::part_range_test

@@ -117,6 +117,25 @@ TYPED_TEST(PenaltyIn, SoftJointsAreTold) {
   EXPECT_GT(r.report().penalty.share, 0.1);
 }
 
+/// Joints are judged by the bodies at them: another body that bends far hides nothing.
+TYPED_TEST(PenaltyIn, AFloppyBodyBesideHidesNothing) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  Mechanism beside = m;
+  beside.bodies.push_back({"wire", straight_beam({0.05, 0, 0}, {0.4, 0, 0}, 4, circle(0.004, 0.9),
+                                                 {"rubber", 5e7, 0.3, 1000})});
+  beside.joints.push_back({"hang", JointType::Revolute, {}, {3, 0}});
+  const auto share = [](const Mechanism& of) {
+    const auto r =
+        run<G>(penalised(of, ConstraintForm::Penalty, 1e7), space_of<G>(of), options(0.02, 2e-4));
+    return r.report().penalty;
+  };
+  const auto alone = share(m), together = share(beside);
+  EXPECT_GT(alone.share, 1e-3);
+  EXPECT_EQ(together.joint, alone.joint);
+  EXPECT_NEAR(together.share, alone.share, 1e-3 * alone.share);
+}
+
 /// Kinetic, elastic and potential energy and that of the penalties change by what dampers of the
 /// penalties take and drives give, to second order in the step.
 TYPED_TEST(PenaltyIn, EnergyIsBalanced) {

@@ -113,6 +113,24 @@ TEST(CheckDerivatives, OfAFunctionThatDoesNotChangeIsZero) {
   EXPECT_FALSE(check_derivatives(problem, x).right) << "a derivative that is left out";
 }
 
+/// Where nothing beside the point has values, a derivative is neither right nor called wrong.
+TEST(CheckDerivatives, WithoutValuesBesideThePointNothingIsCompared) {
+  struct Alone : SvanbergBeam {
+    Eigen::VectorXd at;
+    void values(const Eigen::VectorXd& x, double& f, Eigen::VectorXd& g) override {
+      SvanbergBeam::values(x, f, g);
+      if ((x - at).norm() > 0) g.setConstant(NAN);
+    }
+    HessianShape hessian_shape() const override { return HessianShape::None; }
+  } problem;
+  problem.at = start_of(problem);
+  const DerivativeReport report = check_derivatives(problem, problem.at);
+  EXPECT_FALSE(report.right);
+  EXPECT_GT(report.failed_evaluations, 0);
+  EXPECT_NE(report.text().find(", 0 wrong"), std::string::npos) << report.text();
+  EXPECT_NE(report.text().find("could not be compared"), std::string::npos) << report.text();
+}
+
 /// No difference at a kink tells whether a derivative is right: it is named, and the derivatives
 /// are checked beside it. One that is wrong stays so.
 TEST(CheckDerivatives, MovesOffKinksAndNamesThem) {
