@@ -22,6 +22,8 @@ struct VerifiedScene {
   std::vector<ResponseSpec> responses = {};
 };
 
+/// What changes a scene to them, and the scenes: beams by elements, parts by the cells of their
+/// grids, motions by steps.
 class FinerScenes {
  public:
   using Changes = std::vector<std::string>;  ///< "key.path=value"

@@ -177,6 +177,24 @@ TEST_F(VerifyCommand, WritesBothErrorsOfAResponse) {
   EXPECT_TRUE(fs::exists(results() / "report.html"));
 }
 
+/// Records as often as the scene asks for them; the limit holds at every step all the same.
+TEST_F(VerifyCommand, AStudyRecordsAsOftenAsItsSceneAsks) {
+  const auto study_with = [this](const char* every) {
+    EXPECT_EQ(optimise_rod({"--no-verify", "--force", "--set",
+                            std::string("simulation.output_every=") + every})
+                  .code,
+              0);
+    std::istringstream rows(text_of(results() / "responses.csv"));
+    int count = 0;
+    for (std::string row; std::getline(rows, row);) ++count;
+    return std::pair(count, summary()["constraints"]["bending"]["max_abs_final"].get<double>());
+  };
+  const auto [all, every_step] = study_with("1");
+  const auto [few, same] = study_with("400");
+  EXPECT_EQ(all - few, 1201 - 4) << "with the start and the end";
+  EXPECT_EQ(every_step, same);
+}
+
 /// Not silent where there is nothing to verify.
 TEST_F(VerifyCommand, SaysWhyARunIsNotVerified) {
   const Outcome inaccurate =
