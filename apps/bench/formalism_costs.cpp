@@ -1,8 +1,9 @@
 /// @file
-/// build/bench/bin/bench_formalism_costs [ROW] [RUNS]: processor time of the sensitivities of the
-/// slider-crank by four parameters, analytic (direct), semi-analytic and by central differences, in
-/// forward runs of the scene, under every formalism, and how far the other two are from the first:
-/// a table of docs/sensitivities.md. Instructions of one row: valgrind --tool=callgrind
+/// build/bench/bin/bench_formalism_costs [ROW] [RUNS] [clock]: processor time (or time by the
+/// clock) of the sensitivities of the slider-crank by four parameters, analytic (direct),
+/// semi-analytic and by central differences, in forward runs of the scene, under every formalism,
+/// and how far the other two are from the first: a table of docs/sensitivities.md. Instructions of
+/// one row: valgrind --tool=callgrind
 /// --toggle-collect='*forward_run*' (or '*direct_form*') bench_formalism_costs ROW 1.
 
 #include <fmt/format.h>
@@ -206,15 +207,16 @@ class Forms {
 
 /// By turns: the scene as given, the motion converged as sensitivities need it, the three forms.
 template <FrameGroup G>
-void measure(const Case& row, const SensitivityProblem& problem, const Space<G>& space, int runs) {
+void measure(const Case& row, const SensitivityProblem& problem, const Space<G>& space, int runs,
+             Clock clock) {
   const Forms<G> forms(problem, space);
   std::vector<double> scene, motion, direct, semi, differences;
   for (int i = 0; i < runs; ++i) {
-    scene.push_back(seconds([&] { forms.scene(); }));
-    motion.push_back(seconds([&] { forms.motion(); }));
-    direct.push_back(seconds([&] { forms.direct(); }));
-    if (!row.has_modes()) semi.push_back(seconds([&] { forms.semi_analytic(); }));
-    differences.push_back(seconds([&] { forms.by_differences(); }));
+    scene.push_back(clock([&] { forms.scene(); }));
+    motion.push_back(clock([&] { forms.motion(); }));
+    direct.push_back(clock([&] { forms.direct(); }));
+    if (!row.has_modes()) semi.push_back(clock([&] { forms.semi_analytic(); }));
+    differences.push_back(clock([&] { forms.by_differences(); }));
   }
   const double run = median(scene);
   const MatrixXd exact = forms.by_direct();
@@ -239,12 +241,13 @@ int main(int argc, char** argv) {
   using namespace liesl;
   const std::string only = argc > 1 ? argv[1] : "";
   const int runs = argc > 2 ? std::atoi(argv[2]) : 7;
+  const Clock clock = argc > 3 && std::string_view(argv[3]) == "clock" ? clock_seconds : seconds;
   fmt::print("| {:<16} | run ms  | to 1e-8 | direct | of it | semi  | diff. | semi   | diff.  |\n",
              "row");
   for (const Case& row : cases()) {
     if (!only.empty() && row.name != only) continue;
     const SensitivityProblem problem = problem_of(row);
     const ChosenSpace chosen = choose_space(problem.scene);
-    std::visit([&](const auto& space) { measure(row, problem, space, runs); }, chosen.space);
+    std::visit([&](const auto& space) { measure(row, problem, space, runs, clock); }, chosen.space);
   }
 }

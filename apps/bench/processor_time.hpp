@@ -1,8 +1,10 @@
 /// @file
-/// How the programs of this folder take time: processor time, and the median of repetitions.
+/// How the programs of this folder take time: processor time, time by the clock, and the median of
+/// repetitions.
 #pragma once
 
 #include <algorithm>
+#include <chrono>
 #include <ctime>
 #include <functional>
 #include <vector>
@@ -15,6 +17,15 @@ inline double seconds(const std::function<void()>& work) {
   work();
   return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
 }
+
+/// Time of a call by the clock [s]: less than the processor's where threads share the work.
+inline double clock_seconds(const std::function<void()>& work) {
+  const auto begin = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+using Clock = double (*)(const std::function<void()>&);
 
 /// The middle of at least one repetition (of an even number the upper one).
 inline double median(std::vector<double> v) {

@@ -37,19 +37,47 @@ void check_files(const CommandOptions& options, const Scene& scene,
              "the file as it was");
 }
 
-/// The scene of a results folder: its final design, or the file that `run` or `esl` read, with what
-/// was overridden.
-Scene scene_of_folder(const CommandOptions& options) {
+/// Of a motion, or one of the scenarios of a study.
+struct Source {
+  std::string scenario;
+  Scene scene;
+};
+
+/// The final design in its motion, or in that of each scenario.
+std::vector<Source> designs_of(const CommandOptions& options,
+                               const nlohmann::ordered_json& summary) {
+  constexpr std::string_view kStart = "design_", kEnd = ".toml";
+  const fs::path folder = options.file;
+  check_files(options, load_scene(folder / "design.toml"), summary);
+  std::vector<Source> designs;
+  for (const auto& entry : fs::directory_iterator(folder)) {
+    const std::string name = entry.path().filename().string();
+    if (!name.starts_with(kStart) || !name.ends_with(kEnd)) continue;
+    designs.push_back({name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()),
+                       load_scene(entry.path(), options.set)});
+    designs.back().scene.mechanism.name += ", scenario '" + designs.back().scenario + "'";
+  }
+  std::ranges::sort(designs, {}, &Source::scenario);
+  if (designs.empty()) designs.push_back({"", load_scene(folder / "design.toml", options.set)});
+  return designs;
+}
+
+/// The scenes of a results folder: of its final design, or the file that `run` or `esl` read, with
+/// what was overridden.
+std::vector<Source> scenes_of_folder(const CommandOptions& options) {
   const fs::path folder = options.file;
   const auto summary = output::read_whole_summary(folder, "export");
-  if (fs::exists(folder / "design.toml")) {
-    check_files(options, load_scene(folder / "design.toml"), summary);
-    return load_scene(folder / "design.toml", options.set);
-  }
+  if (fs::exists(folder / "design.toml")) return designs_of(options, summary);
   const auto text = [&](const char* key) {
     return summary.contains(key) && summary[key].is_string() ? summary[key].get<std::string>()
                                                              : std::string();
   };
+  if (text("command") == "optimize")
+    refuse(
+        options,
+        "is of a study of fixed loads: its part does not move and has no equivalent static loads",
+        "a folder of a motion; the loads of this part are the [loads] of '" + text("input") +
+            "', and its final outline is the PART_outline.toml of the folder");
   if (text("command") != "run" && text("command") != "esl")
     refuse(options, "is a folder without a scene",
            "the file of a scene, or a folder of 'run', 'esl' or 'optimize'");
@@ -63,12 +91,13 @@ Scene scene_of_folder(const CommandOptions& options) {
     refuse(options, "'" + file + "', which it was made of, is gone or has changed",
            "the file as it was, named from here");
   set.insert(set.end(), options.set.begin(), options.set.end());
-  return load_scene(file, set);
+  return {{"", load_scene(file, set)}};
 }
 
-Scene scene_of(const CommandOptions& options) {
-  return fs::is_directory(options.file) ? scene_of_folder(options)
-                                        : load_scene(options.file, options.set);
+/// At least one.
+std::vector<Source> scenes_of(const CommandOptions& options) {
+  if (fs::is_directory(options.file)) return scenes_of_folder(options);
+  return {{"", load_scene(options.file, options.set)}};
 }
 
 /// Names of the beams and meshed parts of a scene.
@@ -120,7 +149,7 @@ fs::path target_folder(const CommandOptions& options) {
 
 /// Stiffness, mass and nodes of a meshed part; its motion does not matter.
 int export_matrices(const CommandOptions& options) {
-  const Scene scene = scene_of(options);
+  const Scene scene = scenes_of(options).front().scene;
   std::vector<std::string> parts;
   for (const BodySpec& body : scene.mechanism.bodies)
     if (std::holds_alternative<SolidSpec>(body.kind)) parts.push_back(body.name);
@@ -142,11 +171,24 @@ int export_matrices(const CommandOptions& options) {
   return 0;
 }
 
-/// A folder with the part, its loads, what they shall give back and what all that means.
+/// The deck of one motion in a folder. @returns how many load cases it has
+std::size_t export_motion(const fs::path& folder, const Scene& scene,
+                          const CommandOptions& options) {
+  const EslOutcome esl = loads_of_motion(scene, options);
+  const DeckCases cases = options.cases == "all" ? DeckCases::All : DeckCases::Peaks;
+  const BodySpec& body =
+      scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
+  return std::holds_alternative<SolidSpec>(body.kind)
+             ? write_deck(folder, solid_deck(scene, esl, options.part, cases), options)
+             : write_deck(folder, beam_deck(scene, esl, options.part, cases), options);
+}
+
+/// A folder with the part, its loads, what they shall give back and what all that means; of a study
+/// with scenarios a folder each in it.
 int export_deck(const CommandOptions& options) {
   if (options.to == "matrices") return export_matrices(options);
-  const Scene scene = scene_of(options);
-  const auto parts = parts_of(scene);
+  const std::vector<Source> sources = scenes_of(options);
+  const auto parts = parts_of(sources.front().scene);
   if (std::find(parts.begin(), parts.end(), options.part) == parts.end())
     refuse(options,
            options.part.empty() ? "--part is missing"
@@ -154,19 +196,16 @@ int export_deck(const CommandOptions& options) {
            "the name of a beam or meshed part; " + suggestion(options.part, parts));
   const fs::path target = target_folder(options);
   output::AtomicFolder folder(target, options.force);
-  const EslOutcome esl = loads_of_motion(scene, options);
-  const DeckCases cases = options.cases == "all" ? DeckCases::All : DeckCases::Peaks;
-  const BodySpec& body =
-      scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
-  const std::size_t count =
-      std::holds_alternative<SolidSpec>(body.kind)
-          ? write_deck(folder.path(), solid_deck(scene, esl, options.part, cases), options)
-          : write_deck(folder.path(), beam_deck(scene, esl, options.part, cases), options);
+  const std::string file = options.part + (options.to == "calculix" ? ".inp" : ".bdf");
+  std::string said;
+  for (const Source& source : sources) {
+    fs::create_directories(folder.path() / source.scenario);
+    const std::size_t count = export_motion(folder.path() / source.scenario, source.scene, options);
+    said += fmt::format("{}: {} load case{} of '{}'\n", (target / source.scenario / file).string(),
+                        count, count == 1 ? "" : "s", options.part);
+  }
   folder.commit();
-  if (!options.quiet)
-    fmt::print("{}: {} load case{} of '{}'\n",
-               (target / (options.part + (options.to == "calculix" ? ".inp" : ".bdf"))).string(),
-               count, count == 1 ? "" : "s", options.part);
+  if (!options.quiet) fmt::print("{}", said);
   return 0;
 }
 

@@ -67,6 +67,16 @@ std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType t
   return output::columns_csv(columns);
 }
 
+/// Of the scene, or of the first scenario, design.toml; of each scenario design_NAME.toml.
+void write_designs(const std::filesystem::path& folder, const OptimizeOutcome& out,
+                   const Study& study) {
+  output::write_file(folder / "design.toml", final_scene(out, study));
+  const std::vector<std::string>& names = study.spec.scenarios;
+  for (std::size_t s = 0; s < names.size(); ++s)
+    output::write_file(folder / fmt::format("design_{}.toml", names[s]),
+                       final_scene(out, study, s));
+}
+
 }  // namespace
 
 void write_optimization(const std::filesystem::path& folder, const OptimizeOutcome& out,
@@ -82,7 +92,7 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
   }
   if (!out.simulated && !out.results.meshes.empty()) output::write_shown(folder, out.results);
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
-  if (out.simulated) output::write_file(folder / "design.toml", final_scene(out, study));
+  if (out.simulated) write_designs(folder, out, study);
   for (const PartOutcome& part : out.parts) write_part(folder, part);
   if (!out.loads.empty())
     output::write_file(folder / "cycle_loads.csv", loads_table(out.loads, scene.simulation.type));

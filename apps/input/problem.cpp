@@ -129,13 +129,29 @@ int edit_distance(std::string_view first, std::string_view second) {
   return d[a.size()][b.size()];
 }
 
+namespace {
+
+/// "body" for "bodies", "joint" for "joints": the ending of a plural is one slip, not three.
+std::string singular(std::string_view word) {
+  if (word.ends_with("ies")) return std::string(word.substr(0, word.size() - 3)) + "y";
+  return std::string(word.ends_with('s') ? word.substr(0, word.size() - 1) : word);
+}
+
+/// Slips between a word and the one that may be meant.
+int slips(std::string_view word, std::string_view meant) {
+  const std::string a = singular(word), b = singular(meant);
+  return std::min(edit_distance(word, meant), a == b ? 1 : edit_distance(a, b) + 1);
+}
+
+}  // namespace
+
 std::string nearest(std::string_view name, const std::vector<std::string>& candidates) {
   constexpr std::size_t kLongestName = 255;  // distances of longer ones cost time for nothing
   std::string best;
   if (name.size() > kLongestName) return best;
   int least = std::max<int>(1, static_cast<int>(name.size()) / 3) + 1;
   for (const std::string& candidate : candidates) {
-    const int distance = edit_distance(name, candidate);
+    const int distance = slips(name, candidate);
     if (distance < least) std::tie(least, best) = std::make_tuple(distance, candidate);
   }
   return best;

@@ -1,6 +1,6 @@
 #include "apps/mesh/abaqus_mesh.hpp"
 
-#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cctype>
@@ -86,6 +86,17 @@ std::string known_types() {
 constexpr std::string_view kNotListed[] = {"*INCLUDE", "*INSTANCE", "*NGEN",   "*NFILL", "*NCOPY",
                                            "*NMAP",    "*ELGEN",    "*ELCOPY", "*SYSTEM"};
 
+constexpr std::size_t kLongLine = 10;  // fields: longer lists are broken without a comma, too
+
+/// What elements with so many nodes may be.
+std::string types_of(std::size_t nodes) {
+  std::vector<std::string> types;
+  for (const CellKind& kind : cell_kinds())
+    if (static_cast<std::size_t>(kind.nodes) == nodes && !kind.abaqus.empty())
+      types.emplace_back(kind.abaqus);
+  return types.empty() ? "" : fmt::format("of {} nodes are {}", nodes, fmt::join(types, ", "));
+}
+
 class AbaqusReader {
  public:
   AbaqusReader(std::string_view text, Problems& problems)
@@ -103,7 +114,7 @@ class AbaqusReader {
       const std::string line = trimmed(text_.substr(at, end - at));
       at = end + 1;
       if (line.empty() || line.starts_with("**")) continue;
-      line.starts_with("*") ? begin(keyword_of(line)) : data(fields_of(line));
+      line.starts_with("*") ? begin(keyword_of(line)) : data(fields_of(line), line.ends_with(','));
     }
     finish_cell();
     return mesh_.build();
@@ -140,14 +151,16 @@ class AbaqusReader {
           refuse(fmt::format("{} of {}", key, name));
   }
 
-  void data(const std::vector<std::string>& fields) {
+  /// @param goes_on the line ends with a comma
+  void data(const std::vector<std::string>& fields, bool goes_on) {
     if (keyword_.name == "*NODE") add_node(fields);
     if (keyword_.name == "*NSET") add_to_set(fields);
     if (kind_) {
       if (cell_.empty()) cell_line_ = line_;
       for (const std::string& field : fields)
         if (const auto tag = tag_of(field)) cell_.push_back(*tag);
-      if (static_cast<int>(cell_.size()) > kind_->nodes) finish_cell();
+      const bool broken = goes_on || fields.size() >= kLongLine;
+      if (!broken || static_cast<int>(cell_.size()) > kind_->nodes) finish_cell();
     }
   }
 
@@ -207,14 +220,17 @@ class AbaqusReader {
     mesh_.add_to_set(spelling_.try_emplace(upper(name), name).first->second, tag);
   }
 
+  /// The first element of another number of nodes stands for its block: the rest is not read.
   void finish_cell() {
     if (cell_.empty()) return;
     std::vector<std::size_t> nodes(cell_.begin() + 1, cell_.end());
     cell_.clear();
-    if (static_cast<int>(nodes.size()) != kind_->nodes)
-      return mesh_.problem(cell_line_, fmt::format("an element has {} nodes", nodes.size()),
-                           fmt::format("{}", kind_->nodes));
-    mesh_.add_cell(*kind_, std::move(nodes), cell_line_);
+    if (static_cast<int>(nodes.size()) == kind_->nodes)
+      return mesh_.add_cell(*kind_, std::move(nodes), cell_line_);
+    mesh_.problem(cell_line_, fmt::format("an element has {} nodes", nodes.size()),
+                  fmt::format("{}, as its TYPE={} says", kind_->nodes, keyword_.of("TYPE")),
+                  types_of(nodes.size()));
+    kind_ = nullptr;
   }
 
   std::optional<std::size_t> tag_of(const std::string& field) {

@@ -183,6 +183,7 @@ void MeshBuilder::find_folds(const SolidMesh& mesh) {
 
 SolidMesh MeshBuilder::build() {
   SolidMesh mesh;
+  problems_.throw_if_any();
   choose_kind(mesh);
   number_nodes(mesh);
   if (cells_.empty()) {

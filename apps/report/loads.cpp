@@ -14,7 +14,7 @@ Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
   if (table.columns.size() != kPlace + 3)
     throw output::IoError("report", path, "it has other columns; run it again");
   std::vector<std::vector<double>> values;
-  for (const Table::Column& column : table.columns) values.push_back(numbers(column));
+  for (const Table::Column& column : table.columns) values.push_back(numbers_or_nan(column));
   const auto text = [&](std::size_t c, std::size_t row) {
     return std::string(table.columns[c].cells[row]);
   };

@@ -82,8 +82,10 @@ void add_limit_charts(const fs::path& folder, const std::string& scenario, const
         scenario.empty() ? after.name : after.name + " (" + scenario.substr(1) + ")";
     Json one = chart(name, after.unit, final.columns[0]);
     if (const auto* before = initial.column(after.name); before && !initial.empty())
-      one["lines"].push_back(line("initial", numbers(initial.columns[0]), numbers(*before), blob));
-    one["lines"].push_back(line("final", numbers(final.columns[0]), numbers(after), blob));
+      one["lines"].push_back(
+          line("initial", initial.numbers(initial.columns[0]), initial.numbers(*before), blob));
+    one["lines"].push_back(
+        line("final", final.numbers(final.columns[0]), final.numbers(after), blob));
     const Json& limits = summary.value("constraints", Json::object());
     if (limits.contains(name)) {
       one["limit"] = limits[name]["limit"];
@@ -105,7 +107,7 @@ std::string owner(const std::string& column, const Json& responses) {
 
 Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
   const Table table = read_table(file);
-  const std::vector<double> x = numbers(table.columns.at(0));
+  const std::vector<double> x = table.numbers(table.columns.at(0));
   const Json responses = summary.value("responses", Json::object());
   Json list = Json::array();
   for (std::size_t c = 1; c < table.columns.size(); ++c) {
@@ -115,25 +117,25 @@ Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
       list.push_back(chart(title, column.unit, table.columns[0]));
       if (responses.contains(title)) add_error(responses[title], list.back());
     }
-    list.back()["lines"].push_back(line(column.name, x, numbers(column), blob));
+    list.back()["lines"].push_back(line(column.name, x, table.numbers(column), blob));
   }
   return list;
 }
 
 Json energy_chart(const fs::path& file, Blob& blob) {
   const Table table = read_table(file);
-  const std::vector<double> x = numbers(table.columns.at(0));
+  const std::vector<double> x = table.numbers(table.columns.at(0));
   Json one = chart("energies", "J", table.columns[0]);
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     if (table.columns[c].unit == "J")
-      one["lines"].push_back(line(table.columns[c].name, x, numbers(table.columns[c]), blob));
+      one["lines"].push_back(line(table.columns[c].name, x, table.numbers(table.columns[c]), blob));
   return one;
 }
 
 /// Lines of the steps that are kept: evenly spread, first and last among them.
 Json outline_steps(const Table& table, Blob& blob) {
-  const auto step = numbers(table.columns.at(0)), which = numbers(table.columns.at(1)),
-             x = numbers(table.columns.at(2)), y = numbers(table.columns.at(3));
+  const auto step = table.numbers(table.columns.at(0)), which = table.numbers(table.columns.at(1)),
+             x = table.numbers(table.columns.at(2)), y = table.numbers(table.columns.at(3));
   const double last = step.back();
   const double every = std::max(1.0, (last - 1) / static_cast<double>(kMostOutlines - 1));
   Json steps = Json::array();
@@ -163,8 +165,8 @@ void add_cells(const fs::path& file, Json& part, Blob& blob) {
   const auto* stress = table.column("stress");
   if (!fraction || !stress || table.columns.size() < 8) return;
   std::vector<std::vector<double>> corners;
-  for (std::size_t c = 0; c < 8; ++c) corners.push_back(numbers(table.columns[c]));
-  const auto share = numbers(*fraction), all = numbers(*stress);
+  for (std::size_t c = 0; c < 8; ++c) corners.push_back(table.numbers(table.columns[c]));
+  const auto share = table.numbers(*fraction), all = table.numbers(*stress);
   std::vector<double> places, values;
   for (std::size_t e = 0; e < share.size(); ++e) {
     if (share[e] <= 0) continue;
@@ -196,7 +198,7 @@ Json sized_elements(const fs::path& folder) {
   const auto *variable = table.column("variable"), *body = table.column("body"),
              *element = table.column("element"), *dimension = table.column("dimension");
   if (!variable || !body || !element || !dimension) return list;
-  const auto numbered = numbers(*element);
+  const auto numbered = table.numbers(*element);
   for (std::size_t i = 0; i < table.rows(); ++i)
     list.push_back({{"variable", std::string(variable->cells[i])},
                     {"body", std::string(body->cells[i])},
@@ -229,7 +231,7 @@ Json cases(const fs::path& file) {
   const Table table = read_table(file);
   Json columns = Json::array();
   for (const Table::Column& column : table.columns) {
-    const auto values = numbers(column);
+    const auto values = numbers_or_nan(column);
     const bool number =
         std::all_of(column.cells.begin(), column.cells.end(),
                     [&, i = std::size_t{0}](std::string_view cell) mutable {

@@ -1,7 +1,10 @@
 #include "apps/report/table.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <limits>
 
 #include "apps/output/file.hpp"
@@ -66,6 +69,7 @@ Table read_table(const std::filesystem::path& path) {
   if (text.empty() || text.back() != '\n')
     throw output::IoError("read", path, "it ends within a line: half a result; run it again");
   Table table;
+  table.file = path;
   table.texts = texts;
   std::vector<std::string_view> cells;
   std::size_t at = 0;
@@ -82,7 +86,19 @@ Table read_table(const std::filesystem::path& path) {
   return table;
 }
 
-std::vector<double> numbers(const Table::Column& column) {
+std::vector<double> Table::numbers(const Column& column) const {
+  std::vector<double> out = numbers_or_nan(column);
+  const auto at =
+      std::find_if_not(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
+  if (at == out.end()) return out;
+  const auto row = static_cast<std::size_t>(at - out.begin());
+  throw output::IoError(
+      "read", file,
+      fmt::format("'{}' of column '{}' in line {} is no finite number: run it again",
+                  column.cells[row], column.name, row + 2));
+}
+
+std::vector<double> numbers_or_nan(const Table::Column& column) {
   std::vector<double> out;
   out.reserve(column.cells.size());
   for (const std::string_view text : column.cells) {

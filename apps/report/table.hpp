@@ -17,6 +17,7 @@ struct Table {
     std::string name, unit;
     std::vector<std::string_view> cells;  ///< of `texts`
   };
+  std::filesystem::path file;
   std::vector<Column> columns;
   /// The file, and the cells that stand in quotes there.
   std::shared_ptr<const std::deque<std::string>> texts;
@@ -25,12 +26,14 @@ struct Table {
   bool empty() const { return rows() == 0; }
   /// Null if there is none of that name.
   const Column* column(const std::string& name) const;
+  /// @throws output::IoError with line and column of a cell that is no finite number
+  std::vector<double> numbers(const Column& column) const;
 };
 
 /// @throws output::IoError for a file that is no table, or ends within a line
 Table read_table(const std::filesystem::path& path);
 
-/// NaN where a cell is no number.
-std::vector<double> numbers(const Table::Column& column);
+/// NaN where a cell is no number, for columns that may have texts and gaps.
+std::vector<double> numbers_or_nan(const Table::Column& column);
 
 }  // namespace liesl::report

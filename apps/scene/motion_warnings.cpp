@@ -210,6 +210,11 @@ void check_motion(Reader& reader) {
     check_load(reader, at, what, f);
   });
   check_damping(reader);
+  const PenaltySpec& penalty = reader.scene.mechanism.penalty;
+  if (penalty.form == ConstraintForm::Augmented && penalty.damping > 0)
+    reader.scene.warnings.push_back(
+        "simulation.penalty_damping has no effect on augmented joints, which are closed: leave it "
+        "out, or take simulation.constraints = \"penalty\"");
   if (o.tolerance > kLooseTolerance)
     reader.scene.warnings.push_back(
         fmt::format("simulation.tolerance = {:g} leaves that share of the forces unbalanced in "

@@ -89,6 +89,7 @@ void read_matrices(PartReader& part) {
   part.matrices = std::move(read->matrices);
   try {
     component_mass(part.mesh, *part.matrices);
+    require_positive_stiffness(*part.matrices);
   } catch (const std::invalid_argument& error) {
     part.refuse(key_of(part.table, "matrices"), std::string("cannot be made: ") + error.what(),
                 "K and M of the free part, freedoms node by node (m, N, kg)");

@@ -215,6 +215,7 @@ StepRecorder<G>::StepRecorder(const Scene& scene, const Mechanism& mechanism, co
       dynamic_(scene.simulation.type == SimulationType::Dynamic),
       values_(mechanism, model),
       equations_(model),
+      of_penalties_(model),
       responses_(empty_responses(scene.responses, mechanism, values_)),
       neighbours_(responses_.size()),
       crossing_(0.5 * total_mass(model) * std::pow(mechanism.size(), 2)) {}
@@ -268,6 +269,7 @@ void StepRecorder<G>::add_energies(const State<G>& s, bool recorded) {
     const double p = power(model_, equations_, s);
     if (states_ == 0) start_ = total(e);
     if (states_ > 0) work_ += 0.5 * (s.t - t_before_) * (p + power_before_);
+    work_ += of_penalties_.step(s);
     if (!model_.gravity_scale.is_constant()) add_work_of_gravity(s);
     t_before_ = s.t;
     power_before_ = p;

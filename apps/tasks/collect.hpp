@@ -5,6 +5,7 @@
 #include "apps/output/results.hpp"
 #include "apps/scene/scene.hpp"
 #include "mbs/solvers/simulation.hpp"
+#include "mbs/system/penalty.hpp"
 #include "mbs/system/response_value.hpp"
 
 namespace liesl {
@@ -39,6 +40,7 @@ class StepRecorder {
   const bool dynamic_;
   ResponseValues<G> values_;
   Equations<G> equations_;
+  PenaltyWork<G> of_penalties_;
   long states_ = 0;
   double start_ = 0, work_ = 0, t_before_ = 0, power_before_ = 0;
   double scale_before_ = 1, weight_before_ = 0;

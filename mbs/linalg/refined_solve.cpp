@@ -9,6 +9,8 @@ using Eigen::MatrixXd;
 namespace {
 
 constexpr int kRefinements = 2;
+constexpr double kExact = 1e-10;  // of the solution: the square of such a correction is below 1e-16
+constexpr double kKept = 1e-5;    // beyond that two corrections do not come to round-off
 constexpr Eigen::Index kAtOnce = 4;  // columns: those of one AVX register
 
 /// (to + rest) -= a x of `kAtOnce` numbers in twice the precision, error-free products and sums
@@ -24,18 +26,16 @@ constexpr Eigen::Index kAtOnce = 4;  // columns: those of one AVX register
   }
 }
 
-/// Is the next correction below round-off, in displacements and in multipliers? Corrections shrink
-/// by the ratio of the first one to the solution.
-bool exact(const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
-  constexpr double kSmall = 1e-10;  // its square is far below 1e-16
+/// Are displacements and multipliers corrected by at most this share of them?
+bool within(double share, const MatrixXd& correction, const MatrixXd& x, Eigen::Index n) {
   for (Eigen::Index j = 0; j < x.cols(); ++j) {
     const auto c = correction.col(j), of = x.col(j);
     const auto m = x.rows() - n;
     if (c.head(n).template lpNorm<Eigen::Infinity>() >
-        kSmall * of.head(n).template lpNorm<Eigen::Infinity>())
+        share * of.head(n).template lpNorm<Eigen::Infinity>())
       return false;
     if (m > 0 && c.tail(m).template lpNorm<Eigen::Infinity>() >
-                     kSmall * of.tail(m).template lpNorm<Eigen::Infinity>())
+                     share * of.tail(m).template lpNorm<Eigen::Infinity>())
       return false;
   }
   return true;
@@ -61,16 +61,25 @@ void RefinedSolve::take_residual(const Eigen::SparseMatrix<double>& A, bool tran
   correction_ = (r_ + rest_).leftCols(x.cols());
 }
 
-bool RefinedSolve::solve(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
-                         Eigen::Index n, MatrixXd& x) {
-  const auto solve = [&](MatrixXd& y) { transposed ? lu.solve_transposed(y) : lu.solve(y); };
+bool RefinedSolve::solve_kept(SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
+                              Eigen::Index n, MatrixXd& x) {
   b_ = x;
+  if (refine(lu, A, transposed, n, kKept, x)) return true;
+  x = b_;
+  return lu.factor(A) && refine(lu, A, transposed, n, kAny, x);
+}
+
+/// Corrections shrink by the ratio of the first one to the solution.
+bool RefinedSolve::refine(const SparseLu& lu, const Eigen::SparseMatrix<double>& A, bool transposed,
+                          Eigen::Index n, double largest, MatrixXd& x) {
+  const auto solve = [&](MatrixXd& y) { transposed ? lu.solve_transposed(y) : lu.solve(y); };
   solve(x);
   for (int i = 0; i < kRefinements && x.allFinite(); ++i) {
     take_residual(A, transposed, x);
     solve(correction_);
     x += correction_;
-    if (exact(correction_, x, n)) break;
+    if (within(kExact, correction_, x, n)) break;
+    if (i == 0 && !within(largest, correction_, x, n)) return false;
   }
   return x.allFinite();
 }

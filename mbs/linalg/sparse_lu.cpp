@@ -35,7 +35,7 @@ struct SparseLu::Factors {
   klu_symbolic* symbolic = nullptr;
   klu_numeric* numeric = nullptr;
   int singular = -1;
-  bool analysed = false;
+  bool analysed = false, refined = false;
   DenseGroups groups;
 
   Factors() { klu_defaults(&common); }
@@ -46,13 +46,14 @@ struct SparseLu::Factors {
   Factors(const Factors&) = delete;
   Factors& operator=(const Factors&) = delete;
 
-  bool refactor(int* columns, int* rows, double* values) {
+  /// @param measure false: whatever their growth
+  bool refactor(int* columns, int* rows, double* values, bool measure) {
     if (!numeric || !klu_refactor(columns, rows, values, symbolic, numeric, &common)) return false;
-    return common.status == KLU_OK &&
-           klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
-           common.rgrowth > kSmallestGrowth && zero_pivot() < 0;
+    if (common.status != KLU_OK || zero_pivot() >= 0) return false;
+    return !measure || (klu_rgrowth(columns, rows, values, symbolic, numeric, &common) &&
+                        common.rgrowth > kSmallestGrowth);
   }
-  bool factor(const Matrix& A) {
+  bool factor(const Matrix& A, Pivots pivots) {
     const int n = static_cast<int>(A.cols());
     // KLU takes pointers to non-const and does not write through them.
     auto* columns = const_cast<int*>(A.outerIndexPtr());
@@ -61,7 +62,8 @@ struct SparseLu::Factors {
     if (!A.coeffs().allFinite()) return drop(0);
     if (!symbolic) symbolic = klu_analyze(n, columns, rows, &common);
     if (!symbolic) return drop(0);
-    if (refactor(columns, rows, values)) return true;
+    if (pivots != Pivots::Anew && refactor(columns, rows, values, pivots == Pivots::Measured))
+      return true;
     klu_free_numeric(&numeric, &common);
     numeric = klu_factor(columns, rows, values, symbolic, &common);
     if (!numeric || common.status != KLU_OK) {
@@ -108,19 +110,29 @@ SparseLu::SparseLu(SparseLu&&) noexcept = default;
 SparseLu& SparseLu::operator=(SparseLu&&) noexcept = default;
 
 bool SparseLu::factor(const Matrix& A) {
+  return factor(A, f_->refined ? Pivots::Anew : Pivots::Measured);
+}
+
+bool SparseLu::factor_kept(const Matrix& A) {
+  f_->refined = true;
+  f_->common.scale = 0;
+  return factor(A, Pivots::Kept);
+}
+
+bool SparseLu::factor(const Matrix& A, Pivots pivots) {
   Factors& f = *f_;
   f.singular = -1;
   if (A.cols() == 0) return true;
   if (!f.analysed) f.groups = DenseGroups(A);
   f.analysed = true;
-  if (f.groups.empty()) return f.factor(A);
+  if (f.groups.empty()) return f.factor(A, pivots);
   if (!A.coeffs().allFinite()) return f.drop(0);
   const Matrix* rest = f.groups.condense(A);
   if (!rest) {
     f.leave_groups();
-    return f.factor(A);
+    return f.factor(A, pivots);
   }
-  if (f.factor(*rest)) return true;
+  if (f.factor(*rest, pivots)) return true;
   f.singular = f.groups.left(f.singular);
   return false;
 }

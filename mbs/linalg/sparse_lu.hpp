@@ -22,6 +22,10 @@ class SparseLu {
   /// @returns false if A is singular or not finite: then `singular_column` is the place, and there
   /// are no factors.
   bool factor(const Matrix& A);
+  /// The same for solutions that are refined (`RefinedSolve`): later calls keep the pivots, without
+  /// a look at their growth, which the refinement shows, and rows are not scaled. @pre all calls
+  /// are of this kind, but for `factor` where pivots have to be chosen anew
+  bool factor_kept(const Matrix& A);
 
   /// b <- A^-1 b, any number of columns. @pre the last `factor` returned true
   void solve(Eigen::Ref<Eigen::MatrixXd> b) const;
@@ -37,7 +41,10 @@ class SparseLu {
   int singular_column() const;
 
  private:
+  /// Of an earlier factor, their growth measured; of an earlier factor; chosen anew.
+  enum class Pivots { Measured, Kept, Anew };
   struct Factors;
+  bool factor(const Matrix& A, Pivots pivots);
   std::unique_ptr<Factors> f_;
 };
 

@@ -18,6 +18,7 @@ using Eigen::VectorXd;
 
 constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
 constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
+constexpr int kStretches = 64;     // of a step each that are read at once
 
 /// What the lift of two states leaves of the relations of the step between them, at positions.
 template <FrameGroup G>
@@ -225,18 +226,38 @@ bool take_start(StepSensitivity<G>& sensitivity, const Tape<G>& tape, const Stat
 }
 
 SensitivityEnd singular(double t) {
-  return {fmt::format("the equations of the step to t = {:.6g} s are singular", t)};
+  return {fmt::format("the equations of the start at t = {:.6g} s are singular", t)};
 }
 
 SensitivityEnd not_finite(double t) {
-  return {fmt::format("the equations of the step to t = {:.6g} s have no finite solution", t)};
+  return {fmt::format("the equations of the start at t = {:.6g} s have no finite solution", t)};
 }
 
-/// The end of a step; it began where the one before ended.
+/// Steps of a tape, in inertial axes.
 template <FrameGroup G>
-struct StepEnd {
-  State<G> s;
-  double h;
+class TapeSteps {
+ public:
+  TapeSteps(const Model<G>& model, const Tape<G>& tape)
+      : model_(model), tape_(tape), replay_(model, tape) {}
+
+  int stretches() const { return replay_.stretches(); }
+  /// Those of stretches from `first` on, before `end`.
+  const Steps<G>& read(int first, int end) {
+    steps_.h.clear();
+    steps_.states = {in_inertial_axes(model_, tape_.checkpoints[static_cast<size_t>(first)].s)};
+    for (int i = first; i < end; ++i)
+      replay_.run(i, [&](const State<G>&, const State<G>& after, double h) {
+        steps_.states.push_back(in_inertial_axes(model_, after));
+        steps_.h.push_back(h);
+      });
+    return steps_;
+  }
+
+ private:
+  const Model<G>& model_;
+  const Tape<G>& tape_;
+  Replay<G> replay_;
+  Steps<G> steps_;
 };
 
 }  // namespace
@@ -255,39 +276,29 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                   const Parameters<G>& parameters, const SensitivityAt<G>& at) {
   Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
   require_given_start(model, tape, derivatives);
-  StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
+  LinearisedSteps<G> linearised(model, tape.options.rho_inf);
   StateSensitivity ds;
-  SensitivityEnd end;
   long step = 0;
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
-  if (!take_start(sensitivity, tape, first)) return singular(first.t);
-  if (!sensitivity.forward(
+  if (!take_start(linearised.start(), tape, first)) return singular(first.t);
+  if (!linearised.start().forward(
           derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), ds))
     return not_finite(first.t);
   ds += start_derivatives(model, tape, parameters, first);
   tell(model, parameters, at, step++, first, ds);
-  const auto advance = [&](const State<G>& s, const ResidualDerivative& by_p) {
-    if (sensitivity.forward(by_p, ds))
-      tell(model, parameters, at, step++, s, ds);
-    else
-      end = not_finite(s.t);
-  };
-  const auto take = [&](const State<G>& before, const State<G>& after, double h) {
-    if (sensitivity.step(before, after, h))
-      advance(after, derivatives.at(after, before.rows,
-                                    lag_of(model, parameters, sensitivity, before, after)));
-    else
-      end = singular(after.t);
-  };
-  Replay<G> replay(model, tape);
-  for (int i = 0; i < replay.stretches() && end.complete(); ++i)
-    replay.run(i, [&](const State<G>& from, const State<G>& to, double h) {
-      if (!end.complete()) return;
-      if (model.positions().empty())
-        take(from, to, h);
-      else
-        take(in_inertial_axes(model, from), in_inertial_axes(model, to), h);
+  TapeSteps<G> tape_steps(model, tape);
+  SensitivityEnd end;
+  const int at_once = tape.every == 1 ? kStretches : 1;
+  for (int i = 0; i < tape_steps.stretches() && end.complete(); i += at_once) {
+    const Steps<G>& steps = tape_steps.read(i, std::min(i + at_once, tape_steps.stretches()));
+    end = linearised.run(steps, false, [&](StepSensitivity<G>& sensitivity, size_t k) {
+      const State<G>&before = steps.states[k], &after = steps.states[k + 1];
+      const auto lag = lag_of(model, parameters, sensitivity, before, after);
+      if (!sensitivity.forward(derivatives.at(after, before.rows, lag), ds)) return false;
+      tell(model, parameters, at, step++, after, ds);
+      return true;
     });
+  }
   return end;
 }
 
@@ -316,36 +327,27 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
                                    const CotangentsAt<G>& at, MatrixXd& gradient) {
   Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
   require_given_start(model, tape, derivatives);
-  StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
+  LinearisedSteps<G> linearised(model, tape.options.rho_inf);
   gradient.setZero(static_cast<Eigen::Index>(parameters.size()), functionals);
   StateSensitivity bars = StateSensitivity::zero(model.size(), model.constraints(), functionals);
   long step = tape.steps();
-  const auto go_back = [&](const State<G>& s, const ResidualDerivative& by_p) {
-    ask(model, parameters, at, step--, s, bars, gradient);
-    return sensitivity.backward(by_p, bars, gradient);
-  };
-  Replay<G> replay(model, tape);
-  std::vector<StepEnd<G>> stretch;
-  for (int i = replay.stretches() - 1; i >= 0; --i) {
-    stretch.clear();
-    replay.run(i, [&](const State<G>&, const State<G>& after, double h) {
-      stretch.push_back({in_inertial_axes(model, after), h});
+  TapeSteps<G> tape_steps(model, tape);
+  const int at_once = tape.every == 1 ? kStretches : 1;
+  for (int end = tape_steps.stretches(); end > 0; end -= at_once) {
+    const Steps<G>& steps = tape_steps.read(std::max(0, end - at_once), end);
+    const auto ended = linearised.run(steps, true, [&](StepSensitivity<G>& sensitivity, size_t k) {
+      const State<G>&before = steps.states[k], &after = steps.states[k + 1];
+      const auto lag = lag_of(model, parameters, sensitivity, before, after);
+      ask(model, parameters, at, step--, after, bars, gradient);
+      return sensitivity.backward(derivatives.at(after, before.rows, lag), bars, gradient);
     });
-    const State<G> start = in_inertial_axes(model, tape.checkpoints[static_cast<size_t>(i)].s);
-    for (auto k = stretch.size(); k-- > 0;) {
-      const StepEnd<G>& end = stretch[k];
-      const State<G>& before = k > 0 ? stretch[k - 1].s : start;
-      if (!sensitivity.step(before, end.s, end.h)) return singular(end.s.t);
-      if (!go_back(end.s, derivatives.at(end.s, before.rows,
-                                         lag_of(model, parameters, sensitivity, before, end.s))))
-        return not_finite(end.s.t);
-    }
+    if (!ended.complete()) return ended;
   }
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
-  if (!take_start(sensitivity, tape, first)) return singular(first.t);
+  if (!take_start(linearised.start(), tape, first)) return singular(first.t);
   ask(model, parameters, at, step, first, bars, gradient);
   gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
-  if (!sensitivity.backward(
+  if (!linearised.start().backward(
           derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), bars,
           gradient))
     return not_finite(first.t);

@@ -11,18 +11,12 @@
 #include <string>
 
 #include "mbs/sensitivity/lift.hpp"
-#include "mbs/sensitivity/step_sensitivity.hpp"
+#include "mbs/sensitivity/linearised_steps.hpp"
 #include "mbs/solvers/replay.hpp"
 #include "mbs/solvers/trajectory.hpp"
 #include "mbs/system/parameter_residual.hpp"
 
 namespace liesl {
-
-/// How it ended: `reason` is empty if all steps were differentiated.
-struct SensitivityEnd {
-  std::string reason;
-  bool complete() const { return reason.empty(); }
-};
 
 /// Called for the start (step 0) and after each accepted step with the state and its derivatives.
 template <FrameGroup G>

@@ -79,12 +79,7 @@ StepSensitivity<G>::StepSensitivity(const Model<G>& model, double rho_inf)
       matrix_(model),
       before_(model),
       after_(model) {
-  if (model.penalty.form != ConstraintForm::Augmented) return;
-  if (damping_ > 0)
-    throw std::invalid_argument(
-        "there are no sensitivities of augmented penalties with damping: "
-        "simulation.penalty_damping = 0, or simulation.constraints = \"penalty\"");
-  if (!model.redundant.empty())
+  if (model.penalty.form == ConstraintForm::Augmented && !model.redundant.empty())
     throw std::invalid_argument(
         "there are no sensitivities where augmented penalties share the forces of rows that repeat "
         "others: simulation.constraints = \"penalty\" has them, and \"multipliers\" leaves the "
@@ -100,7 +95,7 @@ bool StepSensitivity<G>::linearise(const State<G>& s, const Eigen::VectorXd& pre
   equations_.evaluate_couplings(s, previous, {s.t, 1});
   matrix_.take_own_stress(equations_);
   matrix_.assemble(equations_, s, {s.t, 1}, &rates);
-  return !factor || matrix_.factor();
+  return !factor || matrix_.factor_kept();
 }
 
 /// [M B^T; B 0], nodes that follow others held by the identity. Where rows repeat others it is
@@ -184,7 +179,6 @@ bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& 
   } else {
     ahead_ = increments(model_, coordinates_, after, dq);
     back_ = increments(model_, coordinates_, before, -dq);
-    std::swap(before_, after_);  // one end of the step that was linearised before is that of this
     before_.take(coordinates_, before);
     after_.take(coordinates_, after);
   }
@@ -268,7 +262,7 @@ void StepSensitivity<G>::finish(const Known& k, const MatrixXd& solution,
 
 template <FrameGroup G>
 bool StepSensitivity<G>::solve(MatrixXd& x) {
-  return refined_.solve(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
+  return refined_.solve_kept(matrix_.lu(), matrix_.matrix(), false, model_.size(), x);
 }
 
 template <FrameGroup G>
@@ -302,7 +296,7 @@ bool StepSensitivity<G>::backward(const ResidualDerivative& by_p, StateSensitivi
   const MatrixXd x = s.a / (beta * h_ * h_) + w.damping * s.v + w.mass * s.w;
   MatrixXd rhs(n + m, x.cols());
   rhs << s.eta + scaled_transposed(ahead_, x), s.lambda;
-  if (!refined_.solve(matrix_.lu(), matrix_.matrix(), true, n, rhs)) return false;
+  if (!refined_.solve_kept(matrix_.lu(), matrix_.matrix(), true, n, rhs)) return false;
   const MatrixXd mu = rhs.topRows(n);
   MatrixXd Mmu = MatrixXd::Zero(n, mu.cols()), Cmu = Mmu;
   matrix_.add_mass_product(mu, true, Mmu);

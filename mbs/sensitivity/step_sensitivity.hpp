@@ -46,7 +46,7 @@ class StepSensitivity {
  public:
   static constexpr int dim = G::dim;
 
-  /// @throws std::invalid_argument for augmented penalties with damping, or that share forces
+  /// @throws std::invalid_argument for augmented penalties that share forces
   StepSensitivity(const Model<G>& model, double rho_inf);
 
   /// At the start, where accelerations and multipliers follow from M w + B^T lambda = ...

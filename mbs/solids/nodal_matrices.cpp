@@ -4,6 +4,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "mbs/linalg/sparse_cholesky.hpp"
 #include "mbs/solids/interface_map.hpp"
 
 namespace liesl {
@@ -11,7 +12,7 @@ namespace {
 
 using Sparse = Eigen::SparseMatrix<double>;
 
-constexpr double kSymmetry = 1e-9, kRigid = 1e-8;
+constexpr double kSymmetry = 1e-9, kRigid = 1e-8, kShift = 1e-8;
 
 std::string text(double x) {
   char out[32];
@@ -86,6 +87,21 @@ Sparse component_mass(const SolidMesh& nodes, const NodalMatrices& matrices) {
   if (!(m.sum() > 0 && m.diagonal().minCoeff() >= 0))
     throw std::invalid_argument("the mass matrix has no positive mass");
   return m;
+}
+
+void require_positive_stiffness(const NodalMatrices& matrices) {
+  const Eigen::VectorXd K = matrices.K.diagonal(), M = matrices.M.diagonal();
+  Eigen::Index j = 0;
+  if (!(K.minCoeff(&j) > 0))
+    throw std::invalid_argument("the stiffness matrix has " + text(K[j]) + " N/m at (" +
+                                std::to_string(j + 1) + ", " + std::to_string(j + 1) +
+                                "); a diagonal of positive numbers is expected");
+  Sparse shifted = matrices.K + kShift * K.maxCoeff() / M.maxCoeff() * matrices.M;
+  shifted.makeCompressed();
+  if (!SparseCholesky().factor(shifted))
+    throw std::invalid_argument(
+        "the stiffness matrix is not positive semidefinite: there is a displacement of negative "
+        "energy");
 }
 
 }  // namespace liesl

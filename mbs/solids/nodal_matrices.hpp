@@ -23,4 +23,9 @@ struct NodalMatrices {
 /// positive
 Eigen::SparseMatrix<double> component_mass(const SolidMesh& nodes, const NodalMatrices& matrices);
 
+/// K takes work for every displacement: K + s M has a Cholesky factor, s = 1e-8 max K_jj / max M_jj
+/// for the rigid motions, which take none. @pre component_mass accepts the matrices
+/// @throws std::invalid_argument if it has none: a sign, a unit or an entry is wrong
+void require_positive_stiffness(const NodalMatrices& matrices);
+
 }  // namespace liesl

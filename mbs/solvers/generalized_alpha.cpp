@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "mbs/solvers/divergence.hpp"
+#include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
@@ -40,7 +41,7 @@ GeneralizedAlpha<G>::GeneralizedAlpha(const Model<G>& model, const SimulationOpt
       tangent_at_(model) {
   if (model.penalty.form != ConstraintForm::Multipliers) {
     equations_.compliance = model.penalty.weight.cwiseInverse();
-    equations_.damping = model.penalty.damping;
+    equations_.damping = damping_of_penalties(model);
   }
   for (const auto& c : model.couplings)
     for (const int k : model.positions())

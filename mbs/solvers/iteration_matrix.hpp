@@ -70,7 +70,10 @@ class IterationMatrix {
 
   /// Factors what was assembled. @returns false if it is singular.
   bool factor() { return lu_.factor(*matrix_); }
+  /// The same for solutions that are refined.
+  bool factor_kept() { return lu_.factor_kept(*matrix_); }
   const SparseLu& lu() const { return lu_; }
+  SparseLu& lu() { return lu_; }
 
   int size() const { return model_.size(); }
   int constraints() const { return model_.constraints(); }

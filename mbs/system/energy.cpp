@@ -44,30 +44,10 @@ double weight_potential(const Model<G>& model, const State<G>& s) {
   return sum;
 }
 
-/// sum of alpha tau (dPhi/dt)^2, W. @pre eq was evaluated at s
-template <FrameGroup G>
-double penalty_dissipation(const Model<G>& model, const Equations<G>& eq, const State<G>& s) {
-  constexpr int dim = G::dim;
-  const Penalty& penalty = model.penalty;
-  if (penalty.form == ConstraintForm::Multipliers || penalty.damping == 0) return 0;
-  Eigen::VectorXd rate = Eigen::VectorXd::Zero(model.constraints());
-  for (std::size_t k = 0; k < model.couplings.size(); ++k) {
-    const auto& c = model.couplings[k];
-    auto of = rate.segment(c.first_constraint, c.constraints);
-    const auto B = eq.couplings[k].B.topRows(c.constraints);
-    if (c.a.body >= 0) of += B.template leftCols<dim>() * s.v.template segment<dim>(dim * c.a.node);
-    if (c.b.body >= 0)
-      of += B.template rightCols<dim>() * s.v.template segment<dim>(dim * c.b.node);
-    for (int i = 0; i < c.constraints; ++i) of[i] -= c.rows[i].target.rate(s.t);
-  }
-  return penalty.damping * penalty.weight.dot(rate.cwiseAbs2());
-}
-
 /// Do the gradients or rates of couplings enter the power?
 template <FrameGroup G>
 bool needs_couplings(const Model<G>& model) {
-  return model.penalty.form != ConstraintForm::Multipliers ||
-         std::any_of(model.couplings.begin(), model.couplings.end(),
+  return std::any_of(model.couplings.begin(), model.couplings.end(),
                      [](const Coupling<G>& c) { return c.acting > c.constraints; });
 }
 
@@ -78,7 +58,6 @@ double power(const Model<G>& model, Equations<G>& eq, const State<G>& s) {
     for (int i = 0; i < c.constraints; ++i)
       p -= s.lambda[c.first_constraint + i] * c.rows[i].target.rate(s.t);
   if (needs_couplings(model)) eq.evaluate(s, s.rows, {s.t, 1});
-  p -= penalty_dissipation(model, eq, s);
   for (std::size_t k = 0; k < model.couplings.size(); ++k) {
     const auto& c = model.couplings[k];
     for (int i = c.constraints; i < c.acting; ++i) {

@@ -18,6 +18,7 @@ inline double total(const BodyEnergy& e) { return e.kinetic + e.elastic + e.pote
 /// Power that drives, loads, actuators, dampers and the damping of bodies put into the mechanism,
 /// W; damping takes it out:
 ///   P = -sum lambda df/dt + sum (F(t) - c dq/dt) dq/dt - r_load . v - sum D_body.
+/// Damping of penalties takes more out, see PenaltyWork.
 /// With d(mechanical energy)/dt = P, and + ds/dt times `weight_potential` where gravity has a
 /// factor s(t).
 /// @param eq workspace; its residual is overwritten

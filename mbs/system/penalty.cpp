@@ -107,6 +107,20 @@ double penalty_energy(const Model<G>& model, const State<G>& s) {
 }
 
 template <FrameGroup G>
+double PenaltyWork<G>::step(const State<G>& s) {
+  if (model_.penalty.form == ConstraintForm::Multipliers) return 0;
+  const Eigen::VectorXd opening = openings(model_, s);
+  double work = 0;
+  if (!first_)
+    work = -0.5 * (lambda_ + s.lambda).dot(opening - opening_) +
+           0.5 * model_.penalty.weight.dot(opening.cwiseAbs2() - opening_.cwiseAbs2());
+  first_ = false;
+  lambda_ = s.lambda;
+  opening_ = opening;
+  return work;
+}
+
+template <FrameGroup G>
 double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
                                  const State<G>& s) {
   const Eigen::VectorXd phi = openings(model, s);
@@ -184,6 +198,8 @@ template double penalty_energy_derivative(const PenaltyDerivative&, const Model<
                                           const State<SE2>&);
 template double penalty_energy_derivative(const PenaltyDerivative&, const Model<SE3>&,
                                           const State<SE3>&);
+template class PenaltyWork<SE2>;
+template class PenaltyWork<SE3>;
 template class JointOpening<SE2>;
 template class JointOpening<SE3>;
 

@@ -25,10 +25,11 @@ bool is_length(const Row<G>& row) {
   return row.kind() != RowKind::Angle && row.kind() != RowKind::Perpendicular;
 }
 
-/// tau of a motion, s; 0 with multipliers.
+/// tau of a motion, s; 0 with multipliers, and of augmented joints, which are closed: what their
+/// rate is, is the error of the velocities, and a force of it would keep them open.
 template <FrameGroup G>
 double damping_of_penalties(const Model<G>& model) {
-  return model.penalty.form == ConstraintForm::Multipliers ? 0 : model.penalty.damping;
+  return model.penalty.form == ConstraintForm::Penalty ? model.penalty.damping : 0;
 }
 
 /// Phi from the rows of a state, m or rad by multiplier.
@@ -39,7 +40,24 @@ Eigen::VectorXd openings(const Model<G>& model, const State<G>& s);
 template <FrameGroup G>
 double penalty_energy(const Model<G>& model, const State<G>& s);
 
-/// Of that by the weights at constant state, J per unit of p.
+/// What damping of penalties, and augmentation, takes out of a motion, step by step.
+template <FrameGroup G>
+class PenaltyWork {
+ public:
+  explicit PenaltyWork(const Model<G>& model) : model_(model) {}
+  /// Work beyond the change of `penalty_energy` since the state before, J; 0 at the first one:
+  /// -(lambda_0 + lambda_1)/2 . (Phi_1 - Phi_0) + alpha (Phi_1^2 - Phi_0^2)/2.
+  /// With lambda = alpha (Phi + tau dPhi/dt) that is -alpha tau (dPhi/dt) dPhi. The rate of a stiff
+  /// row is no more than the error of the velocities: its square, as a power, has no meaning.
+  double step(const State<G>& s);
+
+ private:
+  const Model<G>& model_;
+  bool first_ = true;
+  Eigen::VectorXd lambda_, opening_;
+};
+
+/// Of penalty_energy by the weights at constant state, J per unit of p.
 template <FrameGroup G>
 double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
                                  const State<G>& s);
@@ -75,6 +93,8 @@ class JointOpening {
   bool rigid_ = true;
 };
 
+extern template class PenaltyWork<SE2>;
+extern template class PenaltyWork<SE3>;
 extern template class JointOpening<SE2>;
 extern template class JointOpening<SE3>;
 

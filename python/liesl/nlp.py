@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 import numpy as np
 
 from . import _liesl
+from .arrays import real
 from .errors import InputError, NotConverged, Problem
 
 if TYPE_CHECKING:
@@ -283,7 +284,7 @@ def _own(function: OwnFunction, at: Evaluation, what: str,
         return value, np.zeros(0)
     given = by.pop("x", np.zeros(len(at.x)))
     try:
-        by_x = np.asarray(given, dtype=float)
+        by_x = real(given)
     except (TypeError, ValueError):
         by_x = np.array(np.nan)
     if by_x.shape != at.x.shape or not np.isfinite(by_x).all():
@@ -346,7 +347,7 @@ class _Checked:
     @staticmethod
     def _array(value: Any, what: str, shape: tuple[int, ...]) -> np.ndarray:
         try:
-            out = np.ascontiguousarray(value, dtype=float).reshape(np.shape(value))
+            out = np.ascontiguousarray(real(value)).reshape(np.shape(value))
         except (TypeError, ValueError) as error:
             raise InputError([Problem(f"{what} returns no numbers: {error}",
                                       f"shape {shape}")]) from None

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _liesl
+from .arrays import real
 from .errors import InputError, IoError, NotConverged, Problem
 
 _GOOD = {"done", "converged", "optimal", "finished"}
@@ -210,7 +211,7 @@ def _weights(weights: Mapping[str, ArrayLike], motion: Any) -> list[np.ndarray |
             continue
         shape = motion.array(f"responses/{name.replace('/', '_')}").shape
         try:
-            w = np.asarray(weights[name], dtype=float)
+            w = real(weights[name])
         except (TypeError, ValueError):
             problems.append(Problem(f"'{name}': the weights are no numbers", f"shape {shape}"))
             continue

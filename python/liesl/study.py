@@ -14,6 +14,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _liesl, toml_text
+from .arrays import real
 from .errors import InputError, NotConverged, Problem
 from .nlp import (Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own_limits,
                   row_name)
@@ -257,7 +258,7 @@ class Study:
     def _array(self, x: ArrayLike) -> np.ndarray:
         """(variables,), or InputError."""
         try:
-            given = np.array(x, dtype=float)
+            given = real(x)
         except (TypeError, ValueError):
             raise InputError([Problem("x is no array of numbers",
                                       f"shape ({len(self.variables)},)")]) from None

@@ -11,6 +11,7 @@
 
 #include "mbs/solvers/dynamics.hpp"
 #include "mbs/system/energy.hpp"
+#include "mbs/system/penalty.hpp"
 #include "mbs/system/plane.hpp"
 #include "reference/mechanisms.hpp"
 
@@ -101,11 +102,13 @@ double total_energy(const Run<G>& r, int record) {
 template <class G, class Power>
 double largest_energy_imbalance(const Run<G>& r, double step, const Power& power) {
   State<G> s = r.model->initial_state();
+  PenaltyWork<G> of_penalties(*r.model);
   double work = 0, before = 0, worst = 0;
   for (int i = 0; i < r.trajectory().size(); ++i) {
     r.trajectory().read(i, s);
     const double now = power(s);
     if (i > 0) work += 0.5 * step * (before + now);
+    work += of_penalties.step(s);
     before = now;
     worst = std::max(worst, std::abs(total_energy(r, i) - total_energy(r, 0) - work));
   }

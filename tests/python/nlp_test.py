@@ -40,6 +40,7 @@ def test_arrays_of_any_layout():
     ({"jacobian": lambda x: np.ones(2)}, "jacobian returns shape"),
     ({"constraints": lambda x: np.ones(2)}, "constraints returns shape"),
     ({"constraints": lambda x: ["a"]}, "no numbers"),
+    ({"gradient": lambda x: np.ones(2) + 1e-8j}, "gradient returns no numbers: complex"),
 ])
 def test_functions_that_are_wrong(other, says):
     with pytest.raises(liesl.InputError, match=says):

@@ -169,6 +169,7 @@ def test_vjp_is_the_transposed_jacobian(pendulum):
     ({"bend": np.zeros(3)}, "shape"),
     ({"bend": np.full((21, 1), np.nan)}, r"\[0, 0\] is nan"),
     ({"bend": "text"}, "no numbers"),
+    ({"bend": np.ones(21) + 1j}, "no numbers"),
 ])
 def test_weights_that_do_not_fit(pendulum, weights, says):
     with pytest.raises(liesl.InputError, match=says):

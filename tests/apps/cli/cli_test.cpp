@@ -279,7 +279,7 @@ TEST_F(Cli, EslWritesTheLoads) {
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
   const Outcome o =
       run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1", "--set",
-           "simulation.constraints=augmented", "--set", "simulation.penalty_damping=1e-9"});
+           "simulation.constraints=augmented", "--set", "simulation.space=spatial"});
   EXPECT_EQ(o.code, 2) << o.err;
   EXPECT_NE(o.err.find("cycle.method needs sensitivities"), std::string::npos) << o.err;
   EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl2"}).code,
@@ -437,6 +437,19 @@ TEST_F(Cli, FinalDesignIsAScene) {
       EXPECT_NEAR(again["responses"][response]["max_abs"].get<double>(), value, 1e-6 * value)
           << name << response;
     }
+  }
+  // Of scenarios each has its own, the first one's is design.toml, too.
+  Words speeds = {"optimize",   study("rod_three_speeds"), "-o", results(), "--force", "--set",
+                  "cycle.max=1"};
+  speeds.insert(speeds.end(), shorter.begin(), shorter.end());
+  run(speeds);
+  EXPECT_EQ(text_of(results() / "design.toml"), text_of(results() / "design_over.toml"));
+  for (const std::string name : {"over", "rated", "slow"}) {
+    const fs::path design = results() / ("design_" + name + ".toml");
+    ASSERT_EQ(run({"run", design, "-o", dir_ / "again", "--force"}).code, 0);
+    const Json bend = Json::parse(text_of(dir_ / "again/summary.json"))["responses"]["bend"];
+    const double value = summary()["constraints"]["bending (" + name + ")"]["max_abs_final"];
+    EXPECT_NEAR(bend["max_abs"].get<double>(), value, 1e-6 * value) << name;
   }
   // A truss: its bars have sections of their own, its nodes are ports of them.
   const char* tip = R"(responses.tip={response="translation",at="truss.n2",axis=[0,1,0]})";

@@ -193,5 +193,37 @@ TEST_F(Export, TakesTheSceneOfAResultsFolder) {
   EXPECT_NE(deck_of(dir_ / "results", {}).find("no summary.json"), std::string::npos);
 }
 
+/// No scenario is left out, and each deck says which it is.
+TEST_F(Export, HasAFolderForEachScenario) {
+  ASSERT_EQ(run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
+                 (dir_ / "results").string(), "--set", kShort[0]})
+                .code,
+            0);
+  const std::string scene = text_of(kData / "scenes/slider_crank.toml");
+  for (const char* name : {"design", "design_slow", "design_fast"})
+    output::write_file(dir_ / "results" / (std::string(name) + ".toml"), scene);
+  const Outcome o = run({"export", (dir_ / "results").string(), "--part", "rod", "--to", "nastran",
+                         "-o", (dir_ / "deck").string(), "--set", kShort[0]});
+  ASSERT_EQ(o.code, 0) << o.err;
+  for (const std::string name : {"slow", "fast"}) {
+    EXPECT_TRUE(fs::exists(dir_ / "deck" / name / "rod.bdf"));
+    EXPECT_NE(text_of(dir_ / "deck" / name / "README.md").find(", scenario '" + name + "'"),
+              std::string::npos);
+    EXPECT_NE(o.out.find("deck/" + name + "/rod.bdf"), std::string::npos) << o.out;
+  }
+  EXPECT_FALSE(fs::exists(dir_ / "deck/rod.bdf"));
+}
+
+TEST_F(Export, APartThatBendsFarSaysSo) {
+  for (const auto& [scene, part, far] :
+       {std::tuple("pendulum", "beam", true), {"slider_crank", "rod", false}}) {
+    ASSERT_EQ(run({"export", (kData / "scenes" / (std::string(scene) + ".toml")).string(), "--part",
+                   part, "--to", "calculix", "-o", (dir_ / scene).string()})
+                  .code,
+              0);
+    EXPECT_EQ(text_of(dir_ / scene / "README.md").find("bends far") != std::string::npos, far);
+  }
+}
+
 }  // namespace
 }  // namespace liesl::test::beam_deck_test

@@ -92,6 +92,8 @@ TEST(Nearest, IsByEditDistance) {
   EXPECT_EQ(edit_distance("ruond", "round"), 1);  // neighbours swapped
   EXPECT_EQ(edit_distance("Steel", "steel"), 0);
   EXPECT_EQ(nearest("diamter", {"radius", "diameter", "thickness"}), "diameter");
+  EXPECT_EQ(nearest("body", {"bodies", "loads"}), "bodies");  // a plural is one slip
+  EXPECT_EQ(nearest("materiel", {"materials", "loads"}), "materials");
   EXPECT_EQ(nearest("colour", {"radius", "diameter"}), "");
   EXPECT_EQ(suggestion("colour", {"radius", "diameter"}), "known: radius, diameter");
 }

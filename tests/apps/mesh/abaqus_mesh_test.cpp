@@ -141,7 +141,10 @@ TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
       {"nothing of the kind\n", "no cells", 1},
       {tower_with("type=C3D8I", "type=C3D15"), "elements of type 'C3D15'", 18},
       {tower_with("type=C3D8I", "type=C3D15"), "CPS3, CPS4, CPS6, CPS8, C3D4", 18},
-      {tower_with("type=C3D8I", "type=C3D10"), "an element has 14 nodes", 19},
+      {tower_with("type=C3D8I", "type=C3D10"),
+       "an element has 8 nodes; expected 10, as its TYPE=C3D10 says; hint: of 8 nodes are CPS8, "
+       "C3D8",
+       19},
       {tower_with("*ELEMENT, TYPE=MASS, ELSET=M\n3, 99", "*ELEMENT, TYPE=C3D4\n3, 1, 2, 4, 11"),
        "several kinds of cells: 4-node tetrahedron here, 8-node hexahedron in line 19", 23},
       {tower_with("*Element, type", "*ELGEN\n1, 2, 1, 1\n*Element, type"), "*ELGEN is not read",
@@ -175,6 +178,13 @@ TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
     EXPECT_TRUE(found) << c.words << ": " << problems[0].text();
     EXPECT_EQ(problems[0].file, "part.inp");
   }
+}
+
+TEST(AbaqusMesh, AWrongElementTypeIsOneProblem) {
+  std::string text = tower_with("type=C3D8I", "type=C3D10");
+  const auto block = text.find("2, 11, 12");
+  for (int i = 3; i < 100; ++i) text.insert(block, fmt::format("{}, 1, 2, 3, 4, 11\n", i));
+  EXPECT_EQ(problems_of_inp(text).size(), 1);
 }
 
 }  // namespace

@@ -190,8 +190,8 @@ TEST(ReportTable, ReadsQuotesAndUnits) {
   EXPECT_EQ(table.columns[0].unit, "s");
   EXPECT_EQ(table.columns[1].name, "a, \"b\"");
   EXPECT_EQ(table.columns[1].cells, (std::vector<std::string_view>{"x", "y\nz"}));
-  EXPECT_TRUE(std::isnan(report::numbers(table.columns[2])[0]));
-  EXPECT_EQ(report::numbers(table.columns[2])[1], 2.5);
+  EXPECT_THROW(table.numbers(table.columns[2]), output::IoError);  // an empty cell
+  EXPECT_EQ(table.numbers(table.columns[0]), (std::vector<double>{0, 1}));
   output::write_file(file, "a,b\n1\n");
   EXPECT_THROW(report::read_table(file), output::IoError);
   fs::remove(file);
@@ -264,6 +264,11 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
                  "--set", "simulation.duration=0.01", "--no-report"})
                 .code,
             0);
+  fs::copy(results(), dir_ / "nan", fs::copy_options::recursive);
+  std::string table = output::read_file(results() / "responses.csv");
+  table.replace(table.rfind(','), table.npos, ",nan\n");
+  output::write_file(dir_ / "nan/responses.csv", table);
+  refused((dir_ / "nan").string(), "'nan' of column 'bend' in line 12 is no finite number");
   fs::resize_file(results() / "results.h5", 3000);
   refused(results().string(), "results.h5");
   fs::copy(results(), dir_ / "half", fs::copy_options::recursive);

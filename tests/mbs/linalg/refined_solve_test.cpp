@@ -53,6 +53,27 @@ TEST(RefinedSolve, IsExactToRoundOff) {
   }
 }
 
+/// Pivots of another matrix that lose all digits here, are seen by the first correction.
+TEST(RefinedSolve, ChoosesPivotsAnewWhereKeptOnesLoseTheDigits) {
+  Random random(7);
+  MatrixXd A = MatrixXd::Identity(kSize, kSize) + 0.1 * random.matrix(kSize, kSize);
+  SparseLu lu;
+  ASSERT_TRUE(lu.factor_kept(Eigen::SparseMatrix<double>(A.sparseView())));
+  A.diagonal().setConstant(1e-18);  // the pivots of the first
+  const Eigen::SparseMatrix<double> S = A.sparseView();
+  const MatrixXd exact = random.matrix(kSize, 3);
+  for (const bool transposed : {false, true}) {
+    ASSERT_TRUE(lu.factor_kept(S));
+    const MatrixXd b = transposed ? A.transpose() * exact : A * exact;
+    MatrixXd plain = b, x = b;
+    transposed ? lu.solve_transposed(plain) : lu.solve(plain);
+    if (!transposed)
+      EXPECT_GT((plain - exact).norm(), 1e-3 * exact.norm());  // or nothing is tested
+    ASSERT_TRUE(RefinedSolve().solve_kept(lu, S, transposed, kDisplacements, x));
+    EXPECT_LT((x - exact).norm(), 1e-13 * exact.norm());
+  }
+}
+
 TEST(RefinedSolve, SaysWhatIsNotFinite) {
   const Eigen::SparseMatrix<double> I = MatrixXd(MatrixXd::Identity(3, 3)).sparseView();
   SparseLu lu;

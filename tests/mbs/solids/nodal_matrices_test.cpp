@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Eigenvalues>
 #include <limits>
 #include <stdexcept>
 
@@ -102,6 +103,32 @@ TEST(NodalMatrices, WhatIsNoFreeSolidIsRefusedWithItsReason) {
                   }),
                   "not that of a solid"));
   EXPECT_TRUE(has(reason([](auto& m) { m.M *= -1; }), "no positive mass"));
+}
+
+TEST(NodalMatrices, AStiffnessOfNegativeEnergyIsRefused) {
+  const auto reason = [](const auto& change) {
+    Part p = part(3, Tie::Rigid);
+    change(p.matrices.K);
+    component_mass(p.mesh, p.matrices);  // rigid motions take no forces
+    try {
+      require_positive_stiffness(p.matrices);
+    } catch (const std::invalid_argument& error) {
+      return std::string(error.what());
+    }
+    return std::string();
+  };
+  EXPECT_EQ(reason([](auto&) {}), "");
+  EXPECT_NE(reason([](auto& K) { K *= -1; }).find("diagonal of positive numbers"),
+            std::string::npos);
+  // Less than K by more than its softest displacement takes, on the diagonal still positive.
+  EXPECT_NE(reason([](auto& K) {
+              Eigen::MatrixXd full = K;
+              const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(full);
+              const Eigen::VectorXd soft = modes.eigenvectors().col(6);
+              full -= 2 * modes.eigenvalues()[6] * soft * soft.transpose();
+              K = full.sparseView();
+            }).find("not positive semidefinite"),
+            std::string::npos);
 }
 
 }  // namespace

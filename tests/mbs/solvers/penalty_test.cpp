@@ -155,6 +155,42 @@ TYPED_TEST(PenaltyIn, EnergyIsBalanced) {
   }
 }
 
+/// Rows as stiff as by default, whose rates are errors of the velocities: no energy is made of
+/// their squares.
+TYPED_TEST(PenaltyIn, EnergyIsBalancedWhereDampedRowsAreStiff) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  const auto share = [&](double damping) {
+    const auto r = run<G>(penalised(m, ConstraintForm::Penalty, 0, damping), space_of<G>(m),
+                          options(0.02, 1e-4));
+    EXPECT_EQ(r.report().status, SolveStatus::Converged);
+    Equations<G> equations(*r.model);
+    double turned_over = 0;
+    for (int i = 0; i < r.trajectory().size(); ++i)
+      turned_over = std::max(turned_over, std::abs(total_energy(r, i) - total_energy(r, 0)));
+    return largest_energy_imbalance(r, 1e-4,
+                                    [&](State<G>& s) { return power(*r.model, equations, s); }) /
+           turned_over;
+  };
+  const double undamped = share(0);
+  for (const double damping : {1e-5, 1e-3}) EXPECT_LT(share(damping), 2 * undamped + 1e-4);
+}
+
+/// Augmented joints are closed: there is no rate that damping could act on.
+TYPED_TEST(PenaltyIn, DampingHasNoEffectOnAugmentedJoints) {
+  using G = TypeParam;
+  const Mechanism m = crank();
+  const auto end = [&](double damping) {
+    const auto r = run<G>(penalised(m, ConstraintForm::Augmented, 0, damping), space_of<G>(m),
+                          options(0.02, 2e-4));
+    EXPECT_EQ(r.report().rejected_steps, 0);
+    State<G> s = r.model->initial_state();
+    r.trajectory().read(r.trajectory().size() - 1, s);
+    return Eigen::VectorXd(s.v);
+  };
+  EXPECT_EQ(end(1e-3), end(0));
+}
+
 /// Of a step, with and without damping; and statics.
 TYPED_TEST(PenaltyIn, TangentIsExact) {
   using G = TypeParam;
