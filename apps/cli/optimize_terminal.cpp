@@ -74,6 +74,13 @@ std::string unit_of_objective(const output::OptimizeSummary& s) {
   return unit == "-" ? "" : " " + unit;
 }
 
+/// " +- 2e-05", by mesh and step, if both are known.
+std::string error_of(const nlohmann::ordered_json& objective) {
+  if (!objective.contains("error")) return "";
+  const auto& error = objective["error"];
+  return fmt::format(" +- {:.2g}", error["mesh"].get<double>() + error["step"].get<double>());
+}
+
 /// What a hundredth more of a limit is worth.
 void print_price(const output::OptimizeSummary& s, const std::string& name, double price) {
   if (!s.more.contains("objective") || s.more["objective"]["quantity"] == "mass")
@@ -90,8 +97,8 @@ void print_result(const output::OptimizeSummary& s, const std::string& folder, b
   if (s.more.contains("objective") && s.more["objective"]["quantity"] != "mass") {
     const auto& o = s.more["objective"];
     const std::string unit = unit_of_objective(s);
-    fmt::print("  {} {:.7g}{} -> {:.7g}{}\n", o["quantity"].get<std::string>(),
-               o["initial"].get<double>(), unit, o["final"].get<double>(), unit);
+    fmt::print("  {} {:.7g}{} -> {:.7g}{}{}\n", o["quantity"].get<std::string>(),
+               o["initial"].get<double>(), unit, o["final"].get<double>(), error_of(o), unit);
   }
   const std::string error =
       s.more.contains("worst_constraint_error")

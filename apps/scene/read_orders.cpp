@@ -1,5 +1,5 @@
 /// @file
-/// The order of the elements of beams, which loads over them have a say in.
+/// The order of the elements of beams, which by default loads over them have a say in.
 #include <fmt/format.h>
 
 #include "apps/scene/reader.hpp"
@@ -9,21 +9,12 @@ namespace liesl {
 
 namespace {
 
-/// What a beam that is asked to be of order 4 cannot be, and loads that cannot be over it.
+/// What a beam that is asked to be of order 4 cannot be.
 void refuse_order_4(Reader& reader, int body, const toml::node& order) {
   const Mechanism& m = reader.scene.mechanism;
   const BodySpec& spec = m.bodies[static_cast<std::size_t>(body)];
   for (const auto& [what, expected] : against_order_4(std::get<BeamSpec>(spec.kind), m.formalism))
     reader.problems.add(order, fmt::format("beam '{}' of order 4 {}", spec.name, what), expected);
-  for (const LoadSpec& load : m.loads) {
-    if (!load.spread || load.port.body != body) continue;
-    const auto against = against_order_4(load);
-    if (against)
-      reader.problems.add(
-          *reader.root["loads"][load.name]["over"].node(),
-          fmt::format("load '{}' over a beam of order 4 {}", load.name, against->what),
-          against->expected);
-  }
 }
 
 }  // namespace

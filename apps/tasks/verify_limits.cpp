@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "apps/input/problem.hpp"
 #include "apps/scene/load_scene.hpp"
@@ -20,15 +21,18 @@ namespace {
 
 constexpr double kAlike = 1e-3;  // of a limit: two simulations of one design
 
-/// Limits on the largest value of a response.
+/// Of the largest value of a response.
 bool is_peak(const ConstraintSpec& c) {
-  return !(c.weight > 0) && c.treatment != Treatment::Functional && c.treatment != Treatment::PNorm;
+  return c.treatment != Treatment::Functional && c.treatment != Treatment::PNorm;
 }
+
+/// A term of the objective instead of a limit.
+bool is_term(const ConstraintSpec& c) { return c.weight > 0; }
 
 /// Under a name that no response of the scene has.
 std::string response_name(const std::string& limit) { return "limit " + limit; }
 
-/// A limit in a scenario.
+/// A limit, or a term of the objective, in a scenario.
 struct LimitedPeak {
   const ConstraintSpec* limit;
   std::string name;
@@ -60,11 +64,24 @@ ResponseSpec by_name(ResponseSpec r, const Mechanism& from, const Mechanism& to)
 std::vector<std::string> other_limits(const StudySpec& spec) {
   std::vector<std::string> names;
   for (const ConstraintSpec& c : spec.constraints)
-    if (!is_peak(c) && !(c.weight > 0)) names.push_back(c.response.name);
+    if (!is_peak(c) && !is_term(c)) names.push_back(c.response.name);
   for (const auto& f : spec.frequencies)
     if (!(f.weight > 0)) names.push_back(f.name);
   for (const auto& p : spec.part_limits)
     if (!(p.weight > 0)) names.push_back(p.name);
+  return names;
+}
+
+/// Terms of the objective whose errors no run on another mesh tells.
+std::vector<std::string> other_terms(const StudySpec& spec) {
+  std::vector<std::string> names;
+  for (const ConstraintSpec& c : spec.constraints)
+    if (is_term(c) && !is_peak(c)) names.push_back(c.response.name);
+  for (const auto& f : spec.frequencies)
+    if (f.weight > 0) names.push_back(f.name);
+  for (const auto& p : spec.part_limits)
+    if (p.weight > 0) names.push_back(p.name);
+  if (spec.motion_objective.effort > 0) names.emplace_back("effort");
   return names;
 }
 
@@ -88,8 +105,9 @@ class LimitVerification {
       return not_verified(error.what());
     }
     add_others();
-    if (limits_.empty()) return {};
     if (!json_.empty()) out_.summary.more["verification"] = json_;
+    describe_objective();
+    if (limits_.empty()) return {};
     if (const VerifiedLimit& nearest = nearest_limit(limits_); nearest.known)
       out_.summary.more["worst_constraint_error"] = nearest.error();
     return std::move(limits_);
@@ -159,8 +177,45 @@ class LimitVerification {
     return verified[of]["observed"][name].get<double>();
   }
 
+  /// Of the terms of all scenarios the largest counts.
+  void take_term(const LimitedPeak& p, const output::ResponseFigure& found) {
+    TermError& term = terms_[p.limit->response.name];
+    if (term.weight > 0 && term.value >= found.max_abs) return;
+    const bool steps = study_.scene.simulation.type == SimulationType::Dynamic;
+    const bool whole = !json_.contains("mesh") || !json_["mesh"].contains("left_out");
+    term = {p.limit->weight, found.max_abs, found.error_mesh.value_or(0),
+            found.error_step.value_or(0),
+            found.error_mesh && whole && (found.error_step || !steps)};
+  }
+
+  /// Errors of the terms and, where those of all are known, of the objective, which weighs them.
+  void describe_objective() {
+    auto& more = out_.summary.more;
+    if (terms_.empty() || !more.contains("terms")) return;
+    std::vector<std::string> unknown = other_terms(study_.spec);
+    double mesh = 0, step = 0;
+    for (const auto& [name, term] : terms_) {
+      auto& figure = more["terms"][name];
+      const double value = figure["final"].get<double>();
+      if (!term.known || std::abs(term.value - value) > kAlike * value) {
+        unknown.push_back(name);
+        continue;
+      }
+      figure["error"] = {{"mesh", term.mesh}, {"step", term.step}};
+      mesh += term.weight * term.mesh;
+      step += term.weight * term.step;
+    }
+    if (unknown.empty())
+      more["objective"]["error"] = {{"mesh", mesh}, {"step", step}};
+    else
+      out_.summary.warnings.push_back(
+          fmt::format("the error of the objective is not known, being not known of its terms {}",
+                      fmt::join(unknown, ", ")));
+  }
+
   void take(const LimitedPeak& p, const output::ResponseFigure& found,
             const nlohmann::ordered_json& verified) {
+    if (is_term(*p.limit)) return take_term(p, found);
     auto& all = out_.summary.constraints;
     const auto figure =
         std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == p.name; });
@@ -190,7 +245,14 @@ class LimitVerification {
   OptimizeOutcome& out_;
   const Study& study_;
   const Progress& progress_;
+  /// A term of the objective in the scenario where it is largest.
+  struct TermError {
+    double weight = 0, value = 0, mesh = 0, step = 0;
+    bool known = false;
+  };
+
   std::vector<VerifiedLimit> limits_;
+  std::map<std::string, TermError> terms_;
   double joints_ = 0;  ///< of the scenario: share by which penalties let them open
   nlohmann::ordered_json json_ = nlohmann::ordered_json::object();
 };

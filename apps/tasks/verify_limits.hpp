@@ -28,7 +28,8 @@ const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits);
 
 /// Runs the final design in every scenario as a scene on finer meshes and steps (`verify`): adds
 /// `error_mesh`, `error_step` to the limits, `verification` and, as a share of its limit, the error
-/// of the nearest one (`worst_constraint_error`, unless an error of it is not known). Limits on
+/// of the nearest one (`worst_constraint_error`, unless an error of it is not known); of terms of
+/// the objective `error` in `terms` and, if all are known, in `objective`. Limits on
 /// functionals, p-norms, frequencies and meshed parts are not verified: not known, with a warning.
 /// @pre out.simulated
 /// @returns one a limit and scenario; empty where there are none or the runs did not reach their

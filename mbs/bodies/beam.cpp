@@ -176,19 +176,27 @@ void ChainBeam<G, E>::exact_tangents(const BodyState<G>& s, const Vector& gravit
 }
 
 template <FrameGroup G, class E>
-void ChainBeam<G, E>::add_spread_curvature(const BodyState<G>& s, const Vector& q,
+void ChainBeam<G, E>::add_spread_curvature(const BodyState<G>& s, const SpreadLoad<G>& load,
                                            double* r) const {
   if constexpr (Element::kTurnsSpreadLoads)
     for (int e = 0; e < elements(); ++e)
-      Eigen::Map<Pair>(r + dim * e) += element(e).spread_curvature(s.H[e], s.H[e + 1], q);
+      Eigen::Map<Pair>(r + dim * e) += element(e).spread_curvature(s.H[e], s.H[e + 1], load);
 }
 
 template <FrameGroup G, class E>
-void ChainBeam<G, E>::add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
+void ChainBeam<G, E>::add_spread_curvature_tangent(const BodyState<G>& s, const SpreadLoad<G>& load,
                                                    Matrices& A) const {
   if constexpr (Element::kTurnsSpreadLoads)
     for (int e = 0; e < elements(); ++e)
-      A.add_element(e, element(e).spread_curvature_tangent(s.H[e], s.H[e + 1], q));
+      A.add_element(e, element(e).spread_curvature_tangent(s.H[e], s.H[e + 1], load));
+}
+
+template <FrameGroup G, class E>
+void ChainBeam<G, E>::add_spread_derivative(const BodyState<G>& s, const SpreadLoad<G>& load,
+                                            double* r) const {
+  if constexpr (std::is_same_v<E, FourthOrderElement<G>>)
+    for (const int e : acting_)
+      Eigen::Map<Pair>(r + dim * e) += element(e).spread_derivative(s.H[e], s.H[e + 1], load);
 }
 
 template <FrameGroup G, class E>

@@ -76,20 +76,20 @@ class ChainBeam final : public BeamChain<G> {
   void exact_tangents(const BodyState<G>& s, const Vector& gravity, const Tangent* stress,
                       Matrices& K, Matrices& C, Matrices& M) const override;
   Matrices load_distribution() const override;
-  bool takes_any_spread_load() const override {
-    return !std::is_same_v<Element, FourthOrderElement<G>>;
-  }
   typename Body<G>::Strains strains_at_rest(const Eigen::VectorXd& u) const override;
-  void add_spread_curvature(const BodyState<G>& s, const Vector& q, double* r) const override;
-  void add_spread_curvature_tangent(const BodyState<G>& s, const Vector& q,
+  void add_spread_curvature(const BodyState<G>& s, const SpreadLoad<G>& load,
+                            double* r) const override;
+  void add_spread_curvature_tangent(const BodyState<G>& s, const SpreadLoad<G>& load,
                                     Matrices& A) const override;
+  void add_spread_derivative(const BodyState<G>& s, const SpreadLoad<G>& load,
+                             double* r) const override;
   Tangent strain(const BodyState<G>& s, int e) const override;
   Tangent section_force(const BodyState<G>& s, int e, ElementPlace at) const override;
   std::array<Tangent, 2> end_forces(const BodyState<G>& s, int e) const override;
   void extrapolate_stress(const BodyState<G>& s, const double* delta,
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<G>& s, const Vector& gravity) const override;
-  /// sum of c L (d eps/dt)^T K (d eps/dt)
+  /// sum of c L (d eps/dt)^T K (d eps/dt), of fourth order of c L (dn/dt)^T F (dn/dt)
   double dissipation(const BodyState<G>& s) const override;
   double total_mass() const override;
   double axial_stiffness() const override;

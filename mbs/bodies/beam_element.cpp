@@ -130,13 +130,16 @@ auto BeamElement<G>::weight_gradient(const G& A, const G& B, const Vector& a) co
   return g;
 }
 template <FrameGroup G>
-auto BeamElement<G>::spread_curvature(const G& A, const G& B, const Vector& q) const -> Pair {
-  return curvature(spread_bubble_, A, B, q);
+auto BeamElement<G>::spread_curvature(const G& A, const G& B, const SpreadLoad<G>& load) const
+    -> Pair {
+  if (load.follower) return Pair::Zero();
+  return curvature(spread_bubble_, A, B, load.wrench.template head<G::space_dim>());
 }
 template <FrameGroup G>
-auto BeamElement<G>::spread_curvature_tangent(const G& A, const G& B, const Vector& q) const
-    -> PairMatrix {
-  return curvature_tangent(spread_bubble_, A, B, q);
+auto BeamElement<G>::spread_curvature_tangent(const G& A, const G& B,
+                                              const SpreadLoad<G>& load) const -> PairMatrix {
+  if (load.follower) return PairMatrix::Zero();
+  return curvature_tangent(spread_bubble_, A, B, load.wrench.template head<G::space_dim>());
 }
 
 template <FrameGroup G>

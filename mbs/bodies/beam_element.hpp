@@ -13,6 +13,7 @@
 #include "liegroup/se2.hpp"
 #include "liegroup/se3.hpp"
 #include "mbs/bodies/linear_law.hpp"
+#include "mbs/bodies/spread_load.hpp"
 
 namespace liesl {
 
@@ -101,9 +102,9 @@ class BeamElement : public LinearLaw<BeamElement<G>, G> {
   /// vector w it is linear - s(1 - s)/2 w x (w x R_mid^T a).
   /// @param a gravity, inertial axes, m/s^2
   void add_weight_curvature(const G& A, const G& B, const Vector& a, Pair& g) const;
-  /// The same for a dead force per length q [N/m] and its share by integral(I), and its tangent.
-  Pair spread_curvature(const G& A, const G& B, const Vector& q) const;
-  PairMatrix spread_curvature_tangent(const G& A, const G& B, const Vector& q) const;
+  /// The same for a dead force per length and its share by integral(I), and its tangent.
+  Pair spread_curvature(const G& A, const G& B, const SpreadLoad<G>& load) const;
+  PairMatrix spread_curvature_tangent(const G& A, const G& B, const SpreadLoad<G>& load) const;
 
   /// The shares of a dead load per length need a correction, see spread_curvature.
   static constexpr bool kTurnsSpreadLoads = true;

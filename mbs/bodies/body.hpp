@@ -14,6 +14,7 @@
 #include "mbs/bodies/body_matrix.hpp"
 #include "mbs/bodies/law_derivative.hpp"
 #include "mbs/bodies/shape_derivative.hpp"
+#include "mbs/bodies/spread_load.hpp"
 #include "mbs/model/element_place.hpp"
 
 namespace liesl {
@@ -141,18 +142,19 @@ class Body {
 
   /// Shares of a load per length: f = W [l_0; ...; l_n]; zero for bodies without length.
   virtual Matrices load_distribution() const { return Matrices(nodes()); }
-  /// Whether a load per length may follow the body or be a moment; else only a dead force.
-  virtual bool takes_any_spread_load() const { return true; }
   /// For bodies with followers instead: f = S l_0, all of the load from its components in the axes
   /// of node 0 [size x dim]; `follower` loads keep their components in the axes of every node.
   virtual Eigen::MatrixXd load_share(bool /*follower*/) const { return {}; }
 
-  /// r -= what `load_distribution` misses of a dead force per length q [N/m, inertial axes] where
-  /// elements turn, and A += its derivative; nothing where the shares are exact.
-  virtual void add_spread_curvature(const BodyState<G>&, const Vector& /*q*/, double* /*r*/) const {
-  }
-  virtual void add_spread_curvature_tangent(const BodyState<G>&, const Vector& /*q*/,
+  /// r -= what `load_distribution` misses of a load per length where elements turn or bend, and
+  /// A += its derivative; nothing where the shares are exact. Of a `derivative` that of what is
+  /// missed, by the parameter, is `add_spread_derivative`.
+  virtual void add_spread_curvature(const BodyState<G>&, const SpreadLoad<G>&,
+                                    double* /*r*/) const {}
+  virtual void add_spread_curvature_tangent(const BodyState<G>&, const SpreadLoad<G>&,
                                             Matrices& /*A*/) const {}
+  virtual void add_spread_derivative(const BodyState<G>&, const SpreadLoad<G>&,
+                                     double* /*r*/) const {}
 
   /// Components at the end of the last node that pad its amplitudes and never move.
   virtual int padding() const { return 0; }

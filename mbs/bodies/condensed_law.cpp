@@ -4,24 +4,21 @@
 #include <Eigen/LU>
 
 namespace liesl {
-namespace {
 
-/// Slope of the curvature of the axis, from d0_u = L e1 + (L^3/12) e1 x kappa_1.
-template <class G>
-typename G::Tangent slope_of_axis(const typename G::Tangent& d0) {
-  typename G::Tangent a = G::Tangent::Zero();
-  const double scale = 12 / (d0[0] * d0[0] * d0[0]);
-  a[G::dim - 1] = -scale * d0[1];
-  if constexpr (G::space_dim == 3) a[4] = scale * d0[2];
+/// From d0_u = L e1 + (L^3/12) e1 x kappa_1.
+template <FrameGroup G>
+auto CondensedLaw<G>::slope_of_axis() const -> Tangent {
+  Tangent a = Tangent::Zero();
+  const Scalar scale = 12 / (L_ * L_ * L_);
+  a[G::dim - 1] = -scale * d0_[1];
+  if constexpr (G::space_dim == 3) a[4] = scale * d0_[2];
   return a;
 }
-
-}  // namespace
 
 template <FrameGroup G>
 CondensedLaw<G>::CondensedLaw(const Tangent& d0, const Matrix& K)
     : d0_(d0), L_(d0[0]), K_(K), Kinv_(K.inverse()) {
-  W_ = Matrix::Identity() - (L_ * L_ / 12) * G::ad(slope_of_axis<G>(d0));
+  W_ = Matrix::Identity() - (L_ * L_ / 12) * G::ad(slope_of_axis());
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   uncoupled_ = K.template topRightCorner<sd, rd>().isZero(0);
   varied_ = W_ * Kinv_ * W_.transpose();
@@ -94,8 +91,7 @@ auto CondensedLaw<G>::stress(const Tangent& d, const Tangent& e) const -> Tangen
 
 template <FrameGroup G>
 auto CondensedLaw<G>::conjugate(const Tangent& d, const Tangent& n) const -> Tangent {
-  const Tangent z = -Kinv_.lazyProduct(BeamElement<G>::minus_ad_transpose(d, n));
-  return n - (L_ / 12) * BeamElement<G>::minus_ad_transpose(z, n);
+  return n - (L_ / 12) * BeamElement<G>::minus_ad_transpose(slope(d, n), n);
 }
 
 template <FrameGroup G>
@@ -117,17 +113,47 @@ auto CondensedLaw<G>::force_operator(const Tangent& n) -> Matrix {
 }
 
 template <FrameGroup G>
-auto CondensedLaw<G>::Y(const Tangent& d, const Tangent& n) const -> Matrix {
+auto CondensedLaw<G>::Y(const Tangent& d, const Tangent& n, const Tangent& z) const -> Matrix {
   const Matrix a = G::ad(d), KN = Kinv_.lazyProduct(force_operator(n));
-  const Tangent z = Kinv_.lazyProduct(-BeamElement<G>::minus_ad_transpose(d, n));
   return Matrix::Identity() + (L_ / 12) * (G::ad(z) - a.lazyProduct(KN));
 }
 
 template <FrameGroup G>
-auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n) const -> Matrix {
-  const Matrix y = Y(d, n), N = force_operator(n);
+auto CondensedLaw<G>::hessian(const Tangent& d, const Tangent& n, const Tangent& z) const
+    -> Matrix {
+  const Matrix y = Y(d, n, z), N = force_operator(n);
   const Matrix c = stiffness(d).lazyProduct(y), KN = Kinv_.lazyProduct(N);
   return y.transpose().lazyProduct(c) / L_ - (L_ / 12) * N.transpose().lazyProduct(KN);
+}
+
+template <FrameGroup G>
+auto CondensedLaw<G>::viscous(const Tangent& d, const Tangent& n, const Tangent& r) const
+    -> Tangent {
+  const Matrix y = Y(d, n);
+  const Tangent rate = stress(d, y.lazyProduct(r)) / L_;
+  return y.transpose().lazyProduct(rate);
+}
+
+/// Of Y^T m = L (F dn/dd)^T m, m = dn/dt: with the second derivative of n by d, which follows from
+/// F n = (d - d0)/L,
+///   L d2(m . n)/dd2 = -(L/12)(M^T K^-1 N + N^T K^-1 M) + n_d^T (Y_m - I) + (Y_m - I)^T n_d,
+/// M = N(m), Y_m = Y(d, m), n_d = dn/dd, and
+///   -n_d^T (L/12) [(ad(r) K^-1 N - ad(K^-1 ad(r)^T n)) + (ad(r) K^-1 ad(d)^T + its transpose)
+///   n_d].
+template <FrameGroup G>
+auto CondensedLaw<G>::viscous_by_d(const Tangent& d, const Tangent& n, const Tangent& r) const
+    -> Matrix {
+  const Matrix a = G::ad(d), ar = G::ad(r), N = force_operator(n), KN = Kinv_.lazyProduct(N);
+  const Matrix y = Y(d, n), n_d = stiffness(d).lazyProduct(y) / L_;
+  const Tangent m = n_d.lazyProduct(r), zr = slope(r, n);
+  const Matrix turned = Y(d, m) - Matrix::Identity();
+  const Matrix once = force_operator(m).transpose().lazyProduct(KN),
+               twice = n_d.transpose().lazyProduct(turned),
+               Ka = Kinv_.lazyProduct(Matrix(a.transpose())), crossed = ar.lazyProduct(Ka);
+  Matrix inner = ar.lazyProduct(KN) - G::ad(zr);
+  inner += Matrix(crossed + crossed.transpose()).lazyProduct(n_d);
+  return twice + twice.transpose() - (L_ / 12) * (once + once.transpose()) -
+         (L_ / 12) * n_d.transpose().lazyProduct(inner);
 }
 
 template <FrameGroup G>
@@ -136,9 +162,10 @@ void CondensedLaw<G>::force(const G& A, const G& B, const Scalar* v, double damp
   BeamElement<G>::transmit(
       A, B,
       [&](const Tangent& d, const Matrix& Ti) -> Tangent {
-        Tangent e = (d - d0_) / L_;
-        if (damping > 0) e += (damping / L_) * BeamElement<G>::relative_rate(d, Ti, v);
-        return conjugate(d, stress(d, e));
+        const Tangent n = stress(d, (d - d0_) / L_);
+        Tangent f = conjugate(d, n);
+        if (damping > 0) f += damping * viscous(d, n, BeamElement<G>::relative_rate(d, Ti, v));
+        return f;
       },
       g);
 }
@@ -155,28 +182,27 @@ auto CondensedLaw<G>::relative_motion(const G& A, const G& B) -> RelativeMotion 
 }
 
 template <FrameGroup G>
-auto CondensedLaw<G>::damping_tangent(const G& A, const G& B, const Scalar* v, double damping) const
+auto CondensedLaw<G>::damping_tangent(const G& A, const G& B, const Scalar*, double damping) const
     -> PairMatrix {
   const auto [d, p] = relative_motion(A, B);
-  const Tangent rate = p.lazyProduct(Eigen::Map<const Pair>(v)) / L_;
-  const Tangent n = stress(d, (d - d0_) / L_ + damping * rate);
-  const Matrix C = Y(d, n).transpose().lazyProduct(stiffness(d));
-  const Gradient n_by_v = C.lazyProduct(p) * (damping / L_);
-  return p.transpose().lazyProduct(n_by_v);
+  const Gradient Yp = Y(d, stress(d, (d - d0_) / L_)).lazyProduct(p);
+  const Gradient n_by_v = stiffness(d).lazyProduct(Yp) * (damping / L_);
+  return Yp.transpose().lazyProduct(n_by_v);
 }
 
 template <FrameGroup G>
-auto CondensedLaw<G>::tangent(const G& A, const G& B, const Tangent& elastic, const Scalar* v,
+auto CondensedLaw<G>::tangent(const G& A, const G& B, const Tangent& n, const Scalar* v,
                               double damping) const -> PairMatrix {
   const auto [d, p] = relative_motion(A, B);
-  Tangent n = elastic;
-  if (damping > 0) n += stress(d, p.lazyProduct(Eigen::Map<const Pair>(v)) * (damping / L_));
   Matrix H = hessian(d, n);
+  Tangent force = conjugate(d, n);
   if (damping > 0) {
-    const Matrix C = Y(d, n).transpose().lazyProduct(stiffness(d));
-    H += C.lazyProduct(BeamElement<G>::dP(d, v)) * (damping / L_);
+    const Tangent r = p.lazyProduct(Eigen::Map<const Pair>(v));
+    const Matrix y = Y(d, n), c = stiffness(d).lazyProduct(y) / L_,
+                 by_rate = y.transpose().lazyProduct(c);
+    force += damping * by_rate.lazyProduct(r);
+    H += damping * (viscous_by_d(d, n, r) + by_rate.lazyProduct(BeamElement<G>::dP(d, v)));
   }
-  const Tangent force = conjugate(d, n);
   const Gradient Hp = H.lazyProduct(p);
   PairMatrix k = p.transpose().lazyProduct(Hp);
   k.template topRows<G::dim>() += G::dTinvT(-d, force).lazyProduct(p);
@@ -204,6 +230,19 @@ auto CondensedLaw<G>::conjugate_by(const Tangent& d, const Tangent& n, const Tan
   const Matrix a = G::ad(d);
   const Tangent z = Kinv_ * (a.transpose() * n), dz = Kinv_ * (a.transpose() * dn - dK * z);
   return dn + (L_ / 12) * (G::ad(dz).transpose() * n + G::ad(z).transpose() * dn);
+}
+
+/// Y' = (L/12) [ad(z') - ad(d) (K^-1 N)'], F m' = Y' r/L - F' m for m = dn/dt.
+template <FrameGroup G>
+auto CondensedLaw<G>::viscous_by(const Tangent& d, const Tangent& n, const Tangent& dn,
+                                 const Tangent& r, const Matrix& dK) const -> Tangent {
+  const Matrix a = G::ad(d), y = Y(d, n);
+  const Tangent dz = Kinv_ * (a.transpose() * dn - dK * slope(d, n));
+  const Matrix KN = Kinv_ * (force_operator(dn) - dK * Kinv_ * force_operator(n));
+  const Matrix dy = (L_ / 12) * (G::ad(dz) - a * KN);
+  const Tangent m = stress(d, y * r) / L_,
+                dm = stress(d, dy * r / L_ + minus_flexibility_by(d, m, dK));
+  return dy.transpose() * m + y.transpose() * dm;
 }
 
 template <FrameGroup G>

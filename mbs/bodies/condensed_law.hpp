@@ -63,13 +63,25 @@ class CondensedLaw {
   Tangent conjugate(const Tangent& d, const Tangent& n) const;
   /// Y = I + (L/12)(ad(z) - ad(d) K^-1 N(n)): dn = F^-1 Y dd/L, and Y^T dn is what the conjugate
   /// force changes by. N(n) x = ad(x)^T n.
-  Matrix Y(const Tangent& d, const Tangent& n) const;
+  Matrix Y(const Tangent& d, const Tangent& n) const { return Y(d, n, slope(d, n)); }
   /// d(conjugate)/dd = Y^T F^-1 Y / L - (L/12) N^T K^-1 N, symmetric.
-  Matrix hessian(const Tangent& d, const Tangent& n) const;
+  Matrix hessian(const Tangent& d, const Tangent& n) const { return hessian(d, n, slope(d, n)); }
+  /// Both with another z than K^-1 ad(d)^T n (LineLoad).
+  Matrix Y(const Tangent& d, const Tangent& n, const Tangent& z) const;
+  Matrix hessian(const Tangent& d, const Tangent& n, const Tangent& z) const;
   /// N(n): N x = ad(x)^T n, antisymmetric.
   static Matrix force_operator(const Tangent& n);
 
-  /// g = P(d)^T (conjugate force) of eps + damping deps/dt, frames A and B of the nodes.
+  /// Slope a_r of the curvature of the axis at rest.
+  Tangent slope_of_axis() const;
+
+  /// Viscous section forces c dn/dt, dn/dt = F^-1 Y dd/dt / L: what works on d, Y^T dn/dt, whose
+  /// power L dn/dt . F dn/dt is never negative. @param r dd/dt
+  Tangent viscous(const Tangent& d, const Tangent& n, const Tangent& r) const;
+  /// Its derivative by d at constant r, n that of d.
+  Matrix viscous_by_d(const Tangent& d, const Tangent& n, const Tangent& r) const;
+
+  /// g = P(d)^T (conjugate and viscous force), frames A and B of the nodes.
   void force(const G& A, const G& B, const Scalar* v, double damping, Pair& g) const;
   /// dg/dv, and dg/d[h_A; h_B] about the elastic stress n. @param v used only if damping > 0
   PairMatrix damping_tangent(const G& A, const G& B, const Scalar* v, double damping) const;
@@ -82,6 +94,9 @@ class CondensedLaw {
   /// d(conjugate)/dp, n and its derivative given.
   Tangent conjugate_by(const Tangent& d, const Tangent& n, const Tangent& dn,
                        const Matrix& dK) const;
+  /// d(viscous)/dp likewise.
+  Tangent viscous_by(const Tangent& d, const Tangent& n, const Tangent& dn, const Tangent& r,
+                     const Matrix& dK) const;
   /// d(F(d0)^-1)/dp = C (-dF/dp) C, and d2/dp dq.
   Matrix stiffness_at_rest_by(const Matrix& dK) const;
   Matrix stiffness_at_rest_second(const Matrix& K_p, const Matrix& K_q, const Matrix& K_pq) const;
@@ -96,6 +111,10 @@ class CondensedLaw {
   };
 
   static RelativeMotion relative_motion(const G& A, const G& B);
+  /// z = K^-1 ad(d)^T n
+  Tangent slope(const Tangent& d, const Tangent& n) const {
+    return Kinv_.lazyProduct(Tangent(-BeamElement<G>::minus_ad_transpose(d, n)));
+  }
 
   /// F(d0) as a linear function of the flexibility X of the section.
   Matrix of_flexibility(const Matrix& X) const;

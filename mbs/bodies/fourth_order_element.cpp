@@ -3,6 +3,7 @@
 #include <stdexcept>
 
 #include "mbs/bodies/body.hpp"
+#include "mbs/bodies/line_load.hpp"
 
 namespace liesl {
 
@@ -59,15 +60,17 @@ void FourthOrderElement<G>::need_law(const char* what) const {
 }
 
 template <FrameGroup G>
-auto FourthOrderElement<G>::strain_rate(const Tangent& d, const double* v) const -> Tangent {
-  return P(d) * Eigen::Map<const Pair>(v) / length();
-}
-
-template <FrameGroup G>
 auto FourthOrderElement<G>::conjugate_to(const Tangent& d, const Tangent& e) const -> Tangent {
   const Tangent n = law_.stress(d, e);
   if (!dK_) return law_.conjugate(d, n);
   return law_.conjugate_by(d, n, law_.stress_by(d, n, *dK_), *dK_);
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::viscous(const Tangent& d, const Tangent& n, const Tangent& rate) const
+    -> Tangent {
+  if (!dK_) return law_.viscous(d, n, rate);
+  return law_.viscous_by(d, n, law_.stress_by(d, n, *dK_), rate, *dK_);
 }
 
 template <FrameGroup G>
@@ -106,8 +109,8 @@ double FourthOrderElement<G>::elastic_energy(const G& A, const G& B) const {
 template <FrameGroup G>
 double FourthOrderElement<G>::dissipation(const G& A, const G& B, const double* v,
                                           double damping) const {
-  const Tangent d = relative(A, B), e = (d - d0()) / length(), rate = strain_rate(d, v);
-  return length() * rate.dot(conjugate_to(d, e + damping * rate) - conjugate_to(d, e));
+  const Tangent d = relative(A, B), rate = P(d) * Eigen::Map<const Pair>(v);
+  return damping * rate.dot(viscous(d, law_.stress(d, (d - d0()) / length()), rate));
 }
 
 template <FrameGroup G>
@@ -117,11 +120,12 @@ void FourthOrderElement<G>::internal_force(const G& A, const G& B, const double*
   Second::transmit(
       A, B,
       [&](const Tangent& d, const Matrix& Ti) -> Tangent {
-        Tangent e = (d - d0()) / length();
-        if (damping > 0) e += (damping / length()) * Second::relative_rate(d, Ti, v);
-        if (!about) return conjugate_to(d, e);
-        const Tangent at = Eigen::Map<const Tangent>(about);
-        return law_.conjugate(d, at) + law_.Y(d, at).transpose() * (law_.stress(d, e) - at);
+        const Tangent n = law_.stress(d, (d - d0()) / length());
+        const Tangent at = about ? Tangent(Eigen::Map<const Tangent>(about)) : n;
+        Tangent f = about ? Tangent(law_.conjugate(d, at) + law_.Y(d, at).transpose() * (n - at))
+                          : conjugate_to(d, (d - d0()) / length());
+        if (damping > 0) f += damping * viscous(d, at, Second::relative_rate(d, Ti, v));
+        return f;
       },
       g);
 }
@@ -146,17 +150,48 @@ auto FourthOrderElement<G>::damped_tangent(const G& A, const G& B, const Tangent
   return law_.tangent(A, B, n, v, damping);
 }
 
+namespace {
+
+/// Of dead forces nothing is left beyond the shares.
+template <FrameGroup G>
+bool acts(const SpreadLoad<G>& load) {
+  return load.follower || !load.wrench.template tail<G::rotation_dim>().isZero(0);
+}
+
+}  // namespace
+
 template <FrameGroup G>
 auto FourthOrderElement<G>::load_shares() const -> PairMatrix {
   constexpr int sd = G::space_dim, rd = G::rotation_dim;
   const double L = length();
   const auto X = SectionRotation<G>::turning();
   PairMatrix W = PairMatrix::Zero();
-  W.template block<sd, sd>(0, 0).diagonal().setConstant(L / 2);
-  W.template block<sd, sd>(dim, dim).diagonal().setConstant(L / 2);
+  W.diagonal().setConstant(L / 2);
   W.template block<rd, sd>(sd, 0) = L * L / 12 * X.transpose();
   W.template block<rd, sd>(dim + sd, dim) = -L * L / 12 * X.transpose();
   return W;
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::spread_curvature(const G& A, const G& B,
+                                             const SpreadLoad<G>& load) const -> Pair {
+  if (!acts(load)) return Pair::Zero();
+  return -LineLoad<G>(law_, load, A, B).force();
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::spread_curvature_tangent(const G& A, const G& B,
+                                                     const SpreadLoad<G>& load) const
+    -> PairMatrix {
+  if (!acts(load)) return PairMatrix::Zero();
+  return -LineLoad<G>(law_, load, A, B).tangent();
+}
+
+template <FrameGroup G>
+auto FourthOrderElement<G>::spread_derivative(const G& A, const G& B,
+                                              const SpreadLoad<G>& load) const -> Pair {
+  if (!dK_ || !acts(load)) return Pair::Zero();
+  return -LineLoad<G>(law_, load, A, B).force_by(*dK_);
 }
 
 template <FrameGroup G>

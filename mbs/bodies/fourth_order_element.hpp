@@ -8,6 +8,7 @@
 
 #include "mbs/bodies/condensed_law.hpp"
 #include "mbs/bodies/hermite_inertia.hpp"
+#include "mbs/bodies/spread_load.hpp"
 
 namespace liesl {
 
@@ -57,10 +58,10 @@ class FourthOrderElement {
   double elastic_energy(const G& A, const G& B) const;
   /// dV/dd: what P(d)^T makes the elastic force of.
   Tangent conjugate(const G& A, const G& B) const;
-  /// Power taken out by damping at velocities v.
+  /// Power taken out by damping at velocities v, >= 0.
   double dissipation(const G& A, const G& B, const double* v, double damping) const;
 
-  /// g = P(d)^T dV/dd with eps + damping deps/dt for eps.
+  /// g = P(d)^T (dV/dd + damping Y^T dn/dt).
   /// @param v velocities [v_A; v_B]; used only if damping > 0 (stiffness-proportional, s)
   /// @param about null, or the stress about which the law is linearised (statics)
   void internal_force(const G& A, const G& B, const double* v, double damping, Pair& g,
@@ -75,9 +76,14 @@ class FourthOrderElement {
     return damped_tangent(A, B, n, nullptr, 0);
   }
 
-  /// Shares of a dead load per length, exact however the element turns.
+  /// Shares of a load per length: of a dead force exact however the element turns.
   PairMatrix load_shares() const;
-  static constexpr bool kTurnsSpreadLoads = false;
+  static constexpr bool kTurnsSpreadLoads = true;
+  /// Less what a load that follows or is a moment does beyond these shares (LineLoad), its tangent,
+  /// and of a derivative its own.
+  Pair spread_curvature(const G& A, const G& B, const SpreadLoad<G>& load) const;
+  PairMatrix spread_curvature_tangent(const G& A, const G& B, const SpreadLoad<G>& load) const;
+  Pair spread_derivative(const G& A, const G& B, const SpreadLoad<G>& load) const;
 
   const PairMatrix& mass() const { return mass_; }
   PairMatrix mass(const G& A, const G& B) const { return inertia_.mass(A, B); }
@@ -110,7 +116,8 @@ class FourthOrderElement {
   Share bending_share_by(const Matrix& dK) const;
   /// The section force that works on d for a strain e, or its derivative.
   Tangent conjugate_to(const Tangent& d, const Tangent& e) const;
-  Tangent strain_rate(const Tangent& d, const double* v) const;
+  /// Y^T dn/dt for a section force n, or its derivative.
+  Tangent viscous(const Tangent& d, const Tangent& n, const Tangent& rate) const;
   void need_law(const char* what) const;
 
   CondensedLaw<G> law_;

@@ -2,6 +2,7 @@
 
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <optional>
 
 #include "mbs/sections/section_law.hpp"
 
@@ -38,8 +39,6 @@ std::vector<OrderObjection> against_order_4(const BeamSpec& beam, Formalism form
                    "order = 2, or simulation.formalism = \"se3\""});
   if (beam.as != BeamModel::AsFormalism)
     all.push_back({std::string("as \"") + as_text(beam.as) + "\"", "order = 2"});
-  if (beam.damping > 0)  // which could bring energy in where elements bend
-    all.push_back({"has damping", "order = 2, or damping = 0"});
   const Section* before = nullptr;  // neighbours of one name share it
   for (const Section& section : beam.sections) {
     if (before && before->name == section.name && beam.ends.empty()) continue;
@@ -52,21 +51,16 @@ std::vector<OrderObjection> against_order_4(const BeamSpec& beam, Formalism form
   return all;
 }
 
-std::optional<OrderObjection> against_order_4(const LoadSpec& spread) {
-  const std::string expected = "a force in inertial axes, or order = 2 of the beam";
-  if (spread.follower) return OrderObjection{"follows it", expected};
-  if (spread.moment.norm() > 0) return OrderObjection{"has a moment", expected};
-  return {};
-}
-
 int default_order(const Mechanism& mechanism, int body) {
   const auto& spec = mechanism.bodies[static_cast<std::size_t>(body)];
-  const bool possible =
-      against_order_4(std::get<BeamSpec>(spec.kind), mechanism.formalism).empty() &&
-      std::none_of(mechanism.loads.begin(), mechanism.loads.end(), [body](const LoadSpec& load) {
-        return load.spread && load.port.body == body && against_order_4(load);
-      });
-  return possible ? 4 : 2;
+  const auto& beam = std::get<BeamSpec>(spec.kind);
+  const auto& loads = mechanism.loads;
+  const bool moment = std::any_of(loads.begin(), loads.end(), [body](const LoadSpec& load) {
+    return load.spread && load.port.body == body && load.moment.norm() > 0;
+  });
+  const bool second =
+      moment || beam.damping > 0 || !against_order_4(beam, mechanism.formalism).empty();
+  return second ? 2 : 4;
 }
 
 }  // namespace liesl

@@ -3,7 +3,6 @@
 /// Which beams can have elements of fourth order: the one table of reasons that refusals and the
 /// default of scenes are taken from.
 
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +19,9 @@ struct OrderObjection {
 /// All that a beam itself has against order 4 under a formalism; empty: nothing.
 std::vector<OrderObjection> against_order_4(const BeamSpec& beam, Formalism formalism);
 
-/// What a load has against order 4 of the beam over which it is spread: "load 'wind' over a beam of
-/// order 4 " + what.
-std::optional<OrderObjection> against_order_4(const LoadSpec& spread);
-
-/// The order of the elements of body `body` where none is asked for: 4 if neither the beam nor a
-/// load over it has anything against it, else 2. @pre the body is a beam
+/// The order of the elements of body `body` where none is asked for: 4 if the beam has nothing
+/// against it, else 2; 2 with damping, too, and under a moment per length, beside which the shear
+/// forces of elements of order 4 are not those of the sections (LineLoad). @pre the body is a beam
 int default_order(const Mechanism& mechanism, int body);
 
 }  // namespace liesl

@@ -119,11 +119,12 @@ void IterationMatrix<G>::linearise_bodies(const State<G>& s, const LoadLevel& le
   }
 }
 
-/// Follower loads are constant in the local frames; dead ones turn against them.
+/// Follower loads are constant in the local frames but for what elements make of spread ones; dead
+/// ones turn against them.
 template <FrameGroup G>
 void IterationMatrix<G>::linearise_load(const Load<G>& load, const State<G>& s,
                                         const LoadLevel& level) {
-  if (load.port.body < 0 || load.follower) return;
+  if (load.port.body < 0 || (load.follower && !load.spread)) return;
   const typename G::Tangent wrench = load_value(load.scale, level) * load.wrench;
   auto& A = A_[load.port.body];
   const int first = model_.first_node(load.port.body);
@@ -134,14 +135,16 @@ void IterationMatrix<G>::linearise_load(const Load<G>& load, const State<G>& s,
     return;
   }
   if (load.share.size() > 0) {  // all of it follows the first node
+    if (load.follower) return;
     const typename G::Matrix D = dead_load_tangent<G>(s.H[first], wrench);
     for (size_t i = 0; i < A.nodes.size(); ++i)
       A.dense.template block<dim, dim>(dim * static_cast<int>(i), 0).noalias() +=
           load.share.template middleRows<dim>(dim * A.nodes[i]) * D;
     return;
   }
-  model_.bodies[load.port.body]->add_spread_curvature_tangent(
-      model_.body_state(s, load.port.body), wrench.template head<G::space_dim>(), A);
+  model_.bodies[load.port.body]->add_spread_curvature_tangent(model_.body_state(s, load.port.body),
+                                                              {wrench, load.follower}, A);
+  if (load.follower) return;
   for (int k = 0; k < A.blocks(); ++k) {
     const typename G::Matrix D = dead_load_tangent<G>(s.H[first + k], wrench);
     const auto& W = load.distribution;

@@ -2,10 +2,7 @@
 /// @file
 /// Loads at ports and along bodies.
 
-#include <stdexcept>
-
 #include "mbs/bodies/body.hpp"
-#include "mbs/model/beam_order.hpp"
 #include "mbs/system/build_port.hpp"
 
 namespace liesl {
@@ -24,10 +21,6 @@ Load<G> build_load(const LoadSpec& l, const Mechanism& mechanism, const Model<G>
                            : space.reduce_wrench(l.force, l.moment);
   if (l.spread) {
     const Body<G>& body = *model.bodies[l.port.body];
-    if (const auto against = against_order_4(l); against && !body.takes_any_spread_load())
-      throw std::invalid_argument("load '" + l.name + "' over beam '" + body.name +
-                                  "' of order 4 " + against->what + "; expected " +
-                                  against->expected);
     load.distribution = body.load_distribution();
     load.share = body.load_share(l.follower);
   }

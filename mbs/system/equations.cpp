@@ -113,10 +113,9 @@ void Equations<G>::add_load(const Model<G>& model, const Load<G>& load, double f
     scale.add<G>(Tangent(factor * load.wrench * load.share.template topRows<1>().norm()));
     return;
   }
-  if (!load.follower)
-    model.bodies[load.port.body]->add_spread_curvature(
-        model.body_state(s, load.port.body), factor * load.wrench.template head<G::space_dim>(),
-        out.data() + dim * first);
+  model.bodies[load.port.body]->add_spread_curvature(model.body_state(s, load.port.body),
+                                                     {factor * load.wrench, load.follower},
+                                                     out.data() + dim * first);
   for (int k = 0; k < n; ++k) {
     const Tangent y = factor * local(s.H[first + k]);
     const auto& W = load.distribution;

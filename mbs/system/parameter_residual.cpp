@@ -216,6 +216,31 @@ std::string ParameterResidual<G>::add_part(const Mechanism&, const NearbyMechani
   return "";
 }
 
+/// Loads are quadratic in their wrench at most (LineLoad), so that half the difference to either
+/// side is the derivative; those of nodes are linear.
+template <FrameGroup G>
+void ParameterResidual<G>::add_load(const LoadChange& l, const typename G::Tangent& wrench,
+                                    const typename G::Tangent& change, const State<G>& s,
+                                    Eigen::VectorXd& r_p) const {
+  ForceScale unused;
+  Load<G>& load = l.components;
+  const typename G::Tangent of_components = load.wrench;
+  if (load.spread) {
+    turned_.setZero(r_p.size());
+    load.wrench = wrench - change;
+    Equations<G>::add_load(model_, load, 1, s, turned_, unused);
+    r_p -= 0.5 * turned_;
+    turned_.setZero();
+    load.wrench = wrench + change;
+    Equations<G>::add_load(model_, load, 1, s, turned_, unused);
+    r_p += 0.5 * turned_;
+  } else {
+    load.wrench = change;
+    Equations<G>::add_load(model_, load, 1, s, r_p, unused);
+  }
+  load.wrench = of_components;
+}
+
 template <FrameGroup G>
 void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
                                const LoadLevel& level, Eigen::VectorXd& r_p,
@@ -230,12 +255,17 @@ void ParameterResidual<G>::add(const State<G>& s, const Eigen::VectorXd& previou
     double* out = r_p.data() + dim * model_.first_node(static_cast<int>(b));
     bodies_[b]->add_internal(state, out, unused);
     bodies_[b]->add_inertia(state, gravity, out, unused);
+    for (const Load<G>& load : model_.loads)
+      if (load.spread && load.port.body == static_cast<int>(b))
+        bodies_[b]->add_spread_derivative(
+            state, {load_value(load.scale, level) * load.wrench, load.follower}, out);
   }
   for (const LoadChange& l : loads_) {
     const double scale = load_value(l.load->scale, level);
-    Equations<G>::add_load(
-        model_, *l.load, l.factor * scale + level.factor * value(l.scale, level.t), s, r_p, unused);
-    if (l.of_components) Equations<G>::add_load(model_, l.components, scale, s, r_p, unused);
+    typename G::Tangent change =
+        (l.factor * scale + level.factor * value(l.scale, level.t)) * l.load->wrench;
+    if (l.of_components) change += scale * l.components.wrench;
+    add_load(l, scale * l.load->wrench, change, s, r_p);
   }
   for (const RowDerivative& row : rows_)
     if (row.equation->role != Role::Constraint) add_force(row, s, previous, level, r_p);

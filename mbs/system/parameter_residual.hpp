@@ -67,7 +67,7 @@ class ParameterResidual {
     const Load<G>* load;
     double factor;  ///< of its scale
     FunctionDerivative scale;
-    Load<G> components;  ///< the load with the derivative of its wrench
+    mutable Load<G> components;  ///< the load with the derivative of its wrench
     bool of_components;
   };
 
@@ -86,6 +86,9 @@ class ParameterResidual {
   void add_nodes_of(int body);
   template <class Matches>
   void add_rows(RowDerivative part, Matches matches);
+  /// r_p += what a load is changed by `change` of its wrench at `wrench`.
+  void add_load(const LoadChange& l, const typename G::Tangent& wrench,
+                const typename G::Tangent& change, const State<G>& s, Eigen::VectorXd& r_p) const;
   void add_force(const RowDerivative& row, const State<G>& s, const Eigen::VectorXd& previous,
                  const LoadLevel& level, Eigen::VectorXd& r_p) const;
 
@@ -99,6 +102,7 @@ class ParameterResidual {
   std::unique_ptr<NearbyModels<G>> nearby_;
   Eigen::VectorXd compliance_;  ///< -d(1/alpha)/dp by multiplier; empty: weights do not change
   double step_ = 0;
+  mutable Eigen::VectorXd turned_;  ///< of a spread load
 };
 
 extern template class ParameterResidual<SE2>;

@@ -50,6 +50,41 @@ TEST_F(VerifyCommand, NamesTheLimitsThatItLeavesOut) {
       << o.out << o.err;
 }
 
+/// A response that is made small has an error as one that is limited: the final design on 8 times
+/// the elements.
+TEST_F(VerifyCommand, TellsTheErrorOfTheObjective) {
+  const Outcome o = run({"optimize", study("rod_stiffest"), "-o", results(), "--no-report", "--set",
+                         "cycle.max=1", "--set", kOrder2[1], "--set", kOrder2[3]});
+  ASSERT_NE(o.code, 2) << o.err;
+  const Json s = summary();
+  ASSERT_EQ(s["terms"].size(), 1u);
+  const auto [name, term] = *s["terms"].items().begin();
+  ASSERT_TRUE(term.contains("error")) << term;
+  const double mesh = term["error"]["mesh"], weight = term["weight"];
+  EXPECT_NEAR(s["objective"]["error"]["mesh"].get<double>(), weight * mesh, 1e-12 * weight * mesh);
+  EXPECT_TRUE(s["objective"]["error"].contains("step"));
+  EXPECT_NE(o.out.find(" +- "), std::string::npos) << o.out;
+  const fs::path finer = results() / "finer";
+  ASSERT_EQ(run({"run", results() / "design.toml", "-o", finer, "--no-report", "--set",
+                 "bodies.rod.beam.elements=64", "--set", "bodies.crank.beam.elements=32"})
+                .code,
+            0);
+  const double change = std::abs(
+      Json::parse(text_of(finer / "summary.json"))["responses"][name]["max_abs"].get<double>() -
+      term["final"].get<double>());
+  EXPECT_GT(mesh, change / 3);
+  EXPECT_LT(mesh, change * 3);
+}
+
+TEST_F(VerifyCommand, NamesTheTermsOfTheObjectiveWithoutAnError) {
+  const Outcome o =
+      run({"optimize", study("rod_goals"), "-o", results(), "--no-report", "--set", "cycle.max=1"});
+  ASSERT_NE(o.code, 2) << o.err;
+  EXPECT_FALSE(summary()["objective"].contains("error"));
+  EXPECT_NE((o.out + o.err).find("the error of the objective is not known"), std::string::npos)
+      << o.out << o.err;
+}
+
 TEST_F(VerifyCommand, LeavesTheErrorsOutIfAskedTo) {
   EXPECT_EQ(optimise_rod({"--no-verify"}).code, 0);
   EXPECT_FALSE(summary().contains("verification"));

@@ -195,7 +195,7 @@ TEST_F(Lean, OrderFourIsTakenWhereItIsFaster) {
   EXPECT_LT(s["lean"]["beams"]["rod"]["elements"], 12);
 }
 
-/// A damped beam has no elements of order 4; segments are as good, at half the time as a rule. What
+/// Of a damped beam segments are as good, at half the time of elements of order 2 as a rule. What
 /// is taken is what the two times that stand beside the choice say, also on a busy machine.
 TEST_F(Lean, SegmentsAreTakenWhereTheyAreFaster) {
   ASSERT_EQ(lean(scene("pendulum"), "tip",

@@ -306,18 +306,5 @@ duration = 0.1
 INSTANTIATE_TEST_SUITE_P(Scene, Bad, testing::ValuesIn(kScenes),
                          [](const auto& tested) { return std::string(tested.param.name); });
 
-TEST(BadScene, LoadsThatFollowABeamOfFourthOrderAreRefused) {
-  const std::string text = changed(kGoodScene, "elements = 5 }", "elements = 5, order = 4 }");
-  try {
-    read_scene(text, "scene.toml");
-    FAIL() << "not refused";
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("load 'wind' over a beam of order 4 follows it"),
-              std::string::npos)
-        << error.what();
-  }
-  EXPECT_NO_THROW(read_scene(changed(text, ", follower = true", ""), "scene.toml"));
-}
-
 }  // namespace
 }  // namespace liesl::test::bad_scene_test

@@ -41,17 +41,24 @@ TYPED_TEST(MotionSensitivity, EqualsDifferencesOfSimulations) {
   expect_differences<TypeParam>(machine, test::quantities(machine));
 }
 
-/// Beams of fourth order, which have no damping: the first quantities, those of sections, among
-/// them.
+/// Beams of fourth order with damping, and under loads per length that follow the rod and turn it:
+/// the first quantities, those of sections, among them, and the load.
 TYPED_TEST(MotionSensitivity, OfFourthOrderEqualsDifferencesAndTheAdjointForm) {
   Mechanism machine = test::sensitive_machine();
-  for (const std::size_t b : {0, 1}) {
-    auto& beam = std::get<BeamSpec>(machine.bodies[b].kind);
-    beam.order = 4;
-    beam.damping = 0;
+  for (const std::size_t b : {0, 1}) std::get<BeamSpec>(machine.bodies[b].kind).order = 4;
+  for (const bool follower : {true, false}) {
+    LoadSpec spread = machine.loads[0];
+    spread.spread = true;
+    spread.follower = follower;
+    spread.force = {5, -40, 0};
+    spread.moment = {0, 0, 2};
+    machine.loads.push_back(spread);
   }
   std::vector<Quantity> all = test::quantities(machine);
   all.resize(5);
+  all.push_back({2,
+                 [](Mechanism& c, double p) { c.loads[2].moment.z() = p; },
+                 {"moment per length", {LoadDerivative{2, 0, {}, {0, 0, 0}, {0, 0, 1}}}}});
   expect_direct_equals_adjoint<TypeParam>(100, machine, all);
   expect_differences<TypeParam>(machine, all);
 }

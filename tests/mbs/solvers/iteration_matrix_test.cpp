@@ -71,9 +71,22 @@ Mechanism everything(bool spatial) {
   return m;
 }
 
+/// With elements of order 4, one beam under a dead load and moment per length, both under one that
+/// follows.
+Mechanism of_order_4(Mechanism m) {
+  for (int b : {0, 1}) {
+    std::get<BeamSpec>(m.bodies[std::size_t(b)].kind).order = 4;
+    LoadSpec load = m.loads[2];
+    load.port.body = b;
+    load.follower = true;
+    m.loads.push_back(load);
+  }
+  return m;
+}
+
 template <FrameGroup G>
-void expect_tangent(const Space<G>& space, bool spatial) {
-  const auto model = Model<G>::build(everything(spatial), space);
+void expect_tangent(const Space<G>& space, const Mechanism& mechanism) {
+  const auto model = Model<G>::build(mechanism, space);
   const LoadLevel level{0.7, 0.7};
   State<G> s = model.initial_state();
   s.v.setZero();
@@ -111,12 +124,16 @@ void expect_tangent(const Space<G>& space, bool spatial) {
   EXPECT_TRUE(A.bottomRightCorner(m, m).isZero(0));
 }
 
-TEST(StaticTangent, IsTheDerivativeInSpace) { expect_tangent<SE3>({}, true); }
+TEST(StaticTangent, IsTheDerivativeInSpace) {
+  expect_tangent<SE3>({}, everything(true));
+  expect_tangent<SE3>({}, of_order_4(everything(true)));
+}
 
 TEST(StaticTangent, IsTheDerivativeInThePlane) {
   const auto plane = find_plane(everything(false));
   ASSERT_TRUE(plane.plane) << plane.reason;
-  expect_tangent<SE2>(*plane.plane, false);
+  expect_tangent<SE2>(*plane.plane, everything(false));
+  expect_tangent<SE2>(*plane.plane, of_order_4(everything(false)));
 }
 
 /// A drive brings a hinge to its position at the time asked for: the beam turns, nothing bends.
@@ -179,6 +196,15 @@ TYPED_TEST(IterationMatrixTest, IsTheDerivativeOfTheResidualOfAStep) {
     test::StepTangent<G> step(model, test::options(1, 0.02), 12);
     step.expect_exact(to_string(formalism));
   }
+}
+
+/// Damped, and under loads per length that follow and turn.
+TYPED_TEST(IterationMatrixTest, IsTheDerivativeForBeamsOfOrder4) {
+  using G = TypeParam;
+  const Mechanism m = of_order_4(everything_in_motion(G::space_dim == 3, Formalism::SE3));
+  const auto model = Model<G>::build(m, test::space_of<G>(m));
+  test::StepTangent<G> step(model, test::options(1, 0.02), 12);
+  step.expect_exact("order 4");
 }
 
 /// Nodes with amplitudes, frames that follow, the convective forces of modes.

@@ -241,6 +241,14 @@ TEST_P(Parameters, AreTheDifferencesOfTheResidualInSpace) {
   expect_derivatives<SE3>(machine(GetParam()), {});
 }
 
+/// With damping, and with loads per length that follow, whose forces depend on the section.
+TEST(ParametersOfOrder4, AreTheDifferencesOfTheResidual) {
+  Mechanism m = machine(Formalism::SE3);
+  for (int b : {0, 1}) beam(m, b).order = 4;
+  expect_derivatives<SE2>(m, test::space_of<SE2>(m));
+  expect_derivatives<SE3>(m, {});
+}
+
 INSTANTIATE_TEST_SUITE_P(EveryFormalism, Parameters,
                          ::testing::Values(Formalism::SE3, Formalism::R3SO3, Formalism::Classical,
                                            Formalism::Rigid),
