@@ -29,14 +29,16 @@ bool is_peak(const ConstraintSpec& c) {
 /// A term of the objective instead of a limit.
 bool is_term(const ConstraintSpec& c) { return c.weight > 0; }
 
-/// Under a name that no response of the scene has.
-std::string response_name(const std::string& limit) { return "limit " + limit; }
-
 /// A limit, or a term of the objective, in a scenario.
 struct LimitedPeak {
   const ConstraintSpec* limit;
   std::string name;
 };
+
+/// Under a name that no response of the scene has.
+std::string response_name(const LimitedPeak& p) {
+  return (is_term(*p.limit) ? "term " : "limit ") + p.name;
+}
 
 std::vector<LimitedPeak> peaks(const StudySpec& spec, std::size_t scenario) {
   std::vector<LimitedPeak> out;
@@ -128,7 +130,7 @@ class LimitVerification {
     for (const LimitedPeak& p : limits) {
       source.responses.push_back(
           by_name(p.limit->response, study_.scene.mechanism, scene.mechanism));
-      source.responses.back().name = response_name(p.name);
+      source.responses.back().name = response_name(p);
     }
     scene.responses = source.responses;
     RunOutcome given = run_task(scene, choose_space(scene), progress_);
@@ -171,14 +173,16 @@ class LimitVerification {
                               const nlohmann::ordered_json& verified) {
     if (!verified.contains(of) || !verified[of].contains("order")) return {};
     json_[of]["order"] = verified[of]["order"];
-    const std::string name = response_name(p.name);
+    const std::string name = response_name(p);
     if (!verified[of].contains("observed") || !verified[of]["observed"].contains(name)) return {};
     json_[of]["observed"][p.name] = verified[of]["observed"][name];
     return verified[of]["observed"][name].get<double>();
   }
 
   /// Of the terms of all scenarios the largest counts.
-  void take_term(const LimitedPeak& p, const output::ResponseFigure& found) {
+  void take_term(const LimitedPeak& p, const output::ResponseFigure& found,
+                 const nlohmann::ordered_json& verified) {
+    for (const char* of : {"mesh", "step"}) order(p, of, verified);
     TermError& term = terms_[p.limit->response.name];
     if (term.weight > 0 && term.value >= found.max_abs) return;
     const bool steps = study_.scene.simulation.type == SimulationType::Dynamic;
@@ -209,13 +213,13 @@ class LimitVerification {
       more["objective"]["error"] = {{"mesh", mesh}, {"step", step}};
     else
       out_.summary.warnings.push_back(
-          fmt::format("the error of the objective is not known, being not known of its terms {}",
+          fmt::format("the error of the objective is not known, as that of {} is not",
                       fmt::join(unknown, ", ")));
   }
 
   void take(const LimitedPeak& p, const output::ResponseFigure& found,
             const nlohmann::ordered_json& verified) {
-    if (is_term(*p.limit)) return take_term(p, found);
+    if (is_term(*p.limit)) return take_term(p, found, verified);
     auto& all = out_.summary.constraints;
     const auto figure =
         std::find_if(all.begin(), all.end(), [&](const auto& l) { return l.name == p.name; });
