@@ -119,6 +119,7 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
   summary.warnings.insert(summary.warnings.end(), report.warnings.begin(), report.warnings.end());
   summary.more["tangent_refreshes"] = report.tangent_refreshes;
   summary.more["rejected_steps"] = report.rejected_steps;
+  summary.more["refused_steps"] = report.refused_steps;
   summary.more["smallest_step"] = report.smallest_step;
   summary.more["max_constraint_residual"] = report.max_constraint_residual;
   describe(summary, report.penalty, mechanism.penalty.form);

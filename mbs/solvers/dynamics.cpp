@@ -7,14 +7,13 @@
 
 #include "mbs/solvers/ringing.hpp"
 #include "mbs/solvers/statics.hpp"
+#include "mbs/solvers/step_control.hpp"
 #include "mbs/system/constraint_rank.hpp"
 #include "mbs/system/penalty.hpp"
 
 namespace liesl {
 namespace {
 
-constexpr int kGrowAfter = 4;              // good steps before the step doubles again
-constexpr double kSafety = 0.5;            // adaptive: double below kSafety^3 of the tolerance
 constexpr double kTurn = 0.05;             // rad a step that a user should know of
 constexpr double kBend = 0.5;              // rad of one element that a user should know of
 constexpr double kFold = 0.99 * M_PI;      // rad
@@ -24,41 +23,6 @@ constexpr double kOpenRigid = 1e-4;        // of the length, where nothing defor
 constexpr double kKept = 64e6;             // bytes of states on a tape with all of them
 constexpr double kCopies = 4;              // of a state in a checkpoint, at most
 constexpr double kStartTolerance = 1e-10;  // of the equilibrium that a motion starts from
-
-/// Steps of size step / 2^level on a grid, so that every multiple of `step` is met.
-class StepGrid {
- public:
-  StepGrid(const SimulationOptions& o)
-      : step_(o.step), fine_(o.step_min > 0 ? o.step_min : o.step / 1024) {
-    while (step_ / (1L << (deepest_ + 1)) >= fine_ * (1 - 1e-12)) ++deepest_;
-  }
-  double h() const { return step_ / static_cast<double>(1L << level_); }
-  bool halve() {
-    if (level_ == deepest_) return false;
-    ++level_;
-    ticks_ *= 2;
-    good_ = 0;
-    return true;
-  }
-  /// After a good step: one tick on; `may_grow` allows the next step to double.
-  void advance(bool may_grow) {
-    ++ticks_;
-    good_ = may_grow ? good_ + 1 : 0;
-    if (level_ > 0 && good_ >= kGrowAfter && ticks_ % 2 == 0) {
-      --level_;
-      ticks_ /= 2;
-      good_ = 0;
-    }
-  }
-  /// Whole steps done, or -1 between two of them.
-  long whole() const { return ticks_ % (1L << level_) == 0 ? ticks_ >> level_ : -1; }
-  double time() const { return h() * static_cast<double>(ticks_); }
-
- private:
-  double step_, fine_;
-  int level_ = 0, deepest_ = 0, good_ = 0;
-  long ticks_ = 0;
-};
 
 /// The largest turn of a body in one step.
 struct FastestTurn {
@@ -210,9 +174,10 @@ class TapeWriter {
 };
 
 /// What a user should know of a run: another step than asked for, refactorised tangents, halved
-/// steps, joint forces that ring.
-void add_warnings(Report& report, double step, double asked, TangentStrategy tangent,
+/// steps, errors that were too large, joint forces that ring.
+void add_warnings(Report& report, const SimulationOptions& o, double asked, TangentStrategy tangent,
                   const Ringing& ringing) {
+  const double step = o.step;
   if (std::abs(step - asked) > 1e-9 * asked)
     report.warnings.push_back(fmt::format(
         "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", step,
@@ -224,8 +189,16 @@ void add_warnings(Report& report, double step, double asked, TangentStrategy tan
         report.tangent_refreshes));
   if (report.rejected_steps > 0)
     report.warnings.push_back(
-        fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
-                    report.rejected_steps, report.smallest_step));
+        o.adaptive
+            ? fmt::format("{} steps did not converge and were tried again with half the step",
+                          report.rejected_steps)
+            : fmt::format("{} steps were tried again with half the step, down to {:.3g} s",
+                          report.rejected_steps, report.smallest_step));
+  if (report.inexact_steps > 0)
+    report.warnings.push_back(fmt::format(
+        "the error of {} steps is above simulation.error_tolerance = {:g} with the smallest step, "
+        "{:.3g} s: allow smaller ones by simulation.step_min",
+        report.inexact_steps, o.error_tolerance, report.smallest_step));
   if (ringing.lasts())
     report.warnings.push_back(
         fmt::format("the joint forces ring: {:.2g} of their size changes sign at every step, for "
@@ -319,6 +292,20 @@ bool begin(const Model<G>& model, const SimulationOptions& o, State<G>& s,
   return take_start(result.start, result.report);
 }
 
+/// What the report has of an attempt at a step.
+void count(const StepResult& step, double h, Report& report) {
+  report.newton_iterations += step.iterations;
+  report.tangent_refreshes += step.tangents;
+  report.smallest_step = std::min(report.smallest_step, h);
+  if (!step.converged) ++report.rejected_steps;
+  if (step.converged && !step.accepted) ++report.refused_steps;
+  if (!step.accepted) return;
+  ++report.steps;
+  report.penalty.augmentations += step.augmentations;
+  report.penalty.most_augmentations =
+      std::max(report.penalty.most_augmentations, step.augmentations);
+}
+
 /// Does the run end after an accepted step? Then status and reason are set.
 template <FrameGroup G>
 bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
@@ -382,47 +369,38 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   integrator.start(s);
   TapeWriter<G> writer(tape, integrator, o, result.start, whole_steps, s);
   writer.checkpoint(s);
-  StepGrid grid(o);
+  const double error_limit = o.error_tolerance * model.length;
+  StepControl control(o, error_limit);
   Ringing ringing;
   FastestTurn turn;
   LargestBend<G> bend(model);
   JointOpening<G> open(model);
   report.smallest_step = o.step;
-  const double error_limit = o.error_tolerance * model.length;
   const bool penalised = model.penalty.form != ConstraintForm::Multipliers;
   Watch watch(!observe);
   watch.go();
-  while (grid.whole() < whole_steps) {
-    const double h = grid.h();
-    StepResult step = integrator.step(s, h);
-    report.newton_iterations += step.iterations;
-    report.tangent_refreshes += step.tangents;
-    if (!step.converged) {
-      writer.add({h, s.t, false}, s);
-      ++report.rejected_steps;
-      if (grid.halve()) {
-        report.smallest_step = std::min(report.smallest_step, grid.h());
-        continue;
-      }
+  while (control.whole() < whole_steps) {
+    const double h = control.h(), limit = control.error_limit();
+    const StepResult step = integrator.step(s, h, limit);
+    count(step, h, report);
+    if (step.accepted) {
+      if (o.adaptive && step.error > error_limit) ++report.inexact_steps;
+      control.advance(step.error);
+      s.t = control.time();
+    }
+    writer.add({h, s.t, limit, step.accepted}, s);
+    if (!step.accepted) {
+      if (control.retry(step)) continue;
       report.status = SolveStatus::NotConverged;
       report.reason = failure(step, s.t + h, h);
       break;
     }
-    ++report.steps;
-    grid.advance(!o.adaptive || step.error < kSafety * kSafety * kSafety * error_limit);
-    s.t = grid.time();
-    writer.add({h, s.t, true}, s);
     ringing.step(s.lambda, h);
     turn.step(model, s, h);
     bend.step(s);
     const Equations<G>& equations = integrator.equations();
     report.max_constraint_residual = std::max(report.max_constraint_residual, equations.opening());
-    report.penalty.augmentations += step.augmentations;
-    report.penalty.most_augmentations =
-        std::max(report.penalty.most_augmentations, step.augmentations);
-    if (o.adaptive && step.error > error_limit && grid.halve())
-      report.smallest_step = std::min(report.smallest_step, grid.h());
-    const long whole = grid.whole();
+    const long whole = control.whole();
     watch.stop(report);
     if (penalised) open.step(equations.gap, completed(model, s));
     show(whole > 0 && (whole % o.output_every == 0 || whole == whole_steps));
@@ -431,7 +409,7 @@ DynamicResult<G> simulate(const Model<G>& model, const SimulationOptions& option
   }
   watch.stop(report);
   report.factorizations = integrator.factorizations();
-  add_warnings(report, o.step, options.step, integrator.tangent(), ringing);
+  add_warnings(report, o, options.step, integrator.tangent(), ringing);
   add_turn_warning(report, model, turn);
   add_bend_warning(report, model, bend);
   if (penalised) report_penalty(model, open, report);

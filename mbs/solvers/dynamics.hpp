@@ -28,7 +28,8 @@ using Observer = std::function<void(const State<G>& s, bool recorded)>;
 
 /// Runs the model over options.duration. A step that does not converge is tried with the tangent
 /// at the current state, then with half the step, down to options.step_min; then the run stops with
-/// a reason, and the records until there are kept. Steps grow back on the grid of options.step.
+/// a reason, and the records until there are kept. Steps grow back on the grid of options.step,
+/// whose multiples are met exactly; adaptive ones are chosen by `StepControl`.
 /// Never throws for non-convergence; no record holds a NaN.
 /// options.start: from where the scene puts the bodies, or from the static equilibrium at t = 0
 /// with the velocities given; without one the run does not start, with the reason of the statics.

@@ -107,6 +107,8 @@ void GeneralizedAlpha<G>::predict(const State<G>& old, double h) {
   coordinates_.rates(old, old_u_, old_udot_);
   if (previous_h_ == h)
     udot_ = 2 * old_udot_ - older_udot_;
+  else if (options_.adaptive && previous_h_ > 0)
+    udot_ = old_udot_ + h / previous_h_ * (old_udot_ - older_udot_);
   else
     udot_ = old_udot_;
   trial_.a = ((1 - af) * udot_ + af * old_udot_ - am * old.a) / (1 - am);
@@ -213,7 +215,7 @@ bool GeneralizedAlpha<G>::augment(StepResult& result) {
 }
 
 template <FrameGroup G>
-StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
+StepResult GeneralizedAlpha<G>::step(State<G>& s, double h, double error_limit) {
   const TangentWeights w = weights_.at(h);
   Factored& factors = factors_for(h);
   StepResult result;
@@ -278,18 +280,26 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h) {
     return result;
   }
   result.converged = true;
-  accept(s, h, result);
+  const auto& [am, af, gamma, beta] = weights_;
+  trial_.a = ((1 - af) * udot_ + af * old_udot_ - am * s.a) / (1 - am);
+  result.error = local_error(s, h);
+  if (result.error > error_limit) return result;
+  result.accepted = true;
+  accept(s, h);
   return result;
 }
 
+/// Of the positions by Newmark's formulas, h^2 |beta - 1/6| |a_{n+1} - a_n|, the largest of a node.
 template <FrameGroup G>
-void GeneralizedAlpha<G>::accept(State<G>& s, double h, StepResult& result) {
-  const auto& [am, af, gamma, beta] = weights_;
-  trial_.a = ((1 - af) * udot_ + af * old_udot_ - am * s.a) / (1 - am);
-  double error = 0;
+double GeneralizedAlpha<G>::local_error(const State<G>& s, double h) const {
+  double change = 0;
   for (int k = 0; k < model_.nodes(); ++k)
-    error = std::max(error, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
-  result.error = h * h * std::abs(beta - 1. / 6) * error;
+    change = std::max(change, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
+  return h * h * std::abs(weights_.beta - 1. / 6) * change;
+}
+
+template <FrameGroup G>
+void GeneralizedAlpha<G>::accept(State<G>& s, double h) {
   older_udot_ = old_udot_;
   if (turns_are_observed_) coordinates_.turn_positions(trial_, {&older_udot_});
   const bool moved = coordinates_.finish(trial_);

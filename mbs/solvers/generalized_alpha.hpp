@@ -30,6 +30,7 @@ struct AlphaWeights {
 /// What became of one attempt at a step.
 struct StepResult {
   bool converged = false;
+  bool accepted = false;  ///< it converged, and its error is not too large
   int tangents = 0;       ///< how often the tangent was taken at the current state
   int iterations = 0;     ///< corrections
   int augmentations = 0;  ///< of the multipliers
@@ -70,9 +71,10 @@ class GeneralizedAlpha {
   /// The strategy in use (never Auto).
   TangentStrategy tangent() const { return tangent_; }
 
-  /// Advances s by h; on failure s is left as it was (positions perhaps in other axes). Nothing is
-  /// allocated once each step size has been used.
-  StepResult step(State<G>& s, double h);
+  /// Advances s by h, if the step converges with an error of at most that; else s is left as it was
+  /// (positions perhaps in other axes). Nothing is allocated once each step size has been used.
+  StepResult step(State<G>& s, double h,
+                  double error_limit = std::numeric_limits<double>::infinity());
 
   /// Between two steps: restore() makes the next ones those, bit for bit, that followed memory().
   StepMemory<G> memory() const;
@@ -97,7 +99,8 @@ class GeneralizedAlpha {
   bool wants_tangent(const StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
   double imbalance(bool of_all_nodes) const;
-  void accept(State<G>& s, double h, StepResult& result);
+  double local_error(const State<G>& s, double h) const;
+  void accept(State<G>& s, double h);
 
   const Model<G>& model_;
   const SimulationOptions options_;

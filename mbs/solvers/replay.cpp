@@ -35,10 +35,10 @@ void Replay<G>::run(int i, const Step& step) {
   State<G> before = from.s, after = from.s;
   for (size_t k = from.attempt; k < end; ++k) {
     const Attempt& attempt = tape_.attempts[k];
-    const bool converged = integrator_.step(after, attempt.h).converged;
-    if (converged != attempt.accepted)
+    const bool accepted = integrator_.step(after, attempt.h, attempt.error_limit).accepted;
+    if (accepted != attempt.accepted)
       throw std::logic_error("a replay left its tape: the model has changed since");
-    if (!converged) continue;
+    if (!accepted) continue;
     after.t = attempt.t;
     step(before, after, attempt.h);
     before = after;

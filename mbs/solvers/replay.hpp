@@ -9,10 +9,12 @@
 
 namespace liesl {
 
-/// One attempt at a step. Failed ones belong to the history: they may leave another tangent.
+/// One attempt at a step. Failed and refused ones belong to the history: they may leave another
+/// tangent.
 struct Attempt {
-  double h;  ///< s
-  double t;  ///< time reached, s
+  double h;            ///< s
+  double t;            ///< time reached, s
+  double error_limit;  ///< largest error with which it would have been accepted, m
   bool accepted;
 };
 
@@ -24,7 +26,7 @@ struct Checkpoint {
   StepMemory<G> memory;
 };
 
-/// What simulate() writes down for a replay. Memory: a state a checkpoint, 24 bytes an attempt.
+/// What simulate() writes down for a replay. Memory: a state a checkpoint, 32 bytes an attempt.
 template <FrameGroup G>
 struct Tape {
   /// Accepted steps between two checkpoints; 0 = 1 where all states take no more than 64 MB, and a

@@ -53,8 +53,10 @@ struct Report {
   long steps = 0;              ///< accepted steps, load steps
   long newton_iterations = 0;  ///< corrections
   long tangent_refreshes = 0;
-  long rejected_steps = 0;
-  double smallest_step = 0;         ///< s
+  long rejected_steps = 0;   ///< attempts that did not converge
+  long refused_steps = 0;    ///< attempts that adaptive steps took again because of their error
+  long inexact_steps = 0;    ///< adaptive ones that kept a larger error, for want of a smaller step
+  double smallest_step = 0;  ///< that was tried, s
   std::vector<int> factorizations;  ///< one a body
   double stepping_s = 0;            ///< wall time of the stepping alone
   /// The same of all processors of this process; dynamics without an observer, else 0.

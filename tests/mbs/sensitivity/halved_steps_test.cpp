@@ -1,6 +1,6 @@
 /// @file
-/// Derivatives of motions whose steps are halved, where they are made from checkpoints of every
-/// fifth step: those of the steps that were taken, that other parameters may not take. So
+/// Derivatives of motions whose steps are halved or adaptive, where they are made from checkpoints
+/// of every fifth step: those of the steps that were taken, that other parameters may not take. So
 /// differences are of motions on the same steps.
 
 #include <algorithm>
@@ -17,6 +17,14 @@ constexpr int kEvery = 5;
 SimulationOptions few_corrections(double duration) {
   auto o = tight(duration, 8e-4);
   o.max_iterations = 4;
+  return o;
+}
+
+SimulationOptions adaptive(double duration) {
+  auto o = tight(duration, 8e-4);
+  o.adaptive = true;
+  o.error_tolerance = 1e-5;
+  o.step_min = 2e-4;  // of shorter ones differences have the round-off
   return o;
 }
 
@@ -60,6 +68,13 @@ class HalvedSteps : public ::testing::Test {
     EXPECT_LT(whole, run.tape.steps());
     return run;
   }
+  /// A motion some of whose steps were refused for their error.
+  Taped<G> adapted(double duration) const {
+    Taped<G> run(machine, adaptive(duration), kEvery);
+    EXPECT_GT(run.run.report.refused_steps, 0);
+    EXPECT_LT(run.run.report.smallest_step, run.tape.options.step);
+    return run;
+  }
 };
 using Groups = ::testing::Types<SE2, SE3>;
 TYPED_TEST_SUITE(HalvedSteps, Groups);
@@ -72,6 +87,21 @@ TYPED_TEST(HalvedSteps, DirectEqualsAdjoint) {
 TYPED_TEST(HalvedSteps, EqualDifferencesOnTheSameSteps) {
   using G = TypeParam;
   const Taped<G> run = this->halved(0.024);
+  const Outputs<G> outputs(run.model);
+  expect_differences<G>(run, this->all, {}, [&](std::size_t p, double change) {
+    Mechanism changed = this->machine;
+    this->all[p].set(changed, this->all[p].nominal * (1 + change));
+    return on_steps_of(run.tape, changed, outputs);
+  });
+}
+
+TYPED_TEST(HalvedSteps, DirectEqualsAdjointOnAdaptiveSteps) {
+  expect_direct_equals_adjoint<TypeParam>(this->adapted(0.04), this->all);
+}
+
+TYPED_TEST(HalvedSteps, EqualDifferencesOnTheSameAdaptiveSteps) {
+  using G = TypeParam;
+  const Taped<G> run = this->adapted(0.024);
   const Outputs<G> outputs(run.model);
   expect_differences<G>(run, this->all, {}, [&](std::size_t p, double change) {
     Mechanism changed = this->machine;

@@ -110,6 +110,75 @@ TEST(Adaptive, ErrorFollowsTheTolerance) {
   }
 }
 
+/// A pendulum whose weight grows smoothly, hit by a half sine of 5 ms.
+Mechanism struck_pendulum() {
+  Mechanism m = test::pendulum(8);
+  std::get<BeamSpec>(m.bodies[0].kind).damping = 2e-3;
+  m.gravity_scale = TimeFunction::table({0, 0.2}, {0, 1}, TimeFunction::Interpolation::Cubic);
+  LoadSpec hit;
+  hit.name = "hit";
+  hit.port = {0, 8};
+  hit.force = {0, -20, 0};
+  hit.scale = TimeFunction::expression("t > 0.5 && t < 0.505 ? sin(pi*(t - 0.5)/0.005) : 0");
+  m.loads = {hit};
+  return m;
+}
+
+/// Records every 10 ms, steps of at most 2 ms, which see the blow.
+test::Run<SE2> struck(double tolerance, double step_min = 0) {
+  SimulationOptions o = options(1, 2e-3, 0.8, 1e-8);
+  o.output_every = 5;
+  o.adaptive = true;
+  o.error_tolerance = tolerance;
+  o.step_min = step_min;
+  return test::run_planar(struck_pendulum(), o);
+}
+
+/// Of the second order in the step, whose local error is of the third: tolerance^(2/3).
+TEST(Adaptive, ErrorOfAStruckPendulumIsOfTheOrderOfTheTolerance) {
+  SimulationOptions o = options(1, 1.25e-5, 0.8, 1e-9);
+  o.output_every = 800;
+  const auto fine = test::run_planar(struck_pendulum(), o);
+  std::vector<double> errors;
+  for (const double tolerance : {1e-7, 1e-8, 1e-9, 1e-10}) {
+    const auto r = struck(tolerance);
+    ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    double square = 0;
+    for (int i = 0; i <= r.last(); ++i)
+      square += (r.trajectory().frames(i)[8].x - fine.trajectory().frames(i)[8].x).squaredNorm();
+    errors.push_back(std::sqrt(square / (r.last() + 1)));
+  }
+  const double order = std::log10(errors.front() / errors.back()) / 3;
+  EXPECT_NEAR(order, 2. / 3, 0.12);
+  RecordProperty("order", std::to_string(order));
+}
+
+TEST(Adaptive, StepsThatAreTooLongForABlowAreRefused) {
+  const auto r = struck(1e-8);
+  ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  EXPECT_GT(r.report().refused_steps, 2);
+  EXPECT_LT(r.report().refused_steps, r.report().steps / 10);
+  EXPECT_EQ(r.report().rejected_steps, 0);
+  EXPECT_EQ(r.report().inexact_steps, 0);
+  EXPECT_LT(r.report().smallest_step, 5e-4);
+  for (const auto& warning : r.report().warnings)
+    EXPECT_EQ(warning.find("tried again"), std::string::npos) << warning;
+  ASSERT_EQ(r.trajectory().size(), 101);
+  for (int i = 0; i <= r.last(); ++i) EXPECT_EQ(r.trajectory().time(i), 1. / 500 * (5 * i));
+  expect_finite(r);
+}
+
+TEST(Adaptive, ErrorsThatTheSmallestStepLeavesAreSaid) {
+  const auto r = struck(1e-8, 1e-3);
+  ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+  EXPECT_GT(r.report().inexact_steps, 0);
+  EXPECT_GE(r.report().smallest_step, 1e-3 * (1 - 1e-12));
+  const auto& all = r.report().warnings;
+  EXPECT_TRUE(std::any_of(all.begin(), all.end(), [](const std::string& text) {
+    return text.find("simulation.error_tolerance") != std::string::npos;
+  }));
+}
+
 TEST(Records, OutputEveryKeepsEveryNthStep) {
   SimulationOptions o = options(0.1, 1e-3);
   const auto all = test::run_planar(test::pendulum(4), o);

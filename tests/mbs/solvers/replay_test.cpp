@@ -37,7 +37,8 @@ Report expect_replay(const Mechanism& m, const Space<G>& space, const Simulation
   const auto run = simulate(model, o, {}, &tape);
   EXPECT_EQ(run.report.status, SolveStatus::Converged) << run.report.reason;
   EXPECT_EQ(tape.steps(), run.report.steps);
-  EXPECT_EQ(static_cast<long>(tape.attempts.size()), run.report.steps + run.report.rejected_steps);
+  EXPECT_EQ(static_cast<long>(tape.attempts.size()),
+            run.report.steps + run.report.rejected_steps + run.report.refused_steps);
   Replay<G> replay(model, tape);
   EXPECT_GT(replay.stretches(), 2);
   std::map<double, State<G>> recorded;
@@ -98,6 +99,22 @@ TEST(Replay, AdaptiveSteps) {
   o.error_tolerance = 1e-5;
   const auto report = expect_replay<SE3>(test::pendulum(4), {}, o);
   EXPECT_LT(report.smallest_step, o.step);
+  EXPECT_GT(report.refused_steps, 0);
+}
+
+/// Attempts that failed, or were refused, and other tangents, between two checkpoints.
+TEST(Replay, AdaptiveStepsThatFailToo) {
+  auto o = test::options(0.04, 2e-3);
+  o.adaptive = true;
+  o.error_tolerance = 1e-5;
+  o.max_iterations = 4;
+  for (const int every : {1, 7}) {
+    const auto report = expect_replay<SE2>(test::slider_crank(slender()),
+                                           *find_plane(test::slider_crank()).plane, o, every);
+    EXPECT_GT(report.refused_steps, 0);
+    EXPECT_GT(report.rejected_steps, 0);
+    EXPECT_GT(report.tangent_refreshes, 0);
+  }
 }
 
 /// Rotation vectors that pass pi are changed after a step.
