@@ -26,6 +26,9 @@ bool is_needed(const fs::path& name, const std::string& command) {
   return name.extension() == ".csv" || name.extension() == ".h5";
 }
 
+constexpr std::string_view kCommands[] = {"run",     "esl", "optimize",    "batch",
+                                          "compare", "map", "sensitivity", "lean"};
+
 constexpr const char* kHint = "; copy the whole folder, or run it again";
 
 /// What results.h5 of one motion lacks of what its summary tells of; empty: nothing.
@@ -65,6 +68,9 @@ nlohmann::ordered_json read_summary(const fs::path& folder, const std::string& v
     throw IoError(verb, path, "it is of liesl " + version.dump() + "; run it again");
   if (const std::string wrong = wrong_type(summary); !wrong.empty())
     throw IoError(verb, path, "its " + wrong + ", not what liesl writes");
+  const std::string command = summary.value("command", "");
+  if (std::ranges::find(kCommands, command) == std::end(kCommands))
+    throw IoError(verb, path, "its command is '" + command + "', none that leaves results");
   return summary;
 }
 

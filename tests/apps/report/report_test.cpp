@@ -264,6 +264,11 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
                  "--set", "simulation.duration=0.01", "--no-report"})
                 .code,
             0);
+  fs::copy(results(), dir_ / "other", fs::copy_options::recursive);
+  std::string other = output::read_file(results() / "summary.json");
+  other.replace(other.find("\"run\""), 5, "\"sum\"");
+  output::write_file(dir_ / "other/summary.json", other);
+  refused((dir_ / "other").string(), "its command is 'sum', none that leaves results");
   fs::copy(results(), dir_ / "nan", fs::copy_options::recursive);
   std::string table = output::read_file(results() / "responses.csv");
   table.replace(table.rfind(','), table.npos, ",nan\n");

@@ -64,7 +64,7 @@ TEST(RefinedSolve, ChoosesPivotsAnewWhereKeptOnesLoseTheDigits) {
   const MatrixXd exact = random.matrix(kSize, 3);
   for (const bool transposed : {false, true}) {
     ASSERT_TRUE(lu.factor_kept(S));
-    const MatrixXd b = transposed ? A.transpose() * exact : A * exact;
+    const MatrixXd b = (transposed ? MatrixXd(A.transpose()) : A) * exact;
     MatrixXd plain = b, x = b;
     transposed ? lu.solve_transposed(plain) : lu.solve(plain);
     if (!transposed)
