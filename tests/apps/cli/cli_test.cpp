@@ -277,9 +277,14 @@ TEST_F(Cli, EslWritesTheLoads) {
 }
 
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
+  std::string twice = text_of(scene("slider_crank")), rod = text_of(study("slider_crank_rod"));
+  const auto guide = twice.find("\nguide"), end = twice.find('\n', guide + 1);
+  twice.insert(end, "\nagain" + twice.substr(guide + 6, end - guide - 6));
+  write("twice.toml", twice);
+  const std::string path = "../scenes/slider_crank.toml";
   const Outcome o =
-      run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl1", "--set",
-           "simulation.constraints=augmented", "--set", "simulation.space=spatial"});
+      run({"optimize", write("study.toml", rod.replace(rod.find(path), path.size(), "twice.toml")),
+           "-o", results(), "--method", "esl1", "--set", "simulation.constraints=augmented"});
   EXPECT_EQ(o.code, 2) << o.err;
   EXPECT_NE(o.err.find("cycle.method needs sensitivities"), std::string::npos) << o.err;
   EXPECT_EQ(run({"optimize", study("slider_crank_rod"), "-o", results(), "--method", "esl2"}).code,

@@ -250,7 +250,7 @@ TEST_F(Sensitivity, RefusesWhatItCannotDo) {
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.type=static"},
           "this scene has none");
   refused({rod, "--by", "sections.rod.diameter", "--set", "simulation.constraints=augmented",
-           "--set", "simulation.space=spatial"},
+           "--set", "simulation.space=spatial", "--set", "simulation.formalism=rigid"},
           "no sensitivities where augmented penalties share the forces");
   refused({study("slider_crank_rod"), "--by", "sections.rod.diameter"}, "by its variables");
   refused({study("batch_rod")}, "this is a batch");
