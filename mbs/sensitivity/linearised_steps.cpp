@@ -10,7 +10,7 @@ namespace liesl {
 namespace {
 
 constexpr size_t kLanes = 3;    // linearised, solved, and one that waits
-constexpr int kLargeStep = 40;  // unknowns: smaller steps take no longer than the change of threads
+constexpr int kLargeStep = 40;  // unknowns and multipliers; smaller ones one after the other
 
 }  // namespace
 
