@@ -41,14 +41,21 @@ class MeshAndStep {
  private:
   bool movable(const BeamSetting& beam) const { return !beam.rigid && beam.multiple > 0; }
 
+  /// That of the error by a mesh.
+  static double order_of(const BeamSetting& beam) { return beam.segments ? kOrder : beam.order; }
+
   /// Richardson's estimate of what the mesh of a beam, or the step (beam < 0), costs.
   double cost_of(int beam, const Setting& s) {
     Setting finer = s;
-    if (beam < 0)
+    double order = kOrder;
+    if (beam < 0) {
       finer.steps *= 2;
-    else
-      finer.beams[static_cast<std::size_t>(beam)].elements *= 2;
-    return error_of_finer(runs_.distance(s, finer)) * std::exp2(kOrder);
+    } else {
+      BeamSetting& b = finer.beams[static_cast<std::size_t>(beam)];
+      b.elements *= 2;
+      order = order_of(b);
+    }
+    return error_of_coarser(runs_.distance(s, finer), order);
   }
 
   /// Numbers of steps whose instants are instants of the reference, and enough of them: read there
@@ -81,16 +88,16 @@ class MeshAndStep {
       if (!movable(beam)) continue;
       which.push_back(i);
       meshes.push_back({beam.elements, cost_of(static_cast<int>(i), from), beam.multiple,
-                        runs_.result.reference.beams[i].elements});
-      text +=
-          fmt::format("{}{} {}", text.empty() ? "" : ", ", beam.name, percent(meshes.back().error));
+                        runs_.result.reference.beams[i].elements, order_of(beam)});
+      text += fmt::format("{}{} {} (order {:g})", text.empty() ? "" : ", ", beam.name,
+                          percent(meshes.back().error), meshes.back().order);
     }
     const double others = static_cast<double>(from.beams.size() - which.size()) + 1;
     const Plan plan = cheapest(counts_, from.steps, step_error, meshes, others, runs_.budget());
     from.steps = plan.steps;
     for (std::size_t k = 0; k < which.size(); ++k) from.beams[which[k]].elements = plan.elements[k];
     runs_.decide({"estimate" + of_, text_of(from), plan.error, runs_.budget(),
-                  "errors of mesh and step as given, of order 2: " + text});
+                  "errors of step and mesh as given: " + text});
     return from;
   }
 

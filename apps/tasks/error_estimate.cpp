@@ -14,7 +14,7 @@ constexpr double kHalf = 0.5;  // an observed order this close to the expected o
 
 ErrorEstimate estimate_error(const Refinement& r, double order, double resolution) {
   const double fine = std::abs(r.finer - r.given);
-  const auto by_order = [fine](double p) { return fine / (1 - std::exp2(-p)); };
+  const auto by_order = [fine](double p) { return error_of_coarser(fine, p); };
   ErrorEstimate e{by_order(order), r.given < r.finer};
   if (!r.coarser || fine <= resolution) return e;
   const double coarse = std::abs(*r.coarser - r.given);

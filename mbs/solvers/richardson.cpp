@@ -8,14 +8,33 @@ namespace liesl {
 namespace {
 
 constexpr double kRounding = 1e-9;
+constexpr double kWidest = 200;  // of the logarithm of a multiplier
+constexpr int kHalvings = 60;
+
+/// Its n at a multiplier, as a logarithm; not of a mesh without error.
+double log_elements(const MeshError& m, double log_lambda) {
+  return (log_lambda + std::log(m.order * m.at(1))) / (m.order + 1);
+}
+
+/// ln lambda at which the errors add up to the budget, by bisection.
+double log_multiplier(const std::vector<MeshError>& meshes, double budget) {
+  double low = -kWidest, high = kWidest;
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = (low + high) / 2;
+    double sum = 0;
+    for (const auto& m : meshes)
+      if (m.error > 0) sum += m.at(1) * std::exp(-m.order * log_elements(m, middle));
+    (sum <= budget ? high : low) = middle;  // of an unknown error: the finest
+  }
+  return high;
+}
 
 /// Numbers of elements that share a budget at the least sum, each a multiple of its own.
 std::vector<int> share(const std::vector<MeshError>& meshes, double budget) {
-  double sum = 0;
-  for (const auto& m : meshes) sum += std::cbrt(m.at(1));
+  const double log_lambda = log_multiplier(meshes, budget);
   std::vector<int> elements;
   for (const auto& m : meshes) {
-    const double n = std::cbrt(m.at(1)) * std::sqrt(sum / budget);
+    const double n = m.error > 0 ? std::exp(log_elements(m, log_lambda)) : 0;
     const double count = std::ceil(std::min(n, static_cast<double>(m.most)) / m.multiple);
     elements.push_back(std::min(m.most, m.multiple * std::max(1, static_cast<int>(count))));
   }
@@ -33,9 +52,12 @@ double error_of_finer(double difference, std::optional<double> before) {
   return p < 0.5 ? HUGE_VAL : difference / (std::exp2(p) - 1);
 }
 
+double error_of_coarser(double difference, double order) {
+  return std::isfinite(difference) ? difference / (1 - std::exp2(-order)) : HUGE_VAL;
+}
+
 double MeshError::at(int n) const {
-  const double ratio = static_cast<double>(elements) / n;
-  return error * ratio * ratio;
+  return error * std::pow(static_cast<double>(elements) / n, order);
 }
 
 Plan cheapest(const std::vector<long>& step_counts, long steps, double step_error,

@@ -3,8 +3,10 @@
 
 #include "mbs/solvers/richardson.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -41,9 +43,16 @@ TEST(Richardson, LowerOrdersCostMoreAndNoneIsNoEstimate) {
   EXPECT_EQ(error_of_finer(1e-14, 1e-14), 1e-14);  // rounding has no order
 }
 
-/// The closed form against all meshes of a grid.
-TEST(Richardson, PlanIsTheCheapestWithinTheBudget) {
-  const std::vector<MeshError> meshes = {{8, 0.02, 1, 200}, {8, 0.001, 1, 200}};
+TEST(Richardson, TheCoarserRunHasTheLargerError) {
+  for (const double p : {1.0, 2.0, 4.0})  // R = 1 + h^p, h = 1 and 1/2
+    EXPECT_DOUBLE_EQ(error_of_coarser(1 - std::exp2(-p), p), 1.0);
+  EXPECT_TRUE(std::isinf(error_of_coarser(std::numeric_limits<double>::infinity(), 2)));
+}
+
+/// The plan for two beams of orders p and q against all meshes of a grid.
+void expect_cheapest(double p, double q) {
+  SCOPED_TRACE(fmt::format("orders {}, {}", p, q));
+  const std::vector<MeshError> meshes = {{8, 0.02, 1, 200, p}, {8, 0.001, 1, 200, q}};
   const std::vector<long> counts = divisors(2400);
   const double budget = 0.009, step_error = 0.01;
   const Plan plan = cheapest(counts, 1200, step_error, meshes, 1, budget);
@@ -63,6 +72,19 @@ TEST(Richardson, PlanIsTheCheapestWithinTheBudget) {
   const double found = cost(plan.steps, plan.elements[0], plan.elements[1]);
   EXPECT_GE(found, least);
   EXPECT_LE(found, least + 2.0 * static_cast<double>(plan.steps));
+}
+
+/// Against all meshes of a grid, for beams of orders 2 and 4.
+TEST(Richardson, PlanIsTheCheapestWithinTheBudget) {
+  const std::vector<std::array<double, 2>> orders = {{2, 2}, {4, 4}, {4, 2}};
+  for (const auto& [p, q] : orders) expect_cheapest(p, q);
+}
+
+TEST(Richardson, PlanWithAnUnknownErrorIsTheFinest) {
+  const double unknown = std::numeric_limits<double>::infinity();
+  const Plan plan =
+      cheapest({10, 20}, 10, 1e-3, {{4, 1e-3, 1, 32, 4}, {4, unknown, 1, 16}}, 1, 0.1);
+  EXPECT_EQ(plan.elements, (std::vector<int>{32, 16}));
 }
 
 TEST(Richardson, PlanBeyondReachIsTheFinest) {
