@@ -40,9 +40,6 @@ void check_options(const Study& study, const CommandOptions& options) {
   if (options.nucleate > 0 && study.spec.shapes.empty())
     refuse("--nucleate: the study changes no outline", "a study with variables of a meshed part",
            "run without --nucleate");
-  if (options.verify && !study.spec.loads.empty())
-    refuse("--verify: a study under fixed loads has no motion to verify",
-           "a study of a motion, or of load steps", "leave --verify out");
 }
 
 /// The cycles of each model so far, and which one is the present one.

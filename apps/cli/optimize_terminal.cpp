@@ -78,7 +78,7 @@ std::string unit_of_objective(const output::OptimizeSummary& s) {
 std::string error_of(const nlohmann::ordered_json& objective) {
   if (!objective.contains("error")) return "";
   const auto& error = objective["error"];
-  return fmt::format(" +- {:.2g}", error["mesh"].get<double>() + error["step"].get<double>());
+  return fmt::format(" +- {:.2g}", error["mesh"].get<double>() + error.value("step", 0.0));
 }
 
 /// What a hundredth more of a limit is worth.

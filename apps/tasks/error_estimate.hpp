@@ -11,7 +11,8 @@
 
 namespace liesl {
 
-constexpr double kLeastOrder = 0.5;  ///< below, nothing converges
+constexpr double kLeastOrder = 0.5;   ///< below, nothing converges
+constexpr double kResolution = 1e-9;  ///< of the largest value: differences below are rounding
 
 /// One figure on meshes (or steps) of the given and half the length, and twice it.
 struct Refinement {

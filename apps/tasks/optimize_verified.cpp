@@ -8,6 +8,7 @@
 #include <algorithm>
 
 #include "apps/input/problem.hpp"
+#include "apps/tasks/verify_part.hpp"
 #include "optim/cycle/restarts.hpp"
 
 namespace liesl {
@@ -92,7 +93,7 @@ class ModelSequence {
   VerifiedOptimum run() {
     now_.out = optimize_task(now_.study, space_, summary_, options_.nucleate, hooks_, resume(0));
     if (!options_.verify || !can_be_verified()) return std::move(now_);
-    limits_ = verify_limits(now_.out, now_.study, hooks_.progress);
+    limits_ = verified();
     const bool refines = options_.refine && now_.study.spec.cycle.method != CycleMethod::Esl;
     if (refines)
       for (int model = 1; go_on(model);) ++model;
@@ -129,10 +130,21 @@ class ModelSequence {
     return options_.refine ? "" : "a run without new holes does so";
   }
 
+  bool fixed_loads() const { return !now_.study.spec.loads.empty(); }
+
+  std::vector<VerifiedLimit> verified() {
+    if (!fixed_loads()) return verify_limits(now_.out, now_.study, hooks_.progress);
+    return verify_part(now_.out, now_.study, [this](std::vector<std::string> changes) {
+      changes.insert(changes.begin(), changes_.begin(), changes_.end());
+      return options_.read(changes);
+    });
+  }
+
   bool can_be_verified() const {
     const SimulationOptions& o = now_.study.scene.simulation;
-    return now_.out.simulated && now_.out.status != CycleStatus::Interrupted &&
-           !(o.type == SimulationType::Static && o.arc_length);
+    if (now_.out.status == CycleStatus::Interrupted) return false;
+    if (fixed_loads()) return !now_.out.parts.empty();
+    return now_.out.simulated && !(o.type == SimulationType::Static && o.arc_length);
   }
 
   /// Says how refinement ended.
@@ -214,9 +226,8 @@ class ModelSequence {
     join_outcome(now_.out, next.out);
     now_ = std::move(next);
     before_ = limits_;
-    limits_ = now_.out.status == CycleStatus::Interrupted
-                  ? std::vector<VerifiedLimit>()
-                  : verify_limits(now_.out, now_.study, hooks_.progress);
+    limits_ =
+        now_.out.status == CycleStatus::Interrupted ? std::vector<VerifiedLimit>() : verified();
     return true;
   }
 

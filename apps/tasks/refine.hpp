@@ -7,9 +7,6 @@
 
 namespace liesl {
 
-/// Reads the study again with changes "key.path=value". @throws InputError
-using ReadStudy = std::function<Study(const std::vector<std::string>& changes)>;
-
 struct FinerModel {
   std::vector<std::string> changes;  ///< empty: the model is fine enough, the design is not
   bool mesh = false, step = false;   ///< what gets smaller (order 4 is neither)

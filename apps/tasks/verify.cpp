@@ -15,8 +15,7 @@
 namespace liesl {
 namespace {
 
-constexpr double kResolution = 1e-9;  // of the largest value: differences below are rounding
-constexpr double kRounding = 1e-12;   // the same, of the largest response of its unit
+constexpr double kRounding = 1e-12;  // the same, of the largest response of its unit
 
 using Figures = std::map<std::string, output::ResponseFigure>;  // by name
 using Changes = FinerScenes::Changes;

@@ -19,8 +19,6 @@
 namespace liesl {
 namespace {
 
-constexpr double kAlike = 1e-3;  // of a limit: two simulations of one design
-
 /// Of the largest value of a response.
 bool is_peak(const ConstraintSpec& c) {
   return c.treatment != Treatment::Functional && c.treatment != Treatment::PNorm;
@@ -275,8 +273,9 @@ std::string VerifiedLimit::text() const {
     return share < 0.995 ? fmt::format("{:.2g} %", 100 * share)
                          : fmt::format("{:.0f} %", 100 * share);
   };
-  return fmt::format("limit {} is known to {} only: mesh {}, step {}{}", name, percent(error()),
-                     known || mesh > 0 ? percent(mesh) : "not known", percent(step),
+  return fmt::format("limit {} is known to {} only: mesh {}{}{}", name, percent(error()),
+                     known || mesh > 0 ? percent(mesh) : "not known",
+                     step > 0 ? ", step " + percent(step) : "",
                      joints > 0 ? ", joints that open " + percent(joints) : "");
 }
 

@@ -7,6 +7,11 @@
 
 namespace liesl {
 
+constexpr double kAlike = 1e-3;  ///< of a limit: two simulations of one design
+
+/// Reads the study again with changes "key.path=value". @throws InputError
+using ReadStudy = std::function<Study(const std::vector<std::string>& changes)>;
+
 /// A limit on a largest value at the final design; figures relative to the limit.
 struct VerifiedLimit {
   std::string name;                                        ///< with its scenario, if there are some

@@ -72,7 +72,7 @@ TEST(TopologyCycle, AHoleMakesTheCantileverLighterAtTheSameLimit) {
 }
 
 /// The Lagrangian with a small hole of the level set in the mesh, against the derivative.
-TEST(TopologyCycle, TheGainIsWhatASmallHoleOfTheOutlineDoes) {
+TEST(TopologyCycleSlow, TheGainIsWhatASmallHoleOfTheOutlineDoes) {
   Study study = cantilever({"bodies.plate.solid.mesh.cells=[160, 80]"});
   const Result r = optimised(study, 0);
   ASSERT_TRUE(r.next) << r.reason;
@@ -204,7 +204,7 @@ TEST(TopologyCycle, InterruptedWhileAHoleIsTriedItKeepsTheDesignBefore) {
   EXPECT_EQ(r.holes.size(), 1u);
 }
 
-TEST(TopologyCycle, InterruptedInAnyRoundAndResumedEndsAtTheSameDesign) {
+TEST(TopologyCycleSlow, InterruptedInAnyRoundAndResumedEndsAtTheSameDesign) {
   const Study study = cantilever();
   const Result whole = optimised(study, 1);
   ASSERT_EQ(whole.holes.size(), 1u);
