@@ -65,7 +65,8 @@ def print_table(rows, column, form, methods):
 
 
 def print_tables(rows):
-    print_table(rows, "forward_runs", ".1f", [(method, f) for _, method, f in METHODS])
+    for column in ("forward_runs", "clock_runs"):
+        print_table(rows, column, ".1f", [(method, f) for _, method, f in METHODS])
     frozen = [(f"semi-analytic, frozen, {n} solves", 1) for n in (1, 2, 4, 8)]
     print_table(rows, "relative_error", ".0e", [("adjoint", 1), ("semi-analytic, exact factor", 1), *frozen,
                                                 ("central differences", 1)])

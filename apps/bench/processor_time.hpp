@@ -25,6 +25,16 @@ inline double clock_seconds(const std::function<void()>& work) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
+/// Of calls, both.
+struct TwoTimes {
+  std::vector<double> processor, clock;
+  void take(const std::function<void()>& work) {
+    double by_clock = 0;
+    processor.push_back(seconds([&] { by_clock = clock_seconds(work); }));
+    clock.push_back(by_clock);
+  }
+};
+
 using Clock = double (*)(const std::function<void()>&);
 
 /// The middle of at least one repetition (of an even number the upper one).
