@@ -92,33 +92,15 @@ class LimitVerification {
       : out_(out), study_(study), progress_(progress) {}
 
   std::vector<VerifiedLimit> run() {
-    try {
-      for (std::size_t s = 0; s < study_.scene_texts.size(); ++s)
-        if (!run_scenario(s)) return {};
-    } catch (const InputError& error) {
-      return not_verified("the final design cannot be read as a scene: " +
-                          error.problems.front().what);
-    } catch (const Stopped&) {
-      stop_is_heard();
-      return not_verified("stopped on request");
-    } catch (const std::exception& error) {  // the optimum stands
-      return not_verified(error.what());
-    }
+    for (std::size_t s = 0; s < study_.scene_texts.size(); ++s)
+      if (!run_scenario(s)) return {};
     add_others();
     if (!json_.empty()) out_.summary.more["verification"] = json_;
     describe_objective();
-    if (limits_.empty()) return {};
-    if (const VerifiedLimit& nearest = nearest_limit(limits_); nearest.known)
-      out_.summary.more["worst_constraint_error"] = nearest.error();
     return std::move(limits_);
   }
 
  private:
-  std::vector<VerifiedLimit> not_verified(const std::string& why) {
-    out_.summary.warnings.push_back("the limits were not verified: " + why);
-    return {};
-  }
-
   /// False: a run did not reach its end, and nothing is known.
   bool run_scenario(std::size_t s) {
     const std::vector<LimitedPeak> limits = peaks(study_.spec, s);
@@ -134,7 +116,7 @@ class LimitVerification {
     RunOutcome given = run_task(scene, choose_space(scene), progress_);
     auto& warnings = out_.summary.warnings;
     if (given.status != SolveStatus::Converged) {
-      not_verified(given.summary.reason);
+      not_verified(out_, given.summary.reason);
       return false;
     }
     given.summary.warnings.clear();
@@ -279,9 +261,34 @@ std::string VerifiedLimit::text() const {
                      joints > 0 ? ", joints that open " + percent(joints) : "");
 }
 
+std::vector<VerifiedLimit> not_verified(OptimizeOutcome& out, const std::string& why) {
+  out.summary.warnings.push_back("the limits were not verified: " + why);
+  return {};
+}
+
+std::vector<VerifiedLimit> verified_limits(
+    OptimizeOutcome& out, const std::function<std::vector<VerifiedLimit>()>& verification) {
+  std::vector<VerifiedLimit> limits;
+  try {
+    limits = verification();
+  } catch (const InputError& error) {
+    return not_verified(
+        out, "the final design cannot be read as a scene: " + error.problems.front().what);
+  } catch (const Stopped&) {
+    stop_is_heard();
+    return not_verified(out, "stopped on request");
+  } catch (const std::exception& error) {
+    return not_verified(out, error.what());
+  }
+  if (limits.empty()) return limits;
+  if (const VerifiedLimit& nearest = nearest_limit(limits); nearest.known)
+    out.summary.more["worst_constraint_error"] = nearest.error();
+  return limits;
+}
+
 std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& study,
                                          const Progress& progress) {
-  return LimitVerification(out, study, progress).run();
+  return verified_limits(out, [&] { return LimitVerification(out, study, progress).run(); });
 }
 
 void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,

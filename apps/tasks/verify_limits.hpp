@@ -31,11 +31,19 @@ struct VerifiedLimit {
 /// The one that may be violated most: of the largest violation + error. @pre there is one
 const VerifiedLimit& nearest_limit(const std::vector<VerifiedLimit>& limits);
 
+/// Warns that the limits are not verified. @returns none
+std::vector<VerifiedLimit> not_verified(OptimizeOutcome& out, const std::string& why);
+
+/// The limits that a verification finds, and as a share of its limit the error of the nearest one
+/// (`worst_constraint_error`, unless an error of it is not known). The optimum stands whatever it
+/// throws, a request to stop too: `not_verified`.
+std::vector<VerifiedLimit> verified_limits(
+    OptimizeOutcome& out, const std::function<std::vector<VerifiedLimit>()>& verification);
+
 /// Runs the final design in every scenario as a scene on finer meshes and steps (`verify`): adds
-/// `error_mesh`, `error_step` to the limits, `verification` and, as a share of its limit, the error
-/// of the nearest one (`worst_constraint_error`, unless an error of it is not known); of terms of
-/// the objective `error` in `terms` and, if all are known, in `objective`. Limits on
-/// functionals, p-norms, frequencies and meshed parts are not verified: not known, with a warning.
+/// `error_mesh`, `error_step` to the limits and `verification`; of terms of the objective `error`
+/// in `terms` and, if all are known, in `objective`. Limits on functionals, p-norms, frequencies
+/// and meshed parts are not verified: not known, with a warning.
 /// @pre out.simulated
 /// @returns one a limit and scenario; empty where there are none or the runs did not reach their
 /// end

@@ -10,7 +10,6 @@
 #include "apps/input/problem.hpp"
 #include "apps/tasks/error_estimate.hpp"
 #include "apps/tasks/part_grids.hpp"
-#include "mbs/linalg/stop_request.hpp"
 
 namespace liesl {
 namespace {
@@ -29,42 +28,26 @@ class PartVerification {
     std::erase_if(grids_, [this](const PartGrid& g) { return g.name != final_.name; });
   }
 
-  /// Whatever happens, the optimum stands.
   std::vector<VerifiedLimit> run() {
-    try {
-      return verified();
-    } catch (const Stopped&) {
-      stop_is_heard();
-      return not_verified("stopped on request");
-    } catch (const std::exception& error) {
-      return not_verified(error.what());
-    }
-  }
-
- private:
-  std::vector<VerifiedLimit> verified() {
     const PartGrid& grid = grids_.front();
-    if (grid.cells.empty()) return not_verified("its mesh is not a grid of the scene");
-    if (!grid.has_room()) return not_verified("it has no room for twice its cells");
+    if (grid.cells.empty())
+      return not_verified(out_, of_part("its mesh is not a grid of the scene"));
+    if (!grid.has_room()) return not_verified(out_, of_part("it has no room for twice its cells"));
     std::string missing;
     given_ = analysed(1, missing);
     finer_ = analysed(2, missing);
-    if (!missing.empty()) return not_verified(missing);
+    if (!missing.empty()) return not_verified(out_, missing);
     if (!grid_changes(grids_, 0.5).empty()) coarser_ = analysed(0.5, missing);
     json_ = {{"runs", coarser_ ? 3 : 2}, {"mesh", {{"order", grid.order}}}};
     std::vector<VerifiedLimit> limits = of_limits();
     of_objective();
     out_.summary.more["verification"] = json_;
-    if (limits.empty()) return {};
-    if (const VerifiedLimit& nearest = nearest_limit(limits); nearest.known)
-      out_.summary.more["worst_constraint_error"] = nearest.error();
     return limits;
   }
 
-  std::vector<VerifiedLimit> not_verified(const std::string& why) {
-    out_.summary.warnings.push_back(
-        fmt::format("the limits of part '{}' were not verified: {}", final_.name, why));
-    return {};
+ private:
+  std::string of_part(const char* why) const {
+    return fmt::format("part '{}': {}", final_.name, why);
   }
 
   /// @param missing takes why there is no analysis; else as it was
@@ -151,7 +134,7 @@ class PartVerification {
 
 std::vector<VerifiedLimit> verify_part(OptimizeOutcome& out, const Study& study,
                                        const ReadStudy& read) {
-  return PartVerification(out, study, read).run();
+  return verified_limits(out, [&] { return PartVerification(out, study, read).run(); });
 }
 
 }  // namespace liesl
