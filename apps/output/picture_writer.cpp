@@ -11,6 +11,7 @@
 #include "apps/output/csv_writer.hpp"
 #include "apps/output/cut_mesh.hpp"
 #include "apps/output/file.hpp"
+#include "liegroup/smallest_rotation.hpp"
 
 namespace liesl::output {
 namespace {
@@ -134,7 +135,7 @@ class PartLines {
     if (far_ == 0) return out;
     const Vector3d now = vector_at(body_.positions, frame + far_) - out.x0;
     out.rest = vector_at(mesh_.interfaces, far_);
-    out.turn = Eigen::Quaterniond::FromTwoVectors(R0 * out.rest, now).toRotationMatrix() * R0;
+    out.turn = smallest_rotation((R0 * out.rest).normalized(), now.normalized()) * R0;
     out.stretch = now - out.turn * out.rest;
     return out;
   }

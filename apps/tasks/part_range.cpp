@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "apps/tasks/motion_notes.hpp"
+#include "liegroup/smallest_rotation.hpp"
 #include "mbs/linalg/dense.hpp"
 #include "mbs/model/beam_ends.hpp"
 #include "mbs/model/joint_kind.hpp"
@@ -128,8 +129,7 @@ bool holds(const JointSpec& joint, const Vec3& about) {
 /// smallest rotation. @param last of at least two nodes
 double twist_of_end(const SE3* last) {
   const Mat3 &before = last[-1].R, &end = last->R;
-  const Mat3 carried =
-      Eigen::Quaterniond::FromTwoVectors(before.col(0), end.col(0)).toRotationMatrix() * before;
+  const Mat3 carried = smallest_rotation(before.col(0), end.col(0)) * before;
   const Mat3 rest = carried.transpose() * end;
   return std::atan2(rest(2, 1), rest(1, 1));
 }

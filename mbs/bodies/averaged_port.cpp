@@ -1,7 +1,5 @@
 #include "mbs/bodies/averaged_port.hpp"
 
-#include <Eigen/QR>
-
 #include "mbs/linalg/dense.hpp"
 
 namespace liesl {
@@ -21,7 +19,7 @@ AveragedPort<G>::AveragedPort(int port, std::vector<int> nodes, Points places, d
       stiffness_(stiffness),
       mass_(mass) {
   const MatrixXd rigid = rigid_motions(places_);
-  Q_ = Eigen::HouseholderQR<MatrixXd>(rigid).householderQ() * MatrixXd::Identity(rigid.rows(), dim);
+  Q_ = linalg::times_q(rigid, MatrixXd::Identity(rigid.rows(), dim));
   const Points about = places_.colwise() - places_.rowwise().mean().eval();
   inertia_ = mass_ * about.squaredNorm() / static_cast<double>(places_.cols());
 }
@@ -122,8 +120,8 @@ void AveragedPort<G>::add_momentum(const double* v, double weight, double* out) 
 /// B^T k Q Q^T B, and B^T f at constant f: nodes R_k^T R (w x f_i), the port -dy_i x f_i.
 template <FrameGroup G>
 MatrixXd AveragedPort<G>::stiffness_at(const G* H, const VectorXd& stress) const {
-  const MatrixXd B = by_unknowns(H, local(H)), strain = Q_.transpose() * B;
-  MatrixXd K = stiffness_ * strain.transpose() * strain;
+  const MatrixXd B = by_unknowns(H, local(H)), strain = linalg::transposed_product(Q_, B);
+  MatrixXd K = stiffness_ * linalg::transposed_product(strain, strain);
   const VectorXd f = Q_ * stress;
   for (Eigen::Index i = 0; i < places_.cols(); ++i) {
     const auto turns = turn<G>(Eigen::Matrix<double, sd, 1>(f.segment(sd * i, sd)));
@@ -168,7 +166,7 @@ auto AveragedPort<G>::variation(
   }
   const MatrixXd rigid = rigid_motions(places_);
   by.motions = rigid_motions(by.places) - rigid_motions(Points::Zero(sd, places_.cols()));
-  by.inverse = linalg::LDLT(rigid.transpose() * rigid).solve(rigid.transpose());
+  by.inverse = linalg::LDLT(linalg::transposed_product(rigid, rigid)).solve(rigid.transpose());
   return by;
 }
 

@@ -4,8 +4,6 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "mbs/bodies/segment_law.hpp"
-
 namespace liesl {
 namespace {
 
@@ -111,6 +109,7 @@ SegmentBeam::SegmentBeam(std::string body_name, std::vector<SE2> nodes_at_rest,
 
 void SegmentBeam::set_sections(const std::vector<ElementSection<SE2>>& sections) {
   const int n = elements();
+  acting_ = acting_range<SE2>(sections);
   EA_.resize(n);
   EI_.resize(n);
   m_.resize(n);
@@ -266,7 +265,7 @@ void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) con
 void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, double* r,
                               ForceScale& scale) const {
   const int n = elements();
-  add_point_inertia(s, m_, lumped_, gravity, r, scale);
+  add_point_inertia(s, m_, acting_, lumped_, gravity, r, scale);
   r[2] += J_[0] * s.vdot[2];
   r[3 * n + 2] += J_[1] * s.vdot[3 * n + 2];
 }
@@ -274,10 +273,12 @@ void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, do
 void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& scale) const {
   const int n = elements();
   const auto damped = [&](int i) { return damping_ > 0 ? damping_ * c_[i] * angle_rate(s, i) : 0; };
-  Segment now = segment(s.H, 0), next = now;
-  double M = c_[0] * (angle_between(s.H[0].R.col(0), now.t) - phi0_[0]) + damped(0);
-  r[2] -= M;
-  for (int e = 0; e < n; ++e) {
+  const auto [first, end] = acting_.with_neighbours(n);
+  Segment now = segment(s.H, first), next = now;
+  const Vec2 before = first > 0 ? segment(s.H, first - 1).t : Vec2(s.H[0].R.col(0));
+  double M = c_[first] * (angle_between(before, now.t) - phi0_[first]) + damped(first);
+  if (first == 0) r[2] -= M;
+  for (int e = first; e < end; ++e) {
     if (e + 1 < n) next = segment(s.H, e + 1);
     const Vec2 after = e + 1 < n ? next.t : Vec2(s.H[n].R.col(0));
     const double M_next = c_[e + 1] * (angle_between(now.t, after) - phi0_[e + 1]) + damped(e + 1);
@@ -290,7 +291,7 @@ void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& s
     M = M_next;
     now = next;
   }
-  r[3 * n + 2] += M;
+  if (end == n) r[3 * n + 2] += M;
 }
 
 double SegmentBeam::mass_between(int i, int j) const {
@@ -477,6 +478,7 @@ std::unique_ptr<Body<SE2>> SegmentBeam::derivative(const LawDerivative<SE2>& law
     throw std::invalid_argument("derivative of beam '" + name + "': expected d(K, M_s)/dp of " +
                                 std::to_string(elements()) + " segments");
   std::unique_ptr<SegmentBeam> out(new SegmentBeam(*this));
+  out->acting_ = acting_range<SE2>(*sections);
   Eigen::VectorXd dEI(elements());
   for (int e = 0; e < elements(); ++e) {
     const auto& section = (*sections)[static_cast<std::size_t>(e)];

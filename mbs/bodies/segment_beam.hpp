@@ -18,6 +18,7 @@
 
 #include "liegroup/se2.hpp"
 #include "mbs/bodies/body.hpp"
+#include "mbs/bodies/segment_law.hpp"
 #include "mbs/model/mechanism.hpp"
 
 namespace liesl {
@@ -99,6 +100,7 @@ class SegmentBeam final : public Body<SE2> {
   double angle_rate(const BodyState<SE2>& s, int i) const;
 
   AxialPotential potential_;
+  SegmentRange acting_;  ///< all, but of a derivative
   bool lumped_;
   double damping_;
   Eigen::VectorXd L_, EA_, EI_, m_;     ///< by segment: m, N, N m^2, kg

@@ -55,6 +55,30 @@ inline Eigen::VectorXd bending_springs_by(const Eigen::VectorXd& c, const Eigen:
   return out;
 }
 
+/// Segments [first, end).
+struct SegmentRange {
+  int first = 0, end = 0;
+
+  /// With those beside them, out of n: all that springs at their nodes act on.
+  SegmentRange with_neighbours(int n) const {
+    return {std::max(first - 1, 0), std::min(end + 1, n)};
+  }
+};
+
+/// The smallest range with every segment whose law is not 0: of the derivative by a parameter that
+/// is of a few segments, forces elsewhere are 0 and cost nothing.
+template <FrameGroup G>
+SegmentRange acting_range(const std::vector<ElementSection<G>>& sections) {
+  SegmentRange out;
+  for (int e = 0; e < static_cast<int>(sections.size()); ++e) {
+    const auto& section = sections[static_cast<std::size_t>(e)];
+    if (section.K.isZero(0) && section.M.isZero(0)) continue;
+    if (out.end == 0) out.first = e;
+    out.end = e + 1;
+  }
+  return out;
+}
+
 /// Mass between nodes i and j, equal or neighbours, kg: consistent m/3 and m/6 of each segment, or
 /// m/2. @param m by segment, kg
 inline double mass_between(const Eigen::VectorXd& m, bool lumped, Eigen::Index i, Eigen::Index j) {
@@ -94,32 +118,31 @@ void follow_ends(const G* start, int n, G* H) {
   }
 }
 
-/// r += the inertia of the points against x'' - g, without the end sections. @param m by segment,
-/// kg
+/// r += the inertia of the points of `acting` segments against x'' - g, without the end sections.
+/// @param m by segment, kg
 template <FrameGroup G>
-void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, bool lumped,
-                       const Eigen::Matrix<double, G::space_dim, 1>& gravity, double* r,
-                       ForceScale& scale) {
+void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, SegmentRange acting,
+                       bool lumped, const Eigen::Matrix<double, G::space_dim, 1>& gravity,
+                       double* r, ForceScale& scale) {
   using Vector = Eigen::Matrix<double, G::space_dim, 1>;
-  const int n = static_cast<int>(m.size());
   const auto apparent = [&](int k) -> Vector {
     return s.H[k].R * node_acceleration(s, k) - gravity;
   };
-  Vector f = Vector::Zero(), a = apparent(0);
+  Vector f = Vector::Zero(), a = apparent(acting.first);
   const auto put = [&](int k) {
     typename G::Tangent local = G::Tangent::Zero();
     local.template head<G::space_dim>() = s.H[k].R.transpose() * f;
     Eigen::Map<typename G::Tangent>(r + G::dim * k) += local;
     scale.add<G>(local);
   };
-  for (int e = 0; e < n; ++e) {
+  for (int e = acting.first; e < acting.end; ++e) {
     const Vector b = apparent(e + 1);
     f += lumped ? Vector(0.5 * m[e] * a) : Vector(m[e] / 6 * (2 * a + b));
     put(e);
     f = lumped ? Vector(0.5 * m[e] * b) : Vector(m[e] / 6 * (a + 2 * b));
     a = b;
   }
-  put(n);
+  put(acting.end);
 }
 
 /// Kinetic energy of a segment of mass m [kg] whose ends have the velocities a and b, J.

@@ -67,6 +67,7 @@ void SpatialSegmentBeam::require_straight() const {
 
 void SpatialSegmentBeam::set_sections(const std::vector<ElementSection<SE3>>& sections) {
   const int n = elements();
+  acting_ = acting_range<SE3>(sections);
   EA_.resize(n);
   EI_.resize(n);
   m_.resize(n);
@@ -189,7 +190,7 @@ void SpatialSegmentBeam::complete(SE3* H, double* v, double* vdot, const double*
 void SpatialSegmentBeam::add_inertia(const BodyState<SE3>& s, const Vector& gravity, double* r,
                                      ForceScale& scale) const {
   const int n = elements();
-  add_point_inertia(s, m_, lumped_, gravity, r, scale);
+  add_point_inertia(s, m_, acting_, lumped_, gravity, r, scale);
   for (const int k : {0, n}) {
     const Mat3& J = J_[k == 0 ? 0 : 1];
     const Vec3 w = Eigen::Map<const Vec3>(s.v + 6 * k + 3), momentum = J * w;
@@ -200,10 +201,12 @@ void SpatialSegmentBeam::add_inertia(const BodyState<SE3>& s, const Vector& grav
 
 void SpatialSegmentBeam::add_internal(const BodyState<SE3>& s, double* r, ForceScale& scale) const {
   const int n = elements();
-  SpatialSegment now = segment(s.H, 0), next = now;
-  Vec3 m = c_[0] * Misalignment(s.H[0].R.col(0), now.t).q();
-  Eigen::Map<Vec3>(r + 3) -= across_x(s.H[0].R.transpose() * m);
-  for (int e = 0; e < n; ++e) {
+  const auto [first, end] = acting_.with_neighbours(n);
+  SpatialSegment now = segment(s.H, first), next = now;
+  const Vec3 before = first > 0 ? segment(s.H, first - 1).t : Vec3(s.H[0].R.col(0));
+  Vec3 m = c_[first] * Misalignment(before, now.t).q();
+  if (first == 0) Eigen::Map<Vec3>(r + 3) -= across_x(s.H[0].R.transpose() * m);
+  for (int e = first; e < end; ++e) {
     if (e + 1 < n) next = segment(s.H, e + 1);
     const Vec3 after = e + 1 < n ? next.t : Vec3(s.H[n].R.col(0));
     const Vec3 m_next = c_[e + 1] * Misalignment(now.t, after).q();
@@ -216,7 +219,7 @@ void SpatialSegmentBeam::add_internal(const BodyState<SE3>& s, double* r, ForceS
     m = m_next;
     now = next;
   }
-  Eigen::Map<Vec3>(r + 6 * n + 3) += across_x(s.H[n].R.transpose() * m);
+  if (end == n) Eigen::Map<Vec3>(r + 6 * n + 3) += across_x(s.H[n].R.transpose() * m);
 }
 
 void SpatialSegmentBeam::add_mass(const SE3* H, double weight, Matrices& A) const {
@@ -288,6 +291,7 @@ std::unique_ptr<Body<SE3>> SpatialSegmentBeam::derivative(const LawDerivative<SE
     throw std::invalid_argument("derivative of beam '" + name + "': expected d(K, M_s)/dp of " +
                                 std::to_string(elements()) + " segments");
   std::unique_ptr<SpatialSegmentBeam> out(new SpatialSegmentBeam(*this));
+  out->acting_ = acting_range<SE3>(*sections);
   Eigen::VectorXd dEI(elements());
   for (int e = 0; e < elements(); ++e) {
     const auto& section = (*sections)[static_cast<std::size_t>(e)];

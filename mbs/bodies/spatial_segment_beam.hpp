@@ -114,6 +114,7 @@ class SpatialSegmentBeam final : public Body<SE3> {
   NodalGradient force_gradient(const SE3* H, int e, const Tangent* stress = nullptr) const;
 
   AxialPotential potential_;
+  SegmentRange acting_;  ///< all, but of a derivative
   bool lumped_;
   Eigen::VectorXd L_, EA_, EI_, m_;   ///< by segment: m, N, N m^2, kg
   Eigen::VectorXd c_, half_;          ///< by node: N m, half segments beside it, m

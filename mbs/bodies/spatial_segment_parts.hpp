@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "liegroup/se3.hpp"
+#include "liegroup/smallest_rotation.hpp"
 #include "mbs/bodies/segment_law.hpp"
 #include "mbs/model/mechanism.hpp"
 
@@ -17,13 +18,6 @@ namespace liesl {
 /// The part of a vector across a direction t, and across x.
 inline Vec3 across(const Vec3& t, const Vec3& a) { return a - t.dot(a) * t; }
 inline Vec3 across_x(const Vec3& a) { return {0, a[1], a[2]}; }
-
-/// The smallest rotation from direction a to b: z + c~ + c c^T/(1 + z), c = a x b, z = a . b.
-inline Mat3 smallest_rotation(const Vec3& a, const Vec3& b) {
-  const Vec3 c = a.cross(b);
-  const double z = a.dot(b);
-  return z * Mat3::Identity() + hat(c) + c * c.transpose() / (1 + z);
-}
 
 /// Turn of the axes that the smallest rotation takes from a to b, by the turn of the axes at a (x
 /// along a) and the change db of b, inertial: b x db + b (turn . (a + b) - (a x b) . db)/(1 + a .

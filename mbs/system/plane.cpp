@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <vector>
 
+#include "liegroup/smallest_rotation.hpp"
 #include "mbs/sections/section_law.hpp"
 
 namespace liesl {
@@ -32,7 +33,7 @@ SE3 Space<SE2>::alignment(const SE3& H) const {
   if (std::abs(n.x()) < kTolerance)
     align.R = Eigen::AngleAxisd(std::atan2(n.y(), n.z()), Vec3::UnitX()).toRotationMatrix();
   else
-    align.R = Eigen::Quaterniond::FromTwoVectors(n, Vec3::UnitZ()).toRotationMatrix();
+    align.R = smallest_rotation(n, Vec3::UnitZ());
   return align;
 }
 

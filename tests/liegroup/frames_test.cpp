@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <numbers>
 
+#include "liegroup/smallest_rotation.hpp"
 #include "sampling.hpp"
 
 namespace liesl::test::frames_test {
@@ -17,6 +18,23 @@ TEST(SO3, HatAndVee) {
   EXPECT_EQ(size_of(hat(a) * b - a.cross(b)), 0);
   EXPECT_EQ(size_of(vee(hat(a)) - a), 0);
   EXPECT_EQ(size_of(vee(Eigen::Matrix3d(hat(a) + b * b.transpose())) - a), 0);
+}
+
+/// Against a second algorithm, Eigen's by quaternions, of opposite and nearly opposite ones, too.
+TEST(SO3, SmallestRotationTakesOneDirectionToTheOther) {
+  Rng rng(3);
+  for (const double off : {1., 1e-3, 1e-6, 0.}) {
+    const Eigen::Vector3d a = direction<3>(rng), side = a.cross(direction<3>(rng)).normalized();
+    for (const double along : {1., -1.}) {
+      const Eigen::Vector3d b = (along * a + off * side).normalized();
+      const Eigen::Matrix3d R = smallest_rotation(a, b);
+      EXPECT_LE(size_of(R * a - b), 1e-9) << along << " " << off;
+      EXPECT_LE(size_of(R.transpose() * R - Eigen::Matrix3d::Identity()), 1e-9);
+      EXPECT_NEAR(R.determinant(), 1, 1e-9);
+      if (along < 0 && off < 1e-2) continue;  // the axis of Eigen's is any one there
+      EXPECT_LE(size_of(R - Eigen::Quaterniond::FromTwoVectors(a, b).toRotationMatrix()), 1e-14);
+    }
+  }
 }
 
 /// exp against a second formalism, Eigen's angle-axis rotation.
