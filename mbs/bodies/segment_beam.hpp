@@ -36,6 +36,11 @@ class SegmentBeam final : public Body<SE2> {
     return node == 0 || node + 1 == nodes() ? NodeKind::Frame : NodeKind::Position;
   }
   int elements() const override { return nodes() - 1; }
+  /// Of a segment and those beside it, which its springs act on.
+  std::pair<int, int> nodes_of(int e) const override {
+    const auto [first, end] = SegmentRange{e, e + 1}.with_neighbours(elements());
+    return {first, end - first + 1};
+  }
   double damping() const override { return damping_; }
   void turn_axes(SE2* H) const override;
   /// By both ends, linear in between.

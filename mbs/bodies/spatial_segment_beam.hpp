@@ -41,6 +41,11 @@ class SpatialSegmentBeam final : public Body<SE3> {
     return node == 0 || node + 1 == nodes() ? NodeKind::Frame : NodeKind::Position;
   }
   int elements() const override { return nodes() - 1; }
+  /// Of a segment and those beside it, which its springs act on.
+  std::pair<int, int> nodes_of(int e) const override {
+    const auto [first, end] = SegmentRange{e, e + 1}.with_neighbours(elements());
+    return {first, end - first + 1};
+  }
   void turn_axes(SE3* H) const override;
   /// By both ends, linear in between.
   void follow_frames(const SE3* start, SE3* H) const override;

@@ -148,15 +148,21 @@ bool drives_accelerate(const Model<G>& model, const State<G>& at_rest, double du
          kResting * std::min(1.0, model.length);
 }
 
+/// Does the consistent start change with a parameter? That of an equilibrium does by its equations.
+template <FrameGroup G>
+bool start_changes(const Tape<G>& tape, const Parameters<G>& parameters) {
+  return tape.options.start != StartChoice::Equilibrium &&
+         std::any_of(parameters.begin(), parameters.end(),
+                     [](const auto& p) { return p.nearby() != nullptr; });
+}
+
 /// What the consistent start changes by with parameters that are known by nearby mechanisms, a
-/// column each, less the lift: differences of the starts of those. Zero for all others, and where
-/// the start is an equilibrium, whose equations say it.
+/// column each, less the lift: differences of the starts of those. Zero for all others.
 template <FrameGroup G>
 StateSensitivity start_derivatives(const Model<G>& model, const Tape<G>& tape,
                                    const Parameters<G>& parameters, const State<G>& first) {
   auto ds = StateSensitivity::zero(model.size(), model.constraints(),
                                    static_cast<int>(parameters.size()));
-  if (tape.options.start == StartChoice::Equilibrium) return ds;
   for (size_t i = 0; i < parameters.size(); ++i) {
     if (!parameters[i].nearby()) continue;
     const auto column = static_cast<Eigen::Index>(i);
@@ -268,7 +274,8 @@ void require_sensitivities(const Model<G>& model, const Tape<G>& tape,
   Derivatives<G> derivatives(model, parameters, damping_of_penalties(model));
   require_given_start(model, tape, derivatives);
   const StepSensitivity<G> sensitivity(model, tape.options.rho_inf);
-  start_derivatives(model, tape, parameters, in_inertial_axes(model, tape.checkpoints.at(0).s));
+  if (start_changes(tape, parameters))
+    start_derivatives(model, tape, parameters, in_inertial_axes(model, tape.checkpoints.at(0).s));
 }
 
 template <FrameGroup G>
@@ -284,7 +291,7 @@ SensitivityEnd direct_sensitivity(const Model<G>& model, const Tape<G>& tape,
   if (!linearised.start().forward(
           derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), ds))
     return not_finite(first.t);
-  ds += start_derivatives(model, tape, parameters, first);
+  if (start_changes(tape, parameters)) ds += start_derivatives(model, tape, parameters, first);
   tell(model, parameters, at, step++, first, ds);
   TapeSteps<G> tape_steps(model, tape);
   SensitivityEnd end;
@@ -346,7 +353,8 @@ SensitivityEnd adjoint_sensitivity(const Model<G>& model, const Tape<G>& tape,
   const State<G> first = in_inertial_axes(model, tape.checkpoints.at(0).s);
   if (!take_start(linearised.start(), tape, first)) return singular(first.t);
   ask(model, parameters, at, step, first, bars, gradient);
-  gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
+  if (start_changes(tape, parameters))
+    gradient += start_derivatives(model, tape, parameters, first).transposed_product(bars);
   if (!linearised.start().backward(
           derivatives.at_start(first, tape.options.start == StartChoice::Equilibrium), bars,
           gradient))

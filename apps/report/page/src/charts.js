@@ -2,7 +2,7 @@
 
 import uPlot from 'uplot';
 import { array, valueAt } from './data.js';
-import { Clock } from './clock.js';
+import { Clock, readable } from './clock.js';
 import { card, el, isDark, onTheme, theme } from './dom.js';
 import { kSeries } from './colors.js';
 import { number, percent, quantity, scaleOf, tick } from './format.js';
@@ -191,11 +191,11 @@ function follow(plot, clock, show, o) {
   };
   for (const [name, value] of Object.entries({ tabindex: 0, role: 'slider', 'aria-label': o.name, 'aria-valuemin': clock.first, 'aria-valuemax': clock.last }))
     over.setAttribute(name, value);
-  clock.listen((t) => {
-    place(t);
+  clock.listen(place);
+  clock.listen(readable((t) => {
     show(t);
     if (document.activeElement === over) say();
-  });
+  }));
   say();
   plot.hooks.setSize = [() => place(clock.at)];
   plot.hooks.setScale = [() => place(clock.at)];

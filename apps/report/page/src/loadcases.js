@@ -25,14 +25,12 @@ export function loadCases(data, player, abscissaUnit) {
 
   /** Arrows of an instant, and the picture at it; null: none. */
   const draw = (instant) => {
+    if (instant) player?.toggle(false);
     shown = instant;
     for (const button of buttons.querySelectorAll('button')) button.setAttribute('aria-pressed', String(!!instant && Number(button.dataset.at) === instant.at && button.dataset.scenario === instant.scenario));
     if (!arrows) return;
     arrows.show(instant ? loads.filter((l) => l.cycle === cycle && l.at === instant.at && l.scenario === instant.scenario) : []);
-    if (instant) {
-      player.toggle(false);
-      player.clock.set(instant.at);
-    }
+    if (instant) player.clock.set(instant.at);
   };
   player?.clock.listen((t) => {
     if (shown && Math.abs(t - shown.at) > 1e-6 * Math.abs(player.clock.last - player.clock.first)) draw(null);

@@ -1,6 +1,7 @@
 // The picture with its controls: play, time, deformation, colours.
 
 import { el } from './dom.js';
+import { readable } from './clock.js';
 import { css } from './colors.js';
 import { inOneUnit, quantity, number } from './format.js';
 import { View } from './view.js';
@@ -37,6 +38,7 @@ export class Player {
     this.setScale(this.modes ? 1 : this.view.goodScale());
     if (!(this.view.deformed > 0)) for (const node of [this.scaler, this.node.querySelector('#good')]) node.disabled = true;  // rigid bodies only
     this.clock.listen(() => this.show());
+    this.clock.listen(readable(() => this.tell()));
     if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
     if (this.modes) this.toggle(true);
     addEventListener('beforeprint', () => {
@@ -127,6 +129,10 @@ export class Player {
     this.view.set({ instant: this.shapes ? record : clock.record() });
     const share = (clock.at - clock.first) / (clock.last - clock.first || 1);
     this.slider.value = this.shapes ? record : share;
+  }
+
+  tell() {
+    const { clock } = this, record = Math.round(clock.record());
     this.label.textContent = this.cases?.[record] ?? (this.modes ? `${record + 1}: ` : '') + this.instantText(clock.at);
   }
 
@@ -138,11 +144,13 @@ export class Player {
 
   toggle(on = !this.playing) {
     this.playing = on;
+    this.view?.plays(on);
     this.before = null;
     this.frames = [];
     this.button.textContent = on ? '\u275a\u275a' : '\u25b6';
     if (on && !this.shapes && this.clock.at >= this.clock.last) this.clock.set(this.clock.first);
     if (!on && this.shapes && !this.modes) this.view.set({ phase: 1 });
+    if (!on) this.clock.set(this.clock.at);  // figures are those of where it stopped
   }
 
   advance(now) {
@@ -160,7 +168,7 @@ export class Player {
     const { clock } = this, whole = clock.last - clock.first;
     let at = clock.at + (whole / kWholeMotion) * passed * this.speed;
     if (at > clock.last) at = clock.first;
-    clock.set(at);
+    clock.set(at, true);
   }
 
   /** Pictures a second, over the last ones; for whoever measures: `data-fps`. */

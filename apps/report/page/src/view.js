@@ -16,6 +16,14 @@ import { SolidView } from './solids.js';
 const kBodies = ['#7f9bb8', '#b8977f', '#86ad8c', '#a78fb5', '#b5a86f', '#7fb0b3'];
 const kV = new Vector3(), kQ = new Quaternion();
 
+/** Is it the processor that draws? */
+function drawnBySoftware() {
+  const gl = document.createElement('canvas').getContext('webgl2'), named = gl?.getExtension('WEBGL_debug_renderer_info');
+  const name = named ? gl.getParameter(named.UNMASKED_RENDERER_WEBGL) : '';
+  gl?.getExtension('WEBGL_lose_context')?.loseContext();
+  return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name);
+}
+
 export class View {
   constructor(canvas, motion) {
     this.canvas = canvas;
@@ -26,8 +34,9 @@ export class View {
     this.bodies = motion.bodies.map((d) => new Body(d, this.t.length));
     this.byName = new Map(this.bodies.map((b) => [b.name, b]));
     Object.assign(this, { instant: 0, scale: 1, phase: 1, colour: null, dirty: true });
-    this.renderer = new WebGLRenderer({ canvas, antialias: true, preserveDrawingBuffer: true });
-    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.plain = drawnBySoftware();
+    this.renderer = new WebGLRenderer({ canvas, antialias: !this.plain, preserveDrawingBuffer: true });
+    this.plays(false);
     this.scene = new Scene();
     this.camera = new PerspectiveCamera(32, 1, 0.01, 100);
     this.measure();
@@ -40,6 +49,13 @@ export class View {
     this.fit();
     new ResizeObserver(() => this.resize()).observe(canvas.parentElement);
     this.resize();
+  }
+
+  /** Software has no time for smooth edges in each picture of a motion: they are drawn where it rests, by four points a pixel. */
+  plays(on) {
+    const ratio = Math.min(devicePixelRatio, 2);
+    this.renderer.setPixelRatio(this.plain ? (on ? Math.min(ratio, 1) : 2) : ratio);
+    this.dirty = true;
   }
 
   /** Box about all instants, the plane of a planar motion, and which way is up. */
