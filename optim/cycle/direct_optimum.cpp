@@ -69,6 +69,8 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const std::string beyond =
       fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,
                   a.worst_at.empty() ? "" : " at " + a.worst_at);
+  if (!meets && kkt.violation && kkt.violation->stationary())
+    return {CycleStatus::Infeasible, beyond + "; the design is " + kkt.violation->brief()};
   if (cut || r.status == NlpStatus::IterationLimit)
     return {CycleStatus::CycleLimit,
             fmt::format("cycle.max = {} designs after the first are used up; ", options.max) + of +

@@ -35,11 +35,16 @@ void check_direct(ConstraintSpec& c) {
         "\"worst\", \"functional\" or \"p_norm\" with cycle.method = \"direct\"");
 }
 
-/// Torques and inertia forces are powers of the duration: of motions that vary no asymptotes.
+/// Torques and inertia forces are powers of the duration: of motions that vary no asymptotes. Nor
+/// of means over time: with asymptotes they end at the limit of cycles, or beside the optimum.
 Approximations approximations(const StudySpec& study) {
   Approximations out{study.cycle.approximation};
   if (std::ranges::any_of(study.constants, sets_motion)) out.without_image = Approximation::Power;
-  for (const ConstraintSpec& c : study.constraints) out.own.push_back(c.approximation);
+  for (const ConstraintSpec& c : study.constraints) {
+    const bool mean = c.treatment == Treatment::Functional || c.treatment == Treatment::PNorm;
+    const bool open = c.approximation == Approximation::Auto && out.general == Approximation::Auto;
+    out.own.push_back(mean && open ? Approximation::Power : c.approximation);
+  }
   return out;
 }
 
