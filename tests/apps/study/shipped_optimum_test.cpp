@@ -135,6 +135,18 @@ TEST(ShippedOptimumSlow, ADescentByDifferencesFindsNoLighterRod) {
   EXPECT_GE(end.best->mass, searched * (1 - 5e-4));
 }
 
+/// Loads that follow the design strongly: a rod of 0.2846 kg is where the plain cycle ends.
+TEST(ShippedOptimumSlow, ARodOfAHeavySliderIsAsLightFromThreeStarts) {
+  for (const char* start : {"0.008", "0.01146", "0.012"}) {
+    Planned<SE2> rod(shipped_study("slider_crank_rod",
+                                   {"scene.gravity=[0,0,0]", "scene.bodies.slider.rigid.mass=0.4",
+                                    std::string("design.rod_diameters.start=") + start}));
+    const LoopResult end = rod.optimise();
+    EXPECT_EQ(end.status, CycleStatus::Optimal) << start << ": " << end.reason;
+    EXPECT_NEAR(end.best->mass, 0.23, 1e-4) << start;
+  }
+}
+
 /// Walls, values of the drives' tables and duration of the two-link robot, some of them held.
 struct RobotEnd {
   double mass, duration, objective;
