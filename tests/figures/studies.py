@@ -229,7 +229,7 @@ def sentences(run):
         s = plain()
         mass, kkt = ([Fresh(one[key], relative=r) for one in s] for key, r in (("mass_final", MASS), ("kkt_residual", 0.1)))
         # of four_bar_mixed rounding decides: 0.3100 or 0.3116 kg (data/studies/README.md)
-        return [*mass[:3], *kkt[:3], Fresh(s[3]["mass_final"], relative=4e-3)]
+        return [*mass[:3], *kkt[:3], Fresh(s[3]["mass_final"], relative=6e-3)]
 
     def best_uniform():
         """Diameter and mass of the lightest that bends by 1 mm; the start; the optimum and what it saves."""
@@ -280,7 +280,7 @@ def sentences(run):
         Sentence("by local bounds, with {} designs simulated", lambda: catalogue()[1:2]),
         Sentence("x = ({:.5f}, {:.5f}, {:.5f}, {:.5f}, {:.5f}) |", svanberg),
         Sentence("ends at {:.6f}, {:.6f} and {:.6f} kg on the first three, with residuals of {:.2f}, {:.2f} and {:.2f}, "
-                 "and at {:.4f} kg, give or take 0.4 %, on four_bar_mixed", plain_ends),
+                 "and at {:.4f} kg, give or take 0.6 %, on four_bar_mixed", plain_ends),
         *other_meshes(study),
         *openlsto(run, study),
         *expectations(study),
