@@ -37,36 +37,6 @@ struct Simulated {
 /// Largest limit violation of a design.
 double worst(const Simulated& s, const VectorXd& x) { return s.simulator->run(x).worst; }
 
-/// The lightest rod by simulations alone: along each direction that exchanges mass between two
-/// groups the common scale is found by bisection, the exchange by golden sections; until no
-/// exchange helps. No gradient, no static problem.
-double lightest_by_search(const Simulated& s, VectorXd x) {
-  const auto mass_on_limit = [&](const VectorXd& shape) {
-    double low = 0.7, high = 1.4;
-    while (high - low > 1e-7) {
-      const double scale = 0.5 * (low + high);
-      (worst(s, scale * shape) > 0 ? low : high) = scale;
-    }
-    return (high * shape).squaredNorm();
-  };
-  double best = mass_on_limit(x);
-  for (double step = 0.03; step > 5e-4; step /= 2)
-    for (bool moved = true; moved;) {
-      moved = false;
-      for (int i = 0; i < x.size(); ++i)
-        for (const double factor : {1 + step, 1 - step}) {
-          VectorXd y = x;
-          y[i] *= factor;
-          const double mass = mass_on_limit(y);
-          if (mass >= best * (1 - 1e-8)) continue;
-          best = mass;
-          x = y;
-          moved = true;
-        }
-    }
-  return 7850 * M_PI / 4 * 0.3 / static_cast<double>(x.size()) * best;
-}
-
 /// At x the value and gradient of the motion, and its own derivatives away from it.
 void expect_agreement(const Simulated& s, const VectorXd& x, Approximations approximations) {
   const auto run = s.simulator->run(x);
@@ -455,16 +425,6 @@ TEST(TrustRegionCycle, FirstStepNeedsNoGradients) {
   EXPECT_NEAR(again.mass, r.mass, 1e-4 * r.mass);
   ASSERT_GE(again.history.size(), 2u);
   EXPECT_FALSE(again.history[1].taken) << "to where the plain cycle ends, 1 % heavier";
-}
-
-TEST(TrustRegionCycleSlow, NoSearchFindsALighterRod) {
-  Simulated s(rod());
-  const auto r = s.optimise();
-  ASSERT_EQ(r.status, CycleStatus::Optimal) << r.reason;
-  const double searched =
-      lightest_by_search(s, r.x.cwiseProduct((VectorXd(4) << 1.02, 0.98, 1.01, 0.99).finished()));
-  EXPECT_LE(r.mass, searched * (1 + 5e-4)) << searched;
-  EXPECT_GE(r.mass, searched * (1 - 5e-4)) << searched;
 }
 
 /// @param within relative
