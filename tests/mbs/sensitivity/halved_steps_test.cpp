@@ -88,11 +88,12 @@ TYPED_TEST(HalvedSteps, EqualDifferencesOnTheSameSteps) {
   using G = TypeParam;
   const Taped<G> run = this->halved(0.024);
   const Outputs<G> outputs(run.model);
-  expect_differences<G>(run, this->all, {}, [&](std::size_t p, double change) {
-    Mechanism changed = this->machine;
-    this->all[p].set(changed, this->all[p].nominal * (1 + change));
-    return on_steps_of(run.tape, changed, outputs);
-  });
+  expect_differences<G>(run, this->all, {.linear = kLoadsOfTheMachine},
+                        [&](std::size_t p, double change) {
+                          Mechanism changed = this->machine;
+                          this->all[p].set(changed, this->all[p].nominal * (1 + change));
+                          return on_steps_of(run.tape, changed, outputs);
+                        });
 }
 
 TYPED_TEST(HalvedSteps, DirectEqualsAdjointOnAdaptiveSteps) {
@@ -103,11 +104,12 @@ TYPED_TEST(HalvedSteps, EqualDifferencesOnTheSameAdaptiveSteps) {
   using G = TypeParam;
   const Taped<G> run = this->adapted(0.024);
   const Outputs<G> outputs(run.model);
-  expect_differences<G>(run, this->all, {}, [&](std::size_t p, double change) {
-    Mechanism changed = this->machine;
-    this->all[p].set(changed, this->all[p].nominal * (1 + change));
-    return on_steps_of(run.tape, changed, outputs);
-  });
+  expect_differences<G>(run, this->all, {.linear = kLoadsOfTheMachine},
+                        [&](std::size_t p, double change) {
+                          Mechanism changed = this->machine;
+                          this->all[p].set(changed, this->all[p].nominal * (1 + change));
+                          return on_steps_of(run.tape, changed, outputs);
+                        });
 }
 
 /// What differences are taken of: with nothing changed, the motion itself.

@@ -84,7 +84,8 @@ TYPED_TEST(ResponsesOfAMotion, HaveTheDerivativesOfDifferencesAndOfTheAdjoint) {
 TYPED_TEST(ResponsesOfAMotion, FurtherOnesHaveThem) {
   const Mechanism machine = test::sensitive_machine();
   expect_response_gradients<TypeParam>(machine, test::tight(0.02, 4e-4), test::quantities(machine),
-                                       further_responses_of_the_machine());
+                                       further_responses_of_the_machine(),
+                                       {.linear = kLoadsOfTheMachine});
 }
 
 /// From equilibrium: waves from a load that strikes would be largest in other places. What E and
