@@ -23,7 +23,8 @@ def moving(series, names):
 
 def error_of(figure):
     """Of its largest value, by mesh and step together (`--verify`); 0 where it is not known."""
-    return sum(figure.get("error", {}).values())
+    error = figure.get("error", {})
+    return sum(error.get(by) or 0 for by in ("mesh", "step"))
 
 
 def band(ax, time, values, error, factor, colour, label=None):

@@ -283,6 +283,9 @@ class Plot(unittest.TestCase):
         error = {"error": {"mesh": 1e-4, "step": 2e-5}}
         bands = [picture(e).count("PolyCollection_") for e in ({}, error)]
         self.assertEqual(bands, [0, 1])
+        whole = {"error": {**error["error"], "total": 1.1e-4, "end": {"mesh": 1e-5, "step": 1e-6}}}  # of run --verify
+        shape = re.compile(r'<g id="PolyCollection_1">.*?</g>', re.S)
+        self.assertEqual(*(shape.search(picture(e)).group() for e in (error, whole)))
 
     def test_part(self):
         self.draws(write_part, ["plate_outlines", "plate_fraction", "plate_stress",

@@ -223,6 +223,27 @@ TEST_F(ReportProgram, RunWritesAPageThatLoadsNothing) {
   EXPECT_TRUE(output::foreign_files(results()).empty()) << "the page is liesl's own file";
 }
 
+/// Bands of page and pictures are as wide as the error by mesh and step.
+TEST_F(ReportProgram, ErrorsOfAVerifiedRunAreDrawn) {
+  ASSERT_EQ(run({"run", scene("slider_crank"), "-o", results(), "--verify", "--set",
+                 "simulation.duration=0.01"})
+                .code,
+            0);
+  const Json error = summary()["responses"]["bend"]["error"];
+  ASSERT_TRUE(error.contains("total") && error.contains("end")) << error;
+  const Json data = data_of(text_of(results() / "report.html"));
+  int found = 0;
+  for (const Json& chart : data["charts"]) {
+    if (chart["title"] != "bend") continue;
+    ++found;
+    const double sum = error["mesh"].get<double>() + error["step"].get<double>();
+    EXPECT_NEAR(chart["error"].get<double>(), sum, 1e-12 * sum);
+  }
+  EXPECT_EQ(found, 1);
+  const Outcome drawn = run({"plot", results()});
+  EXPECT_EQ(drawn.code, 0) << drawn.err;
+}
+
 TEST_F(ReportProgram, InstantsOfALongRunAreThinnedAndSaid) {
   const Outcome o = run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
                          results().string(), "--set", "simulation.step=2e-5"});

@@ -135,6 +135,18 @@ TEST(ShippedOptimumSlow, ADescentByDifferencesFindsNoLighterRod) {
   EXPECT_GE(end.best->mass, searched * (1 - 5e-4));
 }
 
+/// What the default mesh hides of the final rod.
+TEST(ShippedOptimumSlow, TheFinalRodBendsAsOnSixtyFourElements) {
+  Planned<SE2> rod(shipped_study("slider_crank_rod"));
+  const LoopResult end = rod.optimise();
+  ASSERT_EQ(end.status, CycleStatus::Optimal) << end.reason;
+  Planned<SE2> fine(shipped_study("slider_crank_rod", {"scene.bodies.rod.beam.elements=64",
+                                                       "scene.bodies.crank.beam.elements=64"}));
+  const auto on_fine = fine.model().analyse(end.x, {});
+  ASSERT_TRUE(on_fine->good()) << on_fine->reason;
+  EXPECT_LE(std::abs(on_fine->worst - end.best->worst), 2e-4);
+}
+
 /// Loads that follow the design strongly: a rod of 0.2846 kg is where the plain cycle ends.
 TEST(ShippedOptimumSlow, ARodOfAHeavySliderIsAsLightFromThreeStarts) {
   for (const char* start : {"0.008", "0.01146", "0.012"}) {
