@@ -43,10 +43,11 @@ class MassOnTheLimit {
   explicit MassOnTheLimit(DesignModel& model) : model_(model) {}
 
   double operator()(const VectorXd& shape) {
-    double low = 0.98, high = 1.02, at_low = worst(low * shape), at_high = worst(high * shape);
+    double low = 0.98, high = 1.02, at_low = worst(low * shape);
     while (at_low < 0) at_low = worst((low *= 0.96) * shape);
+    double at_high = worst(high * shape);
     while (at_high > 0) at_high = worst((high *= 1.04) * shape);
-    double mass = mass_, met = at_high;
+    double mass = mass_, met = at_high;  // those of `high`, analysed last
     while (met < -1e-6 && high - low > 1e-8) {
       const double share = std::min(0.9, std::max(0.1, at_low / (at_low - at_high)));
       const double scale = low + share * (high - low), at = worst(scale * shape);
