@@ -79,7 +79,7 @@ std::string path_of(const Batch& batch, std::string change) {
   std::erase(change, ' ');
   if (!batch.optimize) return change;
   const SplitOverrides parts = split_overrides({change});
-  return parts.scene.empty() ? "study." + change : "scene." + parts.scene.front();
+  return parts.scene.empty() ? "study." + change : "scene." + without_scene(parts.scene.front());
 }
 
 /// Are the columns keys, with names that the results do not use otherwise?
@@ -159,7 +159,7 @@ std::string unit_of_key(const Batch& batch, const std::string& key) {
   std::string path = key;
   if (const SplitOverrides parts = split_overrides({key}); batch.optimize && !parts.scene.empty()) {
     kind = FileKind::Scene;
-    path = parts.scene.front();
+    path = without_scene(parts.scene.front());
   }
   const std::string unit(unit_at(kind, path));
   const bool known = unit.find(" or ") == std::string::npos && !unit.starts_with("of ");

@@ -39,8 +39,11 @@ Document parse_document(std::string text, std::string file);
 void apply_overrides(toml::table& root, FileKind kind, const std::vector<std::string>& overrides,
                      Problems& problems);
 
+/// A change of a scene, without the "scene." by which it is given with a study.
+std::string without_scene(const std::string& text);
+
 /// Which of the overrides given with a study are meant for its scene: those that begin with
-/// "scene." (which is dropped) and those whose first key only scenes have.
+/// "scene." and those whose first key only scenes have.
 struct SplitOverrides {
   std::vector<std::string> study, scene;
 };

@@ -171,8 +171,14 @@ void apply_overrides(toml::table& root, FileKind kind, const std::vector<std::st
     }
     std::string path = text.substr(0, equals);
     path.erase(std::remove(path.begin(), path.end(), ' '), path.end());
+    if (kind == FileKind::Scene) path = without_scene(path);
     Setter(kind, path, problems).set(root, std::move(*parsed.get("v")));
   }
+}
+
+std::string without_scene(const std::string& text) {
+  constexpr std::string_view kPrefix = "scene.";
+  return text.starts_with(kPrefix) ? text.substr(kPrefix.size()) : text;
 }
 
 SplitOverrides split_overrides(const std::vector<std::string>& overrides) {
@@ -180,9 +186,8 @@ SplitOverrides split_overrides(const std::vector<std::string>& overrides) {
   for (const std::string& text : overrides) {
     const std::string path = text.substr(0, text.find('='));
     const std::string top = path.substr(0, path.find('.'));
-    if (top == "scene" && path.size() > top.size())
-      parts.scene.push_back(text.substr(top.size() + 1));
-    else if (!find_key(FileKind::Study, top) && find_key(FileKind::Scene, top))
+    if (without_scene(path) != path ||
+        (!find_key(FileKind::Study, top) && find_key(FileKind::Scene, top)))
       parts.scene.push_back(text);
     else
       parts.study.push_back(text);

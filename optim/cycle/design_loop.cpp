@@ -85,6 +85,7 @@ void CycleRecord::keep_if_better(const Analysis& a, const VectorXd& x) {
 void CycleRecord::keep(const Analysis& analysis, const VectorXd& x) {
   result_.best = analysis;
   result_.x = x;
+  result_.optimality.reset();
   last_ = analysis;
 }
 

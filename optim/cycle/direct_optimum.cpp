@@ -4,8 +4,10 @@
 
 #include <algorithm>
 #include <chrono>
+#include <limits>
 
 #include "optim/cycle/study_program.hpp"
+#include "optim/nlp/elastic.hpp"
 
 namespace liesl {
 namespace {
@@ -15,17 +17,33 @@ using Eigen::VectorXd;
 constexpr double kDirectTolerance = 1e-4;   // of the scaled optimality conditions
 constexpr double kDirectAcceptable = 1e-3;  // the same, where no better is reached
 constexpr double kDirectFeasibility =
-    1e-5;  // of the limits, or what the study allows if that is less
+    1e-5;                         // of the limits, or what the study allows if that is less
+constexpr double kHopeful = 0.5;  // of the analyses, for a first design that meets the limits
 
 /// The study as a nonlinear program whose designs are cycles of a record.
 class DirectProblem final : public StudyProgram {
  public:
   /// @throws NoSensitivities
   DirectProblem(CycleRecord& record, const VectorXd& start)
-      : StudyProgram(record.model(), record.options().move_limit), record_(record) {
+      : StudyProgram(record.model(), record.options().move_limit),
+        record_(record),
+        variables_(record.model().variables()) {
     begin(start);
   }
   bool interrupted() const { return interrupted_ || stopped(); }
+  /// Has a design met the limits so far?
+  bool met() const { return least_ <= record_.options().feasibility; }
+  double least_violation() const { return least_; }  ///< relative, of the best design so far
+  /// Cannot the largest violation of the latest design be brought down near it?
+  bool stationary() const {
+    return good() && surrogate().optimality.violation &&
+           surrogate().optimality.violation->stationary();
+  }
+  void start_from(const VectorXd& x) {
+    for (std::size_t j = 0; j < variables_.size(); ++j)
+      variables_[j].start = x[static_cast<Eigen::Index>(j)];
+  }
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
 
  private:
   std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x) override {
@@ -37,7 +55,9 @@ class DirectProblem final : public StudyProgram {
   void look_at(const VectorXd& x) override {
     Cycle& cycle = record_.add(analysis(), x);
     record_.keep_if_better(analysis(), x);  // before gradients, in which it may be stopped
+    least_ = std::min(least_, analysis()->worst);
     differentiate(x);
+    if (good() && record_.best() == x) record_.certify(surrogate().optimality);
     cycle.taken = good();
     cycle.seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - begin_).count();
@@ -45,13 +65,61 @@ class DirectProblem final : public StudyProgram {
   }
 
   CycleRecord& record_;
+  std::vector<NlpVariable> variables_;
+  double least_ = std::numeric_limits<double>::infinity();
   std::chrono::steady_clock::time_point begin_;
   bool interrupted_ = false;
 };
 
 /// Analyses, after the last of which the optimiser is stopped.
-bool analyses_used_up(const CycleRecord& record) {
-  return static_cast<int>(record.history().size()) >= record.options().max;
+bool analyses_used_up(const CycleRecord& record, double share = 1) {
+  return static_cast<double>(record.history().size()) >= share * record.options().max;
+}
+
+bool goes_on(const CycleRecord& record, const DirectProblem& problem) {
+  return !record.asked_to_stop() && !problem.interrupted() && !analyses_used_up(record);
+}
+
+NlpOptions options_of(const CycleOptions& cycle) {
+  NlpOptions nlp;
+  nlp.max_iterations = cycle.max;
+  nlp.tolerance = kDirectTolerance;
+  nlp.acceptable = kDirectAcceptable;
+  nlp.feasibility = std::min(kDirectFeasibility, cycle.feasibility);
+  nlp.explain_infeasible = false;  // `search` looks for the least violation itself
+  return nlp;
+}
+
+/// Optimises until no design has met the limits in a share of the analyses. Then it brings down the
+/// largest violation from the best design, and optimises from there if that meets the limits: an
+/// optimiser that is given an impossible study goes to and fro, far from what it could reach.
+NlpResult search(DirectProblem& problem, const CycleRecord& record) {
+  const CycleOptions& cycle = record.options();
+  NlpOptions nlp = options_of(cycle);
+  nlp.progress = [&](const NlpProgress&) {
+    return goes_on(record, problem) && (problem.met() || !analyses_used_up(record, kHopeful));
+  };
+  NlpResult r = solve_by(problem, cycle, nlp);
+  if (problem.met() || !goes_on(record, problem)) return r;
+  const auto rows = static_cast<Eigen::Index>(problem.constraints().size());
+  ElasticProblem least(problem, {0, 1}, VectorXd::Ones(rows), record.best(),
+                       problem.least_violation());
+  nlp.progress = [&](const NlpProgress&) {
+    return goes_on(record, problem) && !problem.met() && !problem.stationary();
+  };
+  CycleOptions by_asymptotes = cycle;
+  by_asymptotes.optimizer = Optimizer::Ipopt;
+  by_asymptotes.model = NlpModel::Separable;
+  const NlpResult nearest = solve_by(least, by_asymptotes, nlp);
+  if (problem.met() && goes_on(record, problem)) {
+    problem.start_from(record.best());
+    nlp.progress = [&](const NlpProgress&) { return goes_on(record, problem); };
+    return solve_by(problem, cycle, nlp);
+  }
+  r.x = record.best();
+  r.status = nearest.solved() ? NlpStatus::Infeasible : nearest.status;
+  r.reason = "the largest violation was brought down as far as possible: " + nearest.reason;
+  return r;
 }
 
 CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const NlpResult& r) {
@@ -69,7 +137,7 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const std::string beyond =
       fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,
                   a.worst_at.empty() ? "" : " at " + a.worst_at);
-  if (!meets && kkt.violation && kkt.violation->stationary())
+  if (!meets && at.stationary())
     return {CycleStatus::Infeasible, beyond + "; the design is " + kkt.violation->brief()};
   if (cut || r.status == NlpStatus::IterationLimit)
     return {CycleStatus::CycleLimit,
@@ -101,18 +169,9 @@ LoopResult optimise_directly(DesignModel& model, const CycleOptions& options,
     return record.finish({stopped ? CycleStatus::Interrupted : CycleStatus::SimulationFailed,
                           "the start cannot be analysed: " + problem.failure()});
   }
-  NlpOptions nlp;
-  nlp.max_iterations = options.max;
-  nlp.tolerance = kDirectTolerance;
-  nlp.acceptable = kDirectAcceptable;
-  nlp.feasibility = std::min(kDirectFeasibility, options.feasibility);
-  nlp.explain_infeasible = false;  // it would be one more optimisation
-  nlp.progress = [&](const NlpProgress&) {
-    return !record.asked_to_stop() && !problem.interrupted() && !analyses_used_up(record);
-  };
-  const NlpResult r = solve_by(problem, options, nlp);
-  const bool goes_on = !record.asked_to_stop() && !problem.interrupted();
-  if (goes_on && (stands(problem, r, options) || problem.evaluate(record.best()))) {
+  const NlpResult r = search(problem, record);
+  const bool ended = !record.asked_to_stop() && !problem.interrupted();
+  if (ended && (stands(problem, r, options) || problem.evaluate(record.best()))) {
     record.keep(problem.analysis(), problem.x());
     record.certify(problem.surrogate().optimality);
   }

@@ -9,7 +9,9 @@ namespace liesl {
 
 /// Minimises the study by cycle.optimizer: every point that it asks for is an analysis, its
 /// gradients those of the study (DesignModel::surrogate at that point). No static problem, no
-/// surrogate, no trust region; curvature by the optimiser's own quasi-Newton updates.
+/// surrogate, no trust region; curvature by the optimiser's own quasi-Newton updates. Where no
+/// design has met the limits in half of cycle.max analyses, or the optimiser gives up, the largest
+/// violation is minimised instead (elastic.hpp), and the study again from a design that meets them.
 ///
 /// Ends Optimal if the KKT conditions hold at the answer, Converged if the optimiser stops at a
 /// design that meets the limits and they do not, CycleLimit after cycle.max analyses, Infeasible if

@@ -164,7 +164,9 @@ void TrustRegionRule::make_surrogate(CycleRecord& record) {
   plain_ = surrogate_.problem != nullptr;
   if (!plain_) surrogate_ = record.model().surrogate(*at_, x_, radius_, kActive);
   built_ = radius_;
-  if (surrogate_.problem) take_history(record);
+  if (!surrogate_.problem) return;
+  if (!plain_) record.certify(surrogate_.optimality);  // of the best so far, however it ends
+  take_history(record);
 }
 
 void TrustRegionRule::take_history(CycleRecord& record) {

@@ -112,7 +112,7 @@ bool Sequence::solve_model() {
   NlpOptions inner;
   inner.tolerance = std::max(1e-12, 0.01 * o_.tolerance);
   inner.feasibility = std::max(1e-12, 0.1 * o_.feasibility);
-  inner.acceptable = 1e-6;
+  inner.acceptable = std::max(1e-6, inner.tolerance);
   inner.explain_infeasible = false;
   inner.time_limit = std::max(1e-3, o_.time_limit - e_.seconds());
   NlpResult r = solve_ipopt(model, inner, warm_.multipliers.empty() ? nullptr : &warm_);

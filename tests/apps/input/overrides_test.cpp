@@ -68,7 +68,7 @@ TEST(Overrides, AreRefusedWithTheirText) {
 TEST(Overrides, AreSplitBetweenStudyAndScene) {
   const auto parts = split_overrides(
       {"cycle.max=3", "simulation.step=1", "scene.name=x", "name=y", "scene=z.toml", "nonsense=1"});
-  EXPECT_EQ(parts.scene, (std::vector<std::string>{"simulation.step=1", "name=x"}));
+  EXPECT_EQ(parts.scene, (std::vector<std::string>{"simulation.step=1", "scene.name=x"}));
   EXPECT_EQ(parts.study,
             (std::vector<std::string>{"cycle.max=3", "name=y", "scene=z.toml", "nonsense=1"}));
 }
@@ -82,6 +82,14 @@ TEST(Overrides, OfAStudyReachItsScene) {
   EXPECT_EQ(study.spec.name, "slider-crank, rod");
   EXPECT_EQ(study.spec.cycle.max, 7);
   EXPECT_EQ(study.spec.design[0].upper, 0.03);
+  try {
+    load_study(path, {"scene.simulation.stp=5e-5"});
+    ADD_FAILURE() << "no such key";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("--set scene.simulation.stp=5e-5: "),
+              std::string::npos)
+        << "as it was given: " << error.what();
+  }
 }
 
 }  // namespace

@@ -160,6 +160,40 @@ TEST(FloatingSensitivity, BySectionsEqualsDifferences) {
   expect_differences<SE2>(m, all, {.largest = 0.08});
 }
 
+/// Let go instead of driven: masses, springs, dampers and loads set the motion of rigid bodies.
+class LetGoSensitivity : public ::testing::TestWithParam<Case> {
+ protected:
+  Mechanism plane = in_a_plane(GetParam(), 7e8), space = out_of_plane(GetParam(), 7e8);
+  std::vector<Quantity> all;
+  DifferenceOptions by{.node = 0, .of_kind = true};
+
+  void SetUp() override {
+    plane.drives.clear();
+    space.drives.clear();
+    all = quantities(plane);
+    all.pop_back();  // the drive
+    by.simulation.tolerance = 1e-12;
+    if (plane.formalism != Formalism::Rigid) return;
+    std::erase_if(all, [](const Quantity& q) { return q.parameter.name == "E"; });
+    by.simulation = tight(0.3, 2e-3);
+    by.simulation.tolerance = 1e-12;
+    by.largest = 0.4;  // its motion is nearly linear in loads and masses
+  }
+};
+
+TEST_P(LetGoSensitivity, DirectEqualsAdjoint) {
+  for (const int steps : {10, 100, 1000}) {
+    expect_direct_equals_adjoint<SE2>(steps, plane, all, 2e-4, 0, 1);
+    expect_direct_equals_adjoint<SE3>(steps, space, all, 2e-4, 0, 1);
+  }
+}
+
+TEST_P(LetGoSensitivity, EqualsDifferencesInAPlane) { expect_differences<SE2>(plane, all, by); }
+
+TEST_P(LetGoSensitivity, EqualsDifferencesInSpace) { expect_differences<SE3>(space, all, by); }
+
+INSTANTIATE_TEST_SUITE_P(All, LetGoSensitivity, ::testing::Values(kCases[2], kCases[3]), kName);
+
 /// Elements of one formalism with the update of another.
 TEST(UpdateSensitivity, EqualsTheAdjointFormAndDifferencesInAPlane) {
   for (const Case& c : {kCases[4], kCases[5]}) {

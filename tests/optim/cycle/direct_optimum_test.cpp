@@ -34,6 +34,11 @@ TEST(DirectOptimum, IsThatOfTheTrustRegion) {
     ASSERT_TRUE(r.optimality && r.optimality->residual);
     EXPECT_LE(r.optimality->residual->stationarity, kOptimalResidual);
   }
+  rod.study.spec.cycle.optimizer = Optimizer::Ipopt;
+  rod.study.spec.cycle.model = NlpModel::Separable;
+  const auto by_asymptotes = rod.optimise();
+  EXPECT_EQ(by_asymptotes.status, CycleStatus::Optimal) << by_asymptotes.reason;
+  EXPECT_NEAR(by_asymptotes.mass, mass, 1e-3 * mass);
 }
 
 TEST(DirectOptimum, TreatmentsOfOneConstraint) {
@@ -67,13 +72,35 @@ TEST(DirectOptimum, EndsAfterSoManyCycles) {
   EXPECT_LE(r.history.size(), 6u) << "a line search may look further";
 }
 
+/// Every optimiser ends at the stationary point of the violation that the trust region ends at.
 TEST(DirectOptimum, NamesALimitThatCannotBeMet) {
   DirectRod rod;
-  rod.study.spec.constraints[0].limit = 1e-6;
-  const auto r = rod.optimise();
-  EXPECT_EQ(r.status, CycleStatus::CycleLimit) << r.reason;
-  EXPECT_GT(r.worst, 1);
-  EXPECT_NE(r.reason.find("'bending' is exceeded by"), std::string::npos) << r.reason;
+  rod.study.spec.constraints[0].limit = 1e-5;
+  rod.study.spec.cycle.method = CycleMethod::Esl1;
+  const auto least = rod.optimise();
+  ASSERT_EQ(least.status, CycleStatus::Infeasible) << least.reason;
+  rod.study.spec.cycle.method = CycleMethod::Direct;
+  for (const Optimizer optimizer : {Optimizer::Ipopt, Optimizer::Mma, Optimizer::Slsqp}) {
+    rod.study.spec.cycle.optimizer = optimizer;
+    const auto r = rod.optimise();
+    EXPECT_EQ(r.status, CycleStatus::Infeasible) << r.reason;
+    EXPECT_GT(r.worst, 0.999 * least.worst) << r.reason;
+    EXPECT_LT(r.worst, 1.05 * least.worst) << r.reason;
+    EXPECT_NE(r.reason.find("'bending' is exceeded by"), std::string::npos) << r.reason;
+  }
+}
+
+/// From the thinnest rods, where the limit is exceeded several hundred times.
+TEST(DirectOptimum, IsReachedFromFarOutsideTheLimits) {
+  DirectRod rod;
+  const double mass = rod.optimise().mass;
+  rod.study.spec.design[0].start = {rod.study.spec.design[0].lower};
+  for (const Optimizer optimizer : {Optimizer::Ipopt, Optimizer::Mma, Optimizer::Slsqp}) {
+    rod.study.spec.cycle.optimizer = optimizer;
+    const auto r = rod.optimise();
+    EXPECT_EQ(r.status, CycleStatus::Optimal) << static_cast<int>(optimizer) << r.reason;
+    EXPECT_NEAR(r.mass, mass, 1e-3 * mass) << static_cast<int>(optimizer);
+  }
 }
 
 /// The designs before the interruption are analysed again: the same ones.
@@ -87,6 +114,7 @@ TEST(DirectOptimum, ResumedEndsAtTheSameDesign) {
   const auto part = rod.optimise(stopping);
   EXPECT_EQ(part.status, CycleStatus::Interrupted) << part.reason;
   ASSERT_TRUE(part.model) << "the best design so far";
+  ASSERT_TRUE(part.optimality && part.optimality->residual) << "and how far it is from optimal";
   const auto r = rod.optimise({}, kept);
   EXPECT_EQ(r.status, whole.status);
   EXPECT_EQ(r.x, whole.x);

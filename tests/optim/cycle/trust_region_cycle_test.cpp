@@ -463,6 +463,10 @@ TEST(TrustRegionCycle, InterruptedAndResumedEndsAtTheSameDesign) {
     hooks.keep_going = [&] { return kept.size() < stop; };
     const auto part = s.optimise(hooks);
     EXPECT_EQ(part.status, CycleStatus::Interrupted) << part.reason;
+    if (stop > 1) {
+      ASSERT_TRUE(part.optimality && part.optimality->residual) << "of the best design so far";
+      EXPECT_FALSE(part.optimality->holds());
+    }
     const auto r = s.optimise({}, kept);
     EXPECT_EQ(r.status, whole.status) << r.reason;
     EXPECT_LT((r.x - whole.x).norm(), 1e-4 * whole.x.norm()) << stop;
