@@ -4,27 +4,20 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "mbs/bodies/four_segments.hpp"
+#include "mbs/bodies/segment_angle.hpp"
+
 namespace liesl {
 namespace {
 
 using Vec2 = Eigen::Vector2d;
 
-constexpr double kSeries = 0.1;  // kSeries^16/17 is below the round-off of 1
-
-/// J a = e_z x a.
-Vec2 turned(const Vec2& a) { return {-a[1], a[0]}; }
-
-/// Angle from a to b, unit vectors, in (-pi, pi]. Neighbouring segments are nearly in line: with u
-/// = tan(angle/2) = sin/(1 + cos) it is 2 atan(u), whose series to u^15 is exact to round-off for
-/// |u| < kSeries and takes a fifth of the time of atan2.
-double angle_between(const Vec2& a, const Vec2& b) {
-  const double sine = a[0] * b[1] - a[1] * b[0], cosine = a.dot(b);
-  const double u = sine / (1 + cosine), z = u * u;
-  if (!(z < kSeries * kSeries)) return std::atan2(sine, cosine);
-  double sum = -1. / 15;
-  for (const double c : {1. / 13, -1. / 11, 1. / 9, -1. / 7, 1. / 5, -1. / 3, 1.})
-    sum = c + z * sum;
-  return 2 * u * sum;
+/// Axes along and across the direction halfway between two.
+Eigen::Matrix2d bisector(const Vec2& before, const Vec2& after) {
+  const Vec2 t = (before + after).normalized();
+  Eigen::Matrix2d out;
+  out << t, turned(t);
+  return out;
 }
 
 /// The velocity of an end turns with its frame; the axes of positions are held.
@@ -225,11 +218,9 @@ SegmentBeam::Gradient SegmentBeam::angle_rate_gradient(const BodyState<SE2>& s, 
 void SegmentBeam::turn_axes(SE2* H) const {
   Vec2 before = segment(H, 0).t;
   for (int i = 1; i < elements(); ++i) {
-    const Vec2 after = segment(H, i).t, t = (before + after).normalized();
+    const Vec2 after = segment(H, i).t;
+    H[i].R = bisector(before, after) * from_bisector_[i];
     before = after;
-    Matrix2 bisector;
-    bisector << t, turned(t);
-    H[i].R = bisector * from_bisector_[i];
   }
 }
 
@@ -240,25 +231,35 @@ void SegmentBeam::follow_frames(const SE2* start, SE2* H) const {
 /// With d' and d'' of a segment: psi' = n . d'/l, psi'' = (n . d'' - 2 l' psi')/l.
 void SegmentBeam::complete(SE2* H, double* v, double* vdot, const double* w) const {
   const BodyState<SE2> s{H, v, vdot, w};
-  const int n = elements();
-  std::vector<double> rate(n), acceleration(n);
-  std::vector<Vec2> x1(n + 1), x2(n + 1);
-  for (int k = 0; k <= n; ++k) {
-    x1[k] = node_velocity(s, k);
-    x2[k] = H[k].R * node_acceleration(s, k);
-  }
-  for (int e = 0; e < n; ++e) {
-    const Segment g = segment(H, e);
-    rate[e] = g.n.dot(x1[e + 1] - x1[e]) / g.l;
-    acceleration[e] = (g.n.dot(x2[e + 1] - x2[e]) - 2 * g.t.dot(x1[e + 1] - x1[e]) * rate[e]) / g.l;
-  }
-  turn_axes(H);
-  for (int k = 1; k < n; ++k) {
+  struct Point {
+    Vec2 velocity, acceleration;
+  };
+  struct Turn {
+    Vec2 t;
+    double rate, acceleration;
+  };
+  const auto point = [&](int k) -> Point {
+    return {node_velocity(s, k), H[k].R * node_acceleration(s, k)};
+  };
+  const auto put = [&](int k, const Point& at, const Turn& before, const Turn& after) {
+    H[k].R = bisector(before.t, after.t) * from_bisector_[k];
     Eigen::Map<Tangent> out(v + 3 * k), out_dot(vdot + 3 * k);
-    out[2] = 0.5 * (rate[k - 1] + rate[k]);
-    out.head<2>() = H[k].R.transpose() * x1[k];
-    out_dot.head<2>() = H[k].R.transpose() * x2[k] - out[2] * turned(out.head<2>());
-    out_dot[2] = 0.5 * (acceleration[k - 1] + acceleration[k]);
+    out[2] = 0.5 * (before.rate + after.rate);
+    out.head<2>() = H[k].R.transpose() * at.velocity;
+    out_dot.head<2>() = H[k].R.transpose() * at.acceleration - out[2] * turned(out.head<2>());
+    out_dot[2] = 0.5 * (before.acceleration + after.acceleration);
+  };
+  Point a = point(0);
+  Turn before{};
+  for (int e = 0; e < elements(); ++e) {
+    const Point b = point(e + 1);
+    const Segment g = segment(H, e);
+    const Vec2 d1 = b.velocity - a.velocity, d2 = b.acceleration - a.acceleration;
+    const double rate = g.n.dot(d1) / g.l;
+    const Turn turn{g.t, rate, (g.n.dot(d2) - 2 * g.t.dot(d1) * rate) / g.l};
+    if (e > 0) put(e, a, before, turn);
+    a = b;
+    before = turn;
   }
 }
 
@@ -271,27 +272,9 @@ void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, do
 }
 
 void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& scale) const {
-  const int n = elements();
-  const auto damped = [&](int i) { return damping_ > 0 ? damping_ * c_[i] * angle_rate(s, i) : 0; };
-  const auto [first, end] = acting_.with_neighbours(n);
-  Segment now = segment(s.H, first), next = now;
-  const Vec2 before = first > 0 ? segment(s.H, first - 1).t : Vec2(s.H[0].R.col(0));
-  double M = c_[first] * (angle_between(before, now.t) - phi0_[first]) + damped(first);
-  if (first == 0) r[2] -= M;
-  for (int e = first; e < end; ++e) {
-    if (e + 1 < n) next = segment(s.H, e + 1);
-    const Vec2 after = e + 1 < n ? next.t : Vec2(s.H[n].R.col(0));
-    const double M_next = c_[e + 1] * (angle_between(now.t, after) - phi0_[e + 1]) + damped(e + 1);
-    double N = axial(e, now.l);
-    if (damping_ > 0) N += damping_ * EA_[e] / L_[e] * length_rate(s, e);
-    const Vec2 f = N * now.t + (M - M_next) / now.l * now.n;
-    Eigen::Map<Vec2>(r + 3 * e) -= s.H[e].R.transpose() * f;
-    Eigen::Map<Vec2>(r + 3 * (e + 1)) += s.H[e + 1].R.transpose() * f;
-    scale.add<SE2>(Tangent(f[0], f[1], M_next));
-    M = M_next;
-    now = next;
-  }
-  if (end == n) r[3 * n + 2] += M;
+  add_segment_forces(
+      {potential_, damping_, L_.data(), EA_.data(), c_.data(), phi0_.data(), elements()},
+      acting_.with_neighbours(elements()), s, r, scale);
 }
 
 double SegmentBeam::mass_between(int i, int j) const {
@@ -451,13 +434,22 @@ void SegmentBeam::extrapolate_stress(const BodyState<SE2>& s, const double* delt
 BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) const {
   BodyEnergy energy;
   const int n = elements();
+  Vec2 before = s.H[0].R.col(0), a = node_velocity(s, 0);
+  const auto add_bending = [&](int i, const Vec2& after) {
+    const double phi = angle_between<double>(before, after) - phi0_[i];
+    energy.elastic += 0.5 * c_[i] * phi * phi;
+    before = after;
+  };
   for (int e = 0; e < n; ++e) {
-    const Vec2 a = node_velocity(s, e), b = node_velocity(s, e + 1);
+    const Vec2 b = node_velocity(s, e + 1);
+    const Segment segment = this->segment(s.H, e);
     energy.kinetic += kinetic_energy(m_[e], lumped_, a, b);
-    energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment(s.H, e).l / L_[e]);
+    energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment.l / L_[e]);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
+    add_bending(e, segment.t);
+    a = b;
   }
-  for (int i = 0; i <= n; ++i) energy.elastic += 0.5 * moment(s.H, i) * (angle(s.H, i) - phi0_[i]);
+  add_bending(n, s.H[n].R.col(0));
   energy.kinetic += 0.5 * (J_[0] * s.v[2] * s.v[2] + J_[1] * s.v[3 * n + 2] * s.v[3 * n + 2]);
   return energy;
 }

@@ -20,7 +20,8 @@
 namespace liesl {
 
 /// N of a stretch lambda, N: EA (lambda - 1), or EA/3 (lambda - 1/lambda^2).
-inline double axial_force(AxialPotential potential, double EA, double stretch) {
+template <class S>
+S axial_force(AxialPotential potential, const S& EA, const S& stretch) {
   if (potential == AxialPotential::Linear) return EA * (stretch - 1);
   return EA / 3 * (stretch - 1 / (stretch * stretch));
 }

@@ -1,73 +1,87 @@
 #pragma once
 /// @file
-/// The states of a simulation at its recorded instants, in contiguous blocks.
+/// The states of a simulation at its recorded instants, one after the other.
 
+#include <cassert>
+#include <memory>
+#include <vector>
+
+#include "mbs/linalg/large_pages.hpp"
 #include "mbs/system/state.hpp"
 
 namespace liesl {
 
+/// A record is frames, t, v, vdot, w, lambda and coupling rows of a state, in this order.
 template <FrameGroup G>
 class Trajectory {
  public:
+  using Vector = Eigen::Map<const Eigen::VectorXd>;
+
   /// Room for `records` states shaped like `s`: recording up to there allocates nothing.
   void reserve(const State<G>& s, int records) {
-    nodes_ = static_cast<int>(s.H.size());
-    H_.reserve(static_cast<size_t>(nodes_) * records);
-    t_.reserve(records);
-    v_.resize(s.v.size(), records);
-    vdot_.resize(s.v.size(), records);
-    w_.resize(s.w.size(), records);
-    lambda_.resize(s.lambda.size(), records);
-    rows_.resize(s.rows.size(), records);
+    set_shape(s);
+    values_.reserve(stride_ * static_cast<std::size_t>(records));
   }
 
   void record(const State<G>& s) {
-    const int n = size();
-    if (n == v_.cols()) grow(s);
-    t_.push_back(s.t);
-    H_.insert(H_.end(), s.H.begin(), s.H.end());
-    v_.col(n) = s.v;
-    vdot_.col(n) = s.vdot;
-    w_.col(n) = s.w;
-    lambda_.col(n) = s.lambda;
-    rows_.col(n) = s.rows;
+    if (stride_ == 0) set_shape(s);
+    assert(s.H.size() == nodes_ && s.v.size() == velocities_ && s.w.size() == coordinates_ &&
+           s.lambda.size() == multipliers_ && s.rows.size() == rows_);
+    if (values_.size() + stride_ > values_.capacity())
+      values_.reserve(2 * values_.size() + stride_);
+    values_.resize(values_.size() + stride_);
+    ++size_;
+    double* const at = values_.data() + stride_ * static_cast<std::size_t>(size_ - 1);
+    std::uninitialized_copy(s.H.begin(), s.H.end(), reinterpret_cast<G*>(at));
+    double* next = at + first_;
+    *next++ = s.t;
+    for (const Eigen::VectorXd* x : {&s.v, &s.vdot, &s.w, &s.lambda, &s.rows})
+      next = std::copy(x->begin(), x->end(), next);
   }
 
-  int size() const { return static_cast<int>(t_.size()); }
-  double time(int n) const { return t_[n]; }
-  const G* frames(int n) const { return H_.data() + static_cast<size_t>(nodes_) * n; }
-  auto v(int n) const { return v_.col(n); }
-  auto vdot(int n) const { return vdot_.col(n); }
-  auto w(int n) const { return w_.col(n); }
-  auto lambda(int n) const { return lambda_.col(n); }
-  auto rows(int n) const { return rows_.col(n); }
+  int size() const { return size_; }
+  double time(int n) const { return at(n)[first_]; }
+  const G* frames(int n) const { return reinterpret_cast<const G*>(at(n)); }
+  Vector v(int n) const { return part(n, 0, velocities_); }
+  Vector vdot(int n) const { return part(n, velocities_, velocities_); }
+  Vector w(int n) const { return part(n, 2 * velocities_, coordinates_); }
+  Vector lambda(int n) const { return part(n, 2 * velocities_ + coordinates_, multipliers_); }
+  Vector rows(int n) const { return part(n, 2 * velocities_ + coordinates_ + multipliers_, rows_); }
 
   /// Copies record n into a state.
   void read(int n, State<G>& s) const {
-    s.t = t_[n];
+    s.t = time(n);
     s.H.assign(frames(n), frames(n) + nodes_);
-    s.v = v_.col(n);
-    s.vdot = vdot_.col(n);
-    s.w = w_.col(n);
-    s.lambda = lambda_.col(n);
-    s.rows = rows_.col(n);
+    s.v = v(n);
+    s.vdot = vdot(n);
+    s.w = w(n);
+    s.lambda = lambda(n);
+    s.rows = rows(n);
   }
 
  private:
-  void grow(const State<G>& s) {
-    const int records = std::max(16, 2 * size());
-    v_.conservativeResize(s.v.size(), records);
-    vdot_.conservativeResize(s.v.size(), records);
-    w_.conservativeResize(s.w.size(), records);
-    lambda_.conservativeResize(s.lambda.size(), records);
-    rows_.conservativeResize(s.rows.size(), records);
-    nodes_ = static_cast<int>(s.H.size());
+  void set_shape(const State<G>& s) {
+    constexpr std::size_t kFrame = sizeof(G) / sizeof(double),
+                          kAligned = alignof(G) / sizeof(double);
+    nodes_ = s.H.size();
+    first_ = kFrame * nodes_;
+    velocities_ = s.v.size();
+    coordinates_ = s.w.size();
+    multipliers_ = s.lambda.size();
+    rows_ = s.rows.size();
+    const auto vectors =
+        static_cast<std::size_t>(1 + 2 * velocities_ + coordinates_ + multipliers_ + rows_);
+    stride_ = (first_ + vectors + kAligned - 1) / kAligned * kAligned;
+  }
+  const double* at(int n) const { return values_.data() + stride_ * static_cast<std::size_t>(n); }
+  Vector part(int n, Eigen::Index from, Eigen::Index size) const {
+    return Vector(at(n) + first_ + 1 + from, size);
   }
 
-  int nodes_ = 0;
-  std::vector<double> t_;
-  Frames<G> H_;
-  Eigen::MatrixXd v_, vdot_, w_, lambda_, rows_;
+  int size_ = 0;
+  std::size_t nodes_ = 0, first_ = 0, stride_ = 0;  ///< of a record: doubles before t, and all
+  Eigen::Index velocities_ = 0, coordinates_ = 0, multipliers_ = 0, rows_ = 0;
+  std::vector<double, LargePages<double>> values_;
 };
 
 }  // namespace liesl

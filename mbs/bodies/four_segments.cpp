@@ -1,0 +1,139 @@
+#include "mbs/bodies/four_segments.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "mbs/bodies/segment_angle.hpp"
+
+namespace liesl {
+namespace {
+
+using Vec2 = Eigen::Vector2d;
+using Vec2x4 = Eigen::Matrix<Lanes, 2, 1>;
+
+Lanes sqrt(const Lanes& x) {
+  return {std::sqrt(x[0]), std::sqrt(x[1]), std::sqrt(x[2]), std::sqrt(x[3])};
+}
+
+/// Direction of a segment, or of an end section, and its rate.
+struct Direction {
+  Vec2 t;
+  double rate = 0;
+};
+
+Direction end_direction(const BodyState<SE2>& s, int node) {
+  return {s.H[node].R.col(0), s.v[3 * node + 2]};
+}
+
+Direction direction(const BodyState<SE2>& s, int e, bool damped) {
+  const Vec2 d = s.H[e + 1].x - s.H[e].x;
+  const double l = d.norm();
+  const Vec2 t = d / l;
+  if (!damped) return {t};
+  return {t, turned(t).dot(node_velocity(s, e + 1) - node_velocity(s, e)) / l};
+}
+
+/// N_e of segments and M at their first nodes.
+struct FourSegments {
+  Lanes l, N, M, rate;
+  Vec2x4 t;
+
+  Direction last() const { return {{t[0][3], t[1][3]}, rate[3]}; }
+};
+
+class Forces {
+ public:
+  Forces(const SegmentLaw& law, SegmentRange range, const BodyState<SE2>& s)
+      : law_(law), range_(range), s_(s) {}
+
+  Direction before() const {
+    return range_.first > 0 ? direction(s_, range_.first - 1, law_.damping > 0)
+                            : end_direction(s_, 0);
+  }
+  /// Segments e ... e + 3, the last one again where there are fewer.
+  FourSegments at(int e, const Direction& before) const {
+    FourSegments out;
+    const auto x = [&](int k) -> const Vec2& { return s_.H[node(e, k)].x; };
+    const auto d = [&](int lane) { return Vec2(s_.H[node(e, lane) + 1].x - x(lane)); };
+    const Vec2 a = d(0), b = d(1), c = d(2), f = d(3);
+    const Vec2x4 all(Lanes(a[0], b[0], c[0], f[0]), Lanes(a[1], b[1], c[1], f[1]));
+    out.l = sqrt(all[0] * all[0] + all[1] * all[1]);
+    out.t = {all[0] / out.l, all[1] / out.l};
+    const Lanes EA = gathered(law_.EA, e), L = gathered(law_.L, e), c_i = gathered(law_.c, e);
+    out.N = axial_force(law_.potential, EA, out.l / L);
+    const Vec2x4 t_before(shifted(before.t[0], out.t[0]), shifted(before.t[1], out.t[1]));
+    out.M = c_i * (angle_between(t_before, out.t) - gathered(law_.phi0, e));
+    out.rate = 0;
+    if (law_.damping == 0) return out;
+    const Vec2x4 v = rates(e);
+    out.rate = (out.t[0] * v[1] - out.t[1] * v[0]) / out.l;
+    out.N += law_.damping * EA / L * (out.t[0] * v[0] + out.t[1] * v[1]);
+    out.M += law_.damping * c_i * (out.rate - shifted(before.rate, out.rate));
+    return out;
+  }
+  /// M at the last node of the range.
+  double after(const Direction& last) const {
+    const int i = range_.end;
+    const Direction next =
+        i < law_.segments ? direction(s_, i, law_.damping > 0) : end_direction(s_, i);
+    return law_.c[i] * (angle_between<double>(last.t, next.t) - law_.phi0[i] +
+                        law_.damping * (next.rate - last.rate));
+  }
+
+ private:
+  int node(int e, int lane) const { return std::min(e + lane, range_.end - 1); }
+  Lanes gathered(const double* x, int e) const {
+    return {x[node(e, 0)], x[node(e, 1)], x[node(e, 2)], x[node(e, 3)]};
+  }
+  static Lanes shifted(double first, const Lanes& x) { return {first, x[0], x[1], x[2]}; }
+  /// d(x_{e+1} - x_e)/dt
+  Vec2x4 rates(int e) const {
+    Vec2x4 out;
+    for (int lane = 0; lane < Lanes::size; ++lane) {
+      const int k = node(e, lane);
+      const Vec2 v = node_velocity(s_, k + 1) - node_velocity(s_, k);
+      out[0].v[lane] = v[0];
+      out[1].v[lane] = v[1];
+    }
+    return out;
+  }
+
+  const SegmentLaw& law_;
+  const SegmentRange range_;
+  const BodyState<SE2>& s_;
+};
+
+}  // namespace
+
+void add_segment_forces(const SegmentLaw& law, SegmentRange range, const BodyState<SE2>& s,
+                        double* r, ForceScale& scale) {
+  const Forces forces(law, range, s);
+  FourSegments now = forces.at(range.first, forces.before());
+  if (range.first == 0) r[2] -= now.M[0];
+  Vec2 f_before = Vec2::Zero();
+  const auto put = [&](int k, const Vec2& f) {
+    Eigen::Map<Vec2>(r + 3 * k) += s.H[k].R.transpose() * f;
+  };
+  for (int e = range.first; e < range.end; e += Lanes::size) {
+    const bool more = e + Lanes::size < range.end;
+    const FourSegments next = more ? forces.at(e + Lanes::size, now.last()) : now;
+    const double M_after = more ? next.M[0] : forces.after(now.last());
+    Lanes M_next(now.M[1], now.M[2], now.M[3], M_after);
+    const int count = std::min(Lanes::size, range.end - e);
+    M_next.v[count - 1] = M_after;
+    const Lanes V = (now.M - M_next) / now.l;
+    const Lanes x = now.N * now.t[0] - V * now.t[1], y = now.N * now.t[1] + V * now.t[0];
+    for (int lane = 0; lane < count; ++lane) {
+      const Vec2 f(x[lane], y[lane]);
+      put(e + lane, f_before - f);
+      scale.force += f.squaredNorm();
+      scale.moment += M_next[lane] * M_next[lane];
+      f_before = f;
+    }
+    if (!more && range.end == law.segments) r[3 * range.end + 2] += M_after;
+    now = next;
+  }
+  put(range.end, f_before);
+}
+
+}  // namespace liesl
