@@ -3,8 +3,11 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
+#include <type_traits>
+#include <vector>
 
 #include "esl/corotational.hpp"
+#include "mbs/bodies/spatial_segment_beam.hpp"
 #include "mbs/system/retract.hpp"
 
 namespace liesl {
@@ -45,6 +48,24 @@ double length_of(const Body<G>& body) {
   return length;
 }
 
+template <FrameGroup G>
+void settle_spin(const Body<G>& body, G* H) {
+  if constexpr (std::is_same_v<G, SE3>)
+    if (const auto* chain = SpatialSegmentBeam::of(body)) chain->settle_spin(H);
+}
+
+/// Loads of a body at H, that of its last node in the axes that `settle_spin` gives it: those of a
+/// chain in space spin freely, and the static problem knows nothing of the spin of the motion.
+template <FrameGroup G>
+Eigen::VectorXd settled_loads(const Body<G>& body, const G* H, Eigen::VectorXd f) {
+  std::vector<G> settled(H, H + body.nodes());
+  settle_spin(body, settled.data());
+  G turn = settled.back().inverse() * H[body.nodes() - 1];
+  turn.x.setZero();
+  f.tail<G::dim>() = (turn.inverse().Ad().transpose() * f.tail<G::dim>()).eval();
+  return f;
+}
+
 /// g_int(H) = f with H_0 = reference, by Newton's method with extrapolated stress.
 template <FrameGroup G>
 bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at) {
@@ -54,7 +75,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at
   for (int k = 1; k < beam.nodes(); ++k)
     (beam.kind(k) == NodeKind::Position ? positions : frames).push_back(k);
   const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
-  typename Body<G>::Stresses stress(beam.elements(), Tangent::Zero());
+  typename Body<G>::Stresses stress(beam.stresses(), Tangent::Zero());
   BodyMatrix<G::dim> A(beam.nodes());
   A.set_form(beam.stiffness());
   BlockTridiagonalLU<G::dim> lu;
@@ -81,6 +102,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at
     beam.extrapolate_stress(s, delta.data(), stress.data());
     retract(at, delta, NodeUpdate::Screw, {frames, positions, {}}, at);
     beam.turn_axes(at.H.data());
+    settle_spin(beam, at.H.data());
   }
   return false;
 }
@@ -150,19 +172,20 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
   Identity identity;
   double largest = 0;
   for (const int n : spread_cases(loads.f, cases)) {
-    const typename Body<G>::Strains dynamic =
-        strains<G>(body, trajectory.frames(n) + model.first_node(loads.body));
+    const G* H = trajectory.frames(n) + model.first_node(loads.body);
+    const typename Body<G>::Strains dynamic = strains<G>(body, H);
+    const Eigen::VectorXd f = settled_loads(body, H, loads.f.col(n));
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
     largest = std::max(largest, size);
     ++identity.cases;
-    Eigen::VectorXd u = loads.f.col(n);
+    Eigen::VectorXd u = f;
     u.head<G::dim>().setZero();
     lu.solve(u.data());
     const double off = (body.strains_at_rest(u) - dynamic).cwiseAbs().maxCoeff();
     identity.linear = std::max(identity.linear, off);
     State<G> at;
-    const bool solved = linear || solve_nonlinear<G>(body, loads.f.col(n), at);
+    const bool solved = linear || solve_nonlinear<G>(body, f, at);
     identity.nonlinear =
         std::max(identity.nonlinear,
                  linear   ? off

@@ -147,6 +147,11 @@ void SpatialSegmentBeam::turn_axes(SE3* H) const {
   }
 }
 
+void SpatialSegmentBeam::settle_spin(SE3* H) const {
+  const int last = elements() - 1;
+  H[last + 1].R = smallest_rotation(segment(H, last).t, H[last + 1].R.col(0)) * axes_of(H, last);
+}
+
 void SpatialSegmentBeam::follow_frames(const SE3* start, SE3* H) const {
   follow_ends(start, elements(), H);
 }

@@ -67,20 +67,71 @@ TEST(SegmentLoads, GiveTheDeformationBackInTheNonlinearProblem) {
   }
 }
 
-TYPED_TEST(Loads, BalanceEachOtherInTheDeformedShape) {
-  using G = TypeParam;
-  const auto motion = run<G>(slider_crank());
-  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), kRod);
+/// Bends chains out of the plane, too.
+Mechanism spatial_chains(Mechanism m) {
+  m.formalism = Formalism::Segments;
+  m.gravity = {0, -9.81, 30};
+  return m;
+}
+
+/// A heavy pendulum on a spherical joint, thrown sideways: its chain bends both ways.
+Mechanism spherical_pendulum() {
+  Mechanism m = spatial_chains(test::pendulum(8));
+  m.joints[0].type = JointType::Spherical;
+  m.bodies[0].angular_velocity = {0, 3, 0};
+  std::get<BeamSpec>(m.bodies[0].kind).material.E *= 100;
+  return m;
+}
+
+/// In space a chain has stresses at its nodes, and its ends spin freely: the joints of the motion
+/// turn them against each other, which no load of the static problem does.
+TEST(SegmentLoads, GiveTheDeformationBackInSpace) {
+  const auto motion = run<SE3>(spatial_chains(slider_crank()));
+  ASSERT_TRUE(motion.good());
+  for (const int body : {kCrank, kRod}) {
+    const LoadSet loads = extract_loads(motion.model, motion.trajectory(), body);
+    const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
+    EXPECT_GE(identity.cases, 18);
+    EXPECT_LT(identity.nonlinear, 1e-9) << body;
+    EXPECT_GT(identity.linear, 1e-7) << "the linear problem is another one";
+    EXPECT_LT(identity.linear, 0.3) << "0.24 for the same rod in the plane";
+  }
+}
+
+TEST(SegmentLoads, GiveTheDeformationOfASphericalPendulumBack) {
+  const Motion<SE3> motion(spherical_pendulum(), test::options(0.5, 1e-3));
+  ASSERT_TRUE(motion.good());
+  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), 0);
+  const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
+  EXPECT_GE(identity.cases, 18);
+  EXPECT_LT(identity.nonlinear, 1e-9);
+  EXPECT_GT(identity.linear, 1e-3) << "the linear problem is another one";
+}
+
+/// Largest sum of the forces and moments about the first node of a body, over the largest load.
+template <FrameGroup G>
+double unbalanced(const Motion<G>& motion, int body) {
+  const LoadSet loads = extract_loads(motion.model, motion.trajectory(), body);
   double largest = 0;
   for (int n = 0; n < loads.f.cols(); ++n) {
-    const G* H = motion.trajectory().frames(n) + motion.model.first_node(kRod);
+    const G* H = motion.trajectory().frames(n) + motion.model.first_node(body);
     typename G::Tangent sum = G::Tangent::Zero();
-    for (int k = 0; k < motion.model.bodies[kRod]->nodes(); ++k)
+    for (int k = 0; k < motion.model.bodies[std::size_t(body)]->nodes(); ++k)
       sum += (H[k].inverse() * H[0]).Ad().transpose() *
              loads.f.col(n).template segment<G::dim>(G::dim * k);
     largest = std::max(largest, sum.norm());
   }
-  EXPECT_LT(largest, 1e-11 * loads.f.cwiseAbs().maxCoeff());
+  return largest / loads.f.cwiseAbs().maxCoeff();
+}
+
+TYPED_TEST(Loads, BalanceEachOtherInTheDeformedShape) {
+  EXPECT_LT(unbalanced(run<TypeParam>(slider_crank()), kRod), 1e-11);
+}
+
+TEST(SegmentLoads, BalanceEachOtherInTheDeformedShape) {
+  EXPECT_LT(unbalanced(run<SE3>(spatial_chains(slider_crank())), kRod), 1e-11);
+  const Motion<SE3> bent(spherical_pendulum(), test::options(0.5, 1e-3));
+  EXPECT_LT(unbalanced(bent, 0), 1e-11);
 }
 
 /// Largest error of the strains of K_t u = f over the motion, relative to the largest strain of the

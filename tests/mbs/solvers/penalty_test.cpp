@@ -6,6 +6,8 @@
 #include "mbs/every_joint.hpp"
 #include "mbs/run.hpp"
 #include "mbs/step_tangent.hpp"
+#include "mbs/system/response_value.hpp"
+#include "reference/meshed_rod.hpp"
 
 namespace liesl::test::penalty_test {
 namespace {
@@ -283,6 +285,97 @@ TEST(EveryJointByPenalty, MovesAsByMultipliersInThePlane) {
   }
   RecordProperty("most_openings", std::to_string(most_openings));
   EXPECT_LT(most_openings, 2);
+}
+
+/// A slider-crank whose rod is a mesh of plastic under its weight, reduced or all of its nodes
+/// moving.
+template <FrameGroup G>
+Mechanism meshed_crank(SolidMotion as) {
+  SolidSpec rod = meshed_rod({0.15, 0, 0}, 12, 2, 4, G::space_dim == 3 ? 1 : 0);
+  rod.model = of_material(*rod.model, {"plastic", 7e9, 0.3, 1200});
+  rod.as = as;
+  Mechanism m = slider_crank_with(rod, 1);
+  m.drives[0].motion = TimeFunction::rate(150, 0.02);
+  m.gravity = {0, -9.81, 0};
+  return m;
+}
+
+/// What the rod bends by in all records, m.
+template <FrameGroup G>
+Eigen::VectorXd bend_of(const Mechanism& m, const Run<G>& r) {
+  ResponseSpec bend;
+  bend.kind = ResponseKind::Displacement;
+  bend.at = *m.port("rod.mid");
+  bend.axis = Vec3::UnitY();
+  const ResponseValues<G> values(m, *r.model);
+  State<G> s = r.model->initial_state();
+  Eigen::VectorXd out(r.trajectory().size());
+  for (int i = 0; i < out.size(); ++i) {
+    r.trajectory().read(i, s);
+    out[i] = values(bend, s)[0];
+  }
+  return out;
+}
+
+template <class G>
+class PenaltyOfMeshes : public ::testing::Test {
+ protected:
+  static SimulationOptions options() { return test::options(0.02, 2e-4, 0.8, 1e-9); }
+};
+TYPED_TEST_SUITE(PenaltyOfMeshes, Groups);
+
+/// Positions, what the rod bends by and joint forces come near those of multipliers with 1/weight.
+TYPED_TEST(PenaltyOfMeshes, ConvergesToMultipliersWithOrderOne) {
+  using G = TypeParam;
+  for (const auto as : {SolidMotion::Reduced, SolidMotion::Continuum}) {
+    SCOPED_TRACE(as == SolidMotion::Reduced ? "reduced" : "continuum");
+    const Mechanism m = meshed_crank<G>(as);
+    const auto space = space_of<G>(m);
+    const auto exact = run<G>(m, space, this->options());
+    ASSERT_EQ(exact.report().status, SolveStatus::Converged) << exact.report().reason;
+    const Eigen::VectorXd bend = bend_of(m, exact);
+    EXPECT_GT(bend.norm(), 1e-4);
+    Vec3 before = Vec3::Zero();
+    for (const double weight : {1e9, 1e10, 1e11}) {
+      const Mechanism held = penalised(m, ConstraintForm::Penalty, weight);
+      const auto soft = run<G>(held, space, this->options());
+      ASSERT_EQ(soft.report().status, SolveStatus::Converged) << soft.report().reason;
+      const Eigen::VectorXd force = exact.trajectory().lambda(exact.last());
+      const Vec3 error(distance(soft, exact), (bend_of(held, soft) - bend).norm() / bend.norm(),
+                       (soft.trajectory().lambda(soft.last()) - force).norm() / force.norm());
+      if (before[0] > 0) {
+        EXPECT_NEAR(std::log10(before[0] / error[0]), 1, 0.05) << weight;
+        EXPECT_NEAR(std::log10(before[1] / error[1]), 1, 0.05) << weight;
+        EXPECT_NEAR(std::log10(before[2] / error[2]), 1, 0.05) << weight;
+      }
+      before = error;
+    }
+    EXPECT_LT(before[1], 1e-5);
+  }
+}
+
+/// At most three augmentations a step close every joint to 1e-9 m. (With a tangent that is held and
+/// a residual of 1e-8 the corrections of a step are too few for them, and steps are halved.)
+TYPED_TEST(PenaltyOfMeshes, AugmentedIsTheMotionOfMultipliers) {
+  using G = TypeParam;
+  for (const auto as : {SolidMotion::Reduced, SolidMotion::Continuum})
+    for (const auto tangent : {TangentStrategy::Auto, TangentStrategy::Exact}) {
+      SCOPED_TRACE(as == SolidMotion::Reduced ? "reduced" : "continuum");
+      const Mechanism m = meshed_crank<G>(as), held = penalised(m, ConstraintForm::Augmented);
+      const auto space = space_of<G>(m);
+      SimulationOptions o = this->options();
+      o.tangent = tangent;
+      if (tangent == TangentStrategy::Auto) o.tolerance = 1e-7;
+      const auto exact = run<G>(m, space, o), closed = run<G>(held, space, o);
+      ASSERT_EQ(closed.report().status, SolveStatus::Converged) << closed.report().reason;
+      EXPECT_LE(closed.report().max_constraint_residual, 1e-9);
+      EXPECT_LE(closed.report().penalty.most_augmentations, 3);
+      EXPECT_GT(closed.report().penalty.augmentations, 0);
+      EXPECT_EQ(closed.report().rejected_steps, 0);
+      EXPECT_LT(distance(closed, exact), 0.1 * o.tolerance);
+      const Eigen::VectorXd bend = bend_of(m, exact);
+      EXPECT_LT((bend_of(held, closed) - bend).norm(), 100 * o.tolerance * bend.norm());
+    }
 }
 
 TEST(Penalty, BadWeightsAreRefused) {

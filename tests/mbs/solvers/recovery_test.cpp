@@ -153,6 +153,38 @@ TEST(Adaptive, ErrorOfAStruckPendulumIsOfTheOrderOfTheTolerance) {
   RecordProperty("order", std::to_string(order));
 }
 
+/// The same of what a rod bends by in a slider-crank, where joints hold: each decade of the
+/// tolerance takes its share of the error.
+TEST(Adaptive, ErrorOfASliderCranksRodFallsWithTheTolerance) {
+  const Mechanism m = test::slider_crank({.elements = 4, .ramp = 0.02});
+  const auto bend = [&m](const SimulationOptions& o) {
+    const auto r = test::run_planar(m, o);
+    EXPECT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
+    EXPECT_EQ(r.trajectory().size(), 61);
+    Eigen::Matrix2Xd out(2, r.trajectory().size());
+    for (int i = 0; i < out.cols(); ++i) {
+      const SE2* H = r.trajectory().frames(i) + 5;
+      out.col(i) = H[2].x - (H[0].x + H[4].x) / 2;
+    }
+    return out;
+  };
+  SimulationOptions o = options(0.06, 2e-6, 0.8, 1e-9);
+  o.output_every = 500;
+  const Eigen::Matrix2Xd fine = bend(o);
+  o.step = 1e-3;
+  o.output_every = 1;
+  o.adaptive = true;
+  std::vector<double> errors;
+  for (const double tolerance : {1e-6, 1e-7, 1e-8, 1e-9}) {
+    o.error_tolerance = tolerance;
+    errors.push_back((bend(o) - fine).norm() / fine.norm());
+  }
+  for (std::size_t i = 1; i < errors.size(); ++i) EXPECT_LT(errors[i], errors[i - 1] / 2) << i;
+  const double order = std::log10(errors.front() / errors.back()) / 3;
+  EXPECT_NEAR(order, 2. / 3, 0.12);
+  RecordProperty("order", std::to_string(order));
+}
+
 TEST(Adaptive, StepsThatAreTooLongForABlowAreRefused) {
   const auto r = struck(1e-8);
   ASSERT_EQ(r.report().status, SolveStatus::Converged) << r.report().reason;
