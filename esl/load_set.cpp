@@ -3,11 +3,8 @@
 #include <fmt/format.h>
 
 #include <stdexcept>
-#include <type_traits>
-#include <vector>
 
 #include "esl/corotational.hpp"
-#include "mbs/bodies/spatial_segment_beam.hpp"
 #include "mbs/system/retract.hpp"
 
 namespace liesl {
@@ -48,18 +45,12 @@ double length_of(const Body<G>& body) {
   return length;
 }
 
-template <FrameGroup G>
-void settle_spin(const Body<G>& body, G* H) {
-  if constexpr (std::is_same_v<G, SE3>)
-    if (const auto* chain = SpatialSegmentBeam::of(body)) chain->settle_spin(H);
-}
-
 /// Loads of a body at H, that of its last node in the axes that `settle_spin` gives it: those of a
 /// chain in space spin freely, and the static problem knows nothing of the spin of the motion.
 template <FrameGroup G>
 Eigen::VectorXd settled_loads(const Body<G>& body, const G* H, Eigen::VectorXd f) {
-  std::vector<G> settled(H, H + body.nodes());
-  settle_spin(body, settled.data());
+  Frames<G> settled(H, H + body.nodes());
+  body.settle_spin(settled.data());
   G turn = settled.back().inverse() * H[body.nodes() - 1];
   turn.x.setZero();
   f.tail<G::dim>() = (turn.inverse().Ad().transpose() * f.tail<G::dim>()).eval();
@@ -102,7 +93,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at
     beam.extrapolate_stress(s, delta.data(), stress.data());
     retract(at, delta, NodeUpdate::Screw, {frames, positions, {}}, at);
     beam.turn_axes(at.H.data());
-    settle_spin(beam, at.H.data());
+    beam.settle_spin(at.H.data());
   }
   return false;
 }

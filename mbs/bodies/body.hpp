@@ -103,6 +103,9 @@ class Body {
   /// Turns the axes of the nodes that are positions to where the body is, in place; nothing to do
   /// where there are none.
   virtual void turn_axes(G* /*H*/) const {}
+  /// Turns frames by what no internal force depends on to where the rest of the body holds them, in
+  /// place: the spin of an end of a chain without torsion.
+  virtual void settle_spin(G* /*H*/) const {}
   /// Takes the nodes that are positions to where its frames carry them from `start`, in place: by a
   /// correction that turns the body their own steps, straight ones, would stretch it.
   virtual void follow_frames(const G* /*start*/, G* /*H*/) const {}

@@ -47,13 +47,8 @@ class SpatialSegmentBeam final : public Body<SE3> {
     return {first, end - first + 1};
   }
   void turn_axes(SE3* H) const override;
-  /// The body as a chain in space, null if it is none.
-  static const SpatialSegmentBeam* of(const Body<SE3>& body) {
-    return dynamic_cast<const SpatialSegmentBeam*>(&body);
-  }
-  /// Turns the last frame about its x axis, on which no force depends, to where the chain carries
-  /// the axes of the first.
-  void settle_spin(SE3* H) const;
+  /// The last frame about its x axis, to where the chain carries the axes of the first.
+  void settle_spin(SE3* H) const override;
   /// By both ends, linear in between.
   void follow_frames(const SE3* start, SE3* H) const override;
   /// Rates of the angular velocities of nodes between the ends are left at 0.
