@@ -143,7 +143,34 @@ void read_update(Reader& reader, const toml::table& table) {
                         "simulation.type = \"dynamic\"");
 }
 
+/// What has nodes that are no frames; empty: it has none.
+std::string other_nodes(const BodySpec& body) {
+  if (const auto* beam = std::get_if<BeamSpec>(&body.kind)) {
+    if (beam->as == BeamModel::Segments) return "beam '" + body.name + "' is a chain of segments";
+    if (beam->as == BeamModel::Modal) return "beam '" + body.name + "' has modes";
+  }
+  if (const auto* solid = std::get_if<SolidSpec>(&body.kind)) {
+    if (solid->as == SolidMotion::Continuum)
+      return "all nodes of the mesh of '" + body.name + "' move";
+    if (solid->modes > 0) return "part '" + body.name + "' has modes";
+  }
+  return {};
+}
+
 }  // namespace
+
+void check_update(Reader& reader) {
+  const Mechanism& mechanism = reader.scene.mechanism;
+  if (mechanism.update != NodeUpdate::R3SO3 || mechanism.formalism != Formalism::SE3) return;
+  for (const BodySpec& body : mechanism.bodies)
+    if (const std::string others = other_nodes(body); !others.empty()) {
+      reader.problems.add(
+          *reader.root["simulation"]["update"].node(),
+          "'simulation.update' = \"r3so3\" moves nodes that are frames, and " + others,
+          "\"formalism\" or \"se3\"");
+      return;
+    }
+}
 
 void read_simulation(Reader& reader) {
   toml::table* table = reader.root["simulation"].as_table();

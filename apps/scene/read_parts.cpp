@@ -105,6 +105,7 @@ void read_parts(Reader& reader) {
   read_responses(reader);
   check_movers(reader);
   check_plane(reader);
+  check_update(reader);
   check_segments(reader);
   check_motion(reader);
   const auto units = unit_warnings(reader);

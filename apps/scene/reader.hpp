@@ -94,6 +94,8 @@ void check_movers(Reader& reader);
 void check_plane(Reader& reader);
 /// A motion with drives that jump is refused; warns of what steps, damping or tolerance spoil.
 void check_motion(Reader& reader);
+/// An update that some body cannot take is refused.
+void check_update(Reader& reader);
 /// What chains of segments cannot do is refused.
 void check_segments(Reader& reader);
 /// What is possible but looks like another unit: E in GPa, a diameter in mm.

@@ -206,6 +206,22 @@ TEST_F(VerifyCommand, SaysThatAPlaceNamedByNumberKeepsItsMesh) {
       << o.out << o.err;
 }
 
+/// A mesh that has no room for twice its elements, and one that just has: 10000 are the most.
+TEST_F(VerifyCommand, SaysThatAMeshHasNoRoom) {
+  const auto verified = [this](const char* elements) {
+    const Outcome o = run({"run", scene("pendulum"), "-o", results(), "--verify", "--force",
+                           "--set", std::string("bodies.beam.beam.elements=") + elements, "--set",
+                           "simulation.duration=0.002"});
+    EXPECT_EQ(o.code, 0) << o.err;
+    return o.out + o.err;
+  };
+  const std::string words = "leaves out beam beam: it has no room for twice its elements";
+  EXPECT_NE(verified("5001").find(words), std::string::npos);
+  EXPECT_FALSE(summary()["responses"]["tip"]["error"].contains("mesh"));
+  EXPECT_EQ(verified("5000").find(words), std::string::npos);
+  EXPECT_TRUE(summary()["responses"]["tip"]["error"].contains("mesh"));
+}
+
 /// Beside the largest value, the value at the end, and in a report that is there.
 TEST_F(VerifyCommand, WritesBothErrorsOfAResponse) {
   const Outcome o = run({"run", scene("bend45"), "-o", results(), "--verify"});

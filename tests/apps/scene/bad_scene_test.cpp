@@ -98,6 +98,7 @@ const BadScene kScenes[] = {
     {"OrderTooHigh", "elements = 4 }", "elements = 4, order = @6 }", {"order"}},
     {"OrderOfARigidBeam", "elements = 4 }", "elements = 4, as = \"rigid\", order = @4 }", {"beam 'crank' of order 4 as \"rigid\"", "order = 2"}},
     {"NoSuchUpdate", "step = 1e-3", "step = 1e-3\nformalism = \"classical\"\nupdate = @\"r3so3\"", {"'simulation.update'", "classical"}},
+    {"UpdateInStatics", "step = 1e-3", "step = 1e-3\ntype = \"static\"\nupdate = @\"r3so3\"", {"'simulation.update' is for motions only", "simulation.type = \"dynamic\""}},
     {"NoBeam", "over = \"rod\"", "over = @\"slider\"", {"'slider' is rigid", "a beam"}},
     {"MidOfOddBeam", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"rod\", at = @\"mid\"", {"5 elements", "even number"}},
     {"NoNode", "response = \"deflection\", of = \"crank\"", "response = \"deflection\", of = \"crank\", at = @\"node9\"", {"no node 'node9'", "node3"}},
