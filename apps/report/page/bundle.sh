@@ -27,4 +27,6 @@ NODE_PATH=$work/node_modules esbuild src/style.css --bundle --minify --outfile="
   done < pins.txt
 } > dist/notices.txt
 cp "$work/report.js" "$work/report.css" dist/
+# What dist/ was made of and what came out, for tests/architecture/check_bundle.py.
+(export LC_ALL=C; sha256sum pins.txt src/* dist/LICENSE.* dist/notices.txt dist/report.* > dist/sources.sha256)
 ls -l dist
