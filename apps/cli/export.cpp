@@ -43,21 +43,21 @@ struct Source {
   Scene scene;
 };
 
-/// The final design in its motion, or in that of each scenario.
+/// The final design in its motion, or in that of each scenario that the summary names: other files
+/// design_*.toml are not of this result.
 std::vector<Source> designs_of(const CommandOptions& options,
                                const nlohmann::ordered_json& summary) {
-  constexpr std::string_view kStart = "design_", kEnd = ".toml";
   const fs::path folder = options.file;
   check_files(options, load_scene(folder / "design.toml"), summary);
   std::vector<Source> designs;
-  for (const auto& entry : fs::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (!name.starts_with(kStart) || !name.ends_with(kEnd)) continue;
-    designs.push_back({name.substr(kStart.size(), name.size() - kStart.size() - kEnd.size()),
-                       load_scene(entry.path(), options.set)});
-    designs.back().scene.mechanism.name += ", scenario '" + designs.back().scenario + "'";
+  for (const auto& name : summary.value("scenarios", std::vector<std::string>())) {
+    const fs::path file = folder / ("design_" + name + ".toml");
+    if (!fs::is_regular_file(file))
+      refuse(options, "'" + file.filename().string() + "' of scenario '" + name + "' is missing",
+             "the whole folder, as 'optimize' left it");
+    designs.push_back({name, load_scene(file, options.set)});
+    designs.back().scene.mechanism.name += ", scenario '" + name + "'";
   }
-  std::ranges::sort(designs, {}, &Source::scenario);
   if (designs.empty()) designs.push_back({"", load_scene(folder / "design.toml", options.set)});
   return designs;
 }

@@ -27,7 +27,7 @@ constexpr struct {
      "objective.quantity objective.unit terms.*.quantity terms.*.unit history[].worst_limit "
      "history[].worst_at "
      "history[].limits.*.at kkt "
-     "load_cases[] nucleation.reason nucleation.gain_unit "
+     "load_cases[] scenarios[] nucleation.reason nucleation.gain_unit "
      "method parameters.*.unit gradients.*.*.unit "
      "shard input_units.* "
      "response unit norm references[].changes[] references[].formalisms[] "
@@ -69,7 +69,8 @@ constexpr struct {
     {Type::Numbers, "responses.*.final of.*.range"},
     {Type::List,
      "warnings overrides arguments frequencies_hz eigenvalues critical_loads history "
-     "history[].design load_cases references references[].changes references[].formalisms ratios "
+     "history[].design load_cases scenarios references references[].changes "
+     "references[].formalisms ratios "
      "decisions changes refinement.steps nucleation.next.place"},
     {Type::Object,
      "versions files factorizations responses responses.* responses.*.error "

@@ -163,6 +163,7 @@ void describe_result(output::OptimizeSummary& summary, const Study& study, const
   for (size_t b = 0; b < r.effort.factorizations.size(); ++b)
     summary.factorizations.emplace_back(bodies[b].name, r.effort.factorizations[b]);
   summary.design = design_figures(design.variables(), design.units(), r.x);
+  if (!study.spec.scenarios.empty()) summary.more["scenarios"] = study.spec.scenarios;
   describe_limits(summary, study, r);
   describe_masses(summary, r);
   describe_part_limits(summary, study, r);

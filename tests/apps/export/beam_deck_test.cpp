@@ -193,25 +193,58 @@ TEST_F(Export, TakesTheSceneOfAResultsFolder) {
   EXPECT_NE(deck_of(dir_ / "results", {}).find("no summary.json"), std::string::npos);
 }
 
-/// No scenario is left out, and each deck says which it is.
-TEST_F(Export, HasAFolderForEachScenario) {
-  ASSERT_EQ(run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
-                 (dir_ / "results").string(), "--set", kShort[0]})
-                .code,
-            0);
-  const std::string scene = text_of(kData / "scenes/slider_crank.toml");
-  for (const char* name : {"design", "design_slow", "design_fast"})
-    output::write_file(dir_ / "results" / (std::string(name) + ".toml"), scene);
-  const Outcome o = run({"export", (dir_ / "results").string(), "--part", "rod", "--to", "nastran",
-                         "-o", (dir_ / "deck").string(), "--set", kShort[0]});
+std::set<std::string> folders_in(const fs::path& folder) {
+  std::set<std::string> names;
+  for (const auto& entry : fs::directory_iterator(folder))
+    if (entry.is_directory()) names.insert(entry.path().filename().string());
+  return names;
+}
+
+/// No scenario is left out, each deck says which it is, and files that only look like a design are
+/// no scenario.
+TEST_F(Export, HasAFolderForEachScenarioOfTheStudyAndNoOther) {
+  const Outcome end = run({"optimize", study("rod_three_speeds"), "-o", results(), "--set",
+                           "scene." + kShort[0], "--set", "cycle.max=1", "--set",
+                           "cycle.optimality=\"never\"", "--no-verify", "--no-report"});
+  ASSERT_TRUE(fs::exists(results() / "design_slow.toml")) << end.err;
+  const std::set<std::string> known = {"over", "rated", "slow"};
+  EXPECT_EQ(summary()["scenarios"], Json(known));
+  for (const char* stray : {"design_old.toml", "design_.toml"})  // as good as any other
+    fs::copy_file(results() / "design_slow.toml", results() / stray);
+  output::write_file(results() / "design_notes.toml", "of no scene = at all\n");
+  const Words words = {"export",  results(), "--part",      "rod",    "--to",
+                       "nastran", "-o",      dir_ / "deck", "--force"};
+  const Outcome o = run(words);
   ASSERT_EQ(o.code, 0) << o.err;
-  for (const std::string name : {"slow", "fast"}) {
+  EXPECT_EQ(folders_in(dir_ / "deck"), known);
+  for (const std::string& name : known) {
     EXPECT_TRUE(fs::exists(dir_ / "deck" / name / "rod.bdf"));
     EXPECT_NE(text_of(dir_ / "deck" / name / "README.md").find(", scenario '" + name + "'"),
               std::string::npos);
     EXPECT_NE(o.out.find("deck/" + name + "/rod.bdf"), std::string::npos) << o.out;
   }
   EXPECT_FALSE(fs::exists(dir_ / "deck/rod.bdf"));
+  fs::remove(results() / "design_slow.toml");
+  const Outcome half = run(words);
+  EXPECT_EQ(half.code, 2);
+  EXPECT_NE(half.err.find("'design_slow.toml' of scenario 'slow' is missing"), std::string::npos)
+      << half.err;
+}
+
+/// A study without scenarios has one design, whatever lies beside it.
+TEST_F(Export, TakesNoOtherDesignWhereThereAreNoScenarios) {
+  ASSERT_EQ(run({"run", (kData / "scenes/slider_crank.toml").string(), "-o", results().string(),
+                 "--set", kShort[0]})
+                .code,
+            0);
+  for (const char* name : {"design.toml", "design_old.toml"})
+    fs::copy_file(kData / "scenes/slider_crank.toml", results() / name);
+  ASSERT_EQ(run({"export", results(), "--part", "rod", "--to", "nastran", "-o", dir_ / "deck",
+                 "--set", kShort[0]})
+                .code,
+            0);
+  EXPECT_TRUE(fs::exists(dir_ / "deck/rod.bdf"));
+  EXPECT_EQ(folders_in(dir_ / "deck"), std::set<std::string>());
 }
 
 TEST_F(Export, APartThatBendsFarSaysSo) {
