@@ -34,10 +34,10 @@ void print_cycle(const Cycle& c, SolidResponse objective, bool quiet) {
   const Quantity q = quantity(objective);
   if (c.number == 1)
     fmt::print(" cycle     mass [kg]{}   worst limit   load change   cases   iterations\n",
-               other ? fmt::format(" {:>15}", fmt::format("{} [{}]", q.name, q.unit)) : "");
+               other ? fmt::format(" {:>17}", fmt::format("{} [{}]", q.name, q.unit)) : "");
   const bool sized = c.load_cases > 0;  // the first, or the last, only simulates
   fmt::print("{:6} {:13.6g}{} {:>13} {:>13} {:>7} {:>12}\n", c.number, c.mass,
-             other ? fmt::format(" {:15.7g}", c.objective) : "", signed_percent(c.worst),
+             other ? fmt::format(" {:17.7g}", c.objective) : "", signed_percent(c.worst),
              c.load_change ? size_percent(*c.load_change) : "-",
              sized ? std::to_string(c.load_cases) : "-",
              sized ? std::to_string(c.iterations) : "-");

@@ -201,6 +201,7 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
         "k.\n",
         deck.thickness, deck.node_count());
   text += fmt::format(
+      "- **Cases are linear** ({}): the large motion is that of the frame.\n"
       "- **Forces** are those of the cells that are left, K u, on every node: they also hold "
       "interfaces rigid,\n"
       "  so that the deck needs no rigid bodies.\n"
@@ -208,9 +209,10 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "liesl finds with\n"
       "  the full mesh differ from those of the motion, over the largest: {}.\n\n"
       "| case | time [s] |\n|---|---|\n",
+      calculix ? "no `NLGEOM`" : "`SOL 101`",
       calculix
           ? fmt::format("; {} is liesl's cell, so that it does to 1e-6", calculix_element(deck))
-          : "",
+          : "; no Nastran was at hand, finite elements of liesl's kind do to 1e-6",
       difference_text(deck.identity.linear));
   for (std::size_t n = 0; n < deck.times.size(); ++n)
     text += fmt::format("| {} | {:.6g} |\n", n + 1, deck.times[n]);
