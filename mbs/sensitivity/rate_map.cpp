@@ -19,21 +19,6 @@ bool same(const State<G>& s, const State<G>& other) {
 
 }  // namespace
 
-template <FrameGroup G>
-typename RateTangents<G>::Blocks increments(const Model<G>& model,
-                                            const NodeCoordinates<G>& coordinates,
-                                            const State<G>& s, const Eigen::VectorXd& dq) {
-  typename RateTangents<G>::Blocks E(s.H.size(), G::Matrix::Zero());
-  Eigen::VectorXd units(model.size()), column = Eigen::VectorXd::Zero(model.size());
-  for (int j = 0; j < G::dim; ++j) {
-    for (int k = 0; k < model.nodes(); ++k) units.segment<G::dim>(G::dim * k) = G::Tangent::Unit(j);
-    coordinates.increment(s, dq, units, column);
-    for (std::size_t k = 0; k < E.size(); ++k)
-      E[k].col(j) = column.segment<G::dim>(G::dim * static_cast<Eigen::Index>(k));
-  }
-  return E;
-}
-
 /// The one of psi and psi (1 - 2 pi/|psi|) that is nearer to that before. What is in local frames
 /// stays, the acceleration-like variable among it.
 template <FrameGroup G>
@@ -80,7 +65,7 @@ void RateMap<G>::take(const NodeCoordinates<G>& coordinates, const State<G>& s) 
   coordinates.rate_tangents(s, still, u, udot, none, at);
   V_ = at.v;
   W_ = at.vdot;
-  inverse_ = increments(*model_, coordinates, s, still);
+  coordinates.increments(s, still, inverse_);
   B_ = inverse_;
   for (const int k : model_->frames()) {
     D_[k] -= W_[k];
@@ -161,10 +146,6 @@ void RateMap<G>::at_held_frames_transposed(MatrixXd& v, MatrixXd& w) const {
   });
 }
 
-template RateTangents<SE2>::Blocks increments(const Model<SE2>&, const NodeCoordinates<SE2>&,
-                                              const State<SE2>&, const Eigen::VectorXd&);
-template RateTangents<SE3>::Blocks increments(const Model<SE3>&, const NodeCoordinates<SE3>&,
-                                              const State<SE3>&, const Eigen::VectorXd&);
 template void undo_rescale(const Model<SE2>&, const NodeCoordinates<SE2>&, const State<SE2>&,
                            State<SE2>&);
 template void undo_rescale(const Model<SE3>&, const NodeCoordinates<SE3>&, const State<SE3>&,

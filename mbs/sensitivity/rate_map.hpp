@@ -15,13 +15,6 @@
 
 namespace liesl {
 
-/// E of dq' = E eta, by node: what `NodeCoordinates::increment` multiplies increments of the frames
-/// at s by, as matrices. On the group T^-1(dq).
-template <FrameGroup G>
-typename RateTangents<G>::Blocks increments(const Model<G>& model,
-                                            const NodeCoordinates<G>& coordinates,
-                                            const State<G>& s, const Eigen::VectorXd& dq);
-
 /// Rotation vectors: s as a step from `old` reached it, before those beyond pi were rescaled.
 template <FrameGroup G>
 void undo_rescale(const Model<G>& model, const NodeCoordinates<G>& coordinates, const State<G>& old,

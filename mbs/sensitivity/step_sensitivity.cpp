@@ -163,26 +163,31 @@ bool StepSensitivity<G>::linearise_step(const State<G>& before, const State<G>& 
   Eigen::VectorXd dq, u, udot;
   coordinates_.difference(before, after, dq);
   coordinates_.rates(after, u, udot);
-  coordinates_.rate_tangents(after, dq, u, udot, weights_.at(h), rates_);
   Eigen::VectorXd u_before, udot_before;
   coordinates_.rates(before, u_before, udot_before);
   const auto& [am, af, gamma, beta] = weights_;
   by_step_a_ = u_before / (beta * h) - 2 * dq / (beta * h * h);
   by_step_v_ = h * (1 - gamma) * before.a + h * gamma * (after.a + by_step_a_);
+  coordinates_.increments(after, dq, ahead_);
   if (model_.update == NodeUpdate::Screw) {
-    const TangentWeights unit{0, 1};
-    RateTangents<G> T;
-    coordinates_.rate_tangents(after, dq, u, udot, unit, T);
-    ahead_ = T.v;
-    coordinates_.rate_tangents(after, -dq, u, udot, unit, T);
-    back_ = T.v;
+    take_screws(dq);
   } else {
-    ahead_ = increments(model_, coordinates_, after, dq);
-    back_ = increments(model_, coordinates_, before, -dq);
+    coordinates_.rate_tangents(after, dq, u, udot, weights_.at(h), rates_);
+    coordinates_.increments(before, -dq, back_);
     before_.take(coordinates_, before);
     after_.take(coordinates_, after);
   }
   return linearise(after, before.rows, rates_, factor);
+}
+
+/// T^-1(-dq) = T^-1(dq) - ad(dq); rates follow the frames by gamma' T^-1(dq), beta' T^-1(dq).
+template <FrameGroup G>
+void StepSensitivity<G>::take_screws(const Eigen::VectorXd& dq) {
+  const TangentWeights w = weights_.at(h_);
+  rates_.v = rates_.vdot = back_ = ahead_;
+  for (auto& T : rates_.v) T *= w.damping;
+  for (auto& T : rates_.vdot) T *= w.mass;
+  for (const int k : model_.frames()) back_[k] -= G::ad(dq.template segment<dim>(dim * k));
 }
 
 template <FrameGroup G>

@@ -100,6 +100,7 @@ class StepSensitivity {
   bool linearise(const State<G>& s, const Eigen::VectorXd& previous, const RateTangents<G>& rates,
                  bool factor);
   bool linearise_step(const State<G>& before, const State<G>& after, double h, bool factor);
+  void take_screws(const Eigen::VectorXd& dq);
   bool start_forward(const ResidualDerivative& by_p, StateSensitivity& x);
   bool start_backward(const ResidualDerivative& by_p, StateSensitivity& x, Eigen::MatrixXd& p);
   /// f(row, column, block) of tau B, by coupling and port.
@@ -115,7 +116,7 @@ class StepSensitivity {
   IterationMatrix<G> matrix_;
   bool at_start_ = false, in_equilibrium_ = false;
   double h_ = 0;
-  Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq)
+  Blocks ahead_, back_;  ///< T^-1(dq), T^-1(-dq); of other coordinates their `increments`
   RateMap<G> before_, after_;
   Eigen::VectorXd by_step_a_, by_step_v_;  ///< what s multiplies in a0 and v0
   RateTangents<G> rates_;

@@ -93,6 +93,25 @@ void NodeCoordinates<G>::increment(const State<G>& s, const Eigen::VectorXd& dq,
   }
 }
 
+template <FrameGroup G>
+void NodeCoordinates<G>::increments(const State<G>& s, const Eigen::VectorXd& dq,
+                                    typename RateTangents<G>::Blocks& E) const {
+  E.assign(s.H.size(), G::Matrix::Zero());
+  for (const auto* vectors : {&model_.amplitudes(), &model_.positions()})
+    for (const int k : *vectors) E[k].setIdentity();
+  for (const int k : model_.frames()) {
+    if (uses_local(model_.update)) {
+      E[k] = G::Tinv(dq.template segment<dim>(dim * k));
+      continue;
+    }
+    const Angular at = model_.update == NodeUpdate::RotationVector
+                           ? psi(s, k)
+                           : Angular(dq.template segment<rd>(dim * k + sd));
+    E[k].template topLeftCorner<sd, sd>() = s.H[k].R;
+    E[k].template bottomRightCorner<rd, rd>() = Rot::Tinv(at);
+  }
+}
+
 /// With v = R^T u, its rate R^T udot + v x w, and in the classical formalism w = T(psi) psidot.
 template <FrameGroup G>
 void NodeCoordinates<G>::rate_tangents(const State<G>& s, const Eigen::VectorXd& dq,

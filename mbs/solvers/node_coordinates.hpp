@@ -44,6 +44,9 @@ class NodeCoordinates {
   /// e = increment of dq that moves the frames of `s` by delta (left-invariant).
   void increment(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& delta,
                  Eigen::VectorXd& e) const;
+  /// E of e = E delta, by node.
+  void increments(const State<G>& s, const Eigen::VectorXd& dq,
+                  typename RateTangents<G>::Blocks& E) const;
   /// Derivatives of v and vdot by delta at the state `s` of a step, where dq, u and udot change by
   /// e, w.damping e and w.mass e. Screw: gamma' T^-1(dq) and beta' T^-1(dq).
   void rate_tangents(const State<G>& s, const Eigen::VectorXd& dq, const Eigen::VectorXd& u,
