@@ -216,6 +216,7 @@ export function provenance(data) {
   const add = (name, value) => value && list.append(el('dt', {}, name), el('dd', {}, value));
   add('command', s.arguments?.length ? `liesl ${s.arguments.map(quoted).join(' ')}`
     : `liesl ${s.command}${s.input ? ' ' + s.input : ''}${mapped(s)}${(s.overrides ?? []).map((o) => ` --set '${o}'`).join('')}`);
+  add('overrides', s.overrides?.join('\u2003'));
   add('folder', data.folder);
   add('input (SHA-256)', s.input_sha256);
   if (s.space) add('computed', `${s.space}: ${s.space_reason}`);
