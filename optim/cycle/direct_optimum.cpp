@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <limits>
 
 #include "optim/cycle/study_program.hpp"
 #include "optim/nlp/elastic.hpp"
@@ -16,9 +15,10 @@ using Eigen::VectorXd;
 
 constexpr double kDirectTolerance = 1e-4;   // of the scaled optimality conditions
 constexpr double kDirectAcceptable = 1e-3;  // the same, where no better is reached
-constexpr double kDirectFeasibility =
-    1e-5;                         // of the limits, or what the study allows if that is less
-constexpr double kHopeful = 0.5;  // of the analyses, for a first design that meets the limits
+/// Of the limits, or what the study allows if that is less.
+constexpr double kDirectFeasibility = 1e-5;
+/// Share of the analyses for a first design that meets the limits.
+constexpr double kHopeful = 0.5;
 
 /// The study as a nonlinear program whose designs are cycles of a record.
 class DirectProblem final : public StudyProgram {
@@ -32,8 +32,12 @@ class DirectProblem final : public StudyProgram {
   }
   bool interrupted() const { return interrupted_ || stopped(); }
   /// Has a design met the limits so far?
-  bool met() const { return least_ <= record_.options().feasibility; }
-  double least_violation() const { return least_; }  ///< relative, of the best design so far
+  bool met() const { return least_violation() <= record_.options().feasibility; }
+  /// Relative, of the design that exceeds its limits least.
+  double least_violation() const {
+    const History& all = record_.history();
+    return std::ranges::min_element(all, {}, &Cycle::worst)->worst;
+  }
   /// Cannot the largest violation of the latest design be brought down near it?
   bool stationary() const {
     return good() && surrogate().optimality.violation &&
@@ -55,7 +59,6 @@ class DirectProblem final : public StudyProgram {
   void look_at(const VectorXd& x) override {
     Cycle& cycle = record_.add(analysis(), x);
     record_.keep_if_better(analysis(), x);  // before gradients, in which it may be stopped
-    least_ = std::min(least_, analysis()->worst);
     differentiate(x);
     if (good() && record_.best() == x) record_.certify(surrogate().optimality);
     cycle.taken = good();
@@ -66,7 +69,6 @@ class DirectProblem final : public StudyProgram {
 
   CycleRecord& record_;
   std::vector<NlpVariable> variables_;
-  double least_ = std::numeric_limits<double>::infinity();
   std::chrono::steady_clock::time_point begin_;
   bool interrupted_ = false;
 };
