@@ -53,19 +53,16 @@ class Forces {
   /// Segments e ... e + 3, the last one again where there are fewer.
   FourSegments at(int e, const Direction& before) const {
     FourSegments out;
-    const auto x = [&](int k) -> const Vec2& { return s_.H[node(e, k)].x; };
-    const auto d = [&](int lane) { return Vec2(s_.H[node(e, lane) + 1].x - x(lane)); };
-    const Vec2 a = d(0), b = d(1), c = d(2), f = d(3);
-    const Vec2x4 all(Lanes(a[0], b[0], c[0], f[0]), Lanes(a[1], b[1], c[1], f[1]));
-    out.l = sqrt(all[0] * all[0] + all[1] * all[1]);
-    out.t = {all[0] / out.l, all[1] / out.l};
+    const Vec2x4 d = differences(e, [&](int k) -> const Vec2& { return s_.H[k].x; });
+    out.l = sqrt(d[0] * d[0] + d[1] * d[1]);
+    out.t = {d[0] / out.l, d[1] / out.l};
     const Lanes EA = gathered(law_.EA, e), L = gathered(law_.L, e), c_i = gathered(law_.c, e);
     out.N = axial_force(law_.potential, EA, out.l / L);
     const Vec2x4 t_before(shifted(before.t[0], out.t[0]), shifted(before.t[1], out.t[1]));
     out.M = c_i * (angle_between(t_before, out.t) - gathered(law_.phi0, e));
     out.rate = 0;
     if (law_.damping == 0) return out;
-    const Vec2x4 v = rates(e);
+    const Vec2x4 v = differences(e, [&](int k) { return node_velocity(s_, k); });
     out.rate = (out.t[0] * v[1] - out.t[1] * v[0]) / out.l;
     out.N += law_.damping * EA / L * (out.t[0] * v[0] + out.t[1] * v[1]);
     out.M += law_.damping * c_i * (out.rate - shifted(before.rate, out.rate));
@@ -86,14 +83,15 @@ class Forces {
     return {x[node(e, 0)], x[node(e, 1)], x[node(e, 2)], x[node(e, 3)]};
   }
   static Lanes shifted(double first, const Lanes& x) { return {first, x[0], x[1], x[2]}; }
-  /// d(x_{e+1} - x_e)/dt
-  Vec2x4 rates(int e) const {
+  /// of(k + 1) - of(k) from node k of each segment to the next
+  template <class Of>
+  Vec2x4 differences(int e, const Of& of) const {
     Vec2x4 out;
     for (int lane = 0; lane < Lanes::size; ++lane) {
       const int k = node(e, lane);
-      const Vec2 v = node_velocity(s_, k + 1) - node_velocity(s_, k);
-      out[0].v[lane] = v[0];
-      out[1].v[lane] = v[1];
+      const Vec2 d = of(k + 1) - of(k);
+      out[0].v[lane] = d[0];
+      out[1].v[lane] = d[1];
     }
     return out;
   }

@@ -9,8 +9,7 @@
 
 namespace liesl {
 
-/// @returns memory for `bytes`, aligned for every vector of the processor, to be freed by
-/// `std::free`
+/// @returns memory for `bytes`, aligned for every vector of the processor
 /// @throws std::bad_alloc
 void* allocate_in_large_pages(std::size_t bytes);
 void free_large_pages(void* memory) noexcept;
