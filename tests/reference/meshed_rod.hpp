@@ -2,6 +2,7 @@
 /// @file
 /// A slider-crank with a slender rod of rectangular section, as a beam or as a mesh.
 
+#include "mbs/model/response.hpp"
 #include "reference/mechanisms.hpp"
 #include "reference/meshed_part.hpp"
 
@@ -57,6 +58,15 @@ inline Mechanism slider_crank_with_beam(int n = 16) {
   s.shear_factor = {5. / 6, 5. / 6};
   return slider_crank_with(straight_beam({0.15, 0, 0}, {0.15 + kRodLength, 0, 0}, n, s, steel()),
                            n);
+}
+
+/// What the middle of the rod bends by, across it.
+inline ResponseSpec bend_of_the_rod(const Mechanism& m) {
+  ResponseSpec bend;
+  bend.kind = ResponseKind::Displacement;
+  bend.at = *m.port("rod.mid");
+  bend.axis = Vec3::UnitY();
+  return bend;
 }
 
 }  // namespace liesl::test

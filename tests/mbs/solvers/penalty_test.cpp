@@ -303,10 +303,7 @@ Mechanism meshed_crank(SolidMotion as) {
 /// What the rod bends by in all records, m.
 template <FrameGroup G>
 Eigen::VectorXd bend_of(const Mechanism& m, const Run<G>& r) {
-  ResponseSpec bend;
-  bend.kind = ResponseKind::Displacement;
-  bend.at = *m.port("rod.mid");
-  bend.axis = Vec3::UnitY();
+  const ResponseSpec bend = bend_of_the_rod(m);
   const ResponseValues<G> values(m, *r.model);
   State<G> s = r.model->initial_state();
   Eigen::VectorXd out(r.trajectory().size());
