@@ -175,15 +175,16 @@ class SegmentsFrozenFactor : public SegmentsSemiAnalytic {
   SegmentsFrozenFactor() : SegmentsSemiAnalytic(test::tight(0.0025, 5e-5)) {}
 };
 
-/// The constant factor is that of the chain at rest, in the axes of its nodes. Perturbed by 1e-6,
-/// round-off of the forces is 1e-9 of what is differenced, which four solves come to.
+/// The constant factor is that of the chain at rest, in the axes of its nodes. The perturbation is
+/// large, as round-off of the forces is divided by it.
 TEST_F(SegmentsFrozenFactor, SolvesWithTheFrozenFactorComeNearer) {
-  const MatrixXd exact_factor = semi_analytic(1e-6, {});
+  constexpr double kLarge = 1e-4;
+  const MatrixXd exact_factor = semi_analytic(kLarge, {});
   double before = 1e300;
   for (const int corrections : {2, 4, 8}) {
-    const double off = error(semi_analytic(1e-6, {true, corrections}), exact_factor);
-    RecordProperty("frozen_" + std::to_string(corrections), std::to_string(1e6 * off));
-    EXPECT_LT(off, std::max(0.5 * before, 2e-9)) << corrections << " solves";
+    const double off = error(semi_analytic(kLarge, {true, corrections}), exact_factor);
+    RecordProperty("frozen_" + std::to_string(corrections), std::to_string(1e12 * off));
+    EXPECT_LT(off, 0.5 * before) << corrections << " solves";
     if (corrections == 2) {
       EXPECT_LT(off, 1e-3) << "in inertial axes it is 4e-3";
     }
