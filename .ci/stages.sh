@@ -29,7 +29,7 @@ verdict() {
 }
 
 jobs=${LIESL_JOBS:-$(nproc)}
-export CXX=clang++  # all but the program without Ipopt, which is GCC's part
+export CXX=clang++  # all but the engine without Ipopt, which is GCC's part
 
 cpp_files() {
   find liegroup mbs esl optim apps python tests -name '*.cpp' -o -name '*.hpp' | sort
@@ -81,17 +81,6 @@ own_kernel() {
     sed 's/^Cooperlake$/SkylakeX/'
 }
 
-# Compiles what is another source without Ipopt and NLopt: those of the program, by the other compiler.
-program_alone() {
-  local objects
-  CXX=g++ cmake --preset engine "${plain[@]}" >/dev/null || return 1
-  objects=$(ninja -C build/engine -t targets all |
-    sed -n 's/^\(apps[^:]*liesl_\(apps\|output\|report\|program\)\.dir[^:]*\.o\):.*/\1/p')
-  [[ $objects == *liesl_apps* && $objects == *liesl_program* ]] || { echo "no objects to compile"; return 1; }
-  # shellcheck disable=SC2086
-  ninja -C build/engine -j "$jobs" $objects
-}
-
 # The groups alone: a build of all with sanitizers takes longer than the rest of the gate.
 groups_sanitized() {
   cmake --preset asan >/dev/null &&
@@ -104,8 +93,5 @@ gate() {
     LIESL_PACKAGES="g++ slurmctld slurmd munge chromium chromium-driver python3-jsonschema python3-dev python3-numpy pybind11-dev python3-pytest python3-scipy calculix-ccx python3-sphinx python3-myst-parser furo" LIESL_CTEST_ARGS="-LE full|sanitize" ./bootstrap test
   stage "format (clang-format)" check_format
   stage "layers, sizes and links" check_layers
-  stage "shapes with another kernel of OpenBLAS (Haswell)" another_kernel Haswell -LE full
-  stage "shapes with another kernel of OpenBLAS ($(wide_kernel))" another_kernel "$(wide_kernel)" -LE full
-  stage "program without Ipopt and NLopt compiles" program_alone
   stage "groups under ASan and UBSan" groups_sanitized
 }

@@ -5,28 +5,10 @@
 #include <stdexcept>
 
 #include "esl/corotational.hpp"
-#include "mbs/system/retract.hpp"
+#include "esl/held_equilibrium.hpp"
 
 namespace liesl {
 namespace {
-
-constexpr int kMaxNewton = 40;
-constexpr double kRoundOff =
-    1e-9;  // of the part's length: a correction that Newton's method ends with
-
-/// Makes node 0 fixed: its rows and columns become those of the identity.
-template <int N>
-void hold_first_node(BlockTridiagonal<N>& A) {
-  A.D[0].setIdentity();
-  if (A.blocks() > 1) {
-    A.U[0].setZero();
-    A.L[0].setZero();
-  }
-  if (!A.U2.empty()) {
-    A.U2[0].setZero();
-    A.L2[0].setZero();
-  }
-}
 
 template <FrameGroup G>
 typename Body<G>::Strains strains(const Body<G>& body, const G* H) {
@@ -37,65 +19,17 @@ typename Body<G>::Strains strains(const Body<G>& body, const G* H) {
   return eps;
 }
 
+/// Turns the load of the last node into the axes that `settle_spin` gives it: those of a chain in
+/// space spin freely, and the static problem knows nothing of the spin of the motion.
 template <FrameGroup G>
-double length_of(const Body<G>& body) {
-  double length = 0;
-  for (int k = 0; k + 1 < body.nodes(); ++k)
-    length += (body.reference[k + 1].x - body.reference[k].x).norm();
-  return length;
-}
-
-/// Loads of a body at H, that of its last node in the axes that `settle_spin` gives it: those of a
-/// chain in space spin freely, and the static problem knows nothing of the spin of the motion.
-template <FrameGroup G>
-Eigen::VectorXd settled_loads(const Body<G>& body, const G* H, Eigen::VectorXd f) {
+void settle_loads(const Body<G>& body, const G* H, Eigen::Ref<Eigen::VectorXd> f) {
   Frames<G> settled(H, H + body.nodes());
   body.settle_spin(settled.data());
-  G turn = settled.back().inverse() * H[body.nodes() - 1];
+  const G& last = H[body.nodes() - 1];
+  if (settled.back().R == last.R) return;
+  G turn = settled.back().inverse() * last;
   turn.x.setZero();
   f.tail<G::dim>() = (turn.inverse().Ad().transpose() * f.tail<G::dim>()).eval();
-  return f;
-}
-
-/// g_int(H) = f with H_0 = reference, by Newton's method with extrapolated stress.
-template <FrameGroup G>
-bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at) {
-  using Tangent = typename G::Tangent;
-  at.H.assign(beam.reference.begin(), beam.reference.end());
-  std::vector<int> frames, positions;  // the first node is held
-  for (int k = 1; k < beam.nodes(); ++k)
-    (beam.kind(k) == NodeKind::Position ? positions : frames).push_back(k);
-  const Eigen::VectorXd rest = Eigen::VectorXd::Zero(beam.size());
-  typename Body<G>::Stresses stress(beam.stresses(), Tangent::Zero());
-  BodyMatrix<G::dim> A(beam.nodes());
-  A.set_form(beam.stiffness());
-  BlockTridiagonalLU<G::dim> lu;
-  double best = std::numeric_limits<double>::infinity(), moved = best;
-  const double length = length_of(beam);
-  for (int i = 0; i < kMaxNewton; ++i) {
-    BodyState<G> s{at.H.data(), rest.data(), rest.data()};
-    s.stress = stress.front().data();
-    Eigen::VectorXd r = -f;
-    ForceScale scale;
-    beam.add_internal(s, r.data(), scale);
-    r.head<G::dim>().setZero();
-    const double size = r.norm();
-    if (!std::isfinite(size)) return false;
-    if (size == 0 || (size >= best && moved <= kRoundOff * length))
-      return true;  // no better is possible
-    best = std::min(best, size);
-    beam.exact_tangent(s, Body<G>::Vector::Zero(), {}, stress.data(), A);
-    hold_first_node(A);
-    if (!lu.factor(A)) return false;
-    lu.solve(r.data());
-    moved = r.norm();
-    const Eigen::VectorXd delta = -r;
-    beam.extrapolate_stress(s, delta.data(), stress.data());
-    retract(at, delta, NodeUpdate::Screw, {frames, positions, {}}, at);
-    beam.turn_axes(at.H.data());
-    beam.settle_spin(at.H.data());
-  }
-  return false;
 }
 
 }  // namespace
@@ -130,6 +64,7 @@ LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, in
       add_corotational_force(*classical, H, f);
     else
       body.add_elastic_force(H, f);
+    settle_loads<G>(body, H, set.f.col(n));
   }
   return set;
 }
@@ -165,7 +100,7 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
   for (const int n : spread_cases(loads.f, cases)) {
     const G* H = trajectory.frames(n) + model.first_node(loads.body);
     const typename Body<G>::Strains dynamic = strains<G>(body, H);
-    const Eigen::VectorXd f = settled_loads(body, H, loads.f.col(n));
+    const Eigen::VectorXd f = loads.f.col(n);
     const double size = dynamic.cwiseAbs().maxCoeff();
     if (size == 0) continue;
     largest = std::max(largest, size);
@@ -176,7 +111,7 @@ Identity check_identity(const Model<G>& model, const Trajectory<G>& trajectory,
     const double off = (body.strains_at_rest(u) - dynamic).cwiseAbs().maxCoeff();
     identity.linear = std::max(identity.linear, off);
     State<G> at;
-    const bool solved = linear || solve_nonlinear<G>(body, f, at);
+    const bool solved = linear || held_equilibrium<G>(body, f, at);
     identity.nonlinear =
         std::max(identity.nonlinear,
                  linear   ? off

@@ -19,7 +19,8 @@ struct LoadSet {
   Eigen::MatrixXd f;      ///< dim * nodes x load cases; [N; N m] a node
 };
 
-/// The loads of one body at every record. Elastic part only: damping does no static work.
+/// The loads of one body at every record. Elastic part only: damping does no static work. That of
+/// the last node of a chain of segments in space is in axes carried along it, which do not spin.
 template <FrameGroup G>
 LoadSet extract_loads(const Model<G>& model, const Trajectory<G>& trajectory, int body);
 

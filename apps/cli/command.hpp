@@ -25,7 +25,7 @@ struct CommandOptions {
   int jobs = 0;                    ///< batch: processes at once, 0 = a processor each
   std::string shard;               ///< batch: "i/n", only every n-th case from the i-th on
   bool verify = false;             ///< run: errors by mesh and step; optimize: refuse to go without
-  bool no_verify = false;          ///< optimize, batch: leave them out
+  bool no_verify = false;          ///< optimize, batch, lean: leave them out
   bool no_report = false;          ///< commands that write results: leave report.html out
   std::string x, y;                ///< plot: columns of a batch
   std::string response;            ///< lean: name of a response of the scene

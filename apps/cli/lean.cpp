@@ -32,15 +32,17 @@ double read_tolerance(std::string text) {
         "as in --tolerance 1% or --tolerance 0.01"}});
 }
 
-void print_result(const LeanResult& r, bool has_scene, const std::string& folder) {
+void print_result(const LeanOutcome& out, const std::string& folder) {
+  const LeanResult& r = out.result;
   fmt::print("{}: {}\n", to_string(r.status), r.reason);
   if (r.status == LeanStatus::Done)
     fmt::print("  error {:.3g} % (as given {:.3g} %), time {:.3g} s (as given {:.3g} s), {} runs\n",
                100 * r.error, 100 * r.error_given, r.time, r.time_given, r.runs);
   for (const auto& change : r.changes) fmt::print("  {}\n", change);
-  for (const auto& warning : r.warnings) fmt::print("  note: {}\n", warning);
+  print_responses(out.summary);
+  for (const auto& warning : out.summary.warnings) fmt::print("  note: {}\n", warning);
   fmt::print("results in {}", folder);
-  if (has_scene) fmt::print("; next: liesl run {}/lean.toml -o DIR", folder);
+  if (!out.scene.empty()) fmt::print("; next: liesl run {}/lean.toml -o DIR", folder);
   fmt::print("\n");
 }
 
@@ -49,8 +51,12 @@ void print_result(const LeanResult& r, bool has_scene, const std::string& folder
 int lean_command(const CommandOptions& options) {
   const Stopwatch clock;
   const double tolerance = read_tolerance(options.tolerance);
-  const LeanRequest request{load_document(options.file).text, options.file, options.set,
-                            options.response, tolerance};
+  const LeanRequest request{load_document(options.file).text,
+                            options.file,
+                            options.set,
+                            options.response,
+                            tolerance,
+                            !options.no_verify};
   output::AtomicFolder folder(options.out, options.force);
   LeanOutcome out = lean_task(
       request, [](double) { return output::interrupted() == 0; },
@@ -63,7 +69,7 @@ int lean_command(const CommandOptions& options) {
   out.summary.wall_s = clock.seconds();
   output::write_summary(folder.path() / "summary.json", output::to_json(out.summary));
   folder.commit();
-  if (!options.quiet) print_result(out.result, !out.scene.empty(), options.out);
+  if (!options.quiet) print_result(out, options.out);
   return out.result.status == LeanStatus::Done ? 0 : 1;
 }
 

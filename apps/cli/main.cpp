@@ -150,6 +150,8 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
         ->required();
     command.add_option("--tolerance", o.tolerance, "Error of its largest value: 1% or 0.01")
         ->default_val("1%");
+    command.add_flag("--no-verify", o.no_verify,
+                     "Leave out the error of the lean model's peak by mesh and step");
   }
   if (name == "export") add_export_options(command, o);
   if (name == "new") {

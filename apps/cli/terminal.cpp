@@ -78,12 +78,7 @@ void print_folder(const std::string& folder, const std::string& axes) {
     fmt::print("results in {}; next: liesl plot {}{}\n", folder, folder, axes);
 }
 
-void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
-  if (quiet) return;
-  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
-             summary.status, summary.reason, summary.steps, summary.newton_iterations,
-             summary.stepping_s, summary.space);
-  print_frequencies(summary);
+void print_responses(const output::RunSummary& summary) {
   for (const auto& r : summary.responses)
     if (!r.final.empty())
       fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}{}\n", r.name, r.max_abs,
@@ -91,6 +86,15 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")),
                  plus_minus(summary, r.end_error_mesh, r.end_error_step));
+}
+
+void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {
+  if (quiet) return;
+  fmt::print("{}: {} ({}), {} steps, {} corrections, {:.3g} s stepping, {}\n", summary.name,
+             summary.status, summary.reason, summary.steps, summary.newton_iterations,
+             summary.stepping_s, summary.space);
+  print_frequencies(summary);
+  print_responses(summary);
   for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
   if (!folder.empty()) print_folder(folder);
 }

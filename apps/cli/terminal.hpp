@@ -43,6 +43,9 @@ std::string signed_percent(double share);
 /// @param axes what `liesl plot` asks for besides, " --x speed --y mass_final"
 void print_folder(const std::string& folder, const std::string& axes = "");
 
+/// Largest values and those at the end, with their errors where they are known, a line each.
+void print_responses(const output::RunSummary& summary);
+
 /// The lines that a run ends with on the terminal.
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet);
 

@@ -14,11 +14,12 @@ struct LeanRequest {
   std::vector<std::string> overrides;  ///< "key.path=value" for all runs
   std::string response;                ///< that has to be right
   double tolerance = 0.01;             ///< of its largest value, in (0, 0.5]
+  bool verify = true;                  ///< the lean model: error of its peak by mesh and step
 };
 
 struct LeanOutcome {
   LeanResult result;
-  output::RunSummary summary;
+  output::RunSummary summary;  ///< with that of the lean model, if it was verified
   std::string scene;  ///< the lean scene with its evidence as comments; empty unless it was found
 };
 

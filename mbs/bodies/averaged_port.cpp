@@ -101,7 +101,23 @@ void AveragedPort<G>::add_internal(const G* H, double weight, double* r, ForceSc
 }
 
 template <FrameGroup G>
-void AveragedPort<G>::add_inertia(const BodyState<G>& s, double* r) const {
+void AveragedPort<G>::add_weight(const G* H, const Vector& gravity, double factor,
+                                 double* r) const {
+  Eigen::Map<Vector>(r + dim * port_) -= factor * mass_ * (H[port_].R.transpose() * gravity);
+}
+
+/// d(R^T g) = -dtheta x R^T g.
+template <FrameGroup G>
+auto AveragedPort<G>::weight_stiffness(const G* H, const Vector& gravity) const ->
+    typename G::Matrix {
+  typename G::Matrix K = G::Matrix::Zero();
+  K.template topRightCorner<sd, rd>() = mass_ * turn<G>(Vector(H[port_].R.transpose() * gravity));
+  return K;
+}
+
+template <FrameGroup G>
+void AveragedPort<G>::add_inertia(const BodyState<G>& s, const Vector& gravity, double* r) const {
+  add_weight(s.H, gravity, 1, r);
   const Eigen::Map<const Tangent> v(s.v + dim * port_), a(s.vdot + dim * port_);
   Eigen::Map<Tangent> out(r + dim * port_);
   out.template head<sd>() +=
@@ -173,8 +189,9 @@ auto AveragedPort<G>::variation(
 /// f = k P (y - s), P = Q Q^T; on a node R_k^T R f_i, on the port -[sum f_i; sum y_i x f_i].
 template <FrameGroup G>
 void AveragedPort<G>::add_variation(const BodyState<G>& s, const StateDirection& d,
+                                    const Vector& gravity, const Vector& dgravity,
                                     const Variation& by, double* r) const {
-  using Vec = Eigen::Matrix<double, sd, 1>;
+  using Vec = Vector;
   using Rotation = Eigen::Matrix<double, rd, 1>;
   const auto at = unknowns();
   VectorXd eta(size());
@@ -203,6 +220,9 @@ void AveragedPort<G>::add_variation(const BodyState<G>& s, const StateDirection&
       dv(d.v + dim * port_), da(d.vdot + dim * port_);
   const auto u = [](const auto& of) -> Vec { return of.template head<sd>(); };
   const auto w = [](const auto& of) -> Rotation { return of.template tail<rd>(); };
+  const Vec g = s.H[port_].R.transpose() * gravity;
+  port.template head<sd>() +=
+      mass_ * (turn<G>(g) * turned - s.H[port_].R.transpose() * dgravity) - by.mass * g;
   port.template head<sd>() += by.mass * (u(a) + turn<G>(u(v)) * w(v)) +
                               mass_ * (u(da) + turn<G>(u(dv)) * w(v) + turn<G>(u(v)) * w(dv));
   port.template tail<rd>() += by.inertia * w(a) + inertia_ * w(da);

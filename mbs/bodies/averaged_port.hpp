@@ -7,8 +7,8 @@
 /// so that the port moves as the nodes do by least squares but for what its force strains the
 /// stiffness k; the nodes stay free to deform. Forces on them are f = k Q c, spread as those of a
 /// rigid motion are, and -[sum f_i; sum y_i x f_i] on the port: in balance in any shape.
-/// The port has inertia m [u' + w x u], j w', a small share of that of its nodes, without which
-/// its accelerations would not be known; it weighs nothing.
+/// The port has inertia m [u' + w x u - R^T g], j w', a small share of that of its nodes, without
+/// which its accelerations would not be known; it weighs m g, so that it falls as all else.
 
 #include <Eigen/StdVector>
 #include <vector>
@@ -32,6 +32,7 @@ class AveragedPort {
   static constexpr int dim = G::dim, sd = G::space_dim, rd = G::rotation_dim;
   using Tangent = typename G::Tangent;
   using Points = Eigen::Matrix<double, sd, Eigen::Dynamic>;
+  using Vector = Eigen::Matrix<double, sd, 1>;
 
   /// @param port node of the body  @param nodes nodes of the body, one a place
   /// @param places s_i, m  @param stiffness k, N/m  @param mass m, kg
@@ -47,9 +48,17 @@ class AveragedPort {
   Eigen::VectorXd stress(const G* H, const double* delta = nullptr) const;
   double elastic_energy(const G* H) const;
   double kinetic_energy(const double* v) const;
+  double potential_energy(const G* H, const Vector& gravity) const {
+    return -mass_ * gravity.dot(H[port_].x);
+  }
   /// Elastic forces times a weight, in the axes of the nodes of the body. @param scale may be null
   void add_internal(const G* H, double weight, double* r, ForceScale* scale) const;
-  void add_inertia(const BodyState<G>& s, double* r) const;
+  /// Of inertia and weight.
+  void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r) const;
+  /// Weight times a factor, as forces that do work: -m R^T g by the place of the port.
+  void add_weight(const G* H, const Vector& gravity, double factor, double* r) const;
+  /// Of the weight by the turn of the port.
+  typename G::Matrix weight_stiffness(const G* H, const Vector& gravity) const;
   /// Gradient of the kinetic energy times a weight.
   void add_momentum(const double* v, double weight, double* out) const;
 
@@ -69,8 +78,8 @@ class AveragedPort {
   /// By ports of the same nodes at nearby values, each with its weight.
   Variation variation(const std::vector<std::pair<double, const AveragedPort*>>& nearby) const;
   /// r += d(add_internal + add_inertia)/dp where the state changes along a direction of the body.
-  void add_variation(const BodyState<G>& s, const StateDirection& d, const Variation& by,
-                     double* r) const;
+  void add_variation(const BodyState<G>& s, const StateDirection& d, const Vector& gravity,
+                     const Vector& dgravity, const Variation& by, double* r) const;
 
   /// Makes it the derivative by a scale of the law.
   void scale(double stiffness, double mass);

@@ -291,7 +291,7 @@ void ContinuumBody<G>::add_inertia(const BodyState<G>& s, const Vector& gravity,
     inertia_forces(s, gravity, room, room.f);
     scale.force += room.f.squaredNorm();
     add_to_nodes(s.H, room.f, r);
-    for (const auto& port : averaged_) port.add_inertia(s, r);
+    for (const auto& port : averaged_) port.add_inertia(s, gravity, r);
   });
 }
 
@@ -344,6 +344,7 @@ BodyEnergy ContinuumBody<G>::energy(const BodyState<G>& s, const Vector& gravity
     for (const auto& port : averaged_) {
       out.elastic += port.elastic_energy(s.H);
       out.kinetic += port.kinetic_energy(s.v);
+      out.potential += port.potential_energy(s.H, gravity);
     }
   });
   return out;
@@ -380,6 +381,7 @@ void ContinuumBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& 
     add_to_nodes(s.H, momentum, v);
     for (const auto& port : averaged_) {
       port.add_internal(s.H, weight.elastic, h, nullptr);
+      port.add_weight(s.H, gravity, weight.potential, h);
       port.add_momentum(s.v, weight.kinetic, v);
     }
     for (int i = 0; i < mesh_nodes(); ++i)

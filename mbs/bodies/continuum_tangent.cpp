@@ -214,6 +214,8 @@ void ContinuumBody<G>::exact_tangent(const BodyState<G>& s, const Vector& gravit
       turning.template rightCols<rd>() = -w.stiffness * lever(i).transpose() * turn<G>(local);
       A.add_to_node(k, turning);
     }
+    for (const auto& port : averaged_)
+      A.add_to_node(port.port(), w.stiffness * port.weight_stiffness(s.H, gravity));
   });
 }
 

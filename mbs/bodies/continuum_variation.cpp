@@ -148,7 +148,7 @@ void ContinuumBody<G>::ByShape::add(const BodyState<G>& s, const StateDirection&
     df += (by.a.colwise() - dgravity) * body_.mass_ + room.a * mass_;
     add_to_nodes(s.H, d.eta, f, df, r);
     for (std::size_t p = 0; p < averaged_.size(); ++p)
-      body_.averaged_[p].add_variation(s, d, averaged_[p], r);
+      body_.averaged_[p].add_variation(s, d, gravity, dgravity, averaged_[p], r);
   });
 }
 

@@ -95,8 +95,9 @@ TEST(SegmentLoads, GiveTheDeformationBackInSpace) {
   expect_identity_of_chains<SE3>(spatial_chains(slider_crank()));
 }
 
-TEST(SegmentLoads, GiveTheDeformationOfASphericalPendulumBack) {
-  const Motion<SE3> motion(spherical_pendulum(), test::options(0.5, 1e-3));
+template <FrameGroup G>
+void expect_identity_of_a_pendulum(const Mechanism& m) {
+  const Motion<G> motion(m, test::options(1, 1e-3));
   ASSERT_TRUE(motion.good());
   const LoadSet loads = extract_loads(motion.model, motion.trajectory(), 0);
   const Identity identity = check_identity(motion.model, motion.trajectory(), loads, 20);
@@ -105,15 +106,31 @@ TEST(SegmentLoads, GiveTheDeformationOfASphericalPendulumBack) {
   EXPECT_GT(identity.linear, 1e-3) << "the linear problem is another one";
 }
 
+TEST(SegmentLoads, GiveTheDeformationOfASphericalPendulumBack) {
+  expect_identity_of_a_pendulum<SE3>(spherical_pendulum());
+}
+
+/// It bends by a tenth of its length, of segments as of elements.
+TEST(SegmentLoads, GiveTheDeformationOfAPendulumThatBendsFarBack) {
+  Mechanism m = test::pendulum(16);
+  expect_identity_of_a_pendulum<SE2>(m);
+  m.formalism = Formalism::Segments;
+  expect_identity_of_a_pendulum<SE2>(m);
+  expect_identity_of_a_pendulum<SE3>(m);
+}
+
 /// Largest sum of the forces and moments about the first node of a body, over the largest load.
 template <FrameGroup G>
 double unbalanced(const Motion<G>& motion, int body) {
   const LoadSet loads = extract_loads(motion.model, motion.trajectory(), body);
   double largest = 0;
   for (int n = 0; n < loads.f.cols(); ++n) {
-    const G* H = motion.trajectory().frames(n) + motion.model.first_node(body);
+    const G* at = motion.trajectory().frames(n) + motion.model.first_node(body);
+    const Body<G>& part = *motion.model.bodies[std::size_t(body)];
+    Frames<G> H(at, at + part.nodes());
+    part.settle_spin(H.data());
     typename G::Tangent sum = G::Tangent::Zero();
-    for (int k = 0; k < motion.model.bodies[std::size_t(body)]->nodes(); ++k)
+    for (int k = 0; k < part.nodes(); ++k)
       sum += (H[k].inverse() * H[0]).Ad().transpose() *
              loads.f.col(n).template segment<G::dim>(G::dim * k);
     largest = std::max(largest, sum.norm());

@@ -11,7 +11,7 @@ namespace liesl::test {
 
 inline Material steel() { return {"steel", 210e9, 0.3, 7850}; }
 
-inline Section circle(double diameter, double shear_factor) {
+inline Section round_section(double diameter, double shear_factor) {
   Section s;
   s.shape = Circle{diameter};
   s.shear_factor = {shear_factor, shear_factor};
@@ -54,9 +54,10 @@ inline Mechanism slider_crank(const SliderCrank& p = {}) {
   Mechanism m;
   m.name = "slider-crank";
   const int n = p.elements;
-  m.bodies = {{"crank", straight_beam({0, 0, 0}, {0.15, 0, 0}, n, circle(p.crank, 0.9), steel())},
-              {"rod", straight_beam({0.15, 0, 0}, {0.45, 0, 0}, n, circle(p.rod, 0.9), steel())},
-              {"slider", block({0.45, 0, 0}, p.slider, 1e-4)}};
+  m.bodies = {
+      {"crank", straight_beam({0, 0, 0}, {0.15, 0, 0}, n, round_section(p.crank, 0.9), steel())},
+      {"rod", straight_beam({0.15, 0, 0}, {0.45, 0, 0}, n, round_section(p.rod, 0.9), steel())},
+      {"slider", block({0.45, 0, 0}, p.slider, 1e-4)}};
   m.joints = {{"motor", JointType::Revolute, {}, {0, 0}},
               {"pin", JointType::Revolute, {0, n}, {1, 0}},
               {"wrist", JointType::Revolute, {1, n}, {2, 0}},
@@ -137,9 +138,9 @@ inline Mechanism four_bar(int n) {
   Mechanism m;
   m.name = "four-bar";
   m.gravity = {0, -9.81, 0};
-  m.bodies = {{"crank", straight_beam(A, B, n, circle(0.008, 0.9), steel())},
-              {"coupler", straight_beam(B, C, n, circle(0.006, 0.9), steel())},
-              {"rocker", straight_beam(D, C, n, circle(0.006, 0.9), steel())}};
+  m.bodies = {{"crank", straight_beam(A, B, n, round_section(0.008, 0.9), steel())},
+              {"coupler", straight_beam(B, C, n, round_section(0.006, 0.9), steel())},
+              {"rocker", straight_beam(D, C, n, round_section(0.006, 0.9), steel())}};
   m.joints = {{"motor", JointType::Revolute, {}, {0, 0}},
               {"pin", JointType::Revolute, {0, n}, {1, 0}},
               {"elbow", JointType::Revolute, {1, n}, {2, n}},

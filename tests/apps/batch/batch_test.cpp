@@ -259,9 +259,9 @@ TEST_F(BatchProgram, DamagedFilesAreNoResults) {
 /// Nothing lost, nothing twice, and the same designs as without a kill.
 TEST_F(BatchProgram, KilledBatchGoesOn) {
   const fs::path file = sizings();
-  ASSERT_EQ(run({"batch", file, "-o", dir_ / "whole", "-j", "2"}).code, 0);
+  ASSERT_EQ(run({"batch", file, "-o", dir_ / "whole", "-j", "2", "--no-verify"}).code, 0);
 
-  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2"});
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2", "--no-verify"});
   ASSERT_TRUE(wait_for_marks(2));
   const auto workers = children(pool);
   kill(pool, SIGKILL);
@@ -275,7 +275,7 @@ TEST_F(BatchProgram, KilledBatchGoesOn) {
   std::map<std::string, fs::file_time_type> times;
   for (const auto& name : before) times[name] = fs::last_write_time(mark(name));
 
-  const Outcome o = batch(file, {"-j", "2"});
+  const Outcome o = batch(file, {"-j", "2", "--no-verify"});
   EXPECT_EQ(o.code, 0) << o.err;
   EXPECT_EQ(marks().size(), 6u);
   for (const auto& [name, time] : times) EXPECT_EQ(fs::last_write_time(mark(name)), time) << name;
@@ -292,7 +292,7 @@ TEST_F(BatchProgram, KilledBatchGoesOn) {
 /// Its table and summary are there, without a case and with the first ones; the page is of them.
 TEST_F(BatchProgram, KilledBatchHasItsTable) {
   const fs::path file = sizings();
-  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1"});
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1", "--no-verify"});
   ASSERT_NE(wait_for_child(pool), 0);  // the first case
   EXPECT_EQ(summary()["status"], "running");
   EXPECT_EQ(summary()["reason"],
@@ -320,7 +320,7 @@ TEST_F(BatchProgram, KilledBatchHasItsTable) {
 
 TEST_F(BatchProgram, InterruptedBatchGoesOn) {
   const fs::path file = sizings();
-  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2"});
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "2", "--no-verify"});
   ASSERT_TRUE(wait_for_marks(1));
   kill(pool, SIGINT);
   const Outcome o = wait_for(pool);
@@ -329,13 +329,13 @@ TEST_F(BatchProgram, InterruptedBatchGoesOn) {
   const std::size_t before = marks().size();
   EXPECT_LT(before, 6u);
   EXPECT_EQ(table().at("case").size(), before);
-  EXPECT_EQ(batch(file).code, 0);
+  EXPECT_EQ(batch(file, {"--no-verify"}).code, 0);
   EXPECT_EQ(summary()["status"], "done");
 }
 
 TEST_F(BatchProgram, CrashIsOneFailedRow) {
   const fs::path file = sizings();
-  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1"});
+  const pid_t pool = start({"batch", file, "-o", results(), "-j", "1", "--no-verify"});
   const pid_t worker = wait_for_child(pool);
   ASSERT_NE(worker, 0);
   kill(worker, SIGSEGV);

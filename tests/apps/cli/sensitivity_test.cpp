@@ -124,7 +124,7 @@ TEST_F(Sensitivity, DirectAndAdjointAgree) {
 TEST_F(Sensitivity, IntegralsGrowWithTheDuration) {
   for (const char* method : {"direct", "adjoint"}) {
     ASSERT_EQ(run({"sensitivity", study("robot_codesign"), "-q", "-f", "-o", results(), "--method",
-                   method, "--functionals", "integral,mean"})
+                   method, "--functionals", "integral,mean", "--set", "simulation.step=4e-3"})
                   .code,
               0);
     const Json s = summary();

@@ -182,6 +182,27 @@ TEST_F(Lean, SliderCrankWithAFlexibleCrank) {
   EXPECT_NEAR(off(scene("slider_crank"), "bend", lean_model, fine), s["error"], 1e-9);
 }
 
+/// The estimate of `run --verify` beside the error that was measured: within a factor of 3 of the
+/// largest difference over time, of which that of the peak is a part.
+TEST_F(Lean, ModelIsVerified) {
+  ASSERT_EQ(lean(scene("slider_crank"), "bend").code, 0);
+  const Json s = summary(), bend = s["responses"]["bend"];
+  const double size = bend["max_abs"], error = bend["error"]["total"].get<double>() / size;
+  EXPECT_GT(error, 0);
+  EXPECT_LT(error, 3 * s["error"].get<double>());
+  EXPECT_LT(error, s["tolerance"].get<double>());
+  EXPECT_LE(s["verification"]["runs"], 4);
+  const fs::path again = results() / "again";
+  ASSERT_EQ(run({"run", results() / "lean.toml", "--verify", "-o", again}).code, 0);
+  const Json same = Json::parse(text_of(again / "summary.json"));
+  EXPECT_EQ(same["responses"]["bend"], bend);
+
+  const Outcome bare = lean(scene("slider_crank"), "bend", {"--no-verify"});
+  ASSERT_EQ(bare.code, 0);
+  EXPECT_TRUE(summary()["responses"].empty());
+  EXPECT_FALSE(summary().contains("verification"));
+}
+
 /// Fewer elements of order 4 are as good and faster; the reference knows nothing of them.
 TEST_F(Lean, OrderFourIsTakenWhereItIsFaster) {
   ASSERT_EQ(lean(scene("slider_crank"), "bend").code, 0);

@@ -68,7 +68,7 @@ class AveragedPortTest : public ::testing::Test {
     ForceScale scale;
     BodyState<G> at = model.body_state(s, 0);
     if (inertia)
-      body.add_inertia(at, G::Tangent::Zero().template head<G::space_dim>(), r.data(), scale);
+      body.add_inertia(at, model.gravity, r.data(), scale);
     else {
       at.v = still.data();  // without damping
       body.add_internal(at, r.data(), scale);
@@ -79,7 +79,7 @@ class AveragedPortTest : public ::testing::Test {
     State<G> at = s;
     model.retract(at, t * s.v + 0.5 * t * t * s.vdot);
     at.v += t * s.vdot;
-    return body.energy(model.body_state(at, 0), G::Tangent::Zero().template head<G::space_dim>());
+    return body.energy(model.body_state(at, 0), model.gravity);
   }
 
   Model<G> model;
@@ -94,9 +94,11 @@ TYPED_TEST(AveragedPortTest, ForcesHaveThePowerOfTheEnergies) {
   const double h = 2e-6;
   const BodyEnergy up = this->energy(h), down = this->energy(-h);
   const double elastic = (up.elastic - down.elastic) / (2 * h),
-               kinetic = (up.kinetic - down.kinetic) / (2 * h);
+               kinetic = (up.kinetic - down.kinetic) / (2 * h),
+               potential = (up.potential - down.potential) / (2 * h);
   EXPECT_NEAR(this->forces(false).dot(this->s.v), elastic, 1e-7 * std::abs(elastic));
-  EXPECT_NEAR(this->forces(true).dot(this->s.v), kinetic, 1e-7 * std::abs(kinetic));
+  EXPECT_NEAR(this->forces(true).dot(this->s.v), kinetic + potential,
+              1e-7 * (std::abs(kinetic) + std::abs(potential)));
 }
 
 /// Elastic forces of the whole do no work along a rigid motion, whatever the shape: force and
@@ -128,6 +130,24 @@ TYPED_TEST(AveragedPortTest, TangentsAreExact) {
   this->model.retract(at, h);
   at.lambda = 100 * random.vector(this->model.constraints());
   expect_exact_statics(this->model, at, {0, 1}, "statics");
+}
+
+/// Ports and nodes alike, so that nothing is strained.
+TYPED_TEST(AveragedPortTest, FallAsAllElse) {
+  using G = TypeParam;
+  Mechanism m = driven_foam<G>();
+  m.joints.clear();
+  m.drives.clear();
+  m.loads.clear();
+  const double t = 0.02;
+  const auto model = Model<G>::build(m, space_of<G>(m));
+  const auto result = simulate(model, options(t, 1e-3, 0.8, 1e-9));
+  ASSERT_EQ(result.report.status, SolveStatus::Converged) << result.report.reason;
+  const auto& all = result.trajectory;
+  for (int k = 0; k < model.nodes(); ++k) {
+    const auto fallen = (all.frames(all.size() - 1)[k].x - all.frames(0)[k].x).eval();
+    EXPECT_LT((fallen - 0.5 * t * t * model.gravity).norm(), 1e-9 * fallen.norm()) << k;
+  }
 }
 
 /// A port that moves alone, its nodes at rest: V = n k d^2/2 of a displacement, T = m u^2/2.

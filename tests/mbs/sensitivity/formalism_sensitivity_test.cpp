@@ -61,7 +61,7 @@ Mechanism spun_pendulum() {
   const Vec3 spin(9, 6, 20);
   Mechanism m;
   m.gravity = {0, -9.81, 2};
-  m.bodies = {{"beam", straight_beam({0, 0, 0}, {0.4, 0, 0}, 3, circle(0.03, 0.9),
+  m.bodies = {{"beam", straight_beam({0, 0, 0}, {0.4, 0, 0}, 3, round_section(0.03, 0.9),
                                      {"plastic", 7e9, 0.3, 1200})},
               {"bob", block({0.4, 0, 0}, 0.3, 2e-4)}};
   std::get<RigidSpec>(m.bodies[1].kind).centre = {0.01, 0.02, 0.015};

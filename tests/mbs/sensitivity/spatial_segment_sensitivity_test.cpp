@@ -15,7 +15,7 @@ Mechanism pendulum_in_space(SegmentSpec spec = {}) {
   Mechanism m;
   m.formalism = Formalism::Segments;
   m.gravity = {2, -9.81, 1};
-  m.bodies = {{"rod", straight_beam({0, 0, 0}, {0.3, 0, 0}, kSegments, circle(0.016, 0.9),
+  m.bodies = {{"rod", straight_beam({0, 0, 0}, {0.3, 0, 0}, kSegments, round_section(0.016, 0.9),
                                     {"plastic", 7e8, 0.3, 1200})}};
   std::get<BeamSpec>(m.bodies[0].kind).segment = spec;
   m.joints = {{"ball", JointType::Spherical, {}, {0, 0}}};

@@ -124,8 +124,9 @@ TYPED_TEST(PenaltyIn, AFloppyBodyBesideHidesNothing) {
   using G = TypeParam;
   const Mechanism m = crank();
   Mechanism beside = m;
-  beside.bodies.push_back({"wire", straight_beam({0.05, 0, 0}, {0.4, 0, 0}, 4, circle(0.004, 0.9),
-                                                 {"rubber", 5e7, 0.3, 1000})});
+  beside.bodies.push_back(
+      {"wire", straight_beam({0.05, 0, 0}, {0.4, 0, 0}, 4, round_section(0.004, 0.9),
+                             {"rubber", 5e7, 0.3, 1000})});
   beside.joints.push_back({"hang", JointType::Revolute, {}, {3, 0}});
   const auto share = [](const Mechanism& of) {
     const auto r =

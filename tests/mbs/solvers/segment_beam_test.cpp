@@ -231,7 +231,7 @@ TEST(SegmentBeam, DiffersFromTheBeamOnTheGroupBySlendernessSquared) {
       m.formalism = formalism;
       m.gravity = {0, -9.81, 0};
       m.gravity_scale = TimeFunction::expression("sin(2.5*pi*t)^2");  // strikes nothing
-      m.bodies = {{"beam", straight_beam({0, 0, 0}, {1, 0, 0}, n, circle(d, 0.9),
+      m.bodies = {{"beam", straight_beam({0, 0, 0}, {1, 0, 0}, n, round_section(d, 0.9),
                                          {"soft", 5 / I, 0.3, 1 / A})}};
       m.joints = {{"clamp", JointType::Fixed, {}, {0, 0}}};
       const auto r = run_planar(m, options(0.2, 5e-4, 0.8, 1e-9));

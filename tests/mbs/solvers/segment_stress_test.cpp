@@ -61,7 +61,7 @@ TEST(SegmentStress, IsThatOfATieThatIsBent) {
   flat.shape = Rectangle{0.5 * kThick, kThick};
   tall.shape = Rectangle{2 * kThick, kThick};
   const double W = M_PI * std::pow(kThick, 3) / 32;
-  expect_stress_of_the_tie<SE2>({circle(kThick, 0.9), W, Vec3::UnitY()});
+  expect_stress_of_the_tie<SE2>({round_section(kThick, 0.9), W, Vec3::UnitY()});
   expect_stress_of_the_tie<SE2>({flat, std::pow(kThick, 3) / 24, Vec3::UnitY()});
   expect_stress_of_the_tie<SE2>({tall, std::pow(kThick, 3) / 1.5, Vec3::UnitY()});
 }
@@ -71,7 +71,7 @@ TEST(SegmentStress, IsThatOfATieThatIsBent) {
 TEST(SegmentStress, IsThatOfATieThatIsBentInSpace) {
   Section square;
   square.shape = Rectangle{kThick, kThick};
-  expect_stress_of_the_tie<SE3>({circle(kThick, 0.9), M_PI * std::pow(kThick, 3) / 32,
+  expect_stress_of_the_tie<SE3>({round_section(kThick, 0.9), M_PI * std::pow(kThick, 3) / 32,
                                  Vec3(0, std::sqrt(0.5), std::sqrt(0.5))});
   const double c = std::cos(0.3), s = std::sin(0.3);
   expect_stress_of_the_tie<SE3>({square, std::pow(kThick, 3) / 6 / (c + s), Vec3(0, c, s)});

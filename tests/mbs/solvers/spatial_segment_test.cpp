@@ -19,8 +19,8 @@ Mechanism machine() {
   const Material plastic{"plastic", 7e9, 0.3, 1200};
   const Vec3 end(0.3, 0.2, -0.1), tip(0.3, 0.1, -0.3);
   Mechanism m;
-  m.bodies = {{"rod", straight_beam({0, 0, 0}, end, 4, circle(0.016, 0.9), plastic)},
-              {"arm", straight_beam(end, tip, 3, circle(0.012, 0.9), plastic)},
+  m.bodies = {{"rod", straight_beam({0, 0, 0}, end, 4, round_section(0.016, 0.9), plastic)},
+              {"arm", straight_beam(end, tip, 3, round_section(0.012, 0.9), plastic)},
               {"block", block(tip, 0.1, 1e-4)}};
   auto& rod = std::get<BeamSpec>(m.bodies[0].kind);
   std::get<Circle>(rod.sections[2].shape).diameter = 0.012;
@@ -283,7 +283,7 @@ Mechanism pushed(int n, double d, Formalism formalism) {
   m.formalism = formalism;
   m.gravity = {0, -9.81, 0};
   m.gravity_scale = TimeFunction::expression("sin(2.5*pi*t)^2");  // strikes nothing
-  m.bodies = {{"beam", straight_beam({0, 0, 0}, {1, 0, 0}, n, circle(d, 0.9),
+  m.bodies = {{"beam", straight_beam({0, 0, 0}, {1, 0, 0}, n, round_section(d, 0.9),
                                      {"soft", 5 / I, 0.3, 1 / A})}};
   m.joints = {{"clamp", JointType::Fixed, {}, {0, 0}}};
   LoadSpec push;
