@@ -99,6 +99,9 @@ def draw_map(folder, pictures, summary):
         marks[1:1] = [Line2D([], [], color=ORANGE, linestyle="dashed", label="of the local model"),
                       Line2D([], [], color=ORANGE, marker="*", markeredgecolor="black",
                              markersize=11, linestyle="none", label="where it is made")]
+        if any(entry["limit"] is not None for _, entry in wanted):
+            marks.append(Line2D([], [], color=RED, linewidth=2.2, linestyle="dashed",
+                                label="limit by the local model"))
     else:
         marks.append(Line2D([], [], color=ORANGE, marker="*", markeredgecolor="black",
                             markersize=11, linestyle="none", label="centre"))

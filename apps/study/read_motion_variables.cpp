@@ -97,6 +97,14 @@ void read_drive_value(StudyReader& reader, const Entry& entry, ConstantSpec c) {
   const std::string joint = only(*entry.table, "of");
   const toml::node& property = *strings(*entry.table, "property").front();
   const int number = joint_named(mechanism, joint);
+  if (number < 0) {
+    std::vector<std::string> names;
+    for (const JointSpec& known : mechanism.joints) names.push_back(known.name);
+    return reader.scene.problems.add(*strings(*entry.table, "of").front(),
+                                     fmt::format("there is no joint '{}'", joint),
+                                     "a joint with drive = { table = [[t, q], ...] }",
+                                     suggestion(joint, names, "the scene has no joints"));
+  }
   const auto drive = std::find_if(mechanism.drives.begin(), mechanism.drives.end(),
                                   [&](const DriveSpec& d) { return d.joint == number; });
   const toml::table* from = drive_of(reader, joint);
@@ -119,6 +127,14 @@ void read_drive_value(StudyReader& reader, const Entry& entry, ConstantSpec c) {
 }
 
 void read_duration(StudyReader& reader, const Entry& entry, ConstantSpec c) {
+  const auto expect = [&](const char* key, const char* known, const char* what) {
+    if (const std::string given = only(*entry.table, key); given != known)
+      reader.scene.problems.add(*strings(*entry.table, key).front(),
+                                fmt::format(fmt::runtime(what), given),
+                                fmt::format("\"{}\"", known), suggestion(given, {known}));
+  };
+  expect("of", "simulation", "'{}' has no duration");
+  expect("property", "duration", "a simulation has no '{}' that can vary");
   c.quantity = ConstantQuantity::Duration;
   reader.spec.duration = reader.scene.scene.simulation.duration;
   read_bounds(reader, *entry.table, reader.spec.duration, c);
@@ -134,12 +150,12 @@ void read_duration(StudyReader& reader, const Entry& entry, ConstantSpec c) {
 
 bool names_motion(const StudyReader& reader, const toml::table& table) {
   const std::string of = only(table, "of"), property = only(table, "property");
-  if (of == "simulation" && property == "duration") return true;
+  if (of == "simulation" || property == "duration" || property.starts_with(kRows)) return true;
   const Mechanism& mechanism = reader.scene.scene.mechanism;
   if (joint_named(mechanism, of) < 0) return false;
   const bool elastic = std::any_of(mechanism.forces.begin(), mechanism.forces.end(),
                                    [&of](const ForceSpec& force) { return force.name == of; });
-  return property.starts_with(kRows) || !elastic;
+  return !elastic;
 }
 
 void read_motion_variable(StudyReader& reader, const Entry& entry) {
@@ -150,7 +166,9 @@ void read_motion_variable(StudyReader& reader, const Entry& entry) {
     reader.scene.problems.add(
         *values, fmt::format("'{}' is a variable of the motion, of which no catalogue is", c.name),
         "sizes of sections, parameters of outlines, constants of forces and bodies");
-  if (only(*entry.table, "of") == "simulation") return read_duration(reader, entry, c);
+  const bool of_simulation = only(*entry.table, "of") == "simulation";
+  if (of_simulation || only(*entry.table, "property") == "duration")
+    return read_duration(reader, entry, c);
   read_drive_value(reader, entry, c);
 }
 

@@ -230,6 +230,10 @@ TEST(MotionVariables, BadInputIsRefusedWithItsPlace) {
   refused({"design.elbow_3.property=drive.table.0"}, "row 0 is where the motion starts");
   refused({"design.elbow_4.property=drive.table.3", "design.elbow_4.bounds=[0.5, 0.9]"},
           "is already varied by 'elbow_3'");
+  refused({"design.elbow_3.of=elbwo"}, "there is no joint 'elbwo'");
+  refused({"design.elbow_3.of=elbwo"}, "did you mean 'elbow'?");
+  refused({"design.duration.of=simulate"}, "'simulate' has no duration");
+  refused({"design.duration.property=durration"}, "did you mean 'duration'?");
   refused({"design.elbow_3.bounds=[0.8, 1]"}, "outside the bounds");
   refused({"design.duration.bounds=[0, 1]"}, "durations > 0");
   refused({"objective.weights.mass=0", "objective.weights.duration=0"}, "all weights are zero");
