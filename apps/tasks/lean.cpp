@@ -111,6 +111,8 @@ void add_errors(VerifiedScene lean, const std::string& response, const Progress&
   std::erase_if(scene.responses, [&](const ResponseSpec& r) { return r.name != response; });
   lean.responses = scene.responses;
   RunOutcome run = run_task(scene, choose_space(scene), progress);
+  if (run.status != SolveStatus::Converged)  // stopped: the model was found before
+    return summary.warnings.push_back("not verified: " + run.summary.reason);
   verify(lean, scene, run.summary, progress);
   summary.responses = std::move(run.summary.responses);
   summary.more["verification"] = run.summary.more["verification"];
