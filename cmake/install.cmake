@@ -29,7 +29,9 @@ install(FILES ${CMAKE_CURRENT_BINARY_DIR}/liesl-config.cmake
 if(TARGET liesl)
   install(TARGETS liesl)
   install(TARGETS liesl_program RUNTIME DESTINATION ${CMAKE_INSTALL_LIBEXECDIR})
-  install(FILES ${CMAKE_BINARY_DIR}/liesl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  set(written ${CMAKE_BINARY_DIR}/written)
+  install(FILES ${written}/liesl.1 DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${written}/liesl DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(DIRECTORY apps/plot/ DESTINATION ${CMAKE_INSTALL_DATADIR}/liesl/plot
           FILES_MATCHING PATTERN *.py)
 endif()

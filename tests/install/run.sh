@@ -28,6 +28,12 @@ r.check()
 print('Python package:', r.summary['status'])")
 fi
 
+# What man and bash read of the program that is installed.
+if [[ -x $place/prefix/bin/liesl ]]; then
+  grep -q '^.TH LIESL' "$place/prefix/share/man/man1/liesl.1"
+  bash -c "source '$place/prefix/share/bash-completion/completions/liesl' && complete -p liesl"
+fi
+
 # The program, by its path and by a link: bin/liesl finds what it starts, and that its own files.
 if [[ -x $place/prefix/bin/liesl ]]; then
   ln -s "$place/prefix/bin/liesl" "$place/link"
