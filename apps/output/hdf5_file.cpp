@@ -39,6 +39,7 @@ hid_t unbuffered() {
 
 hid_t create_file(const std::filesystem::path& path) {
   prepare_hdf5();
+  require_room_for_file();
   return H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, unbuffered());
 }
 
@@ -118,6 +119,7 @@ void Hdf5File::write(const std::string& name, const std::vector<std::string>& te
 }
 
 void Hdf5File::copy(const std::filesystem::path& from, const std::string& group) const {
+  require_room_for_file();
   const Hdf5Handle source(H5Fopen(from.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose);
   if (H5Ocopy(checked(source.id()), "/", file_.id(), group.c_str(), H5P_DEFAULT, H5P_DEFAULT) < 0)
     fail();

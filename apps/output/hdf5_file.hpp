@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <initializer_list>
+#include <new>
 #include <span>
 #include <string>
 #include <utility>
@@ -19,6 +20,13 @@ namespace liesl::output {
 inline void prepare_hdf5() {
   H5dont_atexit();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
+/// To be called before a file is made or opened: the library (1.10, H5AC_create) does not survive
+/// that there is no memory for the cache of the file. @throws std::bad_alloc
+inline void require_room_for_file() {
+  constexpr std::size_t kRoom = std::size_t{4} << 20;  // bytes, more than a file takes
+  ::operator delete(::operator new(kRoom));
 }
 
 /// Owner of an HDF5 identifier. Closes it in the end.

@@ -9,6 +9,7 @@ namespace {
 
 hid_t open_file(const std::filesystem::path& path) {
   prepare_hdf5();
+  require_room_for_file();
   return H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
 }
 
