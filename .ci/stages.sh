@@ -60,13 +60,12 @@ engine_alone() {
 
 # OpenBLAS takes its kernel by the processor; what it computes differs in the last bits, and what must
 # hold at an optimum holds with each. Those of this processor's own run with all other tests.
-# another_kernel <kernel> [arguments of ctest]
+# another_kernel <kernel>
 another_kernel() {
   local kernel=$1
-  shift
   if [[ $kernel == "$(own_kernel)" ]]; then echo "this processor's own: they have run with it above"; return; fi
   OPENBLAS_CORETYPE=$kernel ctest --test-dir build/release --output-on-failure --no-tests=error -j2 \
-    -L shape "$@"
+    -L shape
 }
 
 # The kernel beside Haswell that this processor can run.

@@ -83,6 +83,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at
   BlockTridiagonalLU<G::dim> lu;
   double best = std::numeric_limits<double>::infinity(), moved = best;
   const double length = length_of(beam);
+  State<G> from = at;
   for (int i = 0; i < kMaxNewton; ++i) {
     s.stress = stress.front().data();
     Eigen::VectorXd r = -f;
@@ -102,7 +103,7 @@ bool solve_nonlinear(const Body<G>& beam, const Eigen::VectorXd& f, State<G>& at
     moved = r.norm();
     const Eigen::VectorXd delta = -r;
     beam.extrapolate_stress(s, delta.data(), stress.data());
-    State<G> from = at;
+    from.H = at.H;
     retract(from, delta, NodeUpdate::Screw, nodes, at);
     if (!positions.empty()) lay_chain(beam, from, delta, at);
     beam.turn_axes(at.H.data());
