@@ -17,7 +17,7 @@ constexpr double kMargin = 2, kLeast = 1;  // penalty over the sum of the multip
 constexpr double kStronger = 5;            // penalty against the one before
 constexpr double kClose = 0.1;             // of the allowed violation
 constexpr double kMore = 0.5;  // share of a decrease of the violation that a penalty must not miss
-constexpr double kCounts = 0.1;    // share of objective_tolerance that a decrease must have
+constexpr double kCounts = 0.05;   // share of objective_tolerance that a decrease must have
 constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
 constexpr double kActive = 2e-3;   // limits that may carry a multiplier
 constexpr double kSame = 1e-6;     // two answers of one surrogate
