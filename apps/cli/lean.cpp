@@ -38,7 +38,8 @@ void print_result(const LeanOutcome& out, const std::string& folder) {
   if (r.status == LeanStatus::Done)
     fmt::print("  error {:.3g} % (as given {:.3g} %), time {:.3g} s (as given {:.3g} s), {} runs\n",
                100 * r.error, 100 * r.error_given, r.time, r.time_given, r.runs);
-  for (const auto& change : r.changes) fmt::print("  {}\n", change);
+  if (has_model(r))
+    for (const auto& change : r.changes) fmt::print("  {}\n", change);
   print_responses(out.summary);
   for (const auto& warning : out.summary.warnings) fmt::print("  note: {}\n", warning);
   fmt::print("results in {}", folder);

@@ -19,20 +19,23 @@ namespace {
 
 /// A shipped file of a kind by its name. @throws InputError with the names there are
 const Template& find(const std::string& kind, const std::string& name) {
-  std::vector<std::string> names;
+  std::vector<std::string> names, begun;
   for (const Template& t : templates()) {
     if (t.kind != kind) continue;
     if (t.name == name) return t;
     names.emplace_back(t.name);
+    if (!name.empty() && t.name.starts_with(name)) begun.emplace_back(t.name);
   }
   if (kind != "scene" && kind != "study")
     throw InputError({{"new", 0, 0, "there is no kind of file '" + kind + "'", "scene or study",
                        suggestion(kind, {"scene", "study"})}});
   const std::string what =
       name.empty() ? "--like is missing" : "there is no " + kind + " '" + name + "'";
-  throw InputError({{"new", 0, 0, what, "--like with the name of a shipped " + kind,
-                     name.empty() ? fmt::format("known: {}", fmt::join(names, ", "))
-                                  : suggestion(name, names)}});
+  throw InputError(
+      {{"new", 0, 0, what, "--like with the name of a shipped " + kind,
+        name.empty()    ? fmt::format("known: {}", fmt::join(names, ", "))
+        : begun.empty() ? suggestion(name, names)
+                        : fmt::format("did you mean '{}'?", fmt::join(begun, "', '"))}});
 }
 
 const Template& scene_of_study(const std::string& name) {

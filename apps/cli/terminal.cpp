@@ -42,12 +42,12 @@ std::vector<std::string> left_out(const output::RunSummary& summary, std::option
   return what;
 }
 
-/// " +- 2.3e-05" of what was verified.
+/// " +- 2.3e-05" of what was verified. @param total both with their signs, where that is known
 std::string plus_minus(const output::RunSummary& summary, std::optional<double> mesh,
-                       std::optional<double> step) {
+                       std::optional<double> step, std::optional<double> total = {}) {
   if (!mesh && !step) return "";
   const auto without = left_out(summary, mesh, step);
-  return fmt::format(" +- {:.2g}{}", mesh.value_or(0) + step.value_or(0),
+  return fmt::format(" +- {:.2g}{}", total.value_or(mesh.value_or(0) + step.value_or(0)),
                      without.empty() ? "" : fmt::format(" ({})", fmt::join(without, ", ")));
 }
 
@@ -82,7 +82,7 @@ void print_responses(const output::RunSummary& summary) {
   for (const auto& r : summary.responses)
     if (!r.final.empty())
       fmt::print("  {:<16} largest {:.6g}{} {} at {:.6g}, at the end {}{}\n", r.name, r.max_abs,
-                 plus_minus(summary, r.error_mesh, r.error_step), r.unit, r.at_time,
+                 plus_minus(summary, r.error_mesh, r.error_step, r.error_total), r.unit, r.at_time,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")),
                  plus_minus(summary, r.end_error_mesh, r.end_error_step));

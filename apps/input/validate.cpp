@@ -52,11 +52,12 @@ class Validator {
 
   void entry(toml::table& in, const std::vector<const Key*>& keys, const toml::key& name,
              toml::node& value, const std::string& path) {
-    bool known = false, undecided = false;
+    bool undecided = false;
+    const Key* known = nullptr;
     for (const Key* key : keys) {
       if (key->leaf() == "*") return named(*key, name, value, path);
       if (key->leaf() != name.str()) continue;
-      known = true;
+      known = key;
       const Applies how = applies(kind_, *key, in);
       undecided = undecided || how == Applies::Unknown;
       if (how == Applies::Yes) return check(*key, value, join(path, name.str()));
@@ -73,8 +74,18 @@ class Validator {
       misspelt_.insert(join(path, meant));
     else
       candidates = all;
-    problems_.add(name, what + choice, path.empty() ? "a key of the file" : "a key of " + path,
+    const std::string where = path.empty() ? "the file" : path;
+    problems_.add(name, what + choice,
+                  fmt::format("a key of {}{}", where, known ? for_what(*known) : ""),
                   suggestion(name.str(), candidates));
+  }
+
+  /// "; it is for constraints = penalty, augmented" of a key that other values of another allow.
+  static std::string for_what(const Key& key) {
+    const auto equals = key.when.find('=');
+    if (equals == std::string_view::npos) return "";
+    return fmt::format("; '{}' is for {} = {}", key.leaf(), key.when.substr(0, equals),
+                       fmt::join(words(key.when.substr(equals + 1)), ", "));
   }
 
   void named(const Key& key, const toml::key& name, toml::node& value, const std::string& path) {

@@ -43,4 +43,9 @@ struct LeanResult {
   int runs = 0;
 };
 
+/// Is there a lean model, within the tolerance or not?
+inline bool has_model(const LeanResult& r) {
+  return r.status == LeanStatus::Done || r.status == LeanStatus::Missed;
+}
+
 }  // namespace liesl

@@ -20,7 +20,9 @@ LeanResult find_lean(Trials& trials, double tolerance,
   choose_space(runs);
   if (!find_reference(runs))
     return runs.finish(LeanStatus::NotConverged,
-                       "refinement does not settle the response: " + last_evidence());
+                       "refinement does not settle the response: " + last_evidence() +
+                           "; a larger --tolerance may be met, or a start without a jump "
+                           "(simulation.start = \"equilibrium\") settles it");
   make_rigid(runs);
   for (int check = 0; check < kMostChecks; ++check) {
     if (!choose_mesh_and_step(runs)) break;

@@ -22,9 +22,9 @@ def moving(series, names):
 
 
 def error_of(figure):
-    """Of its largest value, by mesh and step together (`--verify`); 0 where it is not known."""
+    """Of its largest value (`--verify`), in all, or that by mesh and that by step; 0 where it is not known."""
     error = figure.get("error", {})
-    return sum(error.get(by) or 0 for by in ("mesh", "step"))
+    return error.get("total") or sum(error.get(by) or 0 for by in ("mesh", "step"))
 
 
 def band(ax, time, values, error, factor, colour, label=None):

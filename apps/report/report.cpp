@@ -42,7 +42,8 @@ std::string page_of(const fs::path& folder, const std::string& name) {
       if (const fs::path file = folder / (std::string(table) + ".csv"); fs::exists(file))
         data[table] = cases(file);
     for (const char* table : {"results.csv", "rows.csv"})
-      if (fs::exists(folder / table)) data["cases"] = cases(folder / table);
+      if (fs::exists(folder / table))
+        data["cases"] = cases(folder / table, summary.value("done", std::size_t{0}));
     if (fs::exists(folder / "cases")) data["reported"] = reported_cases(folder);
   } catch (const Json::exception& error) {
     throw output::IoError("report", folder / "summary.json", error.what());

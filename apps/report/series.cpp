@@ -1,10 +1,13 @@
 #include "apps/report/series.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 #include <string_view>
 
+#include "apps/output/io_error.hpp"
 #include "apps/report/table.hpp"
 
 namespace fs = std::filesystem;
@@ -62,9 +65,13 @@ std::vector<std::string> scenarios_in(const fs::path& folder) {
   return out;
 }
 
-/// The error of the largest value by mesh and step together, where it is known.
+/// The error of the largest value, where it is known: in all, or that by mesh and that by step.
 void add_error(const Json& figure, Json& chart) {
   if (!figure.contains("error")) return;
+  if (const auto& total = figure["error"].value("total", Json()); total.is_number()) {
+    chart["error"] = total;
+    return;
+  }
   double sum = 0;
   for (const char* by : {"mesh", "step"})
     if (const auto& error = figure["error"].value(by, Json()); error.is_number())
@@ -228,8 +235,14 @@ Json outlines(const fs::path& folder, Blob& blob) {
   return list;
 }
 
-Json cases(const fs::path& file) {
+Json cases(const fs::path& file, std::size_t least) {
   const Table table = read_table(file);
+  if (table.rows() < least)
+    throw output::IoError(
+        "read", file,
+        fmt::format("it has {} rows, and summary.json tells of {}: half a result; "
+                    "run it again",
+                    table.rows(), least));
   Json columns = Json::array();
   for (const Table::Column& column : table.columns) {
     const auto values = numbers_or_nan(column);

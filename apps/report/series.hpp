@@ -25,6 +25,7 @@ Json sized_elements(const std::filesystem::path& folder);
 Json outlines(const std::filesystem::path& folder, Blob& blob);
 
 /// A table of cases or rows: {"columns": [{"name", "unit", "number", "cells"}]}.
-Json cases(const std::filesystem::path& table);
+/// @param least how many it has  @throws output::IoError if it has fewer
+Json cases(const std::filesystem::path& table, std::size_t least = 0);
 
 }  // namespace liesl::report

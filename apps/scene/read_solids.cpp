@@ -54,11 +54,21 @@ void read_motion(PartReader& part) {
     part.refuse(modes, "as a continuum has no modes: all its nodes move", "no 'modes'");
 }
 
+constexpr double kLocks = 0.45;  // Poisson's ratio from which cells of displacements are too stiff
+
 /// A part whose nodes all move.
 void check_continuum(PartReader& part) {
   if (part.solid.as != SolidMotion::Continuum) return;
   const auto problem = continuum_problem(part.solid);
-  if (!problem) return;
+  if (!problem) {
+    const double nu = part.material.nu;
+    if (part.dim() == 3 && nu > kLocks)
+      part.reader.scene.warnings.push_back(fmt::format(
+          "part '{}' is nearly incompressible (nu = {:g}), and its cells are too stiff then: "
+          "halve them and compare (`liesl run --verify`)",
+          part.name, nu));
+    return;
+  }
   const auto at = part.table.at_path(problem->key);
   part.refuse(at.node() ? *at.node() : static_cast<const toml::node&>(part.table),
               "as a continuum " + problem->text, problem->expected, problem->hint);

@@ -60,6 +60,11 @@ Json summary_json(const LeanResult& r, const LeanRequest& request) {
                {"held_out", setting_json(r.held_out)},
                {"changes", r.changes},
                {"runs", r.runs}};
+  if (!has_model(r))
+    for (const char* key :
+         {"error", "error_given", "time_s", "time_given_s", "time_reference_s", "time_held_out_s",
+          "corrections_given", "reference_error", "lean", "reference", "held_out", "changes"})
+      json.erase(key);
   json["decisions"] = Json::array();
   for (const auto& d : r.decisions)
     json["decisions"].push_back({{"about", d.about},

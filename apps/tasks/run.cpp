@@ -26,16 +26,30 @@ void move(const Model<G>& model, const Eigen::VectorXd& shape, double size, Stat
   model.complete(s);
 }
 
-/// The largest component of the displacements and turns of nodes, those of meshes among them.
+/// Of nodes, those of meshes among them: the largest components of displacements and turns.
+struct LargestMove {
+  double displacement = 1e-300, turn = 1e-300;  ///< m, rad
+
+  /// A size of the shape that is seen and still like it, whatever the unit of length.
+  double size(double length) const {
+    constexpr double kSeen = 0.1, kMostTurn = 0.25;  // of the length, rad
+    return std::min(kSeen * length / displacement, kMostTurn / turn);
+  }
+};
+
 template <FrameGroup G>
-double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
-  double largest = 0;
+LargestMove largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
+  LargestMove largest;
   for (size_t b = 0; b < model.bodies.size(); ++b) {
     const int first = model.first_node(static_cast<int>(b));
     const Body<G>& moved = *model.bodies[b];
     const int nodes = ContinuumBody<G>::of(moved) ? moved.nodes() : moved.points();
-    const auto frames = shape.segment(G::dim * first, G::dim * nodes);
-    largest = std::max(largest, frames.cwiseAbs().maxCoeff());
+    const auto frames = shape.segment(G::dim * first, G::dim * nodes).reshaped(G::dim, nodes);
+    const auto add = [](double& most, const auto& moves) {
+      if (moves.size() > 0) most = std::max(most, moves.cwiseAbs().maxCoeff());
+    };
+    add(largest.displacement, frames.template topRows<G::space_dim>());
+    add(largest.turn, frames.template bottomRows<G::rotation_dim>());
     const auto* body = SolidBody<G>::of(*model.bodies[b]);
     if (!body) continue;
     constexpr double kLittle = 1e-6;  // of the shape: its derivative at rest
@@ -43,8 +57,7 @@ double largest_move(const Model<G>& model, const Eigen::VectorXd& shape) {
     move(model, shape, kLittle / std::max(shape.cwiseAbs().maxCoeff(), 1e-300), s);
     const Eigen::VectorXd e =
         body->coordinates({s.H.data() + first, nullptr, nullptr, s.w.data() + G::dim * first});
-    largest = std::max(
-        largest, (body->basis() * e).cwiseAbs().maxCoeff() * shape.cwiseAbs().maxCoeff() / kLittle);
+    add(largest.displacement, body->basis() * e * (shape.cwiseAbs().maxCoeff() / kLittle));
   }
   return largest;
 }
@@ -83,7 +96,7 @@ void run_modes(const Scene& scene, const Space<G>& space, RunOutcome& out) {
   for (size_t m = 0; m < modes.frequency.size(); ++m) {
     State<G> s = modes.equilibrium;
     const Eigen::VectorXd shape = modes.shapes.col(static_cast<int>(m));
-    move(model, shape, 0.1 * model.length / std::max(largest_move(model, shape), 1e-300), s);
+    move(model, shape, largest_move(model, shape).size(model.length), s);
     s.t = modes.frequency[m];
     s.lambda.setZero();
     shapes.record(s);

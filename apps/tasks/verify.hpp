@@ -14,8 +14,8 @@
 /// the step, if that is more. Both together have the signs of R - R_m and R - R_s (missed:
 /// negative).
 ///
-/// A fourth run, twice as coarse in whichever of the two costs more, shows the order; where it is
-/// lower, it counts.
+/// Runs of twice the elements' length and of twice the step, where they can be, show the orders;
+/// where one is lower than expected, it counts.
 
 #include "apps/output/summary.hpp"
 #include "apps/tasks/finer_scenes.hpp"
@@ -28,7 +28,7 @@ void check_verifiable(const SimulationOptions& options);
 
 /// Adds `error_mesh`, `error_step`, `error_total` to the responses of a summary, the key
 /// `verification`, and warnings where orders are not as expected or a part cannot be refined.
-/// Simulates the scene at most three times more.
+/// Simulates the scene at most four times more.
 /// @param scene as read, with these responses  @param summary of its run, with its space
 /// @throws InputError as check_verifiable
 void verify(const VerifiedScene& source, const Scene& scene, output::RunSummary& summary,

@@ -175,10 +175,11 @@ class LimitVerification {
   /// Errors of the terms and, where those of all are known, of the objective, which weighs them.
   void describe_objective() {
     auto& more = out_.summary.more;
-    if (terms_.empty() || !more.contains("terms")) return;
     std::vector<std::string> unknown = other_terms(study_.spec);
+    if (terms_.empty() && unknown.empty()) return;
     double mesh = 0, step = 0;
     for (const auto& [name, term] : terms_) {
+      if (!more.contains("terms")) return;
       auto& figure = more["terms"][name];
       const double value = figure["final"].get<double>();
       if (!term.known || std::abs(term.value - value) > kAlike * value) {
@@ -291,14 +292,18 @@ std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& stud
   return verified_limits(out, [&] { return LimitVerification(out, study, progress).run(); });
 }
 
+std::string VerifiedLimit::remedy() const {
+  if (mesh > step) return "beams of order = 4, or more elements or cells, make it certain";
+  if (step > 0) return "a smaller step makes it certain";
+  return "joints by multipliers, or a larger penalty, make it certain";
+}
+
 void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,
                     const std::string& way, std::vector<std::string>& warnings) {
   for (const VerifiedLimit& l : limits)
     if (l.error() > feasibility && !l.certain(feasibility))
       warnings.push_back(
-          l.text() +
-          "; beams of order = 4, more elements or cells, or a smaller step make it certain" +
-          (way.empty() ? "" : " (" + way + ")"));
+          fmt::format("{}; {}{}", l.text(), l.remedy(), way.empty() ? "" : " (" + way + ")"));
 }
 
 }  // namespace liesl

@@ -26,6 +26,8 @@ struct VerifiedLimit {
   bool certain(double feasibility) const { return known && violation + error() <= feasibility; }
   /// "limit bending is known to 1.7 % only: mesh 1.7 %, step 0.001 %"
   std::string text() const;
+  /// "a smaller step makes it certain": by what is the larger error.
+  std::string remedy() const;
 };
 
 /// The one that may be violated most: of the largest violation + error. @pre there is one

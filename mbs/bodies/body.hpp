@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -69,6 +70,11 @@ struct ForceScale {
   double norm(double length) const { return std::sqrt(force + moment / (length * length)); }
 };
 
+/// What is wrong with the shape of a body, and what to do about it: a clause each.
+struct ShapeFault {
+  std::string what, remedy;
+};
+
 struct BodyEnergy {
   double kinetic = 0, elastic = 0, potential = 0;  ///< J; potential of gravity, zero at the origin
 };
@@ -109,8 +115,8 @@ class Body {
   /// Takes the nodes that are positions to where its frames carry them from `start`, in place: by a
   /// correction that turns the body their own steps, straight ones, would stretch it.
   virtual void follow_frames(const G* /*start*/, G* /*H*/) const {}
-  /// What is wrong with the shape of the body, one clause; empty if nothing is.
-  virtual std::string fault(const G* /*H*/) const { return {}; }
+  /// What is wrong with the shape of the body, if something is.
+  virtual std::optional<ShapeFault> fault(const G* /*H*/) const { return {}; }
   /// Why its forces are not finite in a shape where they are not, one clause; empty if they are.
   virtual std::string no_forces(const G* /*H*/) const { return {}; }
 

@@ -58,7 +58,7 @@ class ContinuumBody final : public Body<G> {
   std::unique_ptr<BodyWorkspace> make_workspace() const override;
   void turn_axes(G* H) const override;
   void follow_frames(const G* start, G* H) const override;
-  std::string fault(const G* H) const override;
+  std::optional<ShapeFault> fault(const G* H) const override;
   std::string no_forces(const G* H) const override;
 
   void add_inertia(const BodyState<G>& s, const Vector& gravity, double* r,

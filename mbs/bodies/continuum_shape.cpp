@@ -65,7 +65,7 @@ void ContinuumBody<G>::follow_frames(const G* start, G* H) const {
 }
 
 template <FrameGroup G>
-std::string ContinuumBody<G>::fault(const G* H) const {
+std::optional<ShapeFault> ContinuumBody<G>::fault(const G* H) const {
   Points x;
   positions(H, x);
   typename Cell::Positions at;
@@ -73,7 +73,10 @@ std::string ContinuumBody<G>::fault(const G* H) const {
     if (!solid(e)) continue;
     gather(e, x, at);
     if (!(cell(e).smallest_determinant(at) > 0))
-      return "cell " + std::to_string(e) + " of '" + this->name + "' is inverted";
+      return ShapeFault{"cell " + std::to_string(e) + " of '" + this->name + "' is inverted",
+                        cell(e).law() == SolidLaw::StVenantKirchhoff
+                            ? "use smaller cells there, or law = \"neo_hookean\""
+                            : "use smaller cells there"};
   }
   return {};
 }
@@ -150,8 +153,8 @@ template void ContinuumBody<SE2>::turn_axes(SE2*) const;
 template void ContinuumBody<SE3>::turn_axes(SE3*) const;
 template void ContinuumBody<SE2>::follow_frames(const SE2*, SE2*) const;
 template void ContinuumBody<SE3>::follow_frames(const SE3*, SE3*) const;
-template std::string ContinuumBody<SE2>::fault(const SE2*) const;
-template std::string ContinuumBody<SE3>::fault(const SE3*) const;
+template std::optional<ShapeFault> ContinuumBody<SE2>::fault(const SE2*) const;
+template std::optional<ShapeFault> ContinuumBody<SE3>::fault(const SE3*) const;
 template std::string ContinuumBody<SE2>::no_forces(const SE2*) const;
 template std::string ContinuumBody<SE3>::no_forces(const SE3*) const;
 template MatrixXd ContinuumBody<SE2>::stresses_at(const Points&) const;

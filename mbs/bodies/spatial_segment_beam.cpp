@@ -156,10 +156,11 @@ void SpatialSegmentBeam::follow_frames(const SE3* start, SE3* H) const {
   follow_ends(start, elements(), H);
 }
 
-std::string SpatialSegmentBeam::fault(const SE3* H) const {
+std::optional<ShapeFault> SpatialSegmentBeam::fault(const SE3* H) const {
   for (int i = 0; i < nodes(); ++i)
     if (1 + bend(H, i).z < kFolded)
-      return "a segment of '" + name + "' folds back on the one before";
+      return ShapeFault{"a segment of '" + name + "' folds back on the one before",
+                        "use more elements"};
   return {};
 }
 

@@ -53,7 +53,7 @@ class SpatialSegmentBeam final : public Body<SE3> {
   void follow_frames(const SE3* start, SE3* H) const override;
   /// Rates of the angular velocities of nodes between the ends are left at 0.
   void complete(SE3* H, double* v, double* vdot, const double* w) const override;
-  std::string fault(const SE3* H) const override;
+  std::optional<ShapeFault> fault(const SE3* H) const override;
 
   void add_inertia(const BodyState<SE3>& s, const Vector& gravity, double* r,
                    ForceScale& scale) const override;

@@ -107,40 +107,59 @@ void ContinuumCell<D>::respond_linearly(const VectorXd& E, bool tangent, Respons
   if (tangent) out.tangent = linear_;
 }
 
+/// The law at all points of a cell with strains E + M alpha.
+template <int D>
+struct ContinuumCell<D>::Evaluation {
+  MatrixXd tangents;    ///< w_g dS_g/dE_g, side by side
+  MatrixXd coupled;     ///< w_g dS_g/dE_g M_g
+  MatrixXd stiffness;   ///< sum_g M_g^T w_g dS_g/dE_g M_g
+  VectorXd unbalanced;  ///< sum_g w_g M_g^T S_g
+};
+
+template <int D>
+void ContinuumCell<D>::evaluate(const VectorXd& E, Response& out, Evaluation& at) const {
+  const Eigen::Index modes = enhanced_.cols();
+  at.tangents.resize(kStrains, strains());
+  at.coupled.resize(strains(), modes);
+  at.stiffness.setZero(modes, modes);
+  at.unbalanced.setZero(modes);
+  out.energy = 0;
+  for (int g = 0; g < points(); ++g) {
+    const auto M = enhanced_.template middleRows<kStrains>(kStrains * g);
+    Strain strain = E.template segment<kStrains>(kStrains * g);
+    if (modes > 0) strain.noalias() += M.lazyProduct(out.alpha);
+    const auto law = solid_law<D>(law_, material_, strain);
+    out.energy += weight_[g] * law.energy;
+    auto stress = out.stress.template segment<kStrains>(kStrains * g);
+    stress = weight_[g] * law.stress;
+    auto tangent = at.tangents.template middleCols<kStrains>(kStrains * g);
+    tangent = weight_[g] * law.tangent;
+    if (modes == 0) continue;
+    auto coupled = at.coupled.template middleRows<kStrains>(kStrains * g);
+    coupled.noalias() = tangent.lazyProduct(M);
+    at.stiffness.noalias() += M.transpose().lazyProduct(coupled);
+    at.unbalanced.noalias() += M.transpose().lazyProduct(stress);
+  }
+}
+
 /// Newton's method on alpha, from that of the linear law.
 template <int D>
 void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Response& out) const {
   const bool enhanced = enhanced_.cols() > 0;
-  VectorXd &alpha = out.alpha, step;
-  if (enhanced) alpha = to_alpha_ * E;
-  MatrixXd weighted = MatrixXd::Zero(strains(), strains()), coupled;
+  Evaluation at;
   out.stress.resize(strains());
+  if (enhanced) out.alpha = to_alpha_ * E;
   linalg::LDLT factor(MatrixXd::Identity(1, 1));
-  const auto evaluate = [&] {
-    VectorXd total = E;
-    if (enhanced) total += enhanced_ * alpha;
-    out.energy = 0;
-    for (int g = 0; g < points(); ++g) {
-      const auto at = solid_law<D>(law_, material_, total.template segment<kStrains>(kStrains * g));
-      out.energy += weight_[g] * at.energy;
-      out.stress.template segment<kStrains>(kStrains * g) = weight_[g] * at.stress;
-      weighted.template block<kStrains, kStrains>(kStrains * g, kStrains * g) =
-          weight_[g] * at.tangent;
-    }
-    if (enhanced) coupled = weighted * enhanced_;
-  };
+  const double size = std::max(E.cwiseAbs().maxCoeff(), kEnhancedDone);
   out.converged = false;
   for (int i = 0; i < kEnhanced && !out.converged; ++i) {
-    evaluate();
+    evaluate(E, out, at);
     if (!std::isfinite(out.energy)) break;
-    if (!enhanced) {
-      out.converged = true;
-      break;
-    }
-    factor = linalg::LDLT(enhanced_.transpose() * coupled);
-    step = factor.solve(enhanced_.transpose() * out.stress);
-    alpha -= step;
-    const double size = std::max(E.cwiseAbs().maxCoeff(), kEnhancedDone);
+    out.converged = !enhanced;
+    if (!enhanced) break;
+    factor = linalg::LDLT(at.stiffness);
+    const VectorXd step = factor.solve(at.unbalanced);
+    out.alpha -= step;
     out.converged = (enhanced_ * step).cwiseAbs().maxCoeff() <= kEnhancedDone * (1 + size);
   }
   if (!out.converged) {
@@ -148,8 +167,11 @@ void ContinuumCell<D>::respond_iterated(const VectorXd& E, bool tangent, Respons
     out.stress.setConstant(out.energy);
   }
   if (!tangent) return;
-  out.tangent = weighted;
-  if (enhanced) out.tangent -= coupled * factor.solve(coupled.transpose());
+  out.tangent.setZero(strains(), strains());
+  for (int g = 0; g < points(); ++g)
+    out.tangent.template block<kStrains, kStrains>(kStrains * g, kStrains * g) =
+        at.tangents.template middleCols<kStrains>(kStrains * g);
+  if (enhanced) out.tangent.noalias() -= at.coupled * factor.solve(at.coupled.transpose());
 }
 
 template <int D>

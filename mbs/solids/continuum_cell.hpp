@@ -104,6 +104,8 @@ class ContinuumCell {
   using Strain = Eigen::Matrix<double, kStrains, 1>;
   static Strain green_lagrange(const Square& F);
   void respond_linearly(const Eigen::VectorXd& E, bool tangent, Response& out) const;
+  struct Evaluation;
+  void evaluate(const Eigen::VectorXd& E, Response& out, Evaluation& at) const;
   void respond_iterated(const Eigen::VectorXd& E, bool tangent, Response& out) const;
   Eigen::VectorXd variation_of(SolidLaw law, const Eigen::VectorXd& E, const Eigen::VectorXd& alpha,
                                const Eigen::VectorXd& dE, const Variation& by) const;

@@ -85,7 +85,8 @@ std::optional<ContinuumProblem> continuum_problem(const SolidSpec& spec) {
                             "a 'mesh', or as = \"reduced\""};
   if (const Material& m = spec.model->material(); m.nu >= kIncompressible)
     return ContinuumProblem{"material", "is incompressible: nu = " + std::to_string(m.nu),
-                            "nu < 0.4999"};
+                            "nu < 0.4999",
+                            "for rubber 0.49, with cells that are small enough: `--verify`"};
   std::set<int> held;
   for (const Interface& f : spec.interfaces())
     if (f.tie == Tie::Rigid) held.insert(f.nodes.begin(), f.nodes.end());

@@ -95,10 +95,11 @@ LawAtPoint<D> neo_hookean(const Lame& k, const Strain<D>& E) {
     const int i = kRow<D>[s], j = kColumn<D>[s];
     out.stress[s] = (s < D ? k.mu : 0) + slope * inverse(i, j);
     out.thinning[s] = thin * inverse(i, j);
-    for (int t = 0; t < n; ++t) {
+    for (int t = 0; t <= s; ++t) {
       const int a = kRow<D>[t], b = kColumn<D>[t];
-      out.tangent(s, t) = volume * inverse(i, j) * inverse(a, b) -
-                          slope * (inverse(i, a) * inverse(j, b) + inverse(i, b) * inverse(j, a));
+      out.tangent(s, t) = out.tangent(t, s) =
+          volume * inverse(i, j) * inverse(a, b) -
+          slope * (inverse(i, a) * inverse(j, b) + inverse(i, b) * inverse(j, a));
     }
   }
   return out;

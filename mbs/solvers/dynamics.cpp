@@ -322,12 +322,10 @@ bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
                     "unique value: use more elements",
                     model.bodies[bend.turned]->name, s.t));
   for (size_t b = 0; b < model.bodies.size(); ++b)
-    if (const auto why = model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
-        !why.empty())
+    if (const auto of = model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b))))
       return end(SolveStatus::NotConverged,
-                 fmt::format("{} at t = {:.6g} s: use smaller cells there, a finer "
-                             "simulation.step, or law = \"neo_hookean\"",
-                             why, s.t));
+                 fmt::format("{} at t = {:.6g} s: {}, or a finer simulation.step", of->what, s.t,
+                             of->remedy));
   if (auto why = contradiction(model, s, s.t); !why.empty())
     return end(SolveStatus::Inconsistent, std::move(why));
   if (progress && !progress(s.t))

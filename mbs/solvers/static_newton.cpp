@@ -15,9 +15,8 @@ constexpr double kNearFold = 0.999 * M_PI;  // where a step that fails has that 
 template <FrameGroup G>
 std::string fault_of(const Model<G>& model, const State<G>& s) {
   for (size_t b = 0; b < model.bodies.size(); ++b) {
-    const std::string fault =
-        model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
-    if (!fault.empty()) return fault + ": use more load steps or smaller cells";
+    const auto fault = model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b)));
+    if (fault) return fault->what + ": " + fault->remedy + ", or more load steps";
   }
   return {};
 }

@@ -137,8 +137,8 @@ void CycleRecord::evaluate_certificate() {
         "; " + result_.reason;
   warn(
       "not optimal for the motion itself: the cycle does not see how the loads follow the design, "
-      "and a lighter one may be near (" +
-      o.brief() + "); cycle.method = \"esl1\" does");
+      "and a lighter one may be near" +
+      (agree ? "" : " (" + o.brief() + ")") + "; cycle.method = \"esl1\" does");
 }
 
 LoopResult run_loop(DesignModel& model, StepRule& rule, const CycleOptions& options,

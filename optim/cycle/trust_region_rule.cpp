@@ -18,6 +18,7 @@ constexpr double kStronger = 5;            // penalty against the one before
 constexpr double kClose = 0.1;             // of the allowed violation
 constexpr double kMore = 0.5;  // share of a decrease of the violation that a penalty must not miss
 constexpr double kCounts = 0.05;   // share of objective_tolerance that a decrease must have
+constexpr double kSmall = 0.1;     // of the objective at the start: nearer to zero is the same
 constexpr double kNothing = 1e-7;  // a decrease that round-off may bring
 constexpr double kActive = 2e-3;   // limits that may carry a multiplier
 constexpr double kSame = 1e-6;     // two answers of one surrogate
@@ -240,7 +241,9 @@ void TrustRegionRule::solve(CycleRecord& record) {
 }
 
 std::optional<CycleEnd> TrustRegionRule::settled(CycleRecord& record, double predicted) const {
-  const double counts = kCounts * record.options().objective_tolerance;
+  // The merit is of the objective at the start, the tolerance of that here, which may be small.
+  const double share = std::clamp(std::abs(at_->objective) / scale(), kSmall, 1.0);
+  const double counts = kCounts * share * record.options().objective_tolerance;
   if (predicted > (is_optimal(record) ? counts : kNothing)) return {};
   if (at_->worst > record.options().feasibility) return infeasible(record);
   return stalled(record);

@@ -76,6 +76,33 @@ TEST_F(VerifyCommand, TellsTheErrorOfTheObjective) {
   EXPECT_LT(mesh, change * 3);
 }
 
+TEST_F(VerifyCommand, AFrequencyAsTheObjectiveHasNoErrorAndSaysSo) {
+  const Outcome o = run(
+      {"optimize", study("rod_frequency"), "-o", results(), "--no-report", "--set", "cycle.max=1"});
+  EXPECT_NE(o.code, 2) << o.err;
+  EXPECT_NE(
+      o.out.find("the error of the objective is not known, as that of lowest frequency is not"),
+      std::string::npos)
+      << o.out;
+}
+
+/// What `VerifySlow` holds against converged runs: errors by mesh and step with their signs.
+TEST_F(VerifyCommand, PrintsTheErrorInAll) {
+  const Outcome o = run({"run", scene("four_bar"), "--verify", "-o", results(), "--no-report"});
+  ASSERT_EQ(o.code, 0) << o.err;
+  int compared = 0;
+  const Json s = summary();
+  for (const auto& [name, r] : s["responses"].items()) {
+    const Json& error = r["error"];
+    if (!error.contains("total")) continue;
+    const std::string largest = fmt::format("largest {:.6g} +- {:.2g} ", r["max_abs"].get<double>(),
+                                            error["total"].get<double>());
+    EXPECT_NE(o.out.find(largest), std::string::npos) << largest << o.out;
+    ++compared;
+  }
+  EXPECT_GE(compared, 2);
+}
+
 TEST_F(VerifyCommand, NamesTheTermsOfTheObjectiveWithoutAnError) {
   const Outcome o =
       run({"optimize", study("rod_goals"), "-o", results(), "--no-report", "--set", "cycle.max=1"});
@@ -103,8 +130,9 @@ TEST_F(VerifyCommand, VerifiesEveryScenario) {
     ASSERT_TRUE(limit.contains("error")) << name;
     EXPECT_GT(limit["error"]["mesh"].get<double>(), 0) << name;
   }
-  EXPECT_EQ(summary()["verification"]["runs"], 12);
-  EXPECT_EQ(summary()["verification"]["step"]["observed"].size(), 3u) << "the coarser of the two";
+  EXPECT_EQ(summary()["verification"]["runs"], 15) << "five a scenario";
+  for (const char* by : {"mesh", "step"})
+    EXPECT_EQ(summary()["verification"][by]["observed"].size(), 3u) << by;
 }
 
 /// Limits are found by the names of bodies and joints.

@@ -37,8 +37,8 @@ export function tile(label, value, note, kind) {
   return el('div', { class: 'tile' }, el('span', {}, label), el('b', { class: kind ?? '' }, value), note ? el('small', {}, note) : null);
 }
 
-/** Of mesh and step together, where they were verified. */
-const both = (error) => (error ? (error.mesh ?? 0) + (error.step ?? 0) : undefined);
+/** In all, or that of the mesh and that of the step, where they were verified. */
+const both = (error) => (error ? error.total ?? (error.mesh ?? 0) + (error.step ?? 0) : undefined);
 const errorOf = ({ error }) => both(error);
 const plusMinus = (text) => `\u00b1\u00a0${text}`;
 
@@ -48,6 +48,7 @@ const withoutWorst = (reason) => reason?.replace(/(; |, | \()worst limit at [-+]
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
   const s = data.summary, reason = withoutWorst(s.reason);
+  const meaning = /optimality conditions of the/.test(reason) ? null : kMeaning[s.status];  // said by the reason
   const tiles = leanTiles(s);
   if (s.mass_initial !== undefined)
     tiles.push(tile('mass', `${quantity(s.mass_initial, 'kg')} \u2192 ${quantity(s.mass_final, 'kg')}`, percent(s.mass_final / s.mass_initial - 1)));
@@ -67,7 +68,7 @@ export function head(data) {
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
     el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status, 'kkt_residual' in s)),
-    el('p', { class: 'reason' }, sentence(reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), kMeaning[s.status] ? el('span', {}, ' ' + kMeaning[s.status].replace('motion', subject(data))) : null),
+    el('p', { class: 'reason' }, sentence(reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), meaning ? el('span', {}, ' ' + meaning.replace('motion', subject(data))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
     tiles.length ? el('div', { class: 'tiles' }, tiles) : null);
 }
