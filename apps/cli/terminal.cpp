@@ -42,7 +42,8 @@ std::vector<std::string> left_out(const output::RunSummary& summary, std::option
   return what;
 }
 
-/// " +- 2.3e-05" of what was verified. @param total both with their signs, where that is known
+/// " +- 2.3e-05" of what was verified. @param total both with their signs, or as vectors, where
+/// that is known
 std::string plus_minus(const output::RunSummary& summary, std::optional<double> mesh,
                        std::optional<double> step, std::optional<double> total = {}) {
   if (!mesh && !step) return "";
@@ -85,7 +86,7 @@ void print_responses(const output::RunSummary& summary) {
                  plus_minus(summary, r.error_mesh, r.error_step, r.error_total), r.unit, r.at_time,
                  r.final.size() == 1 ? fmt::format("{:.6g}", r.final[0])
                                      : fmt::format("({:.6g})", fmt::join(r.final, ", ")),
-                 plus_minus(summary, r.end_error_mesh, r.end_error_step));
+                 plus_minus(summary, r.end_error_mesh, r.end_error_step, r.end_error_total));
 }
 
 void print_figures(const output::RunSummary& summary, const std::string& folder, bool quiet) {

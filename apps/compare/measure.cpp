@@ -45,7 +45,8 @@ void judge(const Scene& scene, const Watch& watch, Measured& run) {
     run.ending = Ending::Stopped;
     run.reason = "the response is not finite";
   } else {
-    const long again = constant_tangent(scene) ? report.tangent_refreshes : 0;
+    const long again =
+        constant_tangent(scene) ? report.tangent_refreshes - report.tangent_renewals : 0;
     if (again + report.rejected_steps == 0) return;
     run.ending = Ending::Recovered;
     if (again > 0) run.reason = fmt::format("{} tangents refactorised", again);

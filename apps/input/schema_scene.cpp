@@ -142,7 +142,7 @@ std::vector<Key> simulation_keys() {
     {"simulation.penalty", Type::Number, "N/m", kOptional, {0, 1e18, true}, "Weight of the rows of joints that are lengths. Default: 1000 times the stiffness of the bodies and their inertia within a step, a power of ten.", 0, "", "constraints=penalty augmented"},
     {"simulation.penalty_rotation", Type::Number, "N m", kOptional, {0, 1e18, true}, "The same of the rows that are angles.", 0, "", "constraints=penalty augmented"},
     {"simulation.penalty_damping", Type::Number, "s", "0", {0, 1}, "Forces get alpha times this times dPhi/dt. Augmented joints are closed, and it has no effect on them (a note says so).", 0, "", "constraints=penalty augmented"},
-    {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
+    {"simulation.tangent", Type::Choice, "", "\"auto\"", kAny, "Dynamic: when the iteration matrix is factored: once, when a correction gains less than a digit, in every iteration; auto: constant, and again where steps take more than 3 corrections, but adaptive for r3so3 and exact for classical.", 0, "auto constant adaptive exact"},
     {"simulation.rescale", Type::Boolean, "", "true", kAny, "Classical: rotation vectors are kept below pi."},
     {"simulation.duration", Type::Number, "s", "1.0", kPositive, "Dynamic: length of the simulated time."},
     {"simulation.step", Type::Number, "s", "1e-3", kPositive, "Dynamic: time step; the largest one if adaptive."},

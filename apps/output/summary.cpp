@@ -31,6 +31,7 @@ Json responses_json(const std::vector<ResponseFigure>& responses) {
     if (r.error_total) json[r.name]["error"]["total"] = *r.error_total;
     if (r.end_error_mesh) json[r.name]["error"]["end"]["mesh"] = *r.end_error_mesh;
     if (r.end_error_step) json[r.name]["error"]["end"]["step"] = *r.end_error_step;
+    if (r.end_error_total) json[r.name]["error"]["end"]["total"] = *r.end_error_total;
   }
   return json;
 }

@@ -26,6 +26,7 @@ struct ResponseFigure {
   std::optional<double> error_total = {};                  ///< of both, with their signs
   double missed = 0;                                       ///< Peak::missed
   std::optional<double> end_error_mesh = {}, end_error_step = {};  ///< of `final`
+  std::optional<double> end_error_total = {};                      ///< of both, as vectors
 };
 
 /// Of a recorded series; zeros if it is empty.

@@ -46,7 +46,7 @@ class SpatialSegmentCheck {
       else
         check_weight(static_cast<int>(b));
     }
-    for (std::size_t j = 0; j < m_.joints.size(); ++j) check_joint(static_cast<int>(j));
+    for (const JointSpec& joint : m_.joints) check_joint(joint);
     for (const LoadSpec& load : m_.loads) check_load(load);
   }
 
@@ -78,40 +78,24 @@ class SpatialSegmentCheck {
              "damping = 0, or a scene in a plane");
   }
 
-  /// The axes, inertial, of the rotations of a joint that are driven, sprung or geared.
-  std::vector<Vec3> acting_axes(int index) const {
-    const JointSpec& joint = m_.joints[static_cast<std::size_t>(index)];
-    const JointKind& kind = kind_of(joint.type);
+  /// The axes, inertial, of the rotations that a joint leaves free or acts on.
+  static std::vector<Vec3> turning_axes(const JointSpec& joint) {
     const Vec3 axes[] = {joint.axis, joint.axis2, joint.axis.cross(joint.axis2)};
     std::vector<Vec3> out;
-    const auto add = [&](int joint_of, int coordinate) {
-      if (joint_of != index || coordinate >= kind.coordinate_count()) return;
-      const JointRow& row = kind.coordinates[static_cast<std::size_t>(coordinate)];
+    for (const JointRow& row : kind_of(joint.type).coordinates)
       if (row.kind == JointRow::Kind::Angle || row.kind == JointRow::Kind::Screw)
         out.push_back(axes[row.about()]);
-    };
-    for (const DriveSpec& drive : m_.drives) add(drive.joint, drive.coordinate);
-    for (const ForceSpec& force : m_.forces) {
-      if (force.joint < 0) continue;
-      add(force.joint, force.coordinate);
-      for (const CoordinateShare& share : force.shares) add(force.joint, share.coordinate);
-    }
-    for (const GearSpec& gear : m_.gears) {
-      add(gear.first.joint, gear.first.coordinate);
-      add(gear.second.joint, gear.second.coordinate);
-    }
     return out;
   }
 
-  void check_joint(int index) {
-    const JointSpec& joint = m_.joints[static_cast<std::size_t>(index)];
+  void check_joint(const JointSpec& joint) {
     for (const Port& port : {joint.a, joint.b}) {
       const BeamSpec* beam = chain_of(m_, port.body);
       if (!beam) continue;
-      for (const Vec3& axis : acting_axes(index)) {
+      for (const Vec3& axis : turning_axes(joint)) {
         if (axis.cross(axis_of(*beam)).norm() > kAlong * axis.norm()) continue;
         refuse("joints", joint.name, name_of(port.body),
-               fmt::format("joint '{}' is driven, sprung or geared about its axis", joint.name),
+               fmt::format("joint '{}' turns about its axis", joint.name),
                "an axis across the beam");
         return;
       }

@@ -105,6 +105,7 @@ void check_drives(Reader& reader) {
           "between {:.6g} s and {:.6g} s): the motion does not follow it; use a smaller "
           "simulation.step",
           joint, s.off, s.from, s.to));
+      reader.scene.unfollowed.push_back(reader.scene.warnings.back());
     }
   }
 }

@@ -83,7 +83,7 @@ void esl_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   out.run.results = collect(scene, scene.mechanism, model, simulation.trajectory, &steps, sink);
   describe_responses(out.run.summary, out.run.results);
   out.run.status =
-      describe_doubts(out.run.summary, scene.mechanism, out.run.results, out.run.status);
+      describe_doubts(out.run.summary, scene, scene.mechanism, out.run.results, out.run.status);
   out.run.summary.more["identity"] = nlohmann::ordered_json::object();
   beam_loads(scene, model, simulation.trajectory, out);
   solid_loads(scene, model, simulation.trajectory, out);

@@ -221,7 +221,7 @@ void doubt_final_motion(const Scene& scene, const CycleResult<G>& r, OptimizeOut
   PartRanges<G> ranges(r.mechanism, *r.model);
   ranges.add(r.simulation.trajectory);
   status = describe_ranges(out.summary, scene.simulation, ranges, status);
-  status = describe_doubts(out.summary, r.mechanism, out.results, status);
+  status = describe_doubts(out.summary, scene, r.mechanism, out.results, status);
   if (status != SolveStatus::Inaccurate) return;
   out.status = CycleStatus::Inaccurate;
   out.summary.reason += "; of the motion as simulated the design is " +

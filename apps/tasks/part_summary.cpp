@@ -114,11 +114,12 @@ void describe_part(output::RunSummary& summary, const SolidBody<G>& body, const 
 template <FrameGroup G>
 void describe_parts(output::RunSummary& summary, const Mechanism& mechanism, const Model<G>& model,
                     const Trajectory<G>& trajectory, bool motion) {
-  std::vector<double> times;
-  for (int n = 0; n < trajectory.size(); ++n) times.push_back(trajectory.time(n));
+  std::vector<double> times;  // of records, which are not read where there are no parts
   for (size_t b = 0; b < mechanism.bodies.size(); ++b) {
     const auto* body = SolidBody<G>::of(*model.bodies[b]);
     if (!body) continue;
+    for (int n = static_cast<int>(times.size()); n < trajectory.size(); ++n)
+      times.push_back(trajectory.time(n));
     const Eigen::MatrixXd e = part_coordinates(*body, model.first_node(int(b)), trajectory);
     try {
       describe_part(summary, *body, std::get<SolidSpec>(mechanism.bodies[b].kind),

@@ -165,7 +165,7 @@ void run_on(const Scene& scene, const Space<G>& space, const Progress& progress,
   describe_responses(out.summary, out.results);
   for (auto notes : {leaving.get(), struck_start(scene, model, simulation.trajectory, out.results)})
     out.summary.warnings.insert(out.summary.warnings.end(), notes.begin(), notes.end());
-  out.status = describe_doubts(out.summary, scene.mechanism, out.results, out.status);
+  out.status = describe_doubts(out.summary, scene, scene.mechanism, out.results, out.status);
 }
 
 }  // namespace

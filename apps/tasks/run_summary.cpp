@@ -131,9 +131,13 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
     summary.responses.push_back(output::response_figure(r, results.times));
 }
 
-SolveStatus describe_doubts(output::RunSummary& summary, const Mechanism& mechanism,
-                            const output::Results& results, SolveStatus status) {
-  return describe_energy(summary, results, describe_strains(summary, mechanism, results, status));
+SolveStatus describe_doubts(output::RunSummary& summary, const Scene& scene,
+                            const Mechanism& mechanism, const output::Results& results,
+                            SolveStatus status) {
+  const SolveStatus end =
+      describe_energy(summary, results, describe_strains(summary, mechanism, results, status));
+  if (end != status && !scene.unfollowed.empty()) summary.reason = scene.unfollowed.front();
+  return end;
 }
 
 template <FrameGroup G>

@@ -19,10 +19,12 @@ void describe_responses(output::RunSummary& summary, const output::Results& resu
 /// A warning for each beam whose largest stress at the records is above a twentieth of its modulus,
 /// since materials are linear, and if the integrator lost or made more than a few per cent of the
 /// largest kinetic and elastic energy, over all accepted steps; above a half and a tenth a
-/// converged run is Inaccurate.
+/// converged run is Inaccurate, because of a drive that it does not follow if there is one.
+/// @param mechanism of the scene, or a design of it
 /// @returns the status, that of the summary too
-SolveStatus describe_doubts(output::RunSummary& summary, const Mechanism& mechanism,
-                            const output::Results& results, SolveStatus status);
+SolveStatus describe_doubts(output::RunSummary& summary, const Scene& scene,
+                            const Mechanism& mechanism, const output::Results& results,
+                            SolveStatus status);
 
 /// Notes on the ranges of parts and beams, and, of a motion in a plane that was found
 /// (`simulation.space = "auto"`), on beams that could leave it; beyond a range a converged run is

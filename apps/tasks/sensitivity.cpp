@@ -134,7 +134,7 @@ void doubt_motion(const TapedMotion<G>& motion, const Scene& scene, SensitivityO
   PartRanges<G> ranges(motion.mechanism, motion.model);
   ranges.add(records);
   out.status = describe_ranges(out.summary, scene.simulation, ranges, out.status);
-  out.status = describe_doubts(out.summary, motion.mechanism,
+  out.status = describe_doubts(out.summary, scene, motion.mechanism,
                                collect(scene, motion.mechanism, motion.model, records), out.status);
 }
 

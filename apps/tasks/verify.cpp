@@ -90,11 +90,16 @@ class Verification {
       if (e) total += e->below ? -e->error : e->error;
     if (mesh) r.error_mesh = mesh->error;
     if (step) r.error_step = step->error;
-    if ((mesh || step) && mesh.has_value() == by_mesh_.asked &&
-        step.has_value() == by_step_.asked && scenes_.left_out().empty())
-      r.error_total = std::abs(total);
-    r.end_error_mesh = of_end(r, by_mesh_);
-    r.end_error_step = of_end(r, by_step_);
+    const auto end_by_mesh = of_end(r, by_mesh_), end_by_step = of_end(r, by_step_);
+    if (end_by_mesh) r.end_error_mesh = end_by_mesh->norm();
+    if (end_by_step) r.end_error_step = end_by_step->norm();
+    if (!(mesh || step) || mesh.has_value() != by_mesh_.asked ||
+        step.has_value() != by_step_.asked || !scenes_.left_out().empty())
+      return;
+    r.error_total = std::abs(total);
+    r.end_error_total = !end_by_step   ? r.end_error_mesh
+                        : !end_by_mesh ? r.end_error_step
+                                       : (*end_by_mesh + *end_by_step).norm();
   }
 
   double resolution(const output::ResponseFigure& r) {
@@ -112,20 +117,22 @@ class Verification {
     return e;
   }
 
-  /// Of the value at the end, by the size of its changes.
-  std::optional<double> of_end(const output::ResponseFigure& response, const By& by) {
+  /// Of the value at the end: along its change on the finer one, of the size that the sizes of the
+  /// changes tell.
+  std::optional<Eigen::VectorXd> of_end(const output::ResponseFigure& response, const By& by) {
     const std::string& name = response.name;
     const auto change = [&](const Figures& other) {
-      double square = 0;
-      const std::vector<double>& end = other.at(name).final;
-      for (std::size_t i = 0; i < std::min(end.size(), response.final.size()); ++i)
-        square += std::pow(end[i] - response.final[i], 2);
-      return std::sqrt(square);
+      using Values = Eigen::Map<const Eigen::VectorXd>;
+      const std::vector<double>&end = other.at(name).final, &given = response.final;
+      const auto n = static_cast<Eigen::Index>(std::min(end.size(), given.size()));
+      return Eigen::VectorXd(Values(end.data(), n) - Values(given.data(), n));
     };
     if (!by.finer.contains(name)) return {};
-    Refinement r{0, change(by.finer)};
-    if (by.coarser.contains(name)) r.coarser = change(by.coarser);
-    return estimate_error(r, by.order, resolution(response)).error;
+    const Eigen::VectorXd fine = change(by.finer);
+    Refinement r{0, fine.norm()};
+    if (by.coarser.contains(name)) r.coarser = change(by.coarser).norm();
+    const double error = estimate_error(r, by.order, resolution(response)).error;
+    return Eigen::VectorXd(error * fine.normalized());
   }
 
   /// The given run has the error of its iterations, those of other steps have not.

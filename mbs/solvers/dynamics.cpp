@@ -32,52 +32,68 @@ struct FastestTurn {
   template <FrameGroup G>
   void step(const Model<G>& model, const State<G>& s, double h) {
     for (const int k : model.frames()) {
-      const double turned =
-          h * s.v.template segment<G::rotation_dim>(G::dim * k + G::space_dim).norm();
-      if (turned > angle) *this = {turned, k};
+      const double square =
+          h * h * s.v.template segment<G::rotation_dim>(G::dim * k + G::space_dim).squaredNorm();
+      if (square > angle * angle) *this = {std::sqrt(square), k};
     }
   }
 };
 
 /// How far elements turn from one end to the other: their strain has no unique value at pi. (Those
-/// whose nodes follow a floating frame have linear strains.)
+/// whose nodes follow a floating frame have linear strains.) Cosines tell it, once a step.
 template <FrameGroup G>
 class LargestBend {
  public:
-  explicit LargestBend(const Model<G>& model) : model_(model) {
-    for (const auto& body : model.bodies)
-      for (int e = 0; e < body->elements(); ++e)
-        at_rest_.push_back(turn(body->reference[e], body->reference[e + 1]));
-  }
-  void step(const State<G>& s) {
-    size_t i = 0;
-    for (size_t b = 0; b < model_.bodies.size(); ++b) {
-      const int first = model_.first_node(static_cast<int>(b));
-      for (int e = 0; e < model_.bodies[b]->elements(); ++e) {
-        const double rest = at_rest_[i++];
-        const Body<G>& body = *model_.bodies[b];
-        const auto turns = [&body](int k) {
-          return body.kind(k) == NodeKind::Frame || body.kind(k) == NodeKind::Position;
-        };
+  explicit LargestBend(const Model<G>& model) {
+    for (size_t b = 0; b < model.bodies.size(); ++b) {
+      const Body<G>& body = *model.bodies[b];
+      const auto turns = [&body](int k) {
+        return body.kind(k) == NodeKind::Frame || body.kind(k) == NodeKind::Position;
+      };
+      for (int e = 0; e < body.elements(); ++e) {
         if (!turns(e) || !turns(e + 1)) continue;
-        const double now = turn(s.H[first + e], s.H[first + e + 1]), by = std::abs(now - rest);
-        if (now > whole) whole = now, turned = b;
-        if (by > bend) bend = by, bent = b;
+        const double c = cosine(body.reference[e], body.reference[e + 1]);
+        elements_.push_back({model.first_node(static_cast<int>(b)) + e, b, c, c, c});
       }
     }
   }
+  void step(const State<G>& s) {
+    for (Element& e : elements_) {
+      const double c = cosine(s.H[e.node], s.H[e.node + 1]);
+      e.least = std::min(e.least, c);
+      e.most = std::max(e.most, c);
+      if (c >= least_) continue;
+      least_ = c;
+      turned_ = e.body;
+    }
+  }
 
-  double whole = 0, bend = 0;   ///< rad: largest turn, largest change of it
-  size_t turned = 0, bent = 0;  ///< bodies where they are
+  double whole() const { return std::acos(least_); }  ///< rad: the largest turn
+  size_t turned() const { return turned_; }           ///< body where it is
+  /// The largest change of a turn since rest, rad, and its body.
+  std::pair<double, size_t> change() const {
+    std::pair<double, size_t> largest{0, 0};
+    for (const Element& e : elements_)
+      for (const double c : {e.least, e.most})
+        if (const double by = std::abs(std::acos(c) - std::acos(e.rest)); by > largest.first)
+          largest = {by, e.body};
+    return largest;
+  }
 
  private:
+  struct Element {
+    int node;  ///< the first
+    size_t body;
+    double rest, least, most;  ///< cosines of its turn
+  };
   /// trace(R_a^T R_b) is 1 + 2 cos(angle) in space, 2 cos(angle) in the plane.
-  static double turn(const G& a, const G& b) {
+  static double cosine(const G& a, const G& b) {
     const double trace = a.R.cwiseProduct(b.R).sum();
-    return std::acos(std::clamp(0.5 * (trace - (G::space_dim - 2)), -1., 1.));
+    return std::clamp(0.5 * (trace - (G::space_dim - 2)), -1., 1.);
   }
-  const Model<G>& model_;
-  std::vector<double> at_rest_;
+  std::vector<Element> elements_;
+  double least_ = 1;
+  size_t turned_ = 0;
 };
 
 /// Time of the stepping: runs, but not while something looks at the states.
@@ -182,11 +198,12 @@ void add_warnings(Report& report, const SimulationOptions& o, double asked, Tang
     report.warnings.push_back(fmt::format(
         "the step is {:.6g} s instead of {:.6g} s, so that whole steps end at the duration", step,
         asked));
-  if (report.tangent_refreshes > 0 && tangent == TangentStrategy::Constant)
+  const long stalled = report.tangent_refreshes - report.tangent_renewals;
+  if (stalled > 0 && tangent == TangentStrategy::Constant)
     report.warnings.push_back(fmt::format(
         "the constant tangent was replaced by that of the moment {} times: the deformations leave "
         "its range",
-        report.tangent_refreshes));
+        stalled));
   if (report.rejected_steps > 0)
     report.warnings.push_back(
         o.adaptive
@@ -223,11 +240,12 @@ void add_turn_warning(Report& report, const Model<G>& model, const FastestTurn& 
 
 template <FrameGroup G>
 void add_bend_warning(Report& report, const Model<G>& model, const LargestBend<G>& bend) {
-  if (bend.bend <= kBend) return;
+  const auto [largest, body] = bend.change();
+  if (largest <= kBend) return;
   report.warnings.push_back(
       fmt::format("an element of '{}' bends by up to {:.2g} rad, which is much: compare with more "
                   "elements",
-                  model.bodies[bend.bent]->name, bend.bend));
+                  model.bodies[body]->name, largest));
 }
 
 /// What penalties leave open, and whether that counts beside the deformation.
@@ -296,6 +314,7 @@ bool begin(const Model<G>& model, const SimulationOptions& o, State<G>& s,
 void count(const StepResult& step, double h, Report& report) {
   report.newton_iterations += step.iterations;
   report.tangent_refreshes += step.tangents;
+  report.tangent_renewals += step.renewed;
   report.smallest_step = std::min(report.smallest_step, h);
   if (!step.converged) ++report.rejected_steps;
   if (step.converged && !step.accepted) ++report.refused_steps;
@@ -315,12 +334,12 @@ bool ends(const Model<G>& model, const State<G>& s, const LargestBend<G>& bend,
     report.reason = std::move(reason);
     return true;
   };
-  if (bend.whole > kFold)
+  if (bend.whole() > kFold)
     return end(
         SolveStatus::NotConverged,
         fmt::format("an element of '{}' turns by pi at t = {:.6g} s, where its strain has no "
                     "unique value: use more elements",
-                    model.bodies[bend.turned]->name, s.t));
+                    model.bodies[bend.turned()]->name, s.t));
   for (size_t b = 0; b < model.bodies.size(); ++b)
     if (const auto of = model.bodies[b]->fault(s.H.data() + model.first_node(static_cast<int>(b))))
       return end(SolveStatus::NotConverged,

@@ -10,6 +10,8 @@ namespace {
 
 constexpr double kSlow = 0.51;        // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
+constexpr int kCheap = 3;             // corrections that a step may take with any tangent
+constexpr int kRenewal = 6;           // corrections beyond these that cost as much as a tangent
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kClosed = 1e-9;      // m: largest opening that augmentations leave, angles too
 constexpr int kAugmentations = 10;    // a step
@@ -77,7 +79,7 @@ auto GeneralizedAlpha<G>::factors_for(double h) -> Factored& {
 
 template <FrameGroup G>
 StepMemory<G> GeneralizedAlpha<G>::memory() const {
-  StepMemory<G> memory{older_udot_, previous_h_, scales_, {}};
+  StepMemory<G> memory{older_udot_, previous_h_, scales_, excess_, {}};
   for (const auto& f : factored_)
     if (f.exact) memory.tangents.push_back(f.at);
   return memory;
@@ -98,6 +100,7 @@ void GeneralizedAlpha<G>::restore(const StepMemory<G>& memory) {
     equations_.evaluate(f.at.s, f.at.s.rows, {f.at.s.t, 1});
     refresh(f);
   }
+  excess_ = memory.excess;
 }
 
 /// Extrapolated accelerations and the formulas of Newmark: dq, rates, frames of the trial state.
@@ -146,6 +149,7 @@ template <FrameGroup G>
 bool GeneralizedAlpha<G>::refresh(Factored& factors) {
   const TangentPoint<G>& at = factors.at;
   for (auto& n : factorizations_) ++n;
+  excess_ = 0;
   coordinates_.rate_tangents(at.s, at.dq, at.u, at.udot, weights_.at(at.h), rate_tangents_);
   tangent_at_.take_own_stress(equations_);
   tangent_at_.linearise(equations_, at.s, {at.s.t, 1}, &rate_tangents_);
@@ -154,14 +158,18 @@ bool GeneralizedAlpha<G>::refresh(Factored& factors) {
   return factors.exact;
 }
 
+/// Auto begins with the constant tangent and keeps it, or the last one, until the corrections that
+/// steps took beyond a few have cost as much as another would.
 template <FrameGroup G>
-bool GeneralizedAlpha<G>::wants_tangent(const StepResult& result, double residual,
-                                        double before) const {
+bool GeneralizedAlpha<G>::wants_tangent(StepResult& result, double residual, double before) const {
   if (tangent_ == TangentStrategy::Exact) return true;
   if (result.tangents > 0) return false;
   if (tangent_ == TangentStrategy::Adaptive)
     return result.iterations >= 1 && residual > kGain * before;
-  return result.iterations >= 2 && residual > kSlow * before;
+  if (result.iterations >= 2 && residual > kSlow * before) return true;
+  result.renewed =
+      options_.tangent == TangentStrategy::Auto && excess_ >= kRenewal && result.iterations >= 1;
+  return result.renewed;
 }
 
 /// Aitken: with a frozen tangent the corrections shrink by a nearly constant factor c along the
@@ -271,6 +279,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h, double error_limit) 
     if (result.iterations > 0 && !fresh && !augmented) extrapolate(delta_);
     step_before_ = delta_;
     ++result.iterations;
+    if (result.iterations > kCheap && result.augmentations == 0) ++excess_;
     correct(s, w);
   }
   if (coordinates_.passes_full_turn(s, trial_)) {

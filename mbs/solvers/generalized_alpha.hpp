@@ -32,6 +32,7 @@ struct StepResult {
   bool converged = false;
   bool accepted = false;  ///< it converged, and its error is not too large
   int tangents = 0;       ///< how often the tangent was taken at the current state
+  bool renewed = false;   ///< one of them only saves corrections
   int iterations = 0;     ///< corrections
   int augmentations = 0;  ///< of the multipliers
   double opening = std::numeric_limits<double>::infinity();  ///< at the last of them, m or rad
@@ -54,6 +55,7 @@ struct StepMemory {
   Eigen::VectorXd older_udot;  ///< rates of the coordinates before the last step
   double previous_h = 0;       ///< 0: the coordinates were changed since
   std::vector<double> scales;  ///< by body: largest forces so far
+  int excess = 0;              ///< corrections beyond a few a step since the last tangent
   std::vector<TangentPoint<G>> tangents;
 };
 
@@ -96,7 +98,7 @@ class GeneralizedAlpha {
   void correct(const State<G>& old, TangentWeights w);
   bool refresh(Factored& factors);
   bool augment(StepResult& result);
-  bool wants_tangent(const StepResult& result, double residual, double before) const;
+  bool wants_tangent(StepResult& result, double residual, double before) const;
   void extrapolate(Eigen::VectorXd& delta) const;
   double imbalance(bool of_all_nodes) const;
   double local_error(const State<G>& s, double h) const;
@@ -119,6 +121,7 @@ class GeneralizedAlpha {
   Eigen::VectorXd delta_, increment_, dlambda_, step_before_;
   double previous_h_ = 0;
   std::vector<double> scales_;  ///< by body: largest force scale so far
+  int excess_ = 0;              ///< corrections beyond a few a step since the last tangent
 };
 
 extern template class GeneralizedAlpha<SE2>;

@@ -19,7 +19,8 @@ enum class StartChoice {
 
 /// When the matrix of the Newton iteration is factored.
 enum class TangentStrategy {
-  Auto,      ///< the formalism's: constant, adaptive (r3so3, floating), exact (classical)
+  Auto,      ///< the formalism's: constant, again where steps take many corrections; adaptive
+             ///< (r3so3, floating), exact (classical)
   Constant,  ///< once, at the reference shape; again only where the iteration would fail
   Adaptive,  ///< again at the current state whenever a correction gains less than a digit
   Exact      ///< in every iteration

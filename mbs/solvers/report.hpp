@@ -53,8 +53,9 @@ struct Report {
   long steps = 0;              ///< accepted steps, load steps
   long newton_iterations = 0;  ///< corrections
   long tangent_refreshes = 0;
-  long rejected_steps = 0;   ///< attempts that did not converge
-  long refused_steps = 0;    ///< attempts that adaptive steps took again because of their error
+  long tangent_renewals = 0;  ///< of these, what only saved corrections
+  long rejected_steps = 0;    ///< attempts that did not converge
+  long refused_steps = 0;     ///< attempts that adaptive steps took again because of their error
   long inexact_steps = 0;    ///< adaptive ones that kept a larger error, for want of a smaller step
   double smallest_step = 0;  ///< that was tried, s
   std::vector<int> factorizations;  ///< one a body

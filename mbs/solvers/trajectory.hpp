@@ -2,16 +2,19 @@
 /// @file
 /// The states of a simulation at its recorded instants, one after the other.
 
+#include <algorithm>
 #include <cassert>
 #include <memory>
 #include <vector>
 
-#include "mbs/linalg/large_pages.hpp"
+#include "mbs/linalg/record_memory.hpp"
 #include "mbs/system/state.hpp"
 
 namespace liesl {
 
-/// A record is frames, t, v, vdot, w, lambda and coupling rows of a state, in this order.
+/// A record is frames, t, v, vdot, w, lambda and coupling rows of a state, in this order. Many of
+/// them are in a file (RecordMemory): written and read one after the other, they take little
+/// memory.
 template <FrameGroup G>
 class Trajectory {
  public:
@@ -20,23 +23,22 @@ class Trajectory {
   /// Room for `records` states shaped like `s`: recording up to there allocates nothing.
   void reserve(const State<G>& s, int records) {
     set_shape(s);
-    values_.reserve(stride_ * static_cast<std::size_t>(records));
+    values_.reserve(stride_ * static_cast<std::size_t>(records), used());
   }
 
   void record(const State<G>& s) {
     if (stride_ == 0) set_shape(s);
     assert(s.H.size() == nodes_ && s.v.size() == velocities_ && s.w.size() == coordinates_ &&
            s.lambda.size() == multipliers_ && s.rows.size() == rows_);
-    if (values_.size() + stride_ > values_.capacity())
-      values_.reserve(2 * values_.size() + stride_);
-    values_.resize(values_.size() + stride_);
+    if (used() + stride_ > values_.capacity()) values_.reserve(2 * used() + stride_, used());
+    double* const at = values_.data() + used();
     ++size_;
-    double* const at = values_.data() + stride_ * static_cast<std::size_t>(size_ - 1);
     std::uninitialized_copy(s.H.begin(), s.H.end(), reinterpret_cast<G*>(at));
     double* next = at + first_;
     *next++ = s.t;
     for (const Eigen::VectorXd* x : {&s.v, &s.vdot, &s.w, &s.lambda, &s.rows})
       next = std::copy(x->begin(), x->end(), next);
+    let_go_before(size_ - 1);
   }
 
   int size() const { return size_; }
@@ -57,9 +59,18 @@ class Trajectory {
     s.w = w(n);
     s.lambda = lambda(n);
     s.rows = rows(n);
+    let_go_before(n);
   }
 
  private:
+  std::size_t used() const { return stride_ * static_cast<std::size_t>(size_); }
+  /// Of each few megabytes of records, once the last of them is n.
+  void let_go_before(int n) const {
+    constexpr std::size_t kWindow = std::size_t{1} << 19;  // doubles
+    const std::size_t records = std::max(kWindow / stride_, std::size_t{1}),
+                      next = static_cast<std::size_t>(n) + 1;
+    if (next % records == 0) values_.let_go(stride_ * (next - records), stride_ * next);
+  }
   void set_shape(const State<G>& s) {
     constexpr std::size_t kFrame = sizeof(G) / sizeof(double),
                           kAligned = alignof(G) / sizeof(double);
@@ -81,7 +92,7 @@ class Trajectory {
   int size_ = 0;
   std::size_t nodes_ = 0, first_ = 0, stride_ = 0;  ///< of a record: doubles before t, and all
   Eigen::Index velocities_ = 0, coordinates_ = 0, multipliers_ = 0, rows_ = 0;
-  std::vector<double, LargePages<double>> values_;
+  RecordMemory values_;
 };
 
 }  // namespace liesl

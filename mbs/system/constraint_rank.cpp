@@ -136,11 +136,13 @@ RedundantRows redundant_rows(const Model<G>& model, State<G> s) {
 template <FrameGroup G>
 std::string contradiction(const Model<G>& model, const State<G>& s, double t) {
   double before = 0;  // of the coupling that the next may continue
+  const auto repeats = [](const auto& row) { return row.role == Role::Redundant; };
   for (const auto& c : model.couplings) {
+    if (std::none_of(c.rows.begin(), c.rows.end(), repeats)) continue;
     const RelativeMotion<G> motion(c.a.frame(s.H), c.b.frame(s.H));
     for (size_t i = 0; i < c.rows.size(); ++i) {
       const auto& e = c.rows[i];
-      if (e.role != Role::Redundant) continue;
+      if (!repeats(e)) continue;
       double off = e.row.value(motion, s.rows[c.first_row + static_cast<int>(i)]) - e.target(t);
       if (c.continued) off += before;
       before = off;

@@ -375,8 +375,14 @@ std::string DerivativeReport::text(int rows) const {
   std::stable_sort(order.begin(), order.end(), [](const auto* a, const auto* b) {
     return a->right != b->right ? b->right : a->best_error > b->best_error;
   });
-  std::string out = fmt::format("{:<36} {:<16} {:>10} {:>10} {:>6} {:>12}\n", "function",
-                                "direction", "error", "at step", "slope", "extrapolated");
+  std::size_t functions = 8, directions = 9;  // widths of columns
+  for (const DerivativeCheck& c : checks) {
+    functions = std::max(functions, c.function.size());
+    directions = std::max(directions, c.direction.size());
+  }
+  std::string out =
+      fmt::format("{:<{}} {:<{}} {:>10} {:>10} {:>6} {:>12}\n", "function", functions, "direction",
+                  directions, "error", "at step", "slope", "extrapolated");
   int wrong = 0, kinked = 0, hidden = 0, unknown = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DerivativeCheck& c = *order[k];
@@ -386,8 +392,8 @@ std::string DerivativeReport::text(int rows) const {
     kinked += c.kink;
     hidden += c.round_off;
     if (c.right && static_cast<int>(k) >= rows) continue;
-    out += fmt::format("{:<36} {:<16} {:>10.2e} {:>10.1e} {:>6} {:>12.2e}{}\n", c.function,
-                       c.direction, c.best_error, c.best_step,
+    out += fmt::format("{:<{}} {:<{}} {:>10.2e} {:>10.1e} {:>6} {:>12.2e}{}\n", c.function,
+                       functions, c.direction, directions, c.best_error, c.best_step,
                        c.slope ? fmt::format("{:.2f}", *c.slope) : "-", c.extrapolated_error,
                        c.right       ? ""
                        : !compared   ? "  no difference"

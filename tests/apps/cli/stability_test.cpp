@@ -535,6 +535,22 @@ TEST_F(Stability, DesignOfAMotionThatLosesEnergyIsInaccurate) {
   EXPECT_EQ(Json::parse(text_of(dir_ / "final/summary.json"))["status"], "inaccurate");
 }
 
+/// Of a motion that leaves its drive behind the reason is that drive, not the energy it makes.
+TEST_F(Stability, ADriveThatTheStepsDoNotFollowIsTheReason) {
+  for (const char* constraints : {"multipliers", "penalty"}) {
+    const Outcome o =
+        run({"run", kData / "scenes" / "slider_crank.toml", "-o", results(), "--no-report",
+             "--force", "--set", "joints.motor.drive={table=[[0,0],[0.01,0],[0.01001,0.5],[1,1]]}",
+             "--set", std::string("simulation.constraints=") + constraints, "--set",
+             "simulation.duration=0.02"});
+    EXPECT_EQ(o.code, 1) << o.err;
+    summary_ = Json::parse(text_of(results() / "summary.json"));
+    EXPECT_EQ(summary_["status"], "inaccurate");
+    EXPECT_EQ(reason().rfind("the drive of 'motor' changes within a step", 0), 0u) << reason();
+    EXPECT_TRUE(warns("of the largest kinetic and elastic energy"));
+  }
+}
+
 /// A bar of linear material that is pulled by a tenth, and by two thirds, of its stiffness EA.
 TEST_F(Stability, StressesBeyondLinearMaterialsAreNamed) {
   const double EA = 1e6 * M_PI / 4 * 1e-4;

@@ -78,7 +78,7 @@ TEST(SegmentsScene, InSpaceWhatNeedsTorsionIsRefused) {
                          "through = [[0.2, 0, 0], [0.4, 0.05, 0], [0.6, 0, 0]]"),
                  "beam 'rod' has no torsion as a chain of segments: in space it is curved");
   expect_refused(changed(space, "axis = [0, 0, 2]", "axis = [1, 0, 0]"),
-                 "joint 'motor' is driven, sprung or geared about its axis");
+                 "joint 'motor' turns about its axis");
   const auto with_load = [&](const char* load) {
     return changed(space, "wind = { over = \"rod\", force = [0, 3, 0] }", load);
   };
@@ -99,6 +99,12 @@ TEST(SegmentsScene, InSpaceWhatNeedsTorsionIsRefused) {
                  "joint 'bolt' turns a node of 'crank'");
   EXPECT_NO_THROW(read_scene(
       with_disc(inside, "bolt = { spherical = [\"crank.mid\", \"disc.origin\"] }"), "a"));
+  const char* const hub = "disc = { rigid = { at = [0.2, 0, 0], mass = 1, inertia = [1, 1, 1] } }";
+  expect_refused(
+      with_disc(hub, "bolt = { revolute = [\"crank.end\", \"disc.origin\"], axis = [1, 0, 0] }"),
+      "joint 'bolt' turns about its axis");
+  EXPECT_NO_THROW(
+      read_scene(with_disc(hub, "bolt = { revolute = [\"crank.end\", \"disc.origin\"] }"), "a"));
   expect_refused(with_disc(outside, "bolt = { fixed = [\"crank.end\", \"disc.origin\"] }"),
                  "the weight of 'disc' acts about its axis");
 }

@@ -52,6 +52,29 @@ TEST(Recovery, BucklingLinksInSpace) {
   EXPECT_GT(r.report().tangent_refreshes, 0);
 }
 
+/// A soft pendulum in steps that are long for it: the same motion with fewer corrections. What is
+/// said to be out of its range are tangents whose corrections stalled, not those renewed.
+TEST(Recovery, TangentsAreRenewedWhereStepsTakeManyCorrections) {
+  SimulationOptions o = options(1, 5e-3);
+  const auto renewed = test::run_spatial(test::pendulum(8), o);
+  o.tangent = TangentStrategy::Constant;
+  const auto constant = test::run_spatial(test::pendulum(8), o);
+  ASSERT_EQ(renewed.report().status, SolveStatus::Converged);
+  EXPECT_GT(renewed.report().tangent_renewals, 0);
+  EXPECT_EQ(constant.report().tangent_renewals, 0);
+  EXPECT_LT(renewed.report().newton_iterations, 0.9 * constant.report().newton_iterations);
+  const auto tip = [](const auto& r) {
+    return r.trajectory().frames(r.last())[r.model->nodes() - 1].x;
+  };
+  EXPECT_LT((tip(renewed) - tip(constant)).norm(), 1e-4);
+  const std::string stalled =
+      std::to_string(renewed.report().tangent_refreshes - renewed.report().tangent_renewals);
+  for (const auto& w : renewed.report().warnings)
+    if (w.find("constant tangent") != std::string::npos) {
+      EXPECT_NE(w.find(" " + stalled + " times"), std::string::npos) << w;
+    }
+}
+
 TEST(Recovery, FailedStepsAreHalvedAndTheRestOfTheGridIsKept) {
   auto m = test::slider_crank();
   m.drives = {{0, 0, TimeFunction::rate(150, 1e-3)}};  // a jerk that long steps do not follow

@@ -93,6 +93,14 @@ TEST(Replay, HalvedStepsAndOtherTangents) {
   EXPECT_GT(report.tangent_refreshes, 0);
 }
 
+/// Corrections since the last tangent decide on the next.
+TEST(Replay, RenewedTangents) {
+  for (const int every : {1, 7}) {
+    const auto report = expect_replay<SE3>(test::pendulum(8), {}, test::options(1, 5e-3), every);
+    EXPECT_GT(report.tangent_renewals, 1);
+  }
+}
+
 TEST(Replay, AdaptiveSteps) {
   auto o = test::options(0.5, 1e-2);
   o.adaptive = true;

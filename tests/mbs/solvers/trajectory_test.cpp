@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <utility>
+
 #include "mbs/run.hpp"
 
 namespace liesl::test::trajectory_test {
@@ -62,9 +64,25 @@ TYPED_TEST(TrajectoryRecords, ComeBackWithAndWithoutRoom) {
       if (reserved > 0) trajectory.reserve(state<G>(0, nodes, rows), reserved);
       for (int n = 0; n < kCount; ++n) trajectory.record(state<G>(n, nodes, rows));
       expect_records(trajectory, kCount, nodes, rows);
-      const Trajectory<G> copy = trajectory;
-      expect_records(copy, kCount, nodes, rows);
+      const Trajectory<G> moved = std::move(trajectory);
+      expect_records(moved, kCount, nodes, rows);
     }
+}
+
+/// More records than memory holds.
+TEST(TrajectoryRecordsInAFile, ComeBackToo) {
+  constexpr int kCount = 400, kNodes = 2000;
+  for (const bool reserved : {true, false}) {
+    Trajectory<SE3> trajectory;
+    if (reserved) trajectory.reserve(state<SE3>(0, kNodes, 5), kCount);
+    for (int n = 0; n < kCount; ++n) trajectory.record(state<SE3>(n, kNodes, 5));
+    State<SE3> found;
+    for (const int n : {0, 17, 200, kCount - 1}) {
+      trajectory.read(n, found);
+      EXPECT_EQ(found.v, state<SE3>(n, kNodes, 5).v);
+      EXPECT_EQ(trajectory.time(n), found.t);
+    }
+  }
 }
 
 }  // namespace
