@@ -23,9 +23,9 @@ struct Scene {
   std::vector<ResponseSpec> responses;
   std::vector<std::string> warnings;    ///< what is accepted but looks like a mistake
   std::vector<std::string> unfollowed;  ///< of these, drives that change within a step
-  std::string file;                   ///< where it was read
-  std::string input;                  ///< the file's text and the overrides, for the input's hash
-  std::vector<NamedInput> files;      ///< that it names; their texts are in `input`, too
+  std::string file;                     ///< where it was read
+  std::string input;                    ///< the file's text and the overrides, for the input's hash
+  std::vector<NamedInput> files;        ///< that it names; their texts are in `input`, too
 };
 
 }  // namespace liesl
