@@ -166,6 +166,11 @@ step = 1e-3
   const std::string xdmf = text_of(results() / "results.xdmf");
   EXPECT_NE(xdmf.find("\"Tetrahedron\""), std::string::npos);
   EXPECT_NE(xdmf.find("meshes.h5:/meshes/part/cells"), std::string::npos);
+  fs::remove(results() / "meshes.h5");  // which is made of results.h5 alone, and again
+  const Outcome page = run({"report", results()});
+  EXPECT_EQ(page.code, 0) << page.err;
+  ASSERT_EQ(run({"export", results(), "--to", "xdmf"}).code, 0);
+  EXPECT_TRUE(fs::exists(results() / "meshes.h5"));
 }
 
 /// What results.h5 kept in full and what `export` makes of the amplitudes are one.
