@@ -206,6 +206,10 @@ TEST_F(SolidRun, LargeMeshesAreLeftToExport) {
   const Outcome cases = run({"export", results(), "--cases", "all"});
   EXPECT_EQ(cases.code, 2);
   EXPECT_NE(cases.err.find("--cases"), std::string::npos) << "has no effect on xdmf, so is refused";
+  const Outcome part = run({"export", scene("meshed_slider_crank"), "--part", "rod"});
+  EXPECT_EQ(part.code, 2);
+  for (const char* to : {"--to calculix", "--to nastran", "--to matrices"})
+    EXPECT_NE(part.err.find(to), std::string::npos) << part.err;
 }
 
 /// The stress of a mode at the centre of a cell, by hand: plane stress of the mean gradient.
