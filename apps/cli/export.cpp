@@ -225,8 +225,9 @@ int export_command(const CommandOptions& options) {
       options.cases != "peaks")
     throw InputError(
         {{options.file, 0, 0,
-          "--part, --cases, --set, --force and -o are for --to calculix, nastran or matrices",
-          "a results folder alone", "--to calculix"}});
+          "--part, --cases, --set, --force and -o are not for --to xdmf, the default",
+          "--to calculix, --to nastran or --to matrices with them, or a results folder alone",
+          "--to calculix"}});
   output::read_whole_summary(options.file, "export");
   output::export_xdmf(options.file);
   if (!options.quiet)

@@ -107,7 +107,7 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
   check_shapes(results);
   std::string out =
       heading(results.abscissa, results.abscissa_unit) + ",body,kind,node,x [m],y [m],z [m]\n";
-  for (const int i : spread_records(static_cast<int>(results.times.size()), instants)) {
+  for (const int i : frame_records(results, instants)) {
     for (const auto& body : results.bodies) {
       if (body.positions.empty()) continue;
       const double* x =
@@ -119,6 +119,18 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
     }
   }
   write_file(path, out);
+}
+
+void write_rigid_paths_csv(const std::filesystem::path& path, const Results& results) {
+  std::string out = heading(results.abscissa, results.abscissa_unit) + ",body,x [m],y [m],z [m]\n";
+  const std::size_t head = out.size();
+  const auto records = spread_records(static_cast<int>(results.times.size()), kPathPoints);
+  for (const auto& body : results.bodies)
+    for (std::size_t k = 0; 3 * k < body.path.size(); ++k)
+      fmt::format_to(std::back_inserter(out), "{},{},{:.7g},{:.7g},{:.7g}\n",
+                     results.times[static_cast<std::size_t>(records[k])], field(body.name),
+                     body.path[3 * k], body.path[3 * k + 1], body.path[3 * k + 2]);
+  if (out.size() > head) write_file(path, out);
 }
 
 std::string cell(double x) { return std::isfinite(x) ? fmt::format("{}", x) : ""; }

@@ -27,9 +27,13 @@ void write_energies_csv(const std::filesystem::path& path, const Results& result
 /// moment `<name>.Mx ...`.
 void write_joints_csv(const std::filesystem::path& path, const Results& results);
 
-/// Positions of all nodes at `instants` records, evenly spread:
+/// Positions of all nodes at `instants` records, evenly spread, and where responses are largest:
 /// `<abscissa>, body, kind, node, x [m], y [m], z [m]`.
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants = 13);
+
+/// Places of bodies of one node along the motion, at most 200: `<abscissa>, body, x [m], y [m],
+/// z [m]`. No file without such paths.
+void write_rigid_paths_csv(const std::filesystem::path& path, const Results& results);
 
 /// A column of texts, one a row.
 struct TextColumn {

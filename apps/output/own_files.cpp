@@ -52,7 +52,7 @@ nlohmann::json json_of(const fs::path& path) {
 /// Has a result without mark this file by docs/outputs.md? Those of a part only beside its .vtu.
 bool documented(const fs::path& folder, const std::string& name) {
   static const std::regex fixed(
-      R"(summary\.json|results\.(h5|xdmf|csv)|(responses|energies|joints|frames|sections|part_lines|cycle_loads|design|rows|map|path)\.csv)"
+      R"(summary\.json|results\.(h5|xdmf|csv)|(responses|energies|joints|frames|sections|part_lines|rigid_paths|cycle_loads|design|rows|map|path)\.csv)"
       R"(|(loads|map)\.h5|loads\.csv|responses_(initial|final)\.csv|checkpoint\.json|lean\.toml|batch\.json)"
       R"(|\.lock|done\.json|log\.txt|reference_\d+\.csv|cases|plots/[^/]+\.(png|svg))");
   static const std::regex of_part(

@@ -170,15 +170,62 @@ class PartLines {
   std::vector<std::vector<std::uint32_t>> lines_;
 };
 
-/// Records of the pictured instants: evenly spread among those of frames.csv, first and last too.
-/// Of modes, each of which has a panel, all of those.
-std::vector<int> pictured(int records, bool modes) {
-  std::vector<int> frames = spread_records(records, kFrames);
-  if (modes) return frames;
+/// Which of the instants are pictured, as `few` of apps/plot/mechanism.py has it: those nearest to
+/// five that are evenly spread, where they grow; else spread by their number.
+std::vector<int> few(const std::vector<double>& instants) {
+  const int n = static_cast<int>(instants.size());
+  if (n == 0 || !std::is_sorted(instants.begin(), instants.end()))
+    return spread_records(n, kPictured);
   std::vector<int> out;
-  for (const int i : spread_records(static_cast<int>(frames.size()), kPictured))
-    out.push_back(frames[static_cast<std::size_t>(i)]);
+  for (int i = 0; i < kPictured; ++i) {
+    const double at = instants.front() + (instants.back() - instants.front()) * i / (kPictured - 1);
+    const auto nearer = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+    out.push_back(static_cast<int>(std::min_element(instants.begin(), instants.end(), nearer) -
+                                   instants.begin()));
+  }
   return out;
+}
+
+/// Records of the pictured instants: few of those of frames.csv, and the peaks. Of modes, each of
+/// which has a panel, all of those.
+std::vector<int> pictured(const Results& results) {
+  const std::vector<int> frames = frame_records(results, kFrames);
+  if (results.abscissa == "frequency") return frames;
+  std::vector<int> out = results.peaks;
+  std::vector<double> instants;
+  for (const int record : frames)
+    instants.push_back(results.times[static_cast<std::size_t>(record)]);
+  for (const int i : few(instants)) out.push_back(frames[static_cast<std::size_t>(i)]);
+  std::sort(out.begin(), out.end());
+  out.erase(std::unique(out.begin(), out.end()), out.end());
+  return out;
+}
+
+/// From the centre of mass of a rigid body to its points and joints, in its axes; not those that
+/// are there.
+std::vector<Vector3d> arms_of(const BodyResult& body, const std::vector<JointResult>& joints) {
+  std::vector<Vector3d> arms;
+  for (std::size_t i = 1; 3 * i < body.points.size(); ++i)
+    arms.push_back(vector_at(body.points, i));
+  for (const JointResult& joint : joints)
+    for (std::size_t end = 0; end < joint.bodies.size() && !joint.places.empty(); ++end)
+      if (joint.bodies[end] == body.name) arms.push_back(vector_at(joint.places, end));
+  const Vector3d centre = vector_at(body.points, 0);
+  std::erase_if(arms, [&](const Vector3d& arm) { return arm.isApprox(centre); });
+  return arms;
+}
+
+/// @param row where the series of bodies hold the record
+void put_rigid(std::string& text, const std::string& start, const BodyResult& body,
+               const std::vector<Vector3d>& arms, std::size_t row) {
+  const Matrix3d R = axes_at(body.rotations, row);
+  const Vector3d origin = vector_at(body.positions, row);
+  for (std::size_t l = 0; l < arms.size(); ++l)
+    for (const Vector3d& end : {vector_at(body.points, 0), arms[l]}) {
+      const Vector3d x = origin + R * end;
+      fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g},0,0,0\n", start,
+                     field(body.name), l, x[0], x[1], x[2]);
+    }
 }
 
 }  // namespace
@@ -209,11 +256,15 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
                                    [&](const BodyResult& b) { return b.name == mesh.name; });
     if (body == results.bodies.end() || mesh.reference.empty()) continue;
     const PartLines lines(mesh, *body);
-    for (const int record :
-         pictured(static_cast<int>(results.times.size()), results.abscissa == "frequency"))
+    for (const int record : pictured(results))
       lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
                 std::size_t(record), results.row(record));
   }
+  for (const BodyResult& body : results.bodies)
+    if (body.kind == "rigid" && body.nodes == 1 && !body.points.empty())
+      for (const int record : pictured(results))
+        put_rigid(text, fmt::format("{}", results.times[std::size_t(record)]), body,
+                  arms_of(body, results.joints), results.row(record));
   if (text.size() > head) write_file(path, text);
 }
 

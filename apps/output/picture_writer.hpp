@@ -16,11 +16,12 @@ namespace liesl::output {
 /// @throws IoError (both)
 void write_sections_csv(const std::filesystem::path& path, const Results& results);
 
-/// Lines of deformed meshed parts at the instants that pictures show: of a planar part its
+/// Lines of deformed meshed parts and of rigid bodies at the instants that pictures show: of a
+/// rigid body from its centre of mass to its points and joints; of a planar part its
 /// outline, material on the left, of a part in space the edges where its surface turns by more than
 /// 30 degrees: `<abscissa>, body, line, x [m], y [m], z [m], bending x [m], bending y [m], bending
 /// z [m]`, the latter what of a place is deformation about the chord, the line from the first
-/// interface to the farthest. No file without meshed parts.
+/// interface to the farthest. No file without such lines.
 void write_part_lines_csv(const std::filesystem::path& path, const Results& results);
 
 }  // namespace liesl::output

@@ -9,6 +9,7 @@
 #include "apps/output/own_files.hpp"
 #include "apps/output/summary_types.hpp"
 #include "apps/output/versions.hpp"
+#include "apps/output/whole_tables.hpp"
 
 namespace fs = std::filesystem;
 
@@ -18,9 +19,13 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
+/// What `export --to xdmf` makes of results.h5, and makes again.
+constexpr const char* kDerivedMeshes = "meshes.h5";
+
 /// Is a file of numbers one that readers need? Batches and comparisons name files before they are
 /// written; they have their tables from the beginning.
 bool is_needed(const fs::path& name, const std::string& command) {
+  if (name == kDerivedMeshes) return false;
   if (command == "batch") return name == "results.csv";
   if (command == "compare") return name == "rows.csv";
   return name.extension() == ".csv" || name.extension() == ".h5";
@@ -81,6 +86,7 @@ nlohmann::ordered_json read_whole_summary(const fs::path& folder, const std::str
     if (name == kMark || is_needed(name, command))
       throw IoError(verb, folder, "its " + name.string() + " is not there" + kHint);
   check_hdf5_files(folder, summary, verb);
+  check_tables(folder, summary, verb);
   return summary;
 }
 

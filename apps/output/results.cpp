@@ -85,6 +85,19 @@ std::vector<int> spread_records(int n, int count) {
   return records;
 }
 
+std::vector<int> frame_records(const Results& results, int count) {
+  std::vector<int> records = spread_records(static_cast<int>(results.times.size()), count);
+  records.insert(records.end(), results.peaks.begin(), results.peaks.end());
+  std::sort(records.begin(), records.end());
+  records.erase(std::unique(records.begin(), records.end()), records.end());
+  return records;
+}
+
+int Results::record_near(double at) const {  // load factors may fall again
+  const auto nearer = [at](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+  return static_cast<int>(std::min_element(times.begin(), times.end(), nearer) - times.begin());
+}
+
 std::size_t Results::row(int record) const {
   if (kept.empty()) return static_cast<std::size_t>(record);
   const auto at = std::lower_bound(kept.begin(), kept.end(), record);

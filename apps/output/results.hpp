@@ -36,6 +36,8 @@ struct BodyResult {
   /// P x 3, of a rigid body: centre of mass and named points, in body axes from its origin, m.
   std::vector<double> points = {};
   double largest_stress = 0;  ///< of all records, Pa; 0: none is recorded
+  /// Of a body of one node: its places at spread_records(n, kPathPoints), 3 each, m.
+  std::vector<double> path = {};
 };
 
 /// Blocks of a body whose first index is the record.
@@ -137,7 +139,11 @@ struct Results {
   /// Records that the series of bodies hold where a BodySink took them: those of frames.csv. Empty:
   /// all n.
   std::vector<int> kept = {};
+  /// Records nearest to the largest values of responses and to the worst limit, for the pictures.
+  std::vector<int> peaks = {};
 
+  /// The one that is nearest on the abscissa. @pre there is one
+  int record_near(double at) const;
   /// Where the series of bodies hold a record. @throws std::out_of_range if they do not
   std::size_t row(int record) const;
 };
@@ -152,11 +158,17 @@ void check_shapes(const BodyResult& body, std::size_t n);
 inline constexpr int kShownRecords = 250;
 /// Instants of frames.csv, and of those the ones that pictures show.
 inline constexpr int kFrames = 13, kPictured = 5;
+/// Responses whose largest values are among the instants of frames.csv.
+inline constexpr std::size_t kPeaks = 3;
+/// Points of the path of a body of one node.
+inline constexpr int kPathPoints = 200;
 /// Bytes of deformed meshes up to which results.h5 keeps them; `liesl export` makes them of the
 /// basis else.
 inline constexpr double kMeshBytes = 6e6;
 
 /// At most `count` record numbers, evenly spread over [0, n), first and last among them.
 std::vector<int> spread_records(int n, int count);
+/// Records of frames.csv: `count` of them evenly spread, and the peaks; in order.
+std::vector<int> frame_records(const Results& results, int count);
 
 }  // namespace liesl::output

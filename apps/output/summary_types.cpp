@@ -27,7 +27,8 @@ constexpr struct {
      "objective.quantity objective.unit terms.*.quantity terms.*.unit history[].worst_limit "
      "history[].worst_at "
      "history[].limits.*.at kkt "
-     "load_cases[] scenarios[] nucleation.reason nucleation.gain_unit "
+     "load_cases[] supports[].place supports[].held fixed_loads[].name fixed_loads[].load_case "
+     "fixed_loads[].place scenarios[] nucleation.reason nucleation.gain_unit "
      "method parameters.*.unit gradients.*.*.unit "
      "shard input_units.* "
      "response unit norm references[].changes[] references[].formalisms[] "
@@ -66,10 +67,14 @@ constexpr struct {
      "lean.steps lean.step given.steps given.step reference.steps reference.step "
      "held_out.steps held_out.step"},
     {Type::Flag, "critical_loads[].limit_point"},
-    {Type::Numbers, "responses.*.final of.*.range"},
+    {Type::Numbers,
+     "responses.*.final of.*.range supports[].points[] fixed_loads[].points[] fixed_loads[].force "
+     "fixed_loads[].moment"},
     {Type::List,
      "warnings overrides arguments frequencies_hz eigenvalues critical_loads history "
-     "history[].design load_cases scenarios references references[].changes "
+     "history[].design load_cases supports supports[].points fixed_loads fixed_loads[].points "
+     "scenarios "
+     "references references[].changes "
      "references[].formalisms ratios "
      "decisions changes refinement.steps nucleation.next.place"},
     {Type::Object,
@@ -77,7 +82,7 @@ constexpr struct {
      "responses.*.error.end parts parts.* "
      "constraints constraints.* constraints.*.error design design_range design_range.* objective "
      "objective.error terms terms.* terms.*.error prices history[] identity verification "
-     "refinement refinement.steps[] nucleation "
+     "refinement refinement.steps[] nucleation supports[] fixed_loads[] "
      "critical_loads[] parameters parameters.* gradients gradients.* gradients.*.* "
      "gradients.*.*.by ended input_units references[] ratios[] over over.* of of.* centre lean "
      "lean.beams lean.beams.* given given.beams given.beams.* reference reference.beams "

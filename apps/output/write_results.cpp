@@ -19,6 +19,7 @@ void write_tables(const std::filesystem::path& folder, const Results& results) {
   if (!results.energies.total.empty()) write_energies_csv(folder / "energies.csv", results);
   if (!results.joints.empty()) write_joints_csv(folder / "joints.csv", results);
   write_frames_csv(folder / "frames.csv", results, kFrames);
+  write_rigid_paths_csv(folder / "rigid_paths.csv", results);
   write_sections_csv(folder / "sections.csv", results);
   write_part_lines_csv(folder / "part_lines.csv", results);
 }

@@ -72,6 +72,15 @@ def read_part_lines(folder):
     return {key: list(lines.values()) for key, lines in parts.items()}
 
 
+def read_paths(folder):
+    """{body: [(x, y, z), ...]} of bodies of one node."""
+    found = table(folder, "rigid_paths.csv")
+    paths = {}
+    for _, body, *x in found.rows if found else []:
+        paths.setdefault(body, []).append(tuple(map(float, x)))
+    return paths
+
+
 def scaled_parts(parts, scale):
     """The same with the bending drawn larger: lists of points (x, y, z)."""
     return {key: [[tuple(x + (scale - 1) * b for x, b in zip(point[:3], point[3:])) for point in line]
@@ -85,7 +94,7 @@ def read_shapes(folder, instants):
     for body, seen in sections.items():
         if len(seen) != nodes.get(body, 0) - 1:
             raise HalfResult(folder / "sections.csv", f"'{body}' has {len(seen)} elements and {nodes.get(body, 0)} nodes")
-    return Shapes(sections, read_part_lines(folder))
+    return Shapes(sections, read_part_lines(folder), read_paths(folder))
 
 
 def draw_mechanism(folder, pictures, summary):
@@ -104,7 +113,7 @@ def draw_mechanism(folder, pictures, summary):
     ax.set_anchor("N")  # below the heading; what stays free is cut off
     scale = bending_scale(instants, shapes.parts)
     shapes.parts = scaled_parts(shapes.parts, scale)
-    shown = few(instants)
+    shown = few(instants, peak_of(summary))
     marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
     heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} instants"
@@ -138,10 +147,29 @@ def draw_modes(pictures, instants, axes, shapes, frequencies):
     pictures.save(figure, "mechanism", heading)
 
 
-def few(instants):
-    """Spread evenly, first and last among them."""
-    last, gaps = len(instants) - 1, INSTANTS - 1
-    return [instants[n] for n in sorted({(last * i + gaps // 2) // gaps for i in range(INSTANTS)})]
+def peak_of(summary):
+    """Where the limit is reached that is violated most or has least to spare; without limits, where the first response is
+    largest. None: it is not known."""
+    limits = summary.get("constraints") or {}
+    worst = max(limits.values(), key=lambda limit: limit.get("violation") or 0, default={})
+    first = next(iter((summary.get("responses") or {}).values()), {})
+    return (worst if limits else first).get("at_time")
+
+
+def few(instants, peak=None):
+    """Spread evenly, first and last among them, and the one nearest to the peak in place of its neighbour; as part_lines.csv
+    has them (apps/output/picture_writer.cpp)."""
+    times, last, gaps = [time for time, _ in instants], len(instants) - 1, INSTANTS - 1
+    nearest = lambda at: min(range(last + 1), key=lambda n: abs(times[n] - at))  # noqa: E731
+    if times == sorted(times):
+        chosen = sorted({nearest(times[0] + (times[-1] - times[0]) * i / gaps) for i in range(INSTANTS)})
+    else:
+        chosen = sorted({(last * i + gaps // 2) // gaps for i in range(INSTANTS)})
+    if peak is not None and len(chosen) > 2:
+        at = nearest(peak)
+        if at not in chosen:
+            chosen[min(range(1, len(chosen) - 1), key=lambda i: abs(times[chosen[i]] - times[at]))] = at
+    return [instants[n] for n in sorted(chosen)]
 
 
 def shown_axes(instants, shapes):
@@ -197,13 +225,18 @@ def bent(nodes, scale):
 class Shapes:
     """What bodies look like: thickness of beams, lines of meshed parts; which of them were drawn."""
 
-    def __init__(self, sections, parts):
-        self.sections, self.parts, self.drawn = sections, parts, set()
+    def __init__(self, sections, parts, paths=None):
+        self.sections, self.parts, self.paths, self.drawn = sections, parts, paths or {}, set()
 
-    def draw(self, ax, axes, time, body, nodes, colour, size, last):
+    def draw(self, ax, axes, time, body, kind, nodes, colour, size, last):
         """A body at its displayed nodes. False: it has no shape, or one too thin to be seen.
         @param size of the mechanism  @param last of the instants: in space the others only shine through"""
         lines = self.parts.get((time, body))
+        if lines and kind == "rigid":  # from its centre of mass to its joints
+            for line in lines:
+                ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=2.6, solid_capstyle="round")
+            ax.plot(*[[lines[0][0][k]] for k in axes], color=colour, marker="s", markersize=6)
+            return True
         if lines and len(axes) == 3:
             self.drawn.add("edges")
             ax.add_collection3d(Line3DCollection(lines, colors=colour, linewidths=0.9, alpha=1 if last else FILL))
@@ -298,7 +331,7 @@ def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
     marks, drawn = [], []
     for body, (_, nodes) in instants[0][1].items():
         if len(nodes) == 1 and len(instants) > 2:
-            path = [bodies[body][1][0] for _, bodies in instants if body in bodies]
+            path = shapes.paths.get(body) or [bodies[body][1][0] for _, bodies in instants if body in bodies]
             ax.plot(*columns(path), color="#b8b8b8", linewidth=0.8, zorder=1)
             drawn += path
             marks = [Line2D([], [], color="#b8b8b8", linewidth=0.8, label="paths of rigid bodies")]
@@ -306,10 +339,10 @@ def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
     drawn += [x for (time, _), lines in shapes.parts.items() for line in lines for x in line]
     lines_of_beams = False
     for (time, bodies), colour in zip(shown, COLOURS[-len(shown):]):
-        for body, (_, nodes) in bodies.items():
+        for body, (kind, nodes) in bodies.items():
             at = bent(nodes, scale) if body in straight else nodes
             drawn += at
-            shaped = shapes.draw(ax, axes, time, body, at, colour, size, last=time == shown[-1][0])
+            shaped = shapes.draw(ax, axes, time, body, kind, at, colour, size, last=time == shown[-1][0])
             lines_of_beams = lines_of_beams or not shaped and len(nodes) > 1
             if not shaped:
                 ax.plot(*columns(at), color=colour, linewidth=2.6, solid_capstyle="round",

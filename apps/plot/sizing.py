@@ -6,7 +6,7 @@ import re
 import matplotlib.pyplot as plt
 from matplotlib.ticker import MaxNLocator
 
-from mechanism import bending_scale, few, mechanism, read_frames, read_shapes, scaled_parts, shown_axes
+from mechanism import bending_scale, few, mechanism, peak_of, read_frames, read_shapes, scaled_parts, shown_axes
 from motion import before_after, grouped_columns, limit_tables
 from style import BLUE, GREEN, GREY, LIMIT, ORANGE, RED, label, legend, scale_of, scaled, stacked
 from tables import table
@@ -133,7 +133,7 @@ def draw_overview(folder, pictures, summary):
     ax = figure.add_subplot(grid[:, 0])
     scale = bending_scale(instants, shapes.parts)
     shapes.parts = scaled_parts(shapes.parts, scale)
-    marks = mechanism(ax, instants, few(instants), shown_axes(instants, shapes), scale, time_label, shapes)
+    marks = mechanism(ax, instants, few(instants, peak_of(summary)), shown_axes(instants, shapes), scale, time_label, shapes)
     ax.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, -0.16), ncols=3)
     if scale != 1:
         ax.set_title(f"bending × {scale:g}")

@@ -100,6 +100,8 @@ void read_fixed_load(StudyReader& reader, const Entry& entry) {
   if (!at) return;
   const SolidSpec& solid = *solid_of(reader, at->first);
   FixedLoad load;
+  load.name = entry.name;
+  load.place = at->second;
   load.load_case = text(*entry.table, "case");
   load.body = at->first;
   load.force = vec3(*entry.table, "force");

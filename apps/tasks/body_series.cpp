@@ -137,6 +137,27 @@ void BodySeries<G>::keep(std::size_t b, std::size_t i) {
   }
 }
 
+template <FrameGroup G>
+void BodySeries<G>::keep_also(int record, const State<G>& s) {
+  std::vector<int>& kept = results_.kept;
+  const auto at = std::lower_bound(kept.begin(), kept.end(), record);
+  if (!sink_ || (at != kept.end() && *at == record)) return;
+  const auto row = static_cast<std::size_t>(at - kept.begin());
+  kept.insert(at, record);
+  for (std::size_t b = 0; b < block_.size(); ++b) {
+    for (std::size_t i = 0; i < sizes_[b].size(); ++i)
+      (block_[b].*output::kBodySeries[i]).resize(sizes_[b][i]);
+    add_nodes(s, b);
+    add_elements(s, b);
+    for (std::size_t i = 0; i < sizes_[b].size(); ++i) {
+      const auto& from = block_[b].*output::kBodySeries[i];
+      auto& to = results_.bodies[b].*output::kBodySeries[i];
+      to.insert(to.begin() + static_cast<std::ptrdiff_t>(row * sizes_[b][i]), from.begin(),
+                from.end());
+    }
+  }
+}
+
 template class BodySeries<SE2>;
 template class BodySeries<SE3>;
 

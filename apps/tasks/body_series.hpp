@@ -25,6 +25,8 @@ class BodySeries {
              output::BodySink* sink, output::Results& results);
   /// The next record. @param s completed
   void add(const State<G>& s);
+  /// After the last one: a record that the results shall hold, too. @param s it, completed
+  void keep_also(int record, const State<G>& s);
 
  private:
   using Sizes = std::array<std::size_t, output::kBodySeries.size()>;

@@ -303,6 +303,21 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
   return out;
 }
 
+namespace {
+
+/// Where bodies of one node go.
+template <FrameGroup G>
+void add_paths(const Mechanism& mechanism, const Model<G>& model, const Trajectory<G>& trajectory,
+               output::Results& r) {
+  const SpatialView<G> view(mechanism, model);
+  for (size_t b = 0; b < r.bodies.size(); ++b)
+    if (r.bodies[b].nodes == 1)
+      for (const int n : output::spread_records(trajectory.size(), output::kPathPoints))
+        append(r.bodies[b].path, view.node(trajectory.frames(n), static_cast<int>(b), 0).x);
+}
+
+}  // namespace
+
 template <FrameGroup G>
 output::Results collect(const Scene& scene, const Mechanism& mechanism, const Model<G>& model,
                         const Trajectory<G>& trajectory, const StepRecorder<G>* seen,
@@ -355,6 +370,14 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   const StepRecorder<G>& steps = all_steps ? *seen : of_records;
   r.energies = steps.energies();
   r.responses = steps.responses();
+  add_paths(mechanism, model, trajectory, r);
+  for (size_t i = 0; i < std::min(r.responses.size(), output::kPeaks); ++i)
+    if (r.responses[i].peak && records > 0)
+      r.peaks.push_back(r.record_near(r.responses[i].peak->at));
+  for (const int record : r.peaks) {
+    trajectory.read(record, s);
+    series.keep_also(record, s);
+  }
   return r;
 }
 

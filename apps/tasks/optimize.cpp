@@ -247,6 +247,16 @@ output::Results recorded(const Scene& scene, const CycleResult<G>& r) {
   return collect(scene, r.mechanism, *r.model, kept, &steps);
 }
 
+/// Of a single motion: where its worst limit is reached is among the instants of the pictures.
+void picture_worst_limit(const Study& study, OptimizeOutcome& out) {
+  const auto& limits = out.summary.constraints;
+  if (!study.spec.scenarios.empty() || limits.empty() || out.results.times.empty()) return;
+  const auto worst =
+      std::max_element(limits.begin(), limits.end(),
+                       [](const auto& a, const auto& b) { return a.violation < b.violation; });
+  out.results.peaks.push_back(out.results.record_near(worst->at_time));
+}
+
 /// All that a study of a motion leaves behind. `sizing` is that of the start.
 template <FrameGroup G>
 void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr<Design>& design,
@@ -255,6 +265,7 @@ void collect_end(const Study& study, const Sizing& sizing, const std::shared_ptr
   out.simulated = true;
   out.mechanism = r.mechanism;
   out.results = recorded<G>(scene, r);
+  picture_worst_limit(study, out);
   describe_responses(out.summary, out.results);
   describe(out.summary, r.simulation.report.penalty, r.mechanism.penalty.form);
   if (!r.final.empty()) note_final_motion(study, r, out.summary.warnings);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "apps/tasks/collect_mesh.hpp"
+#include "apps/tasks/fixed_loads.hpp"
 #include "apps/tasks/optimize.hpp"
 #include "apps/tasks/outline_kinks.hpp"
 #include "optim/cycle/catalogue.hpp"
@@ -127,6 +128,7 @@ OptimizeOutcome optimize_part_task(const Study& study, const output::OptimizeSum
   for (const Cycle& c : end.history) history.push_back(c.x);
   if (end.history.back().x != end.x) history.push_back(end.x);
   const BodySpec& final = end.mechanism.bodies[static_cast<std::size_t>(body)];
+  describe_fixed_loads(out.summary, study.spec, body, final);
   if (end.displacements.cols() > 0)
     out.results = load_case_results(study.spec.name, final, end.displacements);
   out.parts.push_back({final.name, end.part, std::move(history), std::move(fields),

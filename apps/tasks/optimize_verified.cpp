@@ -97,7 +97,8 @@ class ModelSequence {
     const bool refines = options_.refine && now_.study.spec.cycle.method != CycleMethod::Esl;
     if (refines)
       for (int model = 1; go_on(model);) ++model;
-    warn_of_errors(limits_, feasibility_, way_to_finer_models(), now_.out.summary.warnings);
+    warn_of_errors(limits_, feasibility_, now_.study.scene.mechanism, way_to_finer_models(),
+                   now_.out.summary.warnings);
     return std::move(now_);
   }
 

@@ -100,9 +100,10 @@ class FinerStudy {
 
   void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
     if (const std::string meshed = part(); !meshed.empty()) {
-      out.exhausted =
-          fmt::format("a study does not refine the cells of part {}: bodies.{}.solid.mesh.cells",
-                      meshed, meshed);
+      out.exhausted = fmt::format(
+          "a study does not refine the cells of part {}: more of them in the scene "
+          "(bodies.{}.solid.mesh.cells) make it certain",
+          meshed, meshed);
       return;
     }
     out.changes = order_4();

@@ -292,18 +292,41 @@ std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& stud
   return verified_limits(out, [&] { return LimitVerification(out, study, progress).run(); });
 }
 
-std::string VerifiedLimit::remedy() const {
-  if (mesh > step) return "beams of order = 4, or more elements or cells, make it certain";
+namespace {
+
+/// What a finer mesh of these bodies is.
+std::string finer_mesh(const Mechanism& mechanism) {
+  bool order_2 = false, beams = false, cells = false;
+  for (const BodySpec& body : mechanism.bodies) {
+    if (const auto* beam = std::get_if<BeamSpec>(&body.kind)) {
+      beams = true;
+      order_2 = order_2 || beam->order == 2;
+    }
+    cells = cells || std::holds_alternative<SolidSpec>(body.kind);
+  }
+  const std::string more = beams && cells ? "elements or cells" : cells ? "cells" : "elements";
+  return order_2 ? "beams of order = 4, or more " + more + ", make" : "more " + more + " make";
+}
+
+}  // namespace
+
+std::string VerifiedLimit::remedy(const Mechanism& mechanism) const {
+  if (mesh > step) return finer_mesh(mechanism) + " it certain";
   if (step > 0) return "a smaller step makes it certain";
   return "joints by multipliers, or a larger penalty, make it certain";
 }
 
 void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,
-                    const std::string& way, std::vector<std::string>& warnings) {
-  for (const VerifiedLimit& l : limits)
-    if (l.error() > feasibility && !l.certain(feasibility))
+                    const Mechanism& mechanism, const std::string& way,
+                    std::vector<std::string>& warnings) {
+  for (const VerifiedLimit& l : limits) {
+    const std::string text = l.text();
+    const bool told = std::ranges::any_of(
+        warnings, [&](const std::string& w) { return w.find(text) != std::string::npos; });
+    if (l.error() > feasibility && !l.certain(feasibility) && !told)
       warnings.push_back(
-          fmt::format("{}; {}{}", l.text(), l.remedy(), way.empty() ? "" : " (" + way + ")"));
+          fmt::format("{}; {}{}", text, l.remedy(mechanism), way.empty() ? "" : " (" + way + ")"));
+  }
 }
 
 }  // namespace liesl

@@ -26,8 +26,8 @@ struct VerifiedLimit {
   bool certain(double feasibility) const { return known && violation + error() <= feasibility; }
   /// "limit bending is known to 1.7 % only: mesh 1.7 %, step 0.001 %"
   std::string text() const;
-  /// "a smaller step makes it certain": by what is the larger error.
-  std::string remedy() const;
+  /// "a smaller step makes it certain": by what is the larger error, and by what the mechanism has.
+  std::string remedy(const Mechanism& mechanism) const;
 };
 
 /// The one that may be violated most: of the largest violation + error. @pre there is one
@@ -53,8 +53,10 @@ std::vector<VerifiedLimit> verify_limits(OptimizeOutcome& out, const Study& stud
                                          const Progress& progress = {});
 
 /// Warns of each limit whose error is more than the study allows (cycle.feasibility), where it
-/// matters. @param way what the user may do; empty: nothing more
+/// matters, unless a warning tells of it already. @param way what the user may do; empty: nothing
+/// more
 void warn_of_errors(const std::vector<VerifiedLimit>& limits, double feasibility,
-                    const std::string& way, std::vector<std::string>& warnings);
+                    const Mechanism& mechanism, const std::string& way,
+                    std::vector<std::string>& warnings);
 
 }  // namespace liesl

@@ -224,6 +224,7 @@ struct FixedLoad {
   std::vector<int> nodes;  ///< or a traction on the sides between these nodes
   Vec3 force = Vec3::Zero(), moment = Vec3::Zero();  ///< N, N m
   Vec3 traction = Vec3::Zero();                      ///< Pa
+  std::string name = {}, place = {};  ///< "tip"; the interface or set of nodes it acts on
 };
 
 enum class Optimizer { Ipopt, Mma, Ccsaq, Slsqp };

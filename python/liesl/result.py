@@ -323,7 +323,8 @@ class FolderResult(Result):
     @property
     def tables(self) -> dict[str, Table]:
         """CSV tables by name, each with its columns: "design", "responses_final", of a batch
-        "results". Columns are numbers where all their entries are, else texts."""
+        "results". Columns have the names of their headings, which keep the unit ("mass_final [kg]");
+        they are numbers where all their entries are, else texts."""
         return {f.stem: _table(f) for f in sorted(self.folder.glob("*.csv"))}
 
     def report(self, path: str | os.PathLike) -> None:

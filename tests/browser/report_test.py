@@ -347,7 +347,7 @@ class Pages(PageTest):
         self.assertIn("Mass against time", self.browser.run("return [...document.querySelectorAll('h2')].map((h) => h.textContent)"))
         self.assertEqual(self.browser.run("return [...document.querySelectorAll('.legend > span')].map((s) => s.textContent)"), ["esl", "esl1"])
         tip = self.tip()
-        for word in ("mass", "violation", "kkt", "method"):
+        for word in ("mass", "worst limit, above it", "KKT residual", "method"):
             self.assertIn(word, tip)
         self.check_paper()
 
@@ -418,8 +418,14 @@ class Pages(PageTest):
         self.assertIn(name(), ("along_x", "along_y"))
         self.slide("time", 0)
         first, along_x = name(), self.picture()
+        legend = lambda: self.browser.run("return [...document.querySelectorAll('.viewer .legend > span')].map((s) => s.textContent)")  # noqa: E731
+        held = ["\u25b2 held: x_min (x)", "\u25b2 held: y_min (y)"]
+        acts = {"along_x": "\u2192 along_x: 1000\u00a0kN on x_max", "along_y": "\u2192 along_y: 500\u00a0kN on y_max"}
+        self.assertEqual(legend(), [*held, acts[first]])
+        self.assertEqual(self.browser.run("return document.querySelector('.viewer canvas').dataset.arrows"), "9")
         self.slide("time", 1)
         self.assertEqual({first, name()}, {"along_x", "along_y"})
+        self.assertEqual(legend(), [*held, acts[name()]])
         seen = [along_x, self.picture()]
         for what, value in (("scale", 0), ("colour", "displacement"), ("colour", "")):
             self.slide(what, value)
@@ -494,8 +500,14 @@ class Pages(PageTest):
         self.check_paper()
         self.slide("filter", "speed > 130")
         self.assertEqual(self.browser.run(rows), 2)
+        heads = self.browser.run("return [...document.querySelectorAll('#cases th')].map((h) => h.textContent)")
+        self.assertTrue({"mass before [g]", "mass after [g]", "bending, above its limit", "KKT residual"} <= set(heads), heads)
+        self.slide("filter", "mass after > 10")  # in the unit of the heading: g, not kg
+        self.assertEqual(self.browser.run(rows), 4)
+        self.slide("filter", "mass_final > 10")
+        self.assertEqual(self.browser.run(rows), 0)
         self.slide("filter", "")
-        masses = """const h = [...document.querySelectorAll('#cases th')], i = h.findIndex((x) => x.textContent === 'mass_final');
+        masses = """const h = [...document.querySelectorAll('#cases th')], i = h.findIndex((x) => x.textContent.startsWith('mass after'));
             h[i].click(); return [...document.querySelectorAll('#cases tbody tr')].map((r) => parseFloat(r.children[i].textContent));"""
         sorted_up = self.browser.run(masses)
         self.assertEqual(sorted_up, sorted(sorted_up))

@@ -43,19 +43,24 @@ def write_slider_crank_frames(folder, crank=0.15, rod=0.3):
             rows.append([t, "rod", "beam", k, pin[0] + s * (slider - pin[0]),
                          (1 - s) * pin[1] + bow, 0])
         rows.append([t, "slider", "rigid", 0, slider, 0, 0])
+        rows.append([t, "plate", "solid", 0, 0.4, 0, 0])
     write_csv(folder / "frames.csv",
               ["time [s]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"], rows)
 
 
 def write_shapes(folder):
-    """A crank thick enough to be seen, a rod that is not; a plate with a hole fixed to the ground."""
+    """A crank thick enough to be seen, a rod that is not; a plate with a hole fixed to the ground; a slider with a pin, and its
+    path."""
     write_csv(folder / "sections.csv", ["body", "element", "along x [m]", "along y [m]", "along z [m]"],
               [["crank", e, 0.02, 0.02, 0.02] for e in range(8)] + [["rod", e, 1e-4, 1e-4, 1e-4] for e in range(8)])
     square = lambda h: [(-h, -h), (h, -h), (h, h), (-h, h), (-h, -h)]  # noqa: E731
     write_csv(folder / "part_lines.csv", ["time [s]", "body", "line", "x [m]", "y [m]", "z [m]",
                                           "bending x [m]", "bending y [m]", "bending z [m]"],
-              [[t, "slider", line, 0.4 + x, y, 0, 0, 1e-3 * x, 0] for t in times(13, 0.042)[::3]
-               for line, points in ((0, square(0.03)), (1, square(0.01)[::-1])) for x, y in points])
+              [[t, "plate", line, 0.4 + x, y, 0, 0, 1e-3 * x, 0] for t in times(13, 0.042)[::3]
+               for line, points in ((0, square(0.03)), (1, square(0.01)[::-1])) for x, y in points] +
+              [[t, "slider", 0, 0.3, y, 0, 0, 0, 0] for t in times(13, 0.042)[::3] for y in (0, 0.02)])
+    write_csv(folder / "rigid_paths.csv", ["time [s]", "body", "x [m]", "y [m]", "z [m]"],
+              [[t, "slider", 0.3 + 0.15 * math.cos(150 * t), 0, 0] for t in times(200, 0.042)])
 
 
 def write_run(folder):
@@ -267,6 +272,29 @@ class Plot(unittest.TestCase):
         (self.folder / "sections.csv").unlink(), (self.folder / "part_lines.csv").unlink()
         self.assertEqual(plot(self.folder).returncode, 0)
         self.assertNotIn("true thickness", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+
+    def test_instants_have_the_peak_among_them(self):
+        import mechanism as drawn  # noqa: PLC0415
+        instants = [(0.1 * n, {}) for n in range(13)]
+        at = lambda peak: [round(t, 9) for t, _ in drawn.few(instants, peak)]  # noqa: E731
+        self.assertEqual(at(None), [0, 0.3, 0.6, 0.9, 1.2])
+        self.assertEqual(at(0.41), [0, 0.4, 0.6, 0.9, 1.2])
+        self.assertEqual(at(0.09), [0, 0.1, 0.6, 0.9, 1.2])
+        self.assertEqual(at(9), at(None))
+        worst = {"a": {"violation": -0.1, "at_time": 1}, "b": {"violation": 0, "at_time": 2}}
+        self.assertEqual(drawn.peak_of({"constraints": worst, "responses": {"r": {"at_time": 3}}}), 2)
+        self.assertEqual(drawn.peak_of({"constraints": {}, "responses": {"r": {"at_time": 3}}}), 3)
+        self.assertIsNone(drawn.peak_of({}))
+
+    def test_a_rigid_body_reaches_to_its_joints(self):
+        write_run(self.folder)
+        self.assertEqual(plot(self.folder).returncode, 0)
+        before = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+        write_shapes(self.folder)
+        self.assertEqual(plot(self.folder).returncode, 0)
+        after = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+        self.assertGreater(len(after), len(before) + 2000)  # a path of 200 points in place of 13
+        self.assertIn("<!-- rigid body -->", after)
 
     def test_optimize(self):
         self.draws(write_optimize, ["overview", "cycle_history", "response_before_after", "design",

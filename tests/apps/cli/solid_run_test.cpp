@@ -166,6 +166,11 @@ step = 1e-3
   const std::string xdmf = text_of(results() / "results.xdmf");
   EXPECT_NE(xdmf.find("\"Tetrahedron\""), std::string::npos);
   EXPECT_NE(xdmf.find("meshes.h5:/meshes/part/cells"), std::string::npos);
+  fs::remove(results() / "meshes.h5");  // which is made of results.h5 alone, and again
+  const Outcome page = run({"report", results()});
+  EXPECT_EQ(page.code, 0) << page.err;
+  ASSERT_EQ(run({"export", results(), "--to", "xdmf"}).code, 0);
+  EXPECT_TRUE(fs::exists(results() / "meshes.h5"));
 }
 
 /// What results.h5 kept in full and what `export` makes of the amplitudes are one.
@@ -201,6 +206,10 @@ TEST_F(SolidRun, LargeMeshesAreLeftToExport) {
   const Outcome cases = run({"export", results(), "--cases", "all"});
   EXPECT_EQ(cases.code, 2);
   EXPECT_NE(cases.err.find("--cases"), std::string::npos) << "has no effect on xdmf, so is refused";
+  const Outcome part = run({"export", scene("meshed_slider_crank"), "--part", "rod"});
+  EXPECT_EQ(part.code, 2);
+  for (const char* to : {"--to calculix", "--to nastran", "--to matrices"})
+    EXPECT_NE(part.err.find(to), std::string::npos) << part.err;
 }
 
 /// The stress of a mode at the centre of a cell, by hand: plane stress of the mean gradient.

@@ -184,6 +184,27 @@ TEST_F(VerifyCommand, OutlinesUnderFixedLoadsHaveErrors) {
   EXPECT_TRUE(s.contains("refinement"));
 }
 
+/// What holds a part and what acts on it: the resultant of a traction of 100 MPa on 1 m by 10 mm;
+/// points are material, so none lies in the hole.
+TEST_F(VerifyCommand, SupportsAndLoadsOfAPartAreInTheSummary) {
+  run({"optimize", study("plate_with_hole"), "-o", results(), "--no-verify", "--set", "cycle.max=1",
+       "--set", "scene.bodies.plate.solid.mesh.cells=[40, 40]"});
+  const Json s = summary();
+  ASSERT_EQ(s["supports"].size(), 2u);
+  EXPECT_EQ(s["supports"][0]["place"], "x_min");
+  EXPECT_EQ(s["supports"][0]["held"], "x");
+  ASSERT_EQ(s["fixed_loads"].size(), 2u);
+  const Json load = s["fixed_loads"][0];
+  EXPECT_EQ(load["name"], "along_x");
+  EXPECT_EQ(load["place"], "x_max");
+  EXPECT_NEAR(load["force"][0].get<double>(), 1e6, 1e-3);
+  EXPECT_NEAR(load["force"][1].get<double>(), 0, 1e-3);
+  ASSERT_EQ(load["points"].size(), 9u);
+  for (const Json& point : s["supports"][0]["points"])  // from the middle of the right side
+    EXPECT_GE(point[1].get<double>() + 0.5, 0.05);
+  EXPECT_NE(text_of(results() / "report.html").find("along_x"), std::string::npos);
+}
+
 /// The mesh of the scene, of order 4 by default, is fine enough for the limit.
 TEST_F(VerifyCommand, TheShippedRodIsCertainAtOnce) {
   Json s = solved_summary("slider_crank_rod");

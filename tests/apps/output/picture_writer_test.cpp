@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 #include <sstream>
@@ -102,6 +103,43 @@ TEST(PictureWriter, EveryModeHasTheLinesOfItsParts) {
   EXPECT_EQ(pictured(), 5u);
   r.abscissa = "frequency";
   EXPECT_EQ(pictured(), 10u);
+}
+
+/// Turned by 90 degrees about z at (5, 0, 0): from its centre of mass to a point and a joint; not
+/// to a joint at the centre.
+TEST(PictureWriter, RigidBodiesReachFromTheirCentreToPointsAndJoints) {
+  const TemporaryFolder folder;
+  Results r = moved_plate();
+  r.meshes.clear();
+  r.bodies[0].name = "crank";
+  r.bodies[0].kind = "rigid";
+  r.bodies[0].points = {1, 0, 0, 2, 0, 0};
+  r.joints.resize(2);
+  r.joints[0].bodies = {"crank", "rod"};
+  r.joints[0].places = {0, 3, 0, 7, 7, 7};
+  r.joints[1].bodies = {"ground", "crank"};
+  r.joints[1].places = {7, 7, 7, 1, 0, 0};
+  write_part_lines_csv(folder.path() / "lines.csv", r);
+  const std::string text = read_file(folder.path() / "lines.csv");
+  EXPECT_NE(text.find("\n0,crank,0,5,1,0,0,0,0\n0,crank,0,5,2,0,0,0,0\n"
+                      "0,crank,1,5,1,0,0,0,0\n0,crank,1,2,0,0,0,0,0\n0.5,crank,0,"),
+            std::string::npos)
+      << text;
+}
+
+/// The record nearest to a peak is among the instants, however many are left out.
+TEST(PictureWriter, PeaksAreAmongTheInstants) {
+  const TemporaryFolder folder;
+  Results r = moved_plate(1000);
+  EXPECT_EQ(r.record_near(-1), 0);
+  EXPECT_EQ(r.record_near(1e9), 999);
+  EXPECT_EQ(r.record_near(100.6), 201);
+  r.peaks = {r.record_near(100.6)};
+  write_part_lines_csv(folder.path() / "lines.csv", r);
+  EXPECT_NE(read_file(folder.path() / "lines.csv").find("\n100.5,plate,0,"), std::string::npos);
+  const std::vector<int> frames = frame_records(r, kFrames);
+  EXPECT_EQ(frames.size(), 14u);
+  EXPECT_TRUE(std::ranges::is_sorted(frames) && std::ranges::count(frames, 201) == 1);
 }
 
 TEST(PictureWriter, NoFileWithoutMeshedParts) {

@@ -294,6 +294,16 @@ TEST_F(ReportProgram, WhatIsNoResultIsRefusedAndNothingWritten) {
   table.replace(table.rfind(','), table.npos, ",nan\n");
   output::write_file(dir_ / "nan/responses.csv", table);
   refused((dir_ / "nan").string(), "'nan' of column 'bend' in line 12 is no finite number");
+  for (const char* name : {"responses.csv", "energies.csv", "joints.csv"}) {  // cut between lines
+    const fs::path cut = dir_ / (std::string("cut_") + name);
+    fs::copy(results(), cut, fs::copy_options::recursive);
+    const std::string whole = output::read_file(cut / name);
+    output::write_file(cut / name, whole.substr(0, whole.rfind('\n', whole.size() - 2) + 1));
+    refused(cut.string(),
+            std::string(name) + "': it has 10 rows, and the records of results.h5 are 11");
+    EXPECT_EQ(run({"plot", cut.string()}).code, 3);
+    EXPECT_FALSE(fs::exists(cut / "plots"));
+  }
   fs::resize_file(results() / "results.h5", 3000);
   refused(results().string(), "results.h5");
   fs::copy(results(), dir_ / "half", fs::copy_options::recursive);

@@ -28,6 +28,8 @@ end = { rigid = { mass = 0.1, at = [1, 0, 0], inertia = [1e-4, 1e-4, 1e-4] } }
 [joints]
 hinge = { revolute = ["ground", "arm.start"], axis = [0, 0, 1] }
 hold = { fixed = ["arm.end", "end.origin"] }
+[responses]
+speed = { response = "velocity", at = "arm.end" }
 [simulation]
 duration = 0.4
 step = 1e-3
@@ -72,7 +74,15 @@ TEST(BodySeries, BlocksAreTheWhole) {
     EXPECT_EQ(few.times, all.times);
     EXPECT_TRUE(all.kept.empty());
     const int records = static_cast<int>(all.times.size());
-    EXPECT_EQ(few.kept, output::spread_records(records, output::kFrames));
+    ASSERT_EQ(few.peaks.size(), 1u);
+    EXPECT_GT(few.peaks[0], 0);
+    EXPECT_LT(few.peaks[0], records);
+    EXPECT_NEAR(few.times[static_cast<std::size_t>(few.peaks[0])], few.responses[0].peak->at,
+                keys[0] == 'o' ? 0.025 : 1e-9);
+    EXPECT_EQ(few.kept, output::frame_records(all, output::kFrames));
+    EXPECT_TRUE(std::ranges::count(few.kept, few.peaks[0]) == 1);
+    EXPECT_EQ(few.bodies[1].path.size(),
+              3u * static_cast<std::size_t>(std::min(records, output::kPathPoints)));
     ASSERT_EQ(whole.bodies.size(), 2u);
     for (std::size_t b = 0; b < all.bodies.size(); ++b) {
       EXPECT_FALSE(all.bodies[b].positions.empty());

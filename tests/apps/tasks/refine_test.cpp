@@ -80,6 +80,23 @@ TEST(FinerModel, AScenarioWithAStepOfItsOwnIsNamed) {
   EXPECT_NE(m.exhausted.find("sets simulation.step itself"), std::string::npos) << m.exhausted;
 }
 
+/// Of what the mechanism has, and once: a note that has the same figures is enough.
+TEST(WarnOfErrors, AdviceFitsTheBodiesAndIsGivenOnce) {
+  const std::vector<VerifiedLimit> limits = {{"sag", 0, 2e-2, 0}};
+  const auto warned = [&](const char* name, const Changes& given,
+                          std::vector<std::string> notes = {}) {
+    warn_of_errors(limits, 1e-3, reader(name, given)({}).scene.mechanism, "", notes);
+    return notes;
+  };
+  const std::string text = limits[0].text();
+  EXPECT_EQ(warned("cantilever", {}), Changes{text + "; more cells make it certain"});
+  EXPECT_EQ(warned("slider_crank_rod", kOrder2),
+            Changes{text + "; beams of order = 4, or more elements, make it certain"});
+  EXPECT_EQ(warned("slider_crank_rod", kOrder4), Changes{text + "; more elements make it certain"});
+  const Changes told = {"not certain on the converged model: " + text + ", and more"};
+  EXPECT_EQ(warned("cantilever", {}, told), told);
+}
+
 TEST(NotConverging, IsSaidWithTheOrderObserved) {
   FinerModel refined;
   refined.mesh = true;

@@ -2,7 +2,8 @@
 
 import { card, el } from './dom.js';
 import { badge } from './tables.js';
-import { plainUnit, quantity, tick } from './format.js';
+import { number, plainUnit, tick } from './format.js';
+import { headingOf } from './headings.js';
 import { kSeries } from './colors.js';
 import { swatch } from './charts.js';
 import { paperTables } from './paper.js';
@@ -19,7 +20,8 @@ export function cases(data) {
 class CaseTable {
   constructor(all, data, compare) {
     const units = data.summary.input_units ?? {};
-    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: plainUnit(c.unit || units[c.name]) }));
+    const columns = all.filter((c, i) => i === 0 || c.cells.some((x) => x !== null && x !== '')).map((c) => ({ ...c, unit: plainUnit(c.unit || units[c.name]) }))
+      .map((c) => ({ ...c, ...headingOf(c) }));
     Object.assign(this, { columns, data, compare, sorted: null, down: false, listeners: [] });
     this.certified = columns.some((c) => c.name.startsWith('kkt'));
     this.count = columns.length ? columns[0].cells.length : 0;
@@ -27,22 +29,23 @@ class CaseTable {
   }
   column(name) { return this.columns.find((c) => c.name === name); }
   numeric() { return this.columns.filter((c) => c.number); }
-  label(c) { return c.unit ? `${c.name} [${c.unit}]` : c.name; }
+  label(c) { return c.unit ? `${c.title} [${c.unit}]` : c.title; }
+  heading(c) { return c.shown ? `${c.title} [${c.shown}]` : c.title; }
   cell(c, row) {
     const x = c.cells[row];
-    return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? quantity(x, c.unit) : tick(x, 4)) : x;
+    return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? number(x / c.factor, 4) : tick(x, 4)) : x;
   }
 
   card() {
     this.filter = el('input', { type: 'search', id: 'filter', placeholder: 'filter: text, or column > value', oninput: () => this.update() });
-    this.head = el('tr', {}, this.columns.map((c) => el('th', { class: c.number ? 'n' : '', tabindex: 0, title: 'sort',
-      onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, c.name)));
+    this.head = el('tr', {}, this.columns.map((c) => el('th', { class: c.number ? 'n' : '', tabindex: 0, title: `sort by ${c.name}${c.unit ? `, ${c.unit}` : ''}`,
+      onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, this.heading(c))));
     this.body = el('tbody', {});
     this.note = el('p', { class: 'note', 'aria-live': 'polite' });
     this.said = el('p', { class: 'note', id: 'said', 'aria-live': 'polite' });
     const paper = el('div', { class: 'printed paper' });
     addEventListener('beforeprint', () =>
-      paper.replaceChildren(...paperTables(this.columns, this.rows.slice(0, kMostRows), (c) => c.name, (c, row) => this.cell(c, row))));
+      paper.replaceChildren(...paperTables(this.columns, this.rows.slice(0, kMostRows), (c) => this.heading(c), (c, row) => this.cell(c, row))));
     addEventListener('afterprint', () => paper.replaceChildren());
     const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said, paper,
       el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
@@ -61,9 +64,9 @@ class CaseTable {
   matches(row) {
     return this.filter.value.split(/\s*;\s*|\s+and\s+/).filter(Boolean).every((term) => {
       const [, name, sign, value] = term.match(/^(.*?)\s*(<=|>=|<|>|=)\s*(\S.*)$/) ?? [];
-      const column = name && this.column(name.trim());
+      const key = name?.trim(), column = name && (this.column(key) ?? this.columns.find((c) => c.title === key));
       if (!column) return this.columns.some((c) => String(c.cells[row] ?? '').toLowerCase().includes(term.toLowerCase().trim()));
-      const x = column.cells[row], y = column.number ? Number(value) : value;
+      const x = column.cells[row], y = column.number ? Number(value) * (column.name === key ? 1 : column.factor) : value;
       if (x === null) return false;
       return { '<': x < y, '>': x > y, '<=': x <= y, '>=': x >= y, '=': x === y }[sign];
     });
@@ -105,14 +108,17 @@ class CaseTable {
     this.said.textContent = `Case ${name} has no page yet: "liesl report ${this.data.folder}/cases/${name}" writes it, "liesl report ${this.data.folder}" then links it here.`;
   }
 
+  /** A cell with its unit. */
+  told(c, row) { return c.shown && c.cells[row] !== null ? `${this.cell(c, row)} ${c.shown}` : this.cell(c, row); }
+
   describe(row, names) {
     const title = this.columns[0];
-    return [`${title.name} ${title.cells[row]}`, ...this.columns.filter((c) => names.includes(c.name)).map((c) => `${c.name}: ${this.cell(c, row)}`)];
+    return [`${title.name} ${title.cells[row]}`, ...this.columns.filter((c) => names.includes(c.name)).map((c) => `${c.title}: ${this.told(c, row)}`)];
   }
 }
 
 const choose = (id, columns, chosen, change) => {
-  const node = el('select', { id, onchange: change }, columns.map((c) => el('option', { value: c.name, selected: c.name === chosen }, c.name)));
+  const node = el('select', { id, onchange: change }, columns.map((c) => el('option', { value: c.name, selected: c.name === chosen }, c.title)));
   return node;
 };
 
@@ -168,9 +174,9 @@ function precision(table) {
   const violated = (row) => table.column('violation')?.cells[row] > 1e-3;
   table.listeners.push(() => scatter.set(
     table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: value.cells[row] ?? NaN, row, group: String(group.cells[row]), hollow: violated(row) })),
-    { xlabel: table.label({ ...time, name: 'processor time' }), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
+    { xlabel: table.label(time), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
   const legend = el('div', { class: 'legend' }, groups.map((g, i) => el('span', {}, swatch(kSeries[i % kSeries.length]), g)));
-  const title = value.name.replace('_', ' ');
+  const title = value.title.replace('_', ' ');
   const node = card(`${title[0].toUpperCase()}${title.slice(1)} against time`, legend, scatter.node,
     el('p', { class: 'note' }, 'Each point is a row of the table; lines join those that no other of the same kind beats in both.',
       table.rows.some(violated) ? ' Hollow: limits are not met.' : ''));

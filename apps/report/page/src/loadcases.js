@@ -17,7 +17,7 @@ export function loadCases(data, player, abscissaUnit) {
       el('th', {}, 'part'), ['at', 'largest force', 'largest moment'].map((t) => el('th', { class: 'n' }, t)))), table)),
     el('p', { class: 'note' }, 'The equivalent static loads of the cycle at the instants where they, or the limit that bounds the design most, are largest. The arrows are the forces on ' +
       'the nodes of beams, on the interfaces of meshed parts and, as resultants of patches of the mesh, between them, drawn on the motion of the final design, all cycles to one scale.'));
-  let shown = null, cycle = null;
+  let shown = null, cycle = null, told = abscissaUnit !== '-';  // of statics the last one is shown at first
 
   const instants = () => [...new Set(loads.filter((l) => l.cycle === cycle).map((l) => `${l.at}|${l.scenario}`))]
     .map((key) => ({ at: Number(key.split('|')[0]), scenario: key.slice(key.indexOf('|') + 1) })).sort((a, b) => a.at - b.at);
@@ -50,7 +50,8 @@ export function loadCases(data, player, abscissaUnit) {
       table.replaceChildren(...loads.filter((l) => l.cycle === cycle).map((l) => el('tr', {},
         el('td', {}, l.body), el('td', { class: 'n' }, name(l.at) + (l.scenario ? ` (${l.scenario})` : '')),
         el('td', { class: 'n' }, quantity(l.largest, 'N')), el('td', { class: 'n' }, quantity(l.moment, 'N m')))));
-      draw(at === undefined ? null : nearest(at));
+      draw(at !== undefined ? nearest(at) : told || !arrows ? null : nearest(player.clock.last));
+      told = true;
     },
   };
 }

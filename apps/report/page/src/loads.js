@@ -20,11 +20,10 @@ export function readLoads(list) {
   });
 }
 
-/** Forces on the nodes of beams, on the interfaces and patches of meshed parts; one scale for all cycles. */
-export class LoadArrows {
-  constructor(view, loads) {
+/** As many arrows as are needed; in the picture with the view's next update. */
+export class Arrows {
+  constructor(view) {
     this.view = view;
-    this.unit = (kLongest * view.size) / Math.max(1e-300, ...loads.map((l) => l.largest));
     const r = 0.0035 * view.size;
     this.head = 5 * r;
     this.material = surface(0xc8453b);
@@ -34,6 +33,35 @@ export class LoadArrows {
     this.arrows = [];  // [shaft, head], as many as were ever shown
     view.scene.add(this.mesh);
     view.arrows = this;
+  }
+
+  /** Arrow k from a place along a direction of length 1. */
+  put(k, from, along, length) {
+    if (k === this.arrows.length) {
+      this.arrows.push([new Mesh(this.shaft, this.material), new Mesh(this.tip, this.material)]);
+      this.mesh.add(...this.arrows[k]);
+    }
+    const [shaft, head] = this.arrows[k], straight = Math.max(length - this.head, 0.1 * length), size = Math.min(1, length / this.head);
+    shaft.quaternion.setFromUnitVectors(kUp, along);
+    head.quaternion.copy(shaft.quaternion);
+    shaft.position.copy(from);
+    shaft.scale.set(1, straight, 1);
+    head.position.copy(from).addScaledVector(along, straight);
+    head.scale.setScalar(size);
+  }
+
+  /** No more than these are seen. */
+  end(count) {
+    for (const [k, arrow] of this.arrows.entries()) for (const mesh of arrow) mesh.visible = k < count;
+    this.view.canvas.dataset.arrows = count;
+  }
+}
+
+/** Forces on the nodes of beams, on the interfaces and patches of meshed parts; one scale for all cycles. */
+export class LoadArrows extends Arrows {
+  constructor(view, loads) {
+    super(view);
+    this.unit = (kLongest * view.size) / Math.max(1e-300, ...loads.map((l) => l.largest));
     this.parts = [];
   }
 
@@ -59,26 +87,10 @@ export class LoadArrows {
         if (solid?.place) solid.place(part.places, 3 * k, kX);
         else if (node < body.nodes) this.view.place(part.body, node, [0, 0, 0], 0, kX);
         else continue;
-        this.put(count++, length);
+        this.put(count++, kX, kF, length);
       }
     }
-    for (const [k, arrow] of this.arrows.entries()) for (const mesh of arrow) mesh.visible = k < count;
-    this.view.canvas.dataset.arrows = count;
-  }
-
-  /** Arrow k from kX along kF. */
-  put(k, length) {
-    if (k === this.arrows.length) {
-      this.arrows.push([new Mesh(this.shaft, this.material), new Mesh(this.tip, this.material)]);
-      this.mesh.add(...this.arrows[k]);
-    }
-    const [shaft, head] = this.arrows[k], straight = Math.max(length - this.head, 0.1 * length), size = Math.min(1, length / this.head);
-    shaft.quaternion.setFromUnitVectors(kUp, kF);
-    head.quaternion.copy(shaft.quaternion);
-    shaft.position.copy(kX);
-    shaft.scale.set(1, straight, 1);
-    head.position.copy(kX).addScaledVector(kF, straight);
-    head.scale.setScalar(size);
+    this.end(count);
   }
 }
 

@@ -19,7 +19,7 @@ function page() {
   const data = load(), s = data.summary;
   document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
-  const player = data.motion ? new Player(data.motion, clock, worstInstant(s), s.load_cases) : null;
+  const player = data.motion ? new Player(data.motion, clock, worstInstant(s), s) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });
   const main = el('main', {}, left, right);
   document.body.append(themeButton(), tables.head(data), main, el('footer', {}, `liesl ${s.versions?.liesl ?? ''} \u00b7 ${s.command ?? ''}`));

@@ -3,6 +3,7 @@
 import { el } from './dom.js';
 import { readable } from './clock.js';
 import { css } from './colors.js';
+import { FixedLoads } from './fixed.js';
 import { inOneUnit, quantity, number } from './format.js';
 import { View } from './view.js';
 
@@ -11,17 +12,18 @@ const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Player {
   /** @param first instant to begin with; none: that of the largest deformation
-      @param cases names of the records, where they are load cases */
-  constructor(motion, clock, first, cases) {
-    Object.assign(this, { motion, clock, first, cases, playing: false, speed: 1, phase: 0, frames: [] });
+      @param summary names the load cases, and what acts in them, where the records are such */
+  constructor(motion, clock, first, summary) {
+    Object.assign(this, { motion, clock, first, summary, cases: summary.load_cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';
     this.instantText = motion.unit === 's' ? inOneUnit([clock.last], 's') : (at) => (motion.unit === '-' ? number(at, 4) : quantity(at, motion.unit, 4));
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
     this.stage = el('div', { class: 'stage' }, this.canvas);
     this.bar = el('div', { class: 'colours' });
+    this.marks = el('div', { class: 'legend' });
     this.caption = el('p', { class: 'printed note' });  // on paper there are no sliders to read
-    this.node = el('section', { class: 'card viewer' }, this.stage, this.bar, this.caption, this.controls());
+    this.node = el('section', { class: 'card viewer' }, this.stage, this.bar, this.marks, this.caption, this.controls());
     this.hint();
   }
 
@@ -36,6 +38,7 @@ export class Player {
     this.canvas.openings = () => this.view.openings();
     this.fillColours();
     this.setScale(this.modes ? 1 : this.view.goodScale());
+    if (this.summary.fixed_loads && this.view.parts.some((p) => p.view.sizes)) this.fixed = new FixedLoads(this.view, this.summary);
     if (!(this.view.deformed > 0)) for (const node of [this.scaler, this.node.querySelector('#good')]) node.disabled = true;  // rigid bodies only
     this.clock.listen(() => this.show());
     this.clock.listen(readable(() => this.tell()));
@@ -133,6 +136,7 @@ export class Player {
 
   tell() {
     const { clock } = this, record = Math.round(clock.record());
+    if (this.fixed) this.marks.replaceChildren(...this.fixed.legend());
     this.label.textContent = this.cases?.[record] ?? (this.modes ? `${record + 1}: ` : '') + this.instantText(clock.at);
   }
 
