@@ -305,15 +305,12 @@ std::vector<output::ResponseResult> collect_responses(const std::vector<Response
 
 namespace {
 
-/// Where bodies of one node go.
+/// Where bodies of one node are.
 template <FrameGroup G>
-void add_paths(const Mechanism& mechanism, const Model<G>& model, const Trajectory<G>& trajectory,
-               output::Results& r) {
-  const SpatialView<G> view(mechanism, model);
+void add_places(const SpatialView<G>& view, const State<G>& s, output::Results& r) {
   for (size_t b = 0; b < r.bodies.size(); ++b)
     if (r.bodies[b].nodes == 1)
-      for (const int n : output::spread_records(trajectory.size(), output::kPathPoints))
-        append(r.bodies[b].path, view.node(trajectory.frames(n), static_cast<int>(b), 0).x);
+      append(r.bodies[b].path, view.node(s.H.data(), static_cast<int>(b), 0).x);
 }
 
 }  // namespace
@@ -344,11 +341,14 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   add_reference(mechanism, model, s, r);
   r.times.reserve(records);
   StepRecorder<G> of_records(scene, mechanism, model);
+  const SpatialView<G> view(mechanism, model);
+  const auto of_paths = output::spread_records(trajectory.size(), output::kPathPoints);
   const bool all_steps = seen && !seen->empty();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);
     r.times.push_back(s.t);
     series.add(s);
+    if (std::binary_search(of_paths.begin(), of_paths.end(), n)) add_places(view, s, r);
     for (size_t j = 0; j < r.joints.size(); ++j) {
       const auto q = joint_coordinates(mechanism, model, static_cast<int>(j), s);
       append(r.joints[j].coordinates,
@@ -370,7 +370,6 @@ output::Results collect(const Scene& scene, const Mechanism& mechanism, const Mo
   const StepRecorder<G>& steps = all_steps ? *seen : of_records;
   r.energies = steps.energies();
   r.responses = steps.responses();
-  add_paths(mechanism, model, trajectory, r);
   for (size_t i = 0; i < std::min(r.responses.size(), output::kPeaks); ++i)
     if (r.responses[i].peak && records > 0)
       r.peaks.push_back(r.record_near(r.responses[i].peak->at));
