@@ -96,7 +96,8 @@ void print_figures(const output::RunSummary& summary, const std::string& folder,
              summary.stepping_s, summary.space);
   print_frequencies(summary);
   print_responses(summary);
-  for (const auto& w : summary.warnings) fmt::print("  note: {}\n", w);
+  for (const auto& w : summary.warnings)
+    if (w != summary.reason) fmt::print("  note: {}\n", w);
   if (!folder.empty()) print_folder(folder);
 }
 

@@ -547,6 +547,7 @@ TEST_F(Stability, ADriveThatTheStepsDoNotFollowIsTheReason) {
     summary_ = Json::parse(text_of(results() / "summary.json"));
     EXPECT_EQ(summary_["status"], "inaccurate");
     EXPECT_EQ(reason().rfind("the drive of 'motor' changes within a step", 0), 0u) << reason();
+    EXPECT_EQ(o.out.find(reason()), o.out.rfind(reason())) << "told once: " << o.out;
     EXPECT_TRUE(warns("of the largest kinetic and elastic energy"));
   }
 }
