@@ -11,7 +11,7 @@ namespace {
 constexpr double kSlow = 0.51;        // contraction that asks for a new tangent
 constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr int kCheap = 3;             // corrections that a step may take with any tangent
-constexpr int kRenewal = 6;           // corrections beyond these that cost as much as a tangent
+constexpr int kRenewal = 6;           // corrections beyond these that ask for another one
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
 constexpr double kClosed = 1e-9;      // m: largest opening that augmentations leave, angles too
 constexpr int kAugmentations = 10;    // a step
@@ -159,7 +159,8 @@ bool GeneralizedAlpha<G>::refresh(Factored& factors) {
 }
 
 /// Auto begins with the constant tangent and keeps it, or the last one, until the corrections that
-/// steps took beyond a few have cost as much as another would.
+/// steps took beyond a few have added up. Another costs more than these, but serves later steps,
+/// too.
 template <FrameGroup G>
 bool GeneralizedAlpha<G>::wants_tangent(StepResult& result, double residual, double before) const {
   if (tangent_ == TangentStrategy::Exact) return true;
