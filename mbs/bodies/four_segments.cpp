@@ -21,6 +21,33 @@ struct Direction {
   double rate = 0;
 };
 
+/// Segments e ... e + 3 of those before `end`, the last one again where there are fewer.
+int segment_of(int e, int lane, int end) { return std::min(e + lane, end - 1); }
+
+/// Of four segments.
+Lanes gathered(const double* x, int e, int end) {
+  const auto of = [&](int lane) { return x[segment_of(e, lane, end)]; };
+  return {of(0), of(1), of(2), of(3)};
+}
+
+/// of(k + 1) - of(k) from node k of each of four segments to the next.
+template <class Of>
+Vec2x4 differences(int e, int end, const Of& of) {
+  Vec2x4 out;
+  for (int lane = 0; lane < Lanes::size; ++lane) {
+    const int k = segment_of(e, lane, end);
+    const Vec2 d = of(k + 1) - of(k);
+    out[0].v[lane] = d[0];
+    out[1].v[lane] = d[1];
+  }
+  return out;
+}
+
+double sum(const Lanes& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
+
+/// Of what belongs to the segments, what belongs to those before them.
+Lanes shifted(double first, const Lanes& x) { return {first, x[0], x[1], x[2]}; }
+
 Direction end_direction(const BodyState<SE2>& s, int node) {
   return {s.H[node].R.col(0), s.v[3 * node + 2]};
 }
@@ -35,7 +62,7 @@ Direction direction(const BodyState<SE2>& s, int e, bool damped) {
 
 /// N_e of segments and M at their first nodes.
 struct FourSegments {
-  Lanes l, N, M, rate;
+  Lanes l, inverse_l, N, M, rate;
   Vec2x4 t;
 
   Direction last() const { return {{t[0][3], t[1][3]}, rate[3]}; }
@@ -50,21 +77,21 @@ class Forces {
     return range_.first > 0 ? direction(s_, range_.first - 1, law_.damping > 0)
                             : end_direction(s_, 0);
   }
-  /// Segments e ... e + 3, the last one again where there are fewer.
-  FourSegments at(int e, const Direction& before) const {
+  [[gnu::always_inline]] FourSegments at(int e, const Direction& before) const {
     FourSegments out;
-    const Vec2x4 d = differences(e, [&](int k) -> const Vec2& { return s_.H[k].x; });
+    const Vec2x4 d = differences(e, range_.end, [&](int k) -> const Vec2& { return s_.H[k].x; });
     out.l = sqrt(d[0] * d[0] + d[1] * d[1]);
-    out.t = {d[0] / out.l, d[1] / out.l};
-    const Lanes EA = gathered(law_.EA, e), L = gathered(law_.L, e), c_i = gathered(law_.c, e);
-    out.N = axial_force(law_.potential, EA, out.l / L);
+    out.inverse_l = 1 / out.l;
+    out.t = {d[0] * out.inverse_l, d[1] * out.inverse_l};
+    const Lanes k = of(law_.k, e), c_i = of(law_.c, e);
+    out.N = axial_force(law_.potential, k, of(law_.L, e), out.l);
     const Vec2x4 t_before(shifted(before.t[0], out.t[0]), shifted(before.t[1], out.t[1]));
-    out.M = c_i * (angle_between(t_before, out.t) - gathered(law_.phi0, e));
+    out.M = c_i * (angle_between(t_before, out.t) - of(law_.phi0, e));
     out.rate = 0;
     if (law_.damping == 0) return out;
-    const Vec2x4 v = differences(e, [&](int k) { return node_velocity(s_, k); });
-    out.rate = (out.t[0] * v[1] - out.t[1] * v[0]) / out.l;
-    out.N += law_.damping * EA / L * (out.t[0] * v[0] + out.t[1] * v[1]);
+    const Vec2x4 v = differences(e, range_.end, [&](int k) { return node_velocity(s_, k); });
+    out.rate = (out.t[0] * v[1] - out.t[1] * v[0]) * out.inverse_l;
+    out.N += law_.damping * k * (out.t[0] * v[0] + out.t[1] * v[1]);
     out.M += law_.damping * c_i * (out.rate - shifted(before.rate, out.rate));
     return out;
   }
@@ -78,23 +105,7 @@ class Forces {
   }
 
  private:
-  int node(int e, int lane) const { return std::min(e + lane, range_.end - 1); }
-  Lanes gathered(const double* x, int e) const {
-    return {x[node(e, 0)], x[node(e, 1)], x[node(e, 2)], x[node(e, 3)]};
-  }
-  static Lanes shifted(double first, const Lanes& x) { return {first, x[0], x[1], x[2]}; }
-  /// of(k + 1) - of(k) from node k of each segment to the next
-  template <class Of>
-  Vec2x4 differences(int e, const Of& of) const {
-    Vec2x4 out;
-    for (int lane = 0; lane < Lanes::size; ++lane) {
-      const int k = node(e, lane);
-      const Vec2 d = of(k + 1) - of(k);
-      out[0].v[lane] = d[0];
-      out[1].v[lane] = d[1];
-    }
-    return out;
-  }
+  Lanes of(const double* x, int e) const { return gathered(x, e, range_.end); }
 
   const SegmentLaw& law_;
   const SegmentRange range_;
@@ -119,19 +130,35 @@ void add_segment_forces(const SegmentLaw& law, SegmentRange range, const BodySta
     Lanes M_next(now.M[1], now.M[2], now.M[3], M_after);
     const int count = std::min(Lanes::size, range.end - e);
     M_next.v[count - 1] = M_after;
-    const Lanes V = (now.M - M_next) / now.l;
-    const Lanes x = now.N * now.t[0] - V * now.t[1], y = now.N * now.t[1] + V * now.t[0];
-    for (int lane = 0; lane < count; ++lane) {
-      const Vec2 f(x[lane], y[lane]);
-      put(e + lane, f_before - f);
-      scale.force += f.squaredNorm();
-      scale.moment += M_next[lane] * M_next[lane];
-      f_before = f;
-    }
+    const Lanes V = (now.M - M_next) * now.inverse_l;
+    Lanes x = now.N * now.t[0] - V * now.t[1], y = now.N * now.t[1] + V * now.t[0];
+    for (int lane = count; lane < Lanes::size; ++lane) x.v[lane] = y.v[lane] = M_next.v[lane] = 0;
+    scale.force += sum(x * x + y * y);
+    scale.moment += sum(M_next * M_next);
+    const Lanes on_x = shifted(f_before[0], x) - x, on_y = shifted(f_before[1], y) - y;
+    for (int lane = 0; lane < count; ++lane) put(e + lane, {on_x[lane], on_y[lane]});
+    f_before = {x[count - 1], y[count - 1]};
     if (!more && range.end == law.segments) r[3 * range.end + 2] += M_after;
     now = next;
   }
   put(range.end, f_before);
+}
+
+void turn_segment_axes(const std::vector<Eigen::Matrix2d>& from_bisector, int segments, SE2* H) {
+  Vec2 before = Vec2::Zero();
+  for (int e = 0; e < segments; e += Lanes::size) {
+    const Vec2x4 d = differences(e, segments, [&](int k) -> const Vec2& { return H[k].x; });
+    const Lanes inverse_l = 1 / sqrt(d[0] * d[0] + d[1] * d[1]);
+    const Vec2x4 t(d[0] * inverse_l, d[1] * inverse_l);
+    const Lanes x = shifted(before[0], t[0]) + t[0], y = shifted(before[1], t[1]) + t[1];
+    const Lanes inverse = 1 / sqrt(x * x + y * y), along = x * inverse, across = y * inverse;
+    for (int k = std::max(e, 1); k < std::min(e + Lanes::size, segments); ++k) {
+      Eigen::Matrix2d bisector;
+      bisector << along[k - e], -across[k - e], across[k - e], along[k - e];
+      H[k].R = bisector * from_bisector[static_cast<std::size_t>(k)];
+    }
+    before = {t[0][3], t[1][3]};
+  }
 }
 
 }  // namespace liesl

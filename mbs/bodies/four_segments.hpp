@@ -1,6 +1,9 @@
 #pragma once
 /// @file
-/// Internal forces of a chain of segments in the plane (`SegmentBeam`), four segments at once.
+/// Internal forces of a chain of segments in the plane (`SegmentBeam`) and the axes of its nodes,
+/// four segments at once.
+
+#include <vector>
 
 #include "mbs/bodies/body.hpp"
 #include "mbs/bodies/segment_law.hpp"
@@ -11,7 +14,7 @@ namespace liesl {
 struct SegmentLaw {
   AxialPotential potential;
   double damping;          ///< stiffness-proportional, s
-  const double *L, *EA;    ///< by segment: m, N
+  const double *L, *k;     ///< by segment: m; EA/L, N/m
   const double *c, *phi0;  ///< by node: N m, rad
   int segments;
 };
@@ -20,5 +23,9 @@ struct SegmentLaw {
 /// there.
 void add_segment_forces(const SegmentLaw& law, SegmentRange range, const BodyState<SE2>& s,
                         double* r, ForceScale& scale);
+
+/// Axes of the nodes between segments to halfway between these. @param from_bisector by node: its
+/// axes at rest in those of the bisector
+void turn_segment_axes(const std::vector<Eigen::Matrix2d>& from_bisector, int segments, SE2* H);
 
 }  // namespace liesl

@@ -103,11 +103,11 @@ SegmentBeam::SegmentBeam(std::string body_name, std::vector<SE2> nodes_at_rest,
 void SegmentBeam::set_sections(const std::vector<ElementSection<SE2>>& sections) {
   const int n = elements();
   acting_ = acting_range<SE2>(sections);
-  EA_.resize(n);
+  k_.resize(n);
   EI_.resize(n);
   m_.resize(n);
   for (int e = 0; e < n; ++e) {
-    EA_[e] = sections[e].K(0, 0);
+    k_[e] = sections[e].K(0, 0) / L_[e];
     EI_[e] = sections[e].K(2, 2);
     m_[e] = sections[e].M(0, 0) * L_[e];
   }
@@ -139,12 +139,12 @@ double SegmentBeam::angle(const SE2* H, int i) const {
 }
 
 double SegmentBeam::axial(int e, double l) const {
-  return axial_force(potential_, EA_[e], l / L_[e]);
+  return axial_force(potential_, k_[e], L_[e], l);
 }
 
 /// dN/dl
 double SegmentBeam::axial_slope(int e, double l) const {
-  return axial_force_slope(potential_, EA_[e], l / L_[e]) / L_[e];
+  return axial_force_slope(potential_, k_[e], L_[e], l);
 }
 
 SegmentBeam::Gradient SegmentBeam::length_gradient(const SE2* H, int e) const {
@@ -215,14 +215,7 @@ SegmentBeam::Gradient SegmentBeam::angle_rate_gradient(const BodyState<SE2>& s, 
   return g;
 }
 
-void SegmentBeam::turn_axes(SE2* H) const {
-  Vec2 before = segment(H, 0).t;
-  for (int i = 1; i < elements(); ++i) {
-    const Vec2 after = segment(H, i).t;
-    H[i].R = bisector(before, after) * from_bisector_[i];
-    before = after;
-  }
-}
+void SegmentBeam::turn_axes(SE2* H) const { turn_segment_axes(from_bisector_, elements(), H); }
 
 void SegmentBeam::follow_frames(const SE2* start, SE2* H) const {
   follow_ends(start, elements(), H);
@@ -273,7 +266,7 @@ void SegmentBeam::add_inertia(const BodyState<SE2>& s, const Vector& gravity, do
 
 void SegmentBeam::add_internal(const BodyState<SE2>& s, double* r, ForceScale& scale) const {
   add_segment_forces(
-      {potential_, damping_, L_.data(), EA_.data(), c_.data(), phi0_.data(), elements()},
+      {potential_, damping_, L_.data(), k_.data(), c_.data(), phi0_.data(), elements()},
       acting_.with_neighbours(elements()), s, r, scale);
 }
 
@@ -298,7 +291,7 @@ void SegmentBeam::add_mass(const SE2* H, double weight, Matrices& A) const {
 void SegmentBeam::add_material(const SE2* H, double weight, bool tangent, Matrices& A) const {
   for (int e = 0; e < elements(); ++e) {
     const Gradient g = length_gradient(H, e);
-    add_product(weight * (tangent ? axial_slope(e, segment(H, e).l) : EA_[e] / L_[e]), g, g, A);
+    add_product(weight * (tangent ? axial_slope(e, segment(H, e).l) : k_[e]), g, g, A);
   }
   for (int i = 0; i < nodes(); ++i) {
     const Gradient g = angle_gradient(H, i);
@@ -314,7 +307,7 @@ void SegmentBeam::add_stiffness(const BodyState<SE2>& s, const Tangent* stress, 
     const Segment segment = this->segment(s.H, e);
     Tangent n = stress ? stress[e] : section_force(s, e, ElementPlace::Middle);
     if (damping_ > 0) {
-      n[0] += damping_ * EA_[e] / L_[e] * length_rate(s, e);
+      n[0] += damping_ * k_[e] * length_rate(s, e);
       n[1] += damping_ * (c_[e] * angle_rate(s, e) - c_[e + 1] * angle_rate(s, e + 1)) / segment.l;
     }
     Gradient along = length_gradient(s.H, e), across{e};
@@ -327,7 +320,7 @@ void SegmentBeam::add_stiffness(const BodyState<SE2>& s, const Tangent* stress, 
 
 void SegmentBeam::add_damping_stiffness(const BodyState<SE2>& s, Matrices& A) const {
   for (int e = 0; e < elements(); ++e)
-    add_product(damping_ * EA_[e] / L_[e], length_gradient(s.H, e), length_rate_gradient(s, e), A);
+    add_product(damping_ * k_[e], length_gradient(s.H, e), length_rate_gradient(s, e), A);
   for (int i = 0; i < nodes(); ++i)
     add_product(damping_ * c_[i], angle_gradient(s.H, i), angle_rate_gradient(s, i), A);
 }
@@ -444,7 +437,7 @@ BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) c
     const Vec2 b = node_velocity(s, e + 1);
     const Segment segment = this->segment(s.H, e);
     energy.kinetic += kinetic_energy(m_[e], lumped_, a, b);
-    energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment.l / L_[e]);
+    energy.elastic += axial_energy(potential_, k_[e], L_[e], segment.l);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
     add_bending(e, segment.t);
     a = b;
@@ -457,8 +450,7 @@ BodyEnergy SegmentBeam::energy(const BodyState<SE2>& s, const Vector& gravity) c
 double SegmentBeam::dissipation(const BodyState<SE2>& s) const {
   if (damping_ == 0) return 0;
   double power = 0;
-  for (int e = 0; e < elements(); ++e)
-    power += damping_ * EA_[e] / L_[e] * std::pow(length_rate(s, e), 2);
+  for (int e = 0; e < elements(); ++e) power += damping_ * k_[e] * std::pow(length_rate(s, e), 2);
   for (int i = 0; i < nodes(); ++i) power += damping_ * c_[i] * std::pow(angle_rate(s, i), 2);
   return power;
 }
@@ -474,7 +466,7 @@ std::unique_ptr<Body<SE2>> SegmentBeam::derivative(const LawDerivative<SE2>& law
   Eigen::VectorXd dEI(elements());
   for (int e = 0; e < elements(); ++e) {
     const auto& section = (*sections)[static_cast<std::size_t>(e)];
-    out->EA_[e] = section.K(0, 0);
+    out->k_[e] = section.K(0, 0) / L_[e];
     out->m_[e] = section.M(0, 0) * L_[e];
     dEI[e] = section.K(2, 2);
   }

@@ -64,7 +64,7 @@ class SegmentBeam final : public Body<SE2> {
   BodyEnergy energy(const BodyState<SE2>& s, const Vector& gravity) const override;
   double dissipation(const BodyState<SE2>& s) const override;
   double total_mass() const override { return m_.sum(); }
-  double axial_stiffness() const override { return (EA_.array() / L_.array()).maxCoeff(); }
+  double axial_stiffness() const override { return k_.maxCoeff(); }
   std::unique_ptr<Body<SE2>> derivative(const LawDerivative<SE2>& law) const override;
   void add_section_force_gradient(const BodyState<SE2>& s, int e, ElementPlace at, const Tangent& f,
                                   double* h) const override;
@@ -108,7 +108,7 @@ class SegmentBeam final : public Body<SE2> {
   SegmentRange acting_;  ///< all, but of a derivative
   bool lumped_;
   double damping_;
-  Eigen::VectorXd L_, EA_, EI_, m_;     ///< by segment: m, N, N m^2, kg
+  Eigen::VectorXd L_, k_, EI_, m_;      ///< by segment: m, N/m, N m^2, kg
   Eigen::VectorXd c_, phi0_, half_;     ///< by node: N m, rad, half segments beside it, m
   Eigen::VectorXd dead_mass_, dead_;    ///< by node: in place of the rotation of positions
   Eigen::Vector2d J_;                   ///< of the end sections, kg m^2

@@ -19,23 +19,27 @@
 
 namespace liesl {
 
-/// N of a stretch lambda, N: EA (lambda - 1), or EA/3 (lambda - 1/lambda^2).
+/// N of a segment of length L that is l long, N: k (l - L) with k = EA/L [N/m], or EA/3 (lambda -
+/// 1/lambda^2) with lambda = l/L.
 template <class S>
-S axial_force(AxialPotential potential, const S& EA, const S& stretch) {
-  if (potential == AxialPotential::Linear) return EA * (stretch - 1);
-  return EA / 3 * (stretch - 1 / (stretch * stretch));
+S axial_force(AxialPotential potential, const S& k, const S& L, const S& l) {
+  if (potential == AxialPotential::Linear) return k * (l - L);
+  const S stretch = l / L;
+  return k * L / 3 * (stretch - 1 / (stretch * stretch));
 }
 
-/// dN/dlambda, N.
-inline double axial_force_slope(AxialPotential potential, double EA, double stretch) {
-  if (potential == AxialPotential::Linear) return EA;
-  return EA / 3 * (1 + 2 / (stretch * stretch * stretch));
+/// dN/dl, N/m.
+inline double axial_force_slope(AxialPotential potential, double k, double L, double l) {
+  if (potential == AxialPotential::Linear) return k;
+  const double stretch = l / L;
+  return k / 3 * (1 + 2 / (stretch * stretch * stretch));
 }
 
-/// W(lambda), J/m: EA (lambda - 1)^2/2, or EA/6 (lambda^2 + 2/lambda - 3).
-inline double axial_energy(AxialPotential potential, double EA, double stretch) {
-  if (potential == AxialPotential::Linear) return 0.5 * EA * (stretch - 1) * (stretch - 1);
-  return EA / 6 * (stretch * stretch + 2 / stretch - 3);
+/// J: k (l - L)^2/2, or EA L/6 (lambda^2 + 2/lambda - 3).
+inline double axial_energy(AxialPotential potential, double k, double L, double l) {
+  if (potential == AxialPotential::Linear) return 0.5 * k * (l - L) * (l - L);
+  const double stretch = l / L;
+  return k * L * L / 6 * (stretch * stretch + 2 / stretch - 3);
 }
 
 /// c_i, N m: 1/c_i = sum of L_e/(2 EI_e) over the segments at node i. @param L, EI by segment
@@ -130,11 +134,12 @@ void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, SegmentR
     return s.H[k].R * node_acceleration(s, k) - gravity;
   };
   Vector f = Vector::Zero(), a = apparent(acting.first);
+  ForceScale own;
   const auto put = [&](int k) {
     typename G::Tangent local = G::Tangent::Zero();
     local.template head<G::space_dim>() = s.H[k].R.transpose() * f;
     Eigen::Map<typename G::Tangent>(r + G::dim * k) += local;
-    scale.add<G>(local);
+    own.add<G>(local);
   };
   for (int e = acting.first; e < acting.end; ++e) {
     const Vector b = apparent(e + 1);
@@ -144,6 +149,7 @@ void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, SegmentR
     a = b;
   }
   put(acting.end);
+  scale.force += own.force;
 }
 
 /// Kinetic energy of a segment of mass m [kg] whose ends have the velocities a and b, J.

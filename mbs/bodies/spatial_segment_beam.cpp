@@ -68,11 +68,11 @@ void SpatialSegmentBeam::require_straight() const {
 void SpatialSegmentBeam::set_sections(const std::vector<ElementSection<SE3>>& sections) {
   const int n = elements();
   acting_ = acting_range<SE3>(sections);
-  EA_.resize(n);
+  k_.resize(n);
   EI_.resize(n);
   m_.resize(n);
   for (int e = 0; e < n; ++e) {
-    EA_[e] = sections[e].K(0, 0);
+    k_[e] = sections[e].K(0, 0) / L_[e];
     EI_[e] = 0.5 * (sections[e].K(4, 4) + sections[e].K(5, 5));
     m_[e] = sections[e].M(0, 0) * L_[e];
   }
@@ -124,12 +124,12 @@ Mat3 SpatialSegmentBeam::axes_of(const SE3* H, int e) const {
 }
 
 double SpatialSegmentBeam::axial(int e, double l) const {
-  return axial_force(potential_, EA_[e], l / L_[e]);
+  return axial_force(potential_, k_[e], L_[e], l);
 }
 
 /// dN/dl
 double SpatialSegmentBeam::axial_slope(int e, double l) const {
-  return axial_force_slope(potential_, EA_[e], l / L_[e]) / L_[e];
+  return axial_force_slope(potential_, k_[e], L_[e], l);
 }
 
 double SpatialSegmentBeam::nodal_mass(int i, int j) const {
@@ -279,7 +279,7 @@ BodyEnergy SpatialSegmentBeam::energy(const BodyState<SE3>& s, const Vector& gra
   for (int e = 0; e < n; ++e) {
     const Vec3 a = node_velocity(s, e), b = node_velocity(s, e + 1);
     energy.kinetic += kinetic_energy(m_[e], lumped_, a, b);
-    energy.elastic += L_[e] * axial_energy(potential_, EA_[e], segment(s.H, e).l / L_[e]);
+    energy.elastic += axial_energy(potential_, k_[e], L_[e], segment(s.H, e).l);
     energy.potential -= 0.5 * m_[e] * gravity.dot(s.H[e].x + s.H[e + 1].x);
   }
   for (int i = 0; i <= n; ++i) energy.elastic += 0.5 * c_[i] * bend(s.H, i).q().squaredNorm();
@@ -306,7 +306,7 @@ std::unique_ptr<Body<SE3>> SpatialSegmentBeam::derivative(const LawDerivative<SE
           "derivative of beam '" + name +
           "': a parameter bends it more easily in one direction, which a chain of segments in "
           "space has not; expected one that keeps both bending stiffnesses equal");
-    out->EA_[e] = section.K(0, 0);
+    out->k_[e] = section.K(0, 0) / L_[e];
     out->m_[e] = section.M(0, 0) * L_[e];
     dEI[e] = 0.5 * (section.K(4, 4) + section.K(5, 5));
   }

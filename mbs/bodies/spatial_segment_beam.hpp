@@ -79,7 +79,7 @@ class SpatialSegmentBeam final : public Body<SE3> {
                           Tangent* stress) const override;
   BodyEnergy energy(const BodyState<SE3>& s, const Vector& gravity) const override;
   double total_mass() const override { return m_.sum(); }
-  double axial_stiffness() const override { return (EA_.array() / L_.array()).maxCoeff(); }
+  double axial_stiffness() const override { return k_.maxCoeff(); }
   /// @throws std::invalid_argument also if the two bending stiffnesses would not stay equal
   std::unique_ptr<Body<SE3>> derivative(const LawDerivative<SE3>& law) const override;
   void add_section_force_gradient(const BodyState<SE3>& s, int e, ElementPlace at, const Tangent& f,
@@ -123,7 +123,7 @@ class SpatialSegmentBeam final : public Body<SE3> {
   AxialPotential potential_;
   SegmentRange acting_;  ///< all, but of a derivative
   bool lumped_;
-  Eigen::VectorXd L_, EA_, EI_, m_;   ///< by segment: m, N, N m^2, kg
+  Eigen::VectorXd L_, k_, EI_, m_;    ///< by segment: m, N/m, N m^2, kg
   Eigen::VectorXd c_, half_;          ///< by node: N m, half segments beside it, m
   Eigen::VectorXd dead_mass_, dead_;  ///< by node: in place of the rotations of positions
   Eigen::Vector2d spin_;              ///< that holds the ends about their x axes, N m

@@ -43,31 +43,43 @@ bool BlockTridiagonalLU<N>::factor(const Matrix& A) {
   return true;
 }
 
+/// The last of the recursion are at hand, not read again: each row waits for the one before.
 template <int N>
 void BlockTridiagonalLU<N>::solve(double* x) const {
   using Map = Eigen::Map<Segment>;
   const int n = static_cast<int>(inverse_.size());
+  if (n == 0) return;
   if (!upper2_.empty()) return solve_wide(x);
-  for (int k = 1; k < n; ++k) Map(x + N * k) -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
-  for (int k = 0; k < n; ++k) Map(x + N * k) = Segment(inverse_[k].lazyProduct(Map(x + N * k)));
-  for (int k = n - 2; k >= 0; --k) Map(x + N * k) -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
+  Segment last = Map(x);
+  const auto next = [&](int k, const Segment& s) { Map(x + N * k) = last = s; };
+  for (int k = 1; k < n; ++k) next(k, Map(x + N * k) - lower_[k - 1].lazyProduct(last));
+  next(n - 1, inverse_[n - 1].lazyProduct(last));
+  for (int k = n - 2; k >= 0; --k) {
+    const Segment own = inverse_[k].lazyProduct(Map(x + N * k));
+    next(k, own - upper_[k].lazyProduct(last));
+  }
 }
 
 template <int N>
 void BlockTridiagonalLU<N>::solve_wide(double* x) const {
   using Map = Eigen::Map<Segment>;
   const int n = static_cast<int>(inverse_.size());
-  for (int k = 1; k < n; ++k) {
-    Segment s = Map(x + N * k);
-    s -= lower_[k - 1].lazyProduct(Map(x + N * (k - 1)));
-    if (k > 1) s -= lower2_[k - 2].lazyProduct(Map(x + N * (k - 2)));
-    Map(x + N * k) = s;
+  Segment before, last = Map(x);
+  const auto next = [&](int k, const Segment& s) {
+    before = last;
+    Map(x + N * k) = last = s;
+  };
+  next(1, Map(x + N) - lower_[0].lazyProduct(last));
+  for (int k = 2; k < n; ++k) {
+    const Segment own = Map(x + N * k) - lower2_[k - 2].lazyProduct(before);
+    next(k, own - lower_[k - 1].lazyProduct(last));
   }
-  for (int k = n - 1; k >= 0; --k) {
-    Segment s = inverse_[k].lazyProduct(Map(x + N * k));
-    if (k + 1 < n) s -= upper_[k].lazyProduct(Map(x + N * (k + 1)));
-    if (k + 2 < n) s -= upper2_[k].lazyProduct(Map(x + N * (k + 2)));
-    Map(x + N * k) = s;
+  next(n - 1, inverse_[n - 1].lazyProduct(last));
+  next(n - 2, inverse_[n - 2].lazyProduct(Map(x + N * (n - 2))) - upper_[n - 2].lazyProduct(last));
+  for (int k = n - 3; k >= 0; --k) {
+    Segment own = inverse_[k].lazyProduct(Map(x + N * k));
+    own -= upper2_[k].lazyProduct(before);
+    next(k, own - upper_[k].lazyProduct(last));
   }
 }
 

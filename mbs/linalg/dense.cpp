@@ -19,11 +19,43 @@ void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<Matr
   C.noalias() -= A.transpose() * B;
 }
 
-void LU::factor(const MatrixXd& A) { lu_.compute(A); }
+void LU::factor(const MatrixXd& A) {
+  const auto as = [&]<int N>() {
+    if (!std::holds_alternative<Fixed<N>>(lu_)) lu_.emplace<Fixed<N>>();
+    std::get<Fixed<N>>(lu_).compute(A);
+  };
+  switch (A.rows()) {
+    case 1:
+      return as.operator()<1>();
+    case 2:
+      return as.operator()<2>();
+    case 3:
+      return as.operator()<3>();
+    case 4:
+      return as.operator()<4>();
+    case 5:
+      return as.operator()<5>();
+    case 6:
+      return as.operator()<6>();
+    default:
+      return as.operator()<Eigen::Dynamic>();
+  }
+}
 
-double LU::smallest_pivot() const { return lu_.matrixLU().diagonal().cwiseAbs().minCoeff(); }
+double LU::smallest_pivot() const {
+  return std::visit([](const auto& lu) { return lu.matrixLU().diagonal().cwiseAbs().minCoeff(); },
+                    lu_);
+}
 
-void LU::solve(const VectorXd& b, VectorXd& x) const { x.noalias() = lu_.solve(b); }
+void LU::solve(const VectorXd& b, VectorXd& x) const {
+  x.resize(b.size());
+  const auto by = [&]<int N>(const Fixed<N>& lu) {
+    using Vector = Eigen::Matrix<double, N, 1>;
+    Eigen::Map<Vector>(x.data(), x.size()).noalias() =
+        lu.solve(Eigen::Map<const Vector>(b.data(), b.size()));
+  };
+  std::visit(by, lu_);
+}
 
 bool Cholesky::factor(const MatrixXd& A) {
   llt_.compute(A);

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 #include <Eigen/LU>
 #include <optional>
+#include <variant>
 
 namespace liesl::linalg {
 
@@ -21,7 +22,9 @@ Eigen::MatrixXd product_transposed(const Dense& A, const Dense& B);
 /// C -= A^T B
 void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<Eigen::MatrixXd> C);
 
-/// L U = P A with partial pivoting; no allocation once the size is known.
+/// L U = P A with partial pivoting; no allocation once the size is known. Of up to six rows, as
+/// many as a joint may have, it is one of Eigen's fixed sizes, a third of whose work is not
+/// bookkeeping.
 class LU {
  public:
   void factor(const Eigen::MatrixXd& A);
@@ -31,7 +34,11 @@ class LU {
   void solve(const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
  private:
-  Eigen::PartialPivLU<Eigen::MatrixXd> lu_;
+  template <int N>
+  using Fixed = Eigen::PartialPivLU<Eigen::Matrix<double, N, N>>;
+
+  std::variant<Fixed<Eigen::Dynamic>, Fixed<1>, Fixed<2>, Fixed<3>, Fixed<4>, Fixed<5>, Fixed<6>>
+      lu_;
 };
 
 /// U^T U = A, A symmetric and positive definite; no allocation once the size is known.

@@ -123,13 +123,21 @@ void GeneralizedAlpha<G>::predict(const State<G>& old, double h) {
 }
 
 /// Axes of positions to where the predictor takes them: the correction is one in them. Vectors of
-/// the state before are the same in other axes.
+/// the state before are the same in other axes. Rates of positions are their velocities.
 template <FrameGroup G>
 void GeneralizedAlpha<G>::turn_axes(State<G>& old) {
   if (model_.positions().empty()) return;
-  coordinates_.turn_positions(
-      trial_, {&dq_, &u_, &udot_, &old_u_, &old_udot_, &older_udot_, &old.v, &old.vdot, &old.a});
-  for (const int k : model_.positions()) old.H[k].R = trial_.H[k].R;
+  coordinates_.turn_positions(trial_, {&dq_, &older_udot_, &old.v, &old.vdot, &old.a});
+  const auto take = [](Eigen::VectorXd& to, const Eigen::VectorXd& from, int k) {
+    to.template segment<G::space_dim>(G::dim * k) = from.template segment<G::space_dim>(G::dim * k);
+  };
+  for (const int k : model_.positions()) {
+    take(u_, trial_.v, k);
+    take(udot_, trial_.vdot, k);
+    take(old_u_, old.v, k);
+    take(old_udot_, old.vdot, k);
+    old.H[k].R = trial_.H[k].R;
+  }
 }
 
 /// The correction delta is an increment of the frames at the current iterate.
@@ -304,8 +312,9 @@ template <FrameGroup G>
 double GeneralizedAlpha<G>::local_error(const State<G>& s, double h) const {
   double change = 0;
   for (int k = 0; k < model_.nodes(); ++k)
-    change = std::max(change, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).norm());
-  return h * h * std::abs(weights_.beta - 1. / 6) * change;
+    change =
+        std::max(change, (trial_.a - s.a).template segment<G::space_dim>(G::dim * k).squaredNorm());
+  return h * h * std::abs(weights_.beta - 1. / 6) * std::sqrt(change);
 }
 
 template <FrameGroup G>

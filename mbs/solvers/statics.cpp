@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
+#include <utility>
 
 #include "mbs/linalg/inertia.hpp"
 #include "mbs/solvers/free_motion.hpp"
@@ -45,6 +47,45 @@ class NegativeCount {
 
  private:
   bool follows_ = false;
+};
+
+/// Load factors done/of of the largest, of = load_steps 2^depth: steps are halved where they fail
+/// and doubled where they take little. A single load at which the tangent is singular is not
+/// reached by halving, but passed by the step beyond it.
+class LoadSteps {
+ public:
+  explicit LoadSteps(const SimulationOptions& o) : largest_(o.max_load), of_(o.load_steps) {}
+
+  bool ended() const { return done_ == of_; }
+  double size() const { return largest_ / static_cast<double>(of_); }
+  double target() const {
+    const long to = done_ + ahead_;
+    return to == of_ ? largest_ : largest_ * static_cast<double>(to) / static_cast<double>(of_);
+  }
+  void advance(int iterations) {
+    done_ += std::exchange(ahead_, 1);
+    if (depth_ == 0 || done_ % 2 != 0 || iterations > kWantedIterations) return;
+    --depth_;
+    done_ /= 2;
+    of_ /= 2;
+  }
+  /// Another target. @returns false if there is none left
+  bool retry() {
+    if (depth_ < kDeepest) {
+      ++depth_;
+      done_ *= 2;
+      of_ *= 2;
+      return true;
+    }
+    const bool beyond = ahead_ == 1 && done_ + 2 <= of_;
+    if (beyond) ahead_ = 2;
+    return beyond;
+  }
+
+ private:
+  double largest_;
+  int depth_ = 0;
+  long done_ = 0, of_, ahead_ = 1;
 };
 
 template <FrameGroup G>
@@ -92,37 +133,23 @@ class LoadPath {
   }
 
   void grow_load() {
-    const double whole = o_.max_load / o_.load_steps;
-    int depth = 0;
-    long done = 0, of = o_.load_steps;  // load = done / of * max_load, of = load_steps 2^depth
-    while (done < of) {
-      const double target =
-          done + 1 == of ? o_.max_load
-                         : o_.max_load * static_cast<double>(done + 1) / static_cast<double>(of);
+    LoadSteps steps(o_);
+    while (!steps.ended()) {
+      const double target = steps.target();
       const State<G> before = s_;
       const NewtonResult step = newton_.solve(s_, target);
-      if (!take(step)) {
-        if (depth == kDeepest)
-          return stop(
-              SolveStatus::NotConverged,
-              fmt::format(
-                  "{} between the load factors {:.6g} (reached) and {:.6g}, with the smallest "
-                  "load step {:.3g} (relative residual {:.2g}); simulation.arc_length = true "
-                  "goes past a maximum of the load",
-                  step.failure, s_.t, target, target - s_.t, step.residuals.back()));
-        ++depth;
-        done *= 2;
-        of *= 2;
-        result_.report.smallest_step = whole / static_cast<double>(1L << depth);
+      if (take(step)) {
+        if (!accept(before, target - before.t)) return;
+        steps.advance(step.iterations);
         continue;
       }
-      ++done;
-      if (!accept(before, target - before.t)) return;
-      if (depth > 0 && done % 2 == 0 && step.iterations <= kWantedIterations) {
-        --depth;
-        done /= 2;
-        of /= 2;
-      }
+      if (!steps.retry())
+        return stop(SolveStatus::NotConverged,
+                    fmt::format("{} between the load factors {:.6g} (reached) and {:.6g}, with the "
+                                "smallest load step {:.3g} (relative residual {:.2g}); "
+                                "simulation.arc_length = true goes past a maximum of the load",
+                                step.failure, s_.t, target, steps.size(), step.residuals.back()));
+      result_.report.smallest_step = std::min(result_.report.smallest_step, steps.size());
     }
   }
 
