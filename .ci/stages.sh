@@ -76,7 +76,7 @@ wide_kernel() {
 # The kernel that every other test runs with. That of Cooper Lake is SkylakeX's for doubles: connecting_rod ends
 # alike to the last bit with both, and not with Haswell's.
 own_kernel() {
-  OPENBLAS_VERBOSE=2 build/release/bin/liesl --version 2>&1 | sed -n 's/^Core: //p' |
+  OPENBLAS_VERBOSE=2 build/release/libexec/liesl-program --version 2>&1 | sed -n 's/^Core: //p' |
     sed 's/^Cooperlake$/SkylakeX/'
 }
 

@@ -3,9 +3,11 @@
 /// with one thread of OpenBLAS, which begins a thread a core while it is loaded: liesl uses one
 /// (mbs/linalg/blas_threads.hpp), and the others wait in a loop after each call. Where the address
 /// space of the process is limited (`ulimit -v`, a batch's `limits.memory`), the libraries of the
-/// program may not fit: the system's loader would then end it in words of its own.
+/// program may not fit: the system's loader would then end it in words of its own. What the program
+/// was built from is told without loading it.
 
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include <array>
 #include <cerrno>
@@ -21,9 +23,20 @@ namespace {
 constexpr rlim_t kLibraries = rlim_t{80} << 20;  // what the program and its libraries map
 constexpr int kFailed = 3;
 
+constexpr struct {
+  const char *name, *version;
+} kVersions[] = {
+#include "versions.inc"
+};
+
+void tell_versions() {
+  for (const auto& [name, version] : kVersions)
+    if (*version) std::printf("%s %s\n", name, version);
+}
+
 }  // namespace
 
-int main(int, char** words) {
+int main(int count, char** words) {
   rlimit space{};
   if (::getrlimit(RLIMIT_AS, &space) == 0 && space.rlim_cur != RLIM_INFINITY &&
       space.rlim_cur < kLibraries)
@@ -35,6 +48,9 @@ int main(int, char** words) {
   const long length = ::readlink("/proc/self/exe", program.data(), static_cast<std::size_t>(room));
   if (length > 0 && length < room) {
     std::strcpy(std::strrchr(program.data(), '/'), kProgram);
+    if (count == 2 && std::strcmp(words[1], "--version") == 0 &&
+        ::access(program.data(), X_OK) == 0)
+      return tell_versions(), 0;
     ::execv(program.data(), words);
   } else if (length > 0) {
     errno = ENAMETOOLONG;
