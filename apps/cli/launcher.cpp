@@ -17,21 +17,16 @@
 #include <cstring>
 
 #include "apps/cli/out_of_memory.hpp"
+#include "apps/output/version_table.hpp"
 
 namespace {
 
 constexpr rlim_t kLibraries = rlim_t{80} << 20;  // what the program and its libraries map
 constexpr int kFailed = 3;
 
-constexpr struct {
-  const char *name, *version;
-} kVersions[] = {
-#include "versions.inc"
-};
-
 void tell_versions() {
-  for (const auto& [name, version] : kVersions)
-    if (*version) std::printf("%s %s\n", name, version);
+  for (const liesl::output::Version* v = liesl::output::kVersions; v->name; ++v)
+    if (*v->version) std::printf("%s %s\n", v->name, v->version);
 }
 
 }  // namespace
