@@ -1,6 +1,6 @@
 #pragma once
 /// @file
-/// What this program was built from, of the C library alone.
+/// What this program was built from, for programs that use the C library alone.
 
 namespace liesl::output {
 

@@ -2,7 +2,7 @@
 sensitivities, as a table: what differences tell at best where a motion has round-off.
 PYTHONPATH=build/release/python /usr/bin/python3 docs/pictures/fitted_differences.py [NAME ...]
 
-F(p (1 + x)) - F(p (1 - x)) is odd in x: c1 x + c3 x^3 + ... by least squares at 24 Chebyshev points of (0, H]. Of all
+F(p (1 + x)) - F(p (1 - x)) is odd in x: c1 x + c3 x^3 + ... by least squares at 24 Chebyshev points of (0, H). Of all
 windows H and numbers of terms the one is taken whose own standard error of c1, from the residuals of its fit, is
 smallest; the gradient that is compared has no part in the choice."""
 import sys

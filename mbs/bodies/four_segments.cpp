@@ -45,7 +45,7 @@ Vec2x4 differences(int e, int end, const Of& of) {
 
 double sum(const Lanes& x) { return (x[0] + x[2]) + (x[1] + x[3]); }
 
-/// Of what belongs to the segments, what belongs to those before them.
+/// Values of the segments before: `first`, then those of lanes 0 to 2.
 Lanes shifted(double first, const Lanes& x) { return {first, x[0], x[1], x[2]}; }
 
 Direction end_direction(const BodyState<SE2>& s, int node) {

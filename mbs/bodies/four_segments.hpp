@@ -24,8 +24,8 @@ struct SegmentLaw {
 void add_segment_forces(const SegmentLaw& law, SegmentRange range, const BodyState<SE2>& s,
                         double* r, ForceScale& scale);
 
-/// Axes of the nodes between segments to halfway between these. @param from_bisector by node: its
-/// axes at rest in those of the bisector
+/// Turns the axes of inner nodes to the bisector of the segments beside them. @param from_bisector
+/// by node: its axes at rest in those of the bisector
 void turn_segment_axes(const std::vector<Eigen::Matrix2d>& from_bisector, int segments, SE2* H);
 
 }  // namespace liesl

@@ -134,7 +134,7 @@ void add_point_inertia(const BodyState<G>& s, const Eigen::VectorXd& m, SegmentR
     return s.H[k].R * node_acceleration(s, k) - gravity;
   };
   Vector f = Vector::Zero(), a = apparent(acting.first);
-  ForceScale own;
+  ForceScale own;  // summed in registers, not in what r may overlap
   const auto put = [&](int k) {
     typename G::Tangent local = G::Tangent::Zero();
     local.template head<G::space_dim>() = s.H[k].R.transpose() * f;

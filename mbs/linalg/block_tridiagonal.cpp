@@ -43,7 +43,7 @@ bool BlockTridiagonalLU<N>::factor(const Matrix& A) {
   return true;
 }
 
-/// The last of the recursion are at hand, not read again: each row waits for the one before.
+/// `last` is the row just computed, not read back from x: each row waits for the one before.
 template <int N>
 void BlockTridiagonalLU<N>::solve(double* x) const {
   using Map = Eigen::Map<Segment>;

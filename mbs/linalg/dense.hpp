@@ -22,9 +22,9 @@ Eigen::MatrixXd product_transposed(const Dense& A, const Dense& B);
 /// C -= A^T B
 void subtract_transposed_product(const Dense& A, const Dense& B, Eigen::Ref<Eigen::MatrixXd> C);
 
-/// L U = P A with partial pivoting; no allocation once the size is known. Of up to six rows, as
-/// many as a joint may have, it is one of Eigen's fixed sizes, a third of whose work is not
-/// bookkeeping.
+/// L U = P A with partial pivoting; no allocation once the size is known. Up to six rows, as many
+/// as a joint may have, are of a size that Eigen knows when it is compiled: the work of so few is
+/// bookkeeping for the most part where it does not.
 class LU {
  public:
   void factor(const Eigen::MatrixXd& A);

@@ -168,7 +168,8 @@ template <FrameGroup G>
 void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   const char* const kTurns = "an element turns by pi: use more elements";
   if (!result.converged) {
-    if (turns_by(kNearFold, s)) result.failure = kTurns;
+    result.misshapen = turns_by(kNearFold, s);
+    if (result.misshapen) result.failure = kTurns;
     return;
   }
   for (size_t b = 0; b < model_.bodies.size(); ++b)
@@ -177,6 +178,7 @@ void StaticNewton<G>::finish(State<G>& s, double load, NewtonResult& result) {
   const std::string fault = turned ? kTurns : fault_of(model_, trial_);
   if (!fault.empty()) {
     result.converged = false;
+    result.misshapen = true;
     result.failure = fault;
     return;
   }

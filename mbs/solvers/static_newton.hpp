@@ -14,6 +14,7 @@ namespace liesl {
 struct NewtonResult {
   bool converged = false;
   bool singular = false;          ///< the tangent at the first iterate has no inverse
+  bool misshapen = false;         ///< it failed since an element turns by pi, or is at fault else
   int iterations = 0;             ///< corrections
   std::vector<double> residuals;  ///< relative, one an evaluation
   std::string failure;            ///< why not

@@ -50,8 +50,9 @@ class NegativeCount {
 };
 
 /// Load factors done/of of the largest, of = load_steps 2^depth: steps are halved where they fail
-/// and doubled where they take little. A single load at which the tangent is singular is not
-/// reached by halving, but passed by the step beyond it.
+/// and doubled where they converge in few iterations. A single load at which the tangent is
+/// singular is not reached by halving: where the smallest step does not converge, the step beyond
+/// it is tried.
 class LoadSteps {
  public:
   explicit LoadSteps(const SimulationOptions& o) : largest_(o.max_load), of_(o.load_steps) {}
@@ -69,17 +70,18 @@ class LoadSteps {
     done_ /= 2;
     of_ /= 2;
   }
+  bool goes_beyond() const { return ahead_ == 2; }
   /// Another target. @returns false if there is none left
-  bool retry() {
+  bool retry(bool beyond) {
     if (depth_ < kDeepest) {
       ++depth_;
       done_ *= 2;
       of_ *= 2;
       return true;
     }
-    const bool beyond = ahead_ == 1 && done_ + 2 <= of_;
-    if (beyond) ahead_ = 2;
-    return beyond;
+    if (!beyond || goes_beyond() || done_ + 2 > of_) return false;
+    ahead_ = 2;
+    return true;
   }
 
  private:
@@ -134,6 +136,7 @@ class LoadPath {
 
   void grow_load() {
     LoadSteps steps(o_);
+    std::string stuck;
     while (!steps.ended()) {
       const double target = steps.target();
       const State<G> before = s_;
@@ -143,12 +146,13 @@ class LoadPath {
         steps.advance(step.iterations);
         continue;
       }
-      if (!steps.retry())
-        return stop(SolveStatus::NotConverged,
-                    fmt::format("{} between the load factors {:.6g} (reached) and {:.6g}, with the "
-                                "smallest load step {:.3g} (relative residual {:.2g}); "
-                                "simulation.arc_length = true goes past a maximum of the load",
-                                step.failure, s_.t, target, steps.size(), step.residuals.back()));
+      if (!steps.goes_beyond())
+        stuck = fmt::format(
+            "{} between the load factors {:.6g} (reached) and {:.6g}, with the smallest load step "
+            "{:.3g} (relative residual {:.2g}); simulation.arc_length = true goes past a maximum "
+            "of the load",
+            step.failure, s_.t, target, steps.size(), step.residuals.back());
+      if (!steps.retry(!step.misshapen)) return stop(SolveStatus::NotConverged, stuck);
       result_.report.smallest_step = std::min(result_.report.smallest_step, steps.size());
     }
   }

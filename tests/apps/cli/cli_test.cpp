@@ -26,6 +26,8 @@ TEST_F(Cli, VersionListsTheLibraries) {
   EXPECT_EQ(o.out.substr(0, 6), "liesl ");
   for (const char* library : {"Eigen", "Ipopt", "NLopt", "HDF5", "SuiteSparse"})
     EXPECT_NE(o.out.find(library), std::string::npos) << library << " in\n" << o.out;
+  const Outcome by_program = run({"--version", "--version"});  // bin/liesl tells what one asks for
+  EXPECT_EQ(by_program.out, o.out);
 }
 
 TEST_F(Cli, CommandLineThatIsNoneIsRefused) {

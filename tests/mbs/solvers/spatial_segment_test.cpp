@@ -264,8 +264,8 @@ TEST(SpatialSegmentBeam, StaticsTakeAsManyCorrectionsAsInThePlane) {
   EXPECT_LE(corrections.operator()<SE3>(segments(bent)), 8);
 }
 
-/// A pure end moment about any axis across closes it. At a quarter turn of the end, on the grid of
-/// load steps, the tangent is singular.
+/// A pure end moment about any axis normal to the beam closes it to a circle. At a quarter turn of
+/// the end, on the grid of load steps, the tangent is singular.
 TEST(SpatialSegmentBeam, RollsUp) {
   for (const int n : {4, 8})
     for (const double axis : {0., 0.4, 0.412, 1.472, 2.324, 3.932, 5.256}) {
