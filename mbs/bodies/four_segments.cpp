@@ -83,15 +83,15 @@ class Forces {
     out.l = sqrt(d[0] * d[0] + d[1] * d[1]);
     out.inverse_l = 1 / out.l;
     out.t = {d[0] * out.inverse_l, d[1] * out.inverse_l};
-    const Lanes k = of(law_.k, e), c_i = of(law_.c, e);
-    out.N = axial_force(law_.potential, k, of(law_.L, e), out.l);
+    const Lanes k_e = of(law_.k, e), c_i = of(law_.c, e);
+    out.N = axial_force(law_.potential, k_e, of(law_.L, e), out.l);
     const Vec2x4 t_before(shifted(before.t[0], out.t[0]), shifted(before.t[1], out.t[1]));
     out.M = c_i * (angle_between(t_before, out.t) - of(law_.phi0, e));
     out.rate = 0;
     if (law_.damping == 0) return out;
     const Vec2x4 v = differences(e, range_.end, [&](int k) { return node_velocity(s_, k); });
     out.rate = (out.t[0] * v[1] - out.t[1] * v[0]) * out.inverse_l;
-    out.N += law_.damping * k * (out.t[0] * v[0] + out.t[1] * v[1]);
+    out.N += law_.damping * k_e * (out.t[0] * v[0] + out.t[1] * v[1]);
     out.M += law_.damping * c_i * (out.rate - shifted(before.rate, out.rate));
     return out;
   }
