@@ -37,6 +37,7 @@ struct CommandOptions {
   std::string method;              ///< sensitivity: "auto", "direct" or "adjoint"
   std::vector<std::string> functionals;  ///< sensitivity: "peak", "p=8", ...
   bool check = false;                    ///< sensitivity: compare with differences and stop
+  bool fits = false;                     ///< sensitivity --check: fit polynomials to them, too
   std::vector<std::string> over, of;     ///< map: variables, quantities
   std::vector<int> points;               ///< map: along the axes
   std::string path;                      ///< map: results folder of optimize

@@ -57,7 +57,13 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
                   "Of each response: peak, integral, mean, rms, at=TIME, p=P, ks=RHO")
       ->delimiter(',')
       ->default_str("peak,integral,mean,rms");
-  command.add_flag("--check", o.check, "Compare the gradients with finite differences and stop");
+  auto* check = command.add_flag("--check", o.check,
+                                 "Compare the gradients with finite differences and stop");
+  command
+      .add_flag("--fits", o.fits,
+                "With --check: with polynomials fitted to many differences, too, 240 motions a "
+                "parameter; they average round-off")
+      ->needs(check);
 }
 
 void add_map_options(CLI::App& command, liesl::CommandOptions& o) {

@@ -84,7 +84,11 @@ int sensitivity_command(const CommandOptions& options) {
   const auto [problem, request] = task_of(options);
   const ChosenSpace space = choose_space(problem.scene);
   if (options.check) {
-    const SensitivityCheck check = sensitivity_check(problem, space, request);
+    output::Progress line("checking", 100, "%", options.quiet);
+    const SensitivityCheck check =
+        sensitivity_check(problem, space, request,
+                          {options.fits, [&line](double share) { line.update(100 * share); }});
+    line.clear();
     if (!options.quiet || !check.right) fmt::print("{}", check.text);
     return check.right ? 0 : 1;
   }

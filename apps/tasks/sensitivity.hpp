@@ -3,6 +3,7 @@
 /// The task of `liesl sensitivity`: derivatives of the responses of a motion by parameters, over
 /// time and of functionals. No files, no printing.
 
+#include <functional>
 #include <memory>
 
 #include "apps/output/summary.hpp"
@@ -59,8 +60,13 @@ struct SensitivityCheck {
   bool right = false;
   std::string text;  ///< a table, and a verdict
 };
+struct SensitivityCheckOptions {
+  bool fits = false;  ///< polynomials fitted to 120 differences, too: 240 motions a parameter
+  std::function<void(double)> progress;  ///< called with the share that is done
+};
 /// @throws std::runtime_error if the motion does not converge; in a build without optimisation
 SensitivityCheck sensitivity_check(const SensitivityProblem& problem, const ChosenSpace& space,
-                                   const SensitivityRequest& request);
+                                   const SensitivityRequest& request,
+                                   const SensitivityCheckOptions& options = {});
 
 }  // namespace liesl

@@ -8,7 +8,7 @@
 namespace liesl {
 
 SensitivityCheck sensitivity_check(const SensitivityProblem&, const ChosenSpace&,
-                                   const SensitivityRequest&) {
+                                   const SensitivityRequest&, const SensitivityCheckOptions&) {
   throw std::runtime_error("--check needs a build with optimisation (-DLIESL_OPTIM=ON)");
 }
 
@@ -101,7 +101,8 @@ class FunctionalsOfParameters : public Problem {
 
 template <FrameGroup G>
 SensitivityCheck check_on(const SensitivityProblem& problem, const Space<G>& space,
-                          const SensitivityRequest& request, SensitivityMethod method) {
+                          const SensitivityRequest& request, SensitivityMethod method,
+                          const SensitivityCheckOptions& check) {
   FunctionalsOfParameters<G> functionals(problem, space, request, method);
   DerivativeCheckOptions options;
   options.every_variable = true;
@@ -109,6 +110,9 @@ SensitivityCheck check_on(const SensitivityProblem& problem, const Space<G>& spa
   options.steps = kSteps;
   options.tolerance = kRight;
   options.avoid_kinks = false;  // the gradients are of one point
+  options.fits = check.fits;
+  const double all = static_cast<double>(problem.parameters.size()) * options.pairs();
+  if (check.progress) options.progress = [&](int pairs) { check.progress(pairs / all); };
   DerivativeReport report = check_derivatives(functionals, problem.values(), options);
   std::erase_if(report.checks, [](const auto& c) { return c.function == "objective"; });
   return {report.right, report.text(static_cast<int>(report.checks.size()))};
@@ -117,12 +121,13 @@ SensitivityCheck check_on(const SensitivityProblem& problem, const Space<G>& spa
 }  // namespace
 
 SensitivityCheck sensitivity_check(const SensitivityProblem& problem, const ChosenSpace& space,
-                                   const SensitivityRequest& request) {
+                                   const SensitivityRequest& request,
+                                   const SensitivityCheckOptions& options) {
   SensitivityMethod method = request.method;
   if (method == SensitivityMethod::Auto)
     method = faster_method(problem.parameters.size(),
                            problem.scene.responses.size() * request.functionals.size());
-  return std::visit([&](const auto& s) { return check_on(problem, s, request, method); },
+  return std::visit([&](const auto& s) { return check_on(problem, s, request, method, options); },
                     space.space);
 }
 

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "optim/nlp/evaluator.hpp"
+#include "optim/nlp/fitted_slope.hpp"
 
 namespace liesl {
 
@@ -22,6 +23,10 @@ std::vector<std::string> DerivativeCheckOptions::errors() const {
   if (!(tolerance > 0 && tolerance < 1))
     list.push_back(fmt::format("tolerance: expected in (0, 1), got {}", tolerance));
   return list;
+}
+
+int DerivativeCheckOptions::pairs() const {
+  return steps + (fits ? OddFits::kPairs * static_cast<int>(OddFits::kWindows.size()) : 0);
 }
 
 namespace {
@@ -213,20 +218,18 @@ class Sweep {
     std::vector<VectorXd> errors, gaps;  // by step, each by function
     for (int k = 0; k < o_.steps; ++k) {
       const double h = o_.largest_step * std::pow(10.0, -0.5 * k);
-      const VectorXd shift = h * d.cwiseProduct(stack_.range);
-      const VectorXd after = stack_(report_.x + shift);
-      const bool finite = stack_.finite;
-      const VectorXd before = stack_(report_.x - shift);
-      if (!finite || !stack_.finite) ++report_.failed_evaluations;
-      if (!finite || !stack_.finite) continue;
+      const auto [before, after] = around(d, h);
+      if (before.size() == 0) continue;
       steps.push_back(h);
       errors.push_back((after - before) / (2 * h) - exact);
       gaps.push_back(((after - here_) - (here_ - before)).cwiseAbs() / h);
     }
+    const std::vector<FittedSlope> fits = o_.fits ? fitted(d) : std::vector<FittedSlope>();
     DerivativeKink kink{name};
     for (int i = 0; i < stack_.functions(); ++i) {
       add(i, 1, name, steps, errors);
       excuse(i, steps, errors, gaps, kink);
+      if (o_.fits) compare(i, fits[static_cast<std::size_t>(i)], exact[i]);
     }
     if (kink.functions > 0) report_.kinks.push_back(kink);
     if (stack_.hessian)
@@ -244,10 +247,60 @@ class Sweep {
     return "Hessian of the Lagrangian";
   }
 
+  struct Sides {
+    VectorXd before, after;
+  };
+
+  /// r(x - h D d) and r(x + h D d); of size 0 if a value is not finite.
+  Sides around(const VectorXd& d, double h) {
+    const VectorXd shift = h * d.cwiseProduct(stack_.range);
+    Sides sides;
+    sides.after = stack_(report_.x + shift);
+    const bool finite = stack_.finite;
+    sides.before = stack_(report_.x - shift);
+    if (o_.progress) o_.progress(++pairs_);
+    if (finite && stack_.finite) return sides;
+    ++report_.failed_evaluations;
+    return {};
+  }
+
+  /// Of each function, the slope of the window whose own standard error is smallest.
+  std::vector<FittedSlope> fitted(const VectorXd& d) {
+    std::vector<FittedSlope> best(static_cast<std::size_t>(stack_.functions()));
+    for (const double window : OddFits::kWindows) {
+      if (window > o_.largest_step) continue;  // beyond the bounds
+      Eigen::MatrixXd odd(OddFits::kPairs, stack_.functions());
+      int finite = 0;
+      for (; finite < OddFits::kPairs; ++finite) {
+        const Sides sides = around(d, window * fits_.points()[finite]);
+        if (sides.before.size() == 0) break;
+        odd.row(finite) = (sides.after - sides.before).head(stack_.functions()) / 2;
+      }
+      if (finite < OddFits::kPairs) continue;
+      for (int i = 0; i < stack_.functions(); ++i) {
+        const FittedSlope fit = fits_(odd.col(i), window);
+        FittedSlope& least = best[static_cast<std::size_t>(i)];
+        if (fit.deviation < least.deviation) least = fit;
+      }
+    }
+    return best;
+  }
+
+  /// The check that was added last with the slope of a fit.
+  void compare(int row, const FittedSlope& fit, double exact) {
+    if (!std::isfinite(fit.deviation)) return;
+    DerivativeCheck& check = report_.checks.back();
+    const double norm = norms_[row] > 0 ? norms_[row] : 1;
+    check.fitted_error = std::abs(fit.slope - exact) / norm;
+    check.fitted_deviation = fit.deviation / norm;
+  }
+
   void add(int row, int rows, const std::string& name, const std::vector<double>& steps,
            const std::vector<VectorXd>& errors) {
     constexpr double kNone = std::numeric_limits<double>::infinity();
-    DerivativeCheck c{function(row), name, kNone, 0, kNone, {}, false};
+    DerivativeCheck c;
+    c.function = function(row), c.direction = name;
+    c.best_error = c.extrapolated_error = kNone;
     const double norm = norms_[row] > 0 ? norms_[row] : 1;
     std::vector<double> e;
     std::vector<VectorXd> of_rows;
@@ -293,6 +346,8 @@ class Sweep {
   VectorXd here_;
   Eigen::MatrixXd given_;
   VectorXd norms_;
+  const OddFits fits_;
+  int pairs_ = 0;
 };
 
 /// Every variable or one random direction, at report.x.
@@ -369,6 +424,15 @@ const DerivativeCheck* DerivativeReport::worst() const {
   return found == checks.end() ? nullptr : &*found;
 }
 
+namespace {
+
+std::string fitted_columns(const DerivativeCheck& c) {
+  return c.fitted_error ? fmt::format(" {:>10.2e} {:>9.1e}", *c.fitted_error, *c.fitted_deviation)
+                        : fmt::format(" {:>10} {:>9}", "-", "-");
+}
+
+}  // namespace
+
 std::string DerivativeReport::text(int rows) const {
   std::vector<const DerivativeCheck*> order;
   for (const auto& c : checks) order.push_back(&c);
@@ -376,13 +440,16 @@ std::string DerivativeReport::text(int rows) const {
     return a->right != b->right ? b->right : a->best_error > b->best_error;
   });
   std::size_t functions = 8, directions = 9;  // widths of columns
+  bool fits = false;
   for (const DerivativeCheck& c : checks) {
     functions = std::max(functions, c.function.size());
     directions = std::max(directions, c.direction.size());
+    fits |= c.fitted_error.has_value();
   }
   std::string out =
-      fmt::format("{:<{}} {:<{}} {:>10} {:>10} {:>6} {:>12}\n", "function", functions, "direction",
-                  directions, "error", "at step", "slope", "extrapolated");
+      fmt::format("{:<{}} {:<{}} {:>10} {:>10} {:>6} {:>12}{}\n", "function", functions,
+                  "direction", directions, "error", "at step", "slope", "extrapolated",
+                  fits ? fmt::format(" {:>10} {:>9}", "fitted", "+-") : "");
   int wrong = 0, kinked = 0, hidden = 0, unknown = 0;
   for (std::size_t k = 0; k < order.size(); ++k) {
     const DerivativeCheck& c = *order[k];
@@ -392,9 +459,10 @@ std::string DerivativeReport::text(int rows) const {
     kinked += c.kink;
     hidden += c.round_off;
     if (c.right && static_cast<int>(k) >= rows) continue;
-    out += fmt::format("{:<{}} {:<{}} {:>10.2e} {:>10.1e} {:>6} {:>12.2e}{}\n", c.function,
+    out += fmt::format("{:<{}} {:<{}} {:>10.2e} {:>10.1e} {:>6} {:>12.2e}{}{}\n", c.function,
                        functions, c.direction, directions, c.best_error, c.best_step,
                        c.slope ? fmt::format("{:.2f}", *c.slope) : "-", c.extrapolated_error,
+                       !fits ? "" : fitted_columns(c),
                        c.right       ? ""
                        : !compared   ? "  no difference"
                        : c.kink      ? "  kink, not judged"

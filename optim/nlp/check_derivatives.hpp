@@ -5,6 +5,7 @@
 /// stays where it is. The slope tells this apart from a step that happened to suit.
 
 #include <Eigen/Core>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -16,12 +17,17 @@ namespace liesl {
 struct DerivativeCheckOptions {
   /// One direction for each variable instead of a single random one (n times the cost).
   bool every_variable = false;
-  unsigned seed = 1;           ///< of the random direction
-  double largest_step = 1e-2;  ///< relative to the ranges of the variables, in (0, 0.5]
-  int steps = 17;              ///< each 10^(-1/2) of the one before, >= 3
-  double tolerance = 1e-6;     ///< best relative error that counts as right, in (0, 1)
-  bool hessian = true;         ///< check it too if the problem has one
-  bool avoid_kinks = true;     ///< move off kinks and check there; false: do not judge them
+  unsigned seed = 1;                  ///< of the random direction
+  double largest_step = 1e-2;         ///< relative to the ranges of the variables, in (0, 0.5]
+  int steps = 17;                     ///< each 10^(-1/2) of the one before, >= 3
+  double tolerance = 1e-6;            ///< best relative error that counts as right, in (0, 1)
+  bool hessian = true;                ///< check it too if the problem has one
+  bool avoid_kinks = true;            ///< move off kinks and check there; false: do not judge them
+  bool fits = false;                  ///< polynomials fitted to many differences, too (OddFits)
+  std::function<void(int)> progress;  ///< called after every pair of points with their number
+
+  /// Pairs of points on both sides of x, in one direction.
+  int pairs() const;
 
   std::vector<std::string> errors() const;
 };
@@ -46,6 +52,8 @@ struct DerivativeCheck {
   bool right = false;           ///< best_error <= tolerance
   bool kink = false;            ///< the function has a kink there: no difference tells
   bool round_off = false;       ///< its round-off hides errors above the tolerance: none tells
+  std::optional<double> fitted_error;      ///< e of the slope of the best fit, with `fits`
+  std::optional<double> fitted_deviation;  ///< standard error of that slope, over the same norm
 };
 
 /// A direction in which functions have no derivative at the given point: theirs from the left and

@@ -161,6 +161,19 @@ TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
   EXPECT_NE(o.out.find("8 derivatives checked, 0 wrong"), std::string::npos) << o.out;
 }
 
+/// Polynomials fitted to 120 differences stand beside the best of eight.
+TEST_F(Sensitivity, CheckByFits) {
+  const Outcome o =
+      run({"sensitivity", scene("slider_crank"), "--by", "sections.rod.diameter", "--check",
+           "--fits", "--set", "simulation.duration=0.005", "--functionals", "rms"});
+  EXPECT_EQ(o.code, 0) << o.out << o.err;
+  EXPECT_NE(o.out.find("fitted"), std::string::npos) << o.out;
+  EXPECT_NE(o.out.find(" derivatives checked, 0 wrong"), std::string::npos) << o.out;
+  EXPECT_EQ(
+      run({"sensitivity", scene("slider_crank"), "--by", "sections.rod.diameter", "--fits"}).code,
+      2);
+}
+
 /// Files of the kind: psi = int g dt by lengths, too, against differences of whole simulations. The
 /// end of the slider-crank's rod belongs to two parameters.
 TEST_F(Sensitivity, FilesAreThatOfDifferences) {

@@ -4,9 +4,11 @@
 
 #include <cmath>
 #include <limits>
+#include <random>
 
 #include "optim/nlp/elastic.hpp"
 #include "optim/nlp/evaluator.hpp"
+#include "optim/nlp/fitted_slope.hpp"
 #include "optim/nlp/separable.hpp"
 #include "reference/many_load_cases.hpp"
 #include "reference/svanberg_beam.hpp"
@@ -210,8 +212,9 @@ struct Noisy : SvanbergBeam {
 };
 
 /// Of the function with the round-off.
-DerivativeCheck judged(Noisy& noisy) {
+DerivativeCheck judged(Noisy& noisy, bool fits = false) {
   DerivativeCheckOptions o;
+  o.fits = fits;
   o.every_variable = true;
   o.hessian = false;
   const DerivativeReport report = check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
@@ -254,6 +257,62 @@ TEST(CheckDerivatives, ExtrapolatedDifferencesAreFartherFromRoundOff) {
   EXPECT_LT(right.extrapolated_error, right.best_error / 5);
   noisy.error = 1e-4;
   EXPECT_NEAR(judged(noisy).extrapolated_error, 1e-4, 1e-6);
+}
+
+/// A fit to many differences is nearer than the best of them, by what its own standard error says,
+/// and finds what a derivative is off by.
+TEST(CheckDerivatives, FitsAverageRoundOff) {
+  Noisy noisy;
+  for (const double noise : {1e-12, 1e-10, 1e-8}) {
+    noisy.noise = noise;
+    noisy.error = 0;
+    const DerivativeCheck right = judged(noisy, true);
+    ASSERT_TRUE(right.fitted_error && right.fitted_deviation) << noise;
+    EXPECT_LT(*right.fitted_error, right.best_error / 5) << noise;
+    EXPECT_LT(*right.fitted_error, 5 * *right.fitted_deviation) << noise;
+    EXPECT_LT(*right.fitted_deviation, 1e3 * noise) << noise;
+    noisy.error = 1e-4;
+    EXPECT_NEAR(*judged(noisy, true).fitted_error, 1e-4, 1e-6) << noise;
+  }
+  EXPECT_FALSE(judged(noisy).fitted_error);
+}
+
+/// Of sin x over every window, to round-off; of white noise the standard error is what slopes
+/// scatter by.
+TEST(OddFits, SlopesAndTheirStandardErrors) {
+  const OddFits fits;
+  for (const double window : OddFits::kWindows) {
+    const FittedSlope fit = fits((window * fits.points()).array().sin(), window);
+    EXPECT_NEAR(fit.slope, 1, 1e-12 + 1e-15 / window) << window;
+  }
+  std::mt19937 random(1);
+  std::normal_distribution<double> normal(0, 1e-3);
+  constexpr int kTimes = 400;
+  double scatter = 0, deviation = 0;
+  for (int k = 0; k < kTimes; ++k) {
+    Eigen::VectorXd odd = 3 * fits.points();
+    for (double& value : odd) value += normal(random);
+    const FittedSlope fit = fits(odd, 1);
+    scatter += std::pow(fit.slope - 3, 2) / kTimes;
+    deviation += std::pow(fit.deviation, 2) / kTimes;
+  }
+  EXPECT_GT(std::sqrt(deviation), 0.5 * std::sqrt(scatter));
+  EXPECT_LT(std::sqrt(deviation), 1.5 * std::sqrt(scatter));
+}
+
+/// A pair of points of each step, and those of the fits: none of them is left out of progress.
+TEST(CheckDerivatives, TellsHowFarItIs) {
+  Noisy noisy;
+  DerivativeCheckOptions o;
+  o.fits = true;
+  int last = 0;
+  o.progress = [&](int pairs) { EXPECT_EQ(pairs, ++last); };
+  check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
+  EXPECT_EQ(last, o.pairs());
+  o.fits = false;
+  last = 0;
+  check_derivatives(noisy, Eigen::VectorXd::Constant(5, 4.2), o);
+  EXPECT_EQ(last, o.pairs());
 }
 
 TEST(CheckDerivatives, StaysWithinTheBounds) {
