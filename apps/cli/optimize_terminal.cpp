@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <regex>
 
 #include "apps/cli/terminal.hpp"
 
@@ -82,12 +81,6 @@ std::string error_of(const nlohmann::ordered_json& objective) {
   return fmt::format(" +- {:.2g}", error["mesh"].get<double>() + error.value("step", 0.0));
 }
 
-/// The reason without the worst limit, which has its place in the line of the mass.
-std::string reason_of_end(const output::OptimizeSummary& s) {
-  static const std::regex worst(R"((; |, | \()worst limit at [-+]?[0-9.]+(e[-+]?[0-9]+)? %\)?)");
-  return s.mass_initial > 0 ? std::regex_replace(s.reason, worst, "") : s.reason;
-}
-
 /// What a hundredth more of a limit is worth.
 void print_price(const output::OptimizeSummary& s, const std::string& name, double price) {
   if (!s.more.contains("objective") || s.more["objective"]["quantity"] == "mass")
@@ -100,7 +93,7 @@ void print_price(const output::OptimizeSummary& s, const std::string& name, doub
 
 void print_result(const output::OptimizeSummary& s, const std::string& folder, bool quiet) {
   if (quiet) return;
-  fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), reason_of_end(s));
+  fmt::print("{}: {} after {} cycles ({})\n", s.name, s.status, s.history.size(), s.reason);
   if (s.more.contains("objective") && s.more["objective"]["quantity"] != "mass") {
     const auto& o = s.more["objective"];
     const std::string unit = unit_of_objective(s);

@@ -44,7 +44,7 @@ void write_part_matrices(const std::filesystem::path& folder, const std::string&
                          const SolidSpec& solid) {
   const SolidModel& model = *solid.model;
   const SolidMesh& mesh = model.mesh();
-  if (model.nodal_mass())
+  if (mesh.cell_count() == 0)
     throw std::invalid_argument("'" + name + "' is given by matrices; expected a part with a mesh");
   const SolidModel free(mesh, model.material(), {}, {model.thickness(), model.law()});
   const Eigen::VectorXd v = solid_fractions(solid).value;

@@ -105,7 +105,7 @@ SolidDeck solid_deck(const Scene& scene, const EslOutcome& esl, const std::strin
   const auto& solid =
       std::get<SolidSpec>(scene.mechanism.bodies[std::size_t(scene.mechanism.body(part))].kind);
   const SolidModel& model = *solid.model;
-  if (model.nodal_mass())
+  if (model.mesh().cell_count() == 0)
     throw std::invalid_argument("'" + part + "' is given by matrices; expected a part with a mesh");
   SolidDeck deck;
   deck.part = part;

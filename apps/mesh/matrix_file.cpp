@@ -31,7 +31,7 @@ class MatrixFileReader {
     part.nodes.nodes = Eigen::Matrix3Xd::Zero(3, count);
     part.nodes.nodes.topRows(part.nodes.dim) =
         Eigen::Map<const Eigen::MatrixXd>(nodes.values.data(), part.nodes.dim, count);
-    const int size = part.nodes.dim * part.nodes.node_count();
+    const int size = freedoms(part.nodes);
     part.matrices = {matrix("stiffness", size), matrix("mass", size)};
     for (const std::string& set : file_.children("/sets"))
       for (const int node : indices("sets/" + set, part.nodes.node_count()))
@@ -49,6 +49,13 @@ class MatrixFileReader {
       fail(fmt::format("it has no data set '{}'", set),
            "nodes, and row, column and value of stiffness and mass");
     return numbers;
+  }
+  /// Of all nodes: with rotations where the stiffness has rows beyond the displacements.
+  int freedoms(const SolidMesh& nodes) const {
+    const int displacements = nodes.dim * nodes.node_count();
+    for (const double row : whole("stiffness/row").values)
+      if (row >= displacements) return (nodes.dim == 2 ? 3 : 6) * nodes.node_count();
+    return displacements;
   }
   /// Numbers from 0 to size - 1.
   std::vector<int> indices(const std::string& set, int size) const {

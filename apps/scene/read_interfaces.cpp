@@ -115,6 +115,7 @@ std::optional<Vec3> PartReader::point(const toml::table& in, const char* key, in
 
 void read_interfaces(PartReader& part) {
   toml::table& all = part.table_of("interfaces");
+  const int freedoms = part.matrices ? freedoms_of_a_node(part.mesh, *part.matrices) : part.dim();
   for (const Entry& entry : entries_of(all)) {
     Interface interface;
     interface.name = entry.name;
@@ -125,11 +126,12 @@ void read_interfaces(PartReader& part) {
       if (const auto at = part.point(*entry.table, "point", part.dim())) interface.point = *at;
     part.interfaces.push_back(interface);
     try {
-      interface_map(part.mesh, part.interfaces);
+      interface_map(part.mesh, freedoms, part.interfaces);
     } catch (const std::invalid_argument& error) {
       part.interfaces.pop_back();
       part.refuse(*region, fmt::format("cannot be held: {}", error.what()),
-                  part.dim() == 2
+                  freedoms > part.dim() ? "a node, or enough of them to average, that no other has"
+                  : part.dim() == 2
                       ? "two nodes or more that no other interface has"
                       : "three nodes or more, not in a line, that no other interface has",
                   width_of_cells(part));

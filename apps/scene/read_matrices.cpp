@@ -88,11 +88,12 @@ void read_matrices(PartReader& part) {
   part.mesh.cells.resize(part.mesh.dim == 2 ? 4 : 8, 0);
   part.matrices = std::move(read->matrices);
   try {
-    component_mass(part.mesh, *part.matrices);
+    require_free_part(part.mesh, *part.matrices);
     require_positive_stiffness(*part.matrices);
   } catch (const std::invalid_argument& error) {
     part.refuse(key_of(part.table, "matrices"), std::string("cannot be made: ") + error.what(),
-                "K and M of the free part, freedoms node by node (m, N, kg)");
+                "K and M of the free part, freedoms node by node, rotations behind displacements "
+                "(m, N, kg)");
   }
 }
 

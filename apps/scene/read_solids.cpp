@@ -84,7 +84,7 @@ void build_model(PartReader& part) {
     const SolidModel& model = *part.solid.model;
     const int inner = model.size() - model.rigid_count() * model.ports();
     check_continuum(part);
-    if (part.solid.as == SolidMotion::Reduced && part.solid.modes >= inner)
+    if (part.solid.as == SolidMotion::Reduced && part.solid.modes > 0 && part.solid.modes >= inner)
       part.refuse(*part.table.get("modes"),
                   fmt::format("keeps {} modes, its mesh has {} free displacements",
                               part.solid.modes, inner),

@@ -97,7 +97,7 @@ MeshMotion motion_of(const ContinuumBody<G>& body, const Model<G>& model,
 template <FrameGroup G>
 MeshMotion motion_of(const SolidBody<G>& body, const Model<G>& model,
                      const Trajectory<G>& trajectory, int b) {
-  MeshMotion out{body.model().T() * body.basis(), {}};
+  MeshMotion out{body.model().displacements(body.basis()), {}};
   State<G> s = model.initial_state();
   for (int n = 0; n < trajectory.size(); ++n) {
     trajectory.read(n, s);

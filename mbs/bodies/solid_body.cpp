@@ -72,10 +72,10 @@ SolidBody<G>::SolidBody(std::string body_name, const SolidSpec& spec, std::vecto
                         nodes.insert(nodes.end(), (spec.modes + dim - 1) / dim, ports.at(0));
                         return nodes;
                       }()),
-      ports_(static_cast<int>(ports.size())),
-      damping_(spec.damping),
       origin_(spec.interfaces()[0].point),
       turn_(turn),
+      ports_(static_cast<int>(ports.size())),
+      damping_(spec.damping),
       model_(spec.model),
       fractions_(solid_fractions(spec).value),
       shares_(relaxed_shares(fractions_)) {
@@ -111,10 +111,10 @@ MatrixXd SolidBody<G>::basis_derivative(const FractionDerivative& law) const {
 template <FrameGroup G>
 SolidBody<G>::SolidBody(const SolidBody& body, const FractionDerivative& law)
     : FloatingBody<G>(body),
-      ports_(body.ports_),
-      damping_(body.damping_),
       origin_(body.origin_),
       turn_(body.turn_),
+      ports_(body.ports_),
+      damping_(body.damping_),
       model_(body.model_),
       fractions_(law.derivative),
       shares_(relaxed_shares_derivative(law.fractions, law.derivative)),
@@ -398,9 +398,27 @@ BodyEnergy SolidBody<G>::energy(const BodyState<G>& s, const Vector& gravity) co
   return energy;
 }
 
-/// T = r^T M(e) r / 2 with r = [v_0; edot]: dT/dr = M r, and with S and J of the deformed part
-/// dT/de_l = v . (omega x N_l) + omega^T (tr dJ_l - dJ_l) omega/2 + sum_k edot_k omega .
-/// axial(P_kl), P_kl = int rho phi_l phi_k^T.
+/// With S and J of the deformed part dT/de_l = v . (omega x N_l) + omega^T (tr dJ_l - dJ_l) omega/2
+/// + sum_k edot_k omega . axial(P_kl), P_kl = int rho phi_l phi_k^T.
+template <FrameGroup G>
+VectorXd SolidBody<G>::kinetic_by_e(const Motion& m, const Tangent& v_0) const {
+  const int n = this->reduced_size();
+  const auto velocity = in_space<G>(v_0);
+  const Vector3d u = velocity.template head<3>(), omega = velocity.template tail<3>();
+  VectorXd out(n);
+  for (int l = 0; l < n; ++l) {
+    const Matrix3d first = as_matrix(cross_.col(l));
+    const Eigen::Map<const Eigen::MatrixXd> P(product_.col(l).data(), 9, n);
+    const Matrix3d second = as_matrix(P * m.e);
+    const Matrix3d dJ = first + first.transpose() + second + second.transpose();
+    const double turning = omega.dot((dJ.trace() * omega - dJ * omega)) / 2;
+    out[l] = u.dot(omega.cross(Vector3d(integrals_.mode.col(l)))) + turning +
+             omega.dot(axial(as_matrix(P * m.rate)));
+  }
+  return out;
+}
+
+/// T = r^T M(e) r / 2 with r = [v_0; edot]: dT/dr = M r.
 template <FrameGroup G>
 void SolidBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& gravity,
                                        const BodyEnergy& weight, double* h, double* v) const {
@@ -412,21 +430,10 @@ void SolidBody<G>::add_energy_gradient(const BodyState<G>& s, const Vector& grav
   VectorXd rate(dim + n);
   rate << v_0, m.rate;
   const VectorXd momentum = inertia_matrix(m) * rate;
-  const auto velocity = in_space<G>(v_0);
-  const Vector3d u = velocity.template head<3>(), omega = velocity.template tail<3>();
   const Vector g = s.H[0].R.transpose() * gravity;
-  VectorXd on_e = weight.elastic * (this->reduced_stiffness() * m.e);
-  for (int l = 0; l < n; ++l) {
-    const Vector3d N = integrals_.mode.col(l);
-    const Matrix3d first = as_matrix(cross_.col(l));
-    const Eigen::Map<const Eigen::MatrixXd> P(product_.col(l).data(), 9, n);
-    const Matrix3d second = as_matrix(P * m.e);
-    const Matrix3d dJ = first + first.transpose() + second + second.transpose();
-    const double turning = omega.dot((dJ.trace() * omega - dJ * omega)) / 2;
-    on_e[l] += weight.kinetic *
-               (u.dot(omega.cross(N)) + turning + omega.dot(axial(as_matrix(P * m.rate))));
-    on_e[l] -= weight.potential * g.dot(N.template head<sd>());
-  }
+  const VectorXd on_e = weight.elastic * (this->reduced_stiffness() * m.e) +
+                        weight.kinetic * kinetic_by_e(m, v_0) -
+                        weight.potential * (integrals_.mode.template topRows<sd>().transpose() * g);
   Eigen::Map<Tangent> on_h(h), on_v(v);
   on_v += weight.kinetic * momentum.template head<dim>();
   const Vector S = (integrals_.first + integrals_.mode * m.e).template head<sd>();

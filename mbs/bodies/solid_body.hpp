@@ -22,7 +22,7 @@ namespace liesl {
 ///
 /// Nodes: the interfaces, then `slots` of amplitudes, which are at the first interface.
 template <FrameGroup G>
-class SolidBody final : public FloatingBody<G> {
+class SolidBody : public FloatingBody<G> {
  public:
   using Body<G>::dim;
   using typename Body<G>::Tangent;
@@ -70,8 +70,22 @@ class SolidBody final : public FloatingBody<G> {
   /// K(v) Psi: the loads f = K Psi e in q whose static answer is the displacement Psi e.
   const Eigen::MatrixXd& loads() const { return loads_; }
 
- private:
+ protected:
   using typename FloatingBody<G>::Motion;
+
+  /// Derivatives of the inertia force by e and by [v_0; edot].
+  virtual Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0,
+                                       const Tangent& a_0) const;
+  virtual Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0) const;
+  /// dT/de at constant velocities [v_0; edot].
+  virtual Eigen::VectorXd kinetic_by_e(const Motion& m, const Tangent& v_0) const;
+
+  Eigen::Vector3d origin_;  ///< first interface, in the axes of the mesh
+  Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
+  /// About the first interface, in its axes; mode is 3 x n, padded.
+  InertiaIntegrals integrals_;
+
+ private:
   using typename FloatingBody<G>::InertiaTangents;
 
   /// The derivative of a body by fractions of cells, which Psi follows.
@@ -94,21 +108,15 @@ class SolidBody final : public FloatingBody<G> {
   Eigen::MatrixXd inertia_matrix(const Motion& m) const override;
   InertiaTangents inertia_tangents(const Motion& m, const Tangent& v_0,
                                    const Tangent& a_0) const override;
-  Eigen::MatrixXd inertia_by_e(const Motion& m, const Tangent& v_0, const Tangent& a_0) const;
-  Eigen::MatrixXd inertia_by_rates(const Motion& m, const Tangent& v_0) const;
 
   int ports_;
   double damping_;
-  Eigen::Vector3d origin_;  ///< first interface, in the axes of the mesh
-  Eigen::Matrix3d turn_;    ///< axes of the mesh to those of the ports
   std::shared_ptr<const SolidModel> model_;
   Eigen::VectorXd fractions_;  ///< of cells; by an outline: their derivative
   Eigen::VectorXd shares_;     ///< of the stress that cells show; of a derivative: theirs
   /// Psi and K Psi; of a derivative what has the derivative of the stresses: Psi', or Psi E'/E.
   Eigen::MatrixXd basis_, loads_;
   Eigen::MatrixXd M_e_;  ///< of edot, padded as e
-  /// About the first interface, in its axes; mode is 3 x n, padded.
-  InertiaIntegrals integrals_;
   /// Of the parameters that were asked for last: its factor is theirs in common.
   mutable std::shared_ptr<const ModeDerivative> modes_;
   mutable std::shared_ptr<std::mutex> asking_ = std::make_shared<std::mutex>();

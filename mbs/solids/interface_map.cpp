@@ -15,23 +15,25 @@ using Triplets = std::vector<Eigen::Triplet<double>>;
   throw std::invalid_argument("interface '" + f.name + "': " + what);
 }
 
-/// Rigid motions at all nodes of an interface: (dim * nodes) x (3 or 6).
-MatrixXd rigid_at(const SolidMesh& mesh, const Interface& f) {
-  const int dim = mesh.dim, r = dim == 2 ? 3 : 6;
-  MatrixXd R(dim * f.nodes.size(), r);
+/// Rigid motions at all nodes of an interface: (freedoms * nodes) x (3 or 6).
+MatrixXd rigid_at(const SolidMesh& mesh, int freedoms, const Interface& f) {
+  MatrixXd R(freedoms * f.nodes.size(), mesh.dim == 2 ? 3 : 6);
   for (std::size_t i = 0; i < f.nodes.size(); ++i)
-    R.middleRows(dim * i, dim) = rigid_displacement(dim, mesh.nodes.col(f.nodes[i]), f.point);
+    R.middleRows(freedoms * i, freedoms) =
+        rigid_motion(mesh.dim, freedoms, mesh.nodes.col(f.nodes[i]), f.point);
   return R;
 }
 
 /// Rows C of q_P = C u: least squares min |u - R q_P|.
 MatrixXd averaging_rows(const SolidMesh& mesh, const Interface& f) {
-  const MatrixXd R = rigid_at(mesh, f);
+  const MatrixXd R = rigid_at(mesh, mesh.dim, f);
   return linalg::LDLT(R.transpose() * R).solve(R.transpose());
 }
 
-void check(const SolidMesh& mesh, const Interface& f, std::vector<int>& owner, int number) {
-  const std::size_t least = mesh.dim == 2 ? 2 : 3;
+void check(const SolidMesh& mesh, int freedoms, const Interface& f, std::vector<int>& owner,
+           int number) {
+  const bool turns = freedoms > mesh.dim && f.tie == Tie::Rigid;  // a node holds a rotation itself
+  const std::size_t least = turns ? 1 : static_cast<std::size_t>(mesh.dim);
   if (f.nodes.size() < least)
     refuse(f, "has " + std::to_string(f.nodes.size()) + " nodes, needs at least " +
                   std::to_string(least));
@@ -44,7 +46,7 @@ void check(const SolidMesh& mesh, const Interface& f, std::vector<int>& owner, i
                     : "node " + std::to_string(node) + " belongs to another interface, too");
     owner[node] = number;
   }
-  if (linalg::pivoted_columns(rigid_at(mesh, f)).rank < (mesh.dim == 2 ? 3 : 6))
+  if (!turns && linalg::pivoted_columns(rigid_at(mesh, mesh.dim, f)).rank < (mesh.dim == 2 ? 3 : 6))
     refuse(f, "its nodes coincide or lie in a line, so that they do not hold a rotation");
 }
 
@@ -53,13 +55,13 @@ Eigen::VectorXi eliminated(const MatrixXd& C) {
   return linalg::pivoted_columns(C).order.head(C.rows());
 }
 
-void tie_rigid(const SolidMesh& mesh, const Interface& f, int port, Triplets& T) {
-  const MatrixXd R = rigid_at(mesh, f);
+void tie_rigid(const SolidMesh& mesh, int freedoms, const Interface& f, int port, Triplets& T) {
+  const MatrixXd R = rigid_at(mesh, freedoms, f);
   for (std::size_t i = 0; i < f.nodes.size(); ++i)
-    for (int a = 0; a < mesh.dim; ++a)
+    for (int a = 0; a < freedoms; ++a)
       for (Eigen::Index j = 0; j < R.cols(); ++j)
-        if (const double r = R(mesh.dim * i + a, j); r != 0)
-          T.emplace_back(mesh.dim * f.nodes[i] + a, port + j, r);
+        if (const double r = R(freedoms * i + a, j); r != 0)
+          T.emplace_back(freedoms * f.nodes[i] + a, port + j, r);
 }
 
 /// Which freedoms of an averaged interface depend on others, and how.
@@ -68,12 +70,12 @@ struct Averaged {
   Eigen::VectorXi dependent;
 };
 
-void tie_averaged(const SolidMesh& mesh, const Interface& f, const Averaged& a, int port,
-                  const std::vector<int>& coordinate, Triplets& T) {
+void tie_averaged(const SolidMesh& mesh, int freedoms, const Interface& f, const Averaged& a,
+                  int port, const std::vector<int>& coordinate, Triplets& T) {
   const MatrixXd weights = a.inverse * a.C;
   for (Eigen::Index d = 0; d < a.dependent.size(); ++d) {
     const auto freedom = [&](Eigen::Index local) {
-      return mesh.dim * f.nodes[local / mesh.dim] + static_cast<int>(local % mesh.dim);
+      return freedoms * f.nodes[local / mesh.dim] + static_cast<int>(local % mesh.dim);
     };
     const int row = freedom(a.dependent[d]);
     for (Eigen::Index j = 0; j < a.inverse.cols(); ++j)
@@ -96,20 +98,28 @@ MatrixXd rigid_displacement(int dim, const Vector3d& x, const Vector3d& centre) 
   return D;
 }
 
-InterfaceMap interface_map(const SolidMesh& mesh, const std::vector<Interface>& interfaces) {
-  const int dim = mesh.dim, freedoms = dim * mesh.node_count();
+MatrixXd rigid_motion(int dim, int freedoms, const Vector3d& x, const Vector3d& centre) {
+  MatrixXd D = MatrixXd::Zero(freedoms, dim == 2 ? 3 : 6);
+  D.topRows(dim) = rigid_displacement(dim, x, centre);
+  D.bottomRightCorner(freedoms - dim, freedoms - dim).setIdentity();
+  return D;
+}
+
+InterfaceMap interface_map(const SolidMesh& mesh, int freedoms,
+                           const std::vector<Interface>& interfaces) {
+  const int dim = mesh.dim, all = freedoms * mesh.node_count();
   std::vector<int> owner(mesh.node_count(), -1);
   for (std::size_t k = 0; k < interfaces.size(); ++k)
-    check(mesh, interfaces[k], owner, static_cast<int>(k));
+    check(mesh, freedoms, interfaces[k], owner, static_cast<int>(k));
 
   InterfaceMap map;
-  map.coordinate.assign(freedoms, 0);
+  map.coordinate.assign(all, 0);
   std::vector<Averaged> averaged(interfaces.size());
   for (std::size_t k = 0; k < interfaces.size(); ++k) {
     const Interface& f = interfaces[k];
     if (f.tie == Tie::Rigid) {
       for (int node : f.nodes)
-        for (int a = 0; a < dim; ++a) map.coordinate[dim * node + a] = -1;
+        for (int a = 0; a < freedoms; ++a) map.coordinate[freedoms * node + a] = -1;
       continue;
     }
     Averaged& a = averaged[k];
@@ -118,22 +128,22 @@ InterfaceMap interface_map(const SolidMesh& mesh, const std::vector<Interface>& 
     MatrixXd C_d(a.C.rows(), a.C.rows());
     for (Eigen::Index d = 0; d < a.dependent.size(); ++d) C_d.col(d) = a.C.col(a.dependent[d]);
     a.inverse = linalg::inverse(C_d);
-    for (const int d : a.dependent) map.coordinate[dim * f.nodes[d / dim] + d % dim] = -1;
+    for (const int d : a.dependent) map.coordinate[freedoms * f.nodes[d / dim] + d % dim] = -1;
   }
   int size = 0;
   Triplets T;
-  for (int i = 0; i < freedoms; ++i) {
+  for (int i = 0; i < all; ++i) {
     if (map.coordinate[i] < 0) continue;
     map.coordinate[i] = size;
     T.emplace_back(i, size++, 1.0);
   }
   for (std::size_t k = 0; k < interfaces.size(); ++k, size += dim == 2 ? 3 : 6) {
     if (interfaces[k].tie == Tie::Rigid)
-      tie_rigid(mesh, interfaces[k], size, T);
+      tie_rigid(mesh, freedoms, interfaces[k], size, T);
     else
-      tie_averaged(mesh, interfaces[k], averaged[k], size, map.coordinate, T);
+      tie_averaged(mesh, freedoms, interfaces[k], averaged[k], size, map.coordinate, T);
   }
-  map.T.resize(freedoms, size);
+  map.T.resize(all, size);
   map.T.setFromTriplets(T.begin(), T.end());
   return map;
 }

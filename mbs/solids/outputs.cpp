@@ -92,7 +92,7 @@ VectorXd relative_output(const SolidModel& model, int interface_a, int interface
 
 VectorXd node_output(const SolidModel& model, int node, int component) {
   VectorXd freedom = VectorXd::Zero(model.node_freedoms());
-  freedom[model.mesh().dim * node + component] = 1;
+  freedom[model.freedoms_of_a_node() * node + component] = 1;
   return model.T().transpose() * freedom;
 }
 

@@ -34,12 +34,12 @@ Basis craig_bampton(const SolidModel& model, const Sparse& K, const Sparse& M, i
   const Sparse K_bi = K.bottomLeftCorner(boundary, inner);  // the lower triangle holds it
   Basis b;
   SparseCholesky factor;
-  if (!factor.factor(K_ii)) return b;
+  if (inner > 0 && !factor.factor(K_ii)) return b;
   SymmetricModes fixed{true, VectorXd(0), MatrixXd(inner, 0)};
   if (internal > 0) fixed = symmetric_modes(K_ii, M_ii, internal);
   if (!fixed.converged) return b;
   b.modes = MatrixXd::Zero(model.size(), boundary + internal);
-  b.modes.topLeftCorner(inner, boundary) = -factor.solve(MatrixXd(K_bi.transpose()));
+  if (inner > 0) b.modes.topLeftCorner(inner, boundary) = -factor.solve(MatrixXd(K_bi.transpose()));
   b.modes.block(inner, 0, boundary, boundary).setIdentity();
   b.modes.topRightCorner(inner, internal) = fixed.phi;
   b.frequencies = hertz(fixed.lambda);

@@ -77,6 +77,7 @@ SolidModel::SolidModel(SolidMesh mesh, Material material, std::vector<Interface>
     throw std::invalid_argument("ersatz law: 0 < ratio < 1 and exponent >= 1 expected");
   if (mesh_.dim == 2 && !(options.thickness > 0))
     throw std::invalid_argument("thickness of a planar part must be positive");
+  freedoms_ = mesh_.dim;
   find_shapes();
   number_freedoms();
   assembly_ = add_cells(SparseAssembly(size()), K_of(*this), VectorXd::Ones(mesh_.cell_count()));
@@ -87,11 +88,15 @@ SolidModel::SolidModel(SolidMesh nodes, const NodalMatrices& matrices,
                        std::vector<Interface> interfaces)
     : mesh_(std::move(nodes)), interfaces_(std::move(interfaces)) {
   mesh_.cells.resize(mesh_.dim == 2 ? 4 : 8, 0);
-  const Sparse m = component_mass(mesh_, matrices);
+  require_free_part(mesh_, matrices);
+  freedoms_ = liesl::freedoms_of_a_node(mesh_, matrices);
   number_freedoms();
+  component_mass_ = liesl::component_mass(mesh_, matrices);
+  if (!component_mass_) coupled_mass_ = matrices.M;
   const Sparse K_q = T_.transpose() * matrices.K * T_, M_q = T_.transpose() * matrices.M * T_;
   const Sparse K = K_q.triangularView<Eigen::Lower>(), M = M_q.triangularView<Eigen::Lower>();
-  given_ = {K + 0.0 * M, M + 0.0 * K, m};
+  given_ = {K + 0.0 * M, M + 0.0 * K};
+  given_mass_ = rigid_.col(0).dot(M.selfadjointView<Eigen::Lower>() * rigid_.col(0));
 }
 
 /// Cells of equal edges (to 1e-10 of their size) share their matrices, the last distinct shape is
@@ -122,15 +127,16 @@ void SolidModel::find_shapes() {
 }
 
 void SolidModel::number_freedoms() {
-  InterfaceMap map = interface_map(mesh_, interfaces_);
+  InterfaceMap map = interface_map(mesh_, freedoms_, interfaces_);
   T_ = std::move(map.T);
   T_rows_ = T_;
   coordinate_ = std::move(map.coordinate);
   rigid_.resize(size(), rigid_count());
   for (int i = 0; i < mesh_.node_count(); ++i) {
-    const MatrixXd R = rigid_displacement(mesh_.dim, mesh_.nodes.col(i), Eigen::Vector3d::Zero());
-    for (int a = 0; a < mesh_.dim; ++a)
-      if (const int c = coordinate_[mesh_.dim * i + a]; c >= 0) rigid_.row(c) = R.row(a);
+    const MatrixXd R =
+        rigid_motion(mesh_.dim, freedoms_, mesh_.nodes.col(i), Eigen::Vector3d::Zero());
+    for (int a = 0; a < freedoms_; ++a)
+      if (const int c = coordinate_[freedoms_ * i + a]; c >= 0) rigid_.row(c) = R.row(a);
   }
   for (int k = 0; k < ports(); ++k) {
     rigid_.middleRows(port(k), rigid_count()).setIdentity();
@@ -149,8 +155,18 @@ int SolidModel::interface_named(const std::string& name) const {
 }
 
 std::optional<int> SolidModel::coordinate(int node, int component) const {
-  const int c = coordinate_[mesh_.dim * node + component];
+  const int c = coordinate_[freedoms_ * node + component];
   return c >= 0 ? std::optional<int>(c) : std::nullopt;
+}
+
+MatrixXd SolidModel::displacements(const MatrixXd& q) const {
+  const MatrixXd all = T_ * q;
+  const int dim = mesh_.dim;
+  if (freedoms_ == dim) return all;
+  MatrixXd out(dim * mesh_.node_count(), q.cols());
+  for (int i = 0; i < mesh_.node_count(); ++i)
+    out.middleRows(dim * i, dim) = all.middleRows(freedoms_ * i, dim);
+  return out;
 }
 
 MatrixXd SolidModel::at_cell(int cell, const Eigen::Ref<const MatrixXd>& u) const {

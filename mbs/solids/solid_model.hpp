@@ -37,7 +37,7 @@ class SolidModel {
   SolidModel(SolidMesh mesh, Material material, std::vector<Interface> interfaces,
              const Options& options);
   /// A part whose matrices come from elsewhere: `nodes` is a mesh without cells.
-  /// @throws std::invalid_argument, also as `component_mass`
+  /// @throws std::invalid_argument, also as `require_free_part`
   SolidModel(SolidMesh nodes, const NodalMatrices& matrices, std::vector<Interface> interfaces);
 
   const SolidMesh& mesh() const { return mesh_; }
@@ -47,9 +47,13 @@ class SolidModel {
   double thickness() const { return options_.thickness; }  ///< m, of planar meshes
 
   int size() const { return static_cast<int>(T_.cols()); }           ///< of q
-  int node_freedoms() const { return static_cast<int>(T_.rows()); }  ///< dim * nodes
-  int rigid_count() const { return mesh_.dim == 2 ? 3 : 6; }         ///< also numbers of a port
-  const Sparse& T() const { return T_; }                             ///< node freedoms x q
+  int node_freedoms() const { return static_cast<int>(T_.rows()); }  ///< of all nodes
+  /// Of one: dim; of a part without cells dim or, with its rotation, 3 or 6.
+  int freedoms_of_a_node() const { return freedoms_; }
+  int rigid_count() const { return mesh_.dim == 2 ? 3 : 6; }  ///< also numbers of a port
+  const Sparse& T() const { return T_; }                      ///< node freedoms x q
+  /// Displacements of the nodes by q, a column each: (dim * nodes) x columns.
+  Eigen::MatrixXd displacements(const Eigen::MatrixXd& q) const;
   /// First coordinate of a port; they are in the order of the interfaces, at the end of q.
   int port(int interface) const { return size() - rigid_count() * (ports() - interface); }
   int ports() const { return static_cast<int>(interfaces_.size()); }
@@ -66,7 +70,7 @@ class SolidModel {
   Sparse stiffness_derivative(const Eigen::VectorXd& v, const Eigen::VectorXd& dv) const;
   /// kg; and its gradient with respect to the fractions.
   double total_mass(const Eigen::VectorXd& v) const {
-    return given_.empty() ? full_mass_.dot(v) : given_[2].sum();
+    return given_.empty() ? full_mass_.dot(v) : given_mass_;
   }
   const Eigen::VectorXd& cell_masses() const { return full_mass_; }
 
@@ -74,14 +78,16 @@ class SolidModel {
   /// origin of the mesh.
   const Eigen::MatrixXd& rigid_motions() const { return rigid_; }
 
-  /// Mass between the nodes of one component, of a part without cells; else nothing.
-  const Sparse* nodal_mass() const { return given_.empty() ? nullptr : &given_[2]; }
+  /// Of a part without cells: the mass between the nodes of one component, or, where components are
+  /// coupled, that of all freedoms of the nodes; null otherwise.
+  const Sparse* nodal_mass() const { return component_mass_ ? &*component_mass_ : nullptr; }
+  const Sparse* coupled_mass() const { return coupled_mass_ ? &*coupled_mass_ : nullptr; }
 
   /// Matrices of a full cell; cells of equal shape share them.
   const CellMatrices& cell(int e) const { return shapes_[shape_of_[e]]; }
   /// Its mass matrix for all freedoms, kg: that of one component for each.
   const Eigen::MatrixXd& cell_mass(int e) const { return M_of_shape_[shape_of_[e]]; }
-  /// First freedom of a cell's local node: freedoms are dim * node + component.
+  /// First freedom of a cell's local node: freedoms of meshes are dim * node + component.
   int freedom(int cell, int local) const { return mesh_.dim * mesh_.cells(local, cell); }
   /// What u [node freedoms x columns] is at the nodes of a cell: dim * its nodes x columns.
   Eigen::MatrixXd at_cell(int cell, const Eigen::Ref<const Eigen::MatrixXd>& u) const;
@@ -101,9 +107,11 @@ class SolidModel {
   std::vector<Interface> interfaces_;
   Options options_;
   std::vector<CellMatrices> shapes_;
-  /// Of a part without cells: K and M in q with the same pattern, lower triangles, and the mass
-  /// between nodes of one component; else empty.
+  /// Of a part without cells: K and M in q with the same pattern, lower triangles; else empty.
   std::vector<Sparse> given_;
+  std::optional<Sparse> component_mass_, coupled_mass_;
+  double given_mass_ = 0;
+  int freedoms_ = 0;                         ///< of a node
   std::vector<Eigen::MatrixXd> M_of_shape_;  ///< for all components
   std::vector<int> shape_of_;
   Eigen::VectorXd full_mass_;

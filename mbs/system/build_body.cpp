@@ -4,6 +4,7 @@
 #include <type_traits>
 
 #include "mbs/bodies/continuum.hpp"
+#include "mbs/bodies/coupled_mass_body.hpp"
 #include "mbs/bodies/modal.hpp"
 #include "mbs/bodies/rigid.hpp"
 #include "mbs/bodies/segment_beam.hpp"
@@ -12,6 +13,7 @@
 #include "mbs/model/beam_order.hpp"
 #include "mbs/model/parameter.hpp"
 #include "mbs/sections/section_law.hpp"
+#include "mbs/solids/solid_model.hpp"
 #include "mbs/system/body_law.hpp"
 
 namespace liesl {
@@ -67,6 +69,15 @@ std::unique_ptr<Body<G>> make(const std::string& name, const RigidSpec& rigid,
                                     space.reduce_law(generalized_inertia(rigid), align));
 }
 
+/// A meshed part, or one of matrices, in a floating frame.
+template <class G>
+std::unique_ptr<SolidBody<G>> make_floating(const std::string& name, const SolidSpec& solid,
+                                            std::vector<G> ports, const Eigen::Matrix3d& turn) {
+  if (solid.model->coupled_mass())
+    return std::make_unique<CoupledMassBody<G>>(name, solid, std::move(ports), turn);
+  return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), turn);
+}
+
 template <class G>
 std::unique_ptr<Body<G>> make(const std::string& name, const SolidSpec& solid,
                               const Space<G>& space, Formalism formalism, const std::vector<int>&) {
@@ -81,11 +92,11 @@ std::unique_ptr<Body<G>> make(const std::string& name, const SolidSpec& solid,
   if (formalism != Formalism::Rigid && solid.as == SolidMotion::Continuum)
     return std::make_unique<ContinuumBody<G>>(name, solid, ports, align.R);
   if (formalism != Formalism::Rigid && (solid.modes > 0 || ports.size() > 1))
-    return std::make_unique<SolidBody<G>>(name, solid, std::move(ports), align.R);
+    return make_floating<G>(name, solid, std::move(ports), align.R);
   SolidSpec plain = solid;
   plain.modes = 0;
-  return std::make_unique<Rigid<G>>(
-      name, std::make_shared<SolidBody<G>>(name, plain, std::move(ports), align.R));
+  return std::make_unique<Rigid<G>>(name, std::shared_ptr<SolidBody<G>>(make_floating<G>(
+                                              name, plain, std::move(ports), align.R)));
 }
 
 }  // namespace

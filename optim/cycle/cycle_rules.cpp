@@ -54,9 +54,8 @@ std::optional<CycleEnd> agreement(const History& h, const CycleOptions& o) {
   if (!now.load_change || *now.load_change >= o.tolerance || now.worst > o.feasibility ||
       change > o.objective_tolerance * now.objective)
     return {};
-  return CycleEnd{CycleStatus::Converged,
-                  fmt::format("loads changed by {:.2g}, mass by {:.2g}, worst limit at {:+.2g} %",
-                              *now.load_change, change / before.objective, 100 * now.worst)};
+  return CycleEnd{CycleStatus::Converged, fmt::format("loads changed by {:.2g}, mass by {:.2g}",
+                                                      *now.load_change, change / before.objective)};
 }
 
 std::optional<CycleEnd> used_up(const History& h, const CycleOptions& o) {
@@ -81,10 +80,9 @@ std::optional<CycleEnd> fixed_point(const Cycle& cycle, const CycleOptions& o) {
   if (cycle.worst > o.feasibility || cycle.answer.size() == 0) return {};
   const double change = step_size(cycle, cycle.answer);
   if (change > kFixedPoint * o.tolerance) return {};
-  return CycleEnd{CycleStatus::Converged,
-                  fmt::format("the static optimum under the loads is the design itself within "
-                              "{:.2g}, worst limit at {:+.2g} %",
-                              change, 100 * cycle.worst)};
+  return CycleEnd{
+      CycleStatus::Converged,
+      fmt::format("the static optimum under the loads is the design itself within {:.2g}", change)};
 }
 
 std::optional<CycleEnd> stuck(const Cycle& cycle, const CycleOptions& o) {

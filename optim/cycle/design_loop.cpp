@@ -23,10 +23,9 @@ void say_which_design(const CycleOptions& options, const std::string& of, LoopRe
   const auto at = std::find_if(history.rbegin(), history.rend(),
                                [&](const Cycle& c) { return c.x == result.x; });
   if (at == history.rend()) return;
-  result.reason += fmt::format(
-      "; the design is that of cycle {}{}, the {} (worst limit at {:+.2g} %)", at->number, of,
-      at->worst <= options.feasibility ? "best that meets all limits" : "least bad",
-      100 * at->worst);
+  result.reason +=
+      fmt::format("; the design is that of cycle {}{}, the {}", at->number, of,
+                  at->worst <= options.feasibility ? "best that meets all limits" : "least bad");
 }
 
 }  // namespace

@@ -133,8 +133,7 @@ CycleEnd direct_end(const CycleRecord& record, const DirectProblem& at, const Nl
   const bool meets = a.worst <= options.feasibility;
   const bool cut = analyses_used_up(record);  // the optimiser has no reason of its own then
   const std::string by = cut ? "" : "; " + r.reason;
-  const std::string of =
-      fmt::format("KKT conditions: {}; worst limit at {:+.2g} %", kkt.brief(), 100 * a.worst);
+  const std::string of = "KKT conditions: " + kkt.brief();
   if (meets && kkt.holds()) return {CycleStatus::Optimal, of + by};
   const std::string beyond =
       fmt::format("'{}' is exceeded by {:.3g} %{}", a.worst_constraint, 100 * a.worst,

@@ -266,9 +266,8 @@ CycleEnd TrustRegionRule::stalled(CycleRecord& record) const {
             fmt::format("no step improves the design any more, and '{}' stays {:.3g} % above its "
                         "limit{}{}",
                         at_->worst_constraint, 100 * at_->worst, place(), certificate())};
-  return {
-      kkt.holds() ? CycleStatus::Optimal : CycleStatus::Converged,
-      fmt::format("KKT conditions: {}; worst limit at {:+.2g} %", kkt.brief(), 100 * at_->worst)};
+  return {kkt.holds() ? CycleStatus::Optimal : CycleStatus::Converged,
+          "KKT conditions: " + kkt.brief()};
 }
 
 /// What is known of the violation: "; the design is a stationary point of ...".

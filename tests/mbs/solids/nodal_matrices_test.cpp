@@ -68,7 +68,7 @@ TEST(NodalMatrices, WhatIsNoFreeSolidIsRefusedWithItsReason) {
     Part p = part(3, Tie::Rigid);
     change(p.matrices);
     try {
-      component_mass(p.mesh, p.matrices);
+      require_free_part(p.mesh, p.matrices);
     } catch (const std::invalid_argument& error) {
       return std::string(error.what());
     }
@@ -96,12 +96,12 @@ TEST(NodalMatrices, WhatIsNoFreeSolidIsRefusedWithItsReason) {
                       m.K.coeffRef(i, j) += k;
                   }),
                   "a rigid rotation"));
-  EXPECT_TRUE(has(reason([](auto& m) { m.M.coeffRef(4, 4) *= 1.01; }), "not that of a solid"));
+  EXPECT_TRUE(has(reason([](auto& m) { m.M.coeffRef(4, 4) *= 1.01; }), "not that of a rigid body"));
   EXPECT_TRUE(has(reason([](auto& m) {
                     m.M.coeffRef(4, 5) += 1e-3;
                     m.M.coeffRef(5, 4) += 1e-3;
                   }),
-                  "not that of a solid"));
+                  "not that of a rigid body"));
   EXPECT_TRUE(has(reason([](auto& m) { m.M *= -1; }), "no positive mass"));
 }
 
@@ -109,7 +109,7 @@ TEST(NodalMatrices, AStiffnessOfNegativeEnergyIsRefused) {
   const auto reason = [](const auto& change) {
     Part p = part(3, Tie::Rigid);
     change(p.matrices.K);
-    component_mass(p.mesh, p.matrices);  // rigid motions take no forces
+    require_free_part(p.mesh, p.matrices);  // rigid motions take no forces
     try {
       require_positive_stiffness(p.matrices);
     } catch (const std::invalid_argument& error) {

@@ -42,12 +42,9 @@ const both = (error) => (error ? error.total ?? (error.mesh ?? 0) + (error.step 
 const errorOf = ({ error }) => both(error);
 const plusMinus = (text) => `\u00b1\u00a0${text}`;
 
-/** The reason without what a tile says: the worst limit. */
-const withoutWorst = (reason) => reason?.replace(/(; |, | \()worst limit at [-+]?[\d.]+(e[-+]?\d+)? %\)?/g, '');
-
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
-  const s = data.summary, reason = withoutWorst(s.reason);
+  const s = data.summary, reason = s.reason;
   const meaning = /optimality conditions of the/.test(reason) ? null : kMeaning[s.status];  // said by the reason
   const tiles = leanTiles(s);
   if (s.mass_initial !== undefined)
