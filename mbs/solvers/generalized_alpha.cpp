@@ -1,5 +1,7 @@
 #include "mbs/solvers/generalized_alpha.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 #include "mbs/solvers/divergence.hpp"
@@ -13,6 +15,7 @@ constexpr double kGain = 0.1;         // the same of the adaptive strategy
 constexpr int kCheap = 3;             // corrections that a step may take with any tangent
 constexpr int kRenewal = 6;           // corrections beyond these that ask for another one
 constexpr double kConstraint = 1e-3;  // constraint tolerance: this * tolerance * length
+constexpr double kRoundOff = 1e-14;   // and this * length at least: positions are rounded
 constexpr double kClosed = 1e-9;      // m: largest opening that augmentations leave, angles too
 constexpr int kAugmentations = 10;    // a step
 constexpr double kStalled = 0.1;      // of the opening left by an augmentation: weights grow
@@ -21,6 +24,13 @@ constexpr double kHeaviest = 1e6;     // and at most
 constexpr double kUnknown = std::numeric_limits<double>::infinity();  // an augmentation is between
 constexpr double kMemory = 0.1;  // share of the largest force so far in the scale
 constexpr double kQuiet = 1e-8;  // forces on a body below this share of all count as none
+
+/// What a joint is open by after the last correction.
+std::string opening(double open, double allowed) {
+  return fmt::format(
+      " (a joint is open by {:.2g} m or rad, {:.2g} at most under this simulation.tolerance)", open,
+      allowed);
+}
 
 }  // namespace
 
@@ -254,8 +264,9 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h, double error_limit) 
       return result;
     }
     bool augmented = false;
-    if (residual <= options_.tolerance &&
-        equations_.constraint_residual() <= kConstraint * options_.tolerance * model_.length) {
+    const double open = equations_.constraint_residual(),
+                 allowed = std::max(kConstraint * options_.tolerance, kRoundOff) * model_.length;
+    if (residual <= options_.tolerance && open <= allowed) {
       augmented = augment(result);
       if (!augmented) break;
       if (result.augmentations > kAugmentations) {
@@ -265,6 +276,7 @@ StepResult GeneralizedAlpha<G>::step(State<G>& s, double h, double error_limit) 
     }
     if (result.iterations == options_.max_iterations) {
       result.failure = "the iteration did not converge";
+      if (open > allowed) result.failure += opening(open, allowed);
       return result;
     }
     const bool fresh = !augmented && wants_tangent(result, residual, before);

@@ -1,13 +1,30 @@
 /// @file
-/// Status, reason and figures speak of the design that is returned, where tolerances are so tight
-/// that rounding of the iteration is about as large (version 0.1 ended "infeasible" with a design
-/// that met all limits).
+/// Tolerances so tight that rounding of the iteration is about as large. Status, reason and figures
+/// speak of the design that is returned (version 0.1 ended "infeasible" with a design that met all
+/// limits).
 #include "apps/program.hpp"
 
 namespace liesl::test::tight_tolerances_test {
 namespace {
 
+using TightTolerances = Program;
 using TightTolerancesSlow = Program;
+
+/// Below the round-off of forces and positions a step has converged where it can come no nearer.
+TEST_F(TightTolerances, BelowRoundOffAMotionReachesItsEnd) {
+  double before = 0;
+  for (const char* tolerance : {"1e-11", "1e-14"}) {
+    const Outcome o = run({"run", scene("four_bar"), "-o", results(), "-q", "-f", "--no-report",
+                           "--set", std::string("simulation.tolerance=") + tolerance, "--set",
+                           "simulation.tangent=exact"});
+    ASSERT_EQ(o.code, 0) << o.out << o.err;
+    const Json s = summary();
+    EXPECT_EQ(s["rejected_steps"], 0);
+    const double bend = s["responses"]["bend"]["max_abs"];
+    if (before > 0) EXPECT_NEAR(bend, before, 1e-9 * before);
+    before = bend;
+  }
+}
 
 TEST_F(TightTolerancesSlow, StatusSpeaksOfTheDesignThatIsReturned) {
   const double tolerance = 1e-6;
