@@ -13,23 +13,26 @@ namespace {
 constexpr double kMostSteps = 1e8;
 constexpr double kMostBytes = 8e9;  // of the records of a run
 
-/// Refuses a simulation that could not be kept in memory.
+/// Refuses a simulation of more steps than anyone waits for, or than could be kept.
 void check_size(const Scene& scene) {
   const SimulationOptions& o = scene.simulation;
-  if (o.type != SimulationType::Dynamic) return;
+  if (o.type == SimulationType::Modes) return;
+  const bool motion = o.type == SimulationType::Dynamic;
   double nodes = 0;
   for (const auto& body : scene.mechanism.bodies) {
     const auto* beam = std::get_if<BeamSpec>(&body.kind);
     nodes += beam ? static_cast<double>(beam->nodes.size()) : 1;
   }
-  const double steps = o.duration / o.step, bytes = 8 * 60 * nodes * steps / o.output_every;
+  const double steps = motion ? o.duration / o.step : o.load_steps,
+               bytes = 8 * 60 * nodes * steps / (motion ? o.output_every : 1);
   if (steps > kMostSteps || bytes > kMostBytes)
     throw InputError(
         {{scene.file, 0, 0,
           fmt::format("simulation: {:.3g} steps of {:.0f} nodes, about {:.3g} GB", steps, nodes,
                       1e-9 * bytes),
           fmt::format("at most {:.0e} steps and {:.0f} GB", kMostSteps, 1e-9 * kMostBytes),
-          "use a shorter duration, a larger step or a larger simulation.output_every"}});
+          motion ? "use a shorter duration, a larger step or a larger simulation.output_every"
+                 : "use fewer simulation.load_steps"}});
 }
 
 /// Does the scene ask for motions that need not stay in the plane of its own? (A mesh in the plane

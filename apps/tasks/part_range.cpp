@@ -193,7 +193,7 @@ void PartRanges<G>::add_members() {
       beam.euler = euler_load(*beam.modal);
     }
     if (G::space_dim == 2) beam.sideways = sideways_load(beam.index);
-    beam.held = G::space_dim == 3 && kind(b) == BeamModel::Segments && held_about_axis(beam.index);
+    beam.may_twist = G::space_dim == 3 && kind(b) == BeamModel::Segments && may_twist(beam.index);
     members_.push_back(beam);
   }
 }
@@ -218,11 +218,18 @@ double PartRanges<G>::sideways_load(int body) const {
   return length > 0 ? M_PI * M_PI * EI / (length * length) : 0;
 }
 
+/// At both ends by joints; or a load of which nothing tells that it does not turn an end that
+/// spins, or a spin at the start, acts on it.
 template <FrameGroup G>
-bool PartRanges<G>::held_about_axis(int body) const {
-  const auto& nodes =
-      std::get<BeamSpec>(mechanism_.bodies[static_cast<std::size_t>(body)].kind).nodes;
+bool PartRanges<G>::may_twist(int body) const {
+  const BodySpec& spec = mechanism_.bodies[static_cast<std::size_t>(body)];
+  const auto& nodes = std::get<BeamSpec>(spec.kind).nodes;
   const int last = static_cast<int>(nodes.size()) - 1;
+  const auto turns = [&](const LoadSpec& load) {
+    return !load.spread && load.port.body == body &&
+           (!load.moment.isZero(0) || !load.port.offset.x.isZero(0));
+  };
+  if (std::any_of(mechanism_.loads.begin(), mechanism_.loads.end(), turns)) return true;
   const auto held = [&](int node) {
     return std::any_of(mechanism_.joints.begin(), mechanism_.joints.end(),
                        [&](const JointSpec& joint) {
@@ -231,7 +238,8 @@ bool PartRanges<G>::held_about_axis(int body) const {
                          return at && holds(joint, nodes[1].x - nodes[0].x);
                        });
   };
-  return held(0) && held(last);
+  const bool spins = spec.angular_velocity.dot(nodes[1].x - nodes[0].x) != 0;
+  return (held(0) && held(last)) || (spins && (held(0) || held(last)));
 }
 
 template <FrameGroup G>
@@ -283,7 +291,7 @@ void PartRanges<G>::measure(Member& beam, const State<G>& s) const {
     for (int k = 1; k < beam.modal->nodes(); ++k)
       range.bend = std::max(range.bend, u.segment(dim * k + sd, rd).norm());
   }
-  if (beam.held) measure_twist(beam, s);
+  if (beam.may_twist) measure_twist(beam, s);
   if (beam.euler == 0 && beam.sideways == 0) return;
   for (int e = 0; e < beam.body->elements(); ++e) {
     const double N = beam.body->section_force(state, e, ElementPlace::Middle)[0];
@@ -323,7 +331,7 @@ std::vector<RangeNote> PartRanges<G>::notes() const {
       add(beam_notes(mechanism_.bodies[static_cast<std::size_t>(beam.index)], mechanism_.formalism,
                      beam.range));
   for (const Member& beam : members_)
-    if (beam.held) add(chain_notes(beam.body->name, beam.range));
+    if (beam.may_twist) add(chain_notes(beam.body->name, beam.range));
   for (const Part& part : parts_) add(part_notes(part.body->name, part.body->points(), part.range));
   return all;
 }

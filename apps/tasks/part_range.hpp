@@ -21,7 +21,7 @@ struct PartRange {
   double pull = 0;      ///< tension over it, at the first interface or in an element
   double spin = 0;      ///< (Omega_J/omega_1)^2; parts of one interface
   double sideways = 0;  ///< compression of a beam in a plane over its Euler load out of the plane
-  double twist = 0;     ///< of a chain of segments in space that both ends hold about its axis, rad
+  double twist = 0;     ///< of a chain of segments in space whose ends are held, or turned, rad
 };
 
 /// A note on a range. `beyond`: the result cannot be relied on.
@@ -50,8 +50,9 @@ struct RangeNote {
 /// Beams in floating frames: turns of their nodes, normal forces of their elements, the Euler load
 /// from the softness of the end held at the start.
 ///
-/// Chains of segments in space have no torsion: where a joint at either end holds the turn about
-/// the axis, the turn of the last frame against the first, carried along the chain without twist,
+/// Chains of segments in space have no torsion: where joints at both ends hold the turn about the
+/// axis, or a moment, a force beside the axis or a spin at the start may turn an end that is free,
+/// the turn of the last frame against the first, carried along the chain without twist,
 /// is what torsion would resist; against how far the chain turns by bending.
 ///
 /// Out of the plane: pi^2 EI/L^2, EI the least of its elements about the axis in the plane, of all
@@ -96,13 +97,13 @@ class PartRanges {
     int index;
     double euler = 0, sideways = 0;  ///< Euler loads, N; 0: none
     PartRange range = {};
-    bool held = false;  ///< a chain in space, at both ends about its axis
+    bool may_twist = false;  ///< a chain in space, of which `twist` tells something
   };
 
   void add_part(const SolidBody<G>& body, int index);
   void add_members();
   double sideways_load(int body) const;
-  bool held_about_axis(int body) const;
+  bool may_twist(int body) const;
   void measure_twist(Member& chain, const State<G>& s) const;
   void measure(Part& part, const State<G>& s) const;
   void measure(Member& beam, const State<G>& s) const;

@@ -20,7 +20,8 @@ constexpr double kMoved = 1e-9;    // of the mechanism's length; of its speeds
 constexpr double kResting = 1e-6;  // rad, or lengths, in the duration squared
 constexpr int kStretches = 64;     // of a step each that are read at once
 
-/// What the lift of two states leaves of the relations of the step between them, at positions.
+/// What the lift of two states leaves of the relations of the step between them, at nodes that are
+/// carried by others.
 template <FrameGroup G>
 std::optional<StateSensitivity> lag_of(const Model<G>& model, const Parameters<G>& parameters,
                                        const StepSensitivity<G>& step, const State<G>& before,
@@ -28,8 +29,11 @@ std::optional<StateSensitivity> lag_of(const Model<G>& model, const Parameters<G
   if (model.positions().empty() || !any_lifted(parameters)) return std::nullopt;
   StateSensitivity lag =
       step.lag(lift_of(model, parameters, before), lift_of(model, parameters, after));
+  const auto found = std::find_if(parameters.begin(), parameters.end(), lifted<G>);
+  const std::vector<int>& carriers = found->nearby()->carriers();
   for (const int node : model.frames())
-    for (MatrixXd* x : {&lag.v, &lag.a, &lag.w}) x->middleRows(G::dim * node, G::dim).setZero();
+    if (carriers[static_cast<std::size_t>(node)] == node)
+      for (MatrixXd* x : {&lag.v, &lag.a, &lag.w}) x->middleRows(G::dim * node, G::dim).setZero();
   return lag;
 }
 

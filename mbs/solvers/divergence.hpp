@@ -1,7 +1,10 @@
 #pragma once
 /// @file
-/// What is said of an iteration whose forces are not finite.
+/// What is said of an iteration that fails, and of forces that are not finite.
 
+#include <fmt/format.h>
+
+#include <cmath>
 #include <string>
 
 #include "mbs/system/model.hpp"
@@ -18,6 +21,12 @@ std::string divergence(const Model<G>& model, const State<G>& s) {
         !why.empty())
       what += "; " + why;
   return what;
+}
+
+/// "(relative residual 1e-3)"
+inline std::string relative_residual(double residual) {
+  return std::isfinite(residual) ? fmt::format("(relative residual {:.2g})", residual)
+                                 : "(relative residual beyond all numbers)";
 }
 
 }  // namespace liesl

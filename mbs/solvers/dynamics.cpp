@@ -5,6 +5,7 @@
 #include <chrono>
 #include <ctime>
 
+#include "mbs/solvers/divergence.hpp"
 #include "mbs/solvers/ringing.hpp"
 #include "mbs/solvers/statics.hpp"
 #include "mbs/solvers/step_control.hpp"
@@ -248,6 +249,15 @@ void add_bend_warning(Report& report, const Model<G>& model, const LargestBend<G
                   model.bodies[body]->name, largest));
 }
 
+/// What closes joints besides larger weights.
+std::string instead_of(const Penalty& penalty) {
+  if (penalty.form == ConstraintForm::Augmented) return "";
+  return fmt::format("{}, or take simulation.constraints = \"augmented\"",
+                     penalty.damping > 0
+                         ? ", lower simulation.penalty_damping, which keeps them open as long"
+                         : "");
+}
+
 /// What penalties leave open, and whether that counts beside the deformation.
 template <FrameGroup G>
 void report_penalty(const Model<G>& model, const JointOpening<G>& open, Report& report) {
@@ -265,12 +275,11 @@ void report_penalty(const Model<G>& model, const JointOpening<G>& open, Report& 
   if (p.share <= limit) return;
   const std::string text = fmt::format(
       "the joints open by up to {:.3g} m ('{}'), {:.2g} % of {}: raise simulation.penalty ({:g} "
-      "N/m) and "
-      "penalty_rotation ({:g} N m), or take simulation.constraints = \"augmented\"",
+      "N/m) and penalty_rotation ({:g} N m){}",
       p.opening, p.joint, 100 * p.share,
       p.rigid ? std::string("the mechanism's length")
               : fmt::format("the largest deformation beside it of {:.3g} m", p.deformation),
-      p.displacement, p.rotation);
+      p.displacement, p.rotation, instead_of(model.penalty));
   report.warnings.push_back(text);
   if (p.share <= kApart * limit || report.status != SolveStatus::Converged) return;
   report.status = SolveStatus::Inaccurate;
@@ -288,10 +297,8 @@ bool take_start(const InitialState& start, Report& report) {
 
 /// Why the smallest step `h`, to the time `t`, failed.
 std::string failure(const StepResult& step, double t, double h) {
-  const auto residual =
-      std::isfinite(step.residual) ? fmt::format("{:.2g}", step.residual) : "beyond all numbers";
-  return fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s (relative residual {})",
-                     step.failure, t, h, residual);
+  return fmt::format("{} at t = {:.6g} s with the smallest step {:.3g} s {}", step.failure, t, h,
+                     relative_residual(step.residual));
 }
 
 /// Puts s where the motion starts. @returns whether the run goes on

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "mbs/linalg/inertia.hpp"
+#include "mbs/solvers/divergence.hpp"
 #include "mbs/solvers/free_motion.hpp"
 #include "mbs/solvers/static_newton.hpp"
 #include "mbs/system/constraint_rank.hpp"
@@ -149,9 +150,8 @@ class LoadPath {
       if (!steps.goes_beyond())
         stuck = fmt::format(
             "{} between the load factors {:.6g} (reached) and {:.6g}, with the smallest load step "
-            "{:.3g} (relative residual {:.2g}); simulation.arc_length = true goes past a maximum "
-            "of the load",
-            step.failure, s_.t, target, steps.size(), step.residuals.back());
+            "{:.3g} {}; simulation.arc_length = true goes past a maximum of the load",
+            step.failure, s_.t, target, steps.size(), relative_residual(step.residuals.back()));
       if (!steps.retry(!step.misshapen)) return stop(SolveStatus::NotConverged, stuck);
       result_.report.smallest_step = std::min(result_.report.smallest_step, steps.size());
     }

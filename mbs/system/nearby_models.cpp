@@ -31,15 +31,33 @@ bool has_carriers(const Model<G>& model) {
   return true;
 }
 
-/// From the frame at rest of a node to that of a nearby model.
+/// Do the nodes of a body go with its first frame? Next to positions, which have no other axes, a
+/// frame that went along its own would strain what is between them by their difference.
 template <class G>
-G way_of(const Body<G>& body, const Body<G>& neighbour, int node) {
+bool go_together(const Body<G>& body) {
+  for (int k = 0; k < body.nodes(); ++k)
+    if (body.kind(k) == NodeKind::Position) return true;
+  return false;
+}
+
+/// From the frame at rest of a node to that of a nearby model; of nodes that go together the way in
+/// the axes of the first frame, and the turn.
+template <class G>
+G way_of(const Body<G>& body, const Body<G>& neighbour, int node, bool carried) {
   const auto k = static_cast<std::size_t>(node);
-  if (body.kind(node) != NodeKind::Position)
-    return body.reference[k].inverse() * neighbour.reference[k];
-  G way;
+  G way = body.reference[k].inverse() * neighbour.reference[k];
+  if (!carried) return way;
+  if (body.kind(node) == NodeKind::Position) way = G::identity();
   way.x = body.reference[0].R.transpose() * (neighbour.reference[k].x - body.reference[k].x);
   return way;
+}
+
+/// The turn of a way alone.
+template <class G>
+G turn_of(const G& way) {
+  G turn = way;
+  turn.x.setZero();
+  return turn;
 }
 
 /// Are the nodes at rest where they were, next to the first one?
@@ -103,12 +121,17 @@ void NearbyModels<G>::set_lift() {
   for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
     const Body<G>& body = *model_.bodies[b];
     const int first = model_.first_node(static_cast<int>(b));
+    const bool together = go_together(body);
     for (int k = 0; k < body.nodes(); ++k) {
-      carriers_.push_back(body.kind(k) == NodeKind::Position ? first : first + k);
+      const bool carried = together && k > 0;
+      carriers_.push_back(carried ? first : first + k);
+      frames_.push_back(body.kind(k) == NodeKind::Frame);
       for (const auto& neighbour : models_) {
-        neighbour->moved.push_back(way_of(body, *neighbour->model.bodies[b], k));
-        lift.template segment<G::dim>(G::dim * (first + k)) +=
-            neighbour->weight * G::log(neighbour->moved.back());
+        const G way = way_of(body, *neighbour->model.bodies[b], k, carried);
+        neighbour->moved.push_back(way);
+        typename G::Tangent xi = G::log(carried ? turn_of(way) : way);
+        if (carried) xi.template head<G::space_dim>() = way.x;
+        lift.template segment<G::dim>(G::dim * (first + k)) += neighbour->weight * xi;
       }
     }
   }
@@ -163,7 +186,8 @@ void NearbyModels<G>::add(const State<G>& s, const Eigen::VectorXd& previous,
   add_shapes(s, level, false, r_p);
 }
 
-/// eta = xi, ad(v) xi, ad(rate) xi; of positions those of points that are fixed to their carrier.
+/// eta = xi, ad(v) xi, ad(rate) xi; where a node is carried, those of a point that is fixed to its
+/// carrier, and of its own turn.
 template <FrameGroup G>
 auto NearbyModels<G>::direction(const State<G>& s, const Eigen::VectorXd& rates, int node) const
     -> NodeDirection {
@@ -173,39 +197,58 @@ auto NearbyModels<G>::direction(const State<G>& s, const Eigen::VectorXd& rates,
   const auto of = [](const Eigen::VectorXd& x, int k) -> Tangent {
     return x.template segment<G::dim>(G::dim * k);
   };
-  const Tangent xi = of(lift_, node), v = of(s.v, carrier), rate = of(rates, carrier);
-  if (carrier == node) return {xi, G::ad(v) * xi, G::ad(rate) * xi};
-  const CarriedRates<G> carried(v, rate, xi.template head<sd>());
-  const SquareMatrix<sd> R =
-      s.H[static_cast<std::size_t>(node)].R.transpose() * s.H[static_cast<std::size_t>(carrier)].R;
-  NodeDirection out{Tangent::Zero(), Tangent::Zero(), Tangent::Zero()};
-  out.eta.template head<sd>() = R * xi.template head<sd>();
-  out.v.template head<sd>() = R * carried.v;
-  out.rate.template head<sd>() = R * carried.vdot;
+  const Tangent xi = of(lift_, node);
+  if (carrier == node) return {xi, G::ad(of(s.v, node)) * xi, G::ad(of(rates, node)) * xi};
+  const Shift shift = shift_of(s, rates, node, xi.template head<sd>());
+  Tangent turn = xi;
+  turn.template head<sd>().setZero();
+  NodeDirection out{turn, G::ad(of(s.v, node)) * turn, G::ad(of(rates, node)) * turn};
+  out.eta.template head<sd>() += shift.x;
+  out.v.template head<sd>() += shift.v;
+  out.rate.template head<sd>() += shift.vdot;
   return out;
+}
+
+/// Of a frame vdot is the rate of R^T x', of a position R^T x''.
+template <FrameGroup G>
+auto NearbyModels<G>::shift_of(const State<G>& s, const Eigen::VectorXd& rates, int node,
+                               const Vector& xi) const -> Shift {
+  using Tangent = typename G::Tangent;
+  constexpr int sd = G::space_dim;
+  const int from = G::dim * carriers_[static_cast<std::size_t>(node)], at = G::dim * node;
+  const CarriedRates<G> carried(s.v.template segment<G::dim>(from),
+                                rates.template segment<G::dim>(from), xi);
+  const SquareMatrix<sd> R = s.H[static_cast<std::size_t>(node)].R.transpose() *
+                             s.H[static_cast<std::size_t>(from / G::dim)].R;
+  Shift shift{R * xi, R * carried.v, R * carried.vdot};
+  if (frames_[static_cast<std::size_t>(node)]) {
+    Tangent turning = s.v.template segment<G::dim>(at), along = Tangent::Zero();
+    turning.template head<sd>().setZero();
+    along.template head<sd>() = shift.v;
+    shift.vdot -= (G::ad(turning) * along).template head<sd>();
+  }
+  return shift;
 }
 
 template <FrameGroup G>
 void NearbyModels<G>::lift(const Neighbour& neighbour, const State<G>& s, State<G>& lifted) const {
   constexpr int sd = G::space_dim;
+  using Tangent = typename G::Tangent;
   for (std::size_t k = 0; k < s.H.size(); ++k) {
     const auto at = G::dim * static_cast<Eigen::Index>(k);
-    if (carriers_[k] != static_cast<int>(k)) {
-      const auto from = G::dim * carriers_[k];
-      const auto& xi = neighbour.moved[k].x;
-      const CarriedRates<G> rates(s.v.template segment<G::dim>(from),
-                                  s.vdot.template segment<G::dim>(from), xi);
-      const auto& R_0 = s.H[static_cast<std::size_t>(carriers_[k])].R;
-      const SquareMatrix<sd> to_node = s.H[k].R.transpose() * R_0;
-      lifted.H[k].x = s.H[k].x + R_0 * xi;
-      lifted.v.template segment<sd>(at) = s.v.template segment<sd>(at) + to_node * rates.v;
-      lifted.vdot.template segment<sd>(at) = s.vdot.template segment<sd>(at) + to_node * rates.vdot;
-      continue;
+    const bool carried = carriers_[k] != static_cast<int>(k);
+    const G way = carried ? turn_of(neighbour.moved[k]) : neighbour.moved[k];
+    lifted.H[k] = s.H[k] * way;
+    Tangent v = s.v.template segment<G::dim>(at), vdot = s.vdot.template segment<G::dim>(at);
+    if (carried) {
+      const Shift shift = shift_of(s, s.vdot, static_cast<int>(k), neighbour.moved[k].x);
+      lifted.H[k].x += s.H[k].R * shift.x;
+      v.template head<sd>() += shift.v;
+      vdot.template head<sd>() += shift.vdot;
     }
-    const auto Ad = neighbour.moved[k].AdInv();
-    lifted.H[k] = s.H[k] * neighbour.moved[k];
-    lifted.v.template segment<G::dim>(at) = Ad * s.v.template segment<G::dim>(at);
-    lifted.vdot.template segment<G::dim>(at) = Ad * s.vdot.template segment<G::dim>(at);
+    const auto Ad = way.AdInv();
+    lifted.v.template segment<G::dim>(at) = Ad * v;
+    lifted.vdot.template segment<G::dim>(at) = Ad * vdot;
   }
 }
 

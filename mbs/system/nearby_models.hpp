@@ -20,8 +20,8 @@ class NearbyModels {
     const Mechanism& mechanism;
     Model<G> model;
     Equations<G> equations;
-    /// By node, from the frame at rest of the model to that of this one; of positions the way
-    /// alone, in the axes of the first frame of their body.
+    /// By node, from the frame at rest of the model to that of this one; of nodes that go together
+    /// the way in the axes of the first frame of their body, and the turn.
     std::vector<G> moved;
     Neighbour(double weight, const Mechanism& mechanism, const Model<G>& model);
   };
@@ -34,20 +34,21 @@ class NearbyModels {
   /// r_p += dr/dp, phi_p += dPhi/dp, as `ParameterResidual::add`.
   void add(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
            Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
-  /// xi by node, what the frames at rest change by, in their own axes; of positions in the axes of
-  /// the first frame of their body. Empty where they do not change, or where nodes do not move
-  /// along the group.
+  /// xi by node, what the frames at rest change by, in their own axes; in bodies with positions all
+  /// nodes go together, in the axes of the first frame of their body. Empty where they do not
+  /// change, or where nodes do not move along the group.
   const Eigen::VectorXd& lift() const { return lift_; }
   /// Does the geometry change the shape of bodies at rest while no lift is known? Then a constant
   /// state strains them by what p changes, far more than a motion may.
   bool strains() const { return strains_; }
-  /// By node: the first frame of the body of a position, the node itself of a frame.
+  /// By node: the first frame of a body whose nodes go together, else the node itself.
   const std::vector<int>& carriers() const { return carriers_; }
   /// The same as `add`, of states that go with the geometry: H D(p), Ad(D^-1) v, Ad(D^-1) vdot with
   /// D(p) from the frames at rest to those at p, d/dp: xi, ad(v) xi, ad(vdot) xi. No element is
   /// strained by that, so that EA/L is not in the differences. Positions go as if they were fixed
   /// to the first frame R_0 of their body: x + R_0 xi; what strains them then is the strain of the
-  /// body times xi, not xi. @pre lift() is not empty
+  /// body times xi, not xi. So do further frames of such a body, which turn by their own way. @pre
+  /// lift() is not empty
   void add_lifted(const State<G>& s, const Eigen::VectorXd& previous, const LoadLevel& level,
                   Eigen::VectorXd& r_p, Eigen::VectorXd& phi_p) const;
   /// d/dp of the state of one node that goes with the geometry: its increment, that of v and that
@@ -62,6 +63,12 @@ class NearbyModels {
   static State<G> seen_by(const Neighbour& neighbour, const State<G>& s);
 
  private:
+  using Vector = typename Model<G>::Vector;
+  /// What a carried node has of its position, velocity and rate, in its own axes.
+  struct Shift {
+    Vector x, v, vdot;
+  };
+  Shift shift_of(const State<G>& s, const Eigen::VectorXd& rates, int node, const Vector& xi) const;
   /// A body whose forces are not differenced.
   struct Shape {
     int body;
@@ -78,6 +85,7 @@ class NearbyModels {
   std::vector<Shape> shapes_;
   Eigen::VectorXd lift_;
   std::vector<int> carriers_;
+  std::vector<char> frames_;  ///< by node: is it a frame?
   bool strains_ = false;
 };
 

@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <sstream>
 
 #include "apps/program.hpp"
 
@@ -159,6 +160,28 @@ TEST_F(Sensitivity, CheckPrintsTheErrorAndTheSlope) {
   EXPECT_NE(o.out.find("bend, rms"), std::string::npos) << o.out;
   EXPECT_NE(o.out.find("slope"), std::string::npos) << o.out;
   EXPECT_NE(o.out.find("8 derivatives checked, 0 wrong"), std::string::npos) << o.out;
+}
+
+/// By the length of a chain that bends, whatever the number of its segments: its end goes with the
+/// points beside it, along the axes of the first one. (It went along its own, and strained the last
+/// segment: 2 % off with 128 of them.)
+TEST_F(Sensitivity, ByTheLengthOfManySegments) {
+  for (const char* elements : {"16", "128"}) {
+    const Outcome o =
+        run({"sensitivity", study("sensitivity_pendulum"), "--check", "--fits", "--functionals",
+             "rms", "--by", "bodies.beam.beam.to.0", "--set", "scene.simulation.formalism=segments",
+             "--set", std::string("scene.bodies.beam.beam.elements=") + elements, "--set",
+             "simulation.duration=0.25"});
+    EXPECT_EQ(o.code, 0) << o.out << o.err;
+    const auto row = o.out.find("bend, rms");
+    ASSERT_NE(row, std::string::npos) << o.out;
+    std::istringstream line(o.out.substr(row + 9));
+    std::string by, slope;
+    double best = 1, step = 0, extrapolated = 1, fitted = 1;
+    line >> by >> best >> step >> slope >> extrapolated >> fitted;
+    EXPECT_LT(best, 1e-7) << o.out;
+    EXPECT_LT(fitted, 1e-7) << o.out;
+  }
 }
 
 /// Polynomials fitted to 120 differences stand beside the best of eight.

@@ -165,6 +165,51 @@ TEST(PartRange, OfTheEquilibriumOfModes) {
   EXPECT_NEAR(said(bar(true, true, pressed), kCarries), 5e3 / kEuler, 0.01);
 }
 
+/// In space nothing but torsion holds the turn of an end that a chain of segments leaves free: a
+/// load that turns it is no part of the model, one that bends in a plane is.
+TEST(PartRange, AFreeEndThatSpinsIsNotReliedOn) {
+  const auto end_of = [](const std::string& rest) {
+    const Scene scene = read_scene(R"toml(
+[materials]
+plastic = { E = 2e9, nu = 0.3, rho = 1000 }
+[sections]
+round = { type = "circle", diameter = 0.01 }
+[bodies.bar]
+)toml" + rest + R"toml(
+[bodies.bar.beam]
+from = [0, 0, 0]
+to = [1, 0, 0]
+section = "round"
+material = "plastic"
+elements = 8
+as = "segments"
+points = { ear = { on = "end", at = [1, 0.3, 0] } }
+[joints]
+clamp = { fixed = ["ground", "bar.start"] }
+[simulation]
+duration = 0.2
+step = 5e-4
+space = "spatial"
+)toml",
+                                   "chain.toml");
+    return run_task(scene, choose_space(scene));
+  };
+  const std::string twisted = "would be twisted";
+  for (const char* rest : {"[loads]\nf = { at = \"bar.ear\", force = [0.3, 0, 0] }\ng = { at = "
+                           "\"bar.end\", force = [0, "
+                           "0, 0.1] }",
+                           "angular_velocity = [5, 0, 0]"}) {
+    const RunOutcome out = end_of(rest);
+    EXPECT_EQ(out.status, SolveStatus::Inaccurate) << rest;
+    EXPECT_NE(out.summary.reason.find(twisted), std::string::npos) << out.summary.reason;
+  }
+  for (const char* rest : {"[loads]\nf = { at = \"bar.end\", moment = [0, 0, 0.05] }",
+                           "[loads]\nf = { at = \"bar.ear\", force = [0.3, 0, 0] }"}) {
+    const RunOutcome out = end_of(rest);
+    EXPECT_EQ(out.status, SolveStatus::Converged) << rest << out.summary.reason;
+  }
+}
+
 /// What sensitivities are of is no better than the motion.
 TEST(PartRange, OfSensitivitiesToo) {
   const std::string scene =
