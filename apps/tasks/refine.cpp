@@ -3,6 +3,7 @@
 #include "apps/tasks/refine.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -91,19 +92,21 @@ class FinerStudy {
     return some;
   }
 
-  /// A part with other cells is another part of the study, whose outline starts anew.
-  std::string part() const {
+  /// Parts with other cells are other parts of the study, whose outlines start anew.
+  std::vector<std::string> parts() const {
+    std::vector<std::string> names;
     for (const BodySpec& body : study_.scene.mechanism.bodies)
-      if (std::holds_alternative<SolidSpec>(body.kind)) return body.name;
-    return "";
+      if (std::holds_alternative<SolidSpec>(body.kind)) names.push_back(body.name);
+    return names;
   }
 
   void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
-    if (const std::string meshed = part(); !meshed.empty()) {
+    if (const auto meshed = parts(); !meshed.empty()) {
       out.exhausted = fmt::format(
-          "a study does not refine the cells of part {}: more of them in the scene "
+          "a study does not refine the cells of {} {}, nor beams beside them: more in the scene "
           "(bodies.{}.solid.mesh.cells) make it certain",
-          meshed, meshed);
+          meshed.size() == 1 ? "part" : "parts", fmt::join(meshed, ", "),
+          meshed.size() == 1 ? meshed.front() : "NAME");
       return;
     }
     out.changes = order_4();
