@@ -32,6 +32,19 @@ PAPER = """const tables = [...document.querySelectorAll('.paper table')], rows =
 return { rows: rows.length, highest: Math.max(...rows.map((r) => r.offsetHeight)), right: Math.max(...tables.map((t) => t.getBoundingClientRect().right)),
   screen: getComputedStyle(document.querySelector('.scroll.tall')).display };"""
 SHEET = 703  # pixels between the margins of A4
+# Of the cards below the columns: in how many places of the window their middle is seen, and where it is covered.
+COVERED = """scrollTo(0, 0);
+const end = Math.max(...[...document.querySelectorAll('.column')].map((c) => c.offsetTop + c.offsetHeight));
+return [...document.querySelectorAll('.card')].filter((c) => c.offsetTop > end).map((card) => {
+  const title = card.querySelector('h2').textContent; let seen = 0, covered = 0;
+  for (let y = 0; y <= document.documentElement.scrollHeight - innerHeight; y += 20) {
+    scrollTo(0, y);
+    const r = card.getBoundingClientRect(), x = 0.5 * (r.left + r.right), middle = 0.5 * (r.top + r.bottom);
+    if (middle <= 0 || middle >= innerHeight) continue;
+    ++seen; covered += !card.contains(document.elementFromPoint(x, middle));
+  }
+  return { title, seen, covered: covered || !seen };
+});"""
 SATURATED = """const c = document.querySelector('.stage canvas'), n = document.createElement('canvas');
 n.width = c.width; n.height = c.height; const x = n.getContext('2d'); x.drawImage(c, 0, 0);
 const d = x.getImageData(0, 0, n.width, n.height).data; let coloured = 0;
@@ -275,14 +288,24 @@ class Pages(PageTest):
     def test_columns_are_of_like_height(self):
         """No card would have been better placed in the other column."""
         self.show(rod(), name="rod_columns")
-        columns = self.browser.run("return [...document.querySelectorAll('main > .column')].map((c) => [c.offsetHeight, c.lastChild.offsetHeight])")
+        columns = self.browser.run("return [...document.querySelectorAll('.columns > .column')].map((c) => [c.offsetHeight, c.lastChild.offsetHeight])")
         (left, last_left), (right, last_right) = columns
         self.assertLessEqual(left - last_left, right, columns)
         self.assertLessEqual(right - last_right, left, columns)
         room = self.browser.run("return [innerHeight - 28, document.querySelector('.stage').offsetHeight]")
         self.assertTrue(left >= min(right, room[0]) - 1 or room[1] >= 760, [columns, room])  # no gap below the picture
-        sticky = self.browser.run("return [...document.querySelectorAll('main > .column')].map((c) => getComputedStyle(c).position)")
+        sticky = self.browser.run("return [...document.querySelectorAll('.columns > .column')].map((c) => getComputedStyle(c).position)")
         self.assertEqual(sticky, ["sticky", "sticky"])
+
+    def test_nothing_covers_the_cards_below_the_columns(self):
+        """Whatever stays in sight beside the charts: each card can be brought to the middle of the window, and is on top there."""
+        self.show(rod(), name="rod_cards")
+        for width, height in ((1280, 1000), (1920, 1080)):
+            self.browser.call("POST", "/window/rect", {"width": width, "height": height})
+            self.browser.frames()
+            cards = self.browser.run(COVERED)
+            self.assertGreaterEqual(len(cards), 2, cards)
+            self.assertFalse(any(card["covered"] for card in cards), [width, height, cards])
 
     def test_many_charts_are_folded_and_two_records_have_none(self):
         scene = (DATA / "scenes/pendulum.toml").read_text()

@@ -49,8 +49,7 @@ class CaseTable {
     addEventListener('afterprint', () => paper.replaceChildren());
     const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said, paper,
       el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
-    node.classList.add('wide');
-    this.update();
+      this.update();
     return node;
   }
 
@@ -149,7 +148,6 @@ function pairs(table) {
   table.listeners.push(update);
   const node = card('Any two columns', el('div', { class: 'controls row' },
     named('across', x), named('upwards', y), named('colour', shade), key), scatter.node);
-  node.classList.add('wide');
   return node;
 }
 
@@ -180,6 +178,5 @@ function precision(table) {
   const node = card(`${title[0].toUpperCase()}${title.slice(1)} against time`, legend, scatter.node,
     el('p', { class: 'note' }, 'Each point is a row of the table; lines join those that no other of the same kind beats in both.',
       table.rows.some(violated) ? ' Hollow: limits are not met.' : ''));
-  node.classList.add('wide');
   return node;
 }

@@ -21,7 +21,7 @@ function page() {
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
   const player = data.motion ? new Player(data.motion, clock, worstInstant(s), s) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });
-  const main = el('main', {}, left, right);
+  const columns = el('div', { class: 'columns' }, left, right), main = el('main', {}, columns);
   document.body.append(themeButton(), tables.head(data), main, el('footer', {}, `liesl ${s.versions?.liesl ?? ''} \u00b7 ${s.command ?? ''}`));
   const add = (column, ...nodes) => column.append(...nodes.filter(Boolean));
   if (player) add(left, player.node);
@@ -39,12 +39,9 @@ function page() {
   for (const node of [data.motion?.abscissa === 'frequency' || !limits ? tables.responses(s, data.charts[0]) : null,
     tables.references(s), tables.further(s, player?.modes ? clock : null)])
     add(shorter(right), node);
-  add(main, ...wide.filter(Boolean).map((node) => (node.classList.add('wide'), node)));
-  const origin = tables.provenance(data);
-  origin.classList.add('wide');
-  add(main, origin);
-  if (!left.childNodes.length) left.remove();
-  if (!right.childNodes.length) right.remove();
+  add(main, ...wide, tables.provenance(data));
+  for (const column of [left, right]) if (!column.childNodes.length) column.remove();
+  if (!columns.childNodes.length) columns.remove();
   player?.node.classList.toggle('alone', left.childNodes.length === 1);  // it may be higher then
   main.classList.toggle('single', !(left.isConnected && right.isConnected));
   for (const column of [left, right]) keepInSight(column);
