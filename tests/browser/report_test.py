@@ -45,6 +45,9 @@ return [...document.querySelectorAll('.card')].filter((c) => c.offsetTop > end).
   }
   return { title, seen, covered: covered || !seen };
 });"""
+# Keeps what is written on canvases from now on, in `written`.
+WRITTEN = """window.written = []; const write = CanvasRenderingContext2D.prototype.fillText;
+CanvasRenderingContext2D.prototype.fillText = function (text, ...at) { written.push(text); return write.call(this, text, ...at); };"""
 SATURATED = """const c = document.querySelector('.stage canvas'), n = document.createElement('canvas');
 n.width = c.width; n.height = c.height; const x = n.getContext('2d'); x.drawImage(c, 0, 0);
 const d = x.getImageData(0, 0, n.width, n.height).data; let coloured = 0;
@@ -529,6 +532,10 @@ class Pages(PageTest):
         self.assertEqual(self.browser.run(rows), 4)
         self.slide("filter", "mass_final > 10")
         self.assertEqual(self.browser.run(rows), 0)
+        note = "return document.querySelector('.controls.two .note').textContent"
+        self.assertEqual(self.browser.run(note), "0 of 4")
+        self.slide("filter", "speed > 130 and xyz > 3")
+        self.assertEqual(self.browser.run(note), "0 of 4; there is no column 'xyz'")
         self.slide("filter", "")
         masses = """const h = [...document.querySelectorAll('#cases th')], i = h.findIndex((x) => x.textContent.startsWith('mass after'));
             h[i].click(); return [...document.querySelectorAll('#cases tbody tr')].map((r) => parseFloat(r.children[i].textContent));"""
@@ -536,6 +543,11 @@ class Pages(PageTest):
         self.assertEqual(sorted_up, sorted(sorted_up))
         self.assertEqual(self.browser.run(masses), sorted(sorted_up, reverse=True))
         before = self.browser.run("return document.querySelector('canvas.scatter').toDataURL()")
+        self.slide("scatter-c", "mass_final")
+        self.assertRegex(self.browser.run("return document.querySelector('.controls .colours').textContent"), r"\d g$")
+        self.browser.run(WRITTEN)
+        self.slide("scatter-y", "mass_final")
+        self.assertIn("mass after [g]", self.browser.run("return written"))  # as in the table
         self.slide("scatter-y", "cycles")
         self.assertNotEqual(self.browser.run("return document.querySelector('canvas.scatter').toDataURL()"), before)
         self.focus("canvas.scatter")

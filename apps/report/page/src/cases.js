@@ -29,8 +29,9 @@ class CaseTable {
   }
   column(name) { return this.columns.find((c) => c.name === name); }
   numeric() { return this.columns.filter((c) => c.number); }
-  label(c) { return c.unit ? `${c.title} [${c.unit}]` : c.title; }
   heading(c) { return c.shown ? `${c.title} [${c.shown}]` : c.title; }
+  /** A number in the unit of its heading; NaN: none. */
+  value(c, row) { return (c.cells[row] ?? NaN) / c.factor; }
   cell(c, row) {
     const x = c.cells[row];
     return x === null || x === '' ? '\u2013' : c.number ? (c.unit ? number(x / c.factor, 4) : tick(x, 4)) : x;
@@ -59,12 +60,19 @@ class CaseTable {
     this.update();
   }
 
-  /** Rows that the filter leaves: every term, each a text or `column > value`. */
-  matches(row) {
-    return this.filter.value.split(/\s*;\s*|\s+and\s+/).filter(Boolean).every((term) => {
+  /** Terms of the filter, each a text or `column > value`; column: null if there is none of that name. */
+  terms() {
+    return this.filter.value.split(/\s*;\s*|\s+and\s+/).filter(Boolean).map((term) => {
       const [, name, sign, value] = term.match(/^(.*?)\s*(<=|>=|<|>|=)\s*(\S.*)$/) ?? [];
-      const key = name?.trim(), column = name && (this.column(key) ?? this.columns.find((c) => c.title === key));
-      if (!column) return this.columns.some((c) => String(c.cells[row] ?? '').toLowerCase().includes(term.toLowerCase().trim()));
+      const key = name?.trim();
+      return { text: term.toLowerCase().trim(), key, sign, value, column: key ? this.column(key) ?? this.columns.find((c) => c.title === key) ?? null : null };
+    });
+  }
+
+  /** Is the row one that all terms leave? */
+  matches(row, terms) {
+    return terms.every(({ text, key, sign, value, column }) => {
+      if (!column) return this.columns.some((c) => String(c.cells[row] ?? '').toLowerCase().includes(text));
       const x = column.cells[row], y = column.number ? Number(value) * (column.name === key ? 1 : column.factor) : value;
       if (x === null) return false;
       return { '<': x < y, '>': x > y, '<=': x <= y, '>=': x >= y, '=': x === y }[sign];
@@ -72,7 +80,8 @@ class CaseTable {
   }
 
   update() {
-    this.rows = [...Array(this.count).keys()].filter((row) => this.matches(row));
+    const terms = this.terms(), unknown = terms.find((term) => term.key && !term.column);
+    this.rows = [...Array(this.count).keys()].filter((row) => this.matches(row, terms));
     if (this.sorted) {
       const value = (row) => this.sorted.cells[row] ?? (this.sorted.number ? Infinity : '');
       this.rows.sort((a, b) => (value(a) < value(b) ? -1 : value(a) > value(b) ? 1 : 0) * (this.down ? -1 : 1));
@@ -80,7 +89,7 @@ class CaseTable {
     [...this.head.children].forEach((th, i) =>
       th.setAttribute('aria-sort', this.columns[i] === this.sorted ? (this.down ? 'descending' : 'ascending') : 'none'));
     this.body.replaceChildren(...this.rows.slice(0, kMostRows).map((row) => this.line(row)));
-    const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : '';
+    const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : !this.rows.length && unknown ? `; there is no column '${unknown.key}'` : '';
     this.note.textContent = this.count ? `${this.rows.length} of ${this.count}${more}` : `no ${this.compare ? 'row' : 'case'} has ended yet`;
     for (const listener of this.listeners) listener();
   }
@@ -140,8 +149,8 @@ function pairs(table) {
     const cx = table.column(x.value), cy = table.column(y.value), cs = table.column(shade.value);
     const values = cs.cells.filter((v) => v !== null), low = Math.min(...values), high = Math.max(...values);
     key.replaceChildren(shadeKey(cs, low, high));
-    scatter.set(table.rows.map((row) => ({ x: cx.cells[row] ?? NaN, y: cy.cells[row] ?? NaN, row, shade: (cs.cells[row] - low) / (high - low || 1) })),
-      { xlabel: table.label(cx), ylabel: table.label(cy), shade: true });
+    scatter.set(table.rows.map((row) => ({ x: table.value(cx, row), y: table.value(cy, row), row, shade: (cs.cells[row] - low) / (high - low || 1) })),
+      { xlabel: table.heading(cx), ylabel: table.heading(cy), shade: true });
   };
   const x = choose('scatter-x', columns, first.name, update), y = choose('scatter-y', columns, objective.name, update),
     shade = choose('scatter-c', columns, third.name, update), key = el('span', { class: 'colours inline' });
@@ -153,7 +162,7 @@ function pairs(table) {
 
 function shadeKey(column, low, high) {
   const strip = el('span', { class: 'strip viridis' });
-  return el('span', {}, tick(low, 3), ' ', strip, ' ', tick(high, 3), column.unit ? ` ${column.unit}` : '');
+  return el('span', {}, tick(low / column.factor, 3), ' ', strip, ' ', tick(high / column.factor, 3), column.shown ? ` ${column.shown}` : '');
 }
 
 const kMeasured = new Set(['run', 'error', 'cpu_s', 'cpu_spread', 'steps', 'newton_iterations', 'tangent_refreshes', 'rejected_steps',
@@ -171,8 +180,8 @@ function precision(table) {
   const scatter = new Scatter({ describe: (row) => table.describe(row, [...varied.map((c) => c.name), value.name, 'cpu_s', 'steps', 'violation', 'kkt']) });
   const violated = (row) => table.column('violation')?.cells[row] > 1e-3;
   table.listeners.push(() => scatter.set(
-    table.rows.map((row) => ({ x: time.cells[row] ?? NaN, y: value.cells[row] ?? NaN, row, group: String(group.cells[row]), hollow: violated(row) })),
-    { xlabel: table.label(time), ylabel: table.label(value), logx: true, logy: value === error, groups, lines: true }));
+    table.rows.map((row) => ({ x: table.value(time, row), y: table.value(value, row), row, group: String(group.cells[row]), hollow: violated(row) })),
+    { xlabel: table.heading(time), ylabel: table.heading(value), logx: true, logy: value === error, groups, lines: true }));
   const legend = el('div', { class: 'legend' }, groups.map((g, i) => el('span', {}, swatch(kSeries[i % kSeries.length]), g)));
   const title = value.title.replace('_', ' ');
   const node = card(`${title[0].toUpperCase()}${title.slice(1)} against time`, legend, scatter.node,
