@@ -11,8 +11,8 @@ from tables import table
 LEVELS = 10
 
 
-def grid_of(cells, nx):
-    values = [float(cell) if cell else math.nan for cell in cells]
+def grid_of(points, name, nx):
+    values = points.numbers(name, gaps=True)
     return [values[k:k + nx] for k in range(0, len(values), nx)]
 
 
@@ -24,8 +24,8 @@ def has_contour(rows, level):
 def draw_quantity(ax, x, y, points, name, figure):
     """Filled: the study itself; orange and dashed: the local model; red: the limit of both."""
     nx = len(x)
-    factor, unit = scale_of([float(c) for c in points.text(name) if c], figure["unit"])
-    rows = [scaled(row, factor) for row in grid_of(points.text(name), nx)]
+    factor, unit = scale_of([v for v in points.numbers(name, gaps=True) if not math.isnan(v)], figure["unit"])
+    rows = [scaled(row, factor) for row in grid_of(points, name, nx)]
     finite = [v for row in rows for v in row if math.isfinite(v)]
     if not finite or min(finite) == max(finite):
         ax.set_title(label(name, unit), loc="left")
@@ -37,7 +37,7 @@ def draw_quantity(ax, x, y, points, name, figure):
     limit = figure["limit"] * factor if figure["limit"] is not None else None
     local = f"{name} local"
     modelled = local in points.names
-    model = [scaled(row, factor) for row in grid_of(points.text(local), nx)] if modelled else None
+    model = [scaled(row, factor) for row in grid_of(points, local, nx)] if modelled else None
     if modelled:
         ax.contour(x, y, model, levels=lines.levels, colors=ORANGE, linewidths=0.9,
                    linestyles="dashed")
@@ -82,7 +82,7 @@ def draw_map(folder, pictures, summary):
         local = draw_quantity(ax, x, y, points, name, entry) or local
         if entry["limit"] is None:  # the objective, with the limits that it meets
             for other, limited in wanted:
-                rows = grid_of(points.text(other), len(x))
+                rows = grid_of(points, other, len(x))
                 if limited["limit"] is not None and has_contour(rows, limited["limit"]):
                     ax.contour(x, y, rows, levels=[limited["limit"]], colors=RED, linewidths=2.2)
         draw_path(ax, stops, names, [factor for factor, _ in scales], summary)

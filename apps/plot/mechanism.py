@@ -28,6 +28,7 @@ STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at 
 def read_frames(path):
     """[(time, {body: (kind, [(x, y, z), ...])})] in order of time, and the abscissa's label."""
     frames = Table(path)
+    frames.check_numbers([frames.names[0], *frames.names[3:7]])
     instants = {}
     for time, body, kind, node, *x in frames.rows:
         bodies = instants.setdefault(float(time), {})
@@ -54,6 +55,8 @@ def read_sections(folder):
     """{body: [thickness seen along x, y, z of each element]}."""
     found = table(folder, "sections.csv")
     bodies = {}
+    if found:
+        found.check_numbers(found.names[2:])
     for body, _, *seen in found.rows if found else []:
         bodies.setdefault(body, []).append([float(x) for x in seen])
     return bodies
@@ -65,6 +68,8 @@ def read_part_lines(folder):
     found = table(folder, path.name)
     if found and len(found.names) != PART_COLUMNS:
         raise NothingToDraw(f"{path} is of another version; run it again")
+    if found:
+        found.check_numbers([found.names[0], *found.names[3:]])
     parts = {}
     for time, body, line, *x in found.rows if found else []:
         lines = parts.setdefault((float(time), body), {})
@@ -75,6 +80,8 @@ def read_part_lines(folder):
 def read_paths(folder):
     """{body: [(x, y, z), ...]} of bodies of one node."""
     found = table(folder, "rigid_paths.csv")
+    if found:
+        found.check_numbers(found.names[2:])
     paths = {}
     for _, body, *x in found.rows if found else []:
         paths.setdefault(body, []).append(tuple(map(float, x)))

@@ -51,6 +51,8 @@ def main():
         check_ended(arguments.folder, summary.get("command"))
         cases = table(arguments.folder, "results.csv")
         rows = table(arguments.folder, "rows.csv")
+        for found in filter(None, (cases, rows)):  # behind the status there are numbers and the reason
+            found.check_numbers([n for n in found.names[found.names.index("status") + 1:] if n != "reason"], gaps=True)
         if arguments.x and not cases and not rows:
             raise NothingToDraw(f"{arguments.folder} has no table of cases (results.csv, rows.csv)")
         if rows:

@@ -47,9 +47,9 @@ def draw_gradients(folder, pictures, _summary):
         return
     panels, first = {}, {}
     for response, functional, parameter, relative in zip(
-            *map(rows.text, ("response", "functional", "parameter", "relative"))):
+            *map(rows.text, ("response", "functional", "parameter")), rows.numbers("relative")):
         if first.setdefault(response, functional) == functional:
-            panels.setdefault(f"{response}, {functional}", []).append((parameter, float(relative)))
+            panels.setdefault(f"{response}, {functional}", []).append((parameter, relative))
     shown = {name: sorted(bars, key=lambda bar: -abs(bar[1]))[:MOST_BARS]
              for name, bars in panels.items()}
     heights = [len(bars) * (1 + 0.3 * max(parameter.count("+") for parameter, _ in bars))

@@ -82,13 +82,13 @@ def draw_design(folder, pictures, _summary):
 
 def design_panels(design):
     """{(variable without its number, body): rows along the beam}."""
-    panels = {}
+    panels, numbers = {}, ("s0", "s1", "initial", "final", "lower", "upper")
+    design.check_numbers(numbers)
     for row in design.rows:
         cell = dict(zip(design.names, row))
         key = (re.sub(r"\[\d+\]$", "", cell["variable"]), cell["body"])
         panels.setdefault(key, []).append(
-            [float(cell[k]) for k in ("s0", "s1", "initial", "final", "lower", "upper")]
-            + [cell["unit"]])
+            [float(cell[k]) for k in numbers] + [cell["unit"]])
     return panels
 
 

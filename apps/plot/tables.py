@@ -34,14 +34,26 @@ class Table:
         parts = [re.fullmatch(r"(.*?)(?: \[(.*)\])?", heading) for heading in rows[0]]
         self.names = [part.group(1) for part in parts]
         self.units = [part.group(2) or "" for part in parts]
-        self.rows = rows[1:]
+        self.rows, self.path = rows[1:], path
 
     def text(self, name):
         i = self.names.index(name)
         return [row[i] for row in self.rows]
 
-    def numbers(self, name):
-        return [float(value) for value in self.text(name)]
+    def numbers(self, name, gaps=False):
+        """Raises NothingToDraw for what is none, with its place. @param gaps NaN where a cell is empty"""
+        found = []
+        for line, text in enumerate(self.text(name), 2):
+            try:
+                found.append(math.nan if gaps and not text else float(text))
+            except ValueError:
+                raise NothingToDraw(f"{self.path}: '{text}' of column '{name}' in line {line} is no number; run it again") from None
+        return found
+
+    def check_numbers(self, names, gaps=False):
+        """Raises NothingToDraw if any of the columns has a cell that is no number."""
+        for name in names:
+            self.numbers(name, gaps)
 
     def unit(self, name):
         return self.units[self.names.index(name)]

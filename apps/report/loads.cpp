@@ -6,7 +6,8 @@
 namespace liesl::report {
 
 Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
-  constexpr std::size_t kTime = 3, kNode = 4, kFirst = 5, kComponents = 6, kPlace = 11;
+  constexpr std::size_t kScenario = 1, kBody = 2, kTime = 3, kNode = 4, kFirst = 5, kComponents = 6,
+                        kPlace = 11;
   const std::filesystem::path path = folder / "cycle_loads.csv";
   Json list = Json::array();
   if (!std::filesystem::exists(path)) return list;
@@ -14,7 +15,13 @@ Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
   if (table.columns.size() != kPlace + 3)
     throw output::IoError("report", path, "it has other columns; run it again");
   std::vector<std::vector<double>> values;
-  for (const Table::Column& column : table.columns) values.push_back(numbers_or_nan(column));
+  for (std::size_t c = 0; c < table.columns.size(); ++c) {
+    const Table::Column& column = table.columns[c];
+    const bool text = c == kScenario || c == kBody;  // and only meshed parts have places
+    values.push_back(text         ? std::vector<double>()
+                     : c < kPlace ? table.numbers(column)
+                                  : table.numbers_and_gaps(column));
+  }
   const auto text = [&](std::size_t c, std::size_t row) {
     return std::string(table.columns[c].cells[row]);
   };
@@ -29,8 +36,8 @@ Json cycle_loads(const std::filesystem::path& folder, Blob& blob) {
     if (row == first)
       throw output::IoError("report", path, "nodes are missing in it; run it again");
     list.push_back({{"cycle", values[0][first]},
-                    {"scenario", text(1, first)},
-                    {"body", text(2, first)},
+                    {"scenario", text(kScenario, first)},
+                    {"body", text(kBody, first)},
                     {"at", values[kTime][first]},
                     {"nodes", row - first},
                     {"load", blob.f32(load)}});

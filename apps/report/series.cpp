@@ -244,8 +244,11 @@ Json cases(const fs::path& file, std::size_t least) {
                     "run it again",
                     table.rows(), least));
   Json columns = Json::array();
+  bool figures = !table.column("status");  // behind the status there are numbers and the reason
   for (const Table::Column& column : table.columns) {
-    const auto values = numbers_or_nan(column);
+    const auto values = figures && column.name != "reason" ? table.numbers_and_gaps(column)
+                                                           : numbers_or_nan(column);
+    figures = figures || column.name == "status";
     const bool number =
         std::all_of(column.cells.begin(), column.cells.end(),
                     [&, i = std::size_t{0}](std::string_view cell) mutable {

@@ -88,14 +88,24 @@ Table read_table(const std::filesystem::path& path) {
 
 std::vector<double> Table::numbers(const Column& column) const {
   std::vector<double> out = numbers_or_nan(column);
-  const auto at =
-      std::find_if_not(out.begin(), out.end(), [](double x) { return std::isfinite(x); });
-  if (at == out.end()) return out;
-  const auto row = static_cast<std::size_t>(at - out.begin());
-  throw output::IoError(
-      "read", file,
-      fmt::format("'{}' of column '{}' in line {} is no finite number: run it again",
-                  column.cells[row], column.name, row + 2));
+  for (std::size_t row = 0; row < out.size(); ++row)
+    if (!std::isfinite(out[row])) refuse(column, row, "no finite number");
+  return out;
+}
+
+std::vector<double> Table::numbers_and_gaps(const Column& column) const {
+  std::vector<double> out = numbers_or_nan(column);
+  for (std::size_t row = 0; row < out.size(); ++row)
+    if (const auto cell = column.cells[row];
+        std::isnan(out[row]) && !cell.empty() && cell != "nan" && cell != "-nan")
+      refuse(column, row, "no number");
+  return out;
+}
+
+void Table::refuse(const Column& column, std::size_t row, const char* what) const {
+  throw output::IoError("read", file,
+                        fmt::format("'{}' of column '{}' in line {} is {}: run it again",
+                                    column.cells[row], column.name, row + 2, what));
 }
 
 std::vector<double> numbers_or_nan(const Table::Column& column) {

@@ -28,12 +28,17 @@ struct Table {
   const Column* column(const std::string& name) const;
   /// @throws output::IoError with line and column of a cell that is no finite number
   std::vector<double> numbers(const Column& column) const;
+  /// NaN where a cell is empty. @throws output::IoError with line and column of one that is a text
+  std::vector<double> numbers_and_gaps(const Column& column) const;
+
+ private:
+  [[noreturn]] void refuse(const Column& column, std::size_t row, const char* what) const;
 };
 
 /// @throws output::IoError for a file that is no table, or ends within a line
 Table read_table(const std::filesystem::path& path);
 
-/// NaN where a cell is no number, for columns that may have texts and gaps.
+/// NaN where a cell is no number, for columns that may be of texts.
 std::vector<double> numbers_or_nan(const Table::Column& column);
 
 }  // namespace liesl::report

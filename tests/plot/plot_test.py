@@ -8,6 +8,7 @@ import csv
 import json
 import math
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -469,7 +470,23 @@ class Plot(unittest.TestCase):
         self.refuses("plot:")
         (self.folder / "summary.json").write_text("{}")
         (self.folder / "responses.csv").write_text("time [s],bend [m]\n0,nonsense\n")
-        self.refuses("nonsense")
+        self.refuses("responses.csv: 'nonsense' of column 'bend' in line 2 is no number")
+
+    def test_cells_that_are_no_numbers(self):
+        """They are named with their file, line and column, whatever reads them."""
+        for write, name, line, column, heading in (
+                (write_batch, "results.csv", 3, 6, "bend.max_abs"), (write_comparison, "rows.csv", 4, 6, "error"),
+                (write_methods, "rows.csv", 2, 7, "mass"), (write_map, "map.csv", 3, 2, None), (write_run, "frames.csv", 4, 4, "x"),
+                (write_optimize, "design.csv", 2, 5, None)):
+            write(self.folder)
+            path = self.folder / name
+            rows = list(csv.reader(path.read_text().splitlines()))
+            heading = heading or rows[0][column].split(" [")[0]
+            rows[line - 1][column] = "abc"
+            write_csv(path, rows[0], rows[1:])
+            self.refuses(f"{path}: 'abc' of column '{heading}' in line {line} is no number")
+            shutil.rmtree(self.folder)
+            self.folder.mkdir()
 
 
 if __name__ == "__main__":

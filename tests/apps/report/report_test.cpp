@@ -10,6 +10,7 @@
 #include "apps/output/versions.hpp"
 #include "apps/program.hpp"
 #include "apps/report/blob.hpp"
+#include "apps/report/loads.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/table.hpp"
 #include "mbs/solids/meshes.hpp"
@@ -332,6 +333,14 @@ TEST_F(ReportProgram, WhatIsInterruptedHasAPage) {
   output::write_file(dir_ / "rows/rows.csv", "run,status\n1,done\n2,done\n");
   output::mark_files(dir_ / "rows", {"rows.csv", "reference_1.csv", "summary.json"});
   EXPECT_EQ(run({"report", (dir_ / "rows").string()}).code, 0);
+  const auto refused = [&](const char* rows, const char* why) {
+    output::write_file(dir_ / "rows/rows.csv", rows);
+    const Outcome o = run({"report", (dir_ / "rows").string()});
+    EXPECT_EQ(o.code, 3);
+    EXPECT_NE(o.err.find(why), std::string::npos) << o.err;
+  };
+  refused("run,model,status,error [m],reason\n1,abc,done,,\n2,x,done,abc,y\n",
+          "rows.csv': 'abc' of column 'error' in line 3 is no number");
   output::write_file(dir_ / "rows/rows.csv", "run,status\n1,done\n");
   const Outcome half = run({"report", (dir_ / "rows").string()});
   EXPECT_EQ(half.code, 3);
@@ -340,6 +349,26 @@ TEST_F(ReportProgram, WhatIsInterruptedHasAPage) {
   const Outcome o = run({"report", (dir_ / "rows").string()});
   EXPECT_EQ(o.code, 3);
   EXPECT_NE(o.err.find("its rows.csv is not there"), std::string::npos) << o.err;
+}
+
+/// Loads have no gaps; where they act there are some.
+TEST_F(ReportProgram, LoadsThatAreNoNumbersAreRefused) {
+  const std::string head =
+      "cycle,scenario,body,time [s],node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m],"
+      "x [m],y [m],z [m]\n";
+  report::Blob blob;
+  output::write_file(dir_ / "cycle_loads.csv", head + "1,,rod,0.1,0,1,0,0,0,0,0,,,\n");
+  EXPECT_EQ(report::cycle_loads(dir_, blob).size(), 1u);
+  for (const char* cell : {"abc", "nan", ""}) {
+    output::write_file(dir_ / "cycle_loads.csv", head + "1,,rod,0.1,0," + cell + ",0,0,0,0,0,,,\n");
+    try {
+      report::cycle_loads(dir_, blob);
+      ADD_FAILURE() << cell;
+    } catch (const output::IoError& error) {
+      EXPECT_EQ(error.reason(), std::string("'") + cell +
+                                    "' of column 'Fx' in line 2 is no finite number: run it again");
+    }
+  }
 }
 
 TEST_F(ReportProgram, APageOfTheUserStays) {
