@@ -124,6 +124,19 @@ bool same_dimensions(const Shape& a, const Shape& b) {
   });
 }
 
+/// Are there elements beside each other with different shapes?
+bool sections_jump(const BeamDeck& deck) {
+  const auto differ = [](const Section& a, const Section& b) {
+    return a.shape.index() != b.shape.index() || !same_dimensions(a.shape, b.shape);
+  };
+  return std::ranges::adjacent_find(deck.sections, differ) != deck.sections.end();
+}
+
+constexpr std::string_view kJumpNote =
+    "**The sections of this part jump between elements**, which CalculiX joins by stiff knots of "
+    "its expanded\nbeams: of a rod of four diameters the deflection differs by 4.5 % with 8 "
+    "elements, 2.7 % with 16, 1.8 % with\n32. What is said above of deviations is of one section; "
+    "finer meshes come nearer.\n\n";
 constexpr double kFarFromLinear = 0.5;  // linear strains, off by so much of the largest
 constexpr std::string_view kFarNote =
     "**This part bends far.** Loads that a program raises in proportion need not lead to its "
@@ -152,7 +165,8 @@ std::string deviations(bool calculix) {
     return "of the rod of liesl's scene\n"
            "  `slider_crank` CalculiX 2.20 bends round bars by 0.4 % and tubes by 0.3 % less than "
            "the motion,\n"
-           "  whatever the mesh, rectangles by less than 0.05 % less, thin boxes by 2 % more";
+           "  whatever the mesh, of one section, rectangles by less than 0.05 % less, thin boxes "
+           "by 2 % more";
   return "no Nastran was\n"
          "  at hand; beams without shear, by second-order theory, bend 0.1 to 0.2 % less than the "
          "motion, with\n"
@@ -222,6 +236,7 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
       calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),
       difference_text(deck.identity.linear), own_model(deck.model), deviations(calculix));
   if (!(deck.identity.linear < kFarFromLinear)) text += kFarNote;
+  if (calculix && sections_jump(deck)) text += kJumpNote;
   text += "| case | time [s] | largest deflection [m] |\n|---|---|---|\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += fmt::format("| {} | {:.6g} | {:.6g} |\n", n + 1, deck.cases[n].time,

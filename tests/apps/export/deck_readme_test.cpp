@@ -91,6 +91,17 @@ TEST(DeckReadme, OfABeamSaysHowItsProgramSolvesIt) {
   expect_unsaid(nastran, {"NLGEOM", "CalculiX"});
 }
 
+/// CalculiX joins unlike sections by stiff knots.
+TEST(DeckReadme, OfABeamSaysWhereItsSectionsJump) {
+  BeamDeck jumps = beam();
+  auto& circle = std::get<Circle>(jumps.sections.back().shape);
+  circle.diameter *= 1.5;
+  const char* words = "sections of this part jump";
+  expect_said(readme(jumps, "CalculiX"), {words});
+  expect_unsaid(readme(jumps, "Nastran"), {words});
+  expect_unsaid(readme(beam(), "CalculiX"), {words});
+}
+
 TEST(DeckReadme, OfAMeshedPartSaysUnitsFrameAndWhatItGivesBack) {
   const Vec3& x = plate().frame.x;
   EXPECT_EQ(x, Vec3(0.06, 0, 0));
