@@ -13,21 +13,30 @@
 #include "apps/tasks/sensitivity.hpp"
 
 namespace liesl {
+namespace {
+
+/// "1 body", "2 bodies".
+std::string counted(std::size_t n, const char* one, const char* more) {
+  return fmt::format("{} {}", n, n == 1 ? one : more);
+}
+
+}  // namespace
 
 int check_command(const CommandOptions& options) {
   const FileKind kind = kind_of(load_document(options.file).root);
   if (kind == FileKind::Batch) {
     const Batch batch = load_batch(options.file, options.set);
     if (!options.quiet)
-      fmt::print("{}: a good batch of {} cases of {}\n", options.file, batch.cases.rows.size(),
-                 batch.of.string());
+      fmt::print("{}: a good batch of {} of {}\n", options.file,
+                 counted(batch.cases.rows.size(), "case", "cases"), batch.of.string());
     return 0;
   }
   if (kind == FileKind::Comparison) {
     const Comparison comparison = load_comparison(options.file, options.set);
     if (!options.quiet)
-      fmt::print("{}: a good comparison of {} rows of {}\n", options.file,
-                 comparison.rows.cases.rows.size(), comparison.rows.of.string());
+      fmt::print("{}: a good comparison of {} of {}\n", options.file,
+                 counted(comparison.rows.cases.rows.size(), "row", "rows"),
+                 comparison.rows.of.string());
     return 0;
   }
   if (kind == FileKind::Sensitivity) {
@@ -36,8 +45,9 @@ int check_command(const CommandOptions& options) {
     require_times(file.request.functionals, problem.scene.simulation.duration,
                   options.file + ": functionals =");
     if (!options.quiet)
-      fmt::print("{}: a good sensitivity of {} responses by {} parameters of {}\n", options.file,
-                 problem.scene.responses.size(), problem.parameters.size(), file.scene.file);
+      fmt::print("{}: a good sensitivity of {} by {} of {}\n", options.file,
+                 counted(problem.scene.responses.size(), "response", "responses"),
+                 counted(problem.parameters.size(), "parameter", "parameters"), file.scene.file);
     return 0;
   }
   const bool study = kind == FileKind::Study;
@@ -45,9 +55,9 @@ int check_command(const CommandOptions& options) {
       study ? load_study(options.file, options.set).scene : load_scene(options.file, options.set);
   const ChosenSpace space = choose_space(scene);
   if (!options.quiet)
-    fmt::print("{}: a good {} of {} bodies and {} joints; {}: {}\n", options.file,
-               study ? "study" : "scene", scene.mechanism.bodies.size(),
-               scene.mechanism.joints.size(), space.name, space.reason);
+    fmt::print("{}: a good {} of {} and {}; {}: {}\n", options.file, study ? "study" : "scene",
+               counted(scene.mechanism.bodies.size(), "body", "bodies"),
+               counted(scene.mechanism.joints.size(), "joint", "joints"), space.name, space.reason);
   for (const auto& warning : scene.warnings)
     if (!options.quiet) fmt::print("  note: {}\n", warning);
   return 0;

@@ -70,7 +70,11 @@ class Result(Mapping[str, Any]):
             return array
         if self._below(name):
             return Group(self, name)
-        raise KeyError(f"there is no '{name}'; known: {', '.join(self._below('/'.join(name.split('/')[:-1])))}")
+        above = name
+        while above and not self._below(above):
+            above = above.rpartition("/")[0]
+        where = f"in '{above}' " if above else ""
+        raise KeyError(f"there is no '{name}'; {where}known: {', '.join(self._below(above))}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)

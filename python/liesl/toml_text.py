@@ -74,6 +74,8 @@ def document(data: Mapping[str, Any]) -> str:
     if not isinstance(data, Mapping):
         raise InputError(f"a {type(data).__name__} is given; expected a dict with the keys of a "
                          "scene")
+    if not data:
+        raise InputError("the dict is empty; expected the keys of a scene")
     problems: list[Problem] = []
     lines = []
     above = (id(data),)

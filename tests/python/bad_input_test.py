@@ -121,6 +121,21 @@ def test_a_scene_dict_of_wrong_types(pendulum, key, value, place):
         liesl.Scene(pendulum)
 
 
+def test_an_empty_scene():
+    with pytest.raises(liesl.InputError, match="the dict is empty; expected the keys of a scene"):
+        liesl.Scene({})
+
+
+def test_an_objective_of_nan_at_the_start(rod):
+    nan = lambda at: (np.nan, {})  # noqa: E731
+    with pytest.raises(liesl.InputError, match="the objective is nan at the start"):
+        rod.optimize(objective=nan)
+    found = liesl.minimize(rod.nlp(objective=nan))
+    assert found.status == "stopped"
+    with pytest.raises(liesl.NotConverged):
+        found.check()
+
+
 def test_what_holds_itself(pendulum):
     whole = dict(pendulum)
     whole["bodies"] = whole

@@ -68,6 +68,8 @@ def test_names(pendulum):
     assert "bodies/rod/position" in result and "bodies/rod/shape" in list(result)
     with pytest.raises(KeyError, match="known: .*position"):
         result["bodies/rod/postion"]
+    with pytest.raises(KeyError, match="in 'bodies' known: rod"):
+        result["bodies/rodd/position"]
 
 
 def test_save_replaces_results_only_if_asked(pendulum, tmp_path):

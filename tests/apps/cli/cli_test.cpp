@@ -366,6 +366,12 @@ TEST_F(Cli, ResumeOfNothingSaysWhatIsNext) {
   EXPECT_FALSE(fs::exists(results()));
 }
 
+TEST_F(Cli, CheckCountsInWords) {
+  const auto said = [&](const char* name) { return run({"check", scene(name)}).out; };
+  EXPECT_NE(said("pendulum").find("a good scene of 1 body and 1 joint;"), std::string::npos);
+  EXPECT_NE(said("slider_crank").find("a good scene of 3 bodies and 4 joints;"), std::string::npos);
+}
+
 TEST_F(Cli, LikelyMistakesInUnitsAreNoted) {
   const Outcome check = run({"check", scene("slider_crank"), "--set", "materials.steel.E=210"});
   EXPECT_EQ(check.code, 0);
