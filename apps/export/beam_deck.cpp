@@ -134,9 +134,9 @@ bool sections_jump(const BeamDeck& deck) {
 
 constexpr std::string_view kJumpNote =
     "**The sections of this part jump between elements**, which CalculiX joins by stiff knots of "
-    "its expanded\nbeams: of a rod of four diameters the deflection differs by 4.5 % with 8 "
-    "elements, 2.7 % with 16, 1.8 % with\n32. What is said above of deviations is of one section; "
-    "finer meshes come nearer.\n\n";
+    "its expanded\nbeams: a rod of four diameters, 9.3 to 12.1 mm, bends by up to 4.8 % less than "
+    "in its motion with 8 elements,\n2.8 % with 16, 1.8 % with 32. What is said above of "
+    "deviations is of one section.\n\n";
 constexpr double kFarFromLinear = 0.5;  // linear strains, off by so much of the largest
 constexpr std::string_view kFarNote =
     "**This part bends far.** Loads that a program raises in proportion need not lead to its "
