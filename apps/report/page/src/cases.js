@@ -50,7 +50,7 @@ class CaseTable {
     addEventListener('afterprint', () => paper.replaceChildren());
     const node = card(this.compare ? 'Rows' : 'Cases', el('div', { class: 'controls two' }, this.filter, this.note), this.said, paper,
       el('div', { class: 'scroll tall' }, el('table', { id: 'cases' }, el('thead', {}, this.head), this.body)));
-      this.update();
+    this.update();
     return node;
   }
 
