@@ -260,10 +260,9 @@ TEST(Optimality, AnEarlierDesignThatIsReturnedIsNamed) {
   const auto r = cycle(study);
   ASSERT_EQ(r.status, CycleStatus::Converged) << r.reason;
   EXPECT_NEAR(r.x[1], 0.0012, 1e-12);
-  EXPECT_NE(r.reason.find("the design is that of cycle 1, the best that meets all limits (worst "
-                          "limit at -14 %)"),
-            std::string::npos)
+  EXPECT_TRUE(r.reason.ends_with("the design is that of cycle 1, the best that meets all limits"))
       << r.reason;
+  EXPECT_NEAR(r.history.front().worst, -0.14, 0.005);
 }
 
 TEST(Optimality, HoldsAtStolpesOptimumAndNowhereElse) {
