@@ -287,7 +287,7 @@ TYPED_TEST(CoupledMassTest, AtReferenceItIsTheMeshItIsCondensedFrom) {
   EXPECT_LT((on_frame(r) - on_frame(s)).norm(), 1e-9 * on_frame(s).norm());
 }
 
-/// Without coupling all of it is that of the integrals: a mass that couples by 1e-7.
+/// Without coupling all of it is that of the integrals: a mass that couples by 1e-8.
 template <class G>
 void expect_the_integrals() {
   constexpr int dim = G::dim;
