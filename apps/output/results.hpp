@@ -106,8 +106,8 @@ struct Energies {
 /// Largest |value|, the norm for vectors, and where on the abscissa that is.
 struct Peak {
   double size = 0, at = 0;
-  /// Of a motion: by how much the largest value between the steps is larger, as the parabola
-  /// through the steps beside it says; 0 at the first and the last one.
+  /// Of a motion: by how much the largest value between the steps is larger, as the parabolas
+  /// through the steps beside each peak say; 0 where that is at the first or the last one.
   double missed = 0;
 };
 

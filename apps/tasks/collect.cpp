@@ -192,13 +192,6 @@ std::vector<output::ResponseResult> empty_responses(const std::vector<ResponseSp
   return out;
 }
 
-/// Of the parabola through three values at equal distances whose middle one is the largest: how far
-/// its vertex is above that.
-double above_the_middle(double before, double middle, double after) {
-  const double bend = before - 2 * middle + after;
-  return bend < 0 ? -std::pow(after - before, 2) / (8 * bend) : 0;
-}
-
 template <FrameGroup G>
 double total_mass(const Model<G>& model) {
   double mass = 0;
@@ -217,7 +210,7 @@ StepRecorder<G>::StepRecorder(const Scene& scene, const Mechanism& mechanism, co
       equations_(model),
       of_penalties_(model),
       responses_(empty_responses(scene.responses, mechanism, values_)),
-      neighbours_(responses_.size()),
+      peaks_(responses_.size()),
       crossing_(0.5 * total_mass(model) * std::pow(mechanism.size(), 2)) {}
 
 template <FrameGroup G>
@@ -233,22 +226,28 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
     const Eigen::VectorXd y = values_(specs_[i], s);
     output::ResponseResult& out = responses_[i];
     if (recorded) append(out.values, y);
-    add_to_peak(out, neighbours_[i], y.norm(), s.t);
+    add_to_peak(out, peaks_[i], {s.t, y.norm()});
   }
 }
 
+/// Of the parabola through three steps whose middle one is not below the others: its largest value.
 template <FrameGroup G>
-void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size,
-                                  double t) const {
-  if (neighbours.next)
-    out.peak->missed = above_the_middle(neighbours.before_peak, out.peak->size, size);
-  neighbours.next = false;
-  if (!out.peak || size > out.peak->size) {
-    neighbours.next = dynamic_ && states_ > 0;
-    neighbours.before_peak = neighbours.last;
-    out.peak = output::Peak{size, t};
-  }
-  neighbours.last = size;
+double StepRecorder<G>::vertex(const Sample& a, const Sample& b, const Sample& c) {
+  const double rise = (b.size - a.size) / (b.t - a.t), fall = (c.size - b.size) / (c.t - b.t);
+  const double bend = (fall - rise) / (c.t - a.t);
+  return bend < 0 ? b.size - std::pow(rise + bend * (b.t - a.t), 2) / (4 * bend) : b.size;
+}
+
+template <FrameGroup G>
+void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Peaks& peaks,
+                                  const Sample& now) const {
+  const bool over_two = dynamic_ && states_ > 1;
+  if (over_two && peaks.last.size >= peaks.before.size && peaks.last.size >= now.size)
+    peaks.vertex = std::max(peaks.vertex, vertex(peaks.before, peaks.last, now));
+  peaks.before = peaks.last;
+  peaks.last = now;
+  if (!out.peak || now.size > out.peak->size) out.peak = output::Peak{now.size, now.t};
+  out.peak->missed = std::max(0.0, peaks.vertex - out.peak->size);
 }
 
 /// Of the weight as its factor changes.

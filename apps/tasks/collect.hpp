@@ -24,14 +24,18 @@ class StepRecorder {
   const output::Energies& energies() const { return energies_; }
 
  private:
-  /// Sizes of a response beside its peak.
-  struct Neighbours {
-    double last = 0, before_peak = 0;
-    bool next = false;  ///< the step before is the peak so far
+  /// Size of a response at a step.
+  struct Sample {
+    double t = 0, size = 0;
+  };
+  /// The last two steps, and the highest vertex of the peaks so far.
+  struct Peaks {
+    Sample before, last;
+    double vertex = 0;
   };
   void add_responses(const State<G>& s, bool recorded);
-  void add_to_peak(output::ResponseResult& out, Neighbours& neighbours, double size,
-                   double t) const;
+  void add_to_peak(output::ResponseResult& out, Peaks& peaks, const Sample& now) const;
+  static double vertex(const Sample& a, const Sample& b, const Sample& c);
   void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);
 
@@ -45,8 +49,8 @@ class StepRecorder {
   double start_ = 0, work_ = 0, t_before_ = 0, power_before_ = 0;
   double scale_before_ = 1, weight_before_ = 0;
   std::vector<output::ResponseResult> responses_;
-  std::vector<Neighbours> neighbours_;  ///< by response
-  const double crossing_;               ///< m size^2/2 of all of it, kg m^2
+  std::vector<Peaks> peaks_;  ///< by response
+  const double crossing_;     ///< m size^2/2 of all of it, kg m^2
   output::Energies energies_;
 };
 

@@ -116,6 +116,11 @@ void add_errors(VerifiedScene lean, const std::string& response, const Progress&
   std::erase_if(scene.responses, [&](const ResponseSpec& r) { return r.name != response; });
   lean.responses = scene.responses;
   RunOutcome run = run_task(scene, choose_space(scene), progress);
+  if (run.status == SolveStatus::Inaccurate)
+    return summary.warnings.push_back(
+        "not verified: the response is within the tolerance, but `liesl run` ends the lean model "
+        "'inaccurate': " +
+        run.summary.reason);
   if (run.status != SolveStatus::Converged)  // stopped: the model was found before
     return summary.warnings.push_back("not verified: " + run.summary.reason);
   verify(lean, scene, run.summary, progress);

@@ -37,7 +37,10 @@ class Verification {
     by_mesh_ = {"mesh", double(scenes_.mesh_order()), !fine_mesh.empty(), {}, {}};
     by_step_ = {"step", kStepOrder, !fine_step.empty(), {}, {}};
     if (by_mesh_.asked) by_mesh_.finer = figures(fine_mesh, "the error of the mesh is not known");
-    if (by_step_.asked) by_step_.finer = figures(fine_step, "the error of the step is not known");
+    if (by_step_.asked) {
+      by_step_.finer = figures(fine_step, "the error of the step is not known");
+      if (!by_step_.finer.empty() && steps_ == summary_.steps) same_steps();
+    }
     if (!by_mesh_.finer.empty() && scenes_.mesh_halves())
       by_mesh_.coarser = figures(scenes_.with_mesh(0.5), "the order of the mesh was not observed");
     if (!by_step_.finer.empty() && scenes_.steps_halve())
@@ -78,7 +81,17 @@ class Verification {
       return found;
     }
     for (const auto& r : out.summary.responses) found[r.name] = r;
+    steps_ = out.summary.steps;
     return found;
+  }
+
+  /// Both runs had to halve theirs down to the same ones.
+  void same_steps() {
+    by_step_.finer.clear();
+    summary_.warnings.push_back(
+        fmt::format("the error of the step is not known: half of it takes the same {} steps, as "
+                    "both were halved on the way; a smaller simulation.step has an error",
+                    steps_));
   }
 
   void set_errors(output::ResponseFigure& r) {
@@ -153,6 +166,7 @@ class Verification {
   std::map<std::string, double> largest_;  ///< by unit
   By by_mesh_, by_step_;
   int runs_ = 0;
+  int steps_ = 0;  ///< of the last one
 };
 
 }  // namespace

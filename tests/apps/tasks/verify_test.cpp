@@ -274,6 +274,35 @@ TEST(Verify, KnowsTheErrorOfTheEnd) {
   EXPECT_GT(*given.end_error_mesh, error / 3);
 }
 
+/// The slider is farthest where it starts, and once more after two thirds of the motion, by 3e-5 m
+/// between two steps of 1 ms: no step shows it, of half the size neither.
+TEST(Verify, APeakBetweenStepsCountsWhereverItIs) {
+  const std::string file = (kData / "scenes/slider_crank.toml").string();
+  const auto slider = [&](const char* step, bool verified) {
+    const auto responses =
+        summary_of(file, {std::string("simulation.step=") + step}, verified).responses;
+    return *std::find_if(responses.begin(), responses.end(),
+                         [](const auto& r) { return r.name == "slider_x"; });
+  };
+  const auto given = slider("1e-3", true), fine = slider("1e-5", false);
+  const double error = std::abs(given.max_abs - fine.max_abs);
+  ASSERT_GT(error, 1e-5);
+  ASSERT_TRUE(given.error_step);
+  EXPECT_LT(*given.error_step, 3 * error);
+  EXPECT_GT(*given.error_step, error / 3);
+}
+
+/// Steps that both runs halve until they converge are the same.
+TEST(Verify, TheSameStepsTellNoError) {
+  const std::string file = (kData / "scenes/pendulum.toml").string();
+  const output::RunSummary s = summary_of(file, {"simulation.step=0.5"}, true);
+  EXPECT_FALSE(s.responses.front().error_step);
+  const auto told = [](const std::string& w) {
+    return w.find("half of it takes the same") != std::string::npos;
+  };
+  EXPECT_TRUE(std::ranges::any_of(s.warnings, told));
+}
+
 /// Halved steps, whether the scene adapts them or not.
 TEST(Verify, AnAdaptedStepHasAnError) {
   const std::string file = (kData / "scenes/slider_crank.toml").string();
