@@ -101,16 +101,16 @@ class FinerStudy {
   }
 
   void refine_mesh(const LargestError& error, double allowed, FinerModel& out) const {
+    out.changes = order_4();
+    if (!out.changes.empty()) return;
     if (const auto meshed = parts(); !meshed.empty()) {
       out.exhausted = fmt::format(
-          "a study does not refine the cells of {} {}, nor beams beside them: more in the scene "
+          "a study does not refine the cells of {} {}: more in the scene "
           "(bodies.{}.solid.mesh.cells) make it certain",
           meshed.size() == 1 ? "part" : "parts", fmt::join(meshed, ", "),
           meshed.size() == 1 ? meshed.front() : "NAME");
       return;
     }
-    out.changes = order_4();
-    if (!out.changes.empty()) return;
     int order = 4;
     for (const BeamSetting& b : given_.beams) order = std::min(order, beam(b).order);
     Setting finer = given_;

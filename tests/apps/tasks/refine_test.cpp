@@ -40,6 +40,20 @@ TEST(FinerModel, BeamsTakeOrderFourFirst) {
   EXPECT_TRUE(finer({}, {"bending", 0, 2e-2, 1e-5}).mesh) << "they are of order 4 by themselves";
 }
 
+/// Of meshed parts a study keeps the cells.
+TEST(FinerModel, BeamsBesidePartsTakeOrderFour) {
+  const Changes order4 = {"bodies.crank.beam.order=4"};
+  const auto refined = [](const Changes& given) {
+    const ReadStudy read = reader("four_bar_mixed", given);
+    return finer_model(read({}), {{"crank_bend", 0, 2e-2, 1e-5}}, 1e-3, {}, read);
+  };
+  EXPECT_EQ(refined({}).changes, order4);
+  EXPECT_EQ(refined({}).exhausted, "");
+  EXPECT_EQ(refined(order4).changes, Changes());
+  EXPECT_NE(refined(order4).exhausted.find("does not refine the cells of parts coupler, rocker"),
+            std::string::npos);
+}
+
 /// 16 times too large is a factor of two of order 4; of what is observed as order 2, of four.
 TEST(FinerModel, ElementsAndStepsFollowErrorAndOrder) {
   const FinerModel fourth = finer(kOrder4, {"bending", 0, 15.9 * 2.5e-4, 0, 4});
