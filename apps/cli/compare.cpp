@@ -100,6 +100,7 @@ class Run {
     summary_.overrides = options.set;
     summary_.input = options.file;
     summary_.input_sha256 = output::sha256(rows.input);
+    fresh_ = !fs::exists(folder_);
     prepare(folder_, summary_.input_sha256, options.force);
     if (fs::exists(folder_ / "rows.csv")) table_.read(folder_ / "rows.csv");
     before_ = table_.size();
@@ -113,6 +114,9 @@ class Run {
       save("done");
     } catch (const output::Interrupted&) {
       save("interrupted");
+    } catch (const std::exception& error) {
+      refused(error.what());
+      throw;
     }
     add_report(folder_, options_);
     if (!options_.quiet) print();
@@ -144,6 +148,17 @@ class Run {
       table_.add(run, cells_of(m, error, floor));
       save("running");
     }
+  }
+
+  /// Keeps the rows there are; without any the folder goes, if it was made here.
+  void refused(const std::string& why) {
+    if (table_.size() > 0 || !fresh_) {
+      summary_.warnings.push_back(why);
+      return save("refused");
+    }
+    output::remove_own(folder_);
+    std::error_code left;
+    fs::remove(folder_, left);
   }
 
   void save(const std::string& status) {
@@ -195,6 +210,7 @@ class Run {
   RowTable table_;
   References references_;
   std::size_t before_ = 0;
+  bool fresh_ = false;  ///< the folder was made here
 };
 
 }  // namespace

@@ -419,6 +419,19 @@ TEST_F(Compare, ComparisonsThatAreNoneAreRefused) {
                   std::string::npos ||
               failed.err.find("study.toml:8:1: the reference of se3 failed: ") != std::string::npos)
       << failed.err;
+  EXPECT_FALSE(fs::exists(results())) << "no row, no folder";
+}
+
+/// The second motion of two has no reference; the row of the first stays.
+TEST_F(Compare, ARefusalOnTheWayKeepsTheRowsBefore) {
+  const Outcome o = compare(head("../stability/unequal_masses", "ton") +
+                            "[grid]\nstep = [1e-4]\n[vary]\nend = { key = \"simulation.duration\", "
+                            "values = [5e-4, 1] }\n[reference]\nformalisms = [\"se3\", "
+                            "\"r3so3\"]\nstep = 5e-4\n");
+  EXPECT_EQ(o.code, 2) << o.out;
+  EXPECT_EQ(rows().size(), 1u);
+  EXPECT_EQ(summary()["status"], "refused");
+  EXPECT_NE(summary()["warnings"].back().get<std::string>().find("failed: "), std::string::npos);
 }
 
 TEST_F(Compare, IsDrawn) {
