@@ -145,7 +145,10 @@ SolveStatus describe_ranges(output::RunSummary& summary, const SimulationOptions
                             const PartRanges<G>& ranges, SolveStatus status) {
   for (const RangeNote& note : ranges.notes()) {
     summary.warnings.push_back(note.text);
-    if (note.beyond) status = doubt(summary, note.text, status);
+    if (!note.beyond) continue;
+    status = doubt(summary, note.text, status);
+    if (status == SolveStatus::NotConverged)  // a model that does not hold may not converge
+      summary.reason += "; before that " + note.text;
   }
   if (o.type == SimulationType::Dynamic && o.space == SpaceChoice::Auto)
     for (const std::string& note : ranges.leaving_plane()) summary.warnings.push_back(note);

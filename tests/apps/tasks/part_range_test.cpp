@@ -203,6 +203,12 @@ space = "spatial"
     EXPECT_EQ(out.status, SolveStatus::Inaccurate) << rest;
     EXPECT_NE(out.summary.reason.find(twisted), std::string::npos) << out.summary.reason;
   }
+  const RunOutcome failed = end_of(
+      "[loads]\nf = { at = \"bar.ear\", force = [30, 0, 0] }\ng = { at = \"bar.end\", force = [0, "
+      "0, "
+      "500] }");
+  EXPECT_EQ(failed.status, SolveStatus::NotConverged);
+  EXPECT_NE(failed.summary.reason.find(twisted), std::string::npos) << failed.summary.reason;
   for (const char* rest : {"[loads]\nf = { at = \"bar.end\", moment = [0, 0, 0.05] }",
                            "[loads]\nf = { at = \"bar.ear\", force = [0.3, 0, 0] }"}) {
     const RunOutcome out = end_of(rest);
