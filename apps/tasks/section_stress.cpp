@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "mbs/model/beam_ends.hpp"
 
@@ -13,12 +14,12 @@ SectionStress::SectionStress(const BodySpec& body) {
   for (std::size_t e = 0; e < beam->sections.size(); ++e) {
     const std::vector<StressPoint> points = element_stress_points(*beam, e);
     if (points.empty()) {
-      ends_.clear();
+      of_end_.clear();
       return;
     }
     const std::size_t half = points.size() / 2;
     for (const std::size_t first : {std::size_t{0}, half}) {
-      auto& fours = ends_.emplace_back();
+      std::vector<FourPoints> fours;
       for (std::size_t i = 0; i < half; i += Lanes::size) {
         const auto point = [&](std::size_t lane) {
           return &points[first + std::min(i + lane, half - 1)];
@@ -27,14 +28,25 @@ SectionStress::SectionStress(const BodySpec& body) {
             Four<StressPoint>{point(0), point(1), point(2), point(3)},
             [](const StressPoint& p) -> const auto& { return p.S; }));
       }
+      add_end(std::move(fours));
     }
   }
+}
+
+void SectionStress::add_end(std::vector<FourPoints> points) {
+  const auto same = [&](const std::vector<FourPoints>& others) {
+    return others.size() == points.size() &&
+           std::memcmp(others.data(), points.data(), points.size() * sizeof(FourPoints)) == 0;
+  };
+  if (points_.empty() || !same(points_.back())) points_.push_back(std::move(points));
+  of_end_.push_back(points_.size() - 1);
 }
 
 double SectionStress::operator()(std::size_t element, ElementPlace end,
                                  const SE3::Tangent& force) const {
   double largest = 0;
-  for (const FourPoints& four : ends_[2 * element + static_cast<std::size_t>(node_of(end))]) {
+  const std::size_t at = of_end_[2 * element + static_cast<std::size_t>(node_of(end))];
+  for (const FourPoints& four : points_[at]) {
     Eigen::Matrix<Lanes, 3, 1> s = four.col(0) * force[0];
     for (int k = 1; k < 6; ++k) s += four.col(k) * force[k];
     const Lanes square = s[0] * s[0] + 3 * (s[1] * s[1] + s[2] * s[2]);

@@ -15,7 +15,7 @@ class SectionStress {
  public:
   /// One an element of a beam; empty for other bodies.
   explicit SectionStress(const BodySpec& body);
-  bool empty() const { return ends_.empty(); }
+  bool empty() const { return of_end_.empty(); }
   /// @param force in the axes of that end, N and N m  @returns Pa
   double operator()(std::size_t element, ElementPlace end, const SE3::Tangent& force) const;
 
@@ -23,7 +23,10 @@ class SectionStress {
   /// Their rows [sigma_x; tau_xy; tau_xz]; the last point fills up the four.
   using FourPoints = Eigen::Matrix<Lanes, 3, 6>;
 
-  std::vector<std::vector<FourPoints>> ends_;  ///< by element, the first end and the last
+  void add_end(std::vector<FourPoints> points);
+
+  std::vector<std::vector<FourPoints>> points_;  ///< neighbours that are equal once
+  std::vector<std::size_t> of_end_;  ///< of `points_`, by element, the first end and the last
 };
 
 }  // namespace liesl

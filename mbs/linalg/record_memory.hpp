@@ -12,7 +12,7 @@ namespace liesl {
 /// Room for doubles that moves as it grows. Room that was not written takes no memory.
 class RecordMemory {
  public:
-  static constexpr std::size_t kInMemory = std::size_t{64} << 20;  ///< bytes; more is in a file
+  static constexpr std::size_t kInMemory = std::size_t{16} << 20;  ///< bytes; more is in a file
 
   RecordMemory() = default;
   RecordMemory(RecordMemory&& other) noexcept;
