@@ -109,6 +109,7 @@ struct Peak {
   /// Of a motion: by how much the largest value between the steps is larger, as the parabolas
   /// through the steps beside each peak say; 0 where that is at the first or the last one.
   double missed = 0;
+  double between = 0;  ///< the same between the nodes of a beam, ResponseValues::above_the_nodes
 };
 
 /// A named quantity over the records.

@@ -146,7 +146,10 @@ ResponseFigure response_figure(const ResponseResult& response, const std::vector
     figure.max_abs = response.peak->size;
     figure.at_time = response.peak->at;
   }
-  if (response.peak) figure.missed = response.peak->missed;
+  if (response.peak) {
+    figure.missed = response.peak->missed;
+    figure.between = response.peak->between;
+  }
   figure.axes = response.axes;
   if (n > 0) {
     const double* last = response.values.data() + (n - 1) * C;

@@ -24,7 +24,7 @@ struct ResponseFigure {
   std::string axes = {};      ///< letters of the components, see ResponseResult
   std::optional<double> error_mesh = {}, error_step = {};  ///< of max_abs, if it was verified
   std::optional<double> error_total = {};                  ///< of both, with their signs
-  double missed = 0;                                       ///< Peak::missed
+  double missed = 0, between = 0;                          ///< of Peak
   std::optional<double> end_error_mesh = {}, end_error_step = {};  ///< of `final`
   std::optional<double> end_error_total = {};                      ///< of both, as vectors
 };

@@ -51,21 +51,23 @@ Sampled sample(const TimeFunction& f, const SimulationOptions& o) {
   if (f.is_constant()) return s;
   const double steps = std::min(std::ceil(o.duration / o.step), kMostSteps);
   const int inside = static_cast<int>(std::clamp(kMostSamples / steps, 2., 8.));
+  const std::vector<double> knots = f.knots();
+  std::size_t knot = 0;
   double low = f(0), high = low;
   for (long n = 0; n < static_cast<long>(steps); ++n) {
     const double a = static_cast<double>(n) * o.step, b = a + o.step, fa = f(a), fb = f(b);
-    for (int i = 0; i <= inside; ++i) {
-      const double share = static_cast<double>(i) / inside;
+    const auto look = [&](double share) {
       const double value = f(a + share * o.step);
-      if (!std::isfinite(value)) {
-        s.broken = a + share * o.step;
-        return s;
-      }
+      if (!std::isfinite(value)) s.broken = a + share * o.step;
       low = std::min(low, value);
       high = std::max(high, value);
       const double off = std::abs(value - (1 - share) * fa - share * fb);
-      if (off > s.off) s = {0, off, a, b, 0, 0, fb - fa};
-    }
+      if (off > s.off) s = {0, off, a, b, 0, 0, fb - fa, s.broken};
+    };
+    for (int i = 0; i <= inside && !s.broken; ++i) look(static_cast<double>(i) / inside);
+    for (; knot < knots.size() && knots[knot] < b && !s.broken; ++knot)
+      if (knots[knot] > a) look((knots[knot] - a) / o.step);
+    if (s.broken) return s;
   }
   s.range = high - low;
   if (!(s.range > 0)) return {};

@@ -226,7 +226,8 @@ void StepRecorder<G>::add_responses(const State<G>& s, bool recorded) {
     const Eigen::VectorXd y = values_(specs_[i], s);
     output::ResponseResult& out = responses_[i];
     if (recorded) append(out.values, y);
-    add_to_peak(out, peaks_[i], {s.t, y.norm()});
+    if (add_to_peak(out, peaks_[i], {s.t, y.norm()}))
+      out.peak->between = values_.above_the_nodes(specs_[i], s);
   }
 }
 
@@ -239,15 +240,17 @@ double StepRecorder<G>::vertex(const Sample& a, const Sample& b, const Sample& c
 }
 
 template <FrameGroup G>
-void StepRecorder<G>::add_to_peak(output::ResponseResult& out, Peaks& peaks,
+bool StepRecorder<G>::add_to_peak(output::ResponseResult& out, Peaks& peaks,
                                   const Sample& now) const {
   const bool over_two = dynamic_ && states_ > 1;
   if (over_two && peaks.last.size >= peaks.before.size && peaks.last.size >= now.size)
     peaks.vertex = std::max(peaks.vertex, vertex(peaks.before, peaks.last, now));
   peaks.before = peaks.last;
   peaks.last = now;
-  if (!out.peak || now.size > out.peak->size) out.peak = output::Peak{now.size, now.t};
+  const bool largest = !out.peak || now.size > out.peak->size;
+  if (largest) out.peak = output::Peak{now.size, now.t};
   out.peak->missed = std::max(0.0, peaks.vertex - out.peak->size);
+  return largest;
 }
 
 /// Of the weight as its factor changes.

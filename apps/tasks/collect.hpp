@@ -34,7 +34,8 @@ class StepRecorder {
     double vertex = 0;
   };
   void add_responses(const State<G>& s, bool recorded);
-  void add_to_peak(output::ResponseResult& out, Peaks& peaks, const Sample& now) const;
+  /// @returns whether it is the largest so far
+  bool add_to_peak(output::ResponseResult& out, Peaks& peaks, const Sample& now) const;
   static double vertex(const Sample& a, const Sample& b, const Sample& c);
   void add_work_of_gravity(const State<G>& s);
   void add_energies(const State<G>& s, bool recorded);

@@ -30,6 +30,7 @@ constexpr double kEndTurn = 1.6;   // of the first mode of a cantilever, over u/
 constexpr double kTwist = 0.02;    // of the bending of a chain: torsion that it has not
 constexpr double kTwisted = 0.2;   // of it: nothing to rely on
 constexpr double kNoTwist = 1e-6;  // rad
+constexpr double kStill = 1e-6;    // rad/s
 constexpr double kAlong = 1e-6;    // rad: an axis along a beam
 
 /// Euler load of a bar that is as soft across the line to its end: C = d(end)/dF, in the axes of
@@ -134,13 +135,24 @@ double twist_of_end(const SE3* last) {
   return std::atan2(rest(2, 1), rest(1, 1));
 }
 
-std::vector<RangeNote> chain_notes(const std::string& name, const PartRange& range) {
-  if (range.twist <= std::max(kNoTwist, kTwist * range.bend)) return {};
-  return {
-      {fmt::format("the beam '{}' would be twisted by {:.2g} rad, beside bending by {:.2g} rad, "
-                   "but a chain of segments has no torsion: use formalism se3",
-                   name, range.twist, range.bend),
-       range.twist > kTwisted * range.bend}};
+/// @param polar 3 I_p/(A L^2)
+std::vector<RangeNote> chain_notes(const std::string& name, const PartRange& range, double polar) {
+  std::vector<RangeNote> said;
+  if (range.twist > std::max(kNoTwist, kTwist * range.bend))
+    said.push_back(
+        {fmt::format("the beam '{}' would be twisted by {:.2g} rad, beside bending by {:.2g} rad, "
+                     "but a chain of segments has no torsion: use formalism se3",
+                     name, range.twist, range.bend),
+         range.twist > kTwisted * range.bend});
+  const double spin = polar * range.turn;
+  if (range.turn > kStill && spin > kTwist * range.speed)
+    said.push_back(
+        {fmt::format("the beam '{}' turns about its axis by {:.3g} rad/s, {:.2g} of the angular "
+                     "momentum of its motion across, but inside a chain of segments nothing spins: "
+                     "use formalism se3",
+                     name, range.turn, spin / std::max(range.speed, kStill)),
+         spin > kTwisted * range.speed});
+  return said;
 }
 
 }  // namespace
@@ -193,7 +205,10 @@ void PartRanges<G>::add_members() {
       beam.euler = euler_load(*beam.modal);
     }
     if (G::space_dim == 2) beam.sideways = sideways_load(beam.index);
-    beam.may_twist = G::space_dim == 3 && kind(b) == BeamModel::Segments && may_twist(beam.index);
+    if (G::space_dim == 3 && kind(b) == BeamModel::Segments) {
+      beam.may_twist = may_twist(beam.index);
+      beam.polar = polar_share(std::get<BeamSpec>(mechanism_.bodies[b].kind));
+    }
     members_.push_back(beam);
   }
 }
@@ -257,6 +272,33 @@ void PartRanges<G>::measure_twist(Member& chain, const State<G>& s) const {
 }
 
 template <FrameGroup G>
+double PartRanges<G>::polar_share(const BeamSpec& chain) {
+  double mass = 0, polar = 0, length = 0;
+  for (std::size_t e = 0; e < chain.sections.size(); ++e) {
+    const double l = (chain.nodes[e + 1].x - chain.nodes[e].x).norm();
+    const SectionLaw law = section_law(chain.sections[e], chain.material);
+    mass += l * law.M(0, 0);
+    polar += l * law.M(3, 3);
+    length += l;
+  }
+  return mass > 0 ? 3 * polar / (mass * length * length) : 0;
+}
+
+template <FrameGroup G>
+void PartRanges<G>::measure_spin(Member& chain, const BodyState<G>& state) const {
+  if constexpr (G::space_dim == 3) {
+    const auto& nodes =
+        std::get<BeamSpec>(mechanism_.bodies[static_cast<std::size_t>(chain.index)].kind).nodes;
+    const double length = (nodes.back().x - nodes.front().x).norm();
+    for (const int k : {0, chain.body->nodes() - 1}) {
+      const Eigen::Map<const SE3::Tangent> v(state.v + 6 * k);
+      chain.range.turn = std::max(chain.range.turn, std::abs(v[3]));
+      chain.range.speed = std::max(chain.range.speed, v.template head<3>().norm() / length);
+    }
+  }
+}
+
+template <FrameGroup G>
 void PartRanges<G>::measure(Part& part, const State<G>& s) const {
   constexpr int sd = G::space_dim, rd = G::rotation_dim, dim = G::dim;
   const SolidBody<G>& body = *part.body;
@@ -292,6 +334,7 @@ void PartRanges<G>::measure(Member& beam, const State<G>& s) const {
       range.bend = std::max(range.bend, u.segment(dim * k + sd, rd).norm());
   }
   if (beam.may_twist) measure_twist(beam, s);
+  if (beam.polar > 0) measure_spin(beam, state);
   if (beam.euler == 0 && beam.sideways == 0) return;
   for (int e = 0; e < beam.body->elements(); ++e) {
     const double N = beam.body->section_force(state, e, ElementPlace::Middle)[0];
@@ -331,7 +374,7 @@ std::vector<RangeNote> PartRanges<G>::notes() const {
       add(beam_notes(mechanism_.bodies[static_cast<std::size_t>(beam.index)], mechanism_.formalism,
                      beam.range));
   for (const Member& beam : members_)
-    if (beam.may_twist) add(chain_notes(beam.body->name, beam.range));
+    if (beam.polar > 0) add(chain_notes(beam.body->name, beam.range, beam.polar));
   for (const Part& part : parts_) add(part_notes(part.body->name, part.body->points(), part.range));
   return all;
 }

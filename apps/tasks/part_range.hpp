@@ -22,6 +22,8 @@ struct PartRange {
   double spin = 0;      ///< (Omega_J/omega_1)^2; parts of one interface
   double sideways = 0;  ///< compression of a beam in a plane over its Euler load out of the plane
   double twist = 0;     ///< of a chain of segments in space whose ends are held, or turned, rad
+  double turn = 0;      ///< of its ends about the axis, rad/s
+  double speed = 0;     ///< of its ends over its length, 1/s
 };
 
 /// A note on a range. `beyond`: the result cannot be relied on.
@@ -54,6 +56,8 @@ struct RangeNote {
 /// axis, or a moment, a force beside the axis or a spin at the start may turn an end that is free,
 /// the turn of the last frame against the first, carried along the chain without twist,
 /// is what torsion would resist; against how far the chain turns by bending.
+/// Nor have their nodes inside a spin about the axis: its angular momentum, rho I_p L omega,
+/// against that of the motion across, rho A L^2 v/3, from the largest speeds of their ends.
 ///
 /// Out of the plane: pi^2 EI/L^2, EI the least of its elements about the axis in the plane, of all
 /// flexible beams where some are in floating frames or chains of segments (`PlaneStability` knows
@@ -70,7 +74,8 @@ class PartRanges {
   /// A note for each bound that is passed: a tenth of the Euler load and of (Omega_J/omega_1)^2,
   /// 0.15 rad. Beyond: 1.5 rad, where a cantilever is as far off its line as it is
   /// long, the Euler load in compression, (Omega_J/omega_1)^2 = 1, where the
-  /// part would bend for ever. Of a chain a twist of a fiftieth of its bending; beyond: a fifth.
+  /// part would bend for ever. Of a chain a twist of a fiftieth of its bending, and as much of the
+  /// angular momentum in its spin; beyond: a fifth.
   std::vector<RangeNote> notes() const;
   /// A note on the beam that carries most of its Euler load out of the plane, above a fourth of
   /// that between hinges, where one with a free end buckles.
@@ -98,6 +103,7 @@ class PartRanges {
     double euler = 0, sideways = 0;  ///< Euler loads, N; 0: none
     PartRange range = {};
     bool may_twist = false;  ///< a chain in space, of which `twist` tells something
+    double polar = 0;        ///< of a chain in space: 3 I_p/(A L^2)
   };
 
   void add_part(const SolidBody<G>& body, int index);
@@ -105,6 +111,8 @@ class PartRanges {
   double sideways_load(int body) const;
   bool may_twist(int body) const;
   void measure_twist(Member& chain, const State<G>& s) const;
+  static double polar_share(const BeamSpec& chain);
+  void measure_spin(Member& chain, const BodyState<G>& state) const;
   void measure(Part& part, const State<G>& s) const;
   void measure(Member& beam, const State<G>& s) const;
 

@@ -68,13 +68,22 @@ SolveStatus describe_energy(output::RunSummary& summary, const output::Results& 
   return share > kTooMuch ? doubt(summary, text, status) : status;
 }
 
+bool has_chains(const Mechanism& mechanism) {
+  return std::ranges::any_of(mechanism.bodies, [&](const BodySpec& body) {
+    const auto* beam = std::get_if<BeamSpec>(&body.kind);
+    return beam && model_of(*beam, mechanism.formalism) == BeamModel::Segments;
+  });
+}
+
 /// A body whose law is for small strains; E = 0: another.
 struct SmallStrain {
   std::string name, law, remedy;
   double E = 0;  ///< Pa
 };
 SmallStrain small_strain(const BodySpec& body) {
-  if (const auto* beam = std::get_if<BeamSpec>(&body.kind))
+  const auto* beam = std::get_if<BeamSpec>(&body.kind);
+  if (beam && beam->segment.potential == AxialPotential::NeoHookean) return {};
+  if (beam)
     return {"the beam '" + body.name + "'", "its material is linear",
             "check the units of E, of its section and of its loads", beam->material.E};
   const auto* solid = std::get_if<SolidSpec>(&body.kind);
@@ -111,6 +120,10 @@ void describe(output::RunSummary& summary, const Report& report, const InitialSt
   if (report.reason.empty())
     summary.reason = type == SimulationType::Static ? "in equilibrium under the whole load"
                                                     : "the simulation reached its end";
+  if (type == SimulationType::Static && report.status == SolveStatus::NotConverged &&
+      summary.space == "spatial" && has_chains(mechanism))
+    summary.reason +=
+        "; or a chain of segments would be twisted, which it does not resist: formalism se3 tells";
   summary.steps = static_cast<int>(report.steps);
   summary.newton_iterations = report.newton_iterations;
   for (size_t b = 0; b < report.factorizations.size(); ++b)

@@ -15,6 +15,7 @@
 namespace liesl {
 namespace {
 
+constexpr double kUnknown = 0.25;    // of an error, as it is an estimate
 constexpr double kRounding = 1e-12;  // the same, of the largest response of its unit
 
 using Figures = std::map<std::string, output::ResponseFigure>;  // by name
@@ -95,7 +96,8 @@ class Verification {
   }
 
   void set_errors(output::ResponseFigure& r) {
-    const std::optional<ErrorEstimate> mesh = of_peak(r, by_mesh_);
+    std::optional<ErrorEstimate> mesh = of_peak(r, by_mesh_);
+    if (mesh && r.between > mesh->error) *mesh = {r.between, true};
     std::optional<ErrorEstimate> step = of_peak(r, by_step_);
     if (step && r.missed > step->error) *step = {r.missed, true};
     double total = 0;
@@ -109,10 +111,16 @@ class Verification {
     if (!(mesh || step) || mesh.has_value() != by_mesh_.asked ||
         step.has_value() != by_step_.asked || !scenes_.left_out().empty())
       return;
-    r.error_total = std::abs(total);
-    r.end_error_total = !end_by_step   ? r.end_error_mesh
-                        : !end_by_mesh ? r.end_error_step
-                                       : (*end_by_mesh + *end_by_step).norm();
+    r.error_total = together(std::abs(total), r.error_mesh, r.error_step);
+    r.end_error_total = together(!end_by_step   ? *r.end_error_mesh
+                                 : !end_by_mesh ? *r.end_error_step
+                                                : (*end_by_mesh + *end_by_step).norm(),
+                                 r.end_error_mesh, r.end_error_step);
+  }
+
+  /// Of two errors that cancel is left what they are not known to.
+  static double together(double sum, std::optional<double> mesh, std::optional<double> step) {
+    return std::max(sum, kUnknown * std::max(mesh.value_or(0), step.value_or(0)));
   }
 
   double resolution(const output::ResponseFigure& r) {

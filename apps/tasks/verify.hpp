@@ -11,8 +11,8 @@
 /// scene is larger, so that the error by the step has that of its iterations in it.
 ///
 /// A peak between two steps adds what it is higher than both (output::Peak::missed) to the error by
-/// the step, if that is more. Both together have the signs of R - R_m and R - R_s (missed:
-/// negative).
+/// the step, if that is more, and one between two nodes to that by the mesh. Both together have the
+/// signs of R - R_m and R - R_s (missed: negative), but are a quarter of the larger one at least.
 ///
 /// Runs of twice the elements' length and of twice the step, where they can be, show the orders;
 /// where one is lower than expected, it counts.

@@ -63,6 +63,11 @@ struct AtSpeed final : TimeFunctionKind {
     return speed_ * speed_ * f_->acceleration(speed_ * t);
   }
   bool is_constant() const override { return f_->is_constant(); }
+  std::vector<double> knots() const override {
+    std::vector<double> t = f_->knots();
+    for (double& at : t) at /= speed_;
+    return t;
+  }
 
  private:
   std::shared_ptr<const TimeFunctionKind> f_;
@@ -94,6 +99,7 @@ struct Table final : TimeFunctionKind {
   bool is_constant() const override {
     return std::all_of(f_.begin(), f_.end(), [&](double f) { return f == f_.front(); });
   }
+  std::vector<double> knots() const override { return t_; }
 
  private:
   /// a + b s + c s^2 + d s^3, s from the left end of the interval
@@ -198,6 +204,7 @@ TimeFunction TimeFunction::at_speed(double speed) const {
 }
 
 double TimeFunction::operator()(double t) const { return kind_->value(t); }
+std::vector<double> TimeFunction::knots() const { return kind_->knots(); }
 double TimeFunction::rate(double t) const { return kind_->rate(t); }
 double TimeFunction::acceleration(double t) const { return kind_->acceleration(t); }
 bool TimeFunction::is_constant() const { return kind_->is_constant(); }

@@ -46,6 +46,8 @@ class TimeFunction {
   double rate(double t) const;          ///< first derivative
   double acceleration(double t) const;  ///< second derivative
   bool is_constant() const;
+  /// Times of the points of a table, s; else none.
+  std::vector<double> knots() const;
 
  private:
   explicit TimeFunction(std::shared_ptr<const TimeFunctionKind> kind) : kind_(std::move(kind)) {}

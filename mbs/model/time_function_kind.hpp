@@ -14,6 +14,7 @@ struct TimeFunctionKind {
   virtual double rate(double t) const = 0;
   virtual double acceleration(double t) const = 0;
   virtual bool is_constant() const = 0;
+  virtual std::vector<double> knots() const { return {}; }
 };
 
 /// Quintic spline through (t_i, f_i), of which rate and acceleration are 0 at both ends.

@@ -156,6 +156,28 @@ auto ResponseValues<G>::largest_deflection(int body, const std::vector<SE3>& now
   return largest;
 }
 
+/// Sizes of the deflection at the nodes before, at and after a place.
+template <FrameGroup G>
+std::array<double, 3> ResponseValues<G>::beside(int body, const std::vector<SE3>& now,
+                                                double place) const {
+  const double h = 1. / static_cast<double>(now.size() - 1);
+  const auto size = [&](double at) {
+    return at < 0.5 * h || at > 1 - 0.5 * h ? 0 : deflection_at(body, now, at).norm();
+  };
+  return {size(place - h), size(place), size(place + h)};
+}
+
+template <FrameGroup G>
+double ResponseValues<G>::above_the_nodes(const ResponseSpec& r, const State<G>& s) const {
+  if (r.kind != ResponseKind::Deflection || !r.everywhere || is_meshed(r.body)) return 0;
+  const std::vector<SE3> now = nodes(s.H.data(), r.body);
+  const DeflectionAt largest = largest_deflection(r.body, now);
+  if (largest.offset.isZero(0)) return 0;
+  const auto [before, middle, after] = beside(r.body, now, largest.place);
+  const double bend = before - 2 * middle + after;
+  return bend < 0 ? -std::pow(after - before, 2) / (8 * bend) : 0;
+}
+
 template <FrameGroup G>
 int ResponseValues<G>::in_plane(int body) const {
   if constexpr (G::space_dim == 2) {

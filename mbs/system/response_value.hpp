@@ -2,6 +2,7 @@
 /// @file
 /// Values of named responses at a state, and their derivatives.
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -68,6 +69,10 @@ class ResponseValues {
   /// Not for several threads at once: what depends on the sections alone is kept.
   /// @param s completed (Model::complete)
   Eigen::VectorXd operator()(const ResponseSpec& response, const State<G>& s) const;
+
+  /// By how much the largest deflection of a beam between its nodes is above that at its nodes, as
+  /// the parabola through three of them says; 0 of another response. @param s completed
+  double above_the_nodes(const ResponseSpec& response, const State<G>& s) const;
 
   /// Gradient of each component. Where a response is not smooth it is that of the branch that is
   /// active: the node, element and stress point where the largest value is; zero for the norm of a
@@ -234,6 +239,7 @@ class ResponseValues {
   /// Offset of the point `place` of a beam whose frames are `now` from where it is undeformed.
   Eigen::Vector2d deflection_at(int body, const std::vector<SE3>& now, double place) const;
   DeflectionAt largest_deflection(int body, const std::vector<SE3>& now) const;
+  std::array<double, 3> beside(int body, const std::vector<SE3>& now, double place) const;
   std::vector<SE3> nodes(const G* H, int body) const;
   StressAt largest_stress(const ResponseSpec& r, const State<G>& s) const;
   bool is_meshed(int body) const;

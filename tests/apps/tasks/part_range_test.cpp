@@ -216,6 +216,39 @@ space = "spatial"
   }
 }
 
+/// A rod that falls from a ball joint while it spins about its axis is turned out of the plane by
+/// the gyroscopic moment, which a chain has at its ends alone.
+TEST(PartRange, AChainThatSpinsIsNotReliedOn) {
+  const auto falls = [](double spin) {
+    const Scene scene = read_scene(fmt::format(R"toml(
+gravity = [0, -9.81, 0]
+[materials]
+steel = {{ E = 210e9, nu = 0.3, rho = 7850 }}
+[sections]
+round = {{ type = "circle", diameter = 0.02 }}
+[bodies.bar]
+angular_velocity = [{}, 0, 0]
+beam = {{ from = [0, 0, 0], to = [0.8, 0, 0], section = "round", material = "steel", elements = 8, as = "segments" }}
+[joints]
+ball = {{ spherical = ["ground", "bar.start"] }}
+[simulation]
+duration = 0.1
+step = 5e-4
+space = "spatial"
+)toml",
+                                               spin),
+                                   "spin.toml");
+    return run_task(scene, choose_space(scene));
+  };
+  EXPECT_EQ(falls(3000).status, SolveStatus::Inaccurate);
+  EXPECT_NE(falls(3000).summary.reason.find("nothing spins"), std::string::npos);
+  const RunOutcome slow = falls(300), none = falls(0);
+  EXPECT_EQ(slow.status, SolveStatus::Converged);
+  const auto told = [](const std::string& w) { return w.find("nothing spins") != w.npos; };
+  EXPECT_TRUE(std::ranges::any_of(slow.summary.warnings, told));
+  EXPECT_FALSE(std::ranges::any_of(none.summary.warnings, told));
+}
+
 /// What sensitivities are of is no better than the motion.
 TEST(PartRange, OfSensitivitiesToo) {
   const std::string scene =
