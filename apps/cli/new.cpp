@@ -26,9 +26,6 @@ const Template& find(const std::string& kind, const std::string& name) {
     names.emplace_back(t.name);
     if (!name.empty() && t.name.starts_with(name)) begun.emplace_back(t.name);
   }
-  if (kind != "scene" && kind != "study")
-    throw InputError({{"new", 0, 0, "there is no kind of file '" + kind + "'", "scene or study",
-                       suggestion(kind, {"scene", "study"})}});
   const std::string what =
       name.empty() ? "--like is missing" : "there is no " + kind + " '" + name + "'";
   throw InputError(
@@ -93,14 +90,8 @@ int new_command(const CommandOptions& options) {
 
 int schema_command(const CommandOptions& options) {
   for (const FileKind kind : kFileKinds)
-    if (options.file == name_of(kind)) {
-      fmt::print("{}", schema_json(kind));
-      return 0;
-    }
-  throw InputError(
-      {{"schema", 0, 0, "there is no kind of file '" + options.file + "'",
-        "scene, study, batch, comparison or sensitivity",
-        suggestion(options.file, {"scene", "study", "batch", "comparison", "sensitivity"})}});
+    if (options.file == name_of(kind)) fmt::print("{}", schema_json(kind));
+  return 0;
 }
 
 }  // namespace liesl

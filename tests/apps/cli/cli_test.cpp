@@ -47,6 +47,23 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
       << strange.err;
 }
 
+TEST_F(Cli, UnknownOptionsComeWithTheNearestOne) {
+  const auto refused = [&](const Words& words, const std::string& text) {
+    const Outcome o = run(words);
+    EXPECT_EQ(o.code, 2) << text;
+    EXPECT_NE(o.err.find(text), std::string::npos) << o.err;
+  };
+  refused({"run", scene("pendulum"), "--no-reprt"},
+          "liesl run: there is no option '--no-reprt'; did you mean '--no-report'?");
+  refused({"run", "--no-reprt=1"}, "there is no option '--no-reprt'");
+  refused({"--vresion"}, "liesl: there is no option '--vresion'; did you mean '--version'?");
+  refused({"--foo"}, "liesl: there is no option '--foo'; known: --help, -h, --version");
+  refused({"run", scene("pendulum"), "--set"}, "--set");
+  refused({"export", "x", "--to", "calculx"},
+          "--to: there is no 'calculx'; did you mean 'calculix'?");
+  refused({"schema", "scen"}, "KIND: there is no 'scen'; did you mean 'scene'?");
+}
+
 TEST_F(Cli, AloneItSaysWhatItIsFor) {
   const Outcome o = run({});
   EXPECT_EQ(o.code, 0);
@@ -112,9 +129,21 @@ TEST_F(CliHere, CompletionKnowsEveryCommandAndOption) {
   std::ofstream("complete.sh") << o.out << R"(
 COMP_WORDS=(liesl opt); COMP_CWORD=1; _liesl; echo "${COMPREPLY[@]}"
 COMP_WORDS=(liesl optimize --no); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl optimize x.toml --method es); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --to = cal); COMP_CWORD=5; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --to =); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --cases ""); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl schema s); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new ""); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new study --like four_bar_m); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new scene --like pendul); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl run comp); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
 )";
   EXPECT_EQ(std::system("bash complete.sh > words"), 0);
-  EXPECT_EQ(text_of("words"), "optimize\n--no-verify --no-report\n");
+  EXPECT_EQ(text_of("words"),
+            "optimize\n--no-verify --no-report\nesl esl1\ncalculix\nxdmf calculix nastran "
+            "matrices\npeaks all\nscene study sensitivity\nscene study\nfour_bar_mixed\n"
+            "pendulum\ncomplete.sh\n");
   EXPECT_EQ(run({"completion", "csh"}).code, 2);
 }
 
