@@ -105,6 +105,19 @@ TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
   EXPECT_NE(again.err.find("it exists"), std::string::npos) << again.err;
 }
 
+TEST_F(CliHere, NewFilesNameTheSchemaOfTheProgram) {
+  EXPECT_EQ(run({"new", "study", "--like", "slider_crank_rod"}).code, 0);
+  for (const char* name : {"slider_crank_rod", "slider_crank"}) {
+    const std::string text = text_of(std::string(name) + ".toml"), word = "#:schema ";
+    ASSERT_TRUE(text.starts_with(word)) << text.substr(0, 80);
+    const fs::path schema = text.substr(word.size(), text.find('\n') - word.size());
+    EXPECT_TRUE(schema.is_absolute()) << schema;
+    const char* kind = name == std::string("slider_crank") ? "scene" : "study";
+    EXPECT_EQ(text_of(schema), run({"schema", kind}).out) << schema;
+    EXPECT_EQ(text.find(word, word.size()), std::string::npos) << "once";
+  }
+}
+
 TEST_F(CliHere, EveryShippedFileCanBeBegunFrom) {
   for (const char* kind : {"scene", "study"}) {
     const Outcome o = run({"new", kind});
