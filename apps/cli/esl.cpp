@@ -29,8 +29,9 @@ namespace liesl {
 namespace {
 
 /// Force and moment on each node of each part by time, as a table.
-std::string loads_csv(const std::vector<BeamLoads>& beams) {
-  std::string text = "time [s],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]\n";
+std::string loads_csv(const std::vector<BeamLoads>& beams, const output::Results& results) {
+  std::string text = results.abscissa + " [" + results.abscissa_unit +
+                     "],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]\n";
   for (const BeamLoads& beam : beams) {
     const size_t nodes = beam.values.size() / 6 / std::max<size_t>(1, beam.set.t.size());
     for (size_t n = 0; n < beam.set.t.size(); ++n)
@@ -100,7 +101,7 @@ int esl_command(const CommandOptions& options) {
   for (const SolidLoads& solid : out.solids) write(file, solid);
   if (!times.empty()) file.write("/time", times, {times.size()});
   file.close();
-  output::write_file(folder.path() / "loads.csv", loads_csv(out.beams));
+  output::write_file(folder.path() / "loads.csv", loads_csv(out.beams, out.run.results));
   if (!options.quiet) print(out);
   out.run.summary.overrides = options.set;
   out.run.summary.more["input"] = options.file;
