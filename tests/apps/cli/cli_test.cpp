@@ -300,7 +300,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   expected = common;
   for (const auto& key : documented("### `optimize`").always) expected.insert(key);
   expected.insert("input");
-  for (const char* key : {"verification", "worst_constraint_error", "refinement"}) {
+  for (const char* key : {"verification", "worst_constraint_error", "refinement", "design_files"}) {
     EXPECT_TRUE(documented("### `optimize`").sometimes.count(key)) << key;
     expected.insert(key);
   }
@@ -318,6 +318,18 @@ TEST_F(Cli, EslWritesTheLoads) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 11 * 2 * 9);
   EXPECT_TRUE(fs::exists(results() / "loads.h5"));
   EXPECT_LT(summary()["identity"]["rod"]["nonlinear"], 1e-10);
+}
+
+/// How far static problems are off, in percent; what an equilibrium runs over.
+TEST_F(Cli, EslSaysHowWellTheLoadsGiveTheStrainsBack) {
+  const Outcome o = run({"esl", scene("bend45"), "-o", results()});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("2 load cases; difference of the strains under them, of the largest: 0 %, "
+                       "of a linear static problem 38 %\n"),
+            std::string::npos)
+      << o.out;
+  EXPECT_NE(o.out.find("(an axial force changes the bending of a slender part"), std::string::npos);
+  EXPECT_TRUE(text_of(results() / "loads.csv").starts_with("load_factor [-],body,node,"));
 }
 
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {
