@@ -34,6 +34,7 @@ if(TARGET liesl)
   install(FILES ${written}/liesl DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions)
   install(DIRECTORY apps/plot/ DESTINATION ${CMAKE_INSTALL_DATADIR}/liesl/plot
           FILES_MATCHING PATTERN *.py)
+  install(DIRECTORY data/schema DESTINATION ${CMAKE_INSTALL_DATADIR}/liesl)
 endif()
 include(cmake/notices.cmake)
 install(FILES LICENSE docs/licences.md ${PROJECT_BINARY_DIR}/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR})

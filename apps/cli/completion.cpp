@@ -3,52 +3,77 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "apps/cli/known_words.hpp"
+#include "apps/cli/templates.hpp"
 #include "apps/input/problem.hpp"
 
 namespace liesl {
 namespace {
 
-std::vector<std::string> options_of(const CLI::App& command) {
-  std::vector<std::string> names;
+/// A branch of the shell's `case`: the values of an option, or of the word after the command.
+std::string branch(const std::string& command, const std::string& before,
+                   const std::vector<std::string>& values) {
+  if (values.empty()) return "";
+  return fmt::format("    \"{} {}\") values=\"{}\" ;;\n", command, before, fmt::join(values, " "));
+}
+
+/// What options and files of a command may be, where only a few words are allowed.
+std::string values_of_command(const CLI::App& command) {
+  const std::string& name = command.get_name();
+  std::string text;
   for (const CLI::Option* option : command.get_options()) {
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
+    const std::vector<std::string> values = values_of(*option);
+    if (option->get_positional()) text += branch(name, name, values);
+    for (const std::string& word : option->get_lnames()) text += branch(name, "--" + word, values);
   }
+  return text;
+}
+
+/// The shipped files of a kind, which `new --like` takes.
+std::vector<std::string> shipped(std::string_view kind) {
+  std::vector<std::string> names;
+  for (const Template& t : templates())
+    if (t.kind == kind) names.emplace_back(t.name);
   return names;
 }
 
 }  // namespace
 
 std::string completion(const CLI::App& app, const std::string& shell) {
-  if (shell != "bash" && shell != "zsh")
-    throw InputError(
-        {{"completion", 0, 0, "there is no completion for '" + shell + "'", "bash or zsh", ""}});
-  std::vector<std::string> commands;
-  std::string cases;
+  std::string options, values;
   for (const CLI::App* command : app.get_subcommands({})) {
-    commands.push_back(command->get_name());
-    cases += fmt::format("    {}) words=\"{}\" ;;\n", commands.back(),
-                         fmt::join(options_of(*command), " "));
+    options += fmt::format("    {}) options=\"{}\" ;;\n", command->get_name(),
+                           fmt::join(option_names(*command), " "));
+    values += values_of_command(*command);
   }
+  for (const char* kind : {"scene", "study"})
+    values += branch("new", fmt::format("{} --like", kind), shipped(kind));
   std::string text =
       "# liesl completion " + shell + ": source it, or put it where the shell looks.\n";
   if (shell == "zsh") text += "autoload -U +X bashcompinit && bashcompinit\n";
   text += fmt::format(R"(_liesl() {{
-  local words word=${{COMP_WORDS[COMP_CWORD]}}
+  local word=${{COMP_WORDS[COMP_CWORD]}} before=${{COMP_WORDS[COMP_CWORD-1]}} options values
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{} --help --version" -- "$word"))
     return
   fi
+  # --to=cal is three words: --to, = and cal
+  if [ "$word" = "=" ]; then word=""
+  elif [ "$before" = "=" ]; then before=${{COMP_WORDS[COMP_CWORD-2]}}; fi
+  if [ "${{COMP_WORDS[1]}} $before" = "new --like" ]; then before="${{COMP_WORDS[2]}} --like"; fi
   case ${{COMP_WORDS[1]}} in
 {}  esac
+  case "${{COMP_WORDS[1]}} $before" in
+{}  esac
   case $word in
-    -*) COMPREPLY=($(compgen -W "$words" -- "$word")) ;;
-    *) COMPREPLY=($(compgen -f -- "$word")) ;;
+    -*) COMPREPLY=($(compgen -W "$options" -- "$word")) ;;
+    *) if [ -n "$values" ]; then COMPREPLY=($(compgen -W "$values" -- "$word"))
+       else COMPREPLY=($(compgen -f -- "$word")); fi ;;
   esac
 }}
 complete -o filenames -F _liesl liesl
 )",
-                      fmt::join(commands, " "), cases);
+                      fmt::join(command_names(app), " "), options, values);
   return text;
 }
 

@@ -7,7 +7,7 @@
 
 namespace liesl {
 
-/// Script for "bash" or "zsh", to be sourced. @throws InputError for another shell
+/// Script for "bash" or "zsh", to be sourced.
 std::string completion(const CLI::App& app, const std::string& shell);
 
 }  // namespace liesl

@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "apps/cli/command.hpp"
 
 #ifndef LIESL_OPTIM
@@ -29,8 +31,9 @@ namespace liesl {
 namespace {
 
 /// Force and moment on each node of each part by time, as a table.
-std::string loads_csv(const std::vector<BeamLoads>& beams) {
-  std::string text = "time [s],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]\n";
+std::string loads_csv(const std::vector<BeamLoads>& beams, const output::Results& results) {
+  std::string text = results.abscissa + " [" + results.abscissa_unit +
+                     "],body,node,Fx [N],Fy [N],Fz [N],Mx [N m],My [N m],Mz [N m]\n";
   for (const BeamLoads& beam : beams) {
     const size_t nodes = beam.values.size() / 6 / std::max<size_t>(1, beam.set.t.size());
     for (size_t n = 0; n < beam.set.t.size(); ++n)
@@ -63,22 +66,33 @@ void write(output::Hdf5File& file, const SolidLoads& solid) {
   rows("shapes", solid.set.shapes, "N, N m a unit of the coordinates");
 }
 
+std::string percent_text(double difference) {
+  return std::isfinite(difference) ? size_percent(difference) : "no solution";
+}
+
 void print(const EslOutcome& out) {
   constexpr double kLinear = 0.02;  // more shows in a deflection
+  const auto cases = [](std::size_t n) {
+    return fmt::format("{} load case{}", n, n == 1 ? "" : "s");
+  };
   for (const BeamLoads& beam : out.beams) {
-    fmt::print("  {:<16} {} load cases; static = dynamic deformation: nonlinear {}, linear {}\n",
-               beam.name, beam.set.t.size(), difference_text(beam.identity.nonlinear),
-               difference_text(beam.identity.linear));
+    fmt::print(
+        "  {:<16} {}; difference of the strains under them, of the largest: {}, of a linear static "
+        "problem {}\n",
+        beam.name, cases(beam.set.t.size()), percent_text(beam.identity.nonlinear),
+        percent_text(beam.identity.linear));
     if (beam.identity.linear > kLinear)
       fmt::print(
-          "  {:<16} linear static problems miss {:.0f} % of its largest strain: a slender part "
-          "bends less or more under an axial force\n",
-          "", 100 * beam.identity.linear);
+          "  {:<16} (an axial force changes the bending of a slender part, which linear problems "
+          "leave out)\n",
+          "");
   }
   for (const SolidLoads& solid : out.solids)
-    fmt::print("  {:<16} {} load cases of {} shapes; static = dynamic deformation: {}\n",
-               solid.name, solid.set.t.size(), solid.set.e.rows(),
-               difference_text(solid.identity.linear));
+    fmt::print(
+        "  {:<16} {} of {} shapes; difference of the displacements under them, of the largest: "
+        "{}\n",
+        solid.name, cases(solid.set.t.size()), solid.set.e.rows(),
+        percent_text(solid.identity.linear));
 }
 
 }  // namespace
@@ -100,7 +114,7 @@ int esl_command(const CommandOptions& options) {
   for (const SolidLoads& solid : out.solids) write(file, solid);
   if (!times.empty()) file.write("/time", times, {times.size()});
   file.close();
-  output::write_file(folder.path() / "loads.csv", loads_csv(out.beams));
+  output::write_file(folder.path() / "loads.csv", loads_csv(out.beams, out.run.results));
   if (!options.quiet) print(out);
   out.run.summary.overrides = options.set;
   out.run.summary.more["input"] = options.file;

@@ -37,6 +37,18 @@ void check_files(const CommandOptions& options, const Scene& scene,
              "the file as it was");
 }
 
+/// A design is that of the result: as it was written, not edited since.
+void check_design(const CommandOptions& options, const std::string& name,
+                  const nlohmann::ordered_json& summary) {
+  const auto designs = summary.value("design_files", nlohmann::ordered_json::object());
+  const fs::path file = fs::path(options.file) / name;
+  if (designs.contains(name) && output::sha256(output::read_file(file)) != designs[name])
+    throw InputError({{options.file, 0, 0,
+                       "'" + name + "' is not the design of these results: it was edited since",
+                       "the file as 'optimize' left it",
+                       "liesl export " + file.string() + " ... takes it as a scene of its own"}});
+}
+
 /// Of a motion, or one of the scenarios of a study.
 struct Source {
   std::string scenario;
@@ -48,6 +60,7 @@ struct Source {
 std::vector<Source> designs_of(const CommandOptions& options,
                                const nlohmann::ordered_json& summary) {
   const fs::path folder = options.file;
+  check_design(options, "design.toml", summary);
   check_files(options, load_scene(folder / "design.toml"), summary);
   std::vector<Source> designs;
   for (const auto& name : summary.value("scenarios", std::vector<std::string>())) {
@@ -55,6 +68,7 @@ std::vector<Source> designs_of(const CommandOptions& options,
     if (!fs::is_regular_file(file))
       refuse(options, "'" + file.filename().string() + "' of scenario '" + name + "' is missing",
              "the whole folder, as 'optimize' left it");
+    check_design(options, file.filename().string(), summary);
     designs.push_back({name, load_scene(file, options.set)});
     designs.back().scene.mechanism.name += ", scenario '" + name + "'";
   }

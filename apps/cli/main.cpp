@@ -17,8 +17,10 @@
 
 #include "apps/cli/command.hpp"
 #include "apps/cli/completion.hpp"
+#include "apps/cli/known_words.hpp"
 #include "apps/cli/man_page.hpp"
 #include "apps/input/problem.hpp"
+#include "apps/input/schema.hpp"
 #include "apps/output/interrupt.hpp"
 #include "apps/output/io_error.hpp"
 #include "apps/output/summary.hpp"
@@ -50,7 +52,7 @@ void add_sensitivity_options(CLI::App& command, liesl::CommandOptions& o) {
                   "its variables); KEY+KEY change by the same amount")
       ->delimiter(',');
   command.add_option("--method", o.method, "Form of the sensitivities")
-      ->check(CLI::IsMember({"auto", "direct", "adjoint"}))
+      ->check(liesl::one_of({"auto", "direct", "adjoint"}))
       ->default_val("auto");
   command
       .add_option("--functionals", o.functionals,
@@ -104,11 +106,11 @@ void add_export_options(CLI::App& command, liesl::CommandOptions& o) {
           "part of a scene with the static loads of its motion; matrices: stiffness, mass and "
           "nodes of a meshed part")
       ->default_val("xdmf")
-      ->check(CLI::IsMember({"xdmf", "calculix", "nastran", "matrices"}));
+      ->check(liesl::one_of({"xdmf", "calculix", "nastran", "matrices"}));
   command.add_option("--part", o.part, "Beam or meshed part of the scene");
   command.add_option("--cases", o.cases, "Instants: where the bending is largest, or every record")
       ->default_val("peaks")
-      ->check(CLI::IsMember({"peaks", "all"}));
+      ->check(liesl::one_of({"peaks", "all"}));
   command.add_option("--set", o.set, "Change a key of the scene: key.path=value (repeatable)")
       ->allow_extra_args(false);
   command.add_option("-o,--output", o.out, "Folder of the deck (default: SCENE_PART_PROGRAM)");
@@ -141,7 +143,7 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
             "--method",
             [&o](const std::string& method) { o.set.push_back("cycle.method=\"" + method + "\""); },
             "How a cycle finds the next design, as cycle.method")
-        ->check(CLI::IsMember({"auto", "esl", "esl1", "full", "direct"}));
+        ->check(liesl::one_of({"auto", "esl", "esl1", "full", "direct"}));
     command
         .add_flag("--nucleate{10}", o.nucleate,
                   "Insert new holes where they reduce the objective, --nucleate=N at most N "
@@ -170,6 +172,18 @@ void add_options(CLI::App& command, const std::string& name, liesl::CommandOptio
     command.add_option("--y", o.y, "Column of a batch's table, upwards")->needs(x);
     x->needs("--y");
   }
+}
+
+/// What a command is of: a file, a folder or, of those that write texts, a kind of file.
+void add_file(CLI::App& command, const Entry& entry, liesl::CommandOptions& o) {
+  std::vector<std::string> kinds;
+  if (entry.function == liesl::new_command) kinds = {"scene", "study"};
+  if (entry.function == liesl::schema_command)
+    for (const liesl::FileKind kind : liesl::kFileKinds) kinds.emplace_back(liesl::name_of(kind));
+  auto* file =
+      command.add_option(entry.file, o.file, kinds.empty() ? "file or folder" : "kind of file");
+  file->required();
+  if (!kinds.empty()) file->check(liesl::one_of(kinds));
 }
 
 /// The commands with their options; the chosen one is stored in `run`.
@@ -207,7 +221,7 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
   };
   for (const auto& entry : kEntries) {
     auto* command = app.add_subcommand(entry.name, entry.what);
-    command->add_option(entry.file, o.file, "file or folder")->required();
+    add_file(*command, entry, o);
     command->add_flag("-q,--quiet", o.quiet, "Print nothing but errors");
     const std::string name = entry.name;
     const bool of_file = entry.writes || name == "check";
@@ -224,17 +238,6 @@ void add_commands(CLI::App& app, liesl::CommandOptions& o,
     add_options(*command, name, o);
     command->callback([&run, &entry] { run = entry.function; });
   }
-}
-
-/// "runn" -> what it may have meant; empty if the command line is wrong in another way.
-std::string unknown_command(const CLI::App& app, int argc, char** argv) {
-  std::vector<std::string> names;
-  for (const auto* command : app.get_subcommands({})) names.push_back(command->get_name());
-  const std::string word = argc > 1 ? argv[1] : "";
-  const bool known = std::find(names.begin(), names.end(), word) != names.end();
-  if (word.empty() || word.starts_with('-') || known) return "";
-  return "liesl: there is no command '" + word + "'; " + liesl::suggestion(word, names) +
-         "\nliesl --help lists the commands\n";
 }
 
 /// What the program is for, for whoever starts it without a command.
@@ -254,16 +257,6 @@ bool writes_folder(int (*run)(const liesl::CommandOptions&)) {
                         map_command, batch_command, compare_command, lean_command})
     if (run == command) return true;
   return false;
-}
-
-int print_completion(const CLI::App& app, const std::string& shell) {
-  try {
-    std::cout << liesl::completion(app, shell);
-  } catch (const liesl::InputError& e) {
-    std::cerr << e.what() << "\n";
-    return kRefused;
-  }
-  return 0;
 }
 
 void print_overview(const CLI::App& app) {
@@ -345,13 +338,15 @@ int main(int argc, char** argv) {
   add_commands(app, options, run);
   std::string shell;
   auto* completes = app.add_subcommand("completion", "Print what bash or zsh completes");
-  completes->add_option("SHELL", shell, "bash or zsh")->required();
+  completes->add_option("SHELL", shell, "bash or zsh")
+      ->required()
+      ->check(liesl::one_of({"bash", "zsh"}));
   const auto* manual = app.add_subcommand("man", "Print the manual page, as man reads it");
   if (argc == 1) return print_overview(app), 0;
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& e) {
-    const std::string unknown = unknown_command(app, argc, argv);
+    const std::string unknown = liesl::unknown_word(app, {argv + 1, argv + argc});
     if (!unknown.empty()) return std::cerr << unknown, kRefused;
     return app.exit(e) == 0 ? 0 : kRefused;
   }
@@ -359,7 +354,10 @@ int main(int argc, char** argv) {
     std::cout << liesl::man_page(app, liesl::output::versions().front().second);
     return 0;
   }
-  if (!run) return print_completion(app, shell);
+  if (!run) {
+    std::cout << liesl::completion(app, shell);
+    return 0;
+  }
   if (options.out.empty() && writes_folder(run))
     options.out = std::filesystem::path(options.file).stem().string();
   liesl::output::set_arguments({argv + 1, argv + argc});

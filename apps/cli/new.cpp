@@ -10,6 +10,7 @@
 #include "apps/input/rewrite.hpp"
 #include "apps/input/schema.hpp"
 #include "apps/output/file.hpp"
+#include "apps/output/installation.hpp"
 #include "apps/output/io_error.hpp"
 
 namespace fs = std::filesystem;
@@ -26,9 +27,6 @@ const Template& find(const std::string& kind, const std::string& name) {
     names.emplace_back(t.name);
     if (!name.empty() && t.name.starts_with(name)) begun.emplace_back(t.name);
   }
-  if (kind != "scene" && kind != "study")
-    throw InputError({{"new", 0, 0, "there is no kind of file '" + kind + "'", "scene or study",
-                       suggestion(kind, {"scene", "study"})}});
   const std::string what =
       name.empty() ? "--like is missing" : "there is no " + kind + " '" + name + "'";
   throw InputError(
@@ -51,10 +49,20 @@ struct StudyText {
   std::string text;   ///< of the study
 };
 
+/// A text with the line on top by which editors find its schema, that of this program: shipped
+/// files name it from their own folder.
+std::string with_schema(FileKind kind, const std::string& text) {
+  const fs::path schema =
+      output::share_path() / "schema" / fmt::format("{}.json", std::string(name_of(kind)));
+  const std::string plain = without_schema_line(text);
+  return fs::is_regular_file(schema) ? fmt::format("#:schema {}\n{}", schema.string(), plain)
+                                     : plain;
+}
+
 /// @param own name of the study's file, which the scene's is not
 StudyText with_scene(std::string_view study, const std::string& own) {
   static const std::regex line(R"re((^|\n)scene = "\.\./\w+/(\w+)\.toml")re");
-  StudyText out{"", "", without_schema_line(std::string(study))};
+  StudyText out{"", "", std::string(study)};
   std::smatch found;
   if (!std::regex_search(out.text, found, line)) return out;
   const auto at = static_cast<std::size_t>(found.position()),
@@ -79,12 +87,13 @@ int new_command(const CommandOptions& options) {
     const fs::path scene = path.parent_path() / made.file;
     const bool there = fs::exists(scene) && !options.force;
     if (!there)
-      output::replace_file(scene,
-                           without_schema_line(std::string(scene_of_study(made.scene).text)));
+      output::replace_file(
+          scene, with_schema(FileKind::Scene, std::string(scene_of_study(made.scene).text)));
     if (!options.quiet)
       fmt::print("{}{}\n", scene.string(), there ? " (was there, not changed)" : "");
   }
-  output::replace_file(path, made.text);
+  output::replace_file(
+      path, with_schema(options.file == "study" ? FileKind::Study : FileKind::Scene, made.text));
   if (!options.quiet)
     fmt::print("{}\nnext: liesl {} {}\n", path.string(),
                options.file == "study" ? "optimize" : "run", path.string());
@@ -93,14 +102,8 @@ int new_command(const CommandOptions& options) {
 
 int schema_command(const CommandOptions& options) {
   for (const FileKind kind : kFileKinds)
-    if (options.file == name_of(kind)) {
-      fmt::print("{}", schema_json(kind));
-      return 0;
-    }
-  throw InputError(
-      {{"schema", 0, 0, "there is no kind of file '" + options.file + "'",
-        "scene, study, batch, comparison or sensitivity",
-        suggestion(options.file, {"scene", "study", "batch", "comparison", "sensitivity"})}});
+    if (options.file == name_of(kind)) fmt::print("{}", schema_json(kind));
+  return 0;
 }
 
 }  // namespace liesl

@@ -12,12 +12,6 @@ namespace liesl {
 
 namespace {
 
-/// A share that has no sign.
-std::string size_percent(double share) {
-  const std::string text = signed_percent(share);
-  return text.starts_with('+') ? text.substr(1) : text;
-}
-
 /// A line a variable, numbers under each other.
 void print_design(const std::vector<output::DesignFigure>& design) {
   std::size_t width = 0;

@@ -68,13 +68,19 @@ std::string loads_table(const std::vector<LoadsOfCycle>& loads, SimulationType t
 }
 
 /// Of the scene, or of the first scenario, design.toml; of each scenario design_NAME.toml.
-void write_designs(const std::filesystem::path& folder, const OptimizeOutcome& out,
-                   const Study& study) {
-  output::write_file(folder / "design.toml", final_scene(out, study));
+/// @returns the SHA-256 of each file
+nlohmann::ordered_json write_designs(const std::filesystem::path& folder,
+                                     const OptimizeOutcome& out, const Study& study) {
+  nlohmann::ordered_json hashes;
+  const auto write = [&](const std::string& name, const std::string& text) {
+    output::write_file(folder / name, text);
+    hashes[name] = output::sha256(text);
+  };
+  write("design.toml", final_scene(out, study));
   const std::vector<std::string>& names = study.spec.scenarios;
   for (std::size_t s = 0; s < names.size(); ++s)
-    output::write_file(folder / fmt::format("design_{}.toml", names[s]),
-                       final_scene(out, study, s));
+    write(fmt::format("design_{}.toml", names[s]), final_scene(out, study, s));
+  return hashes;
 }
 
 }  // namespace
@@ -92,11 +98,12 @@ void write_optimization(const std::filesystem::path& folder, const OptimizeOutco
   }
   if (!out.simulated && !out.results.meshes.empty()) output::write_shown(folder, out.results);
   if (!out.design.empty()) output::write_design_csv(folder / "design.csv", out.design);
-  if (out.simulated) write_designs(folder, out, study);
+  auto summary = output::to_json(out.summary);
+  if (out.simulated) summary["design_files"] = write_designs(folder, out, study);
   for (const PartOutcome& part : out.parts) write_part(folder, part);
   if (!out.loads.empty())
     output::write_file(folder / "cycle_loads.csv", loads_table(out.loads, scene.simulation.type));
-  output::write_summary(folder / "summary.json", output::to_json(out.summary));
+  output::write_summary(folder / "summary.json", summary);
 }
 
 #endif

@@ -71,6 +71,11 @@ std::string signed_percent(double share) {
   return fmt::format("{:+.{}f} %", x, size >= 10 ? 0 : size >= 1 ? 1 : size >= 0.1 ? 2 : 3);
 }
 
+std::string size_percent(double share) {
+  const std::string text = signed_percent(share);
+  return text.starts_with('+') ? text.substr(1) : text;
+}
+
 void print_folder(const std::string& folder, const std::string& axes) {
   if (std::filesystem::exists(std::filesystem::path(folder) / "report.html"))
     fmt::print("results in {}; look at {}/report.html, or: liesl plot {}{}\n", folder, folder,

@@ -38,6 +38,8 @@ class SimulationLine {
 /// "+26 %", "-0.43 %", "0 %": three digits of a share at most, none where they mean nothing; "-"
 /// for what is no number.
 std::string signed_percent(double share);
+/// "26 %", of a share that has no sign.
+std::string size_percent(double share);
 
 /// Where the results are, and how to look at them.
 /// @param axes what `liesl plot` asks for besides, " --x speed --y mass_final"

@@ -73,8 +73,6 @@ void require_shapes(const BeamDeck& deck) {
 
 }  // namespace
 
-std::string instants(std::size_t n) { return fmt::format("{} instant{}", n, n == 1 ? "" : "s"); }
-
 BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string& part,
                    DeckCases cases) {
   BeamDeck deck;
@@ -85,6 +83,7 @@ BeamDeck beam_deck(const Scene& scene, const EslOutcome& esl, const std::string&
       std::get<BeamSpec>(scene.mechanism.bodies[static_cast<std::size_t>(number)].kind);
   deck.part = part;
   deck.scene = scene.mechanism.name;
+  deck.words.equilibrium = scene.simulation.type != SimulationType::Dynamic;
   deck.material = beam.material;
   deck.sections = beam.sections;
   deck.nodes = beam.nodes;
@@ -194,8 +193,8 @@ std::vector<SectionGroup> section_groups(const BeamDeck& deck) {
 
 std::string deck_displacements(const BeamDeck& deck) {
   std::string text =
-      "case,time [s],node,x [m],y [m],z [m],displacement x [m],displacement y [m],"
-      "displacement z [m]\n";
+      "case," + deck.words.column() +
+      ",node,x [m],y [m],z [m],displacement x [m],displacement y [m],displacement z [m]\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
       const Vec3 &x = deck.nodes[k].x, &u = deck.cases[n].displacement[k];
@@ -209,14 +208,14 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
   const bool calculix = program == "CalculiX";
   std::string text = fmt::format(
       "# {0} of '{1}' for {2}\n\n"
-      "The equivalent static loads of a motion: the internal forces of the part at {3}, "
+      "The equivalent static loads of {10}: the internal forces of the part at {3}, "
       "each a\n"
       "load case on the isolated part. Written by `liesl export`.\n\n"
       "- **Units**: m, N, Pa, kg, s.\n"
       "- **Frame**: inertial axes; the part where the scene puts it, held at its first node. The "
-      "loads of an\n"
-      "  instant are turned into the frame of that node, so that the part deforms as in the "
-      "motion,\n"
+      "loads of a\n"
+      "  case are turned into the frame of that node, so that the part deforms as in the "
+      "{11},\n"
       "  seen from there.\n"
       "- **Nodes**: {4}.\n"
       "- **Cases are solved with large displacements** ({5}). A slender part that bends under an "
@@ -224,20 +223,21 @@ std::string deck_readme(const BeamDeck& deck, const std::string& program) {
       "  N has, linearly, an error of N L^2/(pi^2 EI) of its bending, too much where N pulls and "
       "too little\n"
       "  where it pushes: linear decks miss 10 % and more.\n"
-      "- **What they shall give back**: `displacements.csv`, the displacements of the motion. "
+      "- **What they shall give back**: `displacements.csv`, the displacements of the {11}. "
       "The strains\n"
-      "  that liesl finds under these loads differ from those of the motion, over the largest: {6} "
+      "  that liesl finds under these loads differ from those of the {11}, over the largest: {6} "
       "(linear: {7}){8}.\n"
       "- **Deviations go to one side** at all instants where they were measured: {9}.\n"
-      "- Gravity and inertia are in the loads; the deck has none of its own.\n\n",
-      deck.part, deck.scene, program, instants(deck.cases.size()),
+      "- {12} in the loads; the deck has none of its own.\n\n",
+      deck.part, deck.scene, program, deck.words.count(deck.cases.size()),
       calculix ? "node k of the beam is node 2k + 1, the middle of element e node 2e + 2"
                : "node k of the beam is grid k + 1",
       calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),
-      difference_text(deck.identity.linear), own_model(deck.model), deviations(calculix));
+      difference_text(deck.identity.linear), own_model(deck.model), deviations(calculix),
+      deck.words.a_state(), deck.words.state(), deck.words.forces());
   if (!(deck.identity.linear < kFarFromLinear)) text += kFarNote;
   if (calculix && sections_jump(deck)) text += kJumpNote;
-  text += "| case | time [s] | largest deflection [m] |\n|---|---|---|\n";
+  text += "| case | " + deck.words.column() + " | largest deflection [m] |\n|---|---|---|\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += fmt::format("| {} | {:.6g} | {:.6g} |\n", n + 1, deck.cases[n].time,
                         deck.cases[n].deflection);

@@ -3,6 +3,7 @@
 /// A beam with its equivalent static loads, as a finite element program takes it: data, and a text
 /// for each program.
 
+#include "apps/export/deck_words.hpp"
 #include "apps/tasks/esl.hpp"
 
 namespace liesl {
@@ -14,12 +15,13 @@ enum class DeckCases { Peaks, All };
 /// as the scene gives them.
 struct BeamDeck {
   struct Case {
-    double time = 0;                  ///< s
+    double time = 0;                  ///< s, or load factor
     std::vector<Vec3> force, moment;  ///< N: on the nodes, N, N m
     std::vector<Vec3> displacement;   ///< N: what the motion has, m
     double deflection = 0;            ///< largest offset from the chord, m
   };
   std::string part, scene;
+  DeckWords words;
   Material material;
   std::vector<Section> sections;  ///< E
   std::vector<SE3> nodes;         ///< N, at rest
@@ -55,8 +57,6 @@ std::string calculix_text(const BeamDeck& deck);
 /// Nastran, in large fields: CBAR with PBARL of every shape, each case a subcase of SOL 106 with
 /// LGDISP. Node k of the beam is grid k + 1.
 std::string nastran_text(const BeamDeck& deck);
-/// "1 instant", "5 instants".
-std::string instants(std::size_t n);
 /// What the folder of a deck is, in which units and frame, and what it shall give back.
 std::string deck_readme(const BeamDeck& deck, const std::string& program);
 /// `case,time [s],node,x..z [m],displacement x..z [m]` of the motion, for comparison.

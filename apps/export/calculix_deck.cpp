@@ -70,11 +70,11 @@ std::string sections_text(const BeamDeck& deck) {
   return text;
 }
 
-std::string step_text(const BeamDeck::Case& load_case, std::size_t number) {
+std::string step_text(const DeckWords& words, const BeamDeck::Case& load_case, std::size_t number) {
   std::string text = fmt::format(
-      "** case {}: the motion at {:.9g} s\n*STEP, NLGEOM, INC=1000\n*STATIC\n0.25, 1.\n"
+      "** case {}: the {} at {}\n*STEP, NLGEOM, INC=1000\n*STATIC\n0.25, 1.\n"
       "*CLOAD, OP=NEW\n",
-      number, load_case.time);
+      number, words.state(), words.at(load_case.time));
   for (std::size_t k = 1; k < load_case.force.size(); ++k)
     for (int c = 0; c < 6; ++c)
       text += fmt::format("{}, {}, {:.12e}\n", 2 * k + 1, c + 1,
@@ -86,11 +86,12 @@ std::string step_text(const BeamDeck::Case& load_case, std::size_t number) {
 
 std::string calculix_text(const BeamDeck& deck) {
   std::string text = fmt::format(
-      "** '{}' of '{}' under the equivalent static loads of its motion. SI units.\n"
+      "** '{}' of '{}' under the equivalent static loads of its {}. SI units.\n"
       "** See README.md in this folder.\n",
-      deck.part, deck.scene);
+      deck.part, deck.scene, deck.words.state());
   text += mesh_text(deck) + sections_text(deck) + "*BOUNDARY\n1, 1, 6\n";
-  for (std::size_t n = 0; n < deck.cases.size(); ++n) text += step_text(deck.cases[n], n + 1);
+  for (std::size_t n = 0; n < deck.cases.size(); ++n)
+    text += step_text(deck.words, deck.cases[n], n + 1);
   return text;
 }
 

@@ -54,8 +54,8 @@ std::string control_text(const BeamDeck& deck, const std::vector<std::string>& l
   std::string text = "SOL 106\nCEND\n" + title("TITLE = " + deck.part + " of " + deck.scene) +
                      "DISPLACEMENT = ALL\nSPC = 1\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n) {
-    text +=
-        fmt::format("SUBCASE {}\n  LABEL = {:.9g} s\n  NLPARM = 1\n", n + 1, deck.cases[n].time);
+    text += fmt::format("SUBCASE {}\n  LABEL = the {} at {}\n  NLPARM = 1\n", n + 1,
+                        deck.words.state(), deck.words.at(deck.cases[n].time));
     if (!loads[n].empty()) text += fmt::format("  LOAD = {}\n", n + 1);
   }
   return text;
@@ -110,7 +110,8 @@ std::vector<std::string> loads_text(const BeamDeck& deck) {
 std::string nastran_text(const BeamDeck& deck) {
   const std::vector<std::string> loads = loads_text(deck);
   return title("$ '" + deck.part + "' of '" + deck.scene + "'") +
-         "$ under the equivalent static loads of its motion. SI units.\n"
+         "$ under the equivalent static loads of its " + deck.words.state() +
+         ". SI units.\n"
          "$ See README.md in this folder.\n" +
          control_text(deck, loads) + "BEGIN BULK\nPARAM,LGDISP,1\nNLPARM,1,4\n" + bulk_text(deck) +
          fmt::format("{}", fmt::join(loads, "")) + "ENDDATA\n";

@@ -110,6 +110,7 @@ SolidDeck solid_deck(const Scene& scene, const EslOutcome& esl, const std::strin
   SolidDeck deck;
   deck.part = part;
   deck.scene = scene.mechanism.name;
+  deck.words.equilibrium = scene.simulation.type != SimulationType::Dynamic;
   deck.material = model.material();
   deck.dim = model.mesh().dim;
   deck.thickness = deck.dim == 2 ? model.thickness() : 0;
@@ -150,7 +151,7 @@ std::string deck_displacements(const SolidDeck& deck) {
 }
 
 std::string deck_factors(const SolidDeck& deck) {
-  std::string text = "case,time [s]";
+  std::string text = "case," + deck.words.column();
   for (std::size_t k = 0; k < deck.units.size(); ++k) text += fmt::format(",unit {}", k + 1);
   text += "\n";
   for (std::size_t n = 0; n < deck.times.size(); ++n) {
@@ -170,9 +171,9 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
   const Vec3& x = deck.frame.x;
   std::string text = fmt::format(
       "# {0} of '{1}' for {2}\n\n"
-      "The equivalent static loads of a motion: what deforms the part at {3}. The loads "
+      "The equivalent static loads of {12}: what deforms the part at {3}. The loads "
       "of "
-      "an instant\n"
+      "a case\n"
       "are a combination of {4} unit cases, with the factors of `factors.csv`, as its "
       "displacements "
       "are.\n"
@@ -186,8 +187,9 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "- **Cells**: {8} ({9} of {10} nodes); cells without material are left out, those that the "
       "outline cuts have\n"
       "  {11} materials with their share of the stiffness.\n",
-      deck.part, deck.scene, program, instants(deck.times.size()), deck.units.size(), x[0], x[1],
-      x[2], cells, deck.cells.cols(), deck.node_count(), stiffness_groups(deck).size());
+      deck.part, deck.scene, program, deck.words.count(deck.times.size()), deck.units.size(), x[0],
+      x[1], x[2], cells, deck.cells.cols(), deck.node_count(), stiffness_groups(deck).size(),
+      deck.words.a_state());
   if (planar && calculix && !deck.layered())
     text +=
         "- **Planar part**: its material has no Poisson effect across its plane, so that this is "
@@ -207,13 +209,13 @@ std::string deck_readme(const SolidDeck& deck, const std::string& program) {
       "  so that the deck needs no rigid bodies.\n"
       "- **What it shall give back**: `displacements.csv`{}. The displacements that "
       "liesl finds with\n"
-      "  the full mesh differ from those of the motion, over the largest: {}.\n\n"
-      "| case | time [s] |\n|---|---|\n",
+      "  the full mesh differ from those of the {}, over the largest: {}.\n\n"
+      "| case | {} |\n|---|---|\n",
       calculix ? "no `NLGEOM`" : "`SOL 101`",
       calculix
           ? fmt::format("; {} is liesl's cell, so that it does to 1e-6", calculix_element(deck))
           : "; no Nastran was at hand, finite elements of liesl's kind do to 1e-6",
-      difference_text(deck.identity.linear));
+      deck.words.state(), difference_text(deck.identity.linear), deck.words.column());
   for (std::size_t n = 0; n < deck.times.size(); ++n)
     text += fmt::format("| {} | {:.6g} |\n", n + 1, deck.times[n]);
   return text;

@@ -16,6 +16,7 @@ struct SolidDeck {
     Eigen::Matrix3Xd displacement, force;  ///< 3 x N, by a coordinate of 1: m or rad; N
   };
   std::string part, scene;
+  DeckWords words;
   Material material;
   int dim = 3;
   double thickness = 0;                          ///< m, of a planar part
@@ -26,7 +27,7 @@ struct SolidDeck {
   std::map<std::string, std::vector<int>> sets;  ///< interfaces, nodes from 0
   std::vector<int> held;                         ///< nodes of the first interface
   std::vector<Unit> units;
-  std::vector<double> times;  ///< s, of the cases
+  std::vector<double> times;  ///< s, or load factors, of the cases
   Eigen::MatrixXd factors;    ///< units x cases
   Identity identity;
 

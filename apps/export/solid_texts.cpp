@@ -114,9 +114,9 @@ std::string calculix_element(const SolidDeck& deck) {
 
 std::string calculix_text(const SolidDeck& deck) {
   std::string text = fmt::format(
-      "** '{}' of '{}' under the equivalent static loads of its motion, as unit cases. SI units.\n"
+      "** '{}' of '{}' under the equivalent static loads of its {}, as unit cases. SI units.\n"
       "** See README.md in this folder.\n",
-      deck.part, deck.scene);
+      deck.part, deck.scene, deck.words.state());
   text += solid_mesh_text(deck) + solid_materials_text(deck);
   for (std::size_t k = 0; k < deck.units.size(); ++k) text += unit_step_text(deck, k);
   return text;
@@ -197,9 +197,9 @@ std::string nastran_text(const SolidDeck& deck) {
   std::string text = "SOL 101\nCEND\n" + title("TITLE = " + deck.part + " of " + deck.scene) +
                      "DISPLACEMENT = ALL\n";
   for (std::size_t n = 0; n < deck.times.size(); ++n)
-    text +=
-        fmt::format("SUBCASE {0}\n  LABEL = the motion at {1:.9g} s\n  LOAD = {2}\n  SPC = {2}\n",
-                    n + 1, deck.times[n], kCombined + static_cast<int>(n) + 1);
+    text += fmt::format("SUBCASE {0}\n  LABEL = the {3} at {1}\n  LOAD = {2}\n  SPC = {2}\n", n + 1,
+                        deck.words.at(deck.times[n]), kCombined + static_cast<int>(n) + 1,
+                        deck.words.state());
   text += "BEGIN BULK\n" + grids_text(deck) + solid_bulk_text(deck);
   for (std::size_t k = 0; k < deck.units.size(); ++k)
     for (int i = 0; i < deck.node_count(); ++i) {

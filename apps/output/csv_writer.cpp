@@ -107,17 +107,19 @@ void write_frames_csv(const std::filesystem::path& path, const Results& results,
   check_shapes(results);
   std::string out =
       heading(results.abscissa, results.abscissa_unit) + ",body,kind,node,x [m],y [m],z [m]\n";
-  for (const int i : frame_records(results, instants)) {
-    for (const auto& body : results.bodies) {
-      if (body.positions.empty()) continue;
-      const double* x =
-          body.positions.data() + 3 * results.row(i) * static_cast<std::size_t>(body.nodes);
-      for (int k = 0; k < body.nodes; ++k, x += 3) {
-        fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", results.times[i],
-                       field(body.name), field(body.kind), k, x[0], x[1], x[2]);
-      }
-    }
-  }
+  const auto put = [&](const std::string& at, const BodyResult& body, const double* x) {
+    for (int k = 0; k < body.nodes; ++k, x += 3)
+      fmt::format_to(std::back_inserter(out), "{},{},{},{},{},{},{}\n", at, field(body.name),
+                     field(body.kind), k, x[0], x[1], x[2]);
+  };
+  if (results.abscissa == "frequency")
+    for (const auto& body : results.bodies)
+      if (!body.reference_positions.empty()) put(kAtRest, body, body.reference_positions.data());
+  for (const int i : frame_records(results, instants))
+    for (const auto& body : results.bodies)
+      if (!body.positions.empty())
+        put(fmt::format("{}", results.times[i]), body,
+            body.positions.data() + 3 * results.row(i) * static_cast<std::size_t>(body.nodes));
   write_file(path, out);
 }
 

@@ -28,7 +28,7 @@ void write_energies_csv(const std::filesystem::path& path, const Results& result
 void write_joints_csv(const std::filesystem::path& path, const Results& results);
 
 /// Positions of all nodes at `instants` records, evenly spread, and where responses are largest:
-/// `<abscissa>, body, kind, node, x [m], y [m], z [m]`.
+/// `<abscissa>, body, kind, node, x [m], y [m], z [m]`; of modes first where they are at rest.
 void write_frames_csv(const std::filesystem::path& path, const Results& results, int instants = 13);
 
 /// Places of bodies of one node along the motion, at most 200: `<abscissa>, body, x [m], y [m],

@@ -82,6 +82,13 @@ std::vector<std::vector<std::uint32_t>> sharp_edges(const CutMesh& mesh,
   return lines;
 }
 
+/// A row of part_lines.csv. @param bending what of the place is deformation
+void put_point(std::string& text, const std::string& start, const std::string& name,
+               std::size_t line, const Vector3d& x, const Vector3d& bending) {
+  fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n",
+                 start, name, line, x[0], x[1], x[2], bending[0], bending[1], bending[2]);
+}
+
 /// A meshed part, ready to be drawn at any record.
 class PartLines {
  public:
@@ -101,12 +108,17 @@ class PartLines {
     const std::vector<Vector3d> x = at(record, row), rest = places(mesh_.reference);
     const Chord chord = chord_at(row);
     for (std::size_t l = 0; l < lines_.size(); ++l)
-      for (const std::uint32_t v : lines_[l]) {
-        const Vector3d b = x[v] - chord.carry(rest[v]);
-        fmt::format_to(std::back_inserter(text),
-                       "{},{},{},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g},{:.7g}\n", start, name, l,
-                       x[v][0], x[v][1], x[v][2], b[0], b[1], b[2]);
-      }
+      for (const std::uint32_t v : lines_[l])
+        put_point(text, start, name, l, x[v], x[v] - chord.carry(rest[v]));
+  }
+
+  void put_at_rest(std::string& text, const std::string& start, const std::string& name) const {
+    const std::vector<Vector3d> rest = places(mesh_.reference);
+    const Vector3d x0 = vector_at(body_.reference_positions, 0);
+    const Matrix3d R0 = axes_at(body_.reference_rotations, 0);
+    for (std::size_t l = 0; l < lines_.size(); ++l)
+      for (const std::uint32_t v : lines_[l])
+        put_point(text, start, name, l, x0 + R0 * rest[v], Vector3d::Zero());
   }
 
  private:
@@ -221,11 +233,53 @@ void put_rigid(std::string& text, const std::string& start, const BodyResult& bo
   const Matrix3d R = axes_at(body.rotations, row);
   const Vector3d origin = vector_at(body.positions, row);
   for (std::size_t l = 0; l < arms.size(); ++l)
-    for (const Vector3d& end : {vector_at(body.points, 0), arms[l]}) {
-      const Vector3d x = origin + R * end;
-      fmt::format_to(std::back_inserter(text), "{},{},{},{:.7g},{:.7g},{:.7g},0,0,0\n", start,
-                     field(body.name), l, x[0], x[1], x[2]);
+    for (const Vector3d& end : {vector_at(body.points, 0), arms[l]})
+      put_point(text, start, field(body.name), l, origin + R * end, Vector3d::Zero());
+}
+
+/// Offset of a node from the chord of its beam.
+/// @param x places of the nodes from `first` on
+Vector3d off_chord(const BodyResult& body, const std::vector<double>& x, std::size_t first,
+                   std::size_t node) {
+  const Vector3d a = vector_at(x, first), p = vector_at(x, first + node) - a,
+                 chord = vector_at(x, first + static_cast<std::size_t>(body.nodes) - 1) - a;
+  const double square = chord.squaredNorm();
+  return square > 0 ? Vector3d(p - p.dot(chord) / square * chord) : Vector3d::Zero();
+}
+
+/// A beam whose offsets from its chord are bending alone; as `straight_at_rest` of
+/// apps/plot/mechanism.py has it.
+bool straight_at_rest(const BodyResult& body) {
+  if (body.elements.empty() || body.reference_positions.empty()) return false;
+  double largest = 0, length = 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(body.nodes); ++k) {
+    largest = std::max(largest, off_chord(body, body.reference_positions, 0, k).norm());
+    length =
+        (vector_at(body.reference_positions, k) - vector_at(body.reference_positions, 0)).norm();
+  }
+  return largest <= 1e-6 * length;
+}
+
+/// A joint that is a body without mass, from port to port.
+void put_link(std::string& text, const std::string& start, const JointResult& joint,
+              const std::vector<BodyResult>& bodies, std::size_t row) {
+  for (std::size_t end = 0; end < 2; ++end) {
+    const Vector3d place = vector_at(joint.places, end);
+    const auto body = std::find_if(bodies.begin(), bodies.end(), [&](const BodyResult& b) {
+      return b.name == joint.bodies[end];
+    });
+    if (body == bodies.end()) {  // the ground
+      put_point(text, start, field(joint.name), 0, place, Vector3d::Zero());
+      continue;
     }
+    const auto node = static_cast<std::size_t>(joint.nodes[end]),
+               first = row * static_cast<std::size_t>(body->nodes);
+    const Vector3d x =
+        vector_at(body->positions, first + node) + axes_at(body->rotations, first + node) * place;
+    put_point(text, start, field(joint.name), 0, x,
+              straight_at_rest(*body) ? off_chord(*body, body->positions, first, node)
+                                      : Vector3d(Vector3d::Zero()));
+  }
 }
 
 }  // namespace
@@ -256,6 +310,8 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
                                    [&](const BodyResult& b) { return b.name == mesh.name; });
     if (body == results.bodies.end() || mesh.reference.empty()) continue;
     const PartLines lines(mesh, *body);
+    if (results.abscissa == "frequency" && !body->reference_positions.empty())
+      lines.put_at_rest(text, kAtRest, field(mesh.name));
     for (const int record : pictured(results))
       lines.put(text, fmt::format("{}", results.times[std::size_t(record)]), field(mesh.name),
                 std::size_t(record), results.row(record));
@@ -265,6 +321,11 @@ void write_part_lines_csv(const std::filesystem::path& path, const Results& resu
       for (const int record : pictured(results))
         put_rigid(text, fmt::format("{}", results.times[std::size_t(record)]), body,
                   arms_of(body, results.joints), results.row(record));
+  for (const JointResult& joint : results.joints)
+    if ((joint.type == "rod" || joint.type == "cylinder") && joint.places.size() == 6)
+      for (const int record : pictured(results))
+        put_link(text, fmt::format("{}", results.times[std::size_t(record)]), joint, results.bodies,
+                 results.row(record));
   if (text.size() > head) write_file(path, text);
 }
 

@@ -21,7 +21,8 @@ void write_sections_csv(const std::filesystem::path& path, const Results& result
 /// outline, material on the left, of a part in space the edges where its surface turns by more than
 /// 30 degrees: `<abscissa>, body, line, x [m], y [m], z [m], bending x [m], bending y [m], bending
 /// z [m]`, the latter what of a place is deformation about the chord, the line from the first
-/// interface to the farthest. No file without such lines.
+/// interface to the farthest; of modes meshed parts at rest, too. Rods and cylinders, joints
+/// without mass, are a line from port to port. No file without such lines.
 void write_part_lines_csv(const std::filesystem::path& path, const Results& results);
 
 }  // namespace liesl::output

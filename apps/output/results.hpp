@@ -157,6 +157,8 @@ void check_shapes(const BodyResult& body, std::size_t n);
 
 /// Records that pictures show: more make ParaView slow.
 inline constexpr int kShownRecords = 250;
+/// What tables for pictures of modes are numbered by where the mechanism is at rest: no frequency.
+inline constexpr const char* kAtRest = "0";
 /// Instants of frames.csv, and of those the ones that pictures show.
 inline constexpr int kFrames = 13, kPictured = 5;
 /// Responses whose largest values are among the instants of frames.csv.

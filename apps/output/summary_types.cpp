@@ -28,7 +28,7 @@ constexpr struct {
      "history[].worst_at "
      "history[].limits.*.at kkt "
      "load_cases[] supports[].place supports[].held fixed_loads[].name fixed_loads[].load_case "
-     "fixed_loads[].place scenarios[] nucleation.reason nucleation.gain_unit "
+     "fixed_loads[].place scenarios[] design_files.* nucleation.reason nucleation.gain_unit "
      "method parameters.*.unit gradients.*.*.unit "
      "shard input_units.* "
      "response unit norm references[].changes[] references[].formalisms[] "

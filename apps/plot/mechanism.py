@@ -3,13 +3,14 @@
 import math
 
 import matplotlib.pyplot as plt
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import LineCollection, PolyCollection
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch, PathPatch
 from matplotlib.path import Path as Lines
 from matplotlib.ticker import MaxNLocator
 from mpl_toolkits.mplot3d.art3d import Line3DCollection, Poly3DCollection
 
+from space import space_panels, whole_box
 from style import BLUE, GREEN, ORANGE, PURPLE, label
 from tables import HalfResult, NothingToDraw, Table, table
 
@@ -20,6 +21,10 @@ VISIBLE = 0.06  # largest bending that is shown, of the size of the mechanism
 FILL = 0.35  # opacity of what bodies cover
 THIN = 0.004  # thickness, of the size of the mechanism, below which a beam is drawn as a line
 SIDES, TUBES = 8, 60  # of a beam in space: sides of its tube, pieces of it at most
+SPACE_SIDE, MODE_SIDE = 7.5, 3.6  # inches: squares of axes in space
+REST = "#8c8c8c"
+LINK = (0, (6, 1.5))
+IN_PLANE = 0.1  # bending out of a plane, of that in it, that a picture of the plane may leave out
 PART_COLUMNS = 9  # of part_lines.csv
 ROUND = 1e-4  # difference of thicknesses, of the largest, of what is round
 STRAIGHT = 1e-6  # offset from the chord, of its length, of what is straight at rest
@@ -111,47 +116,92 @@ def draw_mechanism(folder, pictures, summary):
     if not instants:
         return
     shapes = read_shapes(folder, instants)
-    axes = shown_axes(instants, shapes)
     if abscissa.startswith("frequency"):
-        draw_modes(pictures, instants, axes, shapes, summary.get("frequencies_hz", []))
+        draw_modes(pictures, instants, shapes, summary.get("frequencies_hz", []))
         return
-    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
-    ax = figure.add_subplot(projection="3d" if len(axes) == 3 else None)
-    ax.set_anchor("N")  # below the heading; what stays free is cut off
+    axes = shown_axes(instants, shapes)
     scale = bending_scale(instants, shapes.parts)
     shapes.parts = scaled_parts(shapes.parts, scale)
     shown = few(instants, peak_of(summary))
+    heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} instants"
+    heading += f", bending × {scale:g}" if scale != 1 else ""
+    if len(axes) == 3:
+        drawn = everything(instants, shapes)
+        figure, (ax,) = space_panels(1, 1, SPACE_SIDE, lambda ax: frame_axes(ax, axes, drawn))
+        marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
+        frame_axes(ax, axes, drawn)
+        beside = figure.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.0, 0.94), borderaxespad=0)
+        pictures.save(figure, "mechanism", heading, whole_box(figure, beside))
+        return
+    figure = plt.figure(figsize=(8.2, 5.6), layout="constrained")
+    ax = figure.add_subplot()
+    ax.set_anchor("N")  # below the heading; what stays free is cut off
     marks = mechanism(ax, instants, shown, axes, scale, abscissa, shapes)
     ax.legend(handles=marks, loc="upper left", bbox_to_anchor=(1.02, 1.0), borderaxespad=0)
-    heading = "mechanism" if len(shown) == 1 else f"mechanism: {len(shown)} instants"
-    pictures.save(figure, "mechanism", heading + (f", bending × {scale:g}" if scale != 1 else ""))
+    pictures.save(figure, "mechanism", heading)
 
 
-def draw_modes(pictures, instants, axes, shapes, frequencies):
+def everything(instants, shapes):
+    """All points of bodies and of their lines."""
+    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
+    return points + [x[:3] for lines in shapes.parts.values() for line in lines for x in line]
+
+
+def draw_modes(pictures, instants, shapes, frequencies):
     """Shapes of vibration, each in a panel of its own; all panels show the same box.
+    @param instants the first one, of frequency 0, is the mechanism at rest
     @param frequencies of all modes, of which frames.csv has some"""
-    drawn = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
-    drawn += [x[:3] for lines in shapes.parts.values() for line in lines for x in line]
+    axes, drawn = shown_axes(instants, shapes, modes=True), everything(instants, shapes)
+    rest = instants[0] if instants[0][0] == 0 and 0 not in frequencies else None
+    instants = instants[rest is not None:]
+    if not instants:
+        return
     shapes.parts = scaled_parts(shapes.parts, 1)
-    columns = min(MODE_COLUMNS, len(instants))
-    rows = -(-len(instants) // columns)
-    figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", figsize=(3.4 * columns, 0.9 + 3 * rows),
-                                  subplot_kw={"projection": "3d" if len(axes) == 3 else None})
-    for ax in list(panels.flat)[len(instants):]:
-        ax.set_axis_off()
-    for number, (ax, instant) in enumerate(zip(panels.flat, instants), 1):
-        marks = mechanism(ax, [instant], [instant], axes, 1, "", shapes)[1:]  # it is named by its heading
+    titles = []
+    for number, (frequency, _) in enumerate(instants, 1):
+        number = frequencies.index(frequency) + 1 if frequency in frequencies else number
+        titles.append(f"{number}: {frequency:.5g} Hz")
+
+    def frame(ax):
         frame_axes(ax, axes, drawn)
         ax.tick_params(labelsize=7)
         for axis in (ax.xaxis, ax.yaxis, ax.zaxis) if len(axes) == 3 else ():
-            axis.labelpad = 1  # which the box about the figure does not count
+            axis.labelpad = 6
             axis.label.set_fontsize(8)
-        if instant[0] in frequencies:
-            number = frequencies.index(instant[0]) + 1
-        ax.set_title(f"{number}: {instant[0]:.5g} Hz", fontsize=10)
-    figure.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3)
+
+    figure, panels = mode_panels(axes, titles, frame)
+    for ax, instant in zip(panels, instants):
+        marks = mechanism(ax, [instant], [instant], axes, 1, "", shapes)[1:]  # it is named by its heading
+        if rest:
+            marks = draw_rest(ax, axes, rest, shapes) + marks
+        frame(ax)
+    below = figure.legend(handles=marks, loc="upper center", bbox_to_anchor=(0.5, 0), ncols=3)
     heading = "shape of vibration" if len(instants) == 1 else f"{len(instants)} shapes of vibration"
-    pictures.save(figure, "mechanism", heading)
+    pictures.save(figure, "mechanism", heading, whole_box(figure, below) if len(axes) == 3 else None)
+
+
+def mode_panels(axes, titles, frame):
+    """A figure with a panel a mode."""
+    count, columns = len(titles), min(MODE_COLUMNS, len(titles))
+    if len(axes) == 3:
+        return space_panels(count, columns, MODE_SIDE, frame, titles)
+    rows = -(-count // columns)
+    figure, panels = plt.subplots(rows, columns, squeeze=False, layout="constrained", figsize=(3.4 * columns, 0.9 + 3 * rows))
+    for ax in list(panels.flat)[count:]:
+        ax.set_axis_off()
+    for ax, title in zip(panels.flat, titles):
+        ax.set_title(title, fontsize=10)
+    return figure, list(panels.flat)
+
+
+def draw_rest(ax, axes, rest, shapes):
+    """Below a shape of vibration the mechanism at rest: axes of beams, lines of meshed parts. Marks for a legend."""
+    time, bodies = rest
+    for body, (_, nodes) in bodies.items():
+        lines = shapes.parts.get((time, body)) or [nodes]
+        for line in lines:
+            ax.plot(*[[x[k] for x in line] for k in axes], color=REST, linewidth=0.7, zorder=1)
+    return [Line2D([], [], color=REST, linewidth=0.7, label="at rest")]
 
 
 def peak_of(summary):
@@ -179,13 +229,19 @@ def few(instants, peak=None):
     return [instants[n] for n in sorted(chosen)]
 
 
-def shown_axes(instants, shapes):
-    """Two axes for what lies in a coordinate plane, else all three."""
-    points = [x for _, bodies in instants for _, nodes in bodies.values() for x in nodes]
-    points += [x[:3] for lines in shapes.parts.values() for line in lines for x in line]
-    spans = [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
+def shown_axes(instants, shapes, modes=False):
+    """Two axes for what lies in a coordinate plane, or moves and bends in one; else all three."""
+    spans = spans_of(everything(instants, shapes))
+    if not modes and any(len(nodes) > 1 for _, bodies in instants for _, nodes in bodies.values()):
+        of_nodes = spans_of([x for _, bodies in instants for _, nodes in bodies.values() for x in nodes])
+        bending = [max((abs(x[3 + k]) for lines in shapes.parts.values() for line in lines for x in line), default=0) for k in range(3)]
+        spans = [0 if of_nodes[k] <= 1e-6 * max(of_nodes) and bending[k] <= IN_PLANE * max(bending) else spans[k] for k in range(3)]
     flat = [k for k in range(3) if spans[k] <= 1e-6 * max(spans)]
     return [k for k in range(3) if k not in flat[-1:]] if flat else [0, 1, 2]
+
+
+def spans_of(points):
+    return [max(p[k] for p in points) - min(p[k] for p in points) for k in range(3)]
 
 
 def offsets(nodes):
@@ -244,9 +300,13 @@ class Shapes:
                 ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=2.6, solid_capstyle="round")
             ax.plot(*[[lines[0][0][k]] for k in axes], color=colour, marker="s", markersize=6)
             return True
-        if lines and len(axes) == 3:
+        if lines and lines[0][0] != lines[0][-1]:  # no outline: edges of a part in space
             self.drawn.add("edges")
-            ax.add_collection3d(Line3DCollection(lines, colors=colour, linewidths=0.9, alpha=1 if last else FILL))
+            options = dict(colors=colour, linewidths=0.9, alpha=1 if last else FILL)
+            if len(axes) == 3:
+                ax.add_collection3d(Line3DCollection([[x[:3] for x in line] for line in lines], **options))
+            else:
+                ax.add_collection(LineCollection([[[x[k] for k in axes] for x in line] for line in lines], **options))
             return True
         if lines:
             self.drawn.add("part")
@@ -286,9 +346,20 @@ class Shapes:
     def marks(self):
         """For the legend."""
         kinds = {"beam": "beam, true thickness", "tube": "beam, mean thickness", "part": "meshed part, its outline"}
+        if {"beam", "tube"} <= self.drawn:  # one mark: of what is round the mean is the true one
+            del kinds["beam"]
         edges = [Line2D([], [], color="black", linewidth=0.9, label="meshed part, its edges")]
+        links = [Line2D([], [], color="black", linewidth=1.2, linestyle=LINK, label="rod or cylinder, without mass")]
         return [Patch(facecolor="#00000059", edgecolor="black", linewidth=0.9, label=text)
-                for kind, text in kinds.items() if kind in self.drawn] + edges * ("edges" in self.drawn)
+                for kind, text in kinds.items() if kind in self.drawn] + edges * ("edges" in self.drawn) + links * ("links" in self.drawn)
+
+    def draw_links(self, ax, axes, time, bodies, colour):
+        """Joints that are bodies without mass: lines that belong to no body. @param bodies of the mechanism"""
+        for (at, name), lines in self.parts.items():
+            if at == time and name not in bodies:
+                self.drawn.add("links")
+                for line in lines:
+                    ax.plot(*[[x[k] for x in line] for k in axes], color=colour, linewidth=1.2, linestyle=LINK)
 
 
 def strip(a, b, thickness):
@@ -357,6 +428,7 @@ def mechanism(ax, instants, shown, axes, scale, abscissa, shapes):
             if len(nodes) > 1:  # where joints are
                 ax.plot(*columns([nodes[0], nodes[-1]]), color=colour, linestyle="none",
                         marker="o", markersize=4, markerfacecolor="white")
+        shapes.draw_links(ax, axes, time, bodies, colour)
         name, unit = abscissa.rstrip("]").partition(" [")[::2]
         marks.append(Line2D([], [], color=colour, linewidth=2.6,
                             label=f"{'t' if name == 'time' else name} = {time:.4g} "
@@ -382,7 +454,7 @@ def extremes(points):
 def frame_axes(ax, axes, points):
     """Labels, and the same scale in all directions."""
     for k, name in zip(axes, "xyz"):
-        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]", labelpad=9 if len(axes) == 3 else 4)
+        getattr(ax, f"set_{name}label")(f"{'xyz'[k]} [m]", labelpad=12 if len(axes) == 3 else 4)
     if len(axes) == 2:
         low = [min(p[k] for p in points) for k in axes]
         high = [max(p[k] for p in points) for k in axes]

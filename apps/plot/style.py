@@ -78,13 +78,14 @@ class Pictures:
     def __init__(self, folder, title):
         self.folder, self.title, self.paths = folder, title, []
 
-    def save(self, figure, name, heading):
+    def save(self, figure, name, heading, box=None):
+        """@param box what is kept of the figure, inches; None: what is drawn"""
         figure.suptitle(f"{self.title}: {heading}" if self.title else heading, fontsize=12)
         self.folder.mkdir(parents=True, exist_ok=True)
         # The layout once, for both files.
         figure.draw_without_rendering()
         figure.set_layout_engine("none")
-        box = figure.get_tightbbox().padded(0.12)
+        box = (box or figure.get_tightbbox()).padded(0.12)
         for kind in ("png", "svg"):
             path = self.folder / f"{name}.{kind}"
             part = self.folder / f".{name}.{kind}.part"

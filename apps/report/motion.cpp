@@ -2,6 +2,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 #include "apps/output/cut_mesh.hpp"
 #include "apps/output/hdf5_input.hpp"
@@ -171,9 +173,38 @@ double bytes_an_instant(const Hdf5Input& file) {
   return bytes;
 }
 
+/// The record nearest to an instant: the first, as load factors may fall again.
+int record_near(const std::vector<double>& t, double at) {
+  const auto off = [&](double a, double b) { return std::abs(a - at) < std::abs(b - at); };
+  return static_cast<int>(std::min_element(t.begin(), t.end(), off) - t.begin());
+}
+
+/// Is a limit one of the motion that is shown?
+bool is_shown(const std::string& limit, const Json& scenarios) {
+  return scenarios.empty() || limit.ends_with(" (" + scenarios.at(0).get<std::string>() + ")");
+}
+
 }  // namespace
 
-Json motion(const std::filesystem::path& results, Blob& blob) {
+std::optional<double> opening(const Json& summary) {
+  const Json none = Json::object(), scenarios = summary.value("scenarios", Json::array());
+  Json peak;
+  double worst = -std::numeric_limits<double>::infinity();
+  const Json limits = summary.value("constraints", none);
+  for (const auto& [name, limit] : limits.items()) {
+    const Json violation = limit.value("violation", Json());
+    if (!is_shown(name, scenarios) || !violation.is_number() || violation <= worst) continue;
+    worst = violation;
+    peak = limit;
+  }
+  const Json responses = summary.value("responses", none);
+  if (peak.is_null() && !responses.empty()) peak = responses.front();
+  const Json at = peak.is_object() ? peak.value("at_time", Json()) : Json();
+  if (!at.is_number() || at <= 0) return std::nullopt;
+  return at.get<double>();
+}
+
+Json motion(const std::filesystem::path& results, std::optional<double> opening, Blob& blob) {
   const Hdf5Input file(results);
   if (file.attribute("/", "program") != "liesl")
     throw output::IoError("report", results, "it is not of liesl");
@@ -187,12 +218,20 @@ Json motion(const std::filesystem::path& results, Blob& blob) {
   const int n = static_cast<int>(records[0]);
   const int shown = std::clamp(static_cast<int>(kMotionBytes / bytes_an_instant(file)),
                                kFewestInstants, kMostInstants);
-  const std::vector<int> instants = output::spread_records(n, shown);
+  std::vector<int> instants = output::spread_records(n, opening && n > shown ? shown - 1 : shown);
+  Json opens;
+  if (opening) {
+    const int record = record_near(file.numbers("/time").values, *opening);
+    auto place = std::lower_bound(instants.begin(), instants.end(), record);
+    if (place == instants.end() || *place != record) place = instants.insert(place, record);
+    opens = place - instants.begin();
+  }
   const std::string abscissa = file.attribute("/", "abscissa");
   Json json = {{"abscissa", abscissa},
                {"unit", file.attribute("/time", "unit")},
                {"space", file.attribute("/", "space")},
-               {"records", n}};
+               {"records", n},
+               {"opens", opens}};
   json["t"] = blob.f32(file.numbers("/time", instants).values);
   json["bodies"] = json["meshes"] = json["joints"] = Json::array();
   for (const std::string& name : bodies)

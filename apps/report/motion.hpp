@@ -3,6 +3,7 @@
 /// The motion in results.h5 as a page shows it.
 
 #include <filesystem>
+#include <optional>
 
 #include "apps/report/blob.hpp"
 
@@ -12,9 +13,13 @@ namespace liesl::report {
 inline constexpr double kMotionBytes = 200e3;
 inline constexpr int kFewestInstants = 120, kMostInstants = 600;
 
-/// Bodies, meshed parts and joints at evenly spread records:
-/// {"abscissa", "unit", "records", "t", "bodies", "meshes", "joints"}. Null if the file has no
-/// records. @throws output::IoError
-Json motion(const std::filesystem::path& results, Blob& blob);
+/// When a page begins: at the peak of the worst limit (of the first scenario, whose motion it
+/// shows) or, without limits, of the first response. Empty if there is none after the start.
+std::optional<double> opening(const Json& summary);
+
+/// Bodies, meshed parts and joints at evenly spread records and the one nearest to `opening`:
+/// {"abscissa", "unit", "records", "opens", "t", "bodies", "meshes", "joints"}; "opens" is where
+/// that one is in "t". Null if the file has no records. @throws output::IoError
+Json motion(const std::filesystem::path& results, std::optional<double> opening, Blob& blob);
 
 }  // namespace liesl::report

@@ -33,7 +33,7 @@ std::string page_of(const fs::path& folder, const std::string& name) {
   Json data = {{"folder", name}, {"summary", summary}};
   try {
     if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
-      data["motion"] = motion(folder / "results.h5", blob);
+      data["motion"] = motion(folder / "results.h5", opening(summary), blob);
     data["charts"] = charts(folder, summary, blob);
     data["sized"] = sized_elements(folder);
     data["outlines"] = outlines(folder, blob);

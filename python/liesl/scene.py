@@ -55,8 +55,12 @@ class Scene:
 
     def write(self, path: PathLike) -> None:
         """Writes a TOML file with the changes in it; comments stay. Paths of meshes become
-        absolute if the file goes to another folder. Raises IoError."""
-        _liesl.write_file(os.path.abspath(path), self._moved(Path(path))._scene.rewritten())
+        absolute if the file goes to another folder. Its first line names the schema of scenes, for
+        editors. Raises IoError."""
+        text = self._moved(Path(path))._scene.rewritten()
+        schema = Path(__file__).with_name("scene.json").resolve()
+        line = f"#:schema {schema}\n" if schema.is_file() else ""
+        _liesl.write_file(os.path.abspath(path), line + text)
 
     @property
     def warnings(self) -> list[str]:

@@ -573,7 +573,15 @@ class Pages(PageTest):
         self.assertEqual(liesl("report", str(folder)).returncode, 0)
         self.show(folder)
         self.browser.run("document.querySelector('#cases tbody tr').click()")
-        self.assertIn("liesl report unpaged/cases/1", self.browser.run("return document.getElementById('said').textContent"))
+        said = "return document.getElementById('said').textContent"
+        self.assertIn("liesl report unpaged/cases/1", self.browser.run(said))
+        # A point, whose table is further down: its figures come into sight.
+        self.focus("canvas.scatter")
+        self.browser.press("End", "Enter")
+        text = self.browser.run(said)
+        for figure in ("Case 2", "duration", "20 ms", "liesl report unpaged/cases/2"):
+            self.assertIn(figure, text)
+        self.assertTrue(self.browser.run("const r = document.getElementById('said').getBoundingClientRect(); return r.top >= 0 && r.top < innerHeight"))
         self.assertNotIn("/cases/", self.browser.run("return location.href"))
         self.assertEqual(liesl("report", str(folder / "cases/1")).returncode, 0)
         self.assertEqual(liesl("report", str(folder)).returncode, 0)

@@ -42,6 +42,9 @@ if [[ -x $place/prefix/bin/liesl ]]; then
     "$program" run "$source/data/scenes/pendulum.toml" -o "$place/run" --force --quiet \
       --set simulation.duration=0.01
   done
+  "$place/link" new scene --like pendulum -o "$place/new.toml" --quiet
+  schema=$(sed -n '1s/^#:schema //p' "$place/new.toml")
+  [[ $schema == "$place/prefix/"* && -f $schema ]]
   mkdir "$place/case"
   printf 'scene = "%s"\n[grid]\nrho = { key = "simulation.rho_inf", values = [0.8, 0.9] }\n' \
     "$source/data/scenes/pendulum.toml" >"$place/batch.toml"

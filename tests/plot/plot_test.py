@@ -431,6 +431,40 @@ class Plot(unittest.TestCase):
         self.assertEqual(plot(self.folder).returncode, 0)
         self.assertIn("<!-- 3: 300 Hz -->", (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
 
+    def test_modes_are_beside_the_mechanism_at_rest(self):
+        """Which is the first instant, of frequency 0, and no mode. In space panels are no higher than what they show."""
+        heads = ["frequency [Hz]", "body", "kind", "node", "x [m]", "y [m]", "z [m]"]
+        rows = [[100.0 * n, "rod", "beam", k, k / 8, 0.02 * n * math.sin(math.pi * k / 8), 0.01 * n] for n in range(4) for k in range(9)]
+        (self.folder / "summary.json").write_text(json.dumps({"name": "rod", "frequencies_hz": [100.0, 200.0, 300.0]}))
+        for kept, rest in ((rows, True), (rows[9:], False)):
+            write_csv(self.folder / "frames.csv", heads, kept)
+            self.assertEqual(plot(self.folder).returncode, 0)
+            svg = (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8")
+            self.assertEqual("<!-- at rest -->" in svg, rest)
+            self.assertIn("3 shapes of vibration", svg)
+            self.assertEqual(re.findall(r"<!-- (\d): \d+ Hz -->", svg), ["1", "2", "3"])
+            width, height = map(float, re.search(r'viewBox="0 0 (\S+) (\S+)"', svg).groups())
+            self.assertLess(height, 0.4 * width)  # three squares beside each other were as high as wide a third, and headings
+
+    def test_rods_and_cylinders_are_drawn(self):
+        write_run(self.folder), write_shapes(self.folder)
+        self.assertEqual(plot(self.folder).returncode, 0)
+        mark = "<!-- rod or cylinder, without mass -->"
+        self.assertNotIn(mark, (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+        path = self.folder / "part_lines.csv"
+        path.write_text(path.read_text() + "".join(f"{t},lift,0,{x},0.1,0,0,0,0\n" for t in times(13, 0.042)[::3] for x in (0, 0.2)))
+        self.assertEqual(plot(self.folder).returncode, 0)
+        self.assertIn(mark, (self.folder / "plots/mechanism.svg").read_text(encoding="utf-8"))
+
+    def test_a_part_in_space_that_moves_in_a_plane_is_drawn_there(self):
+        import mechanism as drawn  # noqa: PLC0415
+        instants = [(t, {"rod": ("solid", [(t, 0, 0), (t + 1, t, 0)])}) for t in (0.0, 1.0)]
+        edges = lambda b: {(t, "rod"): [[(t, 0, -0.1, 0, 0.01, b), (t + 1, t, 0.1, 0, 0.01, b)]] for t in (0.0, 1.0)}  # noqa: E731
+        shapes = lambda b: drawn.Shapes({}, edges(b))  # noqa: E731
+        self.assertEqual(drawn.shown_axes(instants, shapes(1e-4)), [0, 1])
+        self.assertEqual(drawn.shown_axes(instants, shapes(5e-3)), [0, 1, 2])  # it bends out of its plane
+        self.assertEqual(drawn.shown_axes(instants, shapes(1e-4), modes=True), [0, 1, 2])
+
     def test_bending_of_parts_and_beams_has_one_scale(self):
         import mechanism as drawn  # noqa: PLC0415
         write_run(self.folder), write_shapes(self.folder)

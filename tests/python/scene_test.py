@@ -2,6 +2,7 @@
 
 import pickle
 import tomllib
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -98,6 +99,15 @@ def test_write_keeps_comments_and_numbers(data, tmp_path):
                    if line.startswith("# ") )
     assert comment in (tmp_path / "copy.toml").read_text()
     assert same(liesl.Scene.load(tmp_path / "copy.toml").run(), scene.run())
+
+
+def test_write_names_the_schema_of_scenes(data, pendulum, tmp_path):
+    for scene in (liesl.Scene.load(data / "scenes/slider_crank.toml"), liesl.Scene(pendulum)):
+        scene.write(tmp_path / "copy.toml")
+        first, rest = (tmp_path / "copy.toml").read_text().split("\n", 1)
+        word, schema = first.split(" ", 1)
+        assert word == "#:schema" and word not in rest
+        assert Path(schema).read_text() == (data / "schema/scene.json").read_text()
 
 
 def test_write_elsewhere_finds_its_mesh(data, tmp_path):

@@ -47,6 +47,23 @@ TEST_F(Cli, CommandLineThatIsNoneIsRefused) {
       << strange.err;
 }
 
+TEST_F(Cli, UnknownOptionsComeWithTheNearestOne) {
+  const auto refused = [&](const Words& words, const std::string& text) {
+    const Outcome o = run(words);
+    EXPECT_EQ(o.code, 2) << text;
+    EXPECT_NE(o.err.find(text), std::string::npos) << o.err;
+  };
+  refused({"run", scene("pendulum"), "--no-reprt"},
+          "liesl run: there is no option '--no-reprt'; did you mean '--no-report'?");
+  refused({"run", "--no-reprt=1"}, "there is no option '--no-reprt'");
+  refused({"--vresion"}, "liesl: there is no option '--vresion'; did you mean '--version'?");
+  refused({"--foo"}, "liesl: there is no option '--foo'; known: --help, -h, --version");
+  refused({"run", scene("pendulum"), "--set"}, "--set");
+  refused({"export", "x", "--to", "calculx"},
+          "--to: there is no 'calculx'; did you mean 'calculix'?");
+  refused({"schema", "scen"}, "KIND: there is no 'scen'; did you mean 'scene'?");
+}
+
 TEST_F(Cli, AloneItSaysWhatItIsFor) {
   const Outcome o = run({});
   EXPECT_EQ(o.code, 0);
@@ -88,6 +105,19 @@ TEST_F(CliHere, NewFilesRunAndResultsAreNamedAfterThem) {
   EXPECT_NE(again.err.find("it exists"), std::string::npos) << again.err;
 }
 
+TEST_F(CliHere, NewFilesNameTheSchemaOfTheProgram) {
+  EXPECT_EQ(run({"new", "study", "--like", "slider_crank_rod"}).code, 0);
+  for (const char* name : {"slider_crank_rod", "slider_crank"}) {
+    const std::string text = text_of(std::string(name) + ".toml"), word = "#:schema ";
+    ASSERT_TRUE(text.starts_with(word)) << text.substr(0, 80);
+    const fs::path schema = text.substr(word.size(), text.find('\n') - word.size());
+    EXPECT_TRUE(schema.is_absolute()) << schema;
+    const char* kind = name == std::string("slider_crank") ? "scene" : "study";
+    EXPECT_EQ(text_of(schema), run({"schema", kind}).out) << schema;
+    EXPECT_EQ(text.find(word, word.size()), std::string::npos) << "once";
+  }
+}
+
 TEST_F(CliHere, EveryShippedFileCanBeBegunFrom) {
   for (const char* kind : {"scene", "study"}) {
     const Outcome o = run({"new", kind});
@@ -112,9 +142,21 @@ TEST_F(CliHere, CompletionKnowsEveryCommandAndOption) {
   std::ofstream("complete.sh") << o.out << R"(
 COMP_WORDS=(liesl opt); COMP_CWORD=1; _liesl; echo "${COMPREPLY[@]}"
 COMP_WORDS=(liesl optimize --no); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl optimize x.toml --method es); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --to = cal); COMP_CWORD=5; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --to =); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl export x --cases ""); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl schema s); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new ""); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new study --like four_bar_m); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl new scene --like pendul); COMP_CWORD=4; _liesl; echo "${COMPREPLY[@]}"
+COMP_WORDS=(liesl run comp); COMP_CWORD=2; _liesl; echo "${COMPREPLY[@]}"
 )";
   EXPECT_EQ(std::system("bash complete.sh > words"), 0);
-  EXPECT_EQ(text_of("words"), "optimize\n--no-verify --no-report\n");
+  EXPECT_EQ(text_of("words"),
+            "optimize\n--no-verify --no-report\nesl esl1\ncalculix\nxdmf calculix nastran "
+            "matrices\npeaks all\nscene study sensitivity\nscene study\nfour_bar_mixed\n"
+            "pendulum\ncomplete.sh\n");
   EXPECT_EQ(run({"completion", "csh"}).code, 2);
 }
 
@@ -258,7 +300,7 @@ TEST_F(Cli, SummaryHasTheDocumentedKeys) {
   expected = common;
   for (const auto& key : documented("### `optimize`").always) expected.insert(key);
   expected.insert("input");
-  for (const char* key : {"verification", "worst_constraint_error", "refinement"}) {
+  for (const char* key : {"verification", "worst_constraint_error", "refinement", "design_files"}) {
     EXPECT_TRUE(documented("### `optimize`").sometimes.count(key)) << key;
     expected.insert(key);
   }
@@ -276,6 +318,18 @@ TEST_F(Cli, EslWritesTheLoads) {
   EXPECT_EQ(std::count(table.begin(), table.end(), '\n'), 1 + 11 * 2 * 9);
   EXPECT_TRUE(fs::exists(results() / "loads.h5"));
   EXPECT_LT(summary()["identity"]["rod"]["nonlinear"], 1e-10);
+}
+
+/// How far static problems are off, in percent; what an equilibrium runs over.
+TEST_F(Cli, EslSaysHowWellTheLoadsGiveTheStrainsBack) {
+  const Outcome o = run({"esl", scene("bend45"), "-o", results()});
+  EXPECT_EQ(o.code, 0) << o.err;
+  EXPECT_NE(o.out.find("2 load cases; difference of the strains under them, of the largest: 0 %, "
+                       "of a linear static problem 38 %\n"),
+            std::string::npos)
+      << o.out;
+  EXPECT_NE(o.out.find("(an axial force changes the bending of a slender part"), std::string::npos);
+  EXPECT_TRUE(text_of(results() / "loads.csv").starts_with("load_factor [-],body,node,"));
 }
 
 TEST_F(Cli, MethodThatTheMotionCannotServeIsRefused) {

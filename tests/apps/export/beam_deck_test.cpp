@@ -224,6 +224,15 @@ TEST_F(Export, HasAFolderForEachScenarioOfTheStudyAndNoOther) {
     EXPECT_NE(o.out.find("deck/" + name + "/rod.bdf"), std::string::npos) << o.out;
   }
   EXPECT_FALSE(fs::exists(dir_ / "deck/rod.bdf"));
+  std::ofstream(results() / "design_slow.toml", std::ios::app) << "# edited\n";
+  const Outcome edited = run(words);
+  EXPECT_EQ(edited.code, 2);
+  EXPECT_NE(edited.err.find("'design_slow.toml' is not the design of these results"),
+            std::string::npos)
+      << edited.err;
+  EXPECT_NE(edited.err.find("liesl export " + (results() / "design_slow.toml").string()),
+            std::string::npos)
+      << edited.err;
   fs::remove(results() / "design_slow.toml");
   const Outcome half = run(words);
   EXPECT_EQ(half.code, 2);

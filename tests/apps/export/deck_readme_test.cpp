@@ -78,6 +78,34 @@ TEST(DeckReadme, OfABeamSaysUnitsFrameAndWhatItGivesBack) {
   }
 }
 
+/// A scene of statics or modes has no motion.
+TEST(DeckReadme, OfAnEquilibriumSpeaksOfNoMotion) {
+  for (const char* type : {"static", "modes"}) {
+    const Exported of("svanberg_cantilever.toml",
+                      {std::string("simulation.type=\"") + type + "\""});
+    const BeamDeck deck = beam_deck(of.scene, of.esl, "beam", DeckCases::Peaks);
+    const std::string text = readme(deck, "Nastran");
+    expect_said(text, {"loads of an equilibrium: the internal forces of the part at 1 load factor,",
+                       "the displacements of the equilibrium", "Gravity is in the loads",
+                       "| case | load factor [-] |"});
+    expect_unsaid(text, {"of a motion", "in the motion", "of the motion", "time [s]"});
+    expect_said(nastran_text(deck), {"static loads of its equilibrium. SI",
+                                     "LABEL = the equilibrium at load factor 1\n"});
+    expect_said(calculix_text(deck), {"static loads of its equilibrium. SI",
+                                      "** case 1: the equilibrium at load factor 1\n"});
+    EXPECT_TRUE(deck_displacements(deck).starts_with("case,load factor [-],node,"));
+  }
+  SolidDeck part = plate();
+  part.words.equilibrium = true;
+  const std::string text = readme(part, "CalculiX");
+  expect_said(text, {"loads of an equilibrium: what deforms the part at ",
+                     "those of the equilibrium, over the largest", "| case | load factor [-] |"});
+  expect_unsaid(text, {"of a motion", "of the motion", "time [s]"});
+  expect_said(calculix_text(part), {"static loads of its equilibrium, as unit cases"});
+  expect_said(nastran_text(part), {"LABEL = the equilibrium at load factor "});
+  EXPECT_TRUE(deck_factors(part).starts_with("case,load factor [-],unit 1"));
+}
+
 /// The README of a program names what its deck has.
 TEST(DeckReadme, OfABeamSaysHowItsProgramSolvesIt) {
   const std::string calculix = readme(beam(), "CalculiX"), nastran = readme(beam(), "Nastran");

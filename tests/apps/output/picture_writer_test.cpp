@@ -103,6 +103,39 @@ TEST(PictureWriter, EveryModeHasTheLinesOfItsParts) {
   EXPECT_EQ(pictured(), 5u);
   r.abscissa = "frequency";
   EXPECT_EQ(pictured(), 10u);
+  r.bodies[0].reference_positions = {5, 0, 0};
+  r.bodies[0].reference_rotations = {1, 0, 0, 0, 1, 0, 0, 0, 1};
+  r.times.front() = 0.25;  // before, as frequency 0, the part at rest
+  EXPECT_EQ(pictured(), 11u);
+  EXPECT_NE(read_file(folder.path() / "lines.csv").find("\n0,plate,0,5,"), std::string::npos);
+}
+
+/// A rod from the ground to a node of a beam that bends: its end bends with the beam.
+TEST(PictureWriter, RodsAreLinesFromPortToPort) {
+  const TemporaryFolder folder;
+  Results r = moved_plate();
+  r.meshes.clear();
+  BodyResult& beam = r.bodies[0];
+  beam.name = "boom", beam.kind = "beam", beam.nodes = 3;
+  beam.elements = {{0, 1}, {1, 2}};
+  beam.reference_positions = {0, 0, 0, 1, 0, 0, 2, 0, 0};
+  beam.positions.clear(), beam.rotations.clear();
+  for (std::size_t n = 0; n < r.times.size(); ++n)
+    for (int k = 0; k < 3; ++k) {
+      beam.positions.insert(beam.positions.end(), {1.0 * k, k == 1 ? 0.5 : 0, 0});
+      beam.rotations.insert(beam.rotations.end(), {0, -1, 0, 1, 0, 0, 0, 0, 1});
+    }
+  r.joints.resize(2);
+  r.joints[0].name = "lift", r.joints[0].type = "rod";
+  r.joints[0].bodies = {"ground", "boom"}, r.joints[0].nodes = {0, 1};
+  r.joints[0].places = {7, 8, 9, 0.25, 0, 0};
+  r.joints[1] = r.joints[0];
+  r.joints[1].name = "pin", r.joints[1].type = "revolute";
+  write_part_lines_csv(folder.path() / "lines.csv", r);
+  const std::string text = read_file(folder.path() / "lines.csv");
+  EXPECT_NE(text.find("\n0,lift,0,7,8,9,0,0,0\n0,lift,0,1,0.75,0,0,0.5,0\n"), std::string::npos)
+      << text;
+  EXPECT_EQ(text.find("pin"), std::string::npos);
 }
 
 /// Turned by 90 degrees about z at (5, 0, 0): from its centre of mass to a point and a joint; not

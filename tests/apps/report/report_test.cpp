@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstring>
+
 #include "apps/output/cut_mesh.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -11,6 +14,7 @@
 #include "apps/program.hpp"
 #include "apps/report/blob.hpp"
 #include "apps/report/loads.hpp"
+#include "apps/report/motion.hpp"
 #include "apps/report/page.hpp"
 #include "apps/report/table.hpp"
 #include "mbs/solids/meshes.hpp"
@@ -207,6 +211,34 @@ Json data_of(const std::string& page) {
   return Json::parse(page.substr(from, page.find("</script>", from) - from));
 }
 
+/// The bytes of base64 text.
+std::string decoded(const std::string& text) {
+  const std::string digits = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string bytes;
+  unsigned kept = 0;
+  int bits = 0;
+  for (const char c : text) {
+    const std::size_t digit = digits.find(c);
+    if (digit == std::string::npos) continue;  // =, line ends
+    kept = kept << 6 | static_cast<unsigned>(digit);
+    bits += 6;
+    if (bits < 8) continue;
+    bits -= 8;
+    bytes += static_cast<char>(kept >> bits & 0xff);
+  }
+  return bytes;
+}
+
+/// An array of floats of a page.
+std::vector<float> floats(const std::string& page, const Json& array) {
+  const std::string open = "id=\"blob\">";
+  const std::size_t from = page.find(open) + open.size();
+  const std::string bytes = decoded(page.substr(from, page.find("</script>", from) - from));
+  std::vector<float> values(array["n"].get<std::size_t>());
+  std::memcpy(values.data(), bytes.data() + array["at"].get<std::size_t>(), 4 * values.size());
+  return values;
+}
+
 TEST_F(ReportProgram, RunWritesAPageThatLoadsNothing) {
   const Outcome o = run({"run", (kData / "scenes/slider_crank.toml").string(), "-o",
                          results().string(), "--set", "simulation.duration=0.01"});
@@ -253,6 +285,27 @@ TEST_F(ReportProgram, InstantsOfALongRunAreThinnedAndSaid) {
   const Json motion = data_of(page)["motion"];
   EXPECT_EQ(motion["records"], 6001);
   EXPECT_LE(motion["t"]["n"].get<int>(), 600);
+  // The record of the peak is among them, and the page begins there.
+  const std::vector<float> t = floats(page, motion["t"]);
+  const double at = summary()["responses"]["bend"]["at_time"];
+  EXPECT_NEAR(t.at(motion["opens"].get<std::size_t>()), at, 1e-6);
+  EXPECT_TRUE(std::is_sorted(t.begin(), t.end()));
+}
+
+/// At the limit that is exceeded most, in the motion that is shown; without limits at the first
+/// response.
+TEST(ReportOpening, IsThePeakThatMattersMost) {
+  report::Json summary = {
+      {"responses", {{"tip", {{"at_time", 0.3}}}, {"bend", {{"at_time", 0.4}}}}}};
+  EXPECT_EQ(report::opening(summary), 0.3);
+  summary["constraints"]["bend (a)"] = {{"violation", -0.1}, {"at_time", 0.1}};
+  summary["constraints"]["bend (b)"] = {{"violation", 0.2}, {"at_time", 0.2}};
+  EXPECT_EQ(report::opening(summary), 0.2);
+  summary["scenarios"] = {"a", "b"};
+  EXPECT_EQ(report::opening(summary), 0.1);
+  summary["constraints"]["bend (a)"]["at_time"] = nullptr;
+  EXPECT_FALSE(report::opening(summary));
+  EXPECT_FALSE(report::opening(report::Json::object()));
 }
 
 TEST_F(ReportProgram, CanBeLeftOutAndWrittenLater) {

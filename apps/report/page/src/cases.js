@@ -43,7 +43,7 @@ class CaseTable {
       onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, this.heading(c))));
     this.body = el('tbody', {});
     this.note = el('p', { class: 'note', 'aria-live': 'polite' });
-    this.said = el('p', { class: 'note', id: 'said', 'aria-live': 'polite' });
+    this.said = el('div', { id: 'said', 'aria-live': 'polite' });
     const paper = el('div', { class: 'printed paper' });
     addEventListener('beforeprint', () =>
       paper.replaceChildren(...paperTables(this.columns, this.rows.slice(0, kMostRows), (c) => this.heading(c), (c, row) => this.cell(c, row))));
@@ -108,12 +108,17 @@ class CaseTable {
     const name = String(this.columns[0].cells[row]);
     return this.data.reported?.includes(name) ? `cases/${encodeURIComponent(name)}/report.html` : null;
   }
+  /** Its page, or what the table has of it: batches of many cases have pages where they are asked for. */
   open(row) {
     const address = this.address(row);
     if (address) location.href = address;
     if (address || this.compare || !this.said) return;
-    const name = String(this.columns[0].cells[row]);  // batches of many cases have pages where they are asked for
-    this.said.textContent = `Case ${name} has no page yet: "liesl report ${this.data.folder}/cases/${name}" writes it, "liesl report ${this.data.folder}" then links it here.`;
+    const [first, ...columns] = this.columns, name = String(first.cells[row]);
+    this.said.replaceChildren(el('h3', {}, `Case ${name}`),
+      el('dl', { class: 'figures' }, columns.filter((c) => c.cells[row] !== null && c.cells[row] !== '')
+        .flatMap((c) => [el('dt', {}, c.title), el('dd', {}, this.told(c, row))])),
+      el('p', { class: 'note' }, `It has no page yet: "liesl report ${this.data.folder}/cases/${name}" writes it, "liesl report ${this.data.folder}" then links it here.`));
+    this.said.scrollIntoView({ block: 'nearest' });
   }
 
   /** A cell with its unit. */

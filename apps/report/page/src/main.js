@@ -6,7 +6,6 @@ import { Clock } from './clock.js';
 import { cycles } from './cycles.js';
 import { array, load } from './data.js';
 import { el, isDark, setTheme } from './dom.js';
-import { worstLimit } from './format.js';
 import { lean } from './lean.js';
 import { maps } from './map.js';
 import { Player } from './player.js';
@@ -19,7 +18,7 @@ function page() {
   const data = load(), s = data.summary;
   document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
-  const player = data.motion ? new Player(data.motion, clock, worstInstant(s), s) : null;
+  const player = data.motion ? new Player(data.motion, clock, s) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });
   const columns = el('div', { class: 'columns' }, left, right), main = el('main', {}, columns);
   document.body.append(themeButton(), tables.head(data), main, el('footer', {}, `liesl ${s.versions?.liesl ?? ''} \u00b7 ${s.command ?? ''}`));
@@ -77,12 +76,6 @@ function fill(stage, column, other) {
   };
   new ResizeObserver(place).observe(other);
   addEventListener('resize', place);
-}
-
-/** When the limit is reached that is violated most, or has least to spare. */
-function worstInstant(s) {
-  const worst = worstLimit(s);
-  return worst?.at_time > 0 ? worst.at_time : undefined;
 }
 
 function themeButton() {

@@ -11,10 +11,9 @@ const kWholeMotion = 8;  // seconds that the whole motion takes to play
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
 
 export class Player {
-  /** @param first instant to begin with; none: that of the largest deformation
-      @param summary names the load cases, and what acts in them, where the records are such */
-  constructor(motion, clock, first, summary) {
-    Object.assign(this, { motion, clock, first, summary, cases: summary.load_cases, playing: false, speed: 1, phase: 0, frames: [] });
+  /** @param summary names the load cases, and what acts in them, where the records are such */
+  constructor(motion, clock, summary) {
+    Object.assign(this, { motion, clock, summary, cases: summary.load_cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';
     this.instantText = motion.unit === 's' ? inOneUnit([clock.last], 's') : (at) => (motion.unit === '-' ? number(at, 4) : quantity(at, motion.unit, 4));
@@ -42,7 +41,7 @@ export class Player {
     if (!(this.view.deformed > 0)) for (const node of [this.scaler, this.node.querySelector('#good')]) node.disabled = true;  // rigid bodies only
     this.clock.listen(() => this.show());
     this.clock.listen(readable(() => this.tell()));
-    if (!this.modes) this.clock.set(this.first ?? this.clock.t[this.view.largest]);
+    if (!this.modes) this.clock.set(this.clock.t[this.motion.opens ?? this.view.largest]);
     if (this.modes) this.toggle(true);
     addEventListener('beforeprint', () => {
       this.describe();
