@@ -292,6 +292,42 @@ TEST(Verify, APeakBetweenStepsCountsWhereverItIs) {
   EXPECT_GT(*given.error_step, error / 3);
 }
 
+/// The largest deflection of a bar with a moment at its end lies between two nodes, whatever their
+/// number: on meshes of 4, 8 and 16 elements it is next to the same place, and they agree.
+TEST(Verify, APeakBetweenNodesCounts) {
+  const std::string text = R"toml(
+[materials]
+alloy = { E = 7e10, nu = 0.3, rho = 2700 }
+[sections]
+round = { type = "circle", diameter = 0.02 }
+[bodies]
+bar = { beam = { from = [0, 0, 0], to = [1, 0, 0], section = "round", material = "alloy", elements = 8 } }
+foot = { rigid = { at = [1, 0, 0], mass = 0.1, inertia = [1e-4, 1e-4, 1e-4] } }
+[joints]
+pin   = { revolute = ["ground", "bar.start"], axis = [0, 0, 1] }
+wrist = { revolute = ["bar.end", "foot.origin"], axis = [0, 0, 1] }
+guide = { prismatic = ["ground", "foot.origin"], axis = [1, 0, 0] }
+[loads]
+f = { at = "bar.end", moment = [0, 0, 13] }
+g = { over = "bar", force = [0, -100, 0] }
+[simulation]
+type = "static"
+[responses]
+largest = { response = "deflection", of = "bar", at = "max" }
+)toml";
+  const Scene scene = read_scene(text, "scene.toml", {});
+  RunOutcome given = run_task(scene, choose_space(scene));
+  verify({text, "scene.toml", {}}, scene, given.summary);
+  const output::ResponseFigure& largest = given.summary.responses.front();
+  const Scene fine = read_scene(text, "scene.toml", {"bodies.bar.beam.elements=128"});
+  const RunOutcome exact = run_task(fine, choose_space(fine));
+  const double error = exact.summary.responses.front().max_abs - largest.max_abs;
+  ASSERT_GT(error, 1e-3 * largest.max_abs);
+  ASSERT_TRUE(largest.error_mesh);
+  EXPECT_LT(*largest.error_mesh, 3 * error);
+  EXPECT_GT(*largest.error_mesh, error / 3);
+}
+
 /// Steps that both runs halve until they converge are the same.
 TEST(Verify, TheSameStepsTellNoError) {
   const std::string file = (kData / "scenes/pendulum.toml").string();
