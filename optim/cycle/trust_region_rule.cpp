@@ -197,6 +197,7 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
       cycle->iterations += answer_.iterations;
     }
     if (record.asked_to_stop()) return {x_, record.stopped()};
+    if (!answer_.reason.empty()) return without_answer(record, cycle);
     predicted_ = merit(*at_) - answer_.merit;
     const auto limit = used_up(record.history(), record.options());
     if (plain_ && (limit || predicted_ <= record.options().objective_tolerance)) {
@@ -217,6 +218,19 @@ Step TrustRegionRule::trial_step(CycleRecord& record, Cycle* cycle) {
   }
 }
 
+/// Of a surrogate that has no value where it starts: with gradients, then nearer, then none.
+Step TrustRegionRule::without_answer(CycleRecord& record, Cycle* cycle) {
+  if (plain_) {
+    correct();
+    return propose(record, cycle);
+  }
+  radius_ *= kShrink;
+  if (radius_ < kSmallestRadius)
+    return {x_, CycleEnd{CycleStatus::SimulationFailed,
+                         "the problem of the cycle has no value: " + answer_.reason}};
+  return trial_step(record, cycle);
+}
+
 /// The surrogate within its bounds, with a penalty that is large enough for it: a larger one brings
 /// it hardly closer to the limits, by what it comes closer at all (R. H. Byrd, J. Nocedal,
 /// R. A. Waltz 2008, "Steering exact penalty methods", Optim. Methods Softw. 23).
@@ -227,12 +241,14 @@ void TrustRegionRule::solve(CycleRecord& record) {
                          record.hooks().keep_going);
   };
   answer_ = at(penalty_);
+  if (!answer_.reason.empty()) return;
   if (answer_.violation <= kClose * allowed) {
     penalty_ = std::max(kLeast, kMargin * answer_.multipliers);
     return;
   }
   while (answer_.violation > kClose * allowed) {
     ElasticAnswer closer = at(kStronger * penalty_);
+    if (!closer.reason.empty()) return;
     const double gained = answer_.violation - closer.violation, all = at_->worst - closer.violation;
     if (gained <= std::max(kMore * all, kNothing)) return;
     penalty_ *= kStronger;

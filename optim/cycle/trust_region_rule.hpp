@@ -56,6 +56,7 @@ class TrustRegionRule final : public StepRule {
   void correct();
   Step trial_step(CycleRecord& record, Cycle* cycle);
   void solve(CycleRecord& record);
+  Step without_answer(CycleRecord& record, Cycle* cycle);
   bool on_bound() const;
   /// The end of a design from which nothing that counts is left to gain; none: there is.
   std::optional<CycleEnd> settled(CycleRecord& record, double predicted) const;

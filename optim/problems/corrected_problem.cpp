@@ -44,6 +44,8 @@ CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionG
       x_k_(x_k),
       approximations_(std::move(approximations)),
       variables_(inner_->variables()) {
+  for (std::size_t i = 0; i < variables_.size(); ++i)
+    variables_[i].start = x_k_[static_cast<Eigen::Index>(i)];
   const double lacking = objective - correct_rows();
   if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
 }
@@ -86,8 +88,9 @@ auto CorrectedProblem::logarithms(const VectorXd& x) const -> Steps {
   return t;
 }
 
-/// With d = |asymptote - x_k| and q = d/(d -+ (x - x_k)): s = +- d (q - 1), s' = q^2, s'' = +- 2
-/// q^3/d.
+/// With d = |asymptote - x_k|, t = +- (x - x_k) and q = d/(d - t): s = +- d (q - 1), s' = q^2,
+/// s'' = +- 2 q^3/d; beyond the farther bound its Taylor polynomial of second order there: designs
+/// that were rejected may lie beyond bounds that have moved since.
 auto CorrectedProblem::reciprocals(const VectorXd& x, double side) const -> Steps {
   const auto n = x.size();
   Steps t{VectorXd(n), VectorXd(n), VectorXd(n)};
@@ -95,10 +98,11 @@ auto CorrectedProblem::reciprocals(const VectorXd& x, double side) const -> Step
     const auto& bounds = variables_[static_cast<std::size_t>(i)];
     const double room = std::max(bounds.upper - x_k_[i], x_k_[i] - bounds.lower),
                  d = kAsymptote * std::max(room, kHeld * std::max(std::abs(x_k_[i]), 1.0)),
-                 q = d / (d - side * (x[i] - x_k_[i]));
-    t.s[i] = side * d * (q - 1);
-    t.first[i] = q * q;
-    t.second[i] = side * 2 * q * q * q / d;
+                 way = side * (x[i] - x_k_[i]), within = std::min(way, d / kAsymptote),
+                 beyond = way - within, q = d / (d - within), second = 2 * q * q * q / d;
+    t.s[i] = side * (d * (q - 1) + q * q * beyond + 0.5 * second * beyond * beyond);
+    t.first[i] = q * q + second * beyond;
+    t.second[i] = side * second;
   }
   return t;
 }

@@ -30,9 +30,10 @@ struct Approximations {
 /// constant, of
 ///   s_i = (U_i - x_ki)^2 [1/(U_i - x_i) - 1/(U_i - x_ki)]   if c_i > 0,
 ///   s_i = (x_ki - L_i)^2 [1/(x_ki - L_i) - 1/(x_i - L_i)]   else,
-/// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region;
+/// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region,
+/// and s_i a parabola beyond that bound;
 /// or by a term, v^ = v_s(x) + b . (x - x_k), b = dv/dx - dv_s/dx at x_k.
-/// A row without size has no correction.
+/// A row without size has no correction. The variables start at x_k.
 ///
 /// A design x_t near x_k that was rejected makes rows conservative (K. Svanberg 2002, "A class of
 /// globally convergent optimization methods based on conservative convex separable approximations",
@@ -106,7 +107,7 @@ class CorrectedProblem final : public StaticProblem {
   Steps reciprocals(const Eigen::VectorXd& x, double side) const;
   Eigen::VectorXd exponents(const AllSteps& t) const;
   double correct_rows();
-  /// Is x within the bounds of `inner`, beyond which moving asymptotes have no values?
+  /// Is x within the bounds of `inner`, beyond which moving asymptotes tell nothing?
   bool reaches(const Eigen::VectorXd& x) const;
   /// beta and kappa of all rows, anew.
   void curve_rows();

@@ -1,14 +1,20 @@
 #include "optim/problems/static_problem.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <map>
 
+#include "optim/nlp/evaluator.hpp"
 #include "optim/nlp/ipopt_driver.hpp"
 #include "optim/nlp/nlopt_driver.hpp"
 #include "optim/nlp/separable.hpp"
 
 namespace liesl {
 namespace {
+
+using Eigen::VectorXd;
 
 // Of a quasi-Newton method on a problem that is exact near its start only.
 constexpr int kFewIterations = 50;
@@ -77,7 +83,7 @@ StaticAnswer solve_static(StaticProblem& problem, const CycleOptions& options, N
 namespace {
 
 /// The terms of the objective among the rows, each with its largest g.
-std::vector<Epigraph> epigraphs(const std::vector<ObjectiveTerm>& terms, const Eigen::VectorXd& g) {
+std::vector<Epigraph> epigraphs(const std::vector<ObjectiveTerm>& terms, const VectorXd& g) {
   std::map<int, Epigraph> by_number;
   for (std::size_t i = 0; i < terms.size(); ++i) {
     if (terms[i].number < 0) continue;
@@ -92,32 +98,55 @@ std::vector<Epigraph> epigraphs(const std::vector<ObjectiveTerm>& terms, const E
   return out;
 }
 
+/// The rows at a start; none, and why, if there is no value.
+std::optional<VectorXd> rows_at(StaticProblem& problem, const VectorXd& x, std::string& reason) {
+  VectorXd g(static_cast<Eigen::Index>(problem.constraints().size()));
+  double f = 0;
+  problem.values(x, f, g);
+  reason.clear();
+  if (std::isfinite(f) && g.allFinite()) return g;
+  reason = problem.undefined_reason();
+  if (reason.empty() && !std::isfinite(f)) reason = fmt::format("the objective is {}", f);
+  for (Eigen::Index i = 0; i < g.size() && reason.empty(); ++i)
+    if (!std::isfinite(g[i]))
+      reason =
+          fmt::format("'{}' is {}", problem.constraints()[static_cast<std::size_t>(i)].name, g[i]);
+  return {};
+}
+
+/// Is a row a limit, not of a term of the objective?
+bool is_limit(const std::vector<ObjectiveTerm>& terms, std::size_t row) {
+  return terms.empty() || terms[row].number < 0;
+}
+
+double largest_excess(const VectorXd& g, const std::vector<ObjectiveTerm>& terms) {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < g.size(); ++i)
+    if (is_limit(terms, static_cast<std::size_t>(i))) largest = std::max(largest, g[i]);
+  return largest;
+}
+
 }  // namespace
 
 ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weights,
                             const CycleOptions& options, NlpWarmStart& warm,
                             const std::function<bool()>& keep_going) {
-  const auto n = static_cast<Eigen::Index>(problem.variables().size());
   ElasticAnswer answer;
-  answer.x.resize(n);
-  for (Eigen::Index i = 0; i < n; ++i)
-    answer.x[i] = problem.variables()[static_cast<std::size_t>(i)].start;
+  answer.x = start_of(problem);
+  const auto n = answer.x.size();
   const int most = problem.has_hessian() ? NlpOptions().max_iterations : kFewIterations;
   NlpResult result;
   for (int round = 0; round < kMaxRounds; ++round) {
-    const auto m = static_cast<Eigen::Index>(problem.constraints().size());
-    Eigen::VectorXd g(m);
-    double f = 0;
-    problem.values(answer.x, f, g);
+    std::optional<VectorXd> g = rows_at(problem, answer.x, answer.reason);
+    if (!g && round > 0) g = rows_at(problem, answer.x = start_of(problem), answer.reason);
+    if (!g) return answer;
     const std::vector<ObjectiveTerm> terms = problem.objective_terms();
-    double violation = 0;
-    for (Eigen::Index i = 0; i < m; ++i)
-      if (terms.empty() || terms[static_cast<std::size_t>(i)].number < 0)
-        violation = std::max(violation, g[i]);
-    ElasticProblem elastic(problem, weights, Eigen::VectorXd::Ones(m), answer.x, violation,
-                           epigraphs(terms, g));
+    ElasticProblem elastic(problem, weights, VectorXd::Ones(g->size()), answer.x,
+                           largest_excess(*g, terms), epigraphs(terms, *g));
     result = optimise(elastic, options, warm, keep_going, most);
     answer.iterations += result.iterations;
+    if (result.g.size() != g->size()) answer.reason = result.reason;
+    if (!answer.reason.empty()) return answer;
     answer.x = result.x.head(n);
     answer.violation = std::max(0.0, result.x[result.x.size() - 1]);
     answer.merit = result.f;
@@ -130,7 +159,7 @@ ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weig
   const std::vector<ObjectiveTerm> terms = problem.objective_terms();
   for (std::size_t i = 0; i < problem.constraints().size(); ++i)
     if (const auto found = result.multipliers.find(problem.constraints()[i].id);
-        found != result.multipliers.end() && (terms.empty() || terms[i].number < 0))
+        found != result.multipliers.end() && is_limit(terms, i))
       answer.multipliers += found->second;
   warm = result.warm_start();
   return answer;

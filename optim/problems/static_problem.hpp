@@ -128,9 +128,11 @@ struct ElasticAnswer {
   double merit = 0;        ///< w f + sigma t
   double multipliers = 0;  ///< sum of those of the constraints; 0 if the optimiser gives none
   int iterations = 0;      ///< of all rounds
+  std::string reason;      ///< why there is no answer: the start has no value; empty: there is one
 };
 
-/// As solve_static, with constraints that may be exceeded at a price.
+/// As solve_static, with constraints that may be exceeded at a price. A round whose start has no
+/// value with the cases that were added starts where the problem does.
 ElasticAnswer solve_elastic(StaticProblem& problem, ElasticProblem::Weights weights,
                             const CycleOptions& options, NlpWarmStart& warm,
                             const std::function<bool()>& keep_going);

@@ -133,6 +133,10 @@ TEST(CorrectedProblem, MovingAsymptotesAreConvexWithinTheTrustRegion) {
       EXPECT_GT(g[k], tangent[k] + 1e-3 * std::abs(tangent[k] - at_x[k])) << k;
     }
   }
+  problem.narrow(0.3);  // a design that was rejected is beyond the asymptotes now
+  problem.values(0.6 * x, f, g);
+  const VectorXd tangent = at_x - 0.4 * dg * x;
+  for (int k = 0; k < m; ++k) EXPECT_GT(g[k], tangent[k]) << k;
 }
 
 /// Rows of the motion itself about a design, linear, so that they err: too low at thinner rods.

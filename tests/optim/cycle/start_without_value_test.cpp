@@ -1,0 +1,136 @@
+/// @file
+/// Subproblems of a cycle start at its design, and what has no value there ends with a reason.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "optim/cycle/motion_model.hpp"
+#include "optim/cycle/trust_region_rule.hpp"
+#include "reference/studies.hpp"
+
+namespace liesl::test::start_without_value_test {
+namespace {
+
+using Eigen::VectorXd;
+
+constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
+
+/// minimise x subject to x >= 0.2; a look adds x >= 0.6, which has no value below 0.5.
+class Holed final : public StaticProblem {
+ public:
+  explicit Holed(double start) : variables_{{"x", 0, 1, start}} { add("first"); }
+  int add_violated(const VectorXd&, double) override {
+    if (constraints_.size() > 1) return 0;
+    add("second");
+    return 1;
+  }
+  int load_cases() const override { return 0; }
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  const std::vector<NlpConstraint>& constraints() const override { return constraints_; }
+  void values(const VectorXd& x, double& f, VectorXd& g) override {
+    f = x[0];
+    g[0] = 0.2 - x[0];
+    if (g.size() > 1) g[1] = x[0] < 0.5 ? kNone : 0.6 - x[0];
+  }
+  void gradients(const VectorXd&, VectorXd& df, RowMatrix& dg) override {
+    df.setOnes();
+    dg.setConstant(-1);
+  }
+
+ private:
+  void add(const std::string& name) { constraints_.push_back({constraints_.size(), name, 1}); }
+  std::vector<NlpVariable> variables_;
+  std::vector<NlpConstraint> constraints_;
+};
+
+ElasticAnswer solved(StaticProblem& problem) {
+  NlpWarmStart warm;
+  return solve_elastic(problem, {1, 10}, {}, warm, {});
+}
+
+TEST(StartWithoutValue, AddedCasesWithoutOneAtTheAnswerAreMetFromTheStart) {
+  Holed problem(0.8);
+  const ElasticAnswer answer = solved(problem);
+  EXPECT_EQ(answer.reason, "");
+  EXPECT_NEAR(answer.x[0], 0.6, 1e-5);
+  EXPECT_LT(answer.violation, 1e-5);
+}
+
+TEST(StartWithoutValue, IsNamed) {
+  Holed problem(0.4);
+  problem.add_violated({}, 0);
+  EXPECT_NE(solved(problem).reason.find("'second' is"), std::string::npos);
+}
+
+/// A study whose surrogates have no value.
+class Valueless final : public DesignModel {
+ public:
+  struct Known final : DesignAnalysis {
+    std::shared_ptr<DesignAnalysis> figures() const override {
+      return std::make_shared<Known>(*this);
+    }
+  };
+  const std::vector<NlpVariable>& variables() const override { return variables_; }
+  VectorXd unit(const VectorXd&) const override { return {}; }
+  std::shared_ptr<DesignAnalysis> analyse(const VectorXd& x, const Progress&) override {
+    auto out = std::make_shared<Known>();
+    out->objective = x[0];
+    return out;
+  }
+  std::unique_ptr<StaticProblem> static_problem(const DesignAnalysis&, const VectorXd&,
+                                                double) const override {
+    return {};
+  }
+  Surrogate surrogate(const DesignAnalysis&, const VectorXd& x, double, double) const override {
+    auto inner = std::make_unique<Holed>(x[0]);
+    inner->add_violated(x, 0);
+    return {std::make_unique<CorrectedProblem>(std::move(inner), MotionGradients(), x, x[0]), {}};
+  }
+  DynamicOptimality optimality(const DesignAnalysis&, const VectorXd&,
+                               const Progress&) const override {
+    return {};
+  }
+  std::optional<double> load_change(const DesignAnalysis&, const DesignAnalysis&) const override {
+    return {};
+  }
+
+ private:
+  std::vector<NlpVariable> variables_{{"x", 0, 1, 0.4}};
+};
+
+TEST(StartWithoutValue, EndsTheCycleWithAReason) {
+  Valueless model;
+  const CycleOptions options;
+  TrustRegionRule rule(options);
+  const LoopResult end = run_loop(model, rule, options, {}, {});
+  EXPECT_EQ(end.status, CycleStatus::SimulationFailed);
+  EXPECT_NE(end.reason.find("'second' is"), std::string::npos) << end.reason;
+  EXPECT_EQ(end.history.size(), 1u);
+}
+
+/// From a design at half of what the study starts with, that start is on the asymptotes of a trust
+/// region of half of it.
+TEST(CorrectedProblem, StartsAtItsDesignWhateverTheObjective) {
+  StudyCase s = slider_crank_rod({duration(0.005)});
+  s.spec.cycle.method = CycleMethod::Full;
+  s.spec.cycle.approximation = Approximation::Mma;
+  s.spec.constraints.push_back(s.spec.constraints[0]);
+  s.spec.constraints[0].response.name = "largest bending";
+  s.spec.constraints[0].weight = 1;
+  s.spec.motion_objective.extremes = true;
+  const std::vector<Scenario<SE2>> motion{
+      {s.scene.mechanism, space_of<SE2>(s.scene.mechanism), s.scene.simulation}};
+  MotionModel<SE2> model(motion, s.spec);
+  const VectorXd x = 0.5 * model.start();
+  const auto analysis = model.analyse(x, {});
+  ASSERT_TRUE(analysis->good()) << analysis->reason;
+  const Surrogate surrogate = model.surrogate(*analysis, x, 0.5, 1e-2);
+  ASSERT_TRUE(surrogate.problem) << surrogate.optimality.reason;
+  for (Eigen::Index i = 0; i < x.size(); ++i)
+    EXPECT_EQ(surrogate.problem->variables()[static_cast<std::size_t>(i)].start, x[i]);
+  EXPECT_EQ(solved(*surrogate.problem).reason, "");
+}
+
+}  // namespace
+}  // namespace liesl::test::start_without_value_test
