@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <stdexcept>
 
 namespace liesl {
@@ -12,6 +11,7 @@ namespace {
 
 constexpr double kStiffer = 1000;    // than the bodies
 constexpr double kRounding = 1e-13;  // of the length: openings below are none
+constexpr double kLeast = 1e-7;      // m, and of the length: deformations below count as that
 
 /// The largest entries of a body on the diagonal of translations and of rotations.
 struct Largest {
@@ -53,19 +53,14 @@ void for_each_constraint(const Model<G>& model, const At& at) {
     for (int i = 0; i < c.constraints; ++i) at(c, c.rows[static_cast<size_t>(i)], i);
 }
 
-/// By body: the first of the bodies that couplings join with it, not by way of the ground.
+/// Of joints that hold on to something: springs and bushings join no bodies, and gears have the
+/// bodies of their joints.
 template <FrameGroup G>
-std::vector<int> assemblies(const Model<G>& model) {
-  std::vector<int> first(model.bodies.size());
-  std::iota(first.begin(), first.end(), 0);
-  for (const Coupling<G>& c : model.couplings) {
-    if (c.a.body < 0 || c.b.body < 0) continue;
-    const int a = first[static_cast<size_t>(c.a.body)], b = first[static_cast<size_t>(c.b.body)];
-    const int least = std::min(a, b), other = std::max(a, b);
-    for (int& f : first)
-      if (f == other) f = least;
-  }
-  return first;
+JointGraph graph_of_joints(const Model<G>& model) {
+  std::vector<JointGraph::Ends> joints;
+  for (const Coupling<G>& c : model.couplings)
+    if (c.is_joint && c.constraints > 0) joints.push_back({c.a.body, c.b.body});
+  return {static_cast<int>(model.bodies.size()), joints};
 }
 
 }  // namespace
@@ -142,7 +137,6 @@ JointOpening<G>::JointOpening(const Model<G>& model) : model_(model) {
   });
   for (const auto& body : model.bodies) deforms_.push_back(deforms(*body));
   deformation_.assign(model.bodies.size(), 0);
-  assembly_ = assemblies(model);
   rigid_ = std::none_of(deforms_.begin(), deforms_.end(), [](bool is) { return is; });
 }
 
@@ -160,28 +154,28 @@ void JointOpening<G>::step(const Eigen::VectorXd& gap, const State<G>& s) {
   }
 }
 
-/// What deforms beside a joint.
+/// By how much the bodies deform that stand beside a joint; all where none does. It counts as no
+/// less than what joints that are as closed as augmented ones, to 1e-9 m, are a hundredth of: a
+/// loop of stiff bodies that carries next to nothing needs no more.
 template <FrameGroup G>
-double JointOpening<G>::beside(const Coupling<G>& c) const {
-  const int of = assembly_[static_cast<size_t>(std::max(c.a.body, c.b.body))];
-  double largest = 0;
-  bool deforming = false;
-  for (size_t b = 0; b < deforms_.size(); ++b) {
-    if (assembly_[b] != of || !deforms_[b]) continue;
-    deforming = true;
-    largest = std::max(largest, deformation_[b]);
-  }
-  return deforming ? largest : *std::max_element(deformation_.begin(), deformation_.end());
+double JointOpening<G>::beside(const JointGraph& graph, const Coupling<G>& c) const {
+  const std::vector<int> bodies = graph.beside({c.a.body, c.b.body}, deforms_);
+  double largest = kLeast * std::min(1., model_.length);
+  for (const int b : bodies) largest = std::max(largest, deformation_[static_cast<size_t>(b)]);
+  for (const double d : deformation_)
+    if (bodies.empty()) largest = std::max(largest, d);
+  return largest;
 }
 
 template <FrameGroup G>
 auto JointOpening<G>::worst() const -> Worst {
+  const JointGraph graph = graph_of_joints(model_);
   Worst found;
   if (!rigid_) found.deformation = *std::max_element(deformation_.begin(), deformation_.end());
   for (const Coupling<G>& c : model_.couplings) {
     if (c.constraints == 0) continue;
     Worst one{c.name, opening_.segment(c.first_constraint, c.constraints).maxCoeff()};
-    const double against = rigid_ ? model_.length : one.deformation = beside(c);
+    const double against = rigid_ ? model_.length : one.deformation = beside(graph, c);
     if (one.opening > kRounding * model_.length && against > 0) one.share = one.opening / against;
     if (found.joint.empty() || one.share > found.share) found = one;
   }

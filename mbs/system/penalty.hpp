@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "mbs/model/parameter.hpp"
+#include "mbs/system/joint_graph.hpp"
 #include "mbs/system/model.hpp"
 
 namespace liesl {
@@ -62,8 +63,8 @@ template <FrameGroup G>
 double penalty_energy_derivative(const PenaltyDerivative& by, const Model<G>& model,
                                  const State<G>& s);
 
-/// Watches what penalties leave open, joint by joint, against what the bodies that hang together
-/// with it, not by the ground, deform by.
+/// Watches what penalties leave open, joint by joint, against the largest deformation of the bodies
+/// that share a closed loop with it, or else are nearest (`JointGraph::beside`).
 template <FrameGroup G>
 class JointOpening {
  public:
@@ -71,7 +72,7 @@ class JointOpening {
   struct Worst {
     std::string joint;
     double opening = 0;      ///< m; angles times the model's length
-    double deformation = 0;  ///< of what hangs together with it, of all where that is rigid, m
+    double deformation = 0;  ///< of what it is set against, of all where that is rigid, m
     double share = 0;        ///< of the one in the other; of the model's length if none deforms
   };
 
@@ -82,13 +83,12 @@ class JointOpening {
   bool rigid() const { return rigid_; }  ///< no body can deform
 
  private:
-  double beside(const Coupling<G>& c) const;
+  double beside(const JointGraph& graph, const Coupling<G>& c) const;
 
   const Model<G>& model_;
   Eigen::VectorXd lever_;    ///< by multiplier: 1 or the model's length
   Eigen::VectorXd opening_;  ///< by multiplier, the largest so far
   std::vector<bool> deforms_;
-  std::vector<int> assembly_;        ///< by body: the first of those that hang together
   std::vector<double> deformation_;  ///< by body: farthest from where its middle node takes it, m
   bool rigid_ = true;
 };

@@ -119,24 +119,58 @@ TYPED_TEST(PenaltyIn, SoftJointsAreTold) {
   EXPECT_GT(r.report().penalty.share, 0.1);
 }
 
-/// Joints are judged by the bodies at them: another body that bends far hides nothing.
+/// Joints are judged by the bodies of their loop: another that bends far, on the ground or on the
+/// slider, hides nothing.
 TYPED_TEST(PenaltyIn, AFloppyBodyBesideHidesNothing) {
   using G = TypeParam;
   const Mechanism m = crank();
-  Mechanism beside = m;
-  beside.bodies.push_back(
-      {"wire", straight_beam({0.05, 0, 0}, {0.4, 0, 0}, 4, round_section(0.004, 0.9),
-                             {"rubber", 5e7, 0.3, 1000})});
-  beside.joints.push_back({"hang", JointType::Revolute, {}, {3, 0}});
-  const auto share = [](const Mechanism& of) {
+  const auto penalty = [](const Mechanism& of) {
     const auto r =
         run<G>(penalised(of, ConstraintForm::Penalty, 1e7), space_of<G>(of), options(0.02, 2e-4));
     return r.report().penalty;
   };
-  const auto alone = share(m), together = share(beside);
+  const auto with_wire = [&m](double from, double to, JointType type, const Port& on) {
+    Mechanism beside = m;
+    beside.bodies.push_back(
+        {"wire", straight_beam({from, 0, 0}, {to, 0, 0}, 4, round_section(0.004, 0.9),
+                               {"foam", 5e5, 0.3, 10})});
+    beside.joints.push_back({"hang", type, on, {3, 0}});
+    return beside;
+  };
+  const auto alone = penalty(m), beside = penalty(with_wire(0.05, 0.4, JointType::Revolute, {})),
+             on_it = penalty(with_wire(0.45, 0.1, JointType::Fixed, {2, 0}));
   EXPECT_GT(alone.share, 1e-3);
-  EXPECT_EQ(together.joint, alone.joint);
-  EXPECT_NEAR(together.share, alone.share, 1e-3 * alone.share);
+  EXPECT_EQ(beside.joint, alone.joint);
+  EXPECT_NEAR(beside.share, alone.share, 1e-3 * alone.share);
+  EXPECT_EQ(on_it.joint, alone.joint);
+  EXPECT_NEAR(on_it.share, alone.share, 0.1 * alone.share);
+}
+
+/// An open chain has no loop: its hinge on the ground is judged by the arm next to it, not by a
+/// tool that bends far.
+TYPED_TEST(PenaltyIn, AFloppyToolHidesNothingOfAChain) {
+  using G = TypeParam;
+  const auto penalty = [](const Material& of_the_tool) {
+    Mechanism m;
+    const Material steel{"steel", 210e9, 0.3, 7850};
+    for (int i = 0; i < 3; ++i) {
+      const Vec3 from(0.3 * i, 0, 0);
+      m.bodies.push_back({"arm" + std::to_string(i),
+                          straight_beam(from, from + Vec3(0.3, 0, 0), 4, round_section(0.01, 0.9),
+                                        i < 2 ? steel : of_the_tool)});
+      const Port on = i == 0 ? Port{} : Port{i - 1, 4};
+      m.joints.push_back({"hinge" + std::to_string(i), JointType::Revolute, on, {i, 0}});
+    }
+    m.gravity = {0, -9.81, 0};
+    const auto r =
+        run<G>(penalised(m, ConstraintForm::Penalty, 1e5), space_of<G>(m), options(0.1, 1e-3));
+    return r.report().penalty;
+  };
+  const auto stiff = penalty({"light", 210e9, 0.3, 1000}),
+             soft = penalty({"rubber", 5e6, 0.3, 1000});
+  EXPECT_GT(stiff.share, 0.01);
+  EXPECT_EQ(soft.joint, stiff.joint);
+  EXPECT_NEAR(soft.share, stiff.share, 0.1 * stiff.share);
 }
 
 /// Kinetic, elastic and potential energy and that of the penalties change by what dampers of the
