@@ -44,8 +44,6 @@ CorrectedProblem::CorrectedProblem(std::unique_ptr<StaticProblem> inner, MotionG
       x_k_(x_k),
       approximations_(std::move(approximations)),
       variables_(inner_->variables()) {
-  for (std::size_t i = 0; i < variables_.size(); ++i)
-    variables_[i].start = x_k_[static_cast<Eigen::Index>(i)];
   const double lacking = objective - correct_rows();
   if (std::abs(lacking) > kRoundOff * std::abs(objective)) rest_ = lacking;
 }

@@ -33,7 +33,8 @@ struct Approximations {
 /// U_i and L_i twice as far from x_k as the farther bound, so that they move with the trust region,
 /// and s_i a parabola beyond that bound;
 /// or by a term, v^ = v_s(x) + b . (x - x_k), b = dv/dx - dv_s/dx at x_k.
-/// A row without size has no correction. The variables start at x_k.
+/// A row without size has no correction. A start of variables may be that of the
+/// study, beyond the bounds: within them is what is nearest to it (start_of).
 ///
 /// A design x_t near x_k that was rejected makes rows conservative (K. Svanberg 2002, "A class of
 /// globally convergent optimization methods based on conservative convex separable approximations",
