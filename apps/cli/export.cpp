@@ -171,7 +171,8 @@ int export_matrices(const CommandOptions& options) {
     refuse(options,
            options.part.empty() ? "--part is missing"
                                 : "--part: there is no meshed part '" + options.part + "'",
-           "the name of a meshed part; " + suggestion(options.part, parts));
+           "the name of a meshed part; " +
+               suggestion(options.part, parts, "the scene has none, --to calculix takes beams"));
   const BodySpec& body =
       scene.mechanism.bodies[static_cast<std::size_t>(scene.mechanism.body(options.part))];
   if (std::get<SolidSpec>(body.kind).as == SolidMotion::Continuum)

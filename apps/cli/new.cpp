@@ -18,15 +18,21 @@ namespace fs = std::filesystem;
 namespace liesl {
 namespace {
 
-/// A shipped file of a kind by its name. @throws InputError with the names there are
+/// A shipped file of a kind by its name, or the only one that begins so.
+/// @throws InputError with the names there are
 const Template& find(const std::string& kind, const std::string& name) {
   std::vector<std::string> names, begun;
+  const Template* only = nullptr;
   for (const Template& t : templates()) {
     if (t.kind != kind) continue;
     if (t.name == name) return t;
     names.emplace_back(t.name);
-    if (!name.empty() && t.name.starts_with(name)) begun.emplace_back(t.name);
+    if (!name.empty() && t.name.starts_with(name)) {
+      begun.emplace_back(t.name);
+      only = &t;
+    }
   }
+  if (begun.size() == 1) return *only;
   const std::string what =
       name.empty() ? "--like is missing" : "there is no " + kind + " '" + name + "'";
   throw InputError(

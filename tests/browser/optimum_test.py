@@ -74,8 +74,9 @@ class Optimum(PageTest):
         summary.update(status="cycle limit", reason="three cycles were allowed", kkt_residual=0.34, kkt="residual 0.34, it should grow",
                        prices={"bending": -0.0456, "part wall": 12.5}, overrides=["a.b=1", "c=[2, 3]"])
         del summary["arguments"]
-        for residual, shown in ((0.34, ["0.34", "not optimal for the motion"]), (None, ["\u2013", "not checked"])):
-            summary["kkt_residual"] = residual
+        for residual, worst, shown in ((0.34, 0, ["0.34", "not optimal for the motion"]), (0, 0.3, ["0", "but limits are exceeded"]),
+                                       (None, 0, ["\u2013", "not checked"])):
+            summary.update(kkt_residual=residual, worst_constraint=worst)
             file.write_text(json.dumps(summary))
             self.assertEqual(liesl("report", str(folder)).returncode, 0)
             self.show(folder)

@@ -133,6 +133,9 @@ TEST_F(CliHere, EveryShippedFileCanBeBegunFrom) {
   }
   EXPECT_NE(run({"new", "scene", "--like", "four_bra"}).err.find("did you mean 'four_bar'"),
             std::string::npos);
+  const Outcome begins = run({"new", "study", "--like", "four_bar", "--force"});
+  EXPECT_EQ(begins.code, 0) << begins.err;
+  EXPECT_NE(begins.out.find("optimize four_bar_mixed.toml"), std::string::npos) << begins.out;
   EXPECT_EQ(run({"new", "mesh"}).code, 2);
 }
 

@@ -1,7 +1,7 @@
 // Cases of a batch and rows of a comparison: a table to sort and filter, and points of two columns.
 
 import { card, el } from './dom.js';
-import { badge } from './tables.js';
+import { badge, succeeded } from './tables.js';
 import { number, plainUnit, tick } from './format.js';
 import { headingOf } from './headings.js';
 import { kSeries } from './colors.js';
@@ -150,18 +150,20 @@ function pairs(table) {
     describe: (row) => table.describe(row, [x.value, y.value, shade.value, 'status', ...table.columns.slice(1, 5).map((c) => c.name)]),
     open: (row) => table.open(row),
   });
+  const status = table.column('status'), failed = (row) => Boolean(status) && !succeeded(status.cells[row]);
   const update = () => {
     const cx = table.column(x.value), cy = table.column(y.value), cs = table.column(shade.value);
     const values = cs.cells.filter((v) => v !== null), low = Math.min(...values), high = Math.max(...values);
     key.replaceChildren(shadeKey(cs, low, high));
-    scatter.set(table.rows.map((row) => ({ x: table.value(cx, row), y: table.value(cy, row), row, shade: (cs.cells[row] - low) / (high - low || 1) })),
+    scatter.set(table.rows.map((row) => ({ x: table.value(cx, row), y: table.value(cy, row), row, shade: (cs.cells[row] - low) / (high - low || 1), hollow: failed(row) })),
       { xlabel: table.heading(cx), ylabel: table.heading(cy), shade: true });
   };
   const x = choose('scatter-x', columns, first.name, update), y = choose('scatter-y', columns, objective.name, update),
     shade = choose('scatter-c', columns, third.name, update), key = el('span', { class: 'colours inline' });
   table.listeners.push(update);
   const node = card('Any two columns', el('div', { class: 'controls row' },
-    named('across', x), named('upwards', y), named('colour', shade), key), scatter.node);
+    named('across', x), named('upwards', y), named('colour', shade), key), scatter.node,
+    table.rows.some(failed) ? el('p', { class: 'note' }, 'Hollow: cases that did not end as they should, as their status says.') : null);
   return node;
 }
 

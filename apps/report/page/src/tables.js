@@ -14,6 +14,9 @@ export function badge(status, certified = false) {
   return el('span', { class: `badge ${kind}` }, status);
 }
 
+/** Has a case ended as it should? */
+export const succeeded = (status) => kGood.includes(status);
+
 /** What is optimised: a motion, or a part under fixed or growing loads. */
 const subject = ({ motion, summary }) => (summary.load_cases || (motion && motion.abscissa !== 'time') ? 'study' : 'motion');
 
@@ -22,7 +25,7 @@ const kMeaning = {
   converged: 'Loads and design agree; whether the design is optimal for the motion, the residual below tells.',
   'cycle limit': 'As many cycles as allowed, without agreement; the best design so far is shown.',
   oscillating: 'The designs went to and fro; the best one is shown.',
-  infeasible: 'No design within the bounds meets all limits.',
+  infeasible: 'Limits are exceeded, and no step from this design improves that; another start may.',
   inaccurate: 'The end was reached, but the time integration lost or made too much energy.',
 };
 
@@ -42,6 +45,14 @@ const both = (error) => (error ? error.total ?? (error.mesh ?? 0) + (error.step 
 const errorOf = ({ error }) => both(error);
 const plusMinus = (text) => `\u00b1\u00a0${text}`;
 
+/** What the KKT residual says of the end. */
+function optimality(data) {
+  const { kkt_residual: residual, worst_constraint: worst } = data.summary;
+  if (residual === null) return 'not checked';
+  if (worst > 1e-3) return 'but limits are exceeded';
+  return `${residual <= 0.01 ? 'optimal' : 'not optimal'} for the ${subject(data)}`;
+}
+
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
   const s = data.summary, reason = s.reason;
@@ -58,7 +69,7 @@ export function head(data) {
   }
   if (s.cycles) tiles.push(tile('cycles', s.cycles, `in ${quantity(s.wall_s, 's', 3)}`));
   if (s.kkt_residual !== undefined)
-    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), s.kkt_residual === null ? 'not checked' : s.kkt_residual <= 0.01 ? `optimal for the ${subject(data)}` : `not optimal for the ${subject(data)}`));
+    tiles.push(tile('KKT residual', s.kkt_residual === null ? '\u2013' : number(s.kkt_residual, 2), optimality(data)));
   if (s.frequencies_hz?.length) tiles.push(tile('lowest frequency', quantity(s.frequencies_hz[0], 'Hz', 4), `of ${s.frequencies_hz.length}`));
   else if (s.steps && s.cycles === undefined) tiles.push(tile('steps', s.steps, `in ${quantity(s.stepping_s, 's', 3)}`));
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
