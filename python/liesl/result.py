@@ -279,11 +279,11 @@ class _Folder:
 
     def summary(self) -> str:
         path = self.folder / "summary.json"
-        text = _liesl.read_file(path)
         try:
+            text = _liesl.read_file(path)
             if isinstance(json.loads(text), dict):
                 return text
-        except ValueError:
+        except ValueError:  # of bytes that are no text, too
             pass
         raise IoError(f"cannot read '{path}': it is no summary of liesl", str(path))
 
@@ -350,14 +350,30 @@ def _table(path: Path) -> Table:
     names, rows = (rows[0], rows[1:]) if rows else ([], [])
     if any(len(row) != len(names) for row in rows):
         raise IoError(f"cannot read '{path}': its rows have different lengths", str(path))
-    return Table((name, _column([row[i] for row in rows])) for i, name in enumerate(names))
+    return Table((name, _column(path, i + 1, name, [row[i] for row in rows])) for i, name in enumerate(names))
 
 
-def _column(texts: list[str]) -> np.ndarray:
+def _column(path: Path, number: int, name: str, texts: list[str]) -> np.ndarray:
     try:
-        return np.array([float(t) if t else np.nan for t in texts])
+        return np.array([_number(t) for t in texts])
     except ValueError:
-        return np.array(texts, dtype=object)
+        if not name.endswith("]"):
+            return np.array(texts, dtype=object)
+    line = next(i for i, t in enumerate(texts) if not _is_number(t)) + 2
+    raise IoError(f"cannot read '{path}': line {line}, column {number} ('{name}') is no number: '{texts[line - 2]}'; run it again",
+                  str(path))
+
+
+def _number(text: str) -> float:
+    return float(text) if text else np.nan
+
+
+def _is_number(text: str) -> bool:
+    try:
+        _number(text)
+        return True
+    except ValueError:
+        return False
 
 
 def open(folder: str | os.PathLike) -> FolderResult:  # noqa: A001

@@ -85,6 +85,24 @@ def test_a_table_that_was_cut_off(pendulum, tmp_path):
     assert not (tmp_path / "page.html").exists()
 
 
+def test_a_cell_that_is_no_number(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    table = tmp_path / "out/responses.csv"
+    lines = table.read_text().splitlines()
+    lines[2] = "x" + lines[2]
+    table.write_text("\n".join(lines) + "\n")
+    with pytest.raises(liesl.IoError, match=r"responses.csv': line 3, column 1 \('time \[s\]'\) is no number: 'x"):
+        liesl.open(tmp_path / "out").tables
+
+
+def test_a_summary_that_is_no_text(pendulum, tmp_path):
+    liesl.Scene(pendulum).run().save(tmp_path / "out")
+    summary = tmp_path / "out/summary.json"
+    summary.write_bytes(b"\xff" + summary.read_bytes())
+    with pytest.raises(liesl.IoError, match="summary.json': it is no summary of liesl"):
+        liesl.open(tmp_path / "out")
+
+
 def test_a_foreign_or_old_version(pendulum, tmp_path):
     liesl.Scene(pendulum).run().save(tmp_path / "out")
     summary = tmp_path / "out/summary.json"
