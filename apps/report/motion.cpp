@@ -197,14 +197,13 @@ std::optional<double> opening(const Json& summary) {
     worst = violation;
     peak = limit;
   }
-  const Json responses = summary.value("responses", none);
-  if (peak.is_null() && !responses.empty()) peak = responses.front();
   const Json at = peak.is_object() ? peak.value("at_time", Json()) : Json();
   if (!at.is_number() || at <= 0) return std::nullopt;
   return at.get<double>();
 }
 
-Json motion(const std::filesystem::path& results, std::optional<double> opening, Blob& blob) {
+Json motion(const std::filesystem::path& results, std::optional<double> opening, double bytes,
+            Blob& blob) {
   const Hdf5Input file(results);
   if (file.attribute("/", "program") != "liesl")
     throw output::IoError("report", results, "it is not of liesl");
@@ -216,8 +215,10 @@ Json motion(const std::filesystem::path& results, std::optional<double> opening,
       throw output::IoError("report", results,
                             "an earlier version wrote it, without shapes at rest; run it again");
   const int n = static_cast<int>(records[0]);
-  const int shown = std::clamp(static_cast<int>(kMotionBytes / bytes_an_instant(file)),
-                               kFewestInstants, kMostInstants);
+  const int shown =
+      std::clamp(static_cast<int>(std::clamp(bytes, kLeastMotionBytes, kMostMotionBytes) /
+                                  bytes_an_instant(file)),
+                 kFewestInstants, kMostInstants);
   std::vector<int> instants = output::spread_records(n, opening && n > shown ? shown - 1 : shown);
   Json opens;
   if (opening) {

@@ -25,15 +25,30 @@ Json reported_cases(const fs::path& folder) {
   return names;
 }
 
+/// Name of the batch that a folder is a case of, or null.
+Json batch_of(const fs::path& folder) {
+  std::error_code none;
+  const fs::path cases = fs::weakly_canonical(folder, none).parent_path();
+  const fs::path plan = cases.parent_path() / "batch.json";
+  if (cases.filename() != "cases" || !fs::exists(plan)) return nullptr;
+  const Json json = Json::parse(output::read_file(plan), nullptr, false);
+  return json.is_object() ? json.value("name", Json("batch")) : Json("batch");
+}
+
+/// Bytes that a motion may take beside all else, in a page of 1 MB.
+double room(const Json& data, const Blob& blob) {
+  constexpr double kTexts = 320e3;  // characters beside the page's program, numbers in base64
+  const auto json = data.dump(-1, ' ', true, Json::error_handler_t::replace).size();
+  return 0.75 * (kTexts - static_cast<double>(json)) - static_cast<double>(blob.bytes());
+}
+
 }  // namespace
 
 std::string page_of(const fs::path& folder, const std::string& name) {
   Blob blob;
   const Json summary = output::read_summary(folder, "report");
-  Json data = {{"folder", name}, {"summary", summary}};
+  Json data = {{"folder", name}, {"summary", summary}, {"batch", batch_of(folder)}};
   try {
-    if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
-      data["motion"] = motion(folder / "results.h5", opening(summary), blob);
     data["charts"] = charts(folder, summary, blob);
     data["sized"] = sized_elements(folder);
     data["outlines"] = outlines(folder, blob);
@@ -45,6 +60,8 @@ std::string page_of(const fs::path& folder, const std::string& name) {
       if (fs::exists(folder / table))
         data["cases"] = cases(folder / table, summary.value("done", std::size_t{0}));
     if (fs::exists(folder / "cases")) data["reported"] = reported_cases(folder);
+    if (fs::exists(folder / "results.h5") && summary.value("command", "") != "batch")
+      data["motion"] = motion(folder / "results.h5", opening(summary), room(data, blob), blob);
   } catch (const Json::exception& error) {
     throw output::IoError("report", folder / "summary.json", error.what());
   } catch (const std::out_of_range&) {

@@ -15,11 +15,17 @@ namespace fs = std::filesystem;
 namespace liesl::report {
 namespace {
 
+/// Where lines of charts go, and how many points each may have.
+struct Lines {
+  Blob& blob;
+  std::size_t points;
+};
+
 /// Records that a line of a chart keeps: all, or smallest and largest of each stretch.
-std::vector<std::size_t> kept(const std::vector<double>& y) {
+std::vector<std::size_t> kept(const std::vector<double>& y, std::size_t points) {
   std::vector<std::size_t> out;
-  const std::size_t n = y.size(), stretches = kMostPoints / 2;
-  if (n <= kMostPoints) {
+  const std::size_t n = y.size(), stretches = points / 2;
+  if (n <= points) {
     for (std::size_t i = 0; i < n; ++i) out.push_back(i);
     return out;
   }
@@ -35,13 +41,13 @@ std::vector<std::size_t> kept(const std::vector<double>& y) {
 }
 
 Json line(const std::string& label, const std::vector<double>& x, const std::vector<double>& y,
-          Blob& blob) {
+          const Lines& lines) {
   std::vector<double> xs, ys;
-  for (const std::size_t i : kept(y)) {
+  for (const std::size_t i : kept(y, lines.points)) {
     xs.push_back(x[i]);
     ys.push_back(y[i]);
   }
-  return {{"label", label}, {"x", blob.f32(xs)}, {"y", blob.f32(ys)}};
+  return {{"label", label}, {"x", lines.blob.f32(xs)}, {"y", lines.blob.f32(ys)}};
 }
 
 Json chart(const std::string& title, const std::string& unit, const Table::Column& abscissa) {
@@ -65,6 +71,21 @@ std::vector<std::string> scenarios_in(const fs::path& folder) {
   return out;
 }
 
+constexpr const char* kResponses = "responses.csv";
+constexpr const char* kEnergies = "energies.csv";
+
+/// As many points a line as all lines have room for.
+std::size_t points_a_line(const fs::path& folder, const std::vector<std::string>& scenarios) {
+  std::vector<std::string> files = {kResponses, kEnergies};
+  for (const std::string& scenario : scenarios)
+    for (const char* design : {"responses_initial", "responses_final"})
+      files.push_back(design + scenario + ".csv");
+  std::size_t lines = 1;
+  for (const std::string& file : files)
+    if (fs::exists(folder / file)) lines += read_table(folder / file).columns.size() - 1;
+  return std::clamp(kMostChartPoints / lines, kFewestPoints, kMostPoints);
+}
+
 /// The error of the largest value, where it is known: in all, or that by mesh and that by step.
 void add_error(const Json& figure, Json& chart) {
   if (!figure.contains("error")) return;
@@ -81,7 +102,7 @@ void add_error(const Json& figure, Json& chart) {
 
 /// A limit before and after, a chart each. @param scenario "_fast"; "" of a single motion
 void add_limit_charts(const fs::path& folder, const std::string& scenario, const Json& summary,
-                      Blob& blob, Json& list) {
+                      const Lines& lines, Json& list) {
   const Table initial = read_table(folder / ("responses_initial" + scenario + ".csv")),
               final = read_table(folder / ("responses_final" + scenario + ".csv"));
   for (std::size_t c = 1; c < final.columns.size(); ++c) {
@@ -91,9 +112,9 @@ void add_limit_charts(const fs::path& folder, const std::string& scenario, const
     Json one = chart(name, after.unit, final.columns[0]);
     if (const auto* before = initial.column(after.name); before && !initial.empty())
       one["lines"].push_back(
-          line("initial", initial.numbers(initial.columns[0]), initial.numbers(*before), blob));
+          line("initial", initial.numbers(initial.columns[0]), initial.numbers(*before), lines));
     one["lines"].push_back(
-        line("final", final.numbers(final.columns[0]), final.numbers(after), blob));
+        line("final", final.numbers(final.columns[0]), final.numbers(after), lines));
     const Json& limits = summary.value("constraints", Json::object());
     if (limits.contains(name)) {
       one["limit"] = limits[name]["limit"];
@@ -113,7 +134,7 @@ std::string owner(const std::string& column, const Json& responses) {
              : column;
 }
 
-Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
+Json response_charts(const fs::path& file, const Json& summary, const Lines& lines) {
   const Table table = read_table(file);
   const std::vector<double> x = table.numbers(table.columns.at(0));
   const Json responses = summary.value("responses", Json::object());
@@ -125,18 +146,19 @@ Json response_charts(const fs::path& file, const Json& summary, Blob& blob) {
       list.push_back(chart(title, column.unit, table.columns[0]));
       if (responses.contains(title)) add_error(responses[title], list.back());
     }
-    list.back()["lines"].push_back(line(column.name, x, table.numbers(column), blob));
+    list.back()["lines"].push_back(line(column.name, x, table.numbers(column), lines));
   }
   return list;
 }
 
-Json energy_chart(const fs::path& file, Blob& blob) {
+Json energy_chart(const fs::path& file, const Lines& lines) {
   const Table table = read_table(file);
   const std::vector<double> x = table.numbers(table.columns.at(0));
   Json one = chart("energies", "J", table.columns[0]);
   for (std::size_t c = 1; c < table.columns.size(); ++c)
     if (table.columns[c].unit == "J")
-      one["lines"].push_back(line(table.columns[c].name, x, table.numbers(table.columns[c]), blob));
+      one["lines"].push_back(
+          line(table.columns[c].name, x, table.numbers(table.columns[c]), lines));
   return one;
 }
 
@@ -190,12 +212,12 @@ void add_cells(const fs::path& file, Json& part, Blob& blob) {
 Json charts(const fs::path& folder, const Json& summary, Blob& blob) {
   Json list = Json::array();
   const std::vector<std::string> scenarios = scenarios_in(folder);
+  const Lines lines{blob, points_a_line(folder, scenarios)};
   for (const std::string& scenario : scenarios)
-    add_limit_charts(folder, scenario, summary, blob, list);
-  if (scenarios.empty() && fs::exists(folder / "responses.csv"))
-    list = response_charts(folder / "responses.csv", summary, blob);
-  if (fs::exists(folder / "energies.csv"))
-    list.push_back(energy_chart(folder / "energies.csv", blob));
+    add_limit_charts(folder, scenario, summary, lines, list);
+  if (scenarios.empty() && fs::exists(folder / kResponses))
+    list = response_charts(folder / kResponses, summary, lines);
+  if (fs::exists(folder / kEnergies)) list.push_back(energy_chart(folder / kEnergies, lines));
   return list;
 }
 

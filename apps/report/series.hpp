@@ -8,8 +8,10 @@
 
 namespace liesl::report {
 
-/// Points of one line of a chart at most; of each stretch the smallest and the largest are kept.
-inline constexpr std::size_t kMostPoints = 800;
+/// Points of one line of a chart; of each stretch the smallest and the largest are kept.
+inline constexpr std::size_t kFewestPoints = 100, kMostPoints = 800;
+/// Points of all charts, of which each line has its share, but no fewer than the fewest.
+inline constexpr std::size_t kMostChartPoints = 6000;
 /// Designs whose outlines a page holds at most.
 inline constexpr std::size_t kMostOutlines = 60;
 

@@ -484,6 +484,8 @@ class Pages(PageTest):
         time.sleep(0.5)
         self.assertNotEqual(self.picture(), first)
         name = self.browser.run("return document.getElementById('instant').textContent")
+        self.assertEqual(self.browser.run("const s = document.getElementById('scale'); return [s.min, s.max]"), ["-1", "1"])
+        self.assertIn("displacement", self.browser.run("return document.querySelector('.colours').textContent"))
         self.slide("time", 1)
         self.assertNotEqual(self.browser.run("return document.getElementById('instant').textContent"), name)
         self.assertTrue(name.startswith("1: "), name)
@@ -527,7 +529,7 @@ class Pages(PageTest):
         self.slide("filter", "speed > 130")
         self.assertEqual(self.browser.run(rows), 2)
         heads = self.browser.run("return [...document.querySelectorAll('#cases th')].map((h) => h.textContent)")
-        self.assertTrue({"mass before [g]", "mass after [g]", "bending, above its limit", "KKT residual"} <= set(heads), heads)
+        self.assertTrue({"mass before [g]", "mass after [g]", "bending, above its limit [%]", "KKT residual"} <= set(heads), heads)
         self.slide("filter", "mass after > 10")  # in the unit of the heading: g, not kg
         self.assertEqual(self.browser.run(rows), 4)
         self.slide("filter", "mass_final > 10")
@@ -536,6 +538,8 @@ class Pages(PageTest):
         self.assertEqual(self.browser.run(note), "0 of 4")
         self.slide("filter", "speed > 130 and xyz > 3")
         self.assertEqual(self.browser.run(note), "0 of 4; there is no column 'xyz'")
+        self.slide("filter", "speed > 130, cycles > 3")
+        self.assertIn("'130, cycles > 3' is no number", self.browser.run(note))
         self.slide("filter", "")
         masses = """const h = [...document.querySelectorAll('#cases th')], i = h.findIndex((x) => x.textContent.startsWith('mass after'));
             h[i].click(); return [...document.querySelectorAll('#cases tbody tr')].map((r) => parseFloat(r.children[i].textContent));"""
@@ -563,6 +567,9 @@ class Pages(PageTest):
         self.browser.run("document.querySelector('#cases tbody tr').click()")
         self.browser.wait(lambda: "/cases/" in self.browser.run("return location.href"), "the case")
         self.browser.wait(lambda: self.browser.run("return document.documentElement.dataset.ready"), "its page")
+        self.assertRegex(self.browser.run("return document.title"), r"^slider-crank, rod: case \S+ – liesl optimize$")
+        self.browser.run("document.querySelector('header nav a').click()")
+        self.browser.wait(lambda: "/cases/" not in self.browser.run("return location.href"), "back to the batch")
 
     def test_a_case_without_a_page_says_how_to_get_it(self):
         file = FOLDER / "unpaged.toml"

@@ -38,7 +38,7 @@ class CaseTable {
   }
 
   card() {
-    this.filter = el('input', { type: 'search', id: 'filter', placeholder: 'filter: text, or column > value', oninput: () => this.update() });
+    this.filter = el('input', { type: 'search', id: 'filter', placeholder: 'filter: text, or column > value; another', oninput: () => this.update() });
     this.head = el('tr', {}, this.columns.map((c) => el('th', { class: c.number ? 'n' : '', tabindex: 0, title: `sort by ${c.name}${c.unit ? `, ${c.unit}` : ''}`,
       onclick: () => this.sort(c), onkeydown: (e) => e.key === 'Enter' && this.sort(c) }, this.heading(c))));
     this.body = el('tbody', {});
@@ -80,7 +80,7 @@ class CaseTable {
   }
 
   update() {
-    const terms = this.terms(), unknown = terms.find((term) => term.key && !term.column);
+    const terms = this.terms();
     this.rows = [...Array(this.count).keys()].filter((row) => this.matches(row, terms));
     if (this.sorted) {
       const value = (row) => this.sorted.cells[row] ?? (this.sorted.number ? Infinity : '');
@@ -89,7 +89,7 @@ class CaseTable {
     [...this.head.children].forEach((th, i) =>
       th.setAttribute('aria-sort', this.columns[i] === this.sorted ? (this.down ? 'descending' : 'ascending') : 'none'));
     this.body.replaceChildren(...this.rows.slice(0, kMostRows).map((row) => this.line(row)));
-    const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : !this.rows.length && unknown ? `; there is no column '${unknown.key}'` : '';
+    const more = this.rows.length > kMostRows ? `, the first ${kMostRows} shown` : this.rows.length ? '' : advice(terms);
     this.note.textContent = this.count ? `${this.rows.length} of ${this.count}${more}` : `no ${this.compare ? 'row' : 'case'} has ended yet`;
     for (const listener of this.listeners) listener();
   }
@@ -134,6 +134,12 @@ const choose = (id, columns, chosen, change) => {
   const node = el('select', { id, onchange: change }, columns.map((c) => el('option', { value: c.name, selected: c.name === chosen }, c.title)));
   return node;
 };
+
+/** Why a filter may have left nothing. */
+function advice(terms) {
+  const unknown = terms.find((term) => term.key && !term.column), text = terms.find(({ column, value }) => column?.number && Number.isNaN(Number(value)));
+  return unknown ? `; there is no column '${unknown.key}'` : text ? `; '${text.value}' is no number: "speed > 130; cycles > 3" joins two conditions` : '';
+}
 
 /** A choice with its name, on one line. */
 const named = (text, node) => el('span', { class: 'named' }, el('label', { for: node.id }, text), ' ', node);

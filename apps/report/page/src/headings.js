@@ -17,8 +17,12 @@ export function titleOf(name) {
   return kNames[name] ?? name.replace(/_/g, ' ');
 }
 
+/** Shares of limits, where they are such, and of the loads. */
+const kShares = /^(worst_constraint(_error)?|violation|load_change|.+\.violation)$/;
+
 /** Its title, and one unit for all its numbers: {title, factor, shown}, shown = unit of number / factor. */
 export function headingOf(column) {
+  if (column.number && kShares.test(column.name)) return { title: titleOf(column.name), factor: 0.01, shown: '%' };
   const numbers = column.number ? column.cells.filter((x) => x !== null).map(Math.abs) : [];
   const { factor, unit } = scaleOf(numbers.length ? Math.max(...numbers) : 0, column.number ? column.unit : '');
   return { title: titleOf(column.name), factor, shown: unit };

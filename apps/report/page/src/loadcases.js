@@ -47,7 +47,9 @@ export function loadCases(data, player, abscissaUnit) {
       buttons.replaceChildren(...(arrows ? instants() : []).map((i) => el('button', { 'data-at': i.at, 'data-scenario': i.scenario, 'aria-pressed': 'false',
         title: 'show the loads of this instant', onclick: () => draw(shown && shown.at === i.at && shown.scenario === i.scenario ? null : i) },
       name(i.at) + (i.scenario ? ` (${i.scenario})` : ''))));
-      table.replaceChildren(...loads.filter((l) => l.cycle === cycle).map((l) => el('tr', {},
+      const rows = loads.filter((l) => l.cycle === cycle);
+      if (!rows.length && data.loads.thinned) table.replaceChildren(el('tr', {}, el('td', { colspan: 4 }, 'left out of the page; those of every cycle are in cycle_loads.csv')));
+      else table.replaceChildren(...rows.map((l) => el('tr', {},
         el('td', {}, l.body), el('td', { class: 'n' }, name(l.at) + (l.scenario ? ` (${l.scenario})` : '')),
         el('td', { class: 'n' }, quantity(l.largest, 'N')), el('td', { class: 'n' }, quantity(l.moment, 'N m')))));
       draw(at !== undefined ? nearest(at) : told || !arrows ? null : nearest(player.clock.last));

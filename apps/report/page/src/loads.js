@@ -1,20 +1,24 @@
 // The loads of a cycle at one of its instants, as arrows on the parts.
 
 import { ConeGeometry, CylinderGeometry, Group, Mesh, Quaternion, Vector3 } from 'three';
-import { array } from './data.js';
+import { array, components } from './data.js';
 import { surface } from './materials.js';
 
 const kLongest = 0.3;  // arrow of the largest force, of the size of the mechanism
 const kShortest = 0.004;  // below, a force is not drawn
 const kUp = new Vector3(0, 1, 0), kF = new Vector3(), kX = new Vector3(), kQ = new Quaternion();
 
-/** Loads of the page's data: [{cycle, scenario, body, at, nodes, load, largest, moment}], N and N m. */
-export function readLoads(list) {
-  return (list ?? []).map((d) => {
-    const load = array(d.load), part = { ...d, load, places: d.places && array(d.places), largest: 0, moment: 0 };
-    for (let k = 0; k < d.nodes; ++k) {
-      part.largest = Math.max(part.largest, Math.hypot(...load.slice(6 * k, 6 * k + 3)));
-      part.moment = Math.max(part.moment, Math.hypot(...load.slice(6 * k + 3, 6 * k + 6)));
+/** Loads of the page's data: [{cycle, scenario, body, at, nodes, load [6 nodes], places, largest, moment}], N and N m. */
+export function readLoads({ cases, load }) {
+  const all = components(load, cases.reduce((sum, c) => sum + c.nodes, 0));
+  let first = 0;
+  return cases.map((c) => {
+    const part = { ...c, load: new Float32Array(6 * c.nodes), places: c.places && array(c.places), largest: 0, moment: 0 };
+    for (let k = 0; k < c.nodes; ++k, ++first) {
+      const f = all.map((component) => component[first]);
+      part.load.set(f, 6 * k);
+      part.largest = Math.max(part.largest, Math.hypot(...f.slice(0, 3)));
+      part.moment = Math.max(part.moment, Math.hypot(...f.slice(3)));
     }
     return part;
   });

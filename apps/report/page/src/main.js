@@ -16,7 +16,7 @@ const kHighest = 760;  // pixels: of the picture
 
 function page() {
   const data = load(), s = data.summary;
-  document.title = `${s.name || data.folder} \u2013 liesl ${s.command ?? ''}`;
+  document.title = `${tables.titleOf(data)} \u2013 liesl ${s.command ?? ''}`;
   const clock = data.motion ? new Clock(array(data.motion.t)) : null;
   const player = data.motion ? new Player(data.motion, clock, s) : null;
   const left = el('div', { class: 'column' }), right = el('div', { class: 'column' });

@@ -9,6 +9,7 @@ import { View } from './view.js';
 
 const kWholeMotion = 8;  // seconds that the whole motion takes to play
 const kSpeeds = [0.1, 0.25, 0.5, 1, 2, 4];
+const kScales = [1, 1e4], kAmplitudes = [0.1, 10];  // least and largest, of deformations and of modes
 
 export class Player {
   /** @param summary names the load cases, and what acts in them, where the records are such */
@@ -16,6 +17,7 @@ export class Player {
     Object.assign(this, { motion, clock, summary, cases: summary.load_cases, playing: false, speed: 1, phase: 0, frames: [] });
     this.modes = motion.abscissa === 'frequency';
     this.shapes = this.modes || motion.abscissa === 'load_case';
+    this.scales = this.modes ? kAmplitudes : kScales;
     this.instantText = motion.unit === 's' ? inOneUnit([clock.last], 's') : (at) => (motion.unit === '-' ? number(at, 4) : quantity(at, motion.unit, 4));
     this.canvas = el('canvas', { tabindex: 0, 'aria-label': 'mechanism; drag to turn, wheel to zoom' });
     this.stage = el('div', { class: 'stage' }, this.canvas);
@@ -62,7 +64,7 @@ export class Player {
       disabled: this.shapes && clock.t.length < 2,
       oninput: () => this.seek(Number(this.slider.value)) });
     this.label = el('output', { for: 'time', id: 'instant' });
-    this.scaler = range('scale', { min: 0, max: 4, step: 0.01, value: 0,
+    this.scaler = range('scale', { min: Math.log10(this.scales[0]), max: Math.log10(this.scales[1]), step: 0.01, value: 0,
       oninput: () => this.setScale(roundScale(10 ** Number(this.scaler.value))) });
     this.scaleLabel = el('output', { for: 'scale' });
     this.colours = el('select', { id: 'colour', onchange: () => this.setColour(this.colours.value) });
@@ -73,7 +75,7 @@ export class Player {
       el('span', {}), el('label', { for: 'scale' }, this.modes ? 'amplitude' : 'deformation'), this.scaler, this.scaleLabel,
       el('span', {}), el('label', { for: 'colour' }, 'colour'),
       el('span', { class: 'small' }, this.colours, this.rate,
-        el('button', { id: 'good', title: 'true shape, or deformation that can be seen (D)', onclick: () => this.goodScale() }, this.modes ? '\u00d7 1' : 'true / magnified'),
+        el('button', { id: 'good', title: 'true shape, or deformation that can be seen (D)', onclick: () => this.goodScale() }, this.modes ? 'as computed' : 'true / magnified'),
         el('button', { id: 'fit', title: 'whole motion (F)', onclick: () => this.view?.fit() }, 'fit')));
   }
 
@@ -110,7 +112,7 @@ export class Player {
   }
 
   setScale(scale) {
-    this.scale = Math.max(1, Math.min(1e4, scale));
+    this.scale = Math.max(this.scales[0], Math.min(this.scales[1], scale));
     this.scaler.value = Math.log10(this.scale);
     this.scaleLabel.textContent = `\u00d7 ${number(this.scale, 3)}`;
     this.view?.set({ scale: this.scale });
@@ -142,7 +144,7 @@ export class Player {
   /** What the sliders say, as a line. */
   describe() {
     const what = this.modes ? 'mode of' : this.motion.abscissa.replace('_', ' ');
-    this.caption.textContent = `${what} ${this.label.textContent} \u00b7 deformation ${this.scaleLabel.textContent}`;
+    this.caption.textContent = `${what} ${this.label.textContent} \u00b7 ${this.modes ? 'amplitude' : 'deformation'} ${this.scaleLabel.textContent}`;
   }
 
   toggle(on = !this.playing) {
@@ -198,5 +200,5 @@ export class Player {
 /** Two digits: what a slider says is what is shown. */
 function roundScale(x) {
   const power = 10 ** (Math.floor(Math.log10(x)) - 1);
-  return Math.max(1, Math.round(x / power) * power);
+  return Math.round(x / power) * power;
 }

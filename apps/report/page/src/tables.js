@@ -53,6 +53,11 @@ function optimality(data) {
   return `${residual <= 0.01 ? 'optimal' : 'not optimal'} for the ${subject(data)}`;
 }
 
+/** "slider-crank, rod", of a batch's case "slider-crank, rod: case 3". */
+export function titleOf({ summary, folder, batch }) {
+  return (summary.name || folder) + (batch ? `: case ${folder}` : '');
+}
+
 /** Name, status, reason, and the figures that matter most. */
 export function head(data) {
   const s = data.summary, reason = s.reason;
@@ -75,7 +80,8 @@ export function head(data) {
   if (s.cases) tiles.push(tile('cases', `${s.done} of ${s.cases}`, s.failed ? `${s.failed} failed` : 'none failed'));
   if (s.rows) tiles.push(tile('rows', `${s.done} of ${s.rows}`, s.response ? `response '${s.response}'` : ''));
   return el('header', {},
-    el('div', { class: 'title' }, el('h1', {}, s.name || data.folder), badge(s.status, 'kkt_residual' in s)),
+    data.batch ? el('nav', {}, el('a', { href: '../../report.html' }, `\u2190 ${data.batch}`)) : null,
+    el('div', { class: 'title' }, el('h1', {}, titleOf(data)), badge(s.status, 'kkt_residual' in s)),
     el('p', { class: 'reason' }, sentence(reason?.replace('conditions of the motion', `conditions of the ${subject(data)}`)), meaning ? el('span', {}, ' ' + meaning.replace('motion', subject(data))) : null),
     s.warnings?.length ? el('ul', { class: 'warnings' }, s.warnings.map((w) => el('li', {}, prose(w)))) : null,
     tiles.length ? el('div', { class: 'tiles' }, tiles) : null);

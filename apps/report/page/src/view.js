@@ -8,6 +8,7 @@ import { BeamView } from './beams.js';
 import { Closure } from './closure.js';
 import { array, components } from './data.js';
 import { onTheme, theme } from './dom.js';
+import { modeSizes } from './modes.js';
 import { Body } from './motion.js';
 import { quantities } from './quantities.js';
 import { grid, JointView, RigidView } from './scenery.js';
@@ -134,9 +135,12 @@ export class View {
   /** Ranges of colours: forces and stresses from the records, deformations by looking at some. */
   addRanges() {
     let size = 0, stress = 0;
-    const n = this.t.length;
+    const n = this.t.length, ofModes = [];
+    if (this.modes)
+      for (let i = 0; i < n; ++i) for (const { view, body } of this.parts) if (view.deform || view.chord) ofModes.push(modeSizes(view, body, i));
     this.largest = 0;  // instant of the largest deformation
-    for (let i = 0; i < n; i += Math.max(1, Math.floor(n / 60))) {
+    const few = this.motion.meshes.length ? 60 : 600;  // instants to look at: vertices are many
+    for (let i = 0; i < n; i += Math.max(1, Math.floor(n / few))) {
       const before = size;
       this.moveBodies(i, 0, 1);
       for (const { view, body } of this.parts) {
@@ -152,8 +156,10 @@ export class View {
       }
       if (size > before) this.largest = i;
     }
+    if (this.modes) size = ofModes.reduce((most, sizes) => sizes.reduce((a, b) => Math.max(a, b), most), 0);
     this.deformed = size;
-    const deformation = { key: 'displacement', label: 'deformation', unit: 'm', map: 'size', size, low: 0, high: size };
+    const label = this.modes ? 'displacement' : 'deformation';  // of modes from rest, else about the chord
+    const deformation = { key: 'displacement', label, unit: 'm', map: 'size', size, low: 0, high: size };
     this.quantities = [...(size > 0 ? [deformation] : []), ...(this.modes ? [] : quantities(this.bodies, stress))];
   }
 
@@ -191,7 +197,7 @@ export class View {
     for (const { view, body, plain } of this.parts) {
       const colour = this.colourOf(view, body, i, s);
       if (view.chord && colour && this.colour.key === 'displacement')
-        for (let k = 0; k < body.nodes; ++k) view.value[k] = view.chord.size(k);
+        for (let k = 0; k < body.nodes; ++k) view.value[k] = this.modes ? modeSizes(view, body, i)[k] : view.chord.size(k);
       if (view.spread && colour && this.colour.key !== 'stress') view.spread();
       view.update(scale, colour, plain);
     }
@@ -202,7 +208,7 @@ export class View {
   /** What a body is coloured by now; null: plain. */
   colourOf(view, body, i, s) {
     if (!this.colour) return null;
-    if (view.sizes) view.value = this.colour.key === 'stress' ? view.stresses : view.sizes;
+    if (view.sizes) view.value = this.colour.key === 'stress' ? view.stresses : this.modes ? modeSizes(view, body, i) : view.sizes;
     if (view.sizes && this.colour.key === 'stress') view.stress();
     if (this.colour.key === 'displacement' || (view.sizes && this.colour.key === 'stress')) return this.colour;
     const field = this.colour.field(body);
