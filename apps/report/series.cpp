@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string_view>
 
@@ -58,9 +59,14 @@ Json chart(const std::string& title, const std::string& unit, const Table::Colum
           {"lines", Json::array()}};
 }
 
+constexpr const char* kResponses = "responses.csv";
+constexpr const char* kEnergies = "energies.csv";
+/// With scenarios each once, "responses_final_fast.csv".
+constexpr const char *kInitial = "responses_initial", *kFinal = "responses_final";
+
 /// What scenarios add to the names of files with limits: "_fast"; of a single motion "".
 std::vector<std::string> scenarios_in(const fs::path& folder) {
-  const std::string start = "responses_final", end = ".csv";
+  const std::string start = kFinal, end = ".csv";
   std::vector<std::string> out;
   for (const auto& entry : fs::directory_iterator(folder)) {
     const std::string name = entry.path().filename().string();
@@ -71,18 +77,25 @@ std::vector<std::string> scenarios_in(const fs::path& folder) {
   return out;
 }
 
-constexpr const char* kResponses = "responses.csv";
-constexpr const char* kEnergies = "energies.csv";
+/// By the names of their files.
+using Tables = std::map<std::string, Table>;
+
+/// What charts are drawn of: limits before and after, or else responses, and energies.
+Tables tables_of(const fs::path& folder, const std::vector<std::string>& scenarios) {
+  std::vector<std::string> files;
+  for (const char* file : {scenarios.empty() ? kResponses : "", kEnergies})
+    if (*file && fs::exists(folder / file)) files.push_back(file);
+  for (const std::string& scenario : scenarios)
+    for (const char* design : {kInitial, kFinal}) files.push_back(design + scenario + ".csv");
+  Tables tables;
+  for (const std::string& file : files) tables[file] = read_table(folder / file);
+  return tables;
+}
 
 /// As many points a line as all lines have room for.
-std::size_t points_a_line(const fs::path& folder, const std::vector<std::string>& scenarios) {
-  std::vector<std::string> files = {kResponses, kEnergies};
-  for (const std::string& scenario : scenarios)
-    for (const char* design : {"responses_initial", "responses_final"})
-      files.push_back(design + scenario + ".csv");
+std::size_t points_a_line(const Tables& tables) {
   std::size_t lines = 1;
-  for (const std::string& file : files)
-    if (fs::exists(folder / file)) lines += read_table(folder / file).columns.size() - 1;
+  for (const auto& [file, table] : tables) lines += table.columns.size() - 1;
   return std::clamp(kMostChartPoints / lines, kFewestPoints, kMostPoints);
 }
 
@@ -101,10 +114,10 @@ void add_error(const Json& figure, Json& chart) {
 }
 
 /// A limit before and after, a chart each. @param scenario "_fast"; "" of a single motion
-void add_limit_charts(const fs::path& folder, const std::string& scenario, const Json& summary,
+void add_limit_charts(const Tables& tables, const std::string& scenario, const Json& summary,
                       const Lines& lines, Json& list) {
-  const Table initial = read_table(folder / ("responses_initial" + scenario + ".csv")),
-              final = read_table(folder / ("responses_final" + scenario + ".csv"));
+  const Table &initial = tables.at(kInitial + scenario + ".csv"),
+              &final = tables.at(kFinal + scenario + ".csv");
   for (std::size_t c = 1; c < final.columns.size(); ++c) {
     const Table::Column& after = final.columns[c];
     const std::string name =
@@ -134,8 +147,7 @@ std::string owner(const std::string& column, const Json& responses) {
              : column;
 }
 
-Json response_charts(const fs::path& file, const Json& summary, const Lines& lines) {
-  const Table table = read_table(file);
+Json response_charts(const Table& table, const Json& summary, const Lines& lines) {
   const std::vector<double> x = table.numbers(table.columns.at(0));
   const Json responses = summary.value("responses", Json::object());
   Json list = Json::array();
@@ -151,8 +163,7 @@ Json response_charts(const fs::path& file, const Json& summary, const Lines& lin
   return list;
 }
 
-Json energy_chart(const fs::path& file, const Lines& lines) {
-  const Table table = read_table(file);
+Json energy_chart(const Table& table, const Lines& lines) {
   const std::vector<double> x = table.numbers(table.columns.at(0));
   Json one = chart("energies", "J", table.columns[0]);
   for (std::size_t c = 1; c < table.columns.size(); ++c)
@@ -212,12 +223,12 @@ void add_cells(const fs::path& file, Json& part, Blob& blob) {
 Json charts(const fs::path& folder, const Json& summary, Blob& blob) {
   Json list = Json::array();
   const std::vector<std::string> scenarios = scenarios_in(folder);
-  const Lines lines{blob, points_a_line(folder, scenarios)};
+  const Tables tables = tables_of(folder, scenarios);
+  const Lines lines{blob, points_a_line(tables)};
   for (const std::string& scenario : scenarios)
-    add_limit_charts(folder, scenario, summary, lines, list);
-  if (scenarios.empty() && fs::exists(folder / kResponses))
-    list = response_charts(folder / kResponses, summary, lines);
-  if (fs::exists(folder / kEnergies)) list.push_back(energy_chart(folder / kEnergies, lines));
+    add_limit_charts(tables, scenario, summary, lines, list);
+  if (tables.contains(kResponses)) list = response_charts(tables.at(kResponses), summary, lines);
+  if (tables.contains(kEnergies)) list.push_back(energy_chart(tables.at(kEnergies), lines));
   return list;
 }
 
