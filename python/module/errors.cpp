@@ -1,6 +1,6 @@
+#include "apps/cli/io_message.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
-#include "apps/output/io_error.hpp"
 #include "python/module/outcome.hpp"
 
 namespace liesl::python {
@@ -53,7 +53,7 @@ void bind_errors(py::module_&) {
       raise_input({{"", 0, 0, e.what(), "", ""}});
     } catch (const output::IoError& e) {
       raise("IoError",
-            py::make_tuple(decoded(with_arguments(e.what())), decoded(e.path().string())));
+            py::make_tuple(decoded(with_arguments(message(e))), decoded(e.path().string())));
     } catch (const std::filesystem::filesystem_error& e) {
       raise("IoError", py::make_tuple(decoded(e.what()), decoded(e.path1().string())));
     } catch (const output::Interrupted&) {
