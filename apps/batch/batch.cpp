@@ -10,6 +10,7 @@
 #include "apps/batch/grid.hpp"
 #include "apps/input/document.hpp"
 #include "apps/input/schema.hpp"
+#include "apps/input/title.hpp"
 #include "apps/input/validate.hpp"
 #include "apps/output/file.hpp"
 #include "apps/output/io_error.hpp"
@@ -223,8 +224,8 @@ Batch load_batch(const fs::path& path, const std::vector<std::string>& changes) 
   problems.throw_if_any();
 
   const toml::table& root = document.root;
-  batch.name = *root["name"].value<std::string>();
   batch.file = document.file;
+  batch.name = title(root, batch.file);
   batch.optimize = root.contains("study");
   const toml::node& of = *root.get(batch.optimize ? "study" : "scene");
   batch.of = relative_to(path, *of.value<std::string>());

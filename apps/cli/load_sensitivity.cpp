@@ -4,6 +4,7 @@
 
 #include "apps/batch/grid.hpp"
 #include "apps/input/document.hpp"
+#include "apps/input/title.hpp"
 #include "apps/input/validate.hpp"
 #include "apps/input/values.hpp"
 
@@ -79,7 +80,7 @@ SensitivityFile load_sensitivity(const std::filesystem::path& path,
   problems.throw_if_any();
   const toml::table& root = document.root;
   SensitivityFile file;
-  file.name = text(root, "name");
+  file.name = title(root, document.file);
   file.scene.file = (path.parent_path() / text(root, "scene")).lexically_normal().string();
   try {
     file.scene.text = load_text(file.scene.file, "a scene in TOML");

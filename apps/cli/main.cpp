@@ -17,12 +17,12 @@
 
 #include "apps/cli/command.hpp"
 #include "apps/cli/completion.hpp"
+#include "apps/cli/io_message.hpp"
 #include "apps/cli/known_words.hpp"
 #include "apps/cli/man_page.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/input/schema.hpp"
 #include "apps/output/interrupt.hpp"
-#include "apps/output/io_error.hpp"
 #include "apps/output/summary.hpp"
 #include "apps/output/versions.hpp"
 #include "mbs/linalg/stop_request.hpp"
@@ -289,7 +289,7 @@ int guarded(int (*run)(const liesl::CommandOptions&), const liesl::CommandOption
     std::cerr << o.file << ": " << e.what() << "\n";
     return kRefused;
   } catch (const liesl::output::IoError& e) {
-    std::cerr << "liesl: " << e.what() << "\n";
+    std::cerr << "liesl: " << liesl::message(e) << "\n";
   } catch (const liesl::Stopped&) {
     std::cerr << "liesl: interrupted\n";
   } catch (const liesl::output::Interrupted&) {

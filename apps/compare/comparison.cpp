@@ -9,6 +9,7 @@
 #include "apps/compare/models.hpp"
 #include "apps/compare/row_table.hpp"
 #include "apps/input/document.hpp"
+#include "apps/input/title.hpp"
 #include "apps/input/validate.hpp"
 #include "apps/scene/load_scene.hpp"
 #include "apps/scene/reader.hpp"
@@ -292,7 +293,7 @@ Comparison load_comparison(const fs::path& path, const std::vector<std::string>&
   problems.throw_if_any();
 
   const toml::table& root = document.root;
-  rows.name = text(root, "name");
+  rows.name = title(root, document.file);
   rows.file = document.file;
   rows.set = of_scene;
   comparison.time_limit = number(root, "time_limit");

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 
-#include "apps/tasks/describe_identity.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
 #include "mbs/system/response_value.hpp"
 #include "optim/problems/treatment.hpp"
@@ -123,55 +122,6 @@ bool same_dimensions(const Shape& a, const Shape& b) {
   });
 }
 
-/// Are there elements beside each other with different shapes?
-bool sections_jump(const BeamDeck& deck) {
-  const auto differ = [](const Section& a, const Section& b) {
-    return a.shape.index() != b.shape.index() || !same_dimensions(a.shape, b.shape);
-  };
-  return std::ranges::adjacent_find(deck.sections, differ) != deck.sections.end();
-}
-
-constexpr std::string_view kJumpNote =
-    "**The sections of this part jump between elements**, which CalculiX joins by stiff knots of "
-    "its expanded\nbeams: a rod of four diameters, 9.3 to 12.1 mm, bends by up to 4.8 % less than "
-    "in its motion with 8 elements,\n2.8 % with 16, 1.8 % with 32. What is said above of "
-    "deviations is of one section.\n\n";
-constexpr double kFarFromLinear = 0.5;  // linear strains, off by so much of the largest
-constexpr std::string_view kFarNote =
-    "**This part bends far.** Loads that a program raises in proportion need not lead to its "
-    "shape: "
-    "CalculiX 2.20\ncuts its increments back without end at 0.3 of the loads of liesl's scene "
-    "`pendulum`.\n\n";
-
-/// What the identity of another model than that of the deck does not say.
-std::string own_model(BeamModel model) {
-  if (model == BeamModel::Modal)
-    return ".\n"
-           "  That is by its own model, linear in a floating frame; what axial forces do to the "
-           "bending of the\n"
-           "  deck comes on top, N L^2/(pi^2 EI) of it";
-  if (model == BeamModel::Segments)
-    return ".\n"
-           "  That is by its own model, a chain of segments without shear; the deck differs by the "
-           "error of its\n"
-           "  mesh, which falls with the square of the segments";
-  return "";
-}
-
-/// How the beams of a program differ from those of liesl, as measured (docs/outputs.md, "Decks").
-std::string deviations(bool calculix) {
-  if (calculix)
-    return "of the rod of liesl's scene\n"
-           "  `slider_crank` CalculiX 2.20 bends round bars by 0.4 % and tubes by 0.3 % less than "
-           "the motion,\n"
-           "  whatever the mesh, of one section, rectangles by less than 0.05 % less, thin boxes "
-           "by 2 % more";
-  return "no Nastran was\n"
-         "  at hand; beams without shear, by second-order theory, bend 0.1 to 0.2 % less than the "
-         "motion, with\n"
-         "  thin walls 0.5 to 1 % less";
-}
-
 }  // namespace
 
 std::vector<SectionGroup> section_groups(const BeamDeck& deck) {
@@ -201,46 +151,6 @@ std::string deck_displacements(const BeamDeck& deck) {
       text += fmt::format("{},{},{},{},{},{},{},{},{}\n", n + 1, deck.cases[n].time, k, x[0], x[1],
                           x[2], u[0], u[1], u[2]);
     }
-  return text;
-}
-
-std::string deck_readme(const BeamDeck& deck, const std::string& program) {
-  const bool calculix = program == "CalculiX";
-  std::string text = fmt::format(
-      "# {0} of '{1}' for {2}\n\n"
-      "The equivalent static loads of {10}: the internal forces of the part at {3}, "
-      "each a\n"
-      "load case on the isolated part. Written by `liesl export`.\n\n"
-      "- **Units**: m, N, Pa, kg, s.\n"
-      "- **Frame**: inertial axes; the part where the scene puts it, held at its first node. The "
-      "loads of a\n"
-      "  case are turned into the frame of that node, so that the part deforms as in the "
-      "{11},\n"
-      "  seen from there.\n"
-      "- **Nodes**: {4}.\n"
-      "- **Cases are solved with large displacements** ({5}). A slender part that bends under an "
-      "axial force\n"
-      "  N has, linearly, an error of N L^2/(pi^2 EI) of its bending, too much where N pulls and "
-      "too little\n"
-      "  where it pushes: linear decks miss 10 % and more.\n"
-      "- **What they shall give back**: `displacements.csv`, the displacements of the {11}. "
-      "The strains\n"
-      "  that liesl finds under these loads differ from those of the {11}, over the largest: {6} "
-      "(linear: {7}){8}.\n"
-      "- **Deviations go to one side** at all instants where they were measured: {9}.\n"
-      "- {12} in the loads; the deck has none of its own.\n\n",
-      deck.part, deck.scene, program, deck.words.count(deck.cases.size()),
-      calculix ? "node k of the beam is node 2k + 1, the middle of element e node 2e + 2"
-               : "node k of the beam is grid k + 1",
-      calculix ? "`NLGEOM`" : "`SOL 106`, `LGDISP`", difference_text(deck.identity.nonlinear),
-      difference_text(deck.identity.linear), own_model(deck.model), deviations(calculix),
-      deck.words.a_state(), deck.words.state(), deck.words.forces());
-  if (!(deck.identity.linear < kFarFromLinear)) text += kFarNote;
-  if (calculix && sections_jump(deck)) text += kJumpNote;
-  text += "| case | " + deck.words.column() + " | largest deflection [m] |\n|---|---|---|\n";
-  for (std::size_t n = 0; n < deck.cases.size(); ++n)
-    text += fmt::format("| {} | {:.6g} | {:.6g} |\n", n + 1, deck.cases[n].time,
-                        deck.cases[n].deflection);
   return text;
 }
 

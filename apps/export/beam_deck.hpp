@@ -50,8 +50,7 @@ struct SectionGroup {
 };
 std::vector<SectionGroup> section_groups(const BeamDeck& deck);
 
-/// CalculiX: an element B32R for each element of the beam, with a node in its middle; each case a
-/// step, NLGEOM. Node k of the beam is node 2k + 1, the middle of element e node 2e + 2.
+/// CalculiX: B32R, each case a step, NLGEOM (mesh and numbers: beam_mesh.hpp).
 /// @throws std::invalid_argument for sections that B32R has not: I-sections
 std::string calculix_text(const BeamDeck& deck);
 /// Nastran, in large fields: CBAR with PBARL of every shape, each case a subcase of SOL 106 with

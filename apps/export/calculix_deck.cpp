@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "apps/export/beam_deck.hpp"
+#include "apps/export/beam_mesh.hpp"
 
 namespace liesl {
 namespace {
@@ -38,35 +38,51 @@ std::string node_line(int number, const Vec3& x) {
   return fmt::format("{}, {:.12e}, {:.12e}, {:.12e}\n", number, x[0], x[1], x[2]);
 }
 
-std::string mesh_text(const BeamDeck& deck) {
+/// "1,\n2,\n"
+std::string list(const std::vector<int>& numbers) {
+  std::string text;
+  for (const int number : numbers) text += fmt::format("{},\n", number);
+  return text;
+}
+
+std::string mesh_text(const BeamDeck& deck, const BeamMesh& mesh) {
   std::string text = "*NODE, NSET=ALL\n";
-  for (std::size_t k = 0; k < deck.nodes.size(); ++k) {
-    text += node_line(static_cast<int>(2 * k + 1), deck.nodes[k].x);
-    if (k < deck.middles.size()) text += node_line(static_cast<int>(2 * k + 2), deck.middles[k].x);
-  }
+  for (const auto& [number, node] : mesh.nodes) text += node_line(number, node.x);
   text += "*ELEMENT, TYPE=B32R, ELSET=PART\n";
-  for (std::size_t e = 0; e < deck.middles.size(); ++e)
-    text += fmt::format("{}, {}, {}, {}\n", e + 1, 2 * e + 1, 2 * e + 2, 2 * e + 3);
+  for (const auto& [number, nodes] : mesh.elements)
+    text += fmt::format("{}, {}, {}, {}\n", number, nodes[0], nodes[1], nodes[2]);
   text += "*NSET, NSET=NODES\n";
   for (std::size_t k = 0; k < deck.nodes.size(); ++k) text += fmt::format("{},\n", 2 * k + 1);
   return text;
 }
 
-std::string sections_text(const BeamDeck& deck) {
+std::string sections_text(const BeamDeck& deck, const BeamMesh& mesh) {
   std::string text =
       fmt::format("*MATERIAL, NAME=MATERIAL\n*ELASTIC\n{:.12e}, {:.12e}\n*DENSITY\n{:.12e}\n",
                   deck.material.E, deck.material.nu, deck.material.rho);
   const auto groups = section_groups(deck);
   for (std::size_t g = 0; g < groups.size(); ++g) {
-    const SectionCard card = std::visit(ToCard(), groups[g].section->shape);
+    const Shape& shape = groups[g].section->shape;
+    const SectionCard card = std::visit(ToCard(), shape);
     text += fmt::format("*ELSET, ELSET=SECTION{}\n", g + 1);
-    for (const int e : groups[g].elements) text += fmt::format("{},\n", e + 1);
+    for (const int e : groups[g].elements) text += list(mesh.pieces[static_cast<std::size_t>(e)]);
     const Vec3& y = groups[g].y;
     text += fmt::format(
-        "*BEAM SECTION, ELSET=SECTION{}, MATERIAL=MATERIAL, SECTION={}\n{}\n{:.12e}, {:.12e}, "
+        "*BEAM SECTION, ELSET=SECTION{}, MATERIAL=MATERIAL, SECTION={}{}\n{}\n{:.12e}, {:.12e}, "
         "{:.12e}\n",
-        g + 1, card.type, card.numbers, y[0], y[1], y[2]);
+        g + 1, card.type, mesh.by_node && is_bar(shape) ? ", NODAL THICKNESS" : "", card.numbers,
+        y[0], y[1], y[2]);
   }
+  return text;
+}
+
+/// Outlines of bars that pass from one to another.
+std::string thickness_text(const BeamMesh& mesh) {
+  if (!mesh.by_node) return "";
+  std::string text = "*NODAL THICKNESS\n";
+  for (const auto& [number, node] : mesh.nodes)
+    if (node.outline[0] > 0)
+      text += fmt::format("{}, {:.12e}, {:.12e}\n", number, node.outline[0], node.outline[1]);
   return text;
 }
 
@@ -89,7 +105,9 @@ std::string calculix_text(const BeamDeck& deck) {
       "** '{}' of '{}' under the equivalent static loads of its {}. SI units.\n"
       "** See README.md in this folder.\n",
       deck.part, deck.scene, deck.words.state());
-  text += mesh_text(deck) + sections_text(deck) + "*BOUNDARY\n1, 1, 6\n";
+  const BeamMesh mesh = beam_mesh(deck);
+  text += mesh_text(deck, mesh) + sections_text(deck, mesh) + thickness_text(mesh) +
+          "*BOUNDARY\n1, 1, 6\n";
   for (std::size_t n = 0; n < deck.cases.size(); ++n)
     text += step_text(deck.words, deck.cases[n], n + 1);
   return text;

@@ -7,6 +7,8 @@
 #include <cctype>
 #include <tuple>
 
+#include "apps/input/printable.hpp"
+
 namespace liesl {
 
 namespace {
@@ -43,11 +45,11 @@ std::string shortened(const std::string& text) {
 }  // namespace
 
 std::string InputProblem::text() const {
-  std::string text = file.starts_with("--set") ? shortened(file) : file;
+  std::string text = printable(file.starts_with("--set") ? shortened(file) : file);
   if (line > 0) text += fmt::format(":{}:{}", line, column);
-  text += ": " + shortened(what);
-  if (!expected.empty()) text += "; expected " + shortened(expected);
-  if (!hint.empty()) text += "; hint: " + shortened(hint);
+  text += ": " + shortened(printable(what));
+  if (!expected.empty()) text += "; expected " + shortened(printable(expected));
+  if (!hint.empty()) text += "; hint: " + shortened(printable(hint));
   return text;
 }
 

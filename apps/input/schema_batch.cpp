@@ -7,7 +7,7 @@ namespace liesl {
 // clang-format off
 std::vector<Key> batch_keys() {
   return {
-    {"name", Type::Text, "", "\"batch\"", kAny, "Title of the batch."},
+    {"name", Type::Text, "", "\"batch\"", kAny, "Title of the batch; without it the name of its file."},
     {"study", Type::Text, "", kOneOf, kAny, "File of a study, relative to the batch: each case is an optimisation."},
     {"scene", Type::Text, "", kOneOf, kAny, "File of a scene, relative to the batch: each case is a simulation."},
     {"table", Type::Text, "", kOptional, kAny, "CSV file of the cases, relative to the batch: a row a case, a column a key of the study or scene. A column `case` names them. Either this or `grid`."},

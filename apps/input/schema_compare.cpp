@@ -8,7 +8,7 @@ namespace liesl {
 // clang-format off
 std::vector<Key> compare_keys() {
   return {
-    {"name", Type::Text, "", "\"comparison\"", kAny, "Title of the comparison."},
+    {"name", Type::Text, "", "\"comparison\"", kAny, "Title of the comparison; without it the name of its file."},
     {"scene", Type::Text, "", kOneOf, kAny, "File of the scene, relative to the comparison; it must be dynamic. Rows are simulations. Beams are of order 2 in rows and reference where neither the scene nor the comparison gives `bodies.NAME.beam.order`."},
     {"study", Type::Text, "", kOneOf, kAny, "File of a study, relative to the comparison: rows are optimisations, by `grid.method`, `optimizer`, `treatment`, `approximation` and `vary` over any keys of the study; `quantity`, `reference`, `beams` and `repeats` are of scenes."},
     {"repeats", Type::Integer, "", "3", {1, 1000}, "Timed runs of each row, after one that warms up. `cpu_s` is their median. An optimisation runs once."},

@@ -15,7 +15,7 @@ constexpr auto kWhole0 = Range{.lower = 0};
 // clang-format off
 std::vector<Key> material_keys() {
   return {
-    {"name", Type::Text, "", "\"scene\"", kAny, "Title of the scene."},
+    {"name", Type::Text, "", "\"scene\"", kAny, "Title of the scene; without it the name of its file."},
     {"gravity", Type::Vector, "m/s^2", "[0, 0, 0]", kAny, "Acceleration of gravity, inertial axes.", 3},
     {"gravity_scale", Type::Function, "-", "1", kAny, "Factor of gravity over time: a ramp puts the weight on slowly. Statics and modes take its value at `simulation.at`."},
     {"ground", Type::Table, "", kOptional, kAny, "The inertial frame."},

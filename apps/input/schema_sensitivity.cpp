@@ -8,7 +8,7 @@ namespace liesl {
 // clang-format off
 std::vector<Key> sensitivity_keys() {
   return {
-    {"name", Type::Text, "", "\"sensitivity\"", kAny, "Title."},
+    {"name", Type::Text, "", "\"sensitivity\"", kAny, "Title; without it the name of its file."},
     {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to this one; a motion with responses g."},
     {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change, as in \"simulation.duration\" = 0.5."},
     {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},

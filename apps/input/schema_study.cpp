@@ -10,7 +10,7 @@ namespace {
 /// What varies, and the limits of motions.
 std::vector<Key> design_and_limit_keys() {
   return {
-    {"name", Type::Text, "", "\"study\"", kAny, "Title of the study."},
+    {"name", Type::Text, "", "\"study\"", kAny, "Title of the study; without it the name of its file."},
     {"scene", Type::Text, "", kRequired, kAny, "File of the scene, relative to the study."},
     {"set", Type::Named, "", kOptional, kAny, "Keys of the scene to change in this study, as in \"simulation.step\" = 5e-5."},
     {"set.*", Type::Any, "", kOptional, kAny, "Value of a scene key."},

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cctype>
 #include <charconv>
+#include <limits>
 #include <map>
 #include <optional>
+#include <set>
 
 #include "apps/input/problem.hpp"
 #include "apps/mesh/mesh_builder.hpp"
@@ -117,7 +119,9 @@ class AbaqusReader {
       line.starts_with("*") ? begin(keyword_of(line)) : data(fields_of(line), line.ends_with(','));
     }
     finish_cell();
-    return mesh_.build();
+    SolidMesh mesh = mesh_.build();
+    for (const auto& [key, name] : spelling_) mesh.sets.try_emplace(name);  // without nodes, too
+    return mesh;
   }
 
  private:
@@ -126,8 +130,12 @@ class AbaqusReader {
     keyword_ = keyword;
     kind_ = nullptr;
     refuse_what_is_not_listed(keyword);
+    const bool set = keyword.name == "*NSET" || keyword.name == "*NODE";
     if (keyword.name == "*NSET" && keyword.of("NSET").empty())
       mesh_.problem(line_, "*NSET without a name", "*NSET, NSET=NAME");
+    else if (set && !keyword.of("NSET").empty())
+      spelling_.try_emplace(upper(keyword.of("NSET")), keyword.of("NSET"));
+    if (keyword.has("ELSET")) of_elements_.insert(upper(keyword.of("ELSET")));
     if (keyword.name != "*ELEMENT") return;
     const std::string type = upper(keyword.of("TYPE"));
     kind_ = kind_of(type);
@@ -177,47 +185,91 @@ class AbaqusReader {
     }
     if (!tag) return;
     mesh_.add_node(*tag, x, line_);
+    least_ = std::min(least_, *tag);
+    most_ = std::max(most_, *tag);
     if (keyword_.has("NSET")) put(keyword_.of("NSET"), *tag);
   }
 
+  /// Numbers of nodes, and names of sets above.
   void add_to_set(const std::vector<std::string>& fields) {
     const std::string name = keyword_.of("NSET");
+    if (name.empty()) return;  // as its keyword says
     if (keyword_.has("GENERATE")) return generate(name, fields);
     for (const std::string& field : fields) {
-      const bool number = !field.empty() && std::isdigit(static_cast<unsigned char>(field[0]));
-      if (number) {
-        if (const auto tag = tag_of(field)) put(name, *tag);
-        continue;
-      }
-      const auto set = sets_.find(upper(field));
-      if (set == sets_.end()) {
-        mesh_.problem(line_, fmt::format("there is no node set '{}'", field),
-                      "a set that stands above this line");
-        continue;
-      }
-      for (const std::size_t tag : std::vector<std::size_t>(set->second)) put(name, tag);
+      const bool name_like = field.find_first_of("+-.0123456789") != 0 && !field.empty();
+      if (const auto tag = whole_number(field))
+        put(name, *tag);
+      else if (name_like || spelling_.contains(upper(field)))
+        add_set(name, field);
+      else
+        refuse_in(name, fmt::format("'{}' of set '{}' is no number of a node", field, name),
+                  "a whole number, or the name of a set that stands above this line");
     }
+  }
+
+  /// Nodes of another set.
+  void add_set(const std::string& name, const std::string& other) {
+    const auto set = sets_.find(upper(other));
+    if (set != sets_.end()) {
+      for (const std::size_t tag : std::vector<std::size_t>(set->second)) put(name, tag);
+      return;
+    }
+    if (refused_.contains(upper(other))) return;  // as its own lines say
+    std::vector<std::string> known;
+    for (const auto& [key, nodes] : sets_) known.push_back(spelling_.at(key));
+    const bool empty = spelling_.contains(upper(other)),
+               elements = of_elements_.contains(upper(other));
+    refuse_in(name,
+              empty ? fmt::format("set '{}', a part of set '{}', has no nodes yet", other, name)
+                    : fmt::format("there is no node set '{}', a part of set '{}'", other, name),
+              "a set that stands above this line",
+              elements ? fmt::format("'{}' is a set of elements", other)
+                       : suggestion(other, known, "there is none above"));
   }
 
   /// "first, last, step"
   void generate(const std::string& name, const std::vector<std::string>& fields) {
-    const auto first = tag_of(fields[0]), last = fields.size() > 1 ? tag_of(fields[1]) : first,
-               step = fields.size() > 2 ? tag_of(fields[2]) : std::optional<std::size_t>(1);
-    if (!first || !last || !step) return;
-    if (*step == 0 || *last < *first || (*last - *first) / *step > kMostGenerated)
-      return mesh_.problem(line_, "GENERATE that generates nothing, or too much",
-                           "first, last, step above 0");
-    for (std::size_t tag = *first; tag <= *last; tag += *step)
-      if (mesh_.has_node(tag)) put(name, tag);
+    constexpr const char* kExpected =
+        "first, last, step: whole numbers, last from first on, step above 0";
+    std::vector<std::size_t> numbers;
+    for (const std::string& field : fields)
+      if (const auto number = whole_number(field)) numbers.push_back(*number);
+    const std::string line =
+        fmt::format("GENERATE of set '{}' by '{}'", name, fmt::join(fields, ", "));
+    if (numbers.size() != fields.size() || numbers.size() > 3)
+      return refuse_in(name, line + " is not read", kExpected);
+    const std::size_t first = numbers[0], last = numbers.size() > 1 ? numbers[1] : first,
+                      step = numbers.size() > 2 ? numbers[2] : 1;
+    if (step == 0 || last < first || (last - first) / step > kMostGenerated)
+      return refuse_in(name, line + " generates nothing, or too much", kExpected);
+    bool found = false;
+    for (std::size_t tag = first; tag <= last; tag += step) {
+      if (!mesh_.has_node(tag)) continue;
+      put(name, tag);
+      found = true;
+    }
+    if (!found)
+      refuse_in(name, line + " meets no node", "nodes of *NODE above this line", nodes_above());
   }
 
   /// Names of sets are the same in any case; the mesh has them as they were first written.
   void put(const std::string& name, std::size_t tag) {
     if (!mesh_.has_node(tag))
-      return mesh_.problem(line_, fmt::format("node {} of set '{}' does not exist", tag, name),
-                           "a node of *NODE above this line");
+      return refuse_in(name, fmt::format("node {} of set '{}' does not exist", tag, name),
+                       "a node of *NODE above this line", nodes_above());
     sets_[upper(name)].push_back(tag);
     mesh_.add_to_set(spelling_.try_emplace(upper(name), name).first->second, tag);
+  }
+
+  void refuse_in(const std::string& set, std::string what, std::string expected,
+                 std::string hint = "") {
+    refused_.insert(upper(set));
+    mesh_.problem(line_, std::move(what), std::move(expected), std::move(hint));
+  }
+
+  std::string nodes_above() const {
+    return most_ < least_ ? "there is none above"
+                          : fmt::format("those above are {} to {}", least_, most_);
   }
 
   /// The first element of another number of nodes stands for its block: the rest is not read.
@@ -233,11 +285,15 @@ class AbaqusReader {
     kind_ = nullptr;
   }
 
-  std::optional<std::size_t> tag_of(const std::string& field) {
-    std::size_t tag = 0;
+  static std::optional<std::size_t> whole_number(const std::string& field) {
+    std::size_t number = 0;
     const char* end = field.data() + field.size();
-    const auto [to, error] = std::from_chars(field.data(), end, tag);
-    if (error == std::errc() && to == end) return tag;
+    const auto [to, error] = std::from_chars(field.data(), end, number);
+    return error == std::errc() && to == end ? std::optional(number) : std::nullopt;
+  }
+
+  std::optional<std::size_t> tag_of(const std::string& field) {
+    if (const auto tag = whole_number(field)) return tag;
     mesh_.problem(line_, fmt::format("'{}' is no number of a node", field), "a whole number");
     return {};
   }
@@ -249,7 +305,9 @@ class AbaqusReader {
   const CellKind* kind_ = nullptr;  ///< of the cells that are read
   std::vector<std::size_t> cell_;   ///< number and nodes so far
   std::map<std::string, std::vector<std::size_t>> sets_;
-  std::map<std::string, std::string> spelling_;
+  std::map<std::string, std::string> spelling_;  ///< of the sets of nodes
+  std::set<std::string> of_elements_, refused_;  ///< sets of elements; sets with a problem
+  std::size_t least_ = std::numeric_limits<std::size_t>::max(), most_ = 0;  ///< numbers of nodes
 };
 
 }  // namespace

@@ -72,20 +72,42 @@ bool in_box(PartReader& part, const toml::table& box, Interface& interface) {
   return true;
 }
 
+/// What sets of nodes are, with the file that has them.
+std::string kinds_of_sets(const PartReader& part) {
+  const toml::node* file =
+      part.table.contains("mesh") ? part.table["mesh"]["file"].node() : nullptr;
+  if (!file)
+    return part.table.contains("matrices") ? "a set of the file of nodes" : "a side of the grid";
+  const std::string name = file->value_or(std::string());
+  const bool abaqus = name.ends_with(".inp") || name.ends_with(".INP");
+  return fmt::format("{} of '{}'", abaqus ? "an *NSET" : "a physical group", name);
+}
+
+bool in_set(PartReader& part, const toml::node& set, Interface& interface) {
+  const std::string name = set.value_or(std::string());
+  const auto found = part.mesh.sets.find(name);
+  if (found != part.mesh.sets.end() && !found->second.empty()) {
+    interface.nodes = found->second;
+    return true;
+  }
+  std::vector<std::string> known;
+  for (const auto& [other, nodes] : part.mesh.sets)
+    if (!nodes.empty()) known.push_back(other);
+  if (found != part.mesh.sets.end())
+    part.refuse(set, fmt::format("has the set '{}', which has no node of a cell", name),
+                kinds_of_sets(part) + " with nodes of cells",
+                suggestion(name, known, "it has none"));
+  else
+    part.refuse(set, fmt::format("has no set of nodes '{}'", name), kinds_of_sets(part),
+                suggestion(name, known, "it has none"));
+  return false;
+}
+
 /// Fills in nodes and point; the value that says which, nothing if something is wrong.
 const toml::node* find_nodes(PartReader& part, const toml::table& table, Interface& interface) {
   const SolidMesh& mesh = part.mesh;
   if (const toml::node* set = table.get("set")) {
-    const auto found = mesh.sets.find(set->value_or(std::string()));
-    if (found == mesh.sets.end()) {
-      std::vector<std::string> known;
-      for (const auto& [name, nodes] : mesh.sets) known.push_back(name);
-      part.refuse(*set, fmt::format("has no set of nodes '{}'", set->value_or(std::string())),
-                  "a side of the grid or a physical group",
-                  suggestion(set->value_or(std::string()), known));
-      return nullptr;
-    }
-    interface.nodes = found->second;
+    if (!in_set(part, *set, interface)) return nullptr;
     put_at_mean(mesh, interface);
     return set;
   }
@@ -129,7 +151,10 @@ void read_interfaces(PartReader& part) {
       interface_map(part.mesh, freedoms, part.interfaces);
     } catch (const std::invalid_argument& error) {
       part.interfaces.pop_back();
-      part.refuse(*region, fmt::format("cannot be held: {}", error.what()),
+      const std::string set = (*entry.table)["set"].value_or(std::string());
+      part.refuse(*region,
+                  fmt::format("cannot be held{}: {}", set.empty() ? "" : " by set '" + set + "'",
+                              error.what()),
                   freedoms > part.dim() ? "a node, or enough of them to average, that no other has"
                   : part.dim() == 2
                       ? "two nodes or more that no other interface has"

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "apps/input/title.hpp"
 #include "apps/scene/reader.hpp"
 
 namespace liesl {
@@ -89,7 +90,7 @@ void check_movers(Reader& reader) {
 }
 
 void read_parts(Reader& reader) {
-  reader.scene.mechanism.name = text(reader.root, "name");
+  reader.scene.mechanism.name = title(reader.root, reader.scene.file);
   reader.trusses = expand_trusses(reader.root, reader.broken, reader.problems);
   read_simulation(reader);
   read_gravity(reader);

@@ -157,6 +157,7 @@ std::string design_scene(const Study& study, const Mechanism& final,
   write_motion(document.root, study.spec, final, values);
   for (const auto& [part, outline] : outlines) write_outline(document.root, part, outline);
   write_tolerance(document.root, study.spec.cycle.method);
+  if (!document.root.contains("name")) document.root.insert("name", final.name);  // of the file
   return fmt::format("# The final design of the study '{}'. SI units.\n\n{}", study.spec.name,
                      ordered_text(document.root));
 }

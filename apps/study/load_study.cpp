@@ -6,6 +6,7 @@
 
 #include "apps/input/document.hpp"
 #include "apps/input/ordered_text.hpp"
+#include "apps/input/title.hpp"
 #include "apps/scene/scene_key.hpp"
 #include "apps/study/study_reader.hpp"
 #include "mbs/sections/shape_dimensions.hpp"
@@ -40,7 +41,6 @@ std::optional<Document> scene_of(const toml::table& root, const fs::path& folder
 }
 
 void read_study_parts(StudyReader& reader) {
-  reader.spec.name = text(reader.root, "name");
   read_design(reader);
   check_motion_variables(reader);
   read_objective(reader);
@@ -292,6 +292,7 @@ Study read_document(Document document, const fs::path& folder,
 
   Study study;
   study.file = document.file;
+  study.spec.name = title(document.root, study.file);
   Document& first = scenarios.front().scene;
   study.scene.file = first.file;
   study.scene.input = first.text;

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any, Callable, Mapping, Sequence
 
 import numpy as np
 
-from . import _liesl
+from . import _liesl, texts
 from .arrays import real
 from .errors import InputError, NotConverged, Problem
 
@@ -98,6 +98,10 @@ def own_limits(given: Any) -> dict[str, OwnFunction]:
     if not isinstance(given, Mapping):
         raise InputError([Problem(f"limits is {given!r}", "a function of an Evaluation by name",
                                   "limits={'name': function}")])
+    problems = [Problem(f"the limit {name!r} has no name", texts.UNICODE)
+                for name in given if not isinstance(name, str) or texts.shown(name) != name]
+    if problems:
+        raise InputError(problems)
     return dict(given)
 
 

@@ -14,7 +14,7 @@ from typing import Any, Iterable, Iterator, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _liesl
+from . import _liesl, texts
 from .arrays import real
 from .errors import InputError, IoError, NotConverged, Problem
 
@@ -65,7 +65,8 @@ class Result(Mapping[str, Any]):
     # --- data sets
 
     def __getitem__(self, name: str) -> Any:
-        array = self._records.array(name)
+        known = not isinstance(name, str) or texts.shown(name) == name
+        array = self._records.array(name) if known else None
         if array is not None:
             return array
         if self._below(name):
@@ -74,7 +75,7 @@ class Result(Mapping[str, Any]):
         while above and not self._below(above):
             above = above.rpartition("/")[0]
         where = f"in '{above}' " if above else ""
-        raise KeyError(f"there is no '{name}'; {where}known: {', '.join(self._below(above))}")
+        raise KeyError(f"there is no '{texts.shown(name)}'; {where}known: {', '.join(self._below(above))}")
 
     def __iter__(self) -> Iterator[str]:
         return iter(self._names)
@@ -151,7 +152,7 @@ class Result(Mapping[str, Any]):
         if "derivatives" not in made:
             made["derivatives"] = dict(zip(motion.responses(), motion.derivatives()))
         if response not in made["derivatives"]:
-            raise InputError([Problem(f"there is no response '{response}'",
+            raise InputError([Problem(f"there is no response '{texts.shown(response)}'",
                                       ", ".join(made["derivatives"]))])
         return made["derivatives"][response]
 
@@ -168,7 +169,7 @@ class Result(Mapping[str, Any]):
     def _differentiable(self, by: str | Sequence[str] | None) -> tuple[Any, dict[str, Any]]:
         keys = () if by is None else (by,) if isinstance(by, str) else by
         keys = tuple(keys) if isinstance(keys, Iterable) else (keys,)
-        if not all(isinstance(key, str) for key in keys):
+        if not all(isinstance(key, str) and texts.shown(key) == key for key in keys):
             raise InputError([Problem(f"by is {by!r}", "a key of the scene, or a list of keys",
                                       'by="sections.rod.diameter"')])
         if not keys:
@@ -185,14 +186,14 @@ class Result(Mapping[str, Any]):
     def save(self, folder: str | os.PathLike, overwrite: bool = False, report: bool = True) -> None:
         """Writes a results folder, as the program does. `overwrite` replaces an earlier result of
         liesl and nothing else. Raises IoError; then nothing is written."""
-        self._records.save(os.path.abspath(folder), overwrite, report)
+        self._records.save(texts.absolute(folder), overwrite, report)
 
     def report(self, path: str | os.PathLike) -> None:
         """Writes the page of the result: one HTML file. Raises IoError."""
+        file = texts.absolute(path)
         with tempfile.TemporaryDirectory() as folder:
             self._records.save(os.path.join(folder, "result"), False, False)
-            _liesl.write_file(os.path.abspath(path),
-                              _liesl.page_of(os.path.join(folder, "result"), Path(path).stem))
+            _liesl.write_file(file, _liesl.page_of(os.path.join(folder, "result"), Path(file).stem))
 
     def __reduce__(self):
         raise TypeError("a result does not pickle: save() it and liesl.open() the folder, or hand on "
@@ -332,8 +333,8 @@ class FolderResult(Result):
         return {f.stem: _table(f) for f in sorted(self.folder.glob("*.csv"))}
 
     def report(self, path: str | os.PathLike) -> None:
-        page = _liesl.page_of(self.folder, self.folder.resolve().name)
-        _liesl.write_file(os.path.abspath(path), page)
+        file = texts.absolute(path)
+        _liesl.write_file(file, _liesl.page_of(self.folder, self.folder.resolve().name))
 
     def __reduce__(self):
         return FolderResult, (self.folder.resolve(),)
@@ -381,4 +382,5 @@ def open(folder: str | os.PathLike) -> FolderResult:  # noqa: A001
 
     Raises IoError for a folder that is no result, or whose files are not what liesl writes.
     """
+    texts.absolute(folder)
     return FolderResult(Path(folder))

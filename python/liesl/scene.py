@@ -7,7 +7,7 @@ import tomllib
 from pathlib import Path
 from typing import Any, Mapping, Sequence
 
-from . import _liesl, toml_text
+from . import _liesl, texts, toml_text
 from .result import Result
 
 PathLike = str | os.PathLike
@@ -34,8 +34,8 @@ class Scene:
     def load(cls, path: PathLike, changes: Mapping[str, Any] | None = None) -> Scene:
         """Reads a TOML file. Raises InputError with file, line and column of all problems, IoError
         if there is no such file."""
-        file = os.path.abspath(path)
-        text = _liesl.read_file(file)
+        file = texts.absolute_input(path)
+        text = texts.read(file)
         return cls._made(text, file, tuple(toml_text.changes(changes or {})))
 
     def change(self, values: Mapping[str, Any]) -> Scene:
@@ -57,10 +57,11 @@ class Scene:
         """Writes a TOML file with the changes in it; comments stay. Paths of meshes become
         absolute if the file goes to another folder. Its first line names the schema of scenes, for
         editors. Raises IoError."""
-        text = self._moved(Path(path))._scene.rewritten()
+        file = texts.absolute(path)
+        text = self._moved(Path(file))._scene.rewritten()
         schema = Path(__file__).with_name("scene.json").resolve()
         line = f"#:schema {schema}\n" if schema.is_file() else ""
-        _liesl.write_file(os.path.abspath(path), line + text)
+        _liesl.write_file(file, line + text)
 
     @property
     def warnings(self) -> list[str]:

@@ -13,7 +13,7 @@ from typing import Any, Callable, Mapping, Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
-from . import _liesl, toml_text
+from . import _liesl, texts, toml_text
 from .arrays import real
 from .errors import InputError, NotConverged, Problem
 from .nlp import (Nlp, OwnFunction, PeakNlp, ProgramNlp, StudyNlp, minimize, own_limits,
@@ -117,8 +117,8 @@ class Study:
     def load(cls, path: str | os.PathLike, changes: Mapping[str, Any] | None = None) -> Study:
         """Reads a TOML file and its scene. Raises InputError with all problems of both, IoError if
         there is no such file."""
-        file = os.path.abspath(path)
-        text = _liesl.read_file(file)
+        file = texts.absolute_input(path)
+        text = texts.read(file)
         return cls(text, file, os.path.dirname(file), tuple(toml_text.changes(changes or {})))
 
     def change(self, values: Mapping[str, Any]) -> Study:

@@ -7,6 +7,7 @@ from typing import Any, Mapping
 import numpy as np
 
 from .errors import InputError, Problem
+from .texts import UNICODE, shown
 
 _EXPECTED = "a number, text, True or False, list, array or dict"
 _DEEPEST = 50  # levels of lists and dicts; the keys of a scene need six
@@ -35,6 +36,8 @@ def _value(value: Any, path: str, problems: list[Problem], above: tuple[int, ...
     if isinstance(value, (int, float)):
         return _number(value)
     if isinstance(value, str):
+        if shown(value) != value:
+            problems.append(Problem(f"'{path}' is '{shown(value)}'", UNICODE))
         return _text(value)
     if isinstance(value, (list, tuple, Mapping)):
         if id(value) in above:
@@ -55,11 +58,13 @@ def _value(value: Any, path: str, problems: list[Problem], above: tuple[int, ...
 
 
 def _join(path: str, key: Any) -> str:
-    return f"{path}.{key}" if path else str(key)
+    return f"{path}.{shown(str(key))}" if path else shown(str(key))
 
 
 def _key(key: Any, path: str, problems: list[Problem]) -> str:
     if isinstance(key, str):
+        if shown(key) != key:
+            problems.append(Problem(f"the key '{_join(path, key)}' is no text of UTF-8", UNICODE))
         return _text(key)
     problems.append(Problem(f"'{_join(path, key)}': a key is of type {type(key).__name__}",
                             "a text"))
@@ -81,11 +86,12 @@ def document(data: Mapping[str, Any]) -> str:
     above = (id(data),)
     for key, value in data.items():
         if not isinstance(value, Mapping) or value is data:
-            lines.insert(0, f"{_key(key, '', problems)} = {_value(value, str(key), problems, above)}")
+            lines.insert(0, f"{_key(key, '', problems)} = {_value(value, _join('', key), problems, above)}")
             continue
         lines.append(f"\n[{_key(key, '', problems)}]")
         inside = (*above, id(value))
-        lines += [f"{_key(k, str(key), problems)} = {_value(v, _join(str(key), k), problems, inside)}"
+        name = _join("", key)
+        lines += [f"{_key(k, name, problems)} = {_value(v, _join(name, k), problems, inside)}"
                   for k, v in value.items()]
     if problems:
         raise InputError(problems)
@@ -101,7 +107,9 @@ def changes(values: Mapping[str, Any]) -> list[str]:
     for path in values:
         if not isinstance(path, str):
             problems.append(Problem(f"the key path {path!r} is no text", '"simulation.step"'))
-    out = [f"{path}={_value(value, str(path), problems)}" for path, value in values.items()]
+        elif shown(path) != path:
+            problems.append(Problem(f"the key path '{shown(path)}' is no text of UTF-8", UNICODE))
+    out = [f"{path}={_value(value, _join('', path), problems)}" for path, value in values.items()]
     if problems:
         raise InputError(problems)
     return out

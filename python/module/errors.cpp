@@ -1,6 +1,6 @@
+#include "apps/cli/io_message.hpp"
 #include "apps/input/problem.hpp"
 #include "apps/output/interrupt.hpp"
-#include "apps/output/io_error.hpp"
 #include "python/module/outcome.hpp"
 
 namespace liesl::python {
@@ -9,6 +9,12 @@ namespace {
 void raise(const char* type, const py::tuple& arguments) {
   const py::object error = py::module_::import("liesl.errors").attr(type);
   PyErr_SetObject(error.ptr(), error(*arguments).ptr());
+}
+
+/// Names of files may be of bytes that are no UTF-8: as Python's os.fsdecode has them.
+py::object decoded(const std::string& text) {
+  return py::reinterpret_steal<py::object>(
+      PyUnicode_DecodeUTF8(text.data(), static_cast<Py_ssize_t>(text.size()), "surrogateescape"));
 }
 
 struct Option {
@@ -46,9 +52,10 @@ void bind_errors(py::module_&) {
     } catch (const std::invalid_argument& e) {
       raise_input({{"", 0, 0, e.what(), "", ""}});
     } catch (const output::IoError& e) {
-      raise("IoError", py::make_tuple(with_arguments(e.what()), e.path().string()));
+      raise("IoError",
+            py::make_tuple(decoded(with_arguments(message(e))), decoded(e.path().string())));
     } catch (const std::filesystem::filesystem_error& e) {
-      raise("IoError", py::make_tuple(e.what(), e.path1().string()));
+      raise("IoError", py::make_tuple(decoded(e.what()), decoded(e.path1().string())));
     } catch (const output::Interrupted&) {
       PyErr_SetNone(PyExc_KeyboardInterrupt);
     }

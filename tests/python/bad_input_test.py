@@ -42,6 +42,83 @@ def test_files_that_are_not_there(tmp_path):
             load(tmp_path)  # a folder
 
 
+LONE = "rod \ud800"  # half of a pair of UTF-16
+SHOWN = r"rod \ud800"
+
+
+@pytest.mark.parametrize("keys, place", [
+    ({"name": LONE}, f"'name' is '{SHOWN}'"),
+    ({LONE: 1}, f"the key '{SHOWN}' is no text"),
+    ({LONE: {"a": 1}}, f"the key '{SHOWN}' is no text"),
+    ({"bodies": {LONE: {}}}, f"the key 'bodies.{SHOWN}' is no text"),
+    ({"responses": {"tip": {"of": [0, LONE]}}}, f"'responses.tip.of.1' is '{SHOWN}'"),
+])
+def test_texts_that_utf8_has_not(pendulum, keys, place):
+    with pytest.raises(liesl.InputError) as error:
+        liesl.Scene({**pendulum, **keys})
+    problem, = error.value.problems
+    assert problem.what.startswith(place) and problem.expected == "Unicode without lone surrogates"
+    str(error.value).encode()  # can be printed
+
+
+def test_changes_that_utf8_has_not(pendulum, data):
+    study = liesl.Study.load(data / "studies/slider_crank_rod.toml")
+    for change in (liesl.Scene(pendulum).change, study.change):
+        for values, place in (({LONE: 1}, f"the key path '{SHOWN}'"), ({"name": LONE}, f"'name' is '{SHOWN}'")):
+            with pytest.raises(liesl.InputError) as error:
+                change(values)
+            assert error.value.problems[0].what.startswith(place)
+    with pytest.raises(liesl.InputError, match="method"):
+        study.optimize(method=LONE)
+    with pytest.raises(liesl.InputError, match="limit"):
+        study.optimize(limits={LONE: lambda at: (0.0, {})})
+
+
+def test_names_that_utf8_has_not(pendulum):
+    result = liesl.Scene(pendulum).run()
+    with pytest.raises(KeyError, match="there is no 'rod"):
+        result[LONE]
+    with pytest.raises(liesl.InputError, match="by is"):
+        result.jacobian("tip", by=LONE)
+
+
+def test_paths_that_utf8_has_not(pendulum, tmp_path):
+    scene = liesl.Scene(pendulum)
+    result = scene.run()
+    result.save(tmp_path / "out")
+    kept = liesl.open(tmp_path / "out")
+    before = sorted(tmp_path.rglob("*"))
+    for call in (liesl.Scene.load, liesl.Study.load, liesl.open, scene.write, result.save, result.report, kept.report):
+        for name, place in ((LONE, f"no file can have the path '{tmp_path}/{SHOWN}'"), ("a\0b", r"a\x00b' has a NUL")):
+            with pytest.raises(liesl.InputError) as error:
+                call(str(tmp_path / name))
+            assert place in str(error.value)
+    for load in (liesl.Scene.load, liesl.Study.load):
+        with pytest.raises(liesl.InputError, match=r"udcff.toml' is no text of UTF-8"):
+            load(tmp_path / "\udcff.toml")
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_folders_whose_names_are_bytes(pendulum, tmp_path):
+    folder = tmp_path / "\udcff"
+    with pytest.raises(liesl.IoError) as error:
+        liesl.open(folder)
+    assert error.value.path == str(folder)
+    liesl.Scene(pendulum).run().save(folder)
+    assert liesl.open(folder).status == "done"
+
+
+def test_a_file_in_another_encoding(tmp_path):
+    file = tmp_path / "latin.toml"
+    file.write_bytes("# first\n# Länge ".encode() + "Länge".encode("latin-1") + b"\n")
+    for load in (liesl.Scene.load, liesl.Study.load):
+        with pytest.raises(liesl.InputError) as error:
+            load(file)
+        problem, = error.value.problems
+        assert (problem.file, problem.line, problem.column) == (str(file), 2, 10)
+        assert problem.what == "the byte 0xe4 is no UTF-8"
+
+
 @pytest.mark.parametrize("make", [
     lambda p: None,
     lambda p: p.mkdir(),

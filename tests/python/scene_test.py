@@ -128,3 +128,15 @@ def test_errors_pickle(pendulum):
     copy = pickle.loads(pickle.dumps(error.value))
     assert copy.problems == error.value.problems
     assert str(pickle.loads(pickle.dumps(liesl.IoError("no", "x")))) == "no"
+
+
+def test_a_scene_without_a_name(pendulum, tmp_path):
+    """It is called as its file is; of a dict as the key is by default."""
+    nameless = {key: value for key, value in pendulum.items() if key != "name"}
+    scene = liesl.Scene(nameless)
+    assert scene.run().summary["name"] == "scene"
+    scene.write(tmp_path / "my pendulum.toml")
+    read = liesl.Scene.load(tmp_path / "my pendulum.toml")
+    assert read.run().summary["name"] == "my pendulum"
+    assert read.change({"name": "other"}).run().summary["name"] == "other"
+    assert "name" not in read.to_dict()

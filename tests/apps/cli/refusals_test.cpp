@@ -398,6 +398,25 @@ TEST_F(Drawing, RefusesResultsThatAreNotWhole) {
   EXPECT_EQ(run({"report", results()}).code, 0);
 }
 
+/// A NUL ended the message.
+TEST_F(Drawing, MessagesAreWholeWhereATableHasANul) {
+  const fs::path table = results() / "responses.csv";
+  std::string text = text_of(table);
+  const auto cell = text.find(',', text.find('\n')) + 1;
+  text.insert(cell, std::string("1\0"
+                                "2\x1b",
+                                4));
+  std::ofstream(table, std::ios::binary) << text;
+  for (const char* command : {"report", "plot"}) {
+    const Outcome out = run({command, results()});
+    EXPECT_EQ(out.code, 3);
+    EXPECT_NE(out.err.find("responses.csv"), std::string::npos) << out.err;
+    EXPECT_NE(out.err.find("'1\\x002\\x1b"), std::string::npos) << out.err;
+    EXPECT_NE(out.err.find("in line 2 is no "), std::string::npos) << out.err;
+    EXPECT_NE(out.err.find("run it again\n"), std::string::npos) << out.err;
+  }
+}
+
 /// The command line is in the summary as it was given.
 TEST_F(Drawing, SummaryHoldsTheArguments) {
   const Words words = short_run({"--verify", "--force"});

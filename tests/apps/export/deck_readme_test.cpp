@@ -119,15 +119,21 @@ TEST(DeckReadme, OfABeamSaysHowItsProgramSolvesIt) {
   expect_unsaid(nastran, {"NLGEOM", "CalculiX"});
 }
 
-/// CalculiX joins unlike sections by stiff knots.
+/// CalculiX joins unlike outlines by rigid knots, but for those of bars at their nodes.
 TEST(DeckReadme, OfABeamSaysWhereItsSectionsJump) {
   BeamDeck jumps = beam();
   auto& circle = std::get<Circle>(jumps.sections.back().shape);
   circle.diameter *= 1.5;
-  const char* words = "sections of this part jump";
-  expect_said(readme(jumps, "CalculiX"), {words});
-  expect_unsaid(readme(jumps, "Nastran"), {words});
-  expect_unsaid(readme(beam(), "CalculiX"), {words});
+  const char *words = "sections of this part jump", *knots = "Tubes or boxes of this part";
+  expect_said(readme(jumps, "CalculiX"), {words, "NODAL THICKNESS"});
+  expect_unsaid(readme(jumps, "CalculiX"), {knots});
+  for (const char* both : {words, knots}) {
+    expect_unsaid(readme(jumps, "Nastran"), {both});
+    expect_unsaid(readme(beam(), "CalculiX"), {both});
+  }
+  jumps.sections.back().shape = Tube{2 * circle.diameter, 0.001};
+  expect_said(readme(jumps, "CalculiX"), {knots});
+  expect_unsaid(readme(jumps, "CalculiX"), {words});
 }
 
 TEST(DeckReadme, OfAMeshedPartSaysUnitsFrameAndWhatItGivesBack) {

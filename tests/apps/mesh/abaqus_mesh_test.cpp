@@ -65,6 +65,23 @@ std::vector<InputProblem> problems_of_inp(const std::string& text) {
   return {};
 }
 
+struct Case {
+  std::string text, words;
+  int line;
+};
+
+void expect_problems(const std::vector<Case>& cases) {
+  for (const Case& c : cases) {
+    const auto problems = problems_of_inp(c.text);
+    ASSERT_FALSE(problems.empty()) << c.words;
+    const bool found = std::any_of(problems.begin(), problems.end(), [&](const InputProblem& p) {
+      return p.line == c.line && p.text().find(c.words) != std::string::npos;
+    });
+    EXPECT_TRUE(found) << c.words << ": " << problems[0].text();
+    EXPECT_EQ(problems[0].file, "part.inp");
+  }
+}
+
 TEST(AbaqusMesh, ReadsHexahedraAndNodeSets) {
   const SolidMesh mesh = read_abaqus("part.inp", kTower);
   EXPECT_EQ(mesh.dim, 3);
@@ -132,10 +149,6 @@ TEST(AbaqusMesh, ReadsNodesAtEdges) {
 }
 
 TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
-  struct Case {
-    std::string text, words;
-    int line;
-  };
   const std::vector<Case> cases = {
       {"", "no cells", 1},
       {"nothing of the kind\n", "no cells", 1},
@@ -169,15 +182,67 @@ TEST(AbaqusMesh, EveryMistakeSaysWhereAndWhatWasExpected) {
       {tower_with("NSET=head", "N"), "*NSET without a name", 26},
       {tower_with("*HEADING", "*INCLUDE, INPUT=a.inp"), "*INCLUDE is not read", 1},
   };
-  for (const Case& c : cases) {
-    const auto problems = problems_of_inp(c.text);
-    ASSERT_FALSE(problems.empty()) << c.words;
-    const bool found = std::any_of(problems.begin(), problems.end(), [&](const InputProblem& p) {
-      return p.line == c.line && p.text().find(c.words) != std::string::npos;
-    });
-    EXPECT_TRUE(found) << c.words << ": " << problems[0].text();
-    EXPECT_EQ(problems[0].file, "part.inp");
-  }
+  expect_problems(cases);
+}
+
+/// Which set, what was expected, and what there is.
+TEST(AbaqusMesh, MistakesOfSetsNameTheSetAndWhatThereIs) {
+  const std::string last = "first, last, step: whole numbers, last from first on, step above 0";
+  const auto foot = [](const std::string& line) { return tower_with("1, 4, 1", line); };
+  const auto head = [](const std::string& line) {
+    return tower_with("22,\n23, 24", "22,\n" + line);
+  };
+  expect_problems({
+      {foot("4, 1, -1"), "GENERATE of set 'Foot' by '4, 1, -1' is not read; expected " + last, 25},
+      {foot("1, 4, 1, 7"), "by '1, 4, 1, 7' is not read; expected " + last, 25},
+      {foot("1,,1"), "by '1, , 1' is not read", 25},
+      {foot("4, 1, 1"), "'4, 1, 1' generates nothing, or too much; expected " + last, 25},
+      {foot("1, 4, 0"), "'1, 4, 0' generates nothing, or too much", 25},
+      {foot("1000, 2000, 1"),
+       "set 'Foot' by '1000, 2000, 1' meets no node; expected nodes of *NODE above this line; "
+       "hint: "
+       "those above are 1 to 99",
+       25},
+      {head("23, 77"),
+       "node 77 of set 'head' does not exist; expected a node of *NODE above this line; hint: "
+       "those "
+       "above are 1 to 99",
+       28},
+      {head("23, -24"),
+       "'-24' of set 'head' is no number of a node; expected a whole number, or the name of a set",
+       28},
+      {head("23,, 24"), "'' of set 'head' is no number of a node", 28},
+      {tower_with("FOOT, head", "FOOT, hed"),
+       "there is no node set 'hed', a part of set 'ends'; expected a set that stands above this "
+       "line; hint: did you mean 'head'?",
+       30},
+      {tower_with("FOOT, head", "FOOT, Eall"), "hint: 'Eall' is a set of elements", 30},
+      {tower_with("*NSET, NSET=ends\nFOOT", "*NSET, NSET=bare\n*NSET, NSET=ends\nbare"),
+       "set 'bare', a part of set 'ends', has no nodes yet", 31},
+      {tower_with("*NODE, NSET", "*NSET, NSET=early\n1, 2\n*NODE, NSET"),
+       "node 1 of set 'early' does not exist; expected a node of *NODE above this line; hint: "
+       "there "
+       "is none above",
+       5},
+  });
+  for (const char* line : {"4, 1, -1", "a, b", "1000, 2000"})  // not of 'ends', which names it
+    EXPECT_EQ(problems_of_inp(foot(line)).size(), 1u) << line;
+}
+
+TEST(AbaqusMesh, SetsWithoutNodesAreThere) {
+  const SolidMesh mesh = read_abaqus(
+      "part.inp", tower_with("*MATERIAL", "*NSET, NSET=bare\n*NSET, NSET=mass\n99\n*MATERIAL"));
+  EXPECT_TRUE(mesh.sets.at("bare").empty());
+  EXPECT_TRUE(mesh.sets.at("mass").empty());
+}
+
+TEST(AbaqusMesh, AMessageIsWholeWhereTheFileHasANul) {
+  const std::string cell = std::string("2") + '\0' + "4";
+  const auto problems = problems_of_inp(tower_with("22,\n23, 24", "22,\n23, " + cell));
+  ASSERT_EQ(problems.size(), 1u);
+  EXPECT_NE(problems[0].text().find("'2\\x004' of set 'head' is no number of a node; expected"),
+            std::string::npos)
+      << problems[0].text();
 }
 
 TEST(AbaqusMesh, AWrongElementTypeIsOneProblem) {

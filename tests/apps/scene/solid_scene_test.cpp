@@ -150,7 +150,8 @@ TEST(SolidScene, TakesTetrahedraAndRefusesWhatTheyCannotHave) {
   std::ofstream(folder / "PART.INP")
       << "*NODE\n1, 0, 0, 0\n2, 0, 1, 0\n3, 0, 0, 1\n4, 2, 0, 0\n5, 2, 1, 0\n6, 2, 0, 1\n"
          "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n2, 2, 5, 3, 4\n3, 3, 5, 6, 4\n"
-         "*NSET, NSET=left\n1, 2, 3\n*NSET, NSET=right\n4, 5, 6\n";
+         "*NSET, NSET=left\n1, 2, 3\n*NSET, NSET=right\n4, 5, 6\n*NSET, NSET=bare\n*NSET, "
+         "NSET=one\n1\n";
   const std::string text = R"(name = "prism"
 gravity = [0, 0, -9.81]
 [materials]
@@ -184,7 +185,13 @@ step = 1e-3
   };
   refused("modes = 0", "modes = 0\noutline = { ball = { type = \"sphere\", radius = 0.3 } }",
           "has an outline in a mesh of a kind of cell that it does not cut: 4-node tetrahedron");
-  refused("set = \"left\"", "set = \"lift\"", "has no set of nodes 'lift'");
+  refused(
+      "set = \"left\"", "set = \"lift\"",
+      "has no set of nodes 'lift'; expected an *NSET of 'PART.INP'; hint: did you mean 'left'?");
+  refused("set = \"left\"", "set = \"bare\"",
+          "has the set 'bare', which has no node of a cell; expected an *NSET of 'PART.INP' with "
+          "nodes of cells; hint: known: left, one, right");
+  refused("set = \"left\"", "set = \"one\"", "cannot be held by set 'one': interface 'left'");
   refused("material = \"steel\"\n", "", "has a mesh without 'material'");
   refused("set = \"right\"", "nodes = [4, 5, 7]", "has no node 7");
   refused("set = \"right\"", "nodes = [4, 5, 5.5]", "has no node 5.5");
