@@ -66,7 +66,7 @@ struct Refinable {
 class FinerStudy {
  public:
   FinerStudy(const Study& study, const Changes& before, const ReadStudy& read)
-      : study_(study), before_(before), read_(read), given_(setting(study)) {}
+      : study_(study), before_(before), read_(read), given_(setting_of(with_limits(study))) {}
 
   FinerModel model(const LargestError& mesh, const LargestError& step, double allowed) {
     FinerModel out;
@@ -79,21 +79,34 @@ class FinerStudy {
 
  private:
   /// With the places that limits name.
-  static Setting setting(const Study& study) {
+  static Scene with_limits(const Study& study) {
     Scene scene = study.scene;
     for (const ConstraintSpec& c : study.spec.constraints) scene.responses.push_back(c.response);
-    return setting_of(scene);
+    return scene;
   }
 
-  bool readable(const Changes& more) const {
+  std::optional<Study> readable(const Changes& more) const {
     Changes all = before_;
     all.insert(all.end(), more.begin(), more.end());
     try {
-      read_(all);
-      return true;
+      return read_(all);
     } catch (const InputError&) {
-      return false;
+      return {};
     }
+  }
+
+  /// A beam with other elements and the places that it has now; none: it cannot have them.
+  std::optional<BeamSetting> with_elements(std::size_t of, int elements) const {
+    Setting finer = given_;
+    BeamSetting& b = finer.beams[of];
+    const int body = study_.scene.mechanism.body(b.name);
+    for (const int numbering : {0, b.elements}) {
+      b.elements = elements;
+      b.numbering = numbering;
+      const auto read = readable(changes(finer, given_));
+      if (read && places(with_limits(*read), body) == places(with_limits(study_), body)) return b;
+    }
+    return {};
   }
 
   const BeamSpec& beam(const BeamSetting& of) const {
@@ -163,14 +176,14 @@ class FinerStudy {
     }
     const int order = order_of_beams();
     Setting finer = given_;
-    for (BeamSetting& b : finer.beams)
-      if (b.multiple > 0)
-        for (int f = refinement_factor(error, allowed, order); f > 1; f /= 2)
-          if (f * b.elements <= kMostElements &&
-              readable({fmt::format("bodies.{}.beam.elements={}", b.name, f * b.elements)})) {
-            b.elements *= f;
-            break;
-          }
+    for (std::size_t i = 0; i < finer.beams.size(); ++i) {
+      BeamSetting& b = finer.beams[i];
+      std::optional<BeamSetting> refined;
+      for (int f = refinement_factor(error, allowed, order); b.multiple > 0 && f > 1 && !refined;
+           f /= 2)
+        if (f * b.elements <= kMostElements) refined = with_elements(i, f * b.elements);
+      if (refined) b = *refined;
+    }
     out.changes = changes(finer, given_);
     out.mesh = !out.changes.empty();
     if (!out.mesh) out.exhausted = no_room();

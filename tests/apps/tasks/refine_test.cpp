@@ -107,6 +107,22 @@ TEST(FinerModel, WhatNoRefinementReachesIsSaid) {
   EXPECT_NE(elements.find("elements, of which 10000 are the most"), elements.npos) << elements;
 }
 
+/// A limit stays where it is, named by the numbers of the mesh of the scene.
+TEST(FinerModel, NodesNamedByNumberStay) {
+  Changes given = kOrder4;
+  given.push_back("constraints.bending.at=node3");
+  const VerifiedLimit limit = {"bending", 0, 15.9 * 2.5e-4, 0, 4};
+  const FinerModel m = finer(given, limit);
+  EXPECT_EQ(m.changes, (Changes{"bodies.crank.beam.elements=16", "bodies.rod.beam.elements=16",
+                                "bodies.rod.beam.numbering=8"}));
+  const auto place = [](const Study& s) { return s.spec.constraints.front().response.s; };
+  const ReadStudy read = reader("slider_crank_rod", given);
+  EXPECT_EQ(place(read(m.changes)), place(read({})));
+  const FinerModel next = finer_model(read(m.changes), {limit}, 1e-3, m.changes, read);
+  EXPECT_EQ(next.changes,
+            (Changes{"bodies.crank.beam.elements=32", "bodies.rod.beam.elements=32"}));
+}
+
 TEST(FinerModel, AScenarioWithAStepOfItsOwnIsNamed) {
   const ReadStudy read =
       reader("rod_three_speeds", {"scenarios.rated.set={\"simulation.step\"=1e-4}"});
